@@ -1,0 +1,68 @@
+//! Influence columns A⁻¹c, kept only where they are not negligible.
+//!
+//! With a time step of a millisecond the influence of a force decays over a few nodes, so a
+//! column is a short window of nodes. What is cut off is below [`CUT`] of its peak.
+
+use crate::linalg::BlockLdl;
+
+/// Values below this fraction of a column's peak are cut: rounding of one solve. Larger would
+/// unbalance the forces, smaller stores noise.
+const CUT: f64 = 1e-17;
+
+/// Columns one after the other in one piece of memory.
+#[derive(Debug, Clone, Default)]
+pub struct Columns<const D: usize> {
+    windows: Vec<Window>,
+    values: Vec<[f64; D]>,
+}
+
+#[derive(Debug, Clone, Copy)]
+struct Window {
+    first: usize,
+    offset: usize,
+    length: usize,
+}
+
+impl<const D: usize> Columns<D> {
+    /// Solve for a right-hand side and keep the column; returns its number.
+    pub fn push(&mut self, factor: &BlockLdl<D>, mut rhs: Vec<[f64; D]>) -> usize {
+        factor.solve(&mut rhs);
+        let size = |v: &[f64; D]| v.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+        let peak = rhs.iter().map(size).fold(0.0, f64::max);
+        let keeps = |v: &[f64; D]| size(v) > CUT * peak;
+        let first = rhs.iter().position(keeps).unwrap_or(0);
+        let end = rhs.iter().rposition(keeps).map_or(first, |i| i + 1);
+        self.windows.push(Window { first, offset: self.values.len(), length: end - first });
+        self.values.extend_from_slice(&rhs[first..end]);
+        self.windows.len() - 1
+    }
+
+    /// Value at a node.
+    #[inline(always)]
+    #[must_use]
+    pub fn at(&self, column: usize, node: usize) -> [f64; D] {
+        let w = &self.windows[column];
+        match node.checked_sub(w.first) {
+            Some(k) if k < w.length => self.values[w.offset + k],
+            _ => [0.0; D],
+        }
+    }
+
+    /// `x += factor · column`
+    #[inline(always)]
+    pub fn add(&self, column: usize, factor: f64, x: &mut [[f64; D]]) {
+        let w = &self.windows[column];
+        let target = &mut x[w.first..w.first + w.length];
+        for (a, b) in target.iter_mut().zip(&self.values[w.offset..w.offset + w.length]) {
+            for c in 0..D {
+                a[c] += factor * b[c];
+            }
+        }
+    }
+
+    /// Numbers stored.
+    #[must_use]
+    pub fn stored(&self) -> usize {
+        self.values.len() * D
+    }
+}

@@ -1,0 +1,183 @@
+//! The complementarity problem of one step: contacts and slack links together.
+//!
+//! Contact j: force λ ≥ 0 against gap d + λ/k_c ≥ 0 (k_c infinite when rigid).
+//! Link i:    correction r ≥ 0 against tension T ≥ 0; r cancels what the linear link would push.
+//! Both laws hold at the time of balance. With Δu = Δu₀ + A⁻¹(C λ − G r),
+//!
+//!   [ d/a ]   [ CᵀA⁻¹C + eᵀA_p⁻¹e + 1/(a k_c)   −CᵀA⁻¹G        ] [ λ ]   [ d₀/a ]
+//!   [ T/κ ] = [ GᵀA⁻¹C                           1/κ − GᵀA⁻¹G   ] [ r ] + [ T₀/κ ]
+//!
+//! a = 1 − α_f, κ = a k + (a γ / β h) c of the link. Dividing by a and κ makes the diagonal blocks
+//! symmetric and the coupling skew, so the matrix is positive definite and the solution unique.
+
+use super::line::Line;
+use super::path::{Path, Place};
+use super::rider::RiderState;
+use super::stepper::Prepared;
+use crate::lcp::{LcpFailure, LcpSolver, LcpStats};
+
+/// Unknowns and workspace of the complementarity problem; nothing is allocated during a run
+/// once the vectors have grown.
+#[derive(Debug, Default)]
+pub struct Unilateral {
+    /// Contact forces λ, N.
+    pub force: Vec<f64>,
+    /// Gaps d + λ/k_c, m: zero when closed.
+    pub gap: Vec<f64>,
+    /// Corrections r of all links, N.
+    pub correction: Vec<f64>,
+    /// Links in the problem of this step.
+    pub links: Vec<usize>,
+    /// Part of `force` already contained in the increments of this step.
+    pub(super) applied_force: Vec<f64>,
+    /// Part of `correction` already contained in the increments of this step.
+    pub(super) applied_correction: Vec<f64>,
+    is_in: Vec<bool>,
+    h: Vec<f64>,
+    w: Vec<f64>,
+    x: Vec<f64>,
+    y: Vec<f64>,
+    warm: Vec<bool>,
+    solver: LcpSolver,
+}
+
+impl Unilateral {
+    /// For the given numbers of contacts and links, with the corrections at the start.
+    #[must_use]
+    pub fn new(force: Vec<f64>, correction: Vec<f64>) -> Self {
+        Self {
+            gap: vec![0.0; force.len()],
+            applied_force: vec![0.0; force.len()],
+            applied_correction: vec![0.0; correction.len()],
+            is_in: vec![false; correction.len()],
+            force,
+            correction,
+            ..Self::default()
+        }
+    }
+
+    /// Choose the links that enter: those that would push, and those slack a step ago.
+    pub fn collect(&mut self, pushes: impl Fn(usize) -> bool) {
+        self.links.clear();
+        self.applied_force.fill(0.0);
+        self.applied_correction.fill(0.0);
+        for i in 0..self.is_in.len() {
+            self.is_in[i] = self.correction[i] > 0.0 || pushes(i);
+            if self.is_in[i] {
+                self.links.push(i);
+            }
+        }
+    }
+
+    /// Add links that were left out but would push; tells whether there were any.
+    pub fn extend(&mut self, pushes: impl Fn(usize) -> bool) -> bool {
+        let before = self.links.len();
+        for i in 0..self.is_in.len() {
+            if !self.is_in[i] && pushes(i) {
+                self.is_in[i] = true;
+                self.links.push(i);
+            }
+        }
+        self.links.len() > before
+    }
+
+    /// Set up H for the chosen links and solve. `gap_free` and `tension_free` are d₀ and T₀.
+    ///
+    /// # Errors
+    /// [`LcpFailure`] with the problem in it.
+    pub fn solve<const DIM: usize, const D: usize>(
+        &mut self,
+        p: &Prepared<DIM, D>,
+        places: &[Place],
+        riders: &[RiderState],
+        gap_free: &[f64],
+        tension_free: impl Fn(usize) -> f64,
+    ) -> Result<LcpStats, Box<LcpFailure>> {
+        let (m, n) = (places.len(), places.len() + self.links.len());
+        self.h.resize(n * n, 0.0);
+        for v in [&mut self.w, &mut self.x, &mut self.y] {
+            v.resize(n, 0.0);
+        }
+        self.warm.resize(n, false);
+        for (j, place) in places.iter().enumerate() {
+            for (i, other) in places.iter().enumerate() {
+                self.h[i * n + j] = p.contact_on_contact(place, other);
+            }
+            self.h[j * n + j] += riders[j].strip(&riders[j].column) + p.contact_compliance;
+            for (k, &link) in self.links.iter().enumerate() {
+                let coupling = p.contact_on_link(place, link);
+                self.h[(m + k) * n + j] = coupling;
+                self.h[j * n + m + k] = -coupling;
+            }
+            self.w[j] = gap_free[j] / p.coefficients.stiffness;
+            self.warm[j] = self.force[j] > 0.0;
+        }
+        for (k, &link) in self.links.iter().enumerate() {
+            for (l, &other) in self.links.iter().enumerate() {
+                self.h[(m + k) * n + m + l] = -p.link_on_link(other, link);
+            }
+            self.h[(m + k) * n + m + k] += 1.0 / p.link_stiffness[link];
+            self.w[m + k] = tension_free(link) / p.link_stiffness[link];
+            self.warm[m + k] = self.correction[link] > 0.0;
+        }
+        let stats = self.solver.solve(&self.h, &self.w, &mut self.x, &mut self.y, &self.warm);
+        let stats = stats.map_err(Box::new)?;
+        self.force.copy_from_slice(&self.x[..m]);
+        for j in 0..m {
+            self.gap[j] = self.y[j] * p.coefficients.stiffness;
+        }
+        for (k, &link) in self.links.iter().enumerate() {
+            self.correction[link] = self.x[m + k];
+        }
+        Ok(stats)
+    }
+}
+
+impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
+    /// Field of a unit contact force at `place`, read at a node.
+    #[inline(always)]
+    fn contact_field(&self, place: &Place, node: usize) -> [f64; D] {
+        let mut field = [0.0; D];
+        for (k, weight) in place.weights.iter().enumerate() {
+            let value = self.columns.at(2 * place.element + k, node);
+            for c in 0..D {
+                field[c] += weight * value[c];
+            }
+        }
+        field
+    }
+
+    fn contact_on_contact(&self, source: &Place, target: &Place) -> f64 {
+        let path: &Path<DIM> = &self.path;
+        let mut sum = 0.0;
+        for side in 0..2 {
+            let field = self.contact_field(source, path.nodes[target.element + side]);
+            sum += target.weights[2 * side] * field[DIM - 1]
+                + target.weights[2 * side + 1] * field[2 * DIM - 1];
+        }
+        sum
+    }
+
+    fn contact_on_link(&self, source: &Place, link: usize) -> f64 {
+        let line: &Line<DIM, D> = &self.line;
+        let l = &line.links[link];
+        let upper = self.contact_field(source, l.nodes[0]);
+        let lower = self.contact_field(source, l.nodes[1]);
+        (0..DIM).map(|c| l.direction[c] * (lower[c] - upper[c])).sum()
+    }
+
+    fn link_on_link(&self, source: usize, target: usize) -> f64 {
+        let l = &self.line.links[target];
+        let column = self.link_column(source);
+        let upper = self.columns.at(column, l.nodes[0]);
+        let lower = self.columns.at(column, l.nodes[1]);
+        (0..DIM).map(|c| l.direction[c] * (lower[c] - upper[c])).sum()
+    }
+
+    /// Number of the column A⁻¹g of a link, after the two columns of each path node.
+    #[inline(always)]
+    #[must_use]
+    pub fn link_column(&self, link: usize) -> usize {
+        2 * self.path.nodes.len() + link
+    }
+}

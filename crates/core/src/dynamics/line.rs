@@ -1,0 +1,238 @@
+//! The structure linearised about its equilibrium.
+//!
+//!   M ü + C u̇ + K u = f,   C = Σ α M + β K (per part) + dampers
+//!
+//! Unilateral links sit in K and C as if they could push; [`LinearLink`] keeps what is needed to
+//! cancel their compression in the complementarity problem. Slack links keep the small lateral
+//! stiffness T/ℓ of their equilibrium: that is the limit of linearised kinematics.
+
+use crate::linalg::{Block, MassMatrix, SymmetricBlocks};
+use crate::statics::assembly::{Geometry, LinkLaw, Shape};
+use crate::structure::{Link, Rayleigh};
+
+/// A link about equilibrium: elongation e = n·(u₂ − u₁).
+#[derive(Debug, Clone, Copy)]
+pub struct LinearLink<const DIM: usize> {
+    /// Upper and lower node.
+    pub nodes: [usize; 2],
+    /// Unit vector n from the upper to the lower node.
+    pub direction: [f64; DIM],
+    /// Stiffness, N/m.
+    pub stiffness: f64,
+    /// Damping along the link, with its proportional part, N·s/m.
+    pub viscosity: f64,
+    /// Tension k (ℓ − ℓ₀) at equilibrium, N; negative when slack already there.
+    pub rest_tension: f64,
+    /// Tension only.
+    pub unilateral: bool,
+}
+
+impl<const DIM: usize> LinearLink<DIM> {
+    fn new<const D: usize>(link: &Link, shape: &Shape<D>) -> Self {
+        let state = Geometry::<DIM, D>::link_state(shape, link);
+        Self {
+            nodes: link.nodes,
+            direction: state.direction,
+            stiffness: link.stiffness,
+            viscosity: link.viscosity + link.damping.beta * link.stiffness,
+            rest_tension: state.linear_tension,
+            unilateral: link.unilateral,
+        }
+    }
+
+    /// Correction that already acts at equilibrium, N: positive for a link slack there.
+    #[must_use]
+    pub fn rest_correction(&self) -> f64 {
+        if self.unilateral { (-self.rest_tension).max(0.0) } else { 0.0 }
+    }
+
+    /// gᵀ x: elongation of a displacement field.
+    #[inline(always)]
+    #[must_use]
+    pub fn elongation<const D: usize>(&self, x: &[[f64; D]]) -> f64 {
+        let [a, b] = self.nodes;
+        let mut e = 0.0;
+        for c in 0..DIM {
+            e += self.direction[c] * (x[b][c] - x[a][c]);
+        }
+        e
+    }
+
+    /// `f += factor · g`
+    pub fn add_to<const D: usize>(&self, factor: f64, f: &mut [[f64; D]]) {
+        let [a, b] = self.nodes;
+        for c in 0..DIM {
+            f[a][c] -= factor * self.direction[c];
+            f[b][c] += factor * self.direction[c];
+        }
+    }
+}
+
+/// Matrices and links of the linearised structure.
+#[derive(Debug, Clone)]
+pub struct Line<const DIM: usize, const D: usize> {
+    /// Static shape the motion is measured from.
+    pub shape: Shape<D>,
+    /// Components that can move.
+    pub free: Vec<[bool; D]>,
+    /// Tangent stiffness, links linear.
+    pub stiffness: SymmetricBlocks<D>,
+    /// Mass.
+    pub mass: MassMatrix<D>,
+    /// α and β shared by most of the structure.
+    pub common: Rayleigh,
+    /// Σ (α − α_common) M over the parts that differ; `None` when none does.
+    pub mass_damping_rest: Option<MassMatrix<D>>,
+    /// Blocks (row ≥ column) of C − α M − β K that are not zero.
+    pub damping_rest: Vec<(usize, usize, Block<D>)>,
+    /// Links.
+    pub links: Vec<LinearLink<DIM>>,
+}
+
+impl<const DIM: usize, const D: usize> Line<DIM, D> {
+    /// Linearise about `shape`, an equilibrium of `geometry`.
+    #[must_use]
+    pub fn new(geometry: &Geometry<DIM, D>, shape: Shape<D>) -> Self {
+        let s = &geometry.structure;
+        let n = geometry.nodes();
+        let mut stiffness = geometry.empty_matrix();
+        geometry.tangent(&shape, LinkLaw::Linear, &mut stiffness);
+        let common = s.wires.first().map(|w| w.damping).unwrap_or_default();
+        let mut mass = MassMatrix::zero(n);
+        let mut mass_rest = MassMatrix::zero(n);
+        let mut uniform = true;
+        let mut add_point = |node: usize, m: f64, alpha: f64| {
+            mass.add_point(node, m);
+            if alpha != common.alpha && m > 0.0 {
+                mass_rest.add_point(node, (alpha - common.alpha) * m);
+                uniform = false;
+            }
+        };
+        for m in &s.masses {
+            add_point(m.node, m.mass, m.alpha);
+        }
+        for link in &s.links {
+            let half = 0.5 * link.mass * Geometry::<DIM, D>::link_state(&shape, link).length;
+            link.nodes.iter().for_each(|&node| add_point(node, half, link.damping.alpha));
+        }
+        for strut in &s.struts {
+            add_point(strut.node, strut.moving_mass, common.alpha);
+        }
+        for w in &s.wires {
+            mass.add_hermite(w.nodes, w.mass, w.section.rest_length, 1.0);
+            let difference = w.damping.alpha - common.alpha;
+            if difference != 0.0 {
+                mass_rest.add_hermite(w.nodes, w.mass, w.section.rest_length, difference);
+                uniform = false;
+            }
+        }
+        Self {
+            free: geometry.service_mask(),
+            damping_rest: damping_rest(geometry, &shape, common.beta),
+            links: s.links.iter().map(|l| LinearLink::new(l, &shape)).collect(),
+            mass_damping_rest: (!uniform).then_some(mass_rest),
+            shape,
+            stiffness,
+            mass,
+            common,
+        }
+    }
+
+    /// Number of nodes.
+    #[must_use]
+    pub fn nodes(&self) -> usize {
+        self.shape.len()
+    }
+
+    /// `c · M + d · C + k · K` with the fixed components removed.
+    #[must_use]
+    pub fn combine(&self, c: f64, d: f64, k: f64) -> SymmetricBlocks<D> {
+        let mut a = self.stiffness.clone();
+        let factor = k + d * self.common.beta;
+        a.blocks.iter_mut().flatten().flatten().for_each(|v| *v *= factor);
+        self.mass.add_to(c + d * self.common.alpha, &mut a);
+        if let Some(rest) = &self.mass_damping_rest {
+            rest.add_to(d, &mut a);
+        }
+        for (i, j, block) in &self.damping_rest {
+            let mut scaled = *block;
+            scaled.iter_mut().flatten().for_each(|v| *v *= d);
+            a.add(*i, *j, &scaled);
+        }
+        for (node, free) in self.free.iter().enumerate() {
+            (0..D).filter(|&c| !free[c]).for_each(|c| a.fix(node, c));
+        }
+        a
+    }
+
+    /// `y += (C − α M − β K) x`, the part of the damping that is not common to all.
+    pub fn add_damping_rest(&self, x: &[[f64; D]], y: &mut [[f64; D]]) {
+        if let Some(rest) = &self.mass_damping_rest {
+            rest.add_product(x, y);
+        }
+        for (i, j, block) in &self.damping_rest {
+            let (xi, xj) = (x[*i], x[*j]);
+            crate::linalg::block::add_product(&mut y[*i], block, &xj);
+            if i != j {
+                for a in 0..D {
+                    for b in 0..D {
+                        y[*j][b] += block[a][b] * xi[a];
+                    }
+                }
+            }
+        }
+    }
+
+    /// Set the components that cannot move to zero.
+    pub fn mask(&self, x: &mut [[f64; D]]) {
+        for (value, free) in x.iter_mut().zip(&self.free) {
+            for c in 0..D {
+                if !free[c] {
+                    value[c] = 0.0;
+                }
+            }
+        }
+    }
+}
+
+/// Blocks of Σ (β − β₀) K over the parts whose β differs, plus all dampers.
+fn damping_rest<const DIM: usize, const D: usize>(
+    geometry: &Geometry<DIM, D>,
+    shape: &Shape<D>,
+    common: f64,
+) -> Vec<(usize, usize, Block<D>)> {
+    let s = &geometry.structure;
+    let mut c = geometry.empty_matrix();
+    for wire in s.wires.iter().filter(|w| w.damping.beta != common) {
+        Geometry::<DIM, D>::add_wire(&mut c, shape, wire, wire.damping.beta - common);
+    }
+    for link in &s.links {
+        let state = Geometry::<DIM, D>::link_state(shape, link);
+        let tension = crate::statics::assembly::link_tension(link, &state);
+        let difference = link.damping.beta - common;
+        let mut tangent = state.tangent(link.stiffness, tension);
+        for p in 0..DIM {
+            for q in 0..DIM {
+                let along = state.direction[p] * state.direction[q];
+                tangent[p][q] = difference * tangent[p][q] + link.viscosity * along;
+            }
+        }
+        Geometry::<DIM, D>::add_between(&mut c, link.nodes, &tangent);
+    }
+    for strut in s.struts.iter().filter(|_| common != 0.0) {
+        Geometry::<DIM, D>::add_strut(&mut c, shape, strut, -common);
+    }
+    for spring in &s.springs {
+        let value = spring.viscosity - common * spring.stiffness;
+        Geometry::<DIM, D>::add_spring(&mut c, spring, value);
+    }
+    let mut rest = Vec::new();
+    for i in 0..c.rows() {
+        for k in c.row_start[i]..c.row_start[i + 1] {
+            if c.blocks[k].iter().flatten().any(|&v| v != 0.0) {
+                rest.push((i, c.columns[k], c.blocks[k]));
+            }
+        }
+    }
+    rest
+}

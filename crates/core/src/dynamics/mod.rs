@@ -1,0 +1,13 @@
+//! Motion about the static equilibrium: constant M, C, K; everything unilateral in one linear
+//! complementarity problem per step.
+
+pub mod columns;
+pub mod contact;
+pub mod ledger;
+pub mod line;
+pub mod path;
+pub mod record;
+pub mod rider;
+pub mod run;
+pub mod stepper;
+pub mod still;

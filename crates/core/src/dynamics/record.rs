@@ -1,0 +1,81 @@
+//! What a run leaves behind: flat arrays, one row per recorded instant.
+//!
+//! All values of an instant belong to the time of balance tₙ₊₁₋α_f of the step, except energies,
+//! which belong to the end of the step.
+
+use super::ledger::Entries;
+use super::path::Place;
+
+/// What to record and how often.
+#[derive(Debug, Clone)]
+pub struct RecordPlan {
+    /// Every how many steps contacts are recorded.
+    pub contact_every: usize,
+    /// Every how many steps the line is recorded.
+    pub line_every: usize,
+    /// Record the force of every link.
+    pub links: bool,
+    /// Nodes whose uplift is recorded and watched (supports).
+    pub nodes: Vec<usize>,
+    /// Coordinates along the track at which the uplift of the contact wire is recorded, m.
+    pub points: Vec<f64>,
+    /// Keep the energy ledger.
+    pub ledger: bool,
+}
+
+/// Time series and extremes of a run; rows are instants.
+#[derive(Debug, Clone, Default)]
+pub struct Record {
+    /// Times of the contact rows, s.
+    pub time: Vec<f64>,
+    /// Contact force, N: one column per rider; so the next four.
+    pub force: Vec<f64>,
+    /// Gap, m.
+    pub gap: Vec<f64>,
+    /// Height of the wire at the contact, m.
+    pub height: Vec<f64>,
+    /// Lateral position of the wire at the contact, m.
+    pub lateral: Vec<f64>,
+    /// Position along the track, m.
+    pub position: Vec<f64>,
+    /// Speed, m/s: one value per row.
+    pub speed: Vec<f64>,
+    /// Displacement of all masses of all riders since the start, m.
+    pub masses: Vec<f64>,
+    /// Times of the line rows, s.
+    pub line_time: Vec<f64>,
+    /// Tension of each link, N.
+    pub link_force: Vec<f64>,
+    /// Uplift of the watched nodes, m.
+    pub uplift: Vec<f64>,
+    /// Uplift of the watched points, m.
+    pub point_uplift: Vec<f64>,
+    /// Number of slack links.
+    pub slack: Vec<f64>,
+    /// Energy entries.
+    pub energy: Vec<Entries>,
+    /// Smallest tension of each link over all steps, N.
+    pub link_min: Vec<f64>,
+    /// Largest tension of each link over all steps, N.
+    pub link_max: Vec<f64>,
+    /// Largest uplift of each watched node over all steps, m.
+    pub uplift_max: Vec<f64>,
+    /// Contact places at the end, for callers that go on.
+    pub places: Vec<Place>,
+    /// Largest number of slack links in any step.
+    pub slack_max: usize,
+    /// Exchanges of the complementarity solver, all steps.
+    pub pivots: usize,
+    /// Largest number of exchanges in one step.
+    pub pivots_max: usize,
+    /// Steps in which the finite fallback rule was needed.
+    pub fallbacks: usize,
+    /// Largest residual of a complementarity problem.
+    pub lcp_residual: f64,
+    /// Steps done.
+    pub steps: usize,
+    /// Largest residual of the energy ledger over all steps, J.
+    pub energy_residual: f64,
+    /// Largest energy turned over, J: the scale of the residual.
+    pub energy_turnover: f64,
+}

@@ -1,0 +1,347 @@
+//! A whole run: start in equilibrium, step, record.
+
+use super::contact::Unilateral;
+use super::ledger::{Ledger, StepForces};
+use super::path::Place;
+use super::record::{Record, RecordPlan};
+use super::rider::{Rider, RiderState};
+use super::still::Still;
+use super::stepper::{LineState, Prepared};
+use crate::error::CoreError;
+use crate::lcp::LcpStats;
+
+/// Motion along the track and laws of the contact.
+#[derive(Debug, Clone)]
+pub struct Travel {
+    /// Position of the first rider at the start and after each step, m.
+    pub positions: Vec<f64>,
+    /// Speed at the same instants, m/s.
+    pub speeds: Vec<f64>,
+    /// Distance of each rider behind the first, m.
+    pub distances: Vec<f64>,
+    /// Coefficient of friction along the wire.
+    pub friction: f64,
+}
+
+/// Steps between two calls of the observer: often enough to stop within a fraction of a second.
+const OBSERVE_EVERY: usize = 256;
+
+/// A run in progress.
+struct Run<'a, const DIM: usize, const D: usize> {
+    p: &'a Prepared<DIM, D>,
+    travel: &'a Travel,
+    plan: &'a RecordPlan,
+    state: LineState<D>,
+    riders: Vec<RiderState>,
+    start_u: Vec<Vec<f64>>,
+    unilateral: Unilateral,
+    datum: f64,
+    at_end: Vec<Place>,
+    at_start: Vec<Place>,
+    at_balance: Vec<Place>,
+    points: Vec<Place>,
+    gaps: Vec<f64>,
+    friction: Vec<f64>,
+    record: Record,
+}
+
+impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
+    /// Run all steps of `travel`. `observe` is called now and then with the number of steps done;
+    /// the run ends with [`CoreError::Cancelled`] when it returns `false`.
+    ///
+    /// # Errors
+    /// Any [`CoreError`] that a step can raise.
+    pub fn run(
+        &self,
+        riders: &[Rider],
+        travel: &Travel,
+        plan: &RecordPlan,
+        observe: &mut dyn FnMut(usize) -> bool,
+    ) -> Result<Record, CoreError> {
+        check(riders, travel, plan)?;
+        let mut run = Run::start(self, riders, travel, plan)?;
+        let mut ledger = plan.ledger.then(|| {
+            Ledger::new(self, &run.state, &run.riders, &run.at_end, run.datum)
+        });
+        for step in 0..travel.positions.len() - 1 {
+            if step % OBSERVE_EVERY == 0 {
+                if !observe(step) {
+                    return Err(CoreError::Cancelled { step });
+                }
+                run.check_finite(step)?;
+            }
+            run.step(step, ledger.as_mut())?;
+        }
+        run.record.places = run.at_end;
+        Ok(run.record)
+    }
+}
+
+fn check(riders: &[Rider], travel: &Travel, plan: &RecordPlan) -> Result<(), CoreError> {
+    let refuse = |array, reason: &str| Err(CoreError::Input { array, reason: reason.into() });
+    if riders.is_empty() || travel.distances.len() != riders.len() {
+        return refuse("riders", "none, or not one distance for each");
+    }
+    if travel.positions.len() < 2 || travel.speeds.len() != travel.positions.len() {
+        return refuse("positions", "fewer than two, or not one speed for each");
+    }
+    let all = [&travel.positions, &travel.speeds, &travel.distances];
+    if all.iter().any(|a| a.iter().any(|v| !v.is_finite())) || !travel.friction.is_finite() {
+        return refuse("positions", "not finite");
+    }
+    if plan.contact_every == 0 || plan.line_every == 0 {
+        return refuse("plan", "a recording interval of zero steps");
+    }
+    Ok(())
+}
+
+impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
+    /// Static equilibrium with the riders in place.
+    fn start(
+        p: &'a Prepared<DIM, D>,
+        riders: &[Rider],
+        travel: &'a Travel,
+        plan: &'a RecordPlan,
+    ) -> Result<Self, CoreError> {
+        let locate = |contact: usize, position: f64| {
+            p.path.locate(position, 0).ok_or(CoreError::OffWire { contact, position, step: 0 })
+        };
+        let places = travel
+            .distances
+            .iter()
+            .enumerate()
+            .map(|(j, d)| locate(j, travel.positions[0] - d))
+            .collect::<Result<Vec<_>, _>>()?;
+        let points = plan.points.iter().map(|&x| locate(0, x)).collect::<Result<Vec<_>, _>>()?;
+        let forces: Vec<f64> = riders.iter().map(|r| r.start_force).collect();
+        let still = Still::new(&p.line, &p.path)?.solve(&places, &forces)?;
+        let datum = places[0].height;
+        let states = riders.iter().zip(&places).map(|(rider, place)| {
+            let wire = place.height + p.path.displacement(place, &still.u, DIM - 1);
+            let z = wire - datum + rider.start_force * p.contact_flexibility;
+            RiderState::new(rider.clone(), &p.coefficients, z, travel.speeds[0])
+        });
+        let states = states.collect::<Result<Vec<_>, _>>()?;
+        let links = p.line.links.len();
+        Ok(Self {
+            start_u: states.iter().map(|r| r.u.clone()).collect(),
+            riders: states,
+            unilateral: Unilateral::new(forces, still.correction),
+            state: LineState::at_rest(&p.line, still.u),
+            gaps: vec![0.0; riders.len()],
+            friction: vec![0.0; riders.len()],
+            at_start: places.clone(),
+            at_balance: places.clone(),
+            at_end: places,
+            record: Record {
+                link_min: vec![f64::INFINITY; links],
+                link_max: vec![f64::NEG_INFINITY; links],
+                uplift_max: vec![f64::NEG_INFINITY; plan.nodes.len()],
+                ..Record::default()
+            },
+            datum,
+            points,
+            p,
+            travel,
+            plan,
+        })
+    }
+
+    /// One step, readable from top to bottom.
+    fn step(&mut self, step: usize, ledger: Option<&mut Ledger<D>>) -> Result<(), CoreError> {
+        let p = self.p;
+        let old = p.coefficients.old;
+        let between = |a: &[f64]| (1.0 - old) * a[step + 1] + old * a[step];
+        let speed = between(&self.travel.speeds);
+        self.move_contacts(step, between(&self.travel.positions))?;
+
+        // Friction of the force of the step before, T = f n (Amontons–Coulomb), drags the wire along.
+        for (t, n) in self.friction.iter_mut().zip(&self.unilateral.force) {
+            *t = self.travel.friction * n;
+        }
+        // Motion without contact forces.
+        let (places, friction) = (&self.at_balance, &self.friction);
+        p.free_increment(&mut self.state, |f| {
+            for (place, &t) in places.iter().zip(friction).filter(|(_, t)| **t != 0.0) {
+                p.path.add_force(place, t, 0, f);
+            }
+            for link in p.line.links.iter().filter(|l| l.unilateral && l.rest_tension < 0.0) {
+                link.add_to(link.rest_correction(), f);
+            }
+        });
+        for rider in &mut self.riders {
+            rider.free_increment(&p.coefficients, speed);
+        }
+        self.measure_gaps();
+
+        // Contacts and slack links together.
+        let stats = p.close(
+            &mut self.state,
+            &mut self.riders,
+            &mut self.unilateral,
+            &self.at_balance,
+            &self.gaps,
+            step,
+        )?;
+        self.count(&stats);
+        self.watch(step, speed, between(&self.travel.positions));
+        self.take(ledger, step, speed);
+        Ok(())
+    }
+
+    /// Places of all contacts at the end of the step and at the time of balance.
+    fn move_contacts(&mut self, step: usize, balance: f64) -> Result<(), CoreError> {
+        std::mem::swap(&mut self.at_start, &mut self.at_end);
+        for (j, distance) in self.travel.distances.iter().enumerate() {
+            let near = self.at_start[j].element;
+            let locate = |position: f64| {
+                let place = self.p.path.locate(position, near);
+                place.ok_or(CoreError::OffWire { contact: j, position, step })
+            };
+            self.at_end[j] = locate(self.travel.positions[step + 1] - distance)?;
+            self.at_balance[j] = locate(balance - distance)?;
+        }
+        Ok(())
+    }
+
+    /// Height of the wire above the datum at the time of balance, with the current increment.
+    fn wire_height(&self, j: usize) -> f64 {
+        let (p, place) = (self.p, &self.at_balance[j]);
+        place.height
+            + p.path.displacement(place, &self.state.u, DIM - 1)
+            + p.coefficients.stiffness * p.path.displacement(place, &self.state.delta, DIM - 1)
+    }
+
+    /// Gaps that the motion without contact forces would open (or, negative, close).
+    fn measure_gaps(&mut self) {
+        let keep = self.p.coefficients.stiffness;
+        for j in 0..self.gaps.len() {
+            let rider = &self.riders[j];
+            let strip = self.datum + rider.strip(&rider.u) + keep * rider.strip(&rider.delta);
+            self.gaps[j] = self.wire_height(j) - strip;
+        }
+    }
+
+    fn count(&mut self, stats: &LcpStats) {
+        let r = &mut self.record;
+        r.pivots += stats.pivots;
+        r.pivots_max = r.pivots_max.max(stats.pivots);
+        r.fallbacks += usize::from(stats.fallback_used);
+        r.lcp_residual = r.lcp_residual.max(stats.residual);
+        let slack = self.unilateral.links.iter();
+        let slack = slack.filter(|&&i| self.unilateral.correction[i] > 0.0).count();
+        r.slack_max = r.slack_max.max(slack);
+    }
+
+    /// Tension of a link at the time of balance.
+    fn tension(&self, i: usize) -> f64 {
+        let correction = self.unilateral.correction[i];
+        if correction > 0.0 {
+            return 0.0;
+        }
+        self.p.linear_tension(&self.state, i, self.state.link_delta[i])
+    }
+
+    /// Uplift of a node at the time of balance.
+    fn node_uplift(&self, node: usize) -> f64 {
+        let keep = self.p.coefficients.stiffness;
+        self.state.u[node][DIM - 1] + keep * self.state.delta[node][DIM - 1]
+    }
+
+    /// Record the instant of balance and update the extremes.
+    fn watch(&mut self, step: usize, speed: f64, position: f64) {
+        let time = (step as f64 + 1.0 - self.p.coefficients.old) * self.p.h;
+        for i in 0..self.p.line.links.len() {
+            let tension = self.tension(i);
+            self.record.link_min[i] = self.record.link_min[i].min(tension);
+            self.record.link_max[i] = self.record.link_max[i].max(tension);
+        }
+        for (k, &node) in self.plan.nodes.iter().enumerate() {
+            self.record.uplift_max[k] = self.record.uplift_max[k].max(self.node_uplift(node));
+        }
+        if step.is_multiple_of(self.plan.contact_every) {
+            self.record_contacts(time, speed, position);
+        }
+        if step.is_multiple_of(self.plan.line_every) {
+            self.record_line(time);
+        }
+    }
+
+    fn record_contacts(&mut self, time: f64, speed: f64, position: f64) {
+        let keep = self.p.coefficients.stiffness;
+        self.record.time.push(time);
+        self.record.speed.push(speed);
+        for j in 0..self.riders.len() {
+            let height = self.wire_height(j);
+            let r = &mut self.record;
+            r.force.push(self.unilateral.force[j]);
+            r.gap.push(self.unilateral.gap[j]);
+            r.height.push(height);
+            r.lateral.push(self.at_balance[j].lateral);
+            r.position.push(position - self.travel.distances[j]);
+            let rider = &self.riders[j];
+            for ((u, d), start) in rider.u.iter().zip(&rider.delta).zip(&self.start_u[j]) {
+                r.masses.push(u + keep * d - start);
+            }
+        }
+    }
+
+    fn record_line(&mut self, time: f64) {
+        self.record.line_time.push(time);
+        if self.plan.links {
+            for i in 0..self.p.line.links.len() {
+                let tension = self.tension(i);
+                self.record.link_force.push(tension);
+            }
+        }
+        for &node in &self.plan.nodes {
+            let uplift = self.node_uplift(node);
+            self.record.uplift.push(uplift);
+        }
+        let keep = self.p.coefficients.stiffness;
+        for place in &self.points {
+            let path = &self.p.path;
+            let uplift = path.displacement(place, &self.state.u, DIM - 1)
+                + keep * path.displacement(place, &self.state.delta, DIM - 1);
+            self.record.point_uplift.push(uplift);
+        }
+        let slack = self.unilateral.correction.iter().filter(|r| **r > 0.0).count();
+        self.record.slack.push(slack as f64);
+    }
+
+    /// Take the step, booking its energies when a ledger is kept.
+    fn take(&mut self, ledger: Option<&mut Ledger<D>>, step: usize, speed: f64) {
+        let p = self.p;
+        self.record.steps = step + 1;
+        let Some(ledger) = ledger else {
+            p.advance(&mut self.state);
+            self.riders.iter_mut().for_each(|r| r.advance(&p.coefficients));
+            return;
+        };
+        ledger.before(p, &self.state, &self.riders, speed);
+        p.advance(&mut self.state);
+        self.riders.iter_mut().for_each(|r| r.advance(&p.coefficients));
+        let forces = StepForces {
+            places: &self.at_balance,
+            ends: [&self.at_start, &self.at_end],
+            unilateral: &self.unilateral,
+            friction: &self.friction,
+            datum: self.datum,
+        };
+        ledger.after(p, &self.state, &self.riders, &forces);
+        let e = &ledger.entries;
+        self.record.energy_residual = self.record.energy_residual.max(e.residual().abs());
+        self.record.energy_turnover = self.record.energy_turnover.max(e.turnover());
+        if step.is_multiple_of(self.plan.line_every) {
+            self.record.energy.push(*e);
+        }
+    }
+
+    fn check_finite(&self, step: usize) -> Result<(), CoreError> {
+        let finite = self.state.u.iter().flatten().all(|v| v.is_finite());
+        if finite && self.unilateral.force.iter().all(|v| v.is_finite()) {
+            return Ok(());
+        }
+        Err(CoreError::NotFinite { what: "the displacement of the line", step })
+    }
+}

@@ -1,0 +1,324 @@
+//! One time step of the line and its riders.
+//!
+//! The balance of the scheme gives A Δu = f − M a* − C v* − K uₙ with a*, v* the parts of a_m, v_f
+//! that do not contain Δu. Since A itself contains K, the products with K and C need not be
+//! computed: with s = uₙ + β v* (β the common stiffness-proportional damping) and
+//! κ = a_K + a_C β,
+//!
+//!   K s = (A s − a_M M s − a_C (C − βK) s) / κ
+//!   A (Δu + s/κ) = f − M (a* − (a_M/κ) s) − (C − βK) (v* − (a_C/κ) s)
+//!
+//! so a step costs one product with the (structured) mass matrix and one solve.
+
+use super::columns::Columns;
+use super::contact::Unilateral;
+use super::line::Line;
+use super::path::{Path, Place};
+use super::rider::RiderState;
+use crate::error::CoreError;
+use crate::lcp::LcpStats;
+use crate::linalg::BlockLdl;
+use crate::scheme::{Coefficients, Scheme};
+
+/// Everything that stays the same during a run, and may be shared by many runs.
+#[derive(Debug)]
+pub struct Prepared<const DIM: usize, const D: usize> {
+    /// Linearised structure.
+    pub line: Line<DIM, D>,
+    /// Wire the contacts run along.
+    pub path: Path<DIM>,
+    /// Step length, s.
+    pub h: f64,
+    /// Numbers of the scheme.
+    pub coefficients: Coefficients,
+    /// Influence columns: two for each path node (force, couple), then one for each link.
+    pub columns: Columns<D>,
+    /// κ of each link, N/m.
+    pub link_stiffness: Vec<f64>,
+    /// 1/(a k_c), m/N; zero for rigid contact.
+    pub contact_compliance: f64,
+    /// 1/k_c, m/N.
+    pub contact_flexibility: f64,
+    factor: BlockLdl<D>,
+    fixed: Vec<(u32, u32)>,
+    from_mass: [f64; 3],
+    from_damping: [f64; 3],
+    shift: [f64; 3],
+}
+
+/// State of the line during a run.
+#[derive(Debug, Clone)]
+pub struct LineState<const D: usize> {
+    /// Displacement from the static shape, m.
+    pub u: Vec<[f64; D]>,
+    /// Velocity, m/s.
+    pub v: Vec<[f64; D]>,
+    /// Acceleration, m/s².
+    pub a: Vec<[f64; D]>,
+    /// Increment of the current step.
+    pub delta: Vec<[f64; D]>,
+    /// Elongation of each link, its rate and second rate.
+    pub links: Vec<[f64; 3]>,
+    /// Elongation increment of each link in the current step.
+    pub link_delta: Vec<f64>,
+    link_free: Vec<f64>,
+    mass_work: Vec<[f64; D]>,
+}
+
+impl<const D: usize> LineState<D> {
+    /// At rest in a displaced position.
+    #[must_use]
+    pub fn at_rest<const DIM: usize>(line: &Line<DIM, D>, u: Vec<[f64; D]>) -> Self {
+        let zero = vec![[0.0; D]; u.len()];
+        Self {
+            links: line.links.iter().map(|l| [l.elongation(&u), 0.0, 0.0]).collect(),
+            link_delta: vec![0.0; line.links.len()],
+            link_free: vec![0.0; line.links.len()],
+            v: zero.clone(),
+            a: zero.clone(),
+            delta: zero.clone(),
+            mass_work: zero,
+            u,
+        }
+    }
+}
+
+impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
+    /// Factorise the matrix of the scheme and prepare the influence columns.
+    /// `contact_stiffness` is infinite for rigid contact.
+    ///
+    /// # Errors
+    /// [`CoreError::Input`] or [`CoreError::Singular`].
+    pub fn new(
+        line: Line<DIM, D>,
+        path: Path<DIM>,
+        scheme: Scheme,
+        h: f64,
+        contact_stiffness: f64,
+    ) -> Result<Self, CoreError> {
+        scheme.check()?;
+        if !(h.is_finite() && h > 0.0) || contact_stiffness.is_nan() || contact_stiffness <= 0.0 {
+            let reason = format!("step {h} s, contact stiffness {contact_stiffness} N/m");
+            return Err(CoreError::Input { array: "solver", reason });
+        }
+        let c = scheme.coefficients(h);
+        let factor = BlockLdl::new(&line.combine(c.mass, c.damping, c.stiffness))?;
+        let beta = line.common.beta;
+        let kappa = c.stiffness + c.damping * beta;
+        // Each vector below is a combination of (u, v, a) with constant numbers.
+        let old_v = [0.0, c.velocity_from_v, c.velocity_from_a];
+        let old_a = [0.0, c.acceleration_from_v, c.acceleration_from_a];
+        let s = [1.0, beta * old_v[1], beta * old_v[2]];
+        let alpha = line.common.alpha;
+        let combine = |k: usize| {
+            old_a[k] + alpha * old_v[k] - (c.mass + c.damping * alpha) / kappa * s[k]
+        };
+        let columns = influence_columns(&line, &path, &factor);
+        let fixed = line.free.iter().enumerate().flat_map(|(node, free)| {
+            (0..D).filter(|&k| !free[k]).map(move |k| (node as u32, k as u32))
+        });
+        Ok(Self {
+            fixed: fixed.collect(),
+            from_mass: [0, 1, 2].map(combine),
+            from_damping: [0, 1, 2].map(|k| old_v[k] - c.damping / kappa * s[k]),
+            shift: s.map(|v| v / kappa),
+            link_stiffness: line
+                .links
+                .iter()
+                .map(|l| c.stiffness * l.stiffness + c.damping * l.viscosity)
+                .collect(),
+            contact_compliance: 1.0 / (contact_stiffness * c.stiffness),
+            contact_flexibility: 1.0 / contact_stiffness,
+            line,
+            path,
+            h,
+            coefficients: c,
+            columns,
+            factor,
+        })
+    }
+
+    /// Blocks in the factor, for reports on cost.
+    #[must_use]
+    pub fn fill(&self) -> usize {
+        self.factor.fill()
+    }
+
+    /// Increment of the line without contact forces and corrections. `load` is called with the
+    /// force vector to add given forces.
+    pub fn free_increment(&self, state: &mut LineState<D>, load: impl FnOnce(&mut [[f64; D]])) {
+        let [mu, mv, ma] = self.from_mass;
+        let LineState { u, v, a, delta, mass_work, .. } = state;
+        for (w, ((u, v), a)) in mass_work.iter_mut().zip(u.iter().zip(&*v).zip(&*a)) {
+            for k in 0..D {
+                w[k] = -(mu * u[k] + mv * v[k] + ma * a[k]);
+            }
+        }
+        delta.fill([0.0; D]);
+        self.line.mass.add_product(mass_work, delta);
+        self.subtract_damping_rest(u, v, a, mass_work, delta);
+        load(delta);
+        for &(node, component) in &self.fixed {
+            delta[node as usize][component as usize] = 0.0;
+        }
+        self.factor.solve(delta);
+        let [su, sv, sa] = self.shift;
+        for (d, ((u, v), a)) in delta.iter_mut().zip(u.iter().zip(&*v).zip(&*a)) {
+            for k in 0..D {
+                d[k] -= su * u[k] + sv * v[k] + sa * a[k];
+            }
+        }
+        for (link, d) in self.line.links.iter().zip(&mut state.link_delta) {
+            *d = link.elongation(&state.delta);
+        }
+    }
+
+    /// `f −= (C − αM − βK) (v* − (a_C/κ) s)`
+    fn subtract_damping_rest(
+        &self,
+        u: &[[f64; D]],
+        v: &[[f64; D]],
+        a: &[[f64; D]],
+        work: &mut [[f64; D]],
+        f: &mut [[f64; D]],
+    ) {
+        let [cu, cv, ca] = self.from_damping;
+        let mut combine = |i: usize| {
+            for k in 0..D {
+                work[i][k] = -(cu * u[i][k] + cv * v[i][k] + ca * a[i][k]);
+            }
+        };
+        if self.line.mass_damping_rest.is_some() {
+            (0..u.len()).for_each(combine);
+        } else {
+            for (i, j, _) in &self.line.damping_rest {
+                combine(*i);
+                combine(*j);
+            }
+        }
+        self.line.add_damping_rest(work, f);
+    }
+
+    /// Tension that link `i` would have at the time of balance for an elongation increment `d`,
+    /// were it linear and without correction.
+    #[inline(always)]
+    #[must_use]
+    pub fn linear_tension(&self, state: &LineState<D>, i: usize, d: f64) -> f64 {
+        let (l, c) = (&self.line.links[i], &self.coefficients);
+        let [e, rate, second] = state.links[i];
+        let rate = c.damping * d + c.velocity_from_v * rate + c.velocity_from_a * second;
+        l.rest_tension + l.stiffness * (e + c.stiffness * d) + l.viscosity * rate
+    }
+
+    /// Solve the complementarity problem of the step and complete the increments with its forces.
+    /// `places` are the contacts at the time of balance, `gaps` their gaps without contact force.
+    ///
+    /// Only links that would push enter; a link that starts to push because of the solution
+    /// enters then, so the answer is that of the problem with all links.
+    ///
+    /// # Errors
+    /// [`CoreError::Lcp`] or [`CoreError::SlackSet`].
+    pub fn close(
+        &self,
+        state: &mut LineState<D>,
+        riders: &mut [RiderState],
+        unilateral: &mut Unilateral,
+        places: &[Place],
+        gaps: &[f64],
+        step: usize,
+    ) -> Result<LcpStats, CoreError> {
+        let links = &self.line.links;
+        let time = (step + 1) as f64 * self.h;
+        state.link_free.copy_from_slice(&state.link_delta);
+        unilateral.collect(|i| {
+            links[i].unilateral && self.linear_tension(state, i, state.link_free[i]) < 0.0
+        });
+        let mut total = LcpStats::default();
+        // Every round adds at least one link, so there are at most as many rounds as links.
+        for _ in 0..=links.len() {
+            let tension = |i: usize| self.linear_tension(state, i, state.link_free[i]);
+            let stats = unilateral.solve(self, places, riders, gaps, tension).map_err(|failure| {
+                let contacts = (0..places.len()).collect();
+                CoreError::Lcp { step, time, contacts, links: unilateral.links.clone(), failure }
+            })?;
+            total.pivots += stats.pivots;
+            total.fallback_used |= stats.fallback_used;
+            total.residual = total.residual.max(stats.residual);
+            self.respond(state, unilateral, places);
+            let pushes = |i: usize| {
+                links[i].unilateral && self.linear_tension(state, i, state.link_delta[i]) < 0.0
+            };
+            if !unilateral.extend(pushes) {
+                for (rider, &force) in riders.iter_mut().zip(&unilateral.force) {
+                    rider.add_contact(force);
+                }
+                return Ok(total);
+            }
+        }
+        Err(CoreError::SlackSet { step, time })
+    }
+
+    /// Add the response to what changed since the last call in this step: Δu += A⁻¹(C λ − G r).
+    fn respond(&self, state: &mut LineState<D>, unilateral: &mut Unilateral, places: &[Place]) {
+        for (j, place) in places.iter().enumerate() {
+            let change = unilateral.force[j] - unilateral.applied_force[j];
+            unilateral.applied_force[j] = unilateral.force[j];
+            for (k, weight) in place.weights.iter().enumerate() {
+                self.columns.add(2 * place.element + k, weight * change, &mut state.delta);
+            }
+        }
+        for &link in &unilateral.links {
+            let change = unilateral.correction[link] - unilateral.applied_correction[link];
+            unilateral.applied_correction[link] = unilateral.correction[link];
+            if change != 0.0 {
+                self.columns.add(self.link_column(link), -change, &mut state.delta);
+            }
+        }
+        for (link, d) in self.line.links.iter().zip(&mut state.link_delta) {
+            *d = link.elongation(&state.delta);
+        }
+    }
+
+    /// Take the step: new displacement, velocity, acceleration.
+    pub fn advance(&self, state: &mut LineState<D>) {
+        let c = &self.coefficients;
+        let LineState { u, v, a, delta, links, link_delta, .. } = state;
+        for (((u, v), a), d) in u.iter_mut().zip(v).zip(a).zip(&*delta) {
+            for k in 0..D {
+                let (new_v, new_a) = c.advance(d[k], v[k], a[k]);
+                u[k] += d[k];
+                v[k] = new_v;
+                a[k] = new_a;
+            }
+        }
+        for ([e, rate, second], &d) in links.iter_mut().zip(&*link_delta) {
+            let (new_rate, new_second) = c.advance(d, *rate, *second);
+            *e += d;
+            *rate = new_rate;
+            *second = new_second;
+        }
+    }
+}
+
+/// Columns of all path nodes (unit force and unit couple in the vertical), then of all links.
+fn influence_columns<const DIM: usize, const D: usize>(
+    line: &Line<DIM, D>,
+    path: &Path<DIM>,
+    factor: &BlockLdl<D>,
+) -> Columns<D> {
+    let mut columns = Columns::default();
+    for &node in &path.nodes {
+        for component in [DIM - 1, 2 * DIM - 1] {
+            let mut unit = vec![[0.0; D]; line.nodes()];
+            unit[node][component] = f64::from(u8::from(line.free[node][component]));
+            columns.push(factor, unit);
+        }
+    }
+    for link in &line.links {
+        let mut pull = vec![[0.0; D]; line.nodes()];
+        link.add_to(1.0, &mut pull);
+        line.mask(&mut pull);
+        columns.push(factor, pull);
+    }
+    columns
+}

@@ -1,0 +1,164 @@
+//! The linearised line at rest under vertical forces: starting state and elasticity.
+//!
+//!   K u = C p − G (r − r₀),   T = T₀ + k gᵀu + r ≥ 0,   r ≥ 0,   T r = 0
+//!
+//! The correction r of unilateral links is found by the same complementarity solver as in the
+//! steps, with H = 1/k − GᵀK⁻¹G.
+
+use super::line::Line;
+use super::path::{Path, Place};
+use crate::error::CoreError;
+use crate::lcp::LcpSolver;
+use crate::linalg::BlockLdl;
+use std::collections::BTreeMap;
+
+/// Static solver of a linearised line.
+#[derive(Debug)]
+pub struct Still<'a, const DIM: usize, const D: usize> {
+    line: &'a Line<DIM, D>,
+    path: &'a Path<DIM>,
+    factor: BlockLdl<D>,
+    pulls: BTreeMap<usize, Vec<[f64; D]>>,
+    solver: LcpSolver,
+}
+
+/// Displacement under static forces.
+#[derive(Debug, Clone)]
+pub struct StillState<const D: usize> {
+    /// Displacement, m.
+    pub u: Vec<[f64; D]>,
+    /// Corrections of the links, N: positive where slack.
+    pub correction: Vec<f64>,
+}
+
+impl<'a, const DIM: usize, const D: usize> Still<'a, DIM, D> {
+    /// Factorise the stiffness.
+    ///
+    /// # Errors
+    /// [`CoreError::Singular`] when the line is loose.
+    pub fn new(line: &'a Line<DIM, D>, path: &'a Path<DIM>) -> Result<Self, CoreError> {
+        let factor = BlockLdl::new(&line.combine(0.0, 0.0, 1.0))?;
+        Ok(Self { line, path, factor, pulls: BTreeMap::new(), solver: LcpSolver::new() })
+    }
+
+    /// Factor of the stiffness.
+    #[must_use]
+    pub fn factor(&self) -> &BlockLdl<D> {
+        &self.factor
+    }
+
+    /// Displacement under vertical forces (N, upwards) at places of the path.
+    ///
+    /// # Errors
+    /// [`CoreError::Lcp`] or [`CoreError::SlackSet`], as of step 0.
+    pub fn solve(&mut self, places: &[Place], forces: &[f64]) -> Result<StillState<D>, CoreError> {
+        let links = &self.line.links;
+        let mut free = vec![[0.0; D]; self.line.nodes()];
+        for (place, &force) in places.iter().zip(forces) {
+            self.path.add_force(place, force, DIM - 1, &mut free);
+        }
+        links.iter().for_each(|l| l.add_to(l.rest_correction(), &mut free));
+        self.line.mask(&mut free);
+        self.factor.solve(&mut free);
+        let mut correction = vec![0.0; links.len()];
+        let mut active: Vec<usize> = Vec::new();
+        let mut u = free.clone();
+        // Every round adds at least one link, so there are at most as many rounds as links.
+        for _ in 0..=links.len() {
+            let pushes = |i: usize| {
+                let l = &links[i];
+                l.unilateral && l.rest_tension + l.stiffness * l.elongation(&u) < 0.0
+            };
+            let new: Vec<usize> =
+                (0..links.len()).filter(|i| !active.contains(i) && pushes(*i)).collect();
+            if new.is_empty() {
+                return Ok(StillState { u, correction });
+            }
+            active.extend(new);
+            self.correct(&active, &free, &mut u, &mut correction)?;
+        }
+        Err(CoreError::SlackSet { step: 0, time: 0.0 })
+    }
+
+    fn correct(
+        &mut self,
+        active: &[usize],
+        free: &[[f64; D]],
+        u: &mut [[f64; D]],
+        correction: &mut [f64],
+    ) -> Result<(), CoreError> {
+        let n = active.len();
+        for &i in active {
+            self.prepare_pull(i);
+        }
+        let links = &self.line.links;
+        let (mut h, mut w) = (vec![0.0; n * n], vec![0.0; n]);
+        for (a, &i) in active.iter().enumerate() {
+            let l = &links[i];
+            for (b, j) in active.iter().enumerate() {
+                h[a * n + b] = -self.pulls.get(j).map_or(0.0, |pull| l.elongation(pull));
+            }
+            h[a * n + a] += 1.0 / l.stiffness;
+            w[a] = l.rest_tension / l.stiffness + l.elongation(free);
+        }
+        let (mut x, mut y) = (vec![0.0; n], vec![0.0; n]);
+        self.solver.solve(&h, &w, &mut x, &mut y, &[]).map_err(|failure| CoreError::Lcp {
+            step: 0,
+            time: 0.0,
+            contacts: Vec::new(),
+            links: active.to_vec(),
+            failure: Box::new(failure),
+        })?;
+        u.copy_from_slice(free);
+        for (&i, &r) in active.iter().zip(&x) {
+            correction[i] = r;
+            let Some(pull) = self.pulls.get(&i) else { continue };
+            for (target, value) in u.iter_mut().zip(pull) {
+                for c in 0..D {
+                    target[c] -= r * value[c];
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Keep K⁻¹g of a link.
+    fn prepare_pull(&mut self, link: usize) {
+        if !self.pulls.contains_key(&link) {
+            let mut pull = vec![[0.0; D]; self.line.nodes()];
+            self.line.links[link].add_to(1.0, &mut pull);
+            self.line.mask(&mut pull);
+            self.factor.solve(&mut pull);
+            self.pulls.insert(link, pull);
+        }
+    }
+
+    /// Elasticity e = u/p in m/N at coordinates `x`, for a force `p` in N; with p = 0 the limit
+    /// of a small force, in which no link goes slack.
+    ///
+    /// # Errors
+    /// [`CoreError::OffWire`] or those of [`Still::solve`].
+    pub fn elasticity(&mut self, x: &[f64], force: f64) -> Result<Vec<f64>, CoreError> {
+        let mut hint = 0;
+        let rest = self.solve(&[], &[])?;
+        x.iter()
+            .enumerate()
+            .map(|(i, &position)| {
+                let place = self.path.locate(position, hint);
+                let place = place.ok_or(CoreError::OffWire { contact: i, position, step: 0 })?;
+                hint = place.element;
+                if force > 0.0 {
+                    let state = self.solve(&[place], &[force])?;
+                    let rise = self.path.displacement(&place, &state.u, DIM - 1)
+                        - self.path.displacement(&place, &rest.u, DIM - 1);
+                    return Ok(rise / force);
+                }
+                let mut u = vec![[0.0; D]; self.line.nodes()];
+                self.path.add_force(&place, 1.0, DIM - 1, &mut u);
+                self.line.mask(&mut u);
+                self.factor.solve(&mut u);
+                Ok(self.path.displacement(&place, &u, DIM - 1))
+            })
+            .collect()
+    }
+}

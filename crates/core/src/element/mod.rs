@@ -1,0 +1,4 @@
+//! Elements: energy, its gradient and its exact tangent for given positions.
+
+pub mod bar;
+pub mod hermite;

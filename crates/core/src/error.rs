@@ -1,0 +1,91 @@
+//! What can go wrong in the core, each variant with the numbers that explain it.
+
+use crate::lcp::LcpFailure;
+
+/// Failure of a computation of the core. The caller translates indices into names.
+#[derive(Debug, Clone, thiserror::Error)]
+pub enum CoreError {
+    /// The arrays that describe the problem contradict each other.
+    #[error("input array {array}: {reason}")]
+    Input {
+        /// Name of the array.
+        array: &'static str,
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// A pivot of a factorisation vanished: the structure can move without force.
+    #[error("the stiffness of node {node} vanishes: the structure is loose there")]
+    Singular {
+        /// Node whose pivot block is singular.
+        node: usize,
+    },
+    /// Newton's method for the static equilibrium did not converge.
+    #[error(
+        "no static equilibrium after {iterations} iterations: largest residual {residual:.3e} N \
+         at node {node} (allowed {tolerance:.1e} N)"
+    )]
+    NoEquilibrium {
+        /// Iterations done.
+        iterations: usize,
+        /// Largest force that is not balanced, N (or N·m for slopes).
+        residual: f64,
+        /// Where it acts.
+        node: usize,
+        /// Largest residual accepted, N.
+        tolerance: f64,
+    },
+    /// A link whose length was to be found would have to push.
+    #[error("link {link} would have to push with {force:.3} N to hold the given position")]
+    PushingLink {
+        /// Index of the link.
+        link: usize,
+        /// Its (negative) tension, N.
+        force: f64,
+    },
+    /// A number became infinite or not a number.
+    #[error("not a finite number in {what} at step {step}")]
+    NotFinite {
+        /// Quantity concerned.
+        what: &'static str,
+        /// Step at which it was noticed.
+        step: usize,
+    },
+    /// The complementarity problem of a step has no verified solution.
+    #[error("the contact problem of step {step} (t = {time:.6} s) could not be solved: {failure}")]
+    Lcp {
+        /// Step number.
+        step: usize,
+        /// Time, s.
+        time: f64,
+        /// Moving contacts in the problem, by index.
+        contacts: Vec<usize>,
+        /// Links in the problem, by index, after the contacts.
+        links: Vec<usize>,
+        /// The problem itself and why it failed.
+        failure: Box<LcpFailure>,
+    },
+    /// The set of slack links did not settle within a step.
+    #[error("the set of slack links did not settle in step {step} (t = {time:.6} s)")]
+    SlackSet {
+        /// Step number.
+        step: usize,
+        /// Time, s.
+        time: f64,
+    },
+    /// A moving contact left the wire it runs along.
+    #[error("contact {contact} left the wire at {position:.3} m in step {step}")]
+    OffWire {
+        /// Index of the contact.
+        contact: usize,
+        /// Position along the track, m.
+        position: f64,
+        /// Step number.
+        step: usize,
+    },
+    /// The caller asked to stop.
+    #[error("cancelled at step {step}")]
+    Cancelled {
+        /// Steps done.
+        step: usize,
+    },
+}

@@ -1,0 +1,27 @@
+//! Numerical core of Arcless: numbers in, numbers out. It knows no files, no names, no printing.
+//!
+//! The arrow of the core:
+//!
+//! ```text
+//! Structure ─→ Geometry ─→ shape (static equilibrium) ─→ Line (linearised) ─→ Prepared ─→ Record
+//! ```
+//!
+//! * [`structure`] — wires, links, springs and masses as plain data;
+//! * [`statics`] — positions from lengths, or lengths from positions;
+//! * [`dynamics`] — steps about the equilibrium, everything unilateral in one [`lcp`] per step;
+//! * [`element`], [`linalg`], [`scheme`] — what these are made of.
+//!
+//! `DIM` is the number of components of space (2 or 3), `D = 2·DIM` the unknowns of a node.
+#![deny(clippy::all)]
+
+pub mod dynamics;
+pub mod element;
+pub mod error;
+pub mod lcp;
+pub mod linalg;
+pub mod scheme;
+pub mod statics;
+pub mod structure;
+mod structure_check;
+
+pub use error::CoreError;

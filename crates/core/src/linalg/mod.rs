@@ -1,0 +1,13 @@
+//! Linear algebra on node blocks: the only place that knows how matrices are stored.
+
+pub mod block;
+pub mod dense;
+pub mod lanczos;
+pub mod ldl;
+pub mod mass;
+pub mod symmetric;
+
+pub use block::Block;
+pub use ldl::BlockLdl;
+pub use mass::MassMatrix;
+pub use symmetric::SymmetricBlocks;

@@ -1,0 +1,143 @@
+//! Symmetric matrix of node blocks; only the lower triangle is stored, row by row.
+
+use super::block::{Block, zero};
+use std::collections::BTreeMap;
+
+/// Symmetric block matrix. Row `i` holds its blocks of columns `j ≤ i`, sorted, the diagonal last.
+#[derive(Debug, Clone, Default)]
+pub struct SymmetricBlocks<const D: usize> {
+    /// Start of each row in `columns` and `blocks`; one entry more than there are rows.
+    pub row_start: Vec<usize>,
+    /// Column of each block.
+    pub columns: Vec<usize>,
+    /// The blocks.
+    pub blocks: Vec<Block<D>>,
+}
+
+impl<const D: usize> SymmetricBlocks<D> {
+    /// Matrix of zeros in which the given node pairs, and all diagonals, have a place.
+    #[must_use]
+    pub fn with_pattern(n: usize, pairs: impl IntoIterator<Item = (usize, usize)>) -> Self {
+        let mut rows: Vec<BTreeMap<usize, ()>> = (0..n).map(|i| BTreeMap::from([(i, ())])).collect();
+        for (i, j) in pairs {
+            rows[i.max(j)].insert(i.min(j), ());
+        }
+        let mut row_start = vec![0];
+        let mut columns = Vec::new();
+        for row in rows {
+            columns.extend(row.into_keys());
+            row_start.push(columns.len());
+        }
+        let blocks = vec![zero(); columns.len()];
+        Self { row_start, columns, blocks }
+    }
+
+    /// Number of node rows.
+    #[must_use]
+    pub fn rows(&self) -> usize {
+        self.row_start.len() - 1
+    }
+
+    /// Set every entry to zero, keep the pattern.
+    pub fn clear(&mut self) {
+        self.blocks.fill(zero());
+    }
+
+    /// Position of block (i, j), i ≥ j.
+    fn place(&self, i: usize, j: usize) -> Option<usize> {
+        let row = self.row_start[i]..self.row_start[i + 1];
+        self.columns[row.clone()].binary_search(&j).ok().map(|k| row.start + k)
+    }
+
+    /// Add a block at nodes (i, j). Blocks above the diagonal mirror those below and are
+    /// skipped, so an element may pass all of its blocks. The pair must be in the pattern.
+    pub fn add(&mut self, i: usize, j: usize, block: &Block<D>) {
+        if i < j {
+            return;
+        }
+        let place = self.place(i, j);
+        debug_assert!(place.is_some(), "pair ({i}, {j}) is not in the pattern");
+        if let Some(place) = place {
+            for a in 0..D {
+                for b in 0..D {
+                    self.blocks[place][a][b] += block[a][b];
+                }
+            }
+        }
+    }
+
+    /// `self += factor · other`; the pattern of `other` must be contained in this one.
+    pub fn add_scaled(&mut self, factor: f64, other: &Self) {
+        for i in 0..other.rows() {
+            for k in other.row_start[i]..other.row_start[i + 1] {
+                let mut block = other.blocks[k];
+                block.iter_mut().flatten().for_each(|v| *v *= factor);
+                self.add(i, other.columns[k], &block);
+            }
+        }
+    }
+
+    /// Remove one degree of freedom: its row and column become those of the identity.
+    pub fn fix(&mut self, node: usize, component: usize) {
+        for i in node..self.rows() {
+            let Some(place) = self.place(i, node) else { continue };
+            for a in 0..D {
+                self.blocks[place][a][component] = 0.0;
+            }
+        }
+        for k in self.row_start[node]..self.row_start[node + 1] {
+            self.blocks[k][component] = [0.0; D];
+        }
+        let diagonal = self.row_start[node + 1] - 1;
+        self.blocks[diagonal][component][component] = 1.0;
+    }
+
+    /// `y += A x` for two vectors at once: one pass over the matrix serves both.
+    pub fn add_products(&self, x: [&[[f64; D]]; 2], y: [&mut [[f64; D]]; 2]) {
+        let [y0, y1] = y;
+        for i in 0..self.rows() {
+            let diagonal = self.row_start[i + 1] - 1;
+            for k in self.row_start[i]..diagonal {
+                let j = self.columns[k];
+                let a = &self.blocks[k];
+                symmetric_pair(a, x[0], y0, i, j);
+                symmetric_pair(a, x[1], y1, i, j);
+            }
+            super::block::add_product(&mut y0[i], &self.blocks[diagonal], &x[0][i]);
+            super::block::add_product(&mut y1[i], &self.blocks[diagonal], &x[1][i]);
+        }
+    }
+
+    /// `y += A x`
+    pub fn add_product(&self, x: &[[f64; D]], y: &mut [[f64; D]]) {
+        for i in 0..self.rows() {
+            let diagonal = self.row_start[i + 1] - 1;
+            for k in self.row_start[i]..diagonal {
+                symmetric_pair(&self.blocks[k], x, y, i, self.columns[k]);
+            }
+            super::block::add_product(&mut y[i], &self.blocks[diagonal], &x[i]);
+        }
+    }
+}
+
+/// Contribution of an off-diagonal block and of its mirror image to `y = A x`.
+#[inline(always)]
+fn symmetric_pair<const D: usize>(
+    a: &Block<D>,
+    x: &[[f64; D]],
+    y: &mut [[f64; D]],
+    i: usize,
+    j: usize,
+) {
+    let (xi, xj) = (x[i], x[j]);
+    let mut yi = y[i];
+    let mut yj = y[j];
+    for p in 0..D {
+        for q in 0..D {
+            yi[p] += a[p][q] * xj[q];
+            yj[q] += a[p][q] * xi[p];
+        }
+    }
+    y[i] = yi;
+    y[j] = yj;
+}

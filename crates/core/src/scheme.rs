@@ -1,0 +1,139 @@
+//! Time-stepping schemes, all as `A Δu = b + C λ` with a constant matrix A.
+//!
+//! Balance at the generalised midpoint (Chung & Hulbert, J. Appl. Mech. 60 (1993) 371):
+//!
+//!   M a_m + C v_f + K u_f = f_f
+//!   a_m = (1−α_m) aₙ₊₁ + α_m aₙ,   x_f = (1−α_f) xₙ₊₁ + α_f xₙ
+//!   uₙ₊₁ = uₙ + h vₙ + h² [(½−β) aₙ + β aₙ₊₁],   vₙ₊₁ = vₙ + h [(1−γ) aₙ + γ aₙ₊₁]
+//!
+//! Members: HHT (α_m = 0), Newmark (α_m = α_f = 0), trapezoidal rule (spectral radius one:
+//! α_m = α_f = ½, β = ¼, γ = ½, which conserves energy exactly).
+
+use crate::error::CoreError;
+
+/// Parameters of a member of the family.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Scheme {
+    /// Newmark's β.
+    pub beta: f64,
+    /// Newmark's γ.
+    pub gamma: f64,
+    /// Weight of the old acceleration in the balance.
+    pub alpha_m: f64,
+    /// Weight of the old state in the balance.
+    pub alpha_f: f64,
+}
+
+impl Scheme {
+    /// Generalised-α member with the given spectral radius at infinite frequency, 0 ≤ ρ ≤ 1.
+    #[must_use]
+    pub fn generalised_alpha(radius: f64) -> Self {
+        let alpha_m = (2.0 * radius - 1.0) / (radius + 1.0);
+        let alpha_f = radius / (radius + 1.0);
+        let gamma = 0.5 - alpha_m + alpha_f;
+        let beta = 0.25 * (1.0 - alpha_m + alpha_f).powi(2);
+        Self { beta, gamma, alpha_m, alpha_f }
+    }
+
+    /// Hilber–Hughes–Taylor member, 0 ≤ α ≤ 1/3.
+    #[must_use]
+    pub fn hht(alpha: f64) -> Self {
+        Self {
+            beta: 0.25 * (1.0 + alpha) * (1.0 + alpha),
+            gamma: 0.5 + alpha,
+            alpha_m: 0.0,
+            alpha_f: alpha,
+        }
+    }
+
+    /// Newmark member with the balance at the end of the step.
+    #[must_use]
+    pub fn newmark(beta: f64, gamma: f64) -> Self {
+        Self { beta, gamma, alpha_m: 0.0, alpha_f: 0.0 }
+    }
+
+    /// Check that the member is implicit and unconditionally stable for linear systems:
+    /// α_m ≤ α_f ≤ ½, β ≥ ¼ + ½ (α_f − α_m) (Chung & Hulbert 1993, equation 24), γ ≥ ½ − α_m + α_f.
+    ///
+    /// # Errors
+    /// [`CoreError::Input`].
+    pub fn check(&self) -> Result<(), CoreError> {
+        let finite = [self.beta, self.gamma, self.alpha_m, self.alpha_f].iter().all(|v| v.is_finite());
+        // Rounding of the parameters themselves must not refuse the limit ρ = 1.
+        let slack = 1e-12;
+        let stable = self.alpha_m <= self.alpha_f + slack
+            && self.alpha_f <= 0.5 + slack
+            && self.beta + slack >= 0.25 + 0.5 * (self.alpha_f - self.alpha_m)
+            && self.gamma + slack >= 0.5 - self.alpha_m + self.alpha_f;
+        if finite && stable {
+            return Ok(());
+        }
+        Err(CoreError::Input {
+            array: "scheme",
+            reason: format!("{self:?} is not unconditionally stable"),
+        })
+    }
+
+    /// Coefficients for step length `h` in s.
+    #[must_use]
+    pub fn coefficients(&self, h: f64) -> Coefficients {
+        let Self { beta, gamma, alpha_m, alpha_f } = *self;
+        let (keep_m, keep_f) = (1.0 - alpha_m, 1.0 - alpha_f);
+        Coefficients {
+            mass: keep_m / (beta * h * h),
+            damping: keep_f * gamma / (beta * h),
+            stiffness: keep_f,
+            acceleration_from_v: -keep_m / (beta * h),
+            acceleration_from_a: alpha_m - keep_m * (0.5 / beta - 1.0),
+            velocity_from_v: keep_f * (1.0 - gamma / beta) + alpha_f,
+            velocity_from_a: keep_f * h * (1.0 - 0.5 * gamma / beta),
+            new_a: [1.0 / (beta * h * h), -1.0 / (beta * h), 1.0 - 0.5 / beta],
+            new_v: [gamma / (beta * h), 1.0 - gamma / beta, h * (1.0 - 0.5 * gamma / beta)],
+            old: alpha_f,
+            old_acceleration: alpha_m,
+        }
+    }
+}
+
+/// Numbers of a scheme for one step length.
+///
+/// With the unknown Δu = uₙ₊₁ − uₙ:  A = mass·M + damping·C + stiffness·K, and
+/// a_m = mass·Δu + acceleration_from_v·v + acceleration_from_a·a,
+/// v_f = damping·Δu + velocity_from_v·v + velocity_from_a·a,  u_f = stiffness·Δu + u.
+#[derive(Debug, Clone, Copy)]
+pub struct Coefficients {
+    /// Factor of M in A, 1/s².
+    pub mass: f64,
+    /// Factor of C in A, 1/s.
+    pub damping: f64,
+    /// Factor of K in A.
+    pub stiffness: f64,
+    /// Part of a_m that follows from the old velocity, 1/s.
+    pub acceleration_from_v: f64,
+    /// Part of a_m that follows from the old acceleration.
+    pub acceleration_from_a: f64,
+    /// Part of v_f that follows from the old velocity.
+    pub velocity_from_v: f64,
+    /// Part of v_f that follows from the old acceleration, s.
+    pub velocity_from_a: f64,
+    /// aₙ₊₁ from (Δu, v, a).
+    pub new_a: [f64; 3],
+    /// vₙ₊₁ from (Δu, v, a).
+    pub new_v: [f64; 3],
+    /// Weight α_f of the old state in the balance.
+    pub old: f64,
+    /// Weight α_m of the old acceleration in the balance.
+    pub old_acceleration: f64,
+}
+
+impl Coefficients {
+    /// New velocity and acceleration from an increment and the old ones.
+    #[inline(always)]
+    #[must_use]
+    pub fn advance(&self, delta: f64, v: f64, a: f64) -> (f64, f64) {
+        (
+            self.new_v[0] * delta + self.new_v[1] * v + self.new_v[2] * a,
+            self.new_a[0] * delta + self.new_a[1] * v + self.new_a[2] * a,
+        )
+    }
+}

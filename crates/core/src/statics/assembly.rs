@@ -1,0 +1,292 @@
+//! Internal forces, weight and tangent stiffness of a structure in a given shape.
+
+use crate::element::bar::BarState;
+use crate::element::hermite::{self, Coordinates};
+use crate::error::CoreError;
+use crate::linalg::SymmetricBlocks;
+use crate::structure::{Link, Structure, Wire};
+
+/// Positions and slopes of all nodes: `D = 2·DIM` numbers a node.
+pub type Shape<const D: usize> = Vec<[f64; D]>;
+
+/// A structure together with the operations that need its dimension at compile time.
+#[derive(Debug, Clone)]
+pub struct Geometry<const DIM: usize, const D: usize> {
+    /// The structure; the design calculation completes its unknown lengths.
+    pub structure: Structure,
+}
+
+/// Which force law a unilateral link follows in a tangent stiffness.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LinkLaw {
+    /// Tension only: a slack link has no stiffness.
+    Unilateral,
+    /// Linear, as if it could push: the dynamics correct it in the complementarity problem.
+    Linear,
+}
+
+impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
+    /// Component that points up.
+    pub const UP: usize = DIM - 1;
+
+    /// Wrap a structure whose `dim` is `DIM`.
+    ///
+    /// # Errors
+    /// [`CoreError::Input`] when indices, signs or numbers are impossible.
+    pub fn new(structure: Structure) -> Result<Self, CoreError> {
+        crate::structure_check::check(&structure, DIM)?;
+        Ok(Self { structure })
+    }
+
+    /// Number of nodes.
+    #[must_use]
+    pub fn nodes(&self) -> usize {
+        self.structure.positions.len()
+    }
+
+    /// Shape described by the given positions and slopes.
+    #[must_use]
+    pub fn initial_shape(&self) -> Shape<D> {
+        let s = &self.structure;
+        s.positions
+            .iter()
+            .zip(&s.slopes)
+            .map(|(r, t)| {
+                let mut node = [0.0; D];
+                node[..DIM].copy_from_slice(&r[..DIM]);
+                node[DIM..].copy_from_slice(&t[..DIM]);
+                node
+            })
+            .collect()
+    }
+
+    /// Position of a node.
+    #[must_use]
+    pub fn position(shape: &Shape<D>, node: usize) -> [f64; DIM] {
+        let mut r = [0.0; DIM];
+        r.copy_from_slice(&shape[node][..DIM]);
+        r
+    }
+
+    /// Coordinates of a wire element.
+    #[must_use]
+    pub fn coordinates(shape: &Shape<D>, nodes: [usize; 2]) -> Coordinates<DIM> {
+        let mut e = [[0.0; DIM]; 4];
+        for (k, &node) in nodes.iter().enumerate() {
+            e[2 * k].copy_from_slice(&shape[node][..DIM]);
+            e[2 * k + 1].copy_from_slice(&shape[node][DIM..]);
+        }
+        e
+    }
+
+    /// State of a link.
+    #[must_use]
+    pub fn link_state(shape: &Shape<D>, link: &Link) -> BarState<DIM> {
+        let [a, b] = link.nodes.map(|n| Self::position(shape, n));
+        BarState::new(&a, &b, link.rest_length, link.stiffness)
+    }
+
+    /// State of the bar from a strut's node to its ground point.
+    #[must_use]
+    pub fn strut_state(shape: &Shape<D>, strut: &crate::structure::Strut) -> BarState<DIM> {
+        let mut anchor = [0.0; DIM];
+        anchor.copy_from_slice(&strut.anchor[..DIM]);
+        let node = Self::position(shape, strut.node);
+        BarState::new(&node, &anchor, strut.rest_length, strut.stiffness)
+    }
+
+    /// Internal minus external forces of everything except links, struts and springs.
+    pub fn wires_and_weight(&self, shape: &Shape<D>, residual: &mut Shape<D>) {
+        let s = &self.structure;
+        residual.iter_mut().for_each(|r| *r = [0.0; D]);
+        for wire in &s.wires {
+            let mut force = [[0.0; DIM]; 4];
+            hermite::add_force(&wire.section, &Self::coordinates(shape, wire.nodes), &mut force);
+            add_weight(wire, s.gravity, &mut force);
+            for k in 0..4 {
+                let offset = (k % 2) * DIM;
+                for c in 0..DIM {
+                    residual[wire.nodes[k / 2]][offset + c] += force[k][c];
+                }
+            }
+        }
+        for m in &s.masses {
+            residual[m.node][Self::UP] += m.mass * s.gravity;
+        }
+        for link in &s.links {
+            let weight = link.mass * Self::link_state(shape, link).length * s.gravity;
+            for node in link.nodes {
+                residual[node][Self::UP] += 0.5 * weight;
+            }
+        }
+        for strut in &s.struts {
+            residual[strut.node][Self::UP] += strut.hanging_mass * s.gravity;
+        }
+        for &(node, component, force) in &s.loads {
+            residual[node][component] -= force;
+        }
+    }
+
+    /// Add the forces of links, struts and springs to the residual.
+    pub fn add_supports(&self, shape: &Shape<D>, residual: &mut Shape<D>) {
+        let s = &self.structure;
+        for link in &s.links {
+            let state = Self::link_state(shape, link);
+            add_pair(residual, link.nodes, &state.direction, link_tension(link, &state));
+        }
+        for strut in &s.struts {
+            let state = Self::strut_state(shape, strut);
+            for c in 0..DIM {
+                residual[strut.node][c] -= state.linear_tension * state.direction[c];
+            }
+        }
+        for spring in &s.springs {
+            residual[spring.node][spring.component] +=
+                spring.stiffness * (shape[spring.node][spring.component] - spring.rest);
+        }
+    }
+
+    /// Matrix of zeros in which every element of the structure has a place.
+    #[must_use]
+    pub fn empty_matrix(&self) -> SymmetricBlocks<D> {
+        let wires = self.structure.wires.iter().map(|w| (w.nodes[0], w.nodes[1]));
+        let links = self.structure.links.iter().map(|l| (l.nodes[0], l.nodes[1]));
+        SymmetricBlocks::with_pattern(self.nodes(), wires.chain(links))
+    }
+
+    /// Add the tangent of one wire element, times `factor`.
+    pub fn add_wire(k: &mut SymmetricBlocks<D>, shape: &Shape<D>, wire: &Wire, factor: f64) {
+        let tangent = hermite::tangent(&wire.section, &Self::coordinates(shape, wire.nodes));
+        for (m, &i) in wire.nodes.iter().enumerate() {
+            for (n, &j) in wire.nodes.iter().enumerate() {
+                let mut block = [[0.0; D]; D];
+                for (p, q) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+                    for a in 0..DIM {
+                        for b in 0..DIM {
+                            block[p * DIM + a][q * DIM + b] =
+                                factor * tangent[2 * m + p][2 * n + q][a][b];
+                        }
+                    }
+                }
+                k.add(i, j, &block);
+            }
+        }
+    }
+
+    /// Add a stiffness between the positions of two nodes.
+    pub fn add_between(
+        k: &mut SymmetricBlocks<D>,
+        nodes: [usize; 2],
+        stiffness: &[[f64; DIM]; DIM],
+    ) {
+        let [i, j] = nodes;
+        let same = embed::<DIM, D>(stiffness, 1.0);
+        k.add(i, i, &same);
+        k.add(j, j, &same);
+        k.add(i.max(j), i.min(j), &embed::<DIM, D>(stiffness, -1.0));
+    }
+
+    /// Tangent stiffness of the whole structure in service.
+    pub fn tangent(&self, shape: &Shape<D>, law: LinkLaw, k: &mut SymmetricBlocks<D>) {
+        let s = &self.structure;
+        k.clear();
+        for wire in &s.wires {
+            Self::add_wire(k, shape, wire, 1.0);
+        }
+        for link in &s.links {
+            let state = Self::link_state(shape, link);
+            let slack = link.unilateral && state.linear_tension < 0.0;
+            let stiffness = if slack && law == LinkLaw::Unilateral { 0.0 } else { link.stiffness };
+            let tangent = state.tangent(stiffness, link_tension(link, &state));
+            Self::add_between(k, link.nodes, &tangent);
+        }
+        for strut in &s.struts {
+            Self::add_strut(k, shape, strut, 1.0);
+        }
+        for spring in &s.springs {
+            Self::add_spring(k, spring, spring.stiffness);
+        }
+    }
+
+    /// Add the tangent of a strut, times `factor`.
+    pub fn add_strut(
+        k: &mut SymmetricBlocks<D>,
+        shape: &Shape<D>,
+        strut: &crate::structure::Strut,
+        factor: f64,
+    ) {
+        let state = Self::strut_state(shape, strut);
+        let tangent = state.tangent(strut.stiffness, state.linear_tension);
+        k.add(strut.node, strut.node, &embed::<DIM, D>(&tangent, factor));
+    }
+
+    /// Add a coefficient at the component a spring acts on.
+    pub fn add_spring(k: &mut SymmetricBlocks<D>, spring: &crate::structure::Spring, value: f64) {
+        let mut block = [[0.0; D]; D];
+        block[spring.component][spring.component] = value;
+        k.add(spring.node, spring.node, &block);
+    }
+
+    /// Residual below which forces balance to rounding, N: the axial force is a difference of
+    /// coordinates of size `extent`, so it carries an error EA · ε · extent / L. Eight such
+    /// errors may meet at a node. Tighter cannot be reached; looser loses digits of the shape.
+    #[must_use]
+    pub fn force_rounding(&self) -> f64 {
+        let extent = self.structure.positions.iter().map(|p| p[0].abs()).fold(1.0, f64::max);
+        let stiffest = |w: &Wire| w.section.axial_stiffness / w.section.rest_length;
+        let steepest = self.structure.wires.iter().map(stiffest).fold(0.0, f64::max);
+        8.0 * f64::EPSILON * extent * steepest
+    }
+}
+
+/// Tension of a link by its own law.
+#[must_use]
+pub fn link_tension<const DIM: usize>(link: &Link, state: &BarState<DIM>) -> f64 {
+    if link.unilateral { state.linear_tension.max(0.0) } else { state.linear_tension }
+}
+
+/// Add the internal force of a bar with tension `t`; `n` points from the first to the second node.
+pub fn add_pair<const DIM: usize, const D: usize>(
+    residual: &mut Shape<D>,
+    nodes: [usize; 2],
+    n: &[f64; DIM],
+    t: f64,
+) {
+    for c in 0..DIM {
+        residual[nodes[0]][c] -= t * n[c];
+        residual[nodes[1]][c] += t * n[c];
+    }
+}
+
+fn embed<const DIM: usize, const D: usize>(k: &[[f64; DIM]; DIM], factor: f64) -> [[f64; D]; D] {
+    let mut block = [[0.0; D]; D];
+    for a in 0..DIM {
+        for b in 0..DIM {
+            block[a][b] = factor * k[a][b];
+        }
+    }
+    block
+}
+
+/// Weight of a wire element, ∫ Sₖ μ g ds, as an internal force (it points up in the residual).
+fn add_weight<const DIM: usize>(wire: &Wire, gravity: f64, force: &mut Coordinates<DIM>) {
+    let l = wire.section.rest_length;
+    let w = wire.mass * gravity * l;
+    for (k, factor) in [0.5, l / 12.0, 0.5, -l / 12.0].into_iter().enumerate() {
+        force[k][DIM - 1] += w * factor;
+    }
+}
+
+/// Largest component of a residual over the free degrees of freedom, and its node.
+#[must_use]
+pub fn largest<const D: usize>(residual: &Shape<D>, free: &[[bool; D]]) -> (f64, usize) {
+    let mut worst = (0.0, 0);
+    for (node, (r, f)) in residual.iter().zip(free).enumerate() {
+        for c in 0..D {
+            if f[c] && (r[c].abs() > worst.0 || r[c].is_nan()) {
+                worst = (r[c].abs(), node);
+            }
+        }
+    }
+    worst
+}

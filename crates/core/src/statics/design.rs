@@ -1,0 +1,219 @@
+//! Design calculation: heights, staggers and tensions are given, unstretched lengths are found.
+//!
+//! Components that the drawing fixes are held at their target; the reaction that this needs is
+//! the force of the element that will hold them in service:
+//!
+//! * link: tension T = R_z / m_z along the line between its clamps, and −T on its upper node;
+//! * strut: tension T = R_y / n_y along its given direction;
+//! * spring: rest coordinate = position + R / k.
+//!
+//! Wire ends are pulled with their tension while the element lengths are scaled until every node
+//! stands where it was drawn along the track: tension and positions are both exact. The forces
+//! of links lag one iteration behind, which changes the speed of convergence, not its limit.
+//! (Tur et al. 2014 put all of these unknowns into one Newton system; the staged form needs no
+//! unsymmetric matrix and no more than a few iterations more.)
+
+use super::assembly::{Geometry, Shape, add_pair, largest};
+use crate::error::CoreError;
+use crate::linalg::{BlockLdl, SymmetricBlocks};
+use crate::structure::SpringMode;
+
+/// Bound on the iterations; planar lines need about 8, staggered ones about 20.
+const MOST_ITERATIONS: usize = 200;
+
+/// Relative change of element lengths that counts as settled; rounding leaves about 1e-15.
+const LENGTH_TOLERANCE: f64 = 1e-12;
+
+impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
+    /// Find the unstretched lengths and complete the structure with them; returns the shape.
+    ///
+    /// # Errors
+    /// [`CoreError::NoEquilibrium`], [`CoreError::Singular`], or [`CoreError::PushingLink`] when
+    /// a tension-only link would have to push.
+    pub fn design(&mut self) -> Result<Shape<D>, CoreError> {
+        let free = self.design_mask();
+        let mut shape = self.initial_shape();
+        let mut residual = vec![[0.0; D]; self.nodes()];
+        let mut tensions = vec![0.0; self.structure.links.len()];
+        let mut k = self.empty_matrix();
+        let tolerance = self.force_rounding();
+        let mut worst = (f64::INFINITY, 0);
+        for _ in 0..MOST_ITERATIONS {
+            let change = self.rescale_wires(&shape);
+            let held = self.design_residual(&shape, &mut residual, &mut tensions);
+            worst = largest(&residual, &free);
+            if !worst.0.is_finite() {
+                break;
+            }
+            if worst.0 <= tolerance && change <= LENGTH_TOLERANCE {
+                self.complete(&shape, &held, &tensions)?;
+                return Ok(shape);
+            }
+            self.design_tangent(&shape, &tensions, &mut k);
+            step(&mut k, &free, &residual, &mut shape)?;
+        }
+        Err(CoreError::NoEquilibrium {
+            iterations: MOST_ITERATIONS,
+            residual: worst.0,
+            node: worst.1,
+            tolerance,
+        })
+    }
+
+    /// Degrees of freedom that move in the design calculation.
+    fn design_mask(&self) -> Vec<[bool; D]> {
+        let s = &self.structure;
+        let mut free = vec![[true; D]; self.nodes()];
+        s.fixed.iter().for_each(|&(node, c)| free[node][c] = false);
+        s.ends.iter().for_each(|end| free[end.node][0] = true);
+        for link in s.links.iter().filter(|l| l.adjust) {
+            free[link.nodes[1]][Self::UP] = false;
+        }
+        s.struts.iter().filter(|t| t.adjust).for_each(|t| free[t.node][1] = false);
+        let held = s.springs.iter().filter(|p| p.mode == SpringMode::Held);
+        held.for_each(|p| free[p.node][p.component] = false);
+        free
+    }
+
+    /// Scale element lengths so that nodes keep their spacing along the track; returns the
+    /// largest relative change.
+    fn rescale_wires(&mut self, shape: &Shape<D>) -> f64 {
+        let s = &mut self.structure;
+        let mut change: f64 = 0.0;
+        for wire in &mut s.wires {
+            let [i, j] = wire.nodes;
+            let drawn = s.positions[j][0] - s.positions[i][0];
+            let factor = drawn / (shape[j][0] - shape[i][0]);
+            wire.section.rest_length *= factor;
+            change = change.max((factor - 1.0).abs());
+        }
+        change
+    }
+
+    /// Residual with the reactions of held components turned into element forces. Returns the
+    /// residual before they were applied: at held components, the force the holder must give.
+    fn design_residual(
+        &self,
+        shape: &Shape<D>,
+        residual: &mut Shape<D>,
+        tensions: &mut [f64],
+    ) -> Shape<D> {
+        let s = &self.structure;
+        self.wires_and_weight(shape, residual);
+        s.ends.iter().for_each(|end| residual[end.node][0] -= end.force);
+        for (link, tension) in s.links.iter().zip(tensions.iter_mut()) {
+            let state = Self::link_state(shape, link);
+            *tension = if link.adjust {
+                // `direction` points down, towards the held node, which the link pulls up.
+                -residual[link.nodes[1]][Self::UP] / state.direction[Self::UP]
+            } else {
+                super::assembly::link_tension(link, &state)
+            };
+            add_pair(residual, link.nodes, &state.direction, *tension);
+        }
+        for spring in s.springs.iter().filter(|p| p.mode == SpringMode::Given) {
+            residual[spring.node][spring.component] +=
+                spring.stiffness * (shape[spring.node][spring.component] - spring.rest);
+        }
+        let held = residual.clone();
+        for strut in &s.struts {
+            let (tension, direction) = self.strut_force(shape, strut, &held);
+            for c in 0..DIM {
+                residual[strut.node][c] -= tension * direction[c];
+            }
+        }
+        held
+    }
+
+    /// Tension of a strut and its direction from the node to the ground.
+    fn strut_force(
+        &self,
+        shape: &Shape<D>,
+        strut: &crate::structure::Strut,
+        held: &Shape<D>,
+    ) -> (f64, [f64; DIM]) {
+        if strut.adjust {
+            let mut direction = [0.0; DIM];
+            direction.copy_from_slice(&strut.direction[..DIM]);
+            return (held[strut.node][1] / direction[1], direction);
+        }
+        let state = Self::strut_state(shape, strut);
+        (state.linear_tension, state.direction)
+    }
+
+    /// Tangent of wires and of everything whose length is known; adjusted links give their
+    /// geometric stiffness only, adjusted struts and springs nothing.
+    fn design_tangent(&self, shape: &Shape<D>, tensions: &[f64], k: &mut SymmetricBlocks<D>) {
+        let s = &self.structure;
+        k.clear();
+        s.wires.iter().for_each(|wire| Self::add_wire(k, shape, wire, 1.0));
+        for (link, &tension) in s.links.iter().zip(tensions) {
+            let state = Self::link_state(shape, link);
+            let slack = link.unilateral && state.linear_tension < 0.0;
+            let stiffness = if link.adjust || slack { 0.0 } else { link.stiffness };
+            Self::add_between(k, link.nodes, &state.tangent(stiffness, tension.max(0.0)));
+        }
+        for strut in s.struts.iter().filter(|t| !t.adjust) {
+            Self::add_strut(k, shape, strut, 1.0);
+        }
+        for spring in s.springs.iter().filter(|p| p.mode == SpringMode::Given) {
+            Self::add_spring(k, spring, spring.stiffness);
+        }
+    }
+
+    /// Write the lengths, ground points and rest coordinates that were found into the structure.
+    fn complete(
+        &mut self,
+        shape: &Shape<D>,
+        held: &Shape<D>,
+        tensions: &[f64],
+    ) -> Result<(), CoreError> {
+        let forces: Vec<f64> =
+            self.structure.struts.iter().map(|t| self.strut_force(shape, t, held).0).collect();
+        let s = &mut self.structure;
+        for (index, (link, &tension)) in s.links.iter_mut().zip(tensions).enumerate() {
+            if link.adjust {
+                if link.unilateral && tension < 0.0 {
+                    return Err(CoreError::PushingLink { link: index, force: tension });
+                }
+                link.rest_length = Self::link_state(shape, link).length - tension / link.stiffness;
+            }
+        }
+        for (strut, force) in s.struts.iter_mut().zip(forces).filter(|(t, _)| t.adjust) {
+            let length = strut.rest_length + force / strut.stiffness;
+            for c in 0..DIM {
+                strut.anchor[c] = shape[strut.node][c] + strut.direction[c] * length;
+            }
+        }
+        for spring in s.springs.iter_mut().filter(|p| p.mode != SpringMode::Given) {
+            let is_held = spring.mode == SpringMode::Held;
+            let reaction = if is_held { held[spring.node][spring.component] } else { 0.0 };
+            spring.rest = shape[spring.node][spring.component] + reaction / spring.stiffness;
+        }
+        Ok(())
+    }
+}
+
+/// One Newton step on the free degrees of freedom.
+pub(super) fn step<const D: usize>(
+    k: &mut SymmetricBlocks<D>,
+    free: &[[bool; D]],
+    residual: &Shape<D>,
+    shape: &mut Shape<D>,
+) -> Result<usize, CoreError> {
+    let mut correction = residual.clone();
+    for (node, mask) in free.iter().enumerate() {
+        for c in (0..D).filter(|&c| !mask[c]) {
+            k.fix(node, c);
+            correction[node][c] = 0.0;
+        }
+    }
+    let factor = BlockLdl::new(k)?;
+    factor.solve(&mut correction);
+    for (node, delta) in shape.iter_mut().zip(&correction) {
+        for c in 0..D {
+            node[c] -= delta[c];
+        }
+    }
+    Ok(factor.negative_pivots())
+}

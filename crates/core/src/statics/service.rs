@@ -1,0 +1,97 @@
+//! As-built equilibrium: unstretched lengths are given, positions are found by Newton's method
+//! with the exact tangent. Unilateral links are slack or taut as the shape says (semismooth
+//! Newton); a step that makes the balance worse is halved.
+
+use super::assembly::{Geometry, LinkLaw, Shape, largest};
+use super::design::step;
+use crate::error::CoreError;
+
+/// Bound on Newton iterations; from a design shape one or two suffice, from straight wires about 15.
+const MOST_ITERATIONS: usize = 200;
+
+/// Bound on halvings of one step: 2⁻¹⁰ of a step is no progress any more.
+const MOST_HALVINGS: usize = 10;
+
+impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
+    /// Degrees of freedom that move in service.
+    #[must_use]
+    pub fn service_mask(&self) -> Vec<[bool; D]> {
+        let s = &self.structure;
+        let mut free = vec![[true; D]; self.nodes()];
+        s.fixed.iter().for_each(|&(node, c)| free[node][c] = false);
+        s.ends.iter().for_each(|end| free[end.node][0] = end.released);
+        free
+    }
+
+    /// Internal minus external forces in service.
+    pub fn service_residual(&self, shape: &Shape<D>, residual: &mut Shape<D>) {
+        self.wires_and_weight(shape, residual);
+        self.add_supports(shape, residual);
+        for end in self.structure.ends.iter().filter(|e| e.released) {
+            residual[end.node][0] -= end.force;
+        }
+    }
+
+    /// Find the equilibrium near `start`.
+    ///
+    /// # Errors
+    /// [`CoreError::NoEquilibrium`] or [`CoreError::Singular`].
+    pub fn settle(&self, start: &Shape<D>) -> Result<Shape<D>, CoreError> {
+        let free = self.service_mask();
+        let tolerance = self.force_rounding();
+        let mut shape = start.clone();
+        let mut residual = vec![[0.0; D]; self.nodes()];
+        let mut k = self.empty_matrix();
+        self.service_residual(&shape, &mut residual);
+        let mut worst = largest(&residual, &free);
+        for _ in 0..MOST_ITERATIONS {
+            if worst.0 <= tolerance {
+                return Ok(shape);
+            }
+            self.tangent(&shape, LinkLaw::Unilateral, &mut k);
+            let mut target = shape.clone();
+            step(&mut k, &free, &residual, &mut target)?;
+            worst = self.search(&mut shape, &target, &free, &mut residual);
+            if !worst.0.is_finite() {
+                break;
+            }
+        }
+        Err(CoreError::NoEquilibrium {
+            iterations: MOST_ITERATIONS,
+            residual: worst.0,
+            node: worst.1,
+            tolerance,
+        })
+    }
+
+    /// Go towards `target`, halving the way while the sum of squares of the residual grows.
+    fn search(
+        &self,
+        shape: &mut Shape<D>,
+        target: &Shape<D>,
+        free: &[[bool; D]],
+        residual: &mut Shape<D>,
+    ) -> (f64, usize) {
+        let before = sum_of_squares(residual, free);
+        let start = shape.clone();
+        let mut fraction = 1.0;
+        for _ in 0..=MOST_HALVINGS {
+            for (node, (a, b)) in shape.iter_mut().zip(start.iter().zip(target)) {
+                for c in 0..D {
+                    node[c] = a[c] + fraction * (b[c] - a[c]);
+                }
+            }
+            self.service_residual(shape, residual);
+            if sum_of_squares(residual, free) <= before {
+                break;
+            }
+            fraction *= 0.5;
+        }
+        largest(residual, free)
+    }
+}
+
+fn sum_of_squares<const D: usize>(residual: &Shape<D>, free: &[[bool; D]]) -> f64 {
+    let pairs = residual.iter().flatten().zip(free.iter().flatten());
+    pairs.map(|(r, &f)| if f { r * r } else { 0.0 }).sum()
+}

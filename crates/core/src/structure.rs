@@ -1,0 +1,151 @@
+//! What is given to the core: a structure of wires, links, springs and masses, as plain data.
+//!
+//! Nodes carry a position and a slope (the derivative of position along the unstretched wire).
+//! Components are ordered along the track, (across,) up; the last one is vertical. Nodes must be
+//! ordered along the track so that the matrices stay narrow.
+
+use crate::element::hermite::Section;
+
+/// Proportional damping `alpha · M + beta · K`.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Rayleigh {
+    /// Mass-proportional part, 1/s.
+    pub alpha: f64,
+    /// Stiffness-proportional part, s.
+    pub beta: f64,
+}
+
+/// Piece of wire between two nodes.
+#[derive(Debug, Clone, Copy)]
+pub struct Wire {
+    /// First and second node.
+    pub nodes: [usize; 2],
+    /// Rest length and stiffnesses.
+    pub section: Section,
+    /// Mass per metre of rest length, kg/m.
+    pub mass: f64,
+    /// Damping of this wire.
+    pub damping: Rayleigh,
+}
+
+/// Bar between two nodes. A unilateral link pulls but never pushes.
+#[derive(Debug, Clone, Copy)]
+pub struct Link {
+    /// First (upper) and second (lower) node.
+    pub nodes: [usize; 2],
+    /// Unstretched length, m; found by the design calculation when `adjust` is set.
+    pub rest_length: f64,
+    /// Stiffness, N/m.
+    pub stiffness: f64,
+    /// Viscous damping along the link, N·s/m, in addition to the proportional one.
+    pub viscosity: f64,
+    /// Proportional damping.
+    pub damping: Rayleigh,
+    /// Mass per metre, kg/m; half of it hangs on each end.
+    pub mass: f64,
+    /// Tension only.
+    pub unilateral: bool,
+    /// Length unknown: the lower node's height is held in the design calculation.
+    pub adjust: bool,
+}
+
+/// Bar between a node and a point of the ground.
+#[derive(Debug, Clone, Copy)]
+pub struct Strut {
+    /// Node.
+    pub node: usize,
+    /// Unit vector from the node to the ground point in the design position.
+    pub direction: [f64; 3],
+    /// Ground point, m; found by the design calculation when `adjust` is set.
+    pub anchor: [f64; 3],
+    /// Unstretched length, m.
+    pub rest_length: f64,
+    /// Stiffness, N/m.
+    pub stiffness: f64,
+    /// Mass that moves with the node, kg (a third of a bar hinged at the ground).
+    pub moving_mass: f64,
+    /// Mass whose weight hangs on the node, kg (half of the bar).
+    pub hanging_mass: f64,
+    /// Ground point unknown: the node's lateral position is held in the design calculation.
+    pub adjust: bool,
+}
+
+/// Spring and damper between one component of a node and the ground.
+#[derive(Debug, Clone, Copy)]
+pub struct Spring {
+    /// Node.
+    pub node: usize,
+    /// Component of its position.
+    pub component: usize,
+    /// Stiffness, N/m.
+    pub stiffness: f64,
+    /// Damping, N·s/m.
+    pub viscosity: f64,
+    /// Coordinate at which the spring is free of force, m; found unless `mode` is `Given`.
+    pub rest: f64,
+    /// How the design calculation treats the rest coordinate.
+    pub mode: SpringMode,
+}
+
+/// What is known of a spring when the design calculation begins.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SpringMode {
+    /// The rest coordinate is given.
+    Given,
+    /// The position is given and held; the spring carries the reaction.
+    Held,
+    /// The spring carries nothing in the design position, wherever that is.
+    Unloaded,
+}
+
+/// End of a wire at which the tension is applied.
+#[derive(Debug, Clone, Copy)]
+pub struct TensionedEnd {
+    /// Node.
+    pub node: usize,
+    /// Force applied along the track, N; positive in the direction of travel.
+    pub force: f64,
+    /// In service the end stays free under this force (balance weight); otherwise it is fixed
+    /// where the design calculation left it.
+    pub released: bool,
+}
+
+/// Mass at the position of a node.
+#[derive(Debug, Clone, Copy)]
+pub struct PointMass {
+    /// Node.
+    pub node: usize,
+    /// Mass, kg.
+    pub mass: f64,
+    /// Mass-proportional damping, 1/s.
+    pub alpha: f64,
+}
+
+/// Complete description of a structure.
+#[derive(Debug, Clone, Default)]
+pub struct Structure {
+    /// Components of space: 2 (along, up) or 3 (along, across, up).
+    pub dim: usize,
+    /// Positions, m: targets where held, first guesses elsewhere. Unused components are zero.
+    pub positions: Vec<[f64; 3]>,
+    /// First guesses of the slopes.
+    pub slopes: Vec<[f64; 3]>,
+    /// Wire elements.
+    pub wires: Vec<Wire>,
+    /// Links.
+    pub links: Vec<Link>,
+    /// Struts.
+    pub struts: Vec<Strut>,
+    /// Springs to ground.
+    pub springs: Vec<Spring>,
+    /// Point masses.
+    pub masses: Vec<PointMass>,
+    /// Fixed components of node positions.
+    pub fixed: Vec<(usize, usize)>,
+    /// Wire ends under tension.
+    pub ends: Vec<TensionedEnd>,
+    /// Forces on nodes: node, component, N.
+    pub loads: Vec<(usize, usize, f64)>,
+    /// Acceleration of gravity, m/s², acting against the last component.
+    pub gravity: f64,
+}

@@ -1,0 +1,195 @@
+//! Static equilibrium and what is read from it.
+
+use crate::error::convert;
+use crate::prepared::{self, Prepared};
+use crate::structure;
+use arcless_core::CoreError;
+use arcless_core::dynamics::line::Line;
+use arcless_core::dynamics::path::Path;
+use arcless_core::dynamics::still::Still;
+use arcless_core::dynamics::stepper;
+use arcless_core::element::hermite;
+use arcless_core::linalg::lanczos;
+use arcless_core::scheme::Scheme;
+use arcless_core::statics::{Geometry, Shape, assembly};
+use numpy::{PyReadonlyArray2, ToPyArray};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+/// Lanczos steps for each frequency asked for; six give the lowest ones to rounding.
+const LANCZOS_STEPS: usize = 6;
+
+/// Equilibrium in two or three dimensions.
+enum Any {
+    Planar(Solved<2, 4>),
+    Spatial(Solved<3, 6>),
+}
+
+struct Solved<const DIM: usize, const D: usize> {
+    geometry: Geometry<DIM, D>,
+    shape: Shape<D>,
+}
+
+/// Call a method of whichever variant is there.
+macro_rules! either {
+    ($any:expr, $s:ident => $body:expr) => {
+        match $any {
+            Any::Planar($s) => $body,
+            Any::Spatial($s) => $body,
+        }
+    };
+}
+
+/// Static equilibrium of a structure.
+#[pyclass(frozen)]
+pub struct Equilibrium(Any);
+
+#[pymethods]
+impl Equilibrium {
+    /// Find it; with `design`, unknown lengths are found first.
+    #[new]
+    fn new(
+        py: Python<'_>,
+        dim: usize,
+        positions: PyReadonlyArray2<'_, f64>,
+        slopes: PyReadonlyArray2<'_, f64>,
+        parts: &Bound<'_, PyDict>,
+        gravity: f64,
+        design: bool,
+    ) -> PyResult<Self> {
+        let s = structure::build(dim, &positions, &slopes, parts, gravity)?;
+        let found = py.detach(|| {
+            if dim == 2 {
+                Solved::new(s, design).map(Any::Planar)
+            } else {
+                Solved::new(s, design).map(Any::Spatial)
+            }
+        });
+        found.map(Self).map_err(|e| convert(py, &e))
+    }
+
+    /// Shape, lengths and forces as arrays.
+    fn arrays<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        either!(&self.0, s => s.arrays(py))
+    }
+
+    /// Elasticity in m/N at coordinates `x` along the wire elements `path`, for a force in N.
+    fn elasticity(
+        &self,
+        py: Python<'_>,
+        path: Vec<usize>,
+        x: Vec<f64>,
+        force: f64,
+    ) -> PyResult<Vec<f64>> {
+        let found = py.detach(|| either!(&self.0, s => s.elasticity(&path, &x, force)));
+        found.map_err(|e| convert(py, &e))
+    }
+
+    /// Lowest natural frequencies in Hz.
+    fn frequencies(&self, py: Python<'_>, path: Vec<usize>, count: usize) -> PyResult<Vec<f64>> {
+        let found = py.detach(|| either!(&self.0, s => s.frequencies(&path, count)));
+        found.map_err(|e| convert(py, &e))
+    }
+
+    /// Factorise for stepping: scheme as (beta, gamma, alpha_m, alpha_f), step in s, contact
+    /// stiffness in N/m (infinite when rigid).
+    fn prepare(
+        &self,
+        py: Python<'_>,
+        path: Vec<usize>,
+        scheme: (f64, f64, f64, f64),
+        step: f64,
+        contact_stiffness: f64,
+    ) -> PyResult<Prepared> {
+        let (beta, gamma, alpha_m, alpha_f) = scheme;
+        let scheme = Scheme { beta, gamma, alpha_m, alpha_f };
+        let found = py.detach(|| match &self.0 {
+            Any::Planar(s) => {
+                s.prepare(&path, scheme, step, contact_stiffness).map(prepared::Any::Planar)
+            }
+            Any::Spatial(s) => {
+                s.prepare(&path, scheme, step, contact_stiffness).map(prepared::Any::Spatial)
+            }
+        });
+        found.map(Prepared).map_err(|e| convert(py, &e))
+    }
+}
+
+impl<const DIM: usize, const D: usize> Solved<DIM, D> {
+    fn new(s: arcless_core::structure::Structure, design: bool) -> Result<Self, CoreError> {
+        let mut geometry = Geometry::<DIM, D>::new(s)?;
+        let start = if design { geometry.design()? } else { geometry.initial_shape() };
+        // The service equilibrium decides, also after a design: the lengths must reproduce it.
+        let shape = geometry.settle(&start)?;
+        Ok(Self { geometry, shape })
+    }
+
+    fn line(&self) -> Line<DIM, D> {
+        Line::new(&self.geometry, self.shape.clone())
+    }
+
+    fn path(&self, wires: &[usize]) -> Result<Path<DIM>, CoreError> {
+        Path::new(&self.geometry, &self.shape, wires)
+    }
+
+    fn elasticity(&self, path: &[usize], x: &[f64], force: f64) -> Result<Vec<f64>, CoreError> {
+        let (line, path) = (self.line(), self.path(path)?);
+        Still::new(&line, &path)?.elasticity(x, force)
+    }
+
+    fn frequencies(&self, path: &[usize], count: usize) -> Result<Vec<f64>, CoreError> {
+        let (line, path) = (self.line(), self.path(path)?);
+        let still = Still::new(&line, &path)?;
+        let free = |node: usize, c: usize| line.free[node][c];
+        let steps = LANCZOS_STEPS * count;
+        Ok(lanczos::lowest_frequencies(still.factor(), &line.mass, line.nodes(), free, count, steps))
+    }
+
+    fn prepare(
+        &self,
+        path: &[usize],
+        scheme: Scheme,
+        step: f64,
+        contact_stiffness: f64,
+    ) -> Result<stepper::Prepared<DIM, D>, CoreError> {
+        stepper::Prepared::new(self.line(), self.path(path)?, scheme, step, contact_stiffness)
+    }
+
+    fn arrays<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let s = &self.geometry.structure;
+        let out = PyDict::new(py);
+        let part = |from: usize| -> Vec<f64> {
+            self.shape.iter().flat_map(|node| node[from..from + DIM].to_vec()).collect()
+        };
+        let links: Vec<_> =
+            s.links.iter().map(|l| (l, Geometry::<DIM, D>::link_state(&self.shape, l))).collect();
+        let collect = |values: Vec<f64>| values.to_pyarray(py);
+        out.set_item("positions", collect(part(0)))?;
+        out.set_item("slopes", collect(part(DIM)))?;
+        out.set_item("wire_rest_length", collect(s.wires.iter().map(|w| w.section.rest_length).collect()))?;
+        out.set_item("wire_tension", collect(self.tensions()))?;
+        out.set_item("link_length", collect(links.iter().map(|(_, b)| b.length).collect()))?;
+        out.set_item("link_rest_length", collect(s.links.iter().map(|l| l.rest_length).collect()))?;
+        let tension = links.iter().map(|(l, b)| assembly::link_tension(l, b));
+        out.set_item("link_tension", collect(tension.collect()))?;
+        let strut = |t| Geometry::<DIM, D>::strut_state(&self.shape, t).linear_tension;
+        out.set_item("strut_tension", collect(s.struts.iter().map(strut).collect()))?;
+        let anchors: Vec<f64> = s.struts.iter().flat_map(|t| t.anchor).collect();
+        out.set_item("strut_anchor", collect(anchors))?;
+        let spring = |p: &arcless_core::structure::Spring| {
+            -p.stiffness * (self.shape[p.node][p.component] - p.rest)
+        };
+        out.set_item("spring_force", collect(s.springs.iter().map(spring).collect()))?;
+        out.set_item("spring_rest", collect(s.springs.iter().map(|p| p.rest).collect()))?;
+        Ok(out)
+    }
+
+    /// Tension in the middle of each wire element, N.
+    fn tensions(&self) -> Vec<f64> {
+        let middle = |w: &arcless_core::structure::Wire| {
+            let e = Geometry::<DIM, D>::coordinates(&self.shape, w.nodes);
+            hermite::tension(&w.section, &e, 0.5)
+        };
+        self.geometry.structure.wires.iter().map(middle).collect()
+    }
+}

@@ -1,0 +1,76 @@
+//! One table from core errors to one Python exception: `CoreError(kind, message, details)`.
+
+use arcless_core::CoreError;
+use pyo3::create_exception;
+use pyo3::exceptions::PyException;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+create_exception!(_core, NativeError, PyException, "Failure in the core: kind, message, details.");
+
+/// Python exception for a core error; the details are what a caller needs to name the culprit.
+pub fn convert(py: Python<'_>, error: &CoreError) -> PyErr {
+    match details(py, error) {
+        Ok((kind, details)) => NativeError::new_err((kind, error.to_string(), details.unbind())),
+        Err(failure) => failure,
+    }
+}
+
+fn details<'py>(
+    py: Python<'py>,
+    error: &CoreError,
+) -> PyResult<(&'static str, Bound<'py, PyDict>)> {
+    let d = PyDict::new(py);
+    let kind = match error {
+        CoreError::Input { array, .. } => {
+            d.set_item("array", array)?;
+            "input"
+        }
+        CoreError::Singular { node } => {
+            d.set_item("node", node)?;
+            "singular"
+        }
+        CoreError::NoEquilibrium { iterations, residual, node, tolerance } => {
+            d.set_item("iterations", iterations)?;
+            d.set_item("residual", residual)?;
+            d.set_item("node", node)?;
+            d.set_item("tolerance", tolerance)?;
+            "equilibrium"
+        }
+        CoreError::PushingLink { link, force } => {
+            d.set_item("link", link)?;
+            d.set_item("force", force)?;
+            "pushing"
+        }
+        CoreError::NotFinite { step, .. } => {
+            d.set_item("step", step)?;
+            "not_finite"
+        }
+        CoreError::Lcp { step, time, contacts, links, failure } => {
+            d.set_item("step", step)?;
+            d.set_item("time", time)?;
+            d.set_item("contacts", contacts)?;
+            d.set_item("links", links)?;
+            d.set_item("h", &failure.h)?;
+            d.set_item("w", &failure.w)?;
+            d.set_item("reason", failure.to_string())?;
+            "lcp"
+        }
+        CoreError::SlackSet { step, time } => {
+            d.set_item("step", step)?;
+            d.set_item("time", time)?;
+            "slack_set"
+        }
+        CoreError::OffWire { contact, position, step } => {
+            d.set_item("contact", contact)?;
+            d.set_item("position", position)?;
+            d.set_item("step", step)?;
+            "off_wire"
+        }
+        CoreError::Cancelled { step } => {
+            d.set_item("step", step)?;
+            "cancelled"
+        }
+    };
+    Ok((kind, d))
+}

@@ -1,0 +1,18 @@
+//! The Python face of the core: borrow arrays, release the interpreter, call, convert.
+
+mod equilibrium;
+mod error;
+mod prepared;
+mod structure;
+
+use pyo3::prelude::*;
+
+/// Native part of `arcless`; private, use the package's Python interface.
+#[pymodule]
+fn _core(m: &Bound<'_, PyModule>) -> PyResult<()> {
+    m.add("__version__", env!("CARGO_PKG_VERSION"))?;
+    m.add("NativeError", m.py().get_type::<error::NativeError>())?;
+    m.add_class::<equilibrium::Equilibrium>()?;
+    m.add_class::<prepared::Prepared>()?;
+    Ok(())
+}

@@ -1,0 +1,157 @@
+//! Runs on a prepared line.
+
+use crate::error::convert;
+use arcless_core::CoreError;
+use arcless_core::dynamics::ledger::Entries;
+use arcless_core::dynamics::record::{Record, RecordPlan};
+use arcless_core::dynamics::rider::Rider;
+use arcless_core::dynamics::run::Travel;
+use arcless_core::dynamics::stepper;
+use numpy::ToPyArray;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+/// Prepared line in two or three dimensions.
+pub enum Any {
+    /// Along and up.
+    Planar(stepper::Prepared<2, 4>),
+    /// Along, across and up.
+    Spatial(stepper::Prepared<3, 6>),
+}
+
+/// A line whose step matrix is factorised; it serves any number of runs.
+#[pyclass(frozen)]
+pub struct Prepared(pub Any);
+
+/// One rider as it comes from Python: mass, damping, stiffness matrices by rows; strip, preload,
+/// lift vectors; contact force at the start.
+type RiderData = (Vec<f64>, Vec<f64>, Vec<f64>, Vec<f64>, Vec<f64>, Vec<f64>, f64);
+
+fn rider((mass, damping, stiffness, strip, preload, lift, start_force): RiderData) -> Rider {
+    Rider { mass, damping, stiffness, strip, preload, lift, start_force }
+}
+
+#[pymethods]
+impl Prepared {
+    /// Run along `positions` (m) with `speeds` (m/s), given at every step and one more.
+    ///
+    /// `plan` has contact_every, line_every, links, nodes, points, ledger. `observe(step)` is
+    /// called now and then and returns whether to go on.
+    fn run<'py>(
+        &self,
+        py: Python<'py>,
+        riders: Vec<RiderData>,
+        distances: Vec<f64>,
+        positions: Vec<f64>,
+        speeds: Vec<f64>,
+        friction: f64,
+        plan: &Bound<'py, PyDict>,
+        observe: &Bound<'py, PyAny>,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let riders: Vec<Rider> = riders.into_iter().map(rider).collect();
+        let travel = Travel { positions, speeds, distances, friction };
+        let plan = read_plan(plan)?;
+        let observer = observe.clone().unbind();
+        let mut raised: Option<PyErr> = None;
+        let outcome = py.detach(|| {
+            let mut go_on = |step: usize| {
+                Python::attach(|py| {
+                    let answer = py
+                        .check_signals()
+                        .and_then(|()| observer.call1(py, (step,)))
+                        .and_then(|answer| answer.extract::<bool>(py));
+                    answer.unwrap_or_else(|error| {
+                        raised = Some(error);
+                        false
+                    })
+                })
+            };
+            match &self.0 {
+                Any::Planar(p) => p.run(&riders, &travel, &plan, &mut go_on),
+                Any::Spatial(p) => p.run(&riders, &travel, &plan, &mut go_on),
+            }
+        });
+        match (outcome, raised) {
+            (Err(CoreError::Cancelled { .. }), Some(error)) => Err(error),
+            (Err(error), _) => Err(convert(py, &error)),
+            (Ok(record), _) => arrays(py, &record),
+        }
+    }
+
+    /// Sizes that explain the cost of a step: nodes, blocks of the factor, numbers in the columns.
+    fn cost(&self) -> (usize, usize, usize) {
+        match &self.0 {
+            Any::Planar(p) => (p.line.nodes(), p.fill(), p.columns.stored()),
+            Any::Spatial(p) => (p.line.nodes(), p.fill(), p.columns.stored()),
+        }
+    }
+}
+
+fn read_plan(plan: &Bound<'_, PyDict>) -> PyResult<RecordPlan> {
+    let get = |key: &str| plan.as_any().get_item(key);
+    Ok(RecordPlan {
+        contact_every: get("contact_every")?.extract()?,
+        line_every: get("line_every")?.extract()?,
+        links: get("links")?.extract()?,
+        nodes: get("nodes")?.extract()?,
+        points: get("points")?.extract()?,
+        ledger: get("ledger")?.extract()?,
+    })
+}
+
+fn arrays<'py>(py: Python<'py>, r: &Record) -> PyResult<Bound<'py, PyDict>> {
+    let out = PyDict::new(py);
+    let series: [(&str, &[f64]); 16] = [
+        ("time", &r.time),
+        ("force", &r.force),
+        ("gap", &r.gap),
+        ("height", &r.height),
+        ("lateral", &r.lateral),
+        ("position", &r.position),
+        ("speed", &r.speed),
+        ("masses", &r.masses),
+        ("line_time", &r.line_time),
+        ("link_force", &r.link_force),
+        ("uplift", &r.uplift),
+        ("point_uplift", &r.point_uplift),
+        ("slack", &r.slack),
+        ("link_min", &r.link_min),
+        ("link_max", &r.link_max),
+        ("uplift_max", &r.uplift_max),
+    ];
+    for (name, values) in series {
+        out.set_item(name, values.to_pyarray(py))?;
+    }
+    type Entry = (&'static str, fn(&Entries) -> f64);
+    let entries: [Entry; 14] = [
+        ("kinetic", |e| e.kinetic),
+        ("elastic", |e| e.elastic),
+        ("contact", |e| e.contact),
+        ("riders", |e| e.riders),
+        ("dissipated_line", |e| e.dissipated_line),
+        ("dissipated_links", |e| e.dissipated_links),
+        ("dissipated_springs", |e| e.dissipated_springs),
+        ("dissipated_riders", |e| e.dissipated_riders),
+        ("dissipated_scheme", |e| e.dissipated_scheme),
+        ("switching", |e| e.switching),
+        ("work_uplift", |e| e.work_uplift),
+        ("work_traction", |e| e.work_traction),
+        ("work_friction", |e| e.work_friction),
+        ("residual", Entries::residual),
+    ];
+    let energy = PyDict::new(py);
+    for (name, read) in entries {
+        let values: Vec<f64> = r.energy.iter().map(read).collect();
+        energy.set_item(name, values.to_pyarray(py))?;
+    }
+    out.set_item("energy", energy)?;
+    out.set_item("slack_max", r.slack_max)?;
+    out.set_item("pivots", r.pivots)?;
+    out.set_item("pivots_max", r.pivots_max)?;
+    out.set_item("fallbacks", r.fallbacks)?;
+    out.set_item("lcp_residual", r.lcp_residual)?;
+    out.set_item("steps", r.steps)?;
+    out.set_item("energy_residual", r.energy_residual)?;
+    out.set_item("energy_turnover", r.energy_turnover)?;
+    Ok(out)
+}

@@ -1,0 +1,132 @@
+//! Structure from tables of numbers: for each kind of part one integer and one float array.
+
+use arcless_core::element::hermite::Section;
+use arcless_core::structure::{
+    Link, PointMass, Rayleigh, Spring, SpringMode, Strut, Structure, TensionedEnd, Wire,
+};
+use numpy::PyReadonlyArray2;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+/// A table: integer and float columns of the same number of rows.
+struct Table {
+    integers: Vec<Vec<usize>>,
+    floats: Vec<Vec<f64>>,
+}
+
+fn rows<T: Clone>(array: &numpy::ndarray::ArrayView2<'_, T>) -> Vec<Vec<T>> {
+    array.rows().into_iter().map(|row| row.to_vec()).collect()
+}
+
+fn table(parts: &Bound<'_, PyDict>, name: &str, widths: [usize; 2]) -> PyResult<Table> {
+    let item = parts.get_item(name)?;
+    let item = item.ok_or_else(|| PyValueError::new_err(format!("part {name} is missing")))?;
+    let (integers, floats): (PyReadonlyArray2<'_, i64>, PyReadonlyArray2<'_, f64>) =
+        item.extract()?;
+    let (integers, floats) = (integers.as_array(), floats.as_array());
+    if integers.nrows() != floats.nrows() || [integers.ncols(), floats.ncols()] != widths {
+        let message = format!("part {name}: expected {widths:?} columns and equal rows");
+        return Err(PyValueError::new_err(message));
+    }
+    let unsigned = rows(&integers).into_iter().map(|row| {
+        let convert = |v: i64| {
+            usize::try_from(v)
+                .map_err(|_| PyValueError::new_err(format!("part {name}: negative index {v}")))
+        };
+        row.into_iter().map(convert).collect::<PyResult<Vec<_>>>()
+    });
+    Ok(Table { integers: unsigned.collect::<PyResult<_>>()?, floats: rows(&floats) })
+}
+
+fn each<T>(t: &Table, make: impl Fn(&[usize], &[f64]) -> T) -> Vec<T> {
+    t.integers.iter().zip(&t.floats).map(|(i, f)| make(i, f)).collect()
+}
+
+fn triples(array: &PyReadonlyArray2<'_, f64>) -> PyResult<Vec<[f64; 3]>> {
+    let view = array.as_array();
+    if view.ncols() != 3 {
+        return Err(PyValueError::new_err("positions and slopes have three columns"));
+    }
+    Ok(view.rows().into_iter().map(|r| [r[0], r[1], r[2]]).collect())
+}
+
+/// Assemble the structure; the columns are documented in `arcless.mesh`.
+pub fn build(
+    dim: usize,
+    positions: &PyReadonlyArray2<'_, f64>,
+    slopes: &PyReadonlyArray2<'_, f64>,
+    parts: &Bound<'_, PyDict>,
+    gravity: f64,
+) -> PyResult<Structure> {
+    Ok(Structure {
+        dim,
+        positions: triples(positions)?,
+        slopes: triples(slopes)?,
+        wires: each(&table(parts, "wires", [2, 6])?, wire),
+        links: each(&table(parts, "links", [4, 6])?, link),
+        struts: each(&table(parts, "struts", [2, 10])?, strut),
+        springs: each(&table(parts, "springs", [3, 3])?, spring),
+        masses: each(&table(parts, "masses", [1, 2])?, |i, f| PointMass {
+            node: i[0],
+            mass: f[0],
+            alpha: f[1],
+        }),
+        fixed: each(&table(parts, "fixed", [2, 0])?, |i, _| (i[0], i[1])),
+        ends: each(&table(parts, "ends", [2, 1])?, |i, f| TensionedEnd {
+            node: i[0],
+            force: f[0],
+            released: i[1] != 0,
+        }),
+        loads: each(&table(parts, "loads", [2, 1])?, |i, f| (i[0], i[1], f[0])),
+        gravity,
+    })
+}
+
+fn wire(i: &[usize], f: &[f64]) -> Wire {
+    Wire {
+        nodes: [i[0], i[1]],
+        section: Section {
+            rest_length: f[0],
+            axial_stiffness: f[1],
+            bending_stiffness: f[2],
+        },
+        mass: f[3],
+        damping: Rayleigh { alpha: f[4], beta: f[5] },
+    }
+}
+
+fn link(i: &[usize], f: &[f64]) -> Link {
+    Link {
+        nodes: [i[0], i[1]],
+        unilateral: i[2] != 0,
+        adjust: i[3] != 0,
+        rest_length: f[0],
+        stiffness: f[1],
+        viscosity: f[2],
+        damping: Rayleigh { alpha: f[3], beta: f[4] },
+        mass: f[5],
+    }
+}
+
+fn strut(i: &[usize], f: &[f64]) -> Strut {
+    Strut {
+        node: i[0],
+        adjust: i[1] != 0,
+        direction: [f[0], f[1], f[2]],
+        anchor: [f[3], f[4], f[5]],
+        rest_length: f[6],
+        stiffness: f[7],
+        moving_mass: f[8],
+        hanging_mass: f[9],
+    }
+}
+
+fn spring(i: &[usize], f: &[f64]) -> Spring {
+    let mode = match i[2] {
+        0 => SpringMode::Given,
+        1 => SpringMode::Held,
+        _ => SpringMode::Unloaded,
+    };
+    Spring { node: i[0], component: i[1], mode, stiffness: f[0], viscosity: f[1], rest: f[2] }
+}
