@@ -20,12 +20,30 @@ pub struct Rayleigh {
 pub struct Wire {
     /// First and second node.
     pub nodes: [usize; 2],
+    /// Nodes that hold the slopes of the two ends: the same as `nodes` where the wire runs
+    /// through, an extra node (whose position is unused) where it is hinged.
+    pub slope_nodes: [usize; 2],
     /// Rest length and stiffnesses.
     pub section: Section,
     /// Mass per metre of rest length, kg/m.
     pub mass: f64,
     /// Damping of this wire.
     pub damping: Rayleigh,
+}
+
+impl Wire {
+    /// Where the four coordinates r₁, r₁′, r₂, r₂′ live: node, and 0 for position or 1 for slope.
+    #[must_use]
+    pub fn places(&self) -> [(usize, usize); 4] {
+        let ([a, b], [c, d]) = (self.nodes, self.slope_nodes);
+        [(a, 0), (c, 1), (b, 0), (d, 1)]
+    }
+
+    /// Whether both slopes are held by the end nodes themselves.
+    #[must_use]
+    pub fn runs_through(&self) -> bool {
+        self.nodes == self.slope_nodes
+    }
 }
 
 /// Bar between two nodes. A unilateral link pulls but never pushes.

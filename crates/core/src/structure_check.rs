@@ -31,7 +31,7 @@ pub fn check(s: &Structure, dim: usize) -> Result<(), CoreError> {
         return Err(refuse("gravity", format!("is {}", s.gravity)));
     }
     let mut on_wire = vec![false; n];
-    s.wires.iter().flat_map(|w| w.nodes).for_each(|i| on_wire[i] = true);
+    s.wires.iter().flat_map(|w| w.places()).for_each(|(i, _)| on_wire[i] = true);
     match on_wire.iter().position(|on| !on) {
         Some(i) => Err(refuse("wires", format!("node {i} lies on no wire"))),
         None => Ok(()),
@@ -42,7 +42,8 @@ fn check_bars(s: &Structure, n: usize) -> Result<(), CoreError> {
     let positive = |v: f64| v.is_finite() && v > 0.0;
     let not_negative = |v: f64| v.is_finite() && v >= 0.0;
     for (i, w) in s.wires.iter().enumerate() {
-        let nodes = w.nodes[0] < n && w.nodes[1] < n && w.nodes[0] != w.nodes[1];
+        let inside = w.places().iter().all(|&(node, _)| node < n);
+        let nodes = inside && w.nodes[0] != w.nodes[1];
         let section = positive(w.section.rest_length)
             && positive(w.section.axial_stiffness)
             && not_negative(w.section.bending_stiffness);

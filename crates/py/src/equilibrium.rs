@@ -187,7 +187,7 @@ impl<const DIM: usize, const D: usize> Solved<DIM, D> {
     /// Tension in the middle of each wire element, N.
     fn tensions(&self) -> Vec<f64> {
         let middle = |w: &arcless_core::structure::Wire| {
-            let e = Geometry::<DIM, D>::coordinates(&self.shape, w.nodes);
+            let e = Geometry::<DIM, D>::coordinates(&self.shape, w);
             hermite::tension(&w.section, &e, 0.5)
         };
         self.geometry.structure.wires.iter().map(middle).collect()

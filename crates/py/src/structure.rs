@@ -63,7 +63,7 @@ pub fn build(
         dim,
         positions: triples(positions)?,
         slopes: triples(slopes)?,
-        wires: each(&table(parts, "wires", [2, 6])?, wire),
+        wires: each(&table(parts, "wires", [4, 6])?, wire),
         links: each(&table(parts, "links", [4, 6])?, link),
         struts: each(&table(parts, "struts", [2, 10])?, strut),
         springs: each(&table(parts, "springs", [3, 3])?, spring),
@@ -86,6 +86,7 @@ pub fn build(
 fn wire(i: &[usize], f: &[f64]) -> Wire {
     Wire {
         nodes: [i[0], i[1]],
+        slope_nodes: [i[2], i[3]],
         section: Section {
             rest_length: f[0],
             axial_stiffness: f[1],

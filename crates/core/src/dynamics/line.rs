@@ -119,10 +119,10 @@ impl<const DIM: usize, const D: usize> Line<DIM, D> {
             add_point(strut.node, strut.moving_mass, common.alpha);
         }
         for w in &s.wires {
-            mass.add_hermite(w.nodes, w.mass, w.section.rest_length, 1.0);
+            mass.add_hermite(w.places(), w.mass, w.section.rest_length, 1.0);
             let difference = w.damping.alpha - common.alpha;
             if difference != 0.0 {
-                mass_rest.add_hermite(w.nodes, w.mass, w.section.rest_length, difference);
+                mass_rest.add_hermite(w.places(), w.mass, w.section.rest_length, difference);
                 uniform = false;
             }
         }

@@ -49,12 +49,15 @@ impl<const DIM: usize> Path<DIM> {
         let mut elements = Vec::with_capacity(wires.len());
         for &w in wires {
             let wire = geometry.structure.wires.get(w).ok_or_else(|| refuse("unknown element"))?;
+            if !wire.runs_through() {
+                return Err(refuse("the wire is hinged"));
+            }
             if nodes.is_empty() {
                 nodes.push(wire.nodes[0]);
             } else if nodes.last() != Some(&wire.nodes[0]) {
                 return Err(refuse("elements do not follow each other"));
             }
-            let coordinates = Geometry::<DIM, D>::coordinates(shape, wire.nodes);
+            let coordinates = Geometry::<DIM, D>::coordinates(shape, wire);
             if coordinates[2][0] <= coordinates[0][0] {
                 return Err(refuse("the wire runs backwards"));
             }

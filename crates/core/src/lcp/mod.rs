@@ -70,7 +70,7 @@ pub struct LcpStats {
     pub pivots: usize,
     /// Exchanges made before that, to enter the warm-start set.
     pub warm_pivots: usize,
-    /// Whether the energy criterion cycled and the least-index rule took over.
+    /// Whether the energy criterion cycled (or ran far too long) and the least-index rule took over.
     pub fallback_used: bool,
     /// Largest violation of the four conditions, relative (see [`residual`]).
     pub residual: f64,

@@ -40,6 +40,10 @@ pub fn lowest_frequencies<const D: usize>(
     let times_mass = |x: &[[f64; D]]| {
         let mut y = vec![[0.0; D]; nodes];
         mass.add_product(x, &mut y);
+        // Fixed components couple through the mass; they take no part.
+        for (i, node) in y.iter_mut().enumerate() {
+            (0..D).filter(|&c| !free(i, c)).for_each(|c| node[c] = 0.0);
+        }
         y
     };
     let mut basis: Vec<Vec<[f64; D]>> = Vec::new();

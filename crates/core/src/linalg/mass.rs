@@ -27,30 +27,36 @@ impl<const D: usize> MassMatrix<D> {
     }
 
     /// Add the consistent mass of a Hermite element, `m` in kg per metre of rest length `l`,
-    /// multiplied by `factor` (used for mass-proportional damping).
+    /// multiplied by `factor` (used for mass-proportional damping). `places` tells node and slot
+    /// (0 position, 1 slope) of r₁, r₁′, r₂, r₂′.
     /// Source: cubic Hermite shape functions, ∫ NᵢNⱼ ds (Przemieniecki 1968, beam element).
-    pub fn add_hermite(&mut self, nodes: [usize; 2], m: f64, l: f64, factor: f64) {
+    pub fn add_hermite(&mut self, places: [(usize, usize); 4], m: f64, l: f64, factor: f64) {
         let c = factor * m * l / 420.0;
-        let [i, j] = nodes;
-        let first = [[156.0, 22.0 * l], [22.0 * l, 4.0 * l * l]];
-        let cross = [[54.0, -13.0 * l], [13.0 * l, -3.0 * l * l]];
-        for p in 0..2 {
-            for q in 0..2 {
-                let mirror = if p == q { 1.0 } else { -1.0 };
-                self.diagonal[i][p][q] += c * first[p][q];
-                self.diagonal[j][p][q] += c * mirror * first[p][q];
+        let entries = [
+            [156.0, 22.0 * l, 54.0, -13.0 * l],
+            [22.0 * l, 4.0 * l * l, 13.0 * l, -3.0 * l * l],
+            [54.0, 13.0 * l, 156.0, -22.0 * l],
+            [-13.0 * l, -3.0 * l * l, -22.0 * l, 4.0 * l * l],
+        ];
+        for (row, &(i, p)) in entries.iter().zip(&places) {
+            for (value, &(j, q)) in row.iter().zip(&places) {
+                if i == j {
+                    self.diagonal[i][p][q] += c * value;
+                } else if i > j {
+                    self.pair(i, j)[p][q] += c * value;
+                }
             }
         }
-        let (row, column) = (i.max(j), i.min(j));
-        let mut block = [[0.0; 2]; 2];
-        for p in 0..2 {
-            for q in 0..2 {
-                // `cross` couples the first node (rows) with the second (columns).
-                block[p][q] = c * if i < j { cross[q][p] } else { cross[p][q] };
-            }
+    }
+
+    /// Off-diagonal block, made when it is not there.
+    fn pair(&mut self, i: usize, j: usize) -> &mut [[f64; 2]; 2] {
+        let key = (i as u32, j as u32);
+        let place = self.pairs.partition_point(|x| (x.0, x.1) < key);
+        if self.pairs.get(place).is_none_or(|x| (x.0, x.1) != key) {
+            self.pairs.insert(place, (key.0, key.1, [[0.0; 2]; 2]));
         }
-        let place = self.pairs.partition_point(|x| (x.0, x.1) < (row as u32, column as u32));
-        self.pairs.insert(place, (row as u32, column as u32, block));
+        &mut self.pairs[place].2
     }
 
     /// `y += M x`

@@ -70,13 +70,12 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
 
     /// Coordinates of a wire element.
     #[must_use]
-    pub fn coordinates(shape: &Shape<D>, nodes: [usize; 2]) -> Coordinates<DIM> {
-        let mut e = [[0.0; DIM]; 4];
-        for (k, &node) in nodes.iter().enumerate() {
-            e[2 * k].copy_from_slice(&shape[node][..DIM]);
-            e[2 * k + 1].copy_from_slice(&shape[node][DIM..]);
-        }
-        e
+    pub fn coordinates(shape: &Shape<D>, wire: &Wire) -> Coordinates<DIM> {
+        wire.places().map(|(node, slot)| {
+            let mut r = [0.0; DIM];
+            r.copy_from_slice(&shape[node][slot * DIM..(slot + 1) * DIM]);
+            r
+        })
     }
 
     /// State of a link.
@@ -101,12 +100,11 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         residual.iter_mut().for_each(|r| *r = [0.0; D]);
         for wire in &s.wires {
             let mut force = [[0.0; DIM]; 4];
-            hermite::add_force(&wire.section, &Self::coordinates(shape, wire.nodes), &mut force);
+            hermite::add_force(&wire.section, &Self::coordinates(shape, wire), &mut force);
             add_weight(wire, s.gravity, &mut force);
-            for k in 0..4 {
-                let offset = (k % 2) * DIM;
+            for ((node, slot), f) in wire.places().into_iter().zip(&force) {
                 for c in 0..DIM {
-                    residual[wire.nodes[k / 2]][offset + c] += force[k][c];
+                    residual[node][slot * DIM + c] += f[c];
                 }
             }
         }
@@ -149,23 +147,24 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
     /// Matrix of zeros in which every element of the structure has a place.
     #[must_use]
     pub fn empty_matrix(&self) -> SymmetricBlocks<D> {
-        let wires = self.structure.wires.iter().map(|w| (w.nodes[0], w.nodes[1]));
+        let wires = self.structure.wires.iter().flat_map(|w| {
+            let places = w.places();
+            (0..16).map(move |k| (places[k / 4].0, places[k % 4].0))
+        });
         let links = self.structure.links.iter().map(|l| (l.nodes[0], l.nodes[1]));
         SymmetricBlocks::with_pattern(self.nodes(), wires.chain(links))
     }
 
     /// Add the tangent of one wire element, times `factor`.
     pub fn add_wire(k: &mut SymmetricBlocks<D>, shape: &Shape<D>, wire: &Wire, factor: f64) {
-        let tangent = hermite::tangent(&wire.section, &Self::coordinates(shape, wire.nodes));
-        for (m, &i) in wire.nodes.iter().enumerate() {
-            for (n, &j) in wire.nodes.iter().enumerate() {
+        let tangent = hermite::tangent(&wire.section, &Self::coordinates(shape, wire));
+        let places = wire.places();
+        for (m, &(i, p)) in places.iter().enumerate() {
+            for (n, &(j, q)) in places.iter().enumerate() {
                 let mut block = [[0.0; D]; D];
-                for (p, q) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
-                    for a in 0..DIM {
-                        for b in 0..DIM {
-                            block[p * DIM + a][q * DIM + b] =
-                                factor * tangent[2 * m + p][2 * n + q][a][b];
-                        }
+                for a in 0..DIM {
+                    for b in 0..DIM {
+                        block[p * DIM + a][q * DIM + b] = factor * tangent[m][n][a][b];
                     }
                 }
                 k.add(i, j, &block);
@@ -232,10 +231,20 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
     /// errors may meet at a node. Tighter cannot be reached; looser loses digits of the shape.
     #[must_use]
     pub fn force_rounding(&self) -> f64 {
-        let extent = self.structure.positions.iter().map(|p| p[0].abs()).fold(1.0, f64::max);
         let stiffest = |w: &Wire| w.section.axial_stiffness / w.section.rest_length;
         let steepest = self.structure.wires.iter().map(stiffest).fold(0.0, f64::max);
-        8.0 * f64::EPSILON * extent * steepest
+        8.0 * f64::EPSILON * self.extent() * steepest
+    }
+
+    /// Relative change of an element's length that is rounding, by the same reasoning.
+    #[must_use]
+    pub fn length_rounding(&self) -> f64 {
+        let lengths = self.structure.wires.iter().map(|w| w.section.rest_length);
+        8.0 * f64::EPSILON * self.extent() / lengths.fold(f64::INFINITY, f64::min)
+    }
+
+    fn extent(&self) -> f64 {
+        self.structure.positions.iter().map(|p| p[0].abs()).fold(1.0, f64::max)
     }
 }
 

@@ -21,9 +21,6 @@ use crate::structure::SpringMode;
 /// Bound on the iterations; planar lines need about 8, staggered ones about 20.
 const MOST_ITERATIONS: usize = 200;
 
-/// Relative change of element lengths that counts as settled; rounding leaves about 1e-15.
-const LENGTH_TOLERANCE: f64 = 1e-12;
-
 impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
     /// Find the unstretched lengths and complete the structure with them; returns the shape.
     ///
@@ -37,6 +34,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         let mut tensions = vec![0.0; self.structure.links.len()];
         let mut k = self.empty_matrix();
         let tolerance = self.force_rounding();
+        let settled = self.length_rounding();
         let mut worst = (f64::INFINITY, 0);
         for _ in 0..MOST_ITERATIONS {
             let change = self.rescale_wires(&shape);
@@ -45,7 +43,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
             if !worst.0.is_finite() {
                 break;
             }
-            if worst.0 <= tolerance && change <= LENGTH_TOLERANCE {
+            if worst.0 <= tolerance && change <= settled {
                 self.complete(&shape, &held, &tensions)?;
                 return Ok(shape);
             }
@@ -72,6 +70,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         s.struts.iter().filter(|t| t.adjust).for_each(|t| free[t.node][1] = false);
         let held = s.springs.iter().filter(|p| p.mode == SpringMode::Held);
         held.for_each(|p| free[p.node][p.component] = false);
+        self.fix_unused(&mut free);
         free
     }
 

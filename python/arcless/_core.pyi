@@ -1,0 +1,43 @@
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+__version__: str
+
+class NativeError(Exception): ...
+
+class Equilibrium:
+    def __new__(
+        cls,
+        dim: int,
+        positions: NDArray[np.float64],
+        slopes: NDArray[np.float64],
+        parts: dict[str, tuple[NDArray[np.int64], NDArray[np.float64]]],
+        gravity: float,
+        design: bool,
+    ) -> Equilibrium: ...
+    def arrays(self) -> dict[str, NDArray[np.float64]]: ...
+    def elasticity(self, path: list[int], x: list[float], force: float) -> list[float]: ...
+    def frequencies(self, path: list[int], count: int) -> list[float]: ...
+    def prepare(
+        self,
+        path: list[int],
+        scheme: tuple[float, float, float, float],
+        step: float,
+        contact_stiffness: float,
+    ) -> Prepared: ...
+
+class Prepared:
+    def run(
+        self,
+        riders: list[Any],
+        distances: list[float],
+        positions: list[float],
+        speeds: list[float],
+        friction: float,
+        plan: dict[str, Any],
+        observe: Callable[[int], bool],
+    ) -> dict[str, Any]: ...
+    def cost(self) -> tuple[int, int, int]: ...

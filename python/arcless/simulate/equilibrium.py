@@ -1,0 +1,125 @@
+"""Mesh → static equilibrium, with errors in the words of the line."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from arcless import _core
+from arcless.errors import ArclessError, EquilibriumError
+from arcless.mesh import Mesh, build_mesh
+from arcless.model import Scenario
+
+Floats = NDArray[np.float64]
+
+# Half a metre resolves the elasticity between droppers, which are some metres apart. In m.
+ELASTICITY_SPACING = 0.5
+FREQUENCIES = 20
+
+
+@dataclass(frozen=True)
+class Equilibrium:
+    """A line at rest: its mesh, the core's equilibrium, and the arrays read from it (SI units)."""
+
+    mesh: Mesh
+    core: _core.Equilibrium
+    arrays: dict[str, Floats]
+
+    @property
+    def positions(self) -> Floats:
+        """Node positions (n × 3) in m: along, across, up."""
+        points = self.arrays["positions"].reshape(-1, self.mesh.dimension)
+        if self.mesh.dimension == 3:
+            return points
+        return np.column_stack([points[:, 0], np.zeros(len(points)), points[:, 1]])
+
+    def of_droppers(self, name: str) -> Floats:
+        """Read a value of each dropper, in the order of the droppers."""
+        rows = [dropper.link for dropper in self.mesh.droppers]
+        return self.arrays[name][rows]
+
+    def elasticity(self, x: Floats, force: float = 0.0) -> Floats:
+        """Elasticity in m/N at positions x in m, for a force in N (0: the limit of a small one)."""
+        with named(self.mesh):
+            return np.array(self.core.elasticity(self.mesh.path, x.tolist(), force))
+
+    def frequencies(self, count: int = FREQUENCIES) -> Floats:
+        """Lowest natural frequencies in Hz, ascending."""
+        with named(self.mesh):
+            return np.array(self.core.frequencies(self.mesh.path, count))
+
+    def middle_span(self) -> tuple[float, float]:
+        """Supports of the span in the middle of the line, in m."""
+        spans = len(self.mesh.supports) - 1
+        left = (spans - 1) // 2
+        return self.mesh.supports[left].x, self.mesh.supports[left + 1].x
+
+    def elasticity_positions(self) -> Floats:
+        """Positions in m along the middle span at which the elasticity is reported."""
+        left, right = self.middle_span()
+        count = max(2, round((right - left) / ELASTICITY_SPACING) + 1)
+        inner = max(left, self.mesh.supports[0].x), min(right, self.mesh.supports[-1].x)
+        return np.linspace(*inner, count)
+
+
+def find(scenario: Scenario) -> Equilibrium:
+    """Find the static equilibrium of a scenario's line.
+
+    Raises
+    ------
+    MeshError
+        The line cannot be divided as asked.
+    EquilibriumError
+        There is no equilibrium, or it was not found.
+    """
+    mesh = build_mesh(scenario.line, scenario.solver)
+    with named(mesh):
+        core = _core.Equilibrium(
+            mesh.dimension, mesh.positions, mesh.slopes, mesh.parts, mesh.gravity, design=True
+        )
+    return Equilibrium(mesh, core, core.arrays())
+
+
+@contextmanager
+def named(mesh: Mesh) -> Iterator[None]:
+    """Turn errors of the core into errors that name the place on the line."""
+    try:
+        yield
+    except _core.NativeError as error:
+        kind, message, details = error.args
+        raise _translate(mesh, kind, message, details) from error
+
+
+def place_of(mesh: Mesh, node: int) -> str:
+    """Say in words where a node is."""
+    x = mesh.positions[node, 0]
+    wire = "contact wire" if node in set(mesh.contact_nodes) else "messenger wire"
+    return f"{wire} at {x:.2f} m"
+
+
+def _translate(mesh: Mesh, kind: str, message: str, details: dict[str, Any]) -> ArclessError:
+    if kind == "pushing":
+        dropper = next(d for d in mesh.droppers if d.link == details["link"])
+        return EquilibriumError(
+            f"{dropper.name} would have to push to hold the contact wire at its height",
+            where=f"{dropper.x:.2f} m",
+            got=f"a force of {details['force']:.1f} N",
+            expected="a tension",
+            hint="the heights ask the contact wire to bend upwards there: check the pre-sag",
+        )
+    if kind == "singular":
+        return EquilibriumError(
+            "the line is loose", where=place_of(mesh, details["node"]), hint="is it held there?"
+        )
+    if kind == "equilibrium":
+        return EquilibriumError(
+            "no static equilibrium was found",
+            where=place_of(mesh, details["node"]),
+            got=f"{details['residual']:.3g} N out of balance after {details['iterations']} iterations",
+            expected=f"at most {details['tolerance']:.2g} N",
+            hint="check tensions, masses and dropper lengths around that place",
+        )
+    return EquilibriumError(message)

@@ -1,0 +1,96 @@
+"""Failures of a computation: named in the words of the line, and saved so that they can be replayed."""
+
+import json
+import tempfile
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from arcless import _core
+from arcless.errors import ArclessError, ContactError, EquilibriumError
+from arcless.mesh import Mesh
+from arcless.model import Scenario
+
+
+@contextmanager
+def replayable(scenario: Scenario) -> Iterator[None]:
+    """Save the resolved scenario when its equilibrium is not found, and say where."""
+    try:
+        yield
+    except EquilibriumError as error:
+        path = _save("arcless-statics", json.dumps(scenario.to_dict(), ensure_ascii=False))
+        error.hint = _join(error.hint, f"replay it with `arcless statics {path}`")
+        raise
+
+
+@contextmanager
+def stepping(mesh: Mesh, pantographs: Sequence[str]) -> Iterator[None]:
+    """Turn errors of the stepping loop into errors that name step, time and link."""
+    try:
+        yield
+    except _core.NativeError as error:
+        kind, message, details = error.args
+        raise _translate(mesh, pantographs, kind, message, details) from error
+
+
+def _translate(
+    mesh: Mesh, pantographs: Sequence[str], kind: str, message: str, details: dict[str, Any]
+) -> ArclessError:
+    if kind == "lcp":
+        return _unsolved(mesh, pantographs, details)
+    if kind == "off_wire":
+        return ContactError(
+            f"pantograph {pantographs[details['contact']]} left the wire",
+            where=f"step {details['step']}",
+            got=f"{details['position']:.2f} m",
+            hint="shorten travel, or lengthen the line",
+        )
+    if kind == "slack_set":
+        return ContactError(
+            "the set of slack droppers did not settle",
+            where=f"step {details['step']}, t = {details['time']:.6g} s",
+            hint="try a shorter solver.time_step",
+        )
+    if kind == "not_finite":
+        return ContactError(
+            "the motion grew beyond all numbers",
+            where=f"step {details['step']}",
+            hint="check stiffnesses and dampers; try a dissipative scheme",
+        )
+    return ContactError(message)
+
+
+def _unsolved(mesh: Mesh, pantographs: Sequence[str], details: dict[str, Any]) -> ContactError:
+    droppers = {dropper.link: dropper.name for dropper in mesh.droppers}
+    links = [f"pantograph {pantographs[j]}" for j in details["contacts"]]
+    links += [droppers[i] for i in details["links"]]
+    problem = {
+        "kind": "lcp",
+        "step": details["step"],
+        "time_s": details["time"],
+        "links": links,
+        "H": details["h"],
+        "w": details["w"],
+        "reason": details["reason"],
+    }
+    path = _save("arcless-lcp", json.dumps(problem))
+    return ContactError(
+        "the complementarity problem of a step could not be solved",
+        where=f"step {details['step']}, t = {details['time']:.6g} s, {', '.join(links)}",
+        got=details["reason"],
+        hint=f"replay it with `arcless replay {path}`",
+    )
+
+
+def _save(prefix: str, text: str) -> Path:
+    """Write a file that outlives the run into the folder for temporary files."""
+    with tempfile.NamedTemporaryFile(
+        "w", prefix=f"{prefix}-", suffix=".json", delete=False, encoding="utf-8"
+    ) as file:
+        file.write(text)
+    return Path(file.name)
+
+
+def _join(hint: str | None, more: str) -> str:
+    return more if hint is None else f"{hint}; {more}"

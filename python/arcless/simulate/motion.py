@@ -1,0 +1,136 @@
+"""Scenario → what the core needs to step: travel, riders, scheme."""
+
+from dataclasses import dataclass
+from math import inf
+
+import numpy as np
+from numpy.typing import NDArray
+
+from arcless.errors import ModelError
+from arcless.model import Scenario
+from arcless.model.pantograph import Pantograph
+from arcless.model.settings import GeneralisedAlpha, HilberHughesTaylor, Newmark, Scheme
+
+Floats = NDArray[np.float64]
+RiderData = tuple[
+    list[float], list[float], list[float], list[float], list[float], list[float], float
+]
+
+# One run keeps its whole record in memory; this many steps at 1 ms are nearly three hours.
+MOST_STEPS = 10_000_000
+
+
+@dataclass(frozen=True)
+class Motion:
+    """Position in m of the first pantograph and speed in m/s, at the start and after each step."""
+
+    positions: Floats
+    speeds: Floats
+    time_step: float
+
+    @property
+    def steps(self) -> int:
+        """Number of time steps."""
+        return len(self.positions) - 1
+
+    @property
+    def duration(self) -> float:
+        """Simulated time in s."""
+        return self.steps * self.time_step
+
+
+def motion(scenario: Scenario) -> Motion:
+    """Lay out the travel of a scenario.
+
+    Between the points of a speed profile the speed is linear, so positions are exact; after its
+    last point the run ends.
+
+    Raises
+    ------
+    ModelError
+        The travel takes no step, or more than can be recorded.
+    """
+    start, end = scenario.travel_range()
+    h = scenario.solver.time_step
+    if scenario.speed_profile is None:
+        speed = scenario.speed or 0.0
+        count = _bounded((end - start) / speed / h)
+        times = h * np.arange(count + 1)
+        return Motion(start + speed * times, np.full(count + 1, speed), h)
+    profile = scenario.speed_profile
+    count = _bounded(profile.time[-1] / h)
+    times = h * np.arange(count + 1)
+    speeds = np.interp(times, profile.time, profile.speed)
+    positions = start + _distance(times, np.array(profile.time), np.array(profile.speed))
+    inside = int(np.searchsorted(positions, end, side="right"))
+    if inside < 2:
+        raise ModelError(
+            "the run takes no step", where="speed_profile", expected="a speed above 0 at the start"
+        )
+    return Motion(positions[:inside], speeds[:inside], h)
+
+
+def _bounded(steps: float) -> int:
+    # A trifle is added so that a travel of whole steps is not one short by rounding.
+    count = int(steps + 1e-9)
+    if not 1 <= count <= MOST_STEPS:
+        raise ModelError(
+            "number of time steps",
+            got=f"{steps:.3g}",
+            expected=f"1 to {MOST_STEPS}",
+            hint="change travel, speed or solver.time_step",
+        )
+    return count
+
+
+def _distance(times: Floats, knots: Floats, speeds: Floats) -> Floats:
+    """Exact integral of the piecewise linear speed from 0 to each time."""
+    whole = np.concatenate([[0.0], np.cumsum(np.diff(knots) * (speeds[1:] + speeds[:-1]) / 2.0)])
+    piece = np.clip(np.searchsorted(knots, times, side="right") - 1, 0, len(knots) - 2)
+    since = times - knots[piece]
+    slope = (speeds[piece + 1] - speeds[piece]) / (knots[piece + 1] - knots[piece])
+    return np.asarray(whole[piece] + since * (speeds[piece] + 0.5 * slope * since))
+
+
+def rider(pantograph: Pantograph, start_force: float) -> RiderData:
+    """Return mass, damping and stiffness matrices of a chain, and where forces act.
+
+    M = diag(m); spring i joins mass i to the one below (the first to the base); the preload acts on
+    the first mass, the strip is the last. `start_force` is the contact force at the start in N.
+    """
+    masses = pantograph.masses
+    size = len(masses)
+    mass = np.diag([part.mass for part in masses])
+    stiffness, damping = np.zeros((size, size)), np.zeros((size, size))
+    for i, part in enumerate(masses):
+        joint = np.zeros(size)
+        joint[i] = 1.0
+        if i > 0:
+            joint[i - 1] = -1.0
+        stiffness += part.stiffness * np.outer(joint, joint)
+        damping += part.damping * np.outer(joint, joint)
+    strip, preload = np.zeros(size), np.zeros(size)
+    strip[-1] = preload[0] = 1.0
+    lift = [part.aerodynamic for part in masses]
+    matrices = (mass.ravel().tolist(), damping.ravel().tolist(), stiffness.ravel().tolist())
+    return (*matrices, strip.tolist(), preload.tolist(), lift, start_force)
+
+
+def scheme_numbers(scheme: Scheme) -> tuple[float, float, float, float]:
+    """Return (beta, gamma, alpha_m, alpha_f); see the core's `scheme` for the equations.
+
+    The trapezoidal rule is the member of spectral radius one: balance in the middle of the step.
+    """
+    if isinstance(scheme, Newmark):
+        return scheme.beta, scheme.gamma, 0.0, 0.0
+    if isinstance(scheme, HilberHughesTaylor):
+        alpha = -scheme.alpha
+        return (1.0 + alpha) ** 2 / 4.0, 0.5 + alpha, 0.0, alpha
+    radius = scheme.spectral_radius if isinstance(scheme, GeneralisedAlpha) else 1.0
+    alpha_m, alpha_f = (2.0 * radius - 1.0) / (radius + 1.0), radius / (radius + 1.0)
+    return (1.0 - alpha_m + alpha_f) ** 2 / 4.0, 0.5 - alpha_m + alpha_f, alpha_m, alpha_f
+
+
+def contact_stiffness(scenario: Scenario) -> float:
+    """Stiffness of the contact in N/m; infinite when rigid."""
+    return inf if scenario.contact.law == "rigid" else scenario.contact.stiffness

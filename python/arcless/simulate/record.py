@@ -1,0 +1,103 @@
+"""What the core returns → variables of the result."""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from arcless.model import Scenario
+from arcless.simulate.equilibrium import Equilibrium
+
+Floats = NDArray[np.float64]
+
+# Entries of the core's ledger whose names in the result are the field's own words.
+ENERGY_NAMES = {
+    "riders": "pantograph",
+    "dissipated_links": "dissipated_droppers",
+    "dissipated_springs": "dissipated_supports",
+    "dissipated_riders": "dissipated_pantograph",
+}
+
+
+def dynamic_variables(
+    raw: dict[str, Any], found: Equilibrium, scenario: Scenario
+) -> dict[str, Floats]:
+    """Return the time series and extremes of a run, shaped as the result wants them."""
+    count = len(scenario.pantographs)
+    per_contact = {
+        "contact_force": raw["force"],
+        "contact_gap": raw["gap"],
+        "contact_height": raw["height"],
+        "contact_lateral": raw["lateral"],
+        "position": raw["position"],
+    }
+    out = {name: values.reshape(-1, count) for name, values in per_contact.items()}
+    out["speed"] = raw["speed"]
+    out["mass_displacement"] = _masses(raw["masses"], [len(p.model.masses) for p in scenario.pantographs])
+    rows = len(raw["line_time"])
+    links = [dropper.link for dropper in found.mesh.droppers]
+    if scenario.output.droppers:
+        out["dropper_force"] = raw["link_force"].reshape(rows, -1)[:, links]
+    if scenario.output.supports:
+        out["support_uplift"] = raw["uplift"].reshape(rows, -1)
+    if scenario.output.points:
+        out["point_uplift"] = raw["point_uplift"].reshape(rows, -1)
+    out["slack_droppers"] = raw["slack"]
+    out["dropper_force_min"] = raw["link_min"][links]
+    out["dropper_force_max"] = raw["link_max"][links]
+    out["support_uplift_max"] = raw["uplift_max"]
+    for name, values in raw["energy"].items():
+        out[f"energy_{ENERGY_NAMES.get(name, name)}"] = values
+    return out
+
+
+def _masses(flat: Floats, sizes: list[int]) -> Floats:
+    """Return (time, pantograph, mass), NaN where a pantograph has fewer masses than another."""
+    rows = flat.reshape(-1, sum(sizes))
+    padded = np.full((len(rows), len(sizes), max(sizes)), np.nan)
+    first = 0
+    for index, size in enumerate(sizes):
+        padded[:, index, :size] = rows[:, first : first + size]
+        first += size
+    return padded
+
+
+def static_variables(found: Equilibrium, elasticity: Floats) -> dict[str, Any]:
+    """Return the initial configuration."""
+    mesh, points = found.mesh, found.positions
+    springs = [support.messenger_spring for support in mesh.supports]
+    arms = [support.steady_arm for support in mesh.supports]
+    out: dict[str, Any] = {
+        "dropper_x": [dropper.x for dropper in mesh.droppers],
+        "dropper_span": [dropper.span for dropper in mesh.droppers],
+        "dropper_length": found.of_droppers("link_length"),
+        "dropper_force_static": found.of_droppers("link_tension"),
+        "support_x": [support.x for support in mesh.supports],
+        # The ends of the wires are anchored: no support, no arm, no force.
+        "support_force_static": _rows(found.arrays["spring_force"], springs),
+        "steady_arm_force_static": _rows(found.arrays["strut_tension"], arms),
+        "elasticity": elasticity,
+    }
+    for wire, nodes in (("contact", mesh.contact_nodes), ("messenger", mesh.messenger_nodes)):
+        for axis, component in zip("xyz", points[nodes].T, strict=True):
+            out[f"{wire}_wire_node_{axis}"] = component
+    return out
+
+
+def _rows(values: Floats, rows: list[int | None]) -> list[float]:
+    return [0.0 if row is None else float(values[row]) for row in rows]
+
+
+def names(raw: dict[str, Any], found: Equilibrium, scenario: Scenario, x: Floats) -> dict[str, Any]:
+    """Return the labels of the result's dimensions."""
+    labels = {
+        "time": raw["time"],
+        "line_time": raw["line_time"],
+        "pantograph": [placement.name for placement in scenario.pantographs],
+        "dropper": [dropper.name for dropper in found.mesh.droppers],
+        "support": [support.name for support in found.mesh.supports],
+        "elasticity_x": x,
+    }
+    if scenario.output.points:
+        labels["point"] = [f"{point:g} m" for point in scenario.output.points]
+    return labels

@@ -1,0 +1,158 @@
+"""A whole run, from scenario to result."""
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from arcless import _core
+from arcless.model import Scenario, scenario_warnings
+from arcless.results import Result, dataset_from
+from arcless.simulate import equilibrium, motion, record
+from arcless.simulate.failure import replayable, stepping
+from arcless.simulate.mean_force import find_forces
+
+Progress = Callable[[float, str], None]
+Cancel = Callable[[], bool]
+
+
+@dataclass(frozen=True)
+class Job:
+    """A run that is ready to step.
+
+    Attributes
+    ----------
+    scenario, found, prepared, travel
+        The scenario, its equilibrium, the factorised line, the travel.
+    observe
+        Called with the number of steps done; tells whether to go on.
+    """
+
+    scenario: Scenario
+    found: equilibrium.Equilibrium
+    prepared: _core.Prepared
+    travel: motion.Motion
+    observe: Callable[[int], bool]
+
+    def step(self, forces: list[float], *, full: bool) -> dict[str, Any]:
+        """Run all steps with the given static forces in N; `full` records everything."""
+        output = self.scenario.output
+        placements = self.scenario.pantographs
+        mesh = self.found.mesh
+        plan = {
+            "contact_every": output.contact_every,
+            "line_every": output.line_every if full else self.travel.steps + 1,
+            "links": full and output.droppers,
+            "nodes": [support.contact_node for support in mesh.supports],
+            "points": list(output.points),
+            "ledger": full,
+        }
+        speed = float(self.travel.speeds[0])
+        riders = [
+            motion.rider(p.model, force + sum(m.aerodynamic for m in p.model.masses) * speed**2)
+            for p, force in zip(placements, forces, strict=True)
+        ]
+        with stepping(mesh, [p.name for p in placements]):
+            return self.prepared.run(
+                riders,
+                [p.distance for p in placements],
+                self.travel.positions.tolist(),
+                self.travel.speeds.tolist(),
+                self.scenario.contact.friction_coefficient,
+                plan,
+                self.observe,
+            )
+
+
+def run(
+    scenario: Scenario, *, progress: Progress | None = None, cancel: Cancel | None = None
+) -> Result:
+    """Run a scenario: statics, dynamics, record.
+
+    Parameters
+    ----------
+    scenario
+        What to run; see `arcless.load`.
+    progress
+        Called now and then with the fraction done and what is being done.
+    cancel
+        Asked now and then; the run ends with KeyboardInterrupt when it returns True.
+
+    Raises
+    ------
+    MeshError, EquilibriumError, ContactError
+        The line cannot be divided, has no equilibrium, or a step cannot be solved.
+    """
+    tell = progress or (lambda _fraction, _text: None)
+    started = time.perf_counter()
+    tell(0.0, "static equilibrium")
+    with replayable(scenario):
+        found = equilibrium.find(scenario)
+    tell(0.0, "factorisation")
+    prepared = found.core.prepare(
+        found.mesh.path,
+        motion.scheme_numbers(scenario.solver.scheme),
+        scenario.solver.time_step,
+        motion.contact_stiffness(scenario),
+    )
+    x = found.elasticity_positions()
+    elasticity = found.elasticity(x)
+    travel = motion.motion(scenario)
+    job = Job(scenario, found, prepared, travel, _observer(travel.steps, "stepping", tell, cancel))
+    searching = replace(job, observe=_observer(travel.steps, "finding the static force", tell, cancel))
+    forces = find_forces(searching)
+    setup = time.perf_counter() - started
+    began = time.perf_counter()
+    raw = job.step(forces, full=True)
+    wall = time.perf_counter() - began
+    tell(1.0, "done")
+    dataset = dataset_from(
+        record.dynamic_variables(raw, found, scenario),
+        record.names(raw, found, scenario, x),
+        record.static_variables(found, elasticity),
+        _attributes(scenario, raw, travel, forces, setup, wall),
+    )
+    return Result(dataset, scenario)
+
+
+def _observer(
+    steps: int, text: str, tell: Progress, cancel: Cancel | None
+) -> Callable[[int], bool]:
+    def observe(step: int) -> bool:
+        if cancel is not None and cancel():
+            raise KeyboardInterrupt
+        tell(step / steps, text)
+        return True
+
+    return observe
+
+
+def _attributes(
+    scenario: Scenario,
+    raw: dict[str, Any],
+    travel: motion.Motion,
+    forces: list[float],
+    setup: float,
+    wall: float,
+) -> dict[str, Any]:
+    names = [placement.name for placement in scenario.pantographs]
+    return {
+        "arcless_version": _core.__version__,
+        "scenario": scenario.to_dict(),
+        "scenario_name": scenario.name,
+        "section_m": list(scenario.analysis_range()),
+        "steps": raw["steps"],
+        "simulated_time_s": travel.duration,
+        "wall_time_s": wall,
+        "setup_time_s": setup,
+        "real_time_factor": travel.duration / wall,
+        "energy_residual_relative": raw["energy_residual"] / raw["energy_turnover"],
+        "slack_droppers_max": raw["slack_max"],
+        "lcp_pivots_total": raw["pivots"],
+        "lcp_pivots_max": raw["pivots_max"],
+        "static_force_found": dict(zip(names, np.round(forces, 6).tolist(), strict=True)),
+        "warnings": scenario_warnings(scenario),
+        "command": f"arcless run {scenario.name}",
+    }

@@ -1,0 +1,127 @@
+"""The initial configuration of a line."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from arcless.model import Scenario
+from arcless.simulate import equilibrium
+from arcless.simulate.failure import replayable
+
+Progress = Callable[[float, str], None]
+
+
+@dataclass(frozen=True)
+class StaticsResult:
+    """What `arcless.statics` finds; `to_dict` gives the documented JSON. SI units unless named."""
+
+    scenario: Scenario
+    equilibrium: equilibrium.Equilibrium
+    elasticity_x_m: list[float]
+    elasticity_m_per_N: list[float]  # noqa: N815 - the unit is part of the name
+    natural_frequencies_Hz: list[float]  # noqa: N815
+
+    @property
+    def droppers(self) -> list[dict[str, Any]]:
+        """Droppers: name, span (from 1), x_m, length_m between the clamps, force_N."""
+        found, mesh = self.equilibrium, self.equilibrium.mesh
+        values = zip(
+            mesh.droppers,
+            found.of_droppers("link_length"),
+            found.of_droppers("link_rest_length"),
+            found.of_droppers("link_tension"),
+            strict=True,
+        )
+        return [
+            {
+                "name": dropper.name,
+                "span": dropper.span,
+                "x_m": dropper.x,
+                "length_m": float(length),
+                "unstretched_length_m": float(rest),
+                "force_N": float(force),
+            }
+            for dropper, length, rest, force in values
+        ]
+
+    @property
+    def supports(self) -> list[dict[str, Any]]:
+        """Supports: name, x_m, vertical force on the messenger support, force in the steady arm."""
+        arrays = self.equilibrium.arrays
+        return [
+            {
+                "name": support.name,
+                "x_m": support.x,
+                "messenger_force_N": _entry(arrays["spring_force"], support.messenger_spring),
+                "steady_arm_force_N": _entry(arrays["strut_tension"], support.steady_arm),
+                "contact_wire_height_m": float(
+                    self.equilibrium.positions[support.contact_node, 2]
+                ),
+            }
+            for support in self.equilibrium.mesh.supports
+        ]
+
+    @property
+    def elasticity_nonuniformity(self) -> float:
+        """Return u = (e_max − e_min) / (e_max + e_min) over the middle span."""
+        high, low = max(self.elasticity_m_per_N), min(self.elasticity_m_per_N)
+        return (high - low) / (high + low)
+
+    @property
+    def contact_wire_sag_m(self) -> float:
+        """Highest minus lowest point of the contact wire in the middle span."""
+        left, right = self.equilibrium.middle_span()
+        points = self.equilibrium.positions[self.equilibrium.mesh.contact_nodes]
+        inside = points[(points[:, 0] >= left - 1e-6) & (points[:, 0] <= right + 1e-6)]
+        return float(np.ptp(inside[:, 2]))
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return plain values, ready for JSON."""
+        return {
+            "scenario": self.scenario.name,
+            "line": self.scenario.line.name,
+            "droppers": self.droppers,
+            "supports": self.supports,
+            "elasticity": [
+                {"x_m": x, "mm_per_N": 1e3 * e}
+                for x, e in zip(self.elasticity_x_m, self.elasticity_m_per_N, strict=True)
+            ],
+            "elasticity_nonuniformity": self.elasticity_nonuniformity,
+            "contact_wire_sag_m": self.contact_wire_sag_m,
+            "wave_speed_m_s": self.scenario.line.wave_speed,
+            "natural_frequencies_Hz": self.natural_frequencies_Hz,
+        }
+
+
+def statics(scenario: Scenario, progress: Progress | None = None) -> StaticsResult:
+    """Find the initial configuration of a scenario's line.
+
+    Parameters
+    ----------
+    scenario
+        Its line and solver settings are used.
+    progress
+        Called with the fraction done and what is being done.
+
+    Raises
+    ------
+    MeshError, EquilibriumError
+        See `arcless.simulate.equilibrium.find`.
+    """
+    tell = progress or (lambda _fraction, _text: None)
+    tell(0.0, "static equilibrium")
+    with replayable(scenario):
+        found = equilibrium.find(scenario)
+        tell(0.5, "elasticity")
+        x = found.elasticity_positions()
+        elasticity = found.elasticity(x)
+        tell(0.7, "natural frequencies")
+        frequencies = found.frequencies()
+    tell(1.0, "done")
+    return StaticsResult(scenario, found, x.tolist(), elasticity.tolist(), frequencies.tolist())
+
+
+def _entry(values: Any, row: int | None) -> float | None:
+    return None if row is None else float(values[row])
