@@ -241,6 +241,12 @@ fn matrix_outside_the_class_is_reported() {
     assert_eq!(failure.pivots, 1);
 }
 
+/// Finite input whose solution x = 10⁶⁰⁰ is not a number of the machine.
+#[test]
+fn overflow_is_a_failure() {
+    assert!(try_solve(&Problem::new(&[&[1e-300]], &[-1e300]), &[]).is_err());
+}
+
 /// Each of the four conditions alone, broken by 10⁻⁶, is seen.
 #[test]
 fn residual_sees_every_condition() {

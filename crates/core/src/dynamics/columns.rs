@@ -26,7 +26,8 @@ struct Window {
 impl<const D: usize> Columns<D> {
     /// Solve for a right-hand side and keep the column; returns its number.
     pub fn push(&mut self, factor: &BlockLdl<D>, mut rhs: Vec<[f64; D]>) -> usize {
-        factor.solve(&mut rhs);
+        let mut scratch = vec![[0.0; D]; rhs.len()];
+        factor.solve(&mut rhs, &mut scratch);
         let size = |v: &[f64; D]| v.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
         let peak = rhs.iter().map(size).fold(0.0, f64::max);
         let keeps = |v: &[f64; D]| size(v) > CUT * peak;

@@ -13,7 +13,8 @@
 //! * link:     switching = −(change of stored energy and of dissipation by going slack) − work of r
 //!
 //! The residual is what does not add up. It is independent of the solver: energies come from
-//! products with K and M, the solver never forms the product with K.
+//! products with K and M, the solver never forms the product with K. Stored energies are taken
+//! from the state itself whenever the ledger is settled.
 
 use super::contact::Unilateral;
 use super::path::Place;
@@ -84,12 +85,14 @@ pub struct Ledger<const D: usize> {
     /// Entries so far.
     pub entries: Entries,
     start: Entries,
-    ku: Vec<[f64; D]>,
-    new_ku: Vec<[f64; D]>,
-    product: Vec<[f64; D]>,
     rate: Vec<[f64; D]>,
-    mass_product: Vec<[f64; D]>,
-    damping_product: Vec<[f64; D]>,
+    mass_delta: Vec<[f64; D]>,
+    stiffness_delta: Vec<[f64; D]>,
+    damping_rest: Vec<[f64; D]>,
+    stored_work: f64,
+    scheme_riders: f64,
+    start_linear: f64,
+    start_slack: f64,
     slack_energy: f64,
     rider_work: Vec<RiderWork>,
 }
@@ -133,25 +136,29 @@ impl<const D: usize> Ledger<D> {
         let mut ledger = Self {
             entries: Entries::default(),
             start: Entries::default(),
-            ku: zero.clone(),
-            new_ku: zero.clone(),
-            product: zero.clone(),
             rate: zero.clone(),
-            mass_product: zero.clone(),
-            damping_product: zero,
-            slack_energy: 0.0,
+            mass_delta: zero.clone(),
+            stiffness_delta: zero.clone(),
+            damping_rest: zero,
+            stored_work: 0.0,
+            scheme_riders: 0.0,
+            start_linear: 0.0,
+            start_slack: slack_energy(p, state),
+            slack_energy: slack_energy(p, state),
             rider_work: Vec::with_capacity(riders.len()),
         };
-        p.line.stiffness.add_product(&state.u, &mut ledger.ku);
-        ledger.slack_energy = slack_energy(p, state);
-        ledger.start.elastic = 0.5 * dot(&state.u, &ledger.ku) + ledger.slack_energy;
+        p.line.stiffness.add_product(&state.u, &mut ledger.stiffness_delta);
+        ledger.start_linear = 0.5 * dot(&state.u, &ledger.stiffness_delta);
         ledger.start.contact = contact_energy(p, state, riders, places, datum);
         ledger.start.riders = riders.iter().map(RiderState::energy).sum();
         ledger
     }
 
-    /// Products that need the state before the step is taken. Call after the increments are
+    /// Everything that needs the state before the step is taken. Call after the increments are
     /// complete and before `advance`.
+    ///
+    /// The matrices are symmetric, so Δu·(M a_m) = a_m·(M Δu) and so on: one product with M and
+    /// one with K serve all terms.
     pub fn before<const DIM: usize>(
         &mut self,
         p: &Prepared<DIM, D>,
@@ -162,16 +169,32 @@ impl<const D: usize> Ledger<D> {
         let c = &p.coefficients;
         self.rider_work.clear();
         self.rider_work.extend(riders.iter().map(|rider| rider.work(c, speed)));
-        for (i, rate) in self.rate.iter_mut().enumerate() {
+        self.mass_delta.fill([0.0; D]);
+        p.line.mass.add_product(&state.delta, &mut self.mass_delta);
+        self.stiffness_delta.fill([0.0; D]);
+        p.line.stiffness.add_product(&state.delta, &mut self.stiffness_delta);
+        let (alpha, beta) = (p.line.common.alpha, p.line.common.beta);
+        let mut inertia = [0.0; D];
+        let mut elastic = [0.0; D];
+        let mut dissipated = [0.0; D];
+        for i in 0..self.rate.len() {
+            let (d, u) = (&state.delta[i], &state.u[i]);
+            let (v, a) = (&state.v[i], &state.a[i]);
+            let (m, s) = (&self.mass_delta[i], &self.stiffness_delta[i]);
             for k in 0..D {
-                let (d, v, a) = (state.delta[i][k], state.v[i][k], state.a[i][k]);
-                rate[k] = c.damping * d + c.velocity_from_v * v + c.velocity_from_a * a;
-                self.product[i][k] =
-                    c.mass * d + c.acceleration_from_v * v + c.acceleration_from_a * a;
+                let rate = c.damping * d[k] + c.velocity_from_v * v[k] + c.velocity_from_a * a[k];
+                let force = c.mass * d[k] + c.acceleration_from_v * v[k] + c.acceleration_from_a * a[k];
+                self.rate[i][k] = rate;
+                inertia[k] += force * m[k];
+                elastic[k] += (u[k] + c.stiffness * d[k]) * s[k];
+                dissipated[k] += rate * (alpha * m[k] + beta * s[k]);
             }
         }
-        self.mass_product.fill([0.0; D]);
-        p.line.mass.add_product(&self.product, &mut self.mass_product);
+        self.damping_rest.fill([0.0; D]);
+        p.line.add_damping_rest(&self.rate, &mut self.damping_rest);
+        self.entries.dissipated_line +=
+            dissipated.iter().sum::<f64>() + dot(&state.delta, &self.damping_rest);
+        self.stored_work += inertia.iter().sum::<f64>() + elastic.iter().sum::<f64>();
     }
 
     /// Book the step after `advance`.
@@ -182,43 +205,23 @@ impl<const D: usize> Ledger<D> {
         riders: &[RiderState],
         f: &StepForces<'_>,
     ) {
-        self.book_line(p, state);
         self.book_links(p, state, f.unilateral);
         self.book_riders(riders);
         self.book_contacts(p, state, riders, f);
     }
 
-    fn book_line<const DIM: usize>(&mut self, p: &Prepared<DIM, D>, state: &LineState<D>) {
-        let c = &p.coefficients;
-        self.new_ku.fill([0.0; D]);
-        self.damping_product.fill([0.0; D]);
-        p.line.stiffness.add_products(
-            [&state.u, &self.rate],
-            [&mut self.new_ku, &mut self.damping_product],
-        );
-        let beta = p.line.common.beta;
-        self.damping_product.iter_mut().flatten().for_each(|v| *v *= beta);
-        let inertia = dot(&state.delta, &self.mass_product);
-        let (keep, old) = (c.stiffness, c.old);
-        let elastic = keep * dot(&state.delta, &self.new_ku) + old * dot(&state.delta, &self.ku);
-        p.line.add_damping_rest(&self.rate, &mut self.damping_product);
-        let mut dissipated = dot(&state.delta, &self.damping_product);
-        if p.line.common.alpha != 0.0 {
-            self.product.fill([0.0; D]);
-            p.line.mass.add_product(&self.rate, &mut self.product);
-            dissipated += p.line.common.alpha * dot(&state.delta, &self.product);
-        }
-        self.product.fill([0.0; D]);
-        p.line.mass.add_product(&state.v, &mut self.product);
-        let kinetic = 0.5 * dot(&state.v, &self.product);
-        let linear_before = self.entries.elastic + self.start.elastic - self.slack_energy;
-        let linear = 0.5 * dot(&state.u, &self.new_ku);
-        self.entries.dissipated_scheme += inertia - (kinetic - self.entries.kinetic);
-        self.entries.dissipated_scheme += elastic - (linear - linear_before);
-        self.entries.dissipated_line += dissipated;
-        self.entries.kinetic = kinetic;
-        self.entries.elastic = linear + self.slack_energy - self.start.elastic;
-        std::mem::swap(&mut self.ku, &mut self.new_ku);
+    /// Stored energies of the state itself, ½ vᵀM v and ½ uᵀK u. What was worked against inertia
+    /// and stiffness and is not stored there, the scheme has dissipated.
+    pub fn settle<const DIM: usize>(&mut self, p: &Prepared<DIM, D>, state: &LineState<D>) {
+        self.mass_delta.fill([0.0; D]);
+        p.line.mass.add_product(&state.v, &mut self.mass_delta);
+        self.stiffness_delta.fill([0.0; D]);
+        p.line.stiffness.add_product(&state.u, &mut self.stiffness_delta);
+        let e = &mut self.entries;
+        e.kinetic = 0.5 * dot(&state.v, &self.mass_delta);
+        let linear = 0.5 * dot(&state.u, &self.stiffness_delta) - self.start_linear;
+        e.elastic = linear + self.slack_energy - self.start_slack;
+        e.dissipated_scheme = self.scheme_riders + self.stored_work - e.kinetic - linear;
     }
 
     /// Split the dissipation by its place, and correct what a slack link did not store.
@@ -246,7 +249,6 @@ impl<const D: usize> Ledger<D> {
         self.entries.dissipated_links += dissipated;
         let slack_energy = slack_energy(p, state);
         switching -= slack_energy - self.slack_energy;
-        self.entries.elastic += slack_energy - self.slack_energy;
         self.slack_energy = slack_energy;
         self.entries.switching += switching;
     }
@@ -256,9 +258,9 @@ impl<const D: usize> Ledger<D> {
         for work in &self.rider_work {
             self.entries.work_uplift += work.uplift;
             self.entries.dissipated_riders += work.dissipated;
-            self.entries.dissipated_scheme += work.stored;
+            self.scheme_riders += work.stored;
         }
-        self.entries.dissipated_scheme -= energy - self.entries.riders;
+        self.scheme_riders -= energy - self.entries.riders;
         self.entries.riders = energy;
     }
 

@@ -329,6 +329,10 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
             datum: self.datum,
         };
         ledger.after(p, &self.state, &self.riders, &forces);
+        if !step.is_multiple_of(self.plan.line_every) && step + 2 != self.travel.positions.len() {
+            return;
+        }
+        ledger.settle(p, &self.state);
         let e = &ledger.entries;
         self.record.energy_residual = self.record.energy_residual.max(e.residual().abs());
         self.record.energy_turnover = self.record.energy_turnover.max(e.turnover());

@@ -161,7 +161,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         for &(node, component) in &self.fixed {
             delta[node as usize][component as usize] = 0.0;
         }
-        self.factor.solve(delta);
+        self.factor.solve(delta, mass_work);
         let [su, sv, sa] = self.shift;
         for (d, ((u, v), a)) in delta.iter_mut().zip(u.iter().zip(&*v).zip(&*a)) {
             for k in 0..D {

@@ -20,6 +20,7 @@ pub struct Still<'a, const DIM: usize, const D: usize> {
     factor: BlockLdl<D>,
     pulls: BTreeMap<usize, Vec<[f64; D]>>,
     solver: LcpSolver,
+    scratch: Vec<[f64; D]>,
 }
 
 /// Displacement under static forces.
@@ -38,7 +39,9 @@ impl<'a, const DIM: usize, const D: usize> Still<'a, DIM, D> {
     /// [`CoreError::Singular`] when the line is loose.
     pub fn new(line: &'a Line<DIM, D>, path: &'a Path<DIM>) -> Result<Self, CoreError> {
         let factor = BlockLdl::new(&line.combine(0.0, 0.0, 1.0))?;
-        Ok(Self { line, path, factor, pulls: BTreeMap::new(), solver: LcpSolver::new() })
+        let scratch = vec![[0.0; D]; line.nodes()];
+        let solver = LcpSolver::new();
+        Ok(Self { line, path, factor, pulls: BTreeMap::new(), solver, scratch })
     }
 
     /// Factor of the stiffness.
@@ -59,7 +62,7 @@ impl<'a, const DIM: usize, const D: usize> Still<'a, DIM, D> {
         }
         links.iter().for_each(|l| l.add_to(l.rest_correction(), &mut free));
         self.line.mask(&mut free);
-        self.factor.solve(&mut free);
+        self.factor.solve(&mut free, &mut self.scratch);
         let mut correction = vec![0.0; links.len()];
         let mut active: Vec<usize> = Vec::new();
         let mut u = free.clone();
@@ -128,7 +131,7 @@ impl<'a, const DIM: usize, const D: usize> Still<'a, DIM, D> {
             let mut pull = vec![[0.0; D]; self.line.nodes()];
             self.line.links[link].add_to(1.0, &mut pull);
             self.line.mask(&mut pull);
-            self.factor.solve(&mut pull);
+            self.factor.solve(&mut pull, &mut self.scratch);
             self.pulls.insert(link, pull);
         }
     }
@@ -156,7 +159,7 @@ impl<'a, const DIM: usize, const D: usize> Still<'a, DIM, D> {
                 let mut u = vec![[0.0; D]; self.line.nodes()];
                 self.path.add_force(&place, 1.0, DIM - 1, &mut u);
                 self.line.mask(&mut u);
-                self.factor.solve(&mut u);
+                self.factor.solve(&mut u, &mut self.scratch);
                 Ok(self.path.displacement(&place, &u, DIM - 1))
             })
             .collect()

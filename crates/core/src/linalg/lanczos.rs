@@ -50,6 +50,7 @@ pub fn lowest_frequencies<const D: usize>(
     let mut basis_mass: Vec<Vec<[f64; D]>> = Vec::new();
     let (mut diagonal, mut off) = (Vec::new(), Vec::new());
     let mut vector = start;
+    let mut scratch = vec![[0.0; D]; nodes];
     for _ in 0..steps {
         let weighted = times_mass(&vector);
         let norm = dot(&vector, &weighted).sqrt();
@@ -70,7 +71,7 @@ pub fn lowest_frequencies<const D: usize>(
         basis_mass.push(scale(weighted));
         let last = basis.len() - 1;
         vector = basis_mass[last].clone();
-        stiffness.solve(&mut vector);
+        stiffness.solve(&mut vector, &mut scratch);
         diagonal.push(dot(&vector, &basis_mass[last]));
         // Twice is enough (Kahan, Parlett): removes all earlier directions to rounding.
         for _ in 0..2 {

@@ -3,7 +3,11 @@
 //! With the nodes ordered station by station along the track the factor stays as narrow as the
 //! line has wires. Row form: with `A = L D Lᵀ`,
 //!
-//!   Wᵢⱼ = Aᵢⱼ − Σₖ₍ₖ₍ⱼ₎ Wᵢₖ Lⱼₖᵀ,   Lᵢⱼ = Wᵢⱼ Dⱼ⁻¹,   Dᵢ = Aᵢᵢ − Σₖ Wᵢₖ Lᵢₖᵀ.
+//!   Wᵢⱼ = Aᵢⱼ − Σ₍ₖ﹤ⱼ₎ Wᵢₖ Lⱼₖᵀ,   Lᵢⱼ = Wᵢⱼ Dⱼ⁻¹,   Dᵢ = Aᵢᵢ − Σₖ Wᵢₖ Lᵢₖᵀ.
+//!
+//! A solve is bound by its chain of dependent operations, so the nodes are eliminated from both
+//! ends in turn: two chains that do not depend on each other run side by side and meet in the
+//! middle, where the only extra fill is.
 
 use super::block::{self, Block, zero};
 use super::symmetric::SymmetricBlocks;
@@ -12,11 +16,40 @@ use crate::error::CoreError;
 /// Factor of a symmetric block matrix.
 #[derive(Debug, Clone)]
 pub struct BlockLdl<const D: usize> {
+    /// Node eliminated at each position.
+    order: Vec<u32>,
     row_start: Vec<usize>,
     columns: Vec<u32>,
     lower: Vec<Block<D>>,
+    /// Transposes of `lower`: forward and backward substitution each want their lanes contiguous.
+    lower_transposed: Vec<Block<D>>,
     diagonal_inverse: Vec<Block<D>>,
     negative_pivots: usize,
+}
+
+/// First, last, second, last but one, …
+fn from_both_ends(n: usize) -> Vec<u32> {
+    (0..n).map(|i| if i % 2 == 0 { i / 2 } else { n - 1 - i / 2 } as u32).collect()
+}
+
+/// The matrix with its nodes in another order.
+fn reorder<const D: usize>(a: &SymmetricBlocks<D>, order: &[u32]) -> SymmetricBlocks<D> {
+    let mut position = vec![0; order.len()];
+    order.iter().enumerate().for_each(|(i, &node)| position[node as usize] = i);
+    let entries = || {
+        (0..a.rows()).flat_map(|i| (a.row_start[i]..a.row_start[i + 1]).map(move |k| (i, k)))
+    };
+    let places = entries().map(|(i, k)| (position[i], position[a.columns[k]]));
+    let mut b = SymmetricBlocks::with_pattern(a.rows(), places);
+    for (i, k) in entries() {
+        let (row, column) = (position[i], position[a.columns[k]]);
+        if row >= column {
+            b.add(row, column, &a.blocks[k]);
+        } else {
+            b.add(column, row, &block::transpose(&a.blocks[k]));
+        }
+    }
+    b
 }
 
 impl<const D: usize> BlockLdl<D> {
@@ -25,24 +58,24 @@ impl<const D: usize> BlockLdl<D> {
     /// # Errors
     /// [`CoreError::Singular`] when a pivot block has no inverse.
     pub fn new(a: &SymmetricBlocks<D>) -> Result<Self, CoreError> {
-        let (row_start, columns) = fill_pattern(a);
+        let order = from_both_ends(a.rows());
+        let a = reorder(a, &order);
+        let (row_start, columns) = fill_pattern(&a);
         let mut factor = Self {
             lower: vec![zero(); columns.len()],
+            lower_transposed: Vec::new(),
             diagonal_inverse: vec![zero(); a.rows()],
+            negative_pivots: 0,
+            order,
             row_start,
             columns,
-            negative_pivots: 0,
         };
-        factor.refactor(a)?;
+        factor.factorise(&a)?;
+        factor.lower_transposed = factor.lower.iter().map(block::transpose).collect();
         Ok(factor)
     }
 
-    /// Factorise a matrix of the pattern that was analysed.
-    ///
-    /// # Errors
-    /// [`CoreError::Singular`] when a pivot block has no inverse.
-    pub fn refactor(&mut self, a: &SymmetricBlocks<D>) -> Result<(), CoreError> {
-        self.negative_pivots = 0;
+    fn factorise(&mut self, a: &SymmetricBlocks<D>) -> Result<(), CoreError> {
         let mut work: Vec<Block<D>> = Vec::new();
         for i in 0..a.rows() {
             let start = self.row_start[i];
@@ -64,7 +97,8 @@ impl<const D: usize> BlockLdl<D> {
             for (p, w) in row.zip(&work) {
                 block::subtract_product_transposed(&mut d, w, &self.lower[p]);
             }
-            let (inverse, negative) = block::inverse(&d).ok_or(CoreError::Singular { node: i })?;
+            let node = self.order[i] as usize;
+            let (inverse, negative) = block::inverse(&d).ok_or(CoreError::Singular { node })?;
             self.diagonal_inverse[i] = inverse;
             self.negative_pivots += negative;
         }
@@ -104,40 +138,53 @@ impl<const D: usize> BlockLdl<D> {
         self.lower.len()
     }
 
-    /// Solve `A x = b` in place: forward with L, D⁻¹, backward with Lᵀ.
-    pub fn solve(&self, x: &mut [[f64; D]]) {
-        let n = self.diagonal_inverse.len();
-        for i in 0..n {
-            let mut sum = x[i];
-            for p in self.row_start[i]..self.row_start[i + 1] {
-                let l = &self.lower[p];
-                let xj = &x[self.columns[p] as usize];
-                for a in 0..D {
-                    let mut dot = 0.0;
-                    for b in 0..D {
-                        dot += l[a][b] * xj[b];
+    /// Solve `A x = b` in place; `work` is scratch space of the same length.
+    pub fn solve(&self, x: &mut [[f64; D]], work: &mut [[f64; D]]) {
+        self.forward(x, work);
+        self.backward(work);
+        for (value, &node) in work.iter().zip(&self.order) {
+            x[node as usize] = *value;
+        }
+    }
+
+    /// `y = L⁻¹ b`, from the order of the nodes into the order of elimination.
+    fn forward(&self, b: &[[f64; D]], y: &mut [[f64; D]]) {
+        let mut start = self.row_start[0];
+        for (i, (&node, &end)) in self.order.iter().zip(&self.row_start[1..]).enumerate() {
+            let mut sum = b[node as usize];
+            let row = self.lower_transposed[start..end].iter().zip(&self.columns[start..end]);
+            for (l, &j) in row {
+                let yj = y[j as usize];
+                for q in 0..D {
+                    for p in 0..D {
+                        sum[p] -= l[q][p] * yj[q];
                     }
-                    sum[a] -= dot;
                 }
             }
-            x[i] = sum;
+            y[i] = sum;
+            start = end;
         }
-        for (value, inverse) in x.iter_mut().zip(&self.diagonal_inverse) {
+    }
+
+    /// `x = L⁻ᵀ D⁻¹ y`
+    fn backward(&self, y: &mut [[f64; D]]) {
+        for (value, inverse) in y.iter_mut().zip(&self.diagonal_inverse) {
             // Column form (the inverse is symmetric): the lanes of the sum are independent.
             let mut z = [0.0; D];
-            for b in 0..D {
-                for a in 0..D {
-                    z[a] += inverse[b][a] * value[b];
+            for q in 0..D {
+                for p in 0..D {
+                    z[p] += inverse[q][p] * value[q];
                 }
             }
             *value = z;
         }
-        for i in (0..n).rev() {
-            let xi = x[i];
-            for p in self.row_start[i]..self.row_start[i + 1] {
-                let xj = &mut x[self.columns[p] as usize];
-                block::subtract_transposed_product(xj, &self.lower[p], &xi);
+        let mut end = self.columns.len();
+        for (i, &start) in self.row_start[..y.len()].iter().enumerate().rev() {
+            let xi = y[i];
+            for (l, &j) in self.lower[start..end].iter().zip(&self.columns[start..end]) {
+                block::subtract_transposed_product(&mut y[j as usize], l, &xi);
             }
+            end = start;
         }
     }
 }

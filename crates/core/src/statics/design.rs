@@ -208,7 +208,8 @@ pub(super) fn step<const D: usize>(
         }
     }
     let factor = BlockLdl::new(k)?;
-    factor.solve(&mut correction);
+    let mut scratch = vec![[0.0; D]; correction.len()];
+    factor.solve(&mut correction, &mut scratch);
     for (node, delta) in shape.iter_mut().zip(&correction) {
         for c in 0..D {
             node[c] -= delta[c];

@@ -91,6 +91,22 @@ pub fn skew_coupled(n: usize, seed: u64) -> Problem {
     Problem { h, w }
 }
 
+/// Blocks of rank one third plus 1e-13, coupled three times as strongly as they resist.
+pub fn near_singular_coupled(n: usize, seed: u64) -> Problem {
+    let mut random = Random::new(seed);
+    let mut h = random.gram(n, n.div_ceil(3), 1e-13);
+    for i in 0..n / 2 {
+        for j in n / 2..n {
+            let coupling = 3.0 * random.unit();
+            (h[i * n + j], h[j * n + i]) = (-coupling, coupling);
+        }
+    }
+    Problem {
+        h,
+        w: random.vector(n),
+    }
+}
+
 /// Small whole numbers, many zeros in `w`: `x_k = y_k = 0` and equal energies happen often.
 pub fn degenerate(n: usize, seed: u64) -> Problem {
     let mut random = Random::new(seed);
