@@ -21,7 +21,13 @@ pub fn solve_lcp<'py>(
     let (mut x, mut y) = (vec![0.0; w.len()], vec![0.0; w.len()]);
     let solved = py.detach(|| LcpSolver::new().solve(h, w, &mut x, &mut y, &[]));
     let stats = solved.map_err(|failure| convert(py, &failure))?;
-    Ok((x.to_pyarray(py), y.to_pyarray(py), stats.pivots, stats.fallback_used, stats.residual))
+    Ok((
+        x.to_pyarray(py),
+        y.to_pyarray(py),
+        stats.pivots,
+        stats.fallback_used,
+        stats.residual,
+    ))
 }
 
 fn convert(py: Python<'_>, failure: &LcpFailure) -> PyErr {

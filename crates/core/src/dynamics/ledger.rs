@@ -147,7 +147,7 @@ impl<const D: usize> Ledger<D> {
             slack_energy: slack_energy(p, state),
             rider_work: Vec::with_capacity(riders.len()),
         };
-        p.line.stiffness.add_product(&state.u, &mut ledger.stiffness_delta);
+        p.line.stiffness.product(&state.u, &mut ledger.stiffness_delta);
         ledger.start_linear = 0.5 * dot(&state.u, &ledger.stiffness_delta);
         ledger.start.contact = contact_energy(p, state, riders, places, datum);
         ledger.start.riders = riders.iter().map(RiderState::energy).sum();
@@ -169,29 +169,27 @@ impl<const D: usize> Ledger<D> {
         let c = &p.coefficients;
         self.rider_work.clear();
         self.rider_work.extend(riders.iter().map(|rider| rider.work(c, speed)));
-        self.mass_delta.fill([0.0; D]);
-        p.line.mass.add_product(&state.delta, &mut self.mass_delta);
-        self.stiffness_delta.fill([0.0; D]);
-        p.line.stiffness.add_product(&state.delta, &mut self.stiffness_delta);
+        p.line.mass.product(&state.delta, &mut self.mass_delta);
+        p.line.stiffness.product(&state.delta, &mut self.stiffness_delta);
         let (alpha, beta) = (p.line.common.alpha, p.line.common.beta);
         let mut inertia = [0.0; D];
         let mut elastic = [0.0; D];
         let mut dissipated = [0.0; D];
-        for i in 0..self.rate.len() {
-            let (d, u) = (&state.delta[i], &state.u[i]);
-            let (v, a) = (&state.v[i], &state.a[i]);
-            let (m, s) = (&self.mass_delta[i], &self.stiffness_delta[i]);
+        let state_rows = state.delta.iter().zip(&state.u).zip(&state.v).zip(&state.a);
+        let products = self.mass_delta.iter().zip(&self.stiffness_delta).zip(&mut self.rate);
+        for ((((d, u), v), a), ((m, s), rate)) in state_rows.zip(products) {
             for k in 0..D {
-                let rate = c.damping * d[k] + c.velocity_from_v * v[k] + c.velocity_from_a * a[k];
+                let velocity = c.damping * d[k] + c.velocity_from_v * v[k] + c.velocity_from_a * a[k];
                 let force = c.mass * d[k] + c.acceleration_from_v * v[k] + c.acceleration_from_a * a[k];
-                self.rate[i][k] = rate;
+                rate[k] = velocity;
                 inertia[k] += force * m[k];
                 elastic[k] += (u[k] + c.stiffness * d[k]) * s[k];
-                dissipated[k] += rate * (alpha * m[k] + beta * s[k]);
+                dissipated[k] += velocity * (alpha * m[k] + beta * s[k]);
             }
         }
         self.damping_rest.fill([0.0; D]);
-        p.line.add_damping_rest(&self.rate, &mut self.damping_rest);
+        let (rest, work) = (&mut self.damping_rest, &mut self.mass_delta);
+        p.line.add_damping_rest(&self.rate, rest, work);
         self.entries.dissipated_line +=
             dissipated.iter().sum::<f64>() + dot(&state.delta, &self.damping_rest);
         self.stored_work += inertia.iter().sum::<f64>() + elastic.iter().sum::<f64>();
@@ -213,10 +211,8 @@ impl<const D: usize> Ledger<D> {
     /// Stored energies of the state itself, ½ vᵀM v and ½ uᵀK u. What was worked against inertia
     /// and stiffness and is not stored there, the scheme has dissipated.
     pub fn settle<const DIM: usize>(&mut self, p: &Prepared<DIM, D>, state: &LineState<D>) {
-        self.mass_delta.fill([0.0; D]);
-        p.line.mass.add_product(&state.v, &mut self.mass_delta);
-        self.stiffness_delta.fill([0.0; D]);
-        p.line.stiffness.add_product(&state.u, &mut self.stiffness_delta);
+        p.line.mass.product(&state.v, &mut self.mass_delta);
+        p.line.stiffness.product(&state.u, &mut self.stiffness_delta);
         let e = &mut self.entries;
         e.kinetic = 0.5 * dot(&state.v, &self.mass_delta);
         let linear = 0.5 * dot(&state.u, &self.stiffness_delta) - self.start_linear;

@@ -126,6 +126,8 @@ impl<const DIM: usize, const D: usize> Line<DIM, D> {
                 uniform = false;
             }
         }
+        mass.pack();
+        mass_rest.pack();
         Self {
             free: geometry.service_mask(),
             damping_rest: damping_rest(geometry, &shape, common.beta),
@@ -166,9 +168,16 @@ impl<const DIM: usize, const D: usize> Line<DIM, D> {
     }
 
     /// `y += (C − α M − β K) x`, the part of the damping that is not common to all.
-    pub fn add_damping_rest(&self, x: &[[f64; D]], y: &mut [[f64; D]]) {
+    /// `work` is scratch space.
+    #[inline(always)]
+    pub fn add_damping_rest(&self, x: &[[f64; D]], y: &mut [[f64; D]], work: &mut [[f64; D]]) {
         if let Some(rest) = &self.mass_damping_rest {
-            rest.add_product(x, y);
+            rest.product(x, work);
+            for (y, w) in y.iter_mut().zip(&*work) {
+                for c in 0..D {
+                    y[c] += w[c];
+                }
+            }
         }
         for (i, j, block) in &self.damping_rest {
             let (xi, xj) = (x[*i], x[*j]);

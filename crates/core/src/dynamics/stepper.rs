@@ -63,6 +63,7 @@ pub struct LineState<const D: usize> {
     pub link_delta: Vec<f64>,
     link_free: Vec<f64>,
     mass_work: Vec<[f64; D]>,
+    scratch: Vec<[f64; D]>,
 }
 
 impl<const D: usize> LineState<D> {
@@ -77,7 +78,8 @@ impl<const D: usize> LineState<D> {
             v: zero.clone(),
             a: zero.clone(),
             delta: zero.clone(),
-            mass_work: zero,
+            mass_work: zero.clone(),
+            scratch: zero,
             u,
         }
     }
@@ -148,15 +150,14 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
     /// force vector to add given forces.
     pub fn free_increment(&self, state: &mut LineState<D>, load: impl FnOnce(&mut [[f64; D]])) {
         let [mu, mv, ma] = self.from_mass;
-        let LineState { u, v, a, delta, mass_work, .. } = state;
+        let LineState { u, v, a, delta, mass_work, scratch, .. } = state;
         for (w, ((u, v), a)) in mass_work.iter_mut().zip(u.iter().zip(&*v).zip(&*a)) {
             for k in 0..D {
                 w[k] = -(mu * u[k] + mv * v[k] + ma * a[k]);
             }
         }
-        delta.fill([0.0; D]);
-        self.line.mass.add_product(mass_work, delta);
-        self.subtract_damping_rest(u, v, a, mass_work, delta);
+        self.line.mass.product(mass_work, delta);
+        self.subtract_damping_rest(u, v, a, [mass_work, scratch], delta);
         load(delta);
         for &(node, component) in &self.fixed {
             delta[node as usize][component as usize] = 0.0;
@@ -179,7 +180,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         u: &[[f64; D]],
         v: &[[f64; D]],
         a: &[[f64; D]],
-        work: &mut [[f64; D]],
+        [work, scratch]: [&mut [[f64; D]]; 2],
         f: &mut [[f64; D]],
     ) {
         let [cu, cv, ca] = self.from_damping;
@@ -196,7 +197,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
                 combine(*j);
             }
         }
-        self.line.add_damping_rest(work, f);
+        self.line.add_damping_rest(work, f, scratch);
     }
 
     /// Tension that link `i` would have at the time of balance for an elongation increment `d`,

@@ -39,7 +39,7 @@ pub fn lowest_frequencies<const D: usize>(
     }
     let times_mass = |x: &[[f64; D]]| {
         let mut y = vec![[0.0; D]; nodes];
-        mass.add_product(x, &mut y);
+        mass.product(x, &mut y);
         // Fixed components couple through the mass; they take no part.
         for (i, node) in y.iter_mut().enumerate() {
             (0..D).filter(|&c| !free(i, c)).for_each(|c| node[c] = 0.0);

@@ -4,12 +4,16 @@
 //! numbers (position–position, position–slope, slope–slope) times the identity of space.
 //! Storing the numbers alone makes the product six to nine times lighter than full blocks.
 
-/// Structured mass matrix; `D = 2·dim`: position components, then slope components.
+/// Couplings of a node with another one, or with itself: rows and columns (position, slope).
+type Entry = [[f64; 2]; 2];
+
+/// Structured mass matrix; `D = 2·dim`: position components, then slope components. Rows are
+/// complete (both triangles), so a product writes every node once.
 #[derive(Debug, Clone)]
 pub struct MassMatrix<const D: usize> {
-    diagonal: Vec<[[f64; 2]; 2]>,
-    /// Off-diagonal blocks (row > column), sorted by row.
-    pairs: Vec<(u32, u32, [[f64; 2]; 2])>,
+    rows: Vec<Vec<(u32, Entry)>>,
+    start: Vec<u32>,
+    entries: Vec<(u32, Entry)>,
 }
 
 impl<const D: usize> MassMatrix<D> {
@@ -18,12 +22,32 @@ impl<const D: usize> MassMatrix<D> {
     /// No mass anywhere.
     #[must_use]
     pub fn zero(nodes: usize) -> Self {
-        Self { diagonal: vec![[[0.0; 2]; 2]; nodes], pairs: Vec::new() }
+        let rows = (0..nodes).map(|i| vec![(i as u32, [[0.0; 2]; 2])]).collect();
+        Self { rows, start: vec![0; nodes + 1], entries: Vec::new() }
+    }
+
+    /// Put the rows one after the other in memory, once all masses have been added.
+    pub fn pack(&mut self) {
+        self.entries.clear();
+        for (i, row) in self.rows.iter_mut().enumerate() {
+            row.sort_by_key(|entry| entry.0);
+            self.entries.extend_from_slice(row);
+            self.start[i + 1] = self.entries.len() as u32;
+        }
+    }
+
+    fn entry(&mut self, i: usize, j: usize) -> &mut Entry {
+        let row = &mut self.rows[i];
+        let place = row.iter().position(|entry| entry.0 == j as u32).unwrap_or_else(|| {
+            row.push((j as u32, [[0.0; 2]; 2]));
+            row.len() - 1
+        });
+        &mut row[place].1
     }
 
     /// Add a mass in kg at the position of a node.
     pub fn add_point(&mut self, node: usize, mass: f64) {
-        self.diagonal[node][0][0] += mass;
+        self.entry(node, node)[0][0] += mass;
     }
 
     /// Add the consistent mass of a Hermite element, `m` in kg per metre of rest length `l`,
@@ -40,41 +64,33 @@ impl<const D: usize> MassMatrix<D> {
         ];
         for (row, &(i, p)) in entries.iter().zip(&places) {
             for (value, &(j, q)) in row.iter().zip(&places) {
-                if i == j {
-                    self.diagonal[i][p][q] += c * value;
-                } else if i > j {
-                    self.pair(i, j)[p][q] += c * value;
-                }
+                self.entry(i, j)[p][q] += c * value;
             }
         }
     }
 
-    /// Off-diagonal block, made when it is not there.
-    fn pair(&mut self, i: usize, j: usize) -> &mut [[f64; 2]; 2] {
-        let key = (i as u32, j as u32);
-        let place = self.pairs.partition_point(|x| (x.0, x.1) < key);
-        if self.pairs.get(place).is_none_or(|x| (x.0, x.1) != key) {
-            self.pairs.insert(place, (key.0, key.1, [[0.0; 2]; 2]));
-        }
-        &mut self.pairs[place].2
-    }
-
-    /// `y += M x`
-    pub fn add_product(&self, x: &[[f64; D]], y: &mut [[f64; D]]) {
-        for (i, m) in self.diagonal.iter().enumerate() {
-            add_scalar_block(&mut y[i], m, &x[i]);
-        }
-        for (i, j, m) in &self.pairs {
-            let (i, j) = (*i as usize, *j as usize);
-            add_scalar_block(&mut y[i], m, &x[j]);
-            let t = [[m[0][0], m[1][0]], [m[0][1], m[1][1]]];
-            add_scalar_block(&mut y[j], &t, &x[i]);
+    /// `y = M x`; the matrix must be packed.
+    #[inline(always)]
+    pub fn product(&self, x: &[[f64; D]], y: &mut [[f64; D]]) {
+        let dim = Self::DIM;
+        let mut begin = 0;
+        for (value, &end) in y.iter_mut().zip(&self.start[1..]) {
+            let mut sum = [0.0; D];
+            for (j, m) in &self.entries[begin..end as usize] {
+                let xj = &x[*j as usize];
+                for c in 0..dim {
+                    sum[c] += m[0][0] * xj[c] + m[0][1] * xj[dim + c];
+                    sum[dim + c] += m[1][0] * xj[c] + m[1][1] * xj[dim + c];
+                }
+            }
+            *value = sum;
+            begin = end as usize;
         }
     }
 
     /// Add `factor · M` to a matrix whose pattern holds all wire neighbours.
     pub fn add_to(&self, factor: f64, target: &mut super::SymmetricBlocks<D>) {
-        let expand = |m: &[[f64; 2]; 2]| {
+        let expand = |m: &Entry| {
             let mut block = super::block::zero::<D>();
             for p in 0..2 {
                 for q in 0..2 {
@@ -85,20 +101,10 @@ impl<const D: usize> MassMatrix<D> {
             }
             block
         };
-        for (i, m) in self.diagonal.iter().enumerate() {
-            target.add(i, i, &expand(m));
+        for (i, row) in self.rows.iter().enumerate() {
+            for (j, m) in row {
+                target.add(i, *j as usize, &expand(m));
+            }
         }
-        for (i, j, m) in &self.pairs {
-            target.add(*i as usize, *j as usize, &expand(m));
-        }
-    }
-}
-
-#[inline(always)]
-fn add_scalar_block<const D: usize>(y: &mut [f64; D], m: &[[f64; 2]; 2], x: &[f64; D]) {
-    let dim = D / 2;
-    for c in 0..dim {
-        y[c] += m[0][0] * x[c] + m[0][1] * x[dim + c];
-        y[dim + c] += m[1][0] * x[c] + m[1][1] * x[dim + c];
     }
 }

@@ -92,52 +92,30 @@ impl<const D: usize> SymmetricBlocks<D> {
         self.blocks[diagonal][component][component] = 1.0;
     }
 
-    /// `y += A x` for two vectors at once: one pass over the matrix serves both.
-    pub fn add_products(&self, x: [&[[f64; D]]; 2], y: [&mut [[f64; D]]; 2]) {
-        let [y0, y1] = y;
+    /// `y = A x`
+    #[inline(always)]
+    pub fn product(&self, x: &[[f64; D]], y: &mut [[f64; D]]) {
         for i in 0..self.rows() {
-            let diagonal = self.row_start[i + 1] - 1;
-            for k in self.row_start[i]..diagonal {
-                let j = self.columns[k];
-                let a = &self.blocks[k];
-                symmetric_pair(a, x[0], y0, i, j);
-                symmetric_pair(a, x[1], y1, i, j);
+            let (begin, diagonal) = (self.row_start[i], self.row_start[i + 1] - 1);
+            let xi = x[i];
+            let mut sum = [0.0; D];
+            for (a, &j) in self.blocks[begin..diagonal].iter().zip(&self.columns[begin..diagonal]) {
+                let xj = x[j];
+                let mut yj = y[j];
+                for p in 0..D {
+                    for q in 0..D {
+                        yj[q] += a[p][q] * xi[p];
+                    }
+                    let mut dot = 0.0;
+                    for q in 0..D {
+                        dot += a[p][q] * xj[q];
+                    }
+                    sum[p] += dot;
+                }
+                y[j] = yj;
             }
-            super::block::add_product(&mut y0[i], &self.blocks[diagonal], &x[0][i]);
-            super::block::add_product(&mut y1[i], &self.blocks[diagonal], &x[1][i]);
+            super::block::add_product(&mut sum, &self.blocks[diagonal], &xi);
+            y[i] = sum;
         }
     }
-
-    /// `y += A x`
-    pub fn add_product(&self, x: &[[f64; D]], y: &mut [[f64; D]]) {
-        for i in 0..self.rows() {
-            let diagonal = self.row_start[i + 1] - 1;
-            for k in self.row_start[i]..diagonal {
-                symmetric_pair(&self.blocks[k], x, y, i, self.columns[k]);
-            }
-            super::block::add_product(&mut y[i], &self.blocks[diagonal], &x[i]);
-        }
-    }
-}
-
-/// Contribution of an off-diagonal block and of its mirror image to `y = A x`.
-#[inline(always)]
-fn symmetric_pair<const D: usize>(
-    a: &Block<D>,
-    x: &[[f64; D]],
-    y: &mut [[f64; D]],
-    i: usize,
-    j: usize,
-) {
-    let (xi, xj) = (x[i], x[j]);
-    let mut yi = y[i];
-    let mut yj = y[j];
-    for p in 0..D {
-        for q in 0..D {
-            yi[p] += a[p][q] * xj[q];
-            yj[q] += a[p][q] * xi[p];
-        }
-    }
-    y[i] = yi;
-    y[j] = yj;
 }
