@@ -8,6 +8,10 @@ __version__: str
 
 class NativeError(Exception): ...
 
+def solve_lcp(
+    h: NDArray[np.float64], w: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64], int, bool, float]: ...
+
 class Equilibrium:
     def __new__(
         cls,

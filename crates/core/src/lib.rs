@@ -12,7 +12,6 @@
 //! * [`element`], [`linalg`], [`scheme`] — what these are made of.
 //!
 //! `DIM` is the number of components of space (2 or 3), `D = 2·DIM` the unknowns of a node.
-#![deny(clippy::all)]
 
 pub mod dynamics;
 pub mod element;

@@ -2,6 +2,7 @@
 
 mod equilibrium;
 mod error;
+mod lcp;
 mod prepared;
 mod structure;
 
@@ -14,5 +15,6 @@ fn _core(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add("NativeError", m.py().get_type::<error::NativeError>())?;
     m.add_class::<equilibrium::Equilibrium>()?;
     m.add_class::<prepared::Prepared>()?;
+    m.add_function(wrap_pyfunction!(lcp::solve_lcp, m)?)?;
     Ok(())
 }

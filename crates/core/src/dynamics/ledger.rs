@@ -203,6 +203,7 @@ impl<const D: usize> Ledger<D> {
         riders: &[RiderState],
         f: &StepForces<'_>,
     ) {
+        self.book_springs(p, state);
         self.book_links(p, state, f.unilateral);
         self.book_riders(riders);
         self.book_contacts(p, state, riders, f);
@@ -220,7 +221,17 @@ impl<const D: usize> Ledger<D> {
         e.dissipated_scheme = self.scheme_riders + self.stored_work - e.kinetic - linear;
     }
 
-    /// Split the dissipation by its place, and correct what a slack link did not store.
+    /// Take the dampers to ground out of the dissipation of the line.
+    fn book_springs<const DIM: usize>(&mut self, p: &Prepared<DIM, D>, state: &LineState<D>) {
+        for &(node, component, viscosity) in &p.line.dampers {
+            let lost = viscosity * self.rate[node][component] * state.delta[node][component];
+            self.entries.dissipated_springs += lost;
+            self.entries.dissipated_line -= lost;
+        }
+    }
+
+    /// Take the links out of the dissipation of the line, and correct what a slack link did not
+    /// store.
     fn book_links<const DIM: usize>(
         &mut self,
         p: &Prepared<DIM, D>,
@@ -279,7 +290,8 @@ impl<const D: usize> Ledger<D> {
                 let increment = p.path.displacement(q, &state.delta, up);
                 q.height + now - p.coefficients.old * increment
             };
-            let traction = force * (frozen(&after[j]) - frozen(&before[j]));
+            // Where the wire rises ahead, it pushes the strip on: the train gains what W < 0 says.
+            let traction = force * (frozen(&before[j]) - frozen(&after[j]));
             self.entries.work_traction += traction;
             self.entries.switching += traction - on_line - on_rider;
             let along = p.path.displacement(place, &state.delta, 0);

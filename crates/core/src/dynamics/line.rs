@@ -87,6 +87,8 @@ pub struct Line<const DIM: usize, const D: usize> {
     pub damping_rest: Vec<(usize, usize, Block<D>)>,
     /// Links.
     pub links: Vec<LinearLink<DIM>>,
+    /// Dampers to ground: node, component, N·s/m.
+    pub dampers: Vec<(usize, usize, f64)>,
 }
 
 impl<const DIM: usize, const D: usize> Line<DIM, D> {
@@ -131,6 +133,7 @@ impl<const DIM: usize, const D: usize> Line<DIM, D> {
         Self {
             free: geometry.service_mask(),
             damping_rest: damping_rest(geometry, &shape, common.beta),
+            dampers: s.springs.iter().map(|p| (p.node, p.component, p.viscosity)).collect(),
             links: s.links.iter().map(|l| LinearLink::new(l, &shape)).collect(),
             mass_damping_rest: (!uniform).then_some(mass_rest),
             shape,

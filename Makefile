@@ -1,0 +1,108 @@
+# The commands of this project; `make help` lists them. CI runs the same lines.
+# Needed on the machine: Python 3.11 or newer, a Rust toolchain with a C linker, make.
+
+SHELL := /bin/sh
+.DEFAULT_GOAL := help
+.DELETE_ON_ERROR:
+.PHONY: help build demo test lint bench wheel clean check-python check-rust
+
+VENV := .venv
+BIN := $(VENV)/bin
+DEMO := en50318-ac-simple-320
+OLDEST_PYTHON := 3.11
+OLDEST_RUST := $(shell sed -n 's/^rust-version = "\(.*\)"/\1/p' Cargo.toml)
+
+# The first interpreter that is new enough; `make PYTHON=/path/to/python3 build` overrides it.
+PYTHON ?= $(shell for p in python3 python3.14 python3.13 python3.12 python3.11; do \
+	"$$p" -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null && echo "$$p" && break; \
+	done)
+
+RUST_INPUTS := Cargo.toml $(wildcard crates/*/Cargo.toml crates/*/build.rs) \
+	$(shell find crates/*/src -name '*.rs')
+MATURIN := env -u CONDA_PREFIX PIP_QUIET=1 VIRTUAL_ENV="$(CURDIR)/$(VENV)" $(BIN)/maturin
+# PyO3 asks this interpreter for its ABI when clippy compiles the binding crate.
+export PYO3_PYTHON := $(CURDIR)/$(BIN)/python
+export PIP_DISABLE_PIP_VERSION_CHECK := 1
+
+help: ## list these commands
+	@sed -n 's/^\([a-z]*\):.* ## /  make \1\t/p' Makefile | expand -t 16
+
+build: $(VENV)/.built ## make the environment in .venv with the command .venv/bin/arcless
+
+demo: build ## run the reference case AC simple at 320 km/h; write its report
+	@rm -f runs/$(DEMO)/report.html
+	@$(BIN)/arcless run $(DEMO) \
+	|| { test $$? -eq 1 && test -s runs/$(DEMO)/report.html; } # a criterion not met is a result
+
+test: build ## run every test: the Rust core, then the Python package
+	cargo test
+	$(BIN)/python -m pytest
+
+lint: build ## check format, lints and types, and that no lock file or local path is tracked
+	cargo fmt --all --check
+	cargo clippy --workspace --all-targets -- -D warnings
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+	@! git ls-files '*.lock' 2>/dev/null | grep . \
+	|| { echo 'make lint: lock files record download addresses: remove them from git'; exit 1; }
+	@for path in "$(CURDIR)" "$${HOME:-/}"; do \
+	test "$$path" = / || ! git grep -nIF -e "$$path/" -- 2>/dev/null \
+	|| { echo 'make lint: a tracked file names a path of this machine'; exit 1; }; done
+
+bench: build ## measure: Rust kernels, then whole runs
+	@if ls crates/core/benches/*.rs >/dev/null 2>&1; then cargo bench; fi
+	@if test -f benchmarks/run.py; then $(BIN)/python benchmarks/run.py; fi
+
+wheel: build ## make dist/arcless-*.whl and try it in an empty environment
+	@rm -rf dist
+	$(MATURIN) build --release --strip --out dist
+	@trial=$$(mktemp -d) && trap 'rm -rf "$$trial"' EXIT && set -e; \
+	$(BIN)/python -m venv "$$trial"; \
+	"$$trial/bin/python" -m pip install --quiet --no-deps dist/arcless-*.whl; \
+	site=$$("$(BIN)/python" -c 'import sysconfig; print(sysconfig.get_path("purelib"))'); \
+	rm -f "$$trial"/lib/python3*/site-packages/*.pth; \
+	echo "$$site" > "$$(ls -d "$$trial"/lib/python3*/site-packages)/dependencies.pth"; \
+	cd "$$trial" && "$$trial/bin/python" "$(CURDIR)/tests/interface/check_wheel.py" "$(CURDIR)"
+
+clean: ## remove everything that was built; runs/ stays
+	rm -rf $(VENV) target dist .pytest_cache .mypy_cache .ruff_cache .hypothesis
+	find python tests -name __pycache__ -type d -prune -exec rm -rf {} +
+	rm -f python/arcless/_core*.so
+
+check-python:
+	@test -n "$(PYTHON)" && command -v "$(PYTHON)" >/dev/null \
+	|| { echo 'make: Python $(OLDEST_PYTHON) or newer is missing; install it, or say where it is: make PYTHON=/path/to/python3'; exit 1; }
+	@"$(PYTHON)" -c 'import sys; sys.exit(sys.version_info < (3, 11))' \
+	|| { echo "make: $$($(PYTHON) --version) is too old; Python $(OLDEST_PYTHON) or newer is needed: make PYTHON=/path/to/python3"; exit 1; }
+	@"$(PYTHON)" -c 'import venv, ensurepip' 2>/dev/null \
+	|| { echo 'make: $(PYTHON) cannot make environments; install its `venv` module (on Debian and Ubuntu: the package `python3-venv`)'; exit 1; }
+
+check-rust:
+	@command -v cargo >/dev/null && command -v rustc >/dev/null \
+	|| { echo 'make: the Rust toolchain (`cargo`, `rustc` $(OLDEST_RUST) or newer) is missing; install it, for example with `rustup`'; exit 1; }
+	@have=$$(rustc --version | cut -d' ' -f2); \
+	printf '%s\n%s\n' "$(OLDEST_RUST)" "$$have" | sort -V -C \
+	|| { echo "make: rustc $$have is too old; Rust $(OLDEST_RUST) or newer is needed: rustup update"; exit 1; }
+	@command -v cc >/dev/null \
+	|| { echo 'make: the C linker `cc`, which Rust needs, is missing; install `gcc` or `clang`'; exit 1; }
+
+# Everything the commands above need, by the lower bounds in pyproject.toml.
+$(VENV)/.packages: pyproject.toml
+	@$(MAKE) --no-print-directory check-python check-rust
+	@"$(BIN)/python" -c '' 2>/dev/null \
+	|| { echo 'Making the environment in $(VENV)'; "$(PYTHON)" -m venv --clear $(VENV); }
+	@$(BIN)/python -c 'import tomllib; t = tomllib.load(open("pyproject.toml", "rb")); p = t["project"]; \
+	print(*t["build-system"]["requires"], *p["dependencies"], *p["optional-dependencies"]["dev"], sep="\n")' \
+	> $(VENV)/requirements.txt
+	@echo 'Installing the packages that pyproject.toml names'
+	@$(BIN)/python -m pip install --quiet --requirement $(VENV)/requirements.txt \
+	|| { echo 'make: the packages could not be installed; the first build needs a network'; exit 1; }
+	@touch $@
+
+# `develop` points the environment at python/, so Python edits need no rebuild.
+$(VENV)/.built: $(VENV)/.packages $(RUST_INPUTS)
+	@$(MAKE) --no-print-directory check-rust
+	@echo 'Compiling the numerical core'
+	@$(MATURIN) develop --release --quiet
+	@touch $@

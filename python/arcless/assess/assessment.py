@@ -1,0 +1,174 @@
+"""Dataset → Assessment: the numbers an engineer signs, and the verdict on each."""
+# ruff: noqa: N815 - the names carry their units
+
+import json
+import math
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from arcless.assess.criteria import Criterion, evaluate
+from arcless.assess.rules import Facts
+from arcless.assess.section import (
+    ForceRecord,
+    Section,
+    extreme_inside,
+    force_record,
+    section_notes,
+)
+from arcless.assess.statistics import PantographAssessment, pantograph_assessment
+from arcless.errors import ModelError
+from arcless.results import metadata
+
+if TYPE_CHECKING:
+    import xarray
+
+
+@dataclass(frozen=True)
+class Assessment:
+    """Indicators and criteria of a run over one section; the names carry the units.
+
+    A number that the record does not hold is None, and `notes` says why.
+    """
+
+    scenario: str
+    version: str
+    speed_m_s: float
+    section_m: list[float]
+    low_pass_Hz: float
+    band_split_Hz: float
+    pantographs: list[PantographAssessment]
+    max_uplift_at_support_mm: float | None
+    slack_droppers_max: int | None
+    min_dropper_force_N: float | None
+    energy_residual_relative: float | None
+    steps: int
+    setup_time_s: float | None
+    wall_time_s: float
+    real_time_factor: float
+    criteria: list[Criterion]
+    notes: list[str]
+
+    @property
+    def passed(self) -> bool:
+        """Whether no criterion that could be judged was missed."""
+        return all(criterion.passed is not False for criterion in self.criteria)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the assessment as plain values, ready for JSON."""
+        return asdict(self)
+
+    def to_json(self) -> str:
+        """Return the assessment as JSON text; it never holds a NaN."""
+        return json.dumps(self.to_dict(), indent=2, ensure_ascii=False, allow_nan=False)
+
+
+def assess(
+    dataset: "xarray.Dataset",
+    *,
+    section: Section | None = None,
+    low_pass_Hz: float | None = None,
+) -> Assessment:
+    """Assess a run.
+
+    Parameters
+    ----------
+    dataset
+        As built by a run or opened from a file.
+    section
+        From and to in m along the track; the scenario's own section if not given. Each
+        pantograph is assessed while it is itself inside.
+    low_pass_Hz
+        Cut-off of the low-pass in Hz; the scenario's own if not given.
+
+    Returns
+    -------
+    Assessment
+
+    Raises
+    ------
+    ModelError
+        A pantograph was never inside the section, or the low-pass does not fit the record.
+    """
+    facts = metadata(dataset)
+    limits = _checked(section if section is not None else facts["section_m"])
+    cutoff_Hz, split_Hz = _frequencies(facts["scenario"], low_pass_Hz)
+    record = force_record(dataset, limits, cutoff_Hz, split_Hz)
+    pantographs = _pantographs(dataset, record)
+    line = _line_numbers(dataset, limits)
+    speed = dataset["speed"].values[record.inside[:, 0]]
+    notes = section_notes(dataset, limits, record, split_Hz)
+    notes += [f"{name} is not in the record" for name, value in line.items() if value is None]
+    judged_by = _criteria_facts(facts["scenario"], speed, line["max_uplift_at_support_mm"])
+    own = ("steps", "setup_time_s", "wall_time_s", "real_time_factor")
+    return Assessment(
+        scenario=facts["scenario_name"],
+        version=facts["arcless_version"],
+        speed_m_s=float(np.mean(speed)),
+        section_m=list(limits),
+        low_pass_Hz=cutoff_Hz,
+        band_split_Hz=split_Hz,
+        pantographs=pantographs,
+        criteria=evaluate(judged_by, pantographs),
+        notes=notes,
+        **line,
+        **{name: facts[name] for name in own},
+    )
+
+
+def _checked(section: Any) -> Section:
+    begin, end = (float(x) for x in section)
+    if not (math.isfinite(begin) and math.isfinite(end) and begin < end):
+        raise ModelError("analysis section", got=f"{begin:g} to {end:g} m", expected="from < to")
+    return begin, end
+
+
+def _frequencies(scenario: Mapping[str, Any], low_pass_Hz: float | None) -> tuple[float, float]:
+    analysis = scenario["analysis"]
+    cutoff = analysis["low_pass"] if low_pass_Hz is None else low_pass_Hz
+    return float(cutoff), float(analysis["band_split"])
+
+
+def _pantographs(dataset: "xarray.Dataset", record: ForceRecord) -> list[PantographAssessment]:
+    gap, height = dataset["contact_gap"].values, dataset["contact_height"].values
+    return [
+        pantograph_assessment(
+            str(name),
+            record.inside[:, i],
+            force=record.force[:, i],
+            bands=record.bands.of(i),
+            gap=gap[:, i],
+            height=height[:, i],
+            step_s=1.0 / record.rate_Hz,
+        )
+        for i, name in enumerate(dataset["pantograph"].values)
+    ]
+
+
+def _line_numbers(dataset: "xarray.Dataset", section: Section) -> dict[str, Any]:
+    facts = metadata(dataset)
+    uplift = extreme_inside(dataset, "support_uplift_max", "support_x", section, largest=True)
+    return {
+        "max_uplift_at_support_mm": None if uplift is None else 1e3 * uplift,
+        "slack_droppers_max": facts["slack_droppers_max"],
+        "min_dropper_force_N": extreme_inside(
+            dataset, "dropper_force_min", "dropper_x", section, largest=False
+        ),
+        "energy_residual_relative": facts["energy_residual_relative"],
+    }
+
+
+def _criteria_facts(scenario: Mapping[str, Any], speed: Any, uplift_mm: float | None) -> Facts:
+    line = scenario["line"]
+    design, wire = line["design"], line["contact_wire"]
+    space = design["uplift_space"]
+    return Facts(
+        supply=design["supply"],
+        speed_km_h=3.6 * float(np.mean(speed)),
+        wave_speed_use=float(np.max(speed)) / math.sqrt(wire["tension"] / wire["mass"]),
+        uplift_mm=uplift_mm,
+        uplift_space_mm=None if space is None else 1e3 * space,
+        uplift_limited=design["uplift_limited"],
+    )

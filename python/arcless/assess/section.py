@@ -1,0 +1,104 @@
+"""What of a record lies inside the analysis section."""
+# ruff: noqa: N815 - the names carry their units
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from arcless.assess.filter import sample_rate_Hz
+from arcless.assess.statistics import ForceBands, force_bands
+from arcless.errors import ModelError
+
+if TYPE_CHECKING:
+    import xarray
+
+Section = tuple[float, float]
+
+# Sampling that EN 50317 asks of a measurement (from memory, not verified).
+MEASUREMENT_RATE_HZ = 200.0
+
+
+@dataclass(frozen=True)
+class ForceRecord:
+    """Contact forces of a whole record, and when each pantograph is inside the section.
+
+    Attributes
+    ----------
+    rate_Hz
+        Recording rate.
+    force, bands
+        Unfiltered and filtered contact force in N, (time, pantograph).
+    inside
+        Samples at which the pantograph is inside the section, (time, pantograph).
+    """
+
+    rate_Hz: float
+    force: NDArray[np.float64]
+    bands: ForceBands
+    inside: NDArray[np.bool_]
+
+
+def force_record(
+    dataset: "xarray.Dataset", section: Section, low_pass_Hz: float, band_split_Hz: float
+) -> ForceRecord:
+    """Filter the whole record, then mark the samples inside the section.
+
+    Raises
+    ------
+    ModelError
+        The section is empty, or a pantograph was never inside it.
+    """
+    rate = sample_rate_Hz(dataset["time"].values)
+    position, force = dataset["position"].values, dataset["contact_force"].values
+    inside = (position >= section[0]) & (position <= section[1])
+    for column, name in enumerate(dataset["pantograph"].values):
+        if not inside[:, column].any():
+            first, last = position[0, column], position[-1, column]
+            raise ModelError(
+                "analysis section",
+                got=f"{section[0]:g} to {section[1]:g} m",
+                expected=f"a part of {first:g} to {last:g} m, where pantograph {name} ran",
+            )
+    bands = force_bands(force, rate, low_pass_Hz, band_split_Hz)
+    return ForceRecord(rate, force, bands, inside)
+
+
+def extreme_inside(
+    dataset: "xarray.Dataset", value: str, position: str, section: Section, *, largest: bool
+) -> float | None:
+    """Return the extreme of a per-place variable over the places inside the section."""
+    if value not in dataset or position not in dataset:
+        return None
+    x = dataset[position].values
+    inside = dataset[value].values[(x >= section[0]) & (x <= section[1])]
+    if inside.size == 0:
+        return None
+    return float(inside.max() if largest else inside.min())
+
+
+def section_notes(
+    dataset: "xarray.Dataset", section: Section, record: ForceRecord, band_split_Hz: float
+) -> list[str]:
+    """Say in sentences what makes the numbers of this section less than they should be."""
+    position, time = dataset["position"].values, dataset["time"].values
+    notes = []
+    if record.rate_Hz < MEASUREMENT_RATE_HZ:
+        notes.append(
+            f"contact channels were recorded at {record.rate_Hz:g} Hz, below the "
+            f"{MEASUREMENT_RATE_HZ:g} Hz that a measurement needs (from memory of EN 50317)"
+        )
+    for column, name in enumerate(dataset["pantograph"].values):
+        path, inside = position[:, column], record.inside[:, column]
+        if path[0] > section[0] or path[-1] < section[1]:
+            begin, end = max(path[0], section[0]), min(path[-1], section[1])
+            notes.append(f"pantograph {name} ran over {begin:g} to {end:g} m of the section only")
+        samples = np.flatnonzero(inside)
+        margin = min(time[samples[0]] - time[0], time[-1] - time[samples[-1]])
+        if margin < 1.0 / band_split_Hz:
+            notes.append(
+                f"the section of pantograph {name} begins or ends {margin:.3g} s from an end of "
+                "the record, where a filter without phase shift makes numbers up"
+            )
+    return notes

@@ -1,0 +1,122 @@
+"""Indicators of one pantograph over the analysis section."""
+# ruff: noqa: N815 - the names carry their units
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from arcless.assess.filter import low_pass
+from arcless.assess.loss import contact_loss_percent, longest_loss_s
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class PantographAssessment:
+    """Indicators of one pantograph; the names carry the units.
+
+    Forces are after the low-pass unless the name says otherwise. Standard deviations are those
+    of the samples themselves (divided by their number).
+    """
+
+    name: str
+    mean_force_N: float
+    std_force_N: float
+    std_force_0_5Hz_N: float
+    std_force_5_20Hz_N: float
+    max_force_N: float
+    min_force_N: float
+    statistical_max_N: float
+    statistical_min_N: float
+    contact_loss_percent: float
+    longest_loss_s: float
+    max_gap_mm: float
+    contact_point_range_mm: float
+    unfiltered_max_force_N: float
+    unfiltered_min_force_N: float
+
+
+@dataclass(frozen=True)
+class ForceBands:
+    """Contact force split by frequency; the bands add up to the total."""
+
+    total: Array
+    low: Array
+    high: Array
+
+    def of(self, pantograph: int) -> "ForceBands":
+        """Return the bands of one pantograph."""
+        return ForceBands(*(band[:, pantograph] for band in (self.total, self.low, self.high)))
+
+
+def force_bands(
+    force: Array, rate_Hz: float, low_pass_Hz: float, band_split_Hz: float
+) -> ForceBands:
+    """Split a whole record of the contact force into its two bands.
+
+    Parameters
+    ----------
+    force
+        Unfiltered contact force in N, first axis time; the whole record, so that what the filter
+        makes up at its ends lies outside the analysis section.
+    rate_Hz
+        Recording rate in Hz.
+    low_pass_Hz, band_split_Hz
+        Upper end of the upper band, and the frequency between the two bands.
+
+    Notes
+    -----
+    The upper band is the total minus the lower band: with zero phase and Butterworth gains this
+    is the band-pass, and nothing is counted twice.
+    """
+    total = low_pass(force, rate_Hz, low_pass_Hz)
+    low = low_pass(force, rate_Hz, min(band_split_Hz, low_pass_Hz))
+    return ForceBands(total, low, total - low)
+
+
+def pantograph_assessment(
+    name: str,
+    inside: NDArray[np.bool_],
+    *,
+    force: Array,
+    bands: ForceBands,
+    gap: Array,
+    height: Array,
+    step_s: float,
+) -> PantographAssessment:
+    """Return the indicators of one pantograph.
+
+    Parameters
+    ----------
+    name
+        Name of the pantograph.
+    inside
+        Samples at which it is inside the analysis section; at least one.
+    force, bands
+        Unfiltered and filtered contact force in N, whole record.
+    gap, height
+        Contact gap and height of the contact point in m, whole record.
+    step_s
+        Recording step in s.
+    """
+    total = bands.total[inside]
+    mean, std = float(np.mean(total)), float(np.std(total))
+    values: dict[str, Any] = {
+        "mean_force_N": mean,
+        "std_force_N": std,
+        "std_force_0_5Hz_N": np.std(bands.low[inside]),
+        "std_force_5_20Hz_N": np.std(bands.high[inside]),
+        "max_force_N": np.max(total),
+        "min_force_N": np.min(total),
+        "statistical_max_N": mean + 3.0 * std,
+        "statistical_min_N": mean - 3.0 * std,
+        "contact_loss_percent": contact_loss_percent(force[inside]),
+        "longest_loss_s": longest_loss_s(force[inside], step_s),
+        "max_gap_mm": 1e3 * np.max(gap[inside]),
+        "contact_point_range_mm": 1e3 * np.ptp(height[inside]),
+        "unfiltered_max_force_N": np.max(force[inside]),
+        "unfiltered_min_force_N": np.min(force[inside]),
+    }
+    return PantographAssessment(name, **{key: float(value) for key, value in values.items()})

@@ -1,0 +1,15 @@
+"""The command line: arguments in, text and exit codes out; no physics here."""
+
+import sys
+
+__all__ = ["main"]
+
+
+def main() -> None:
+    """Run the command `arcless` and leave with its exit code."""
+    try:
+        from arcless.cli.app import app
+
+        app(prog_name="arcless")
+    except KeyboardInterrupt:  # while the commands themselves are still being imported
+        sys.exit("interrupted")

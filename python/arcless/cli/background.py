@@ -1,0 +1,47 @@
+"""Computing beside the main thread, so that Ctrl-C is answered at once.
+
+Python hands a signal to the main thread only, and not before native code returns. Statics of a long
+line take seconds in native code; meanwhile the main thread waits here and can leave.
+"""
+
+import threading
+from collections.abc import Callable
+from typing import Generic, TypeVar
+
+Outcome = TypeVar("Outcome")
+_LOOK_EVERY_S = 0.1  # how long a wait may hold a signal back on platforms that do not wake it
+
+
+class _Computation(threading.Thread, Generic[Outcome]):
+    def __init__(self, work: Callable[[], Outcome]) -> None:
+        super().__init__(daemon=True)
+        self._work = work
+        self._outcome: list[Outcome] = []
+        self._error: BaseException | None = None
+
+    def run(self) -> None:
+        """Work; keep what comes out for the thread that waits."""
+        try:
+            self._outcome.append(self._work())
+        except BaseException as error:
+            self._error = error
+
+    def outcome(self) -> Outcome:
+        """Wait, then return or raise what the work did."""
+        while self.is_alive():
+            self.join(_LOOK_EVERY_S)
+        if self._error is not None:
+            raise self._error
+        return self._outcome[0]
+
+
+def compute(work: Callable[[], Outcome]) -> Outcome:
+    """Do work that may stay in native code for long; Ctrl-C leaves it unfinished."""
+    computation = _Computation(work)
+    computation.start()
+    return computation.outcome()
+
+
+def unfinished() -> bool:
+    """Whether a computation is still going on that nobody waits for any more."""
+    return any(isinstance(thread, _Computation) for thread in threading.enumerate())

@@ -1,0 +1,98 @@
+"""Where text goes: data to standard output, everything else to standard error."""
+
+import json
+import os
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any, TextIO
+
+if TYPE_CHECKING:
+    from rich.console import Console, RenderableType
+
+Progress = Callable[[float, str], None]
+
+PIPE_WIDTH = 120  # columns of a table that no terminal limits
+
+
+def write(stream: TextIO, text: str) -> None:
+    """Write text; a reader that went away (`arcless library | head`) is no error."""
+    try:
+        stream.write(text)
+        stream.flush()
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
+
+
+def data(text: str) -> None:
+    """Write one block of data to standard output."""
+    write(sys.stdout, text + "\n")
+
+
+def json_text(value: Any) -> str:
+    """Return JSON; a NaN in it is a fault of ours and raises."""
+    return json.dumps(value, indent=2, ensure_ascii=False, allow_nan=False)
+
+
+def show(*blocks: "RenderableType") -> None:
+    """Write tables and text to standard output, coloured only on a terminal."""
+    write(sys.stdout, _render(sys.stdout, *blocks, fold=True))
+
+
+def note(text: str) -> None:
+    """Write one line to standard error."""
+    write(sys.stderr, text + "\n")
+
+
+def warn(text: str) -> None:
+    """Write a warning to standard error."""
+    _labelled("warning", "yellow", text)
+
+
+def fail(text: str, hint: str | None = None) -> None:
+    """Write an error, and what could be done about it, to standard error."""
+    _labelled("error", "bold red", text)
+    if hint:
+        _labelled("hint", "cyan", hint)
+
+
+@contextmanager
+def progress(*, quiet: bool = False) -> Iterator[Progress | None]:
+    """Show a bar on standard error while work is done; nothing if that is no terminal."""
+    if quiet or not sys.stderr.isatty():
+        yield None
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, TaskProgressColumn, TextColumn, TimeRemainingColumn
+    from rich.progress import Progress as Bar
+
+    columns = (TextColumn("{task.description}"), BarColumn(), TaskProgressColumn())
+    with Bar(*columns, TimeRemainingColumn(), console=Console(stderr=True), transient=True) as bar:
+        task = bar.add_task("", total=1.0)
+
+        def advance(fraction: float, text: str) -> None:
+            bar.update(task, completed=fraction, description=text)
+
+        yield advance
+
+
+def _labelled(label: str, style: str, text: str) -> None:
+    from rich.text import Text
+
+    line = Text.assemble((label, style), ": ", text)
+    write(sys.stderr, _render(sys.stderr, line, fold=False))
+
+
+def _render(stream: TextIO, *blocks: "RenderableType", fold: bool) -> str:
+    console = _console(stream)
+    with console.capture() as captured:
+        for block in blocks:
+            console.print(block, soft_wrap=not fold)
+    return captured.get()
+
+
+def _console(stream: TextIO) -> "Console":
+    from rich.console import Console
+
+    width = None if stream.isatty() or "COLUMNS" in os.environ else PIPE_WIDTH
+    return Console(file=stream, width=width, highlight=False, markup=False, emoji=False)

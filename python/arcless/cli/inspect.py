@@ -1,0 +1,77 @@
+"""`arcless library`, `arcless check` and `arcless schema`: model files without computing."""
+
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from arcless.cli import console
+from arcless.cli.scenario import JsonOption
+
+if TYPE_CHECKING:
+    from arcless.model import Line, Pantograph, Scenario
+
+
+def library(json: JsonOption = False) -> None:
+    """List the shipped lines, pantographs and scenarios."""
+    from arcless import model
+
+    entries = model.library()
+    if json:
+        console.data(console.json_text([entry._asdict() for entry in entries]))
+        return
+    from rich.text import Text
+
+    from arcless.cli.tables import table
+
+    for kind in dict.fromkeys(entry.kind for entry in entries):
+        made = table(f"Shipped {kind}s", "name", "description and sources", lines=True)
+        for entry in entries:
+            if entry.kind == kind:
+                sources = Text(f"\n{entry.source}", style="dim")
+                made.add_row(entry.name, Text(entry.title) + sources)
+        console.show(made)
+
+
+def check(
+    file: Annotated[
+        str,
+        typer.Argument(
+            metavar="FILE",
+            help="A line, pantograph or scenario: a file or a shipped name.",
+            show_default=False,
+        ),
+    ],
+) -> None:
+    """Validate a model file.
+
+    Says what is wrong, in which line and field, what was given and what is expected. Exit code 2
+    means that something is wrong. Warnings, such as a speed above the wave speed, are no errors.
+    """
+    from arcless import model
+
+    checked = model.load_any(file)
+    if isinstance(checked, model.Scenario):
+        for warning in model.scenario_warnings(checked):
+            console.warn(warning)
+    console.data(f"{file}: valid {_description(checked)}")
+
+
+def schema() -> None:
+    """Print the JSON Schema of the model files, for editors."""
+    from arcless import model
+
+    console.data(console.json_text(model.json_schema()))
+
+
+def _description(checked: "Scenario | Line | Pantograph") -> str:
+    """Say in a few words what a model holds, so that a wrong file is noticed."""
+    from arcless.model import Line, Pantograph
+
+    if isinstance(checked, Line):
+        spans = len(checked.span_list())
+        return f"line `{checked.name}`, {spans} spans, {checked.total_length:.0f} m"
+    if isinstance(checked, Pantograph):
+        return f"pantograph `{checked.name}`, {len(checked.masses)} masses"
+    count = len(checked.pantographs)
+    noun = "pantograph" if count == 1 else "pantographs"
+    return f"scenario `{checked.name}`, line `{checked.line.name}`, {count} {noun}"

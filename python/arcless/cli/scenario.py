@@ -1,0 +1,59 @@
+"""From the arguments of a command to a scenario."""
+
+import re
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from arcless.cli import console
+
+if TYPE_CHECKING:
+    from arcless.model import Scenario
+
+ScenarioArgument = Annotated[
+    str, typer.Argument(metavar="SCENARIO", help="A shipped name or a file.", show_default=False)
+]
+SpeedOption = Annotated[
+    str | None,
+    typer.Option("--speed", metavar="SPEED", help='Another speed, such as "300 km/h".'),
+]
+SetOption = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--set",
+        metavar="FIELD=VALUE",
+        help='Another value for any field, such as "solver.time_step=2 ms" or '
+        '"pantographs.0.mean_force=150 N". May be repeated.',
+    ),
+]
+QuietOption = Annotated[
+    bool, typer.Option("--quiet", help="No progress, notes or warnings on standard error.")
+]
+JsonOption = Annotated[
+    bool, typer.Option("--json", help="Write JSON, and nothing else, to standard output.")
+]
+
+
+def load(
+    name: str, *, speed: str | None = None, changes: list[str] | None = None, quiet: bool = False
+) -> "Scenario":
+    """Load a scenario, apply the changes of the command line, and print its warnings."""
+    from arcless import model
+
+    scenario = model.load(name)
+    overrides = dict(model.parse_override(text) for text in changes or [])
+    if speed is not None:
+        overrides["speed"] = speed
+    if overrides:
+        scenario = scenario.with_(**overrides)
+    if not quiet:
+        for warning in model.scenario_warnings(scenario):
+            console.warn(warning)
+    return scenario
+
+
+def folder_of(scenario: "Scenario") -> Path:
+    """Return the folder that takes the results of a scenario when none is named."""
+    plain = re.sub(r"[^\w.-]+", "-", scenario.name).strip("-.")
+    return Path("runs") / (plain or "scenario")

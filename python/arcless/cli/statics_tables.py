@@ -1,0 +1,64 @@
+"""The initial configuration as tables."""
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from arcless.cli.tables import number, table
+
+if TYPE_CHECKING:
+    from rich.console import RenderableType
+
+
+def blocks(name: str, found: dict[str, Any]) -> "Iterator[RenderableType]":
+    """Yield the tables of a static result: the middle span, then the line's own numbers."""
+    supports = found["supports"]
+    span = max(1, len(supports) // 2)
+    yield _droppers(found["droppers"], span, len(supports) - 1)
+    yield _supports(supports[span - 1 : span + 1])
+    yield _summary(name, found)
+
+
+def _droppers(droppers: list[dict[str, Any]], span: int, spans: int) -> "RenderableType":
+    columns = ("dropper", "x / m", "length / m", "force / N")
+    made = table(f"Droppers of span {span} of {spans}", *columns, numbers=columns)
+    chosen = [dropper for dropper in droppers if dropper["span"] == span]
+    for index, dropper in enumerate(chosen, start=1):
+        made.add_row(
+            str(index),
+            number(dropper["x_m"], 2),
+            number(dropper["length_m"], 4),
+            number(dropper["force_N"], 1),
+        )
+    return made
+
+
+def _supports(supports: list[dict[str, Any]]) -> "RenderableType":
+    columns = ("x / m", "height of contact wire / m", "messenger force / N", "steady-arm force / N")
+    made = table("Supports of that span", "support", *columns, numbers=columns)
+    for support in supports:
+        made.add_row(
+            support["name"],
+            number(support["x_m"], 2),
+            number(support["contact_wire_height_m"], 4),
+            number(support["messenger_force_N"], 1),
+            number(support["steady_arm_force_N"], 1),
+        )
+    return made
+
+
+def _summary(name: str, found: dict[str, Any]) -> "RenderableType":
+    made = table(f"{name}: initial configuration", "quantity", "unit", "value", numbers=("value",))
+    made.add_row("sag of the contact wire", "m", number(found["contact_wire_sag_m"], 4))
+    elasticity = [point["mm_per_N"] for point in found["elasticity"]]
+    if elasticity:
+        made.add_row("elasticity, lowest", "mm/N", number(min(elasticity), 3))
+        made.add_row("elasticity, highest", "mm/N", number(max(elasticity), 3))
+    uniformity = found["elasticity_nonuniformity"]
+    percent = None if uniformity is None else 100 * uniformity
+    made.add_row("non-uniformity of elasticity", "%", number(percent, 1))
+    speed = found["wave_speed_m_s"]
+    made.add_row("wave speed of the contact wire", "m/s", number(speed, 1))
+    made.add_row("", "km/h", number(None if speed is None else 3.6 * speed, 0))
+    for index, frequency in enumerate(found["natural_frequencies_Hz"][:5], start=1):
+        made.add_row(f"natural frequency {index}", "Hz", number(frequency, 3))
+    return made

@@ -1,0 +1,137 @@
+"""Numbers as tables, for a terminal or a text file."""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from rich.box import SIMPLE_HEAD
+from rich.table import Table
+from rich.text import Text
+
+if TYPE_CHECKING:
+    from arcless.validate import Row
+
+# key of the assessment, label, unit, digits after the point
+_STATISTICS = (
+    ("mean_force_N", "mean force", "N", 1),
+    ("std_force_N", "standard deviation σ", "N", 1),
+    ("std_force_0_5Hz_N", "σ, 0–5 Hz", "N", 1),
+    ("std_force_5_20Hz_N", "σ, 5–20 Hz", "N", 1),
+    ("statistical_max_N", "statistical maximum Fm + 3σ", "N", 1),
+    ("statistical_min_N", "statistical minimum Fm − 3σ", "N", 1),
+    ("max_force_N", "maximum force", "N", 1),
+    ("min_force_N", "minimum force", "N", 1),
+    ("unfiltered_max_force_N", "maximum force, unfiltered", "N", 1),
+    ("unfiltered_min_force_N", "minimum force, unfiltered", "N", 1),
+    ("contact_loss_percent", "loss of contact", "%", 2),
+    ("longest_loss_s", "longest loss of contact", "s", 3),
+    ("max_gap_mm", "largest gap", "mm", 1),
+    ("contact_point_range_mm", "range of contact-point height", "mm", 1),
+)
+_RUN = (
+    ("max_uplift_at_support_mm", "maximum uplift at a support", "mm", 1),
+    ("min_dropper_force_N", "minimum dropper force", "N", 1),
+    ("slack_droppers_max", "most droppers slack at once", "", 0),
+    ("energy_residual_relative", "energy ledger, relative residual", "", -1),
+    ("steps", "time steps", "", 0),
+    ("wall_time_s", "wall time of the time steps", "s", 2),
+    ("real_time_factor", "simulated over wall time", "", 1),
+)
+_STYLES = {
+    "inside": "green",
+    "outside": "bold red",
+    "outside (unverified)": "yellow",
+    "met": "green",
+    "not met": "bold red",
+    "not judged": "dim",
+}
+_RELATIONS = {"<=": "≤", ">=": "≥", ">": ">"}
+_VERDICTS = {True: "met", False: "not met", None: "not judged"}
+
+
+def table(title: str, *columns: str, numbers: Sequence[str] = (), lines: bool = False) -> Table:
+    """Make an empty table; the columns named in `numbers` are set flush right."""
+    made = Table(
+        title=title, box=SIMPLE_HEAD, title_justify="left", title_style="bold", show_lines=lines
+    )
+    for column in columns:
+        made.add_column(column, justify="right" if column in numbers else "left")
+    return made
+
+
+def number(value: float | None, digits: int) -> str:
+    """Print a number with so many digits after the point; -1 means one significant digit."""
+    if value is None:
+        return "–"
+    return f"{value:.1e}" if digits < 0 else f"{value:.{digits}f}"
+
+
+def statistics(assessment: dict[str, Any], published: "Sequence[Row]" = ()) -> Table:
+    """Set the numbers of a run side by side with the ranges published for it, if any."""
+    names = [pantograph["name"] for pantograph in assessment["pantographs"]]
+    ranges = {row.key: row for row in published}
+    extra = ("published range", "verdict") if ranges else ()
+    title = f"{assessment['scenario']} at {assessment['speed_m_s'] * 3.6:.0f} km/h"
+    made = table(title, "quantity", "unit", *names, *extra, numbers=names)
+    for keys, sources in ((_STATISTICS, assessment["pantographs"]), (_RUN, [assessment])):
+        for key, label, unit, digits in keys:
+            values = [number(source.get(key), digits) for source in sources]
+            values += [""] * (len(names) - len(values))
+            made.add_row(label, unit, *values, *_published(ranges.get(key), bool(ranges)))
+        made.add_section()
+    return made
+
+
+def criteria(assessment: dict[str, Any]) -> Table:
+    """Set out the criteria with limit, verdict and source."""
+    made = table(
+        "Criteria", "criterion", "for", "value", "limit", "unit", "verdict", "source (mark)",
+        numbers=("value", "limit"),
+    )  # fmt: skip
+    for item in assessment["criteria"]:
+        digits = 3 if item["unit"] == "1" else 2
+        made.add_row(
+            item["title"],
+            item["pantograph"] or "run",
+            number(item["value"], digits),
+            f"{_RELATIONS[item['relation']]} {number(item['limit'], digits)}",
+            item["unit"].replace("1", ""),
+            _verdict(_VERDICTS[item["passed"]]),
+            f"{item['source']} ({item['mark']})",
+        )
+    return made
+
+
+def comparisons(rows: "Sequence[Row]") -> Table:
+    """Set values side by side with the published ranges."""
+    made = table(
+        "Reference cases", "case", "quantity", "unit", "value", "published range", "verdict",
+        numbers=("value",),
+    )  # fmt: skip
+    case = None
+    for row in rows:
+        if case not in (None, row.case):
+            made.add_section()
+        digits = 3 if row.unit == "m" else 1
+        made.add_row(
+            row.case if row.case != case else "",
+            row.quantity,
+            row.unit,
+            number(row.value, digits + (row.unit == "m")),
+            *_published(row, True),
+        )
+        case = row.case
+    return made
+
+
+def _published(row: "Row | None", wanted: bool) -> list[Text | str]:
+    if not wanted:
+        return []
+    if row is None:
+        return ["", ""]
+    digits = 3 if row.unit == "m" else 1 if row.low % 1 or row.high % 1 else 0
+    bounds = f"{row.low:.{digits}f} … {row.high:.{digits}f} ({row.mark})"
+    return [bounds, _verdict(row.verdict)]
+
+
+def _verdict(verdict: str) -> Text:
+    return Text(verdict, style=_STYLES[verdict])

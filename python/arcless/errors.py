@@ -1,0 +1,115 @@
+"""The one family of errors that Arcless raises on purpose.
+
+Every error says what went wrong, where, what was given, what was expected, and a hint. The command
+line prints ``str(error)`` and leaves with ``error.exit_code``: 1 when a computation failed, 2 when
+the input is wrong.
+"""
+
+from collections.abc import Sequence
+from typing import ClassVar
+
+
+class ArclessError(Exception):
+    """Base of all errors raised on purpose.
+
+    Parameters
+    ----------
+    what : str
+        The field or the thing that is wrong.
+    where : str, optional
+        File and line, time step, or other place.
+    got : str, optional
+        What was given, ready to print.
+    expected : str, optional
+        What would have been accepted.
+    hint : str, optional
+        What to try.
+    """
+
+    exit_code: ClassVar[int] = 1
+
+    def __init__(
+        self,
+        what: str,
+        *,
+        where: str | None = None,
+        got: str | None = None,
+        expected: str | None = None,
+        hint: str | None = None,
+    ) -> None:
+        super().__init__(what)
+        self.what = what
+        self.where = where
+        self.got = got
+        self.expected = expected
+        self.hint = hint
+
+    def __str__(self) -> str:
+        """One message: ``where: what: got …, expected …; hint: …``."""
+        head = self.what if self.where is None else f"{self.where}: {self.what}"
+        facts = [
+            f"{word} {text}"
+            for word, text in (("got", self.got), ("expected", self.expected))
+            if text is not None
+        ]
+        message = f"{head}: {', '.join(facts)}" if facts else head
+        return message if self.hint is None else f"{message}; hint: {self.hint}"
+
+
+class ModelError(ArclessError, ValueError):
+    """A model file, a field of it, or an override is wrong.
+
+    Parameters
+    ----------
+    field : tuple of str or int
+        Path of the field below the place where the error was raised.
+    also : sequence of ModelError
+        Further mistakes found in the same file; printed below the first one.
+    """
+
+    exit_code = 2
+
+    def __init__(
+        self,
+        what: str,
+        *,
+        where: str | None = None,
+        got: str | None = None,
+        expected: str | None = None,
+        hint: str | None = None,
+        field: tuple[str | int, ...] = (),
+        also: Sequence["ModelError"] = (),
+    ) -> None:
+        super().__init__(what, where=where, got=got, expected=expected, hint=hint)
+        self.field = field
+        self.also = tuple(also)
+
+    def __str__(self) -> str:
+        """Return the message of this mistake, then one line for each further one."""
+        return "\n".join([super().__str__(), *(str(error) for error in self.also)])
+
+
+class MeshError(ArclessError):
+    """The model is valid, but cannot be divided into elements as asked."""
+
+    exit_code = 2
+
+
+class OutputError(ArclessError):
+    """A result cannot be written where it was asked for."""
+
+    exit_code = 2
+
+
+class EquilibriumError(ArclessError):
+    """The static equilibrium was not found."""
+
+
+class ContactError(ArclessError):
+    """The complementarity problem of a time step could not be solved."""
+
+
+class ResultFormatError(ArclessError):
+    """A file is not a result that this version can read."""
+
+    exit_code = 2

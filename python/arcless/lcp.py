@@ -1,0 +1,216 @@
+"""Linear complementarity: contacts that push but do not pull.
+
+``y = Hx + w``, ``x ≥ 0``, ``y ≥ 0``, ``xᵀy = 0``, solved by principal pivoting in the core.
+For contacts of an elastic structure ``x`` holds the forces in N, ``y`` the gaps in m, ``H`` the
+flexibility in m/N and ``w`` the gaps without forces in m. See ``docs/guide/lcp.md``.
+"""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from arcless import _core
+from arcless.errors import ArclessError
+
+Array = NDArray[np.float64]
+
+# |H_ij − H_ji| / √(H_ii H_jj). Products of measured or assembled matrices differ by some 1e-14;
+# a wrong sign or a forgotten term differs by far more.
+SYMMETRY_TOLERANCE = 1e-10
+
+# Smallest part of a diagonal entry that the rows before it leave unexplained (a squared Cholesky
+# pivot at unit diagonal). The core's PIVOT_MIN: below it, rounding decides about the sign.
+DEFINITE_MIN = 1e-14
+
+
+class LcpInputError(ArclessError, ValueError):
+    """H or w is not what a complementarity problem needs."""
+
+    exit_code = 2
+
+
+class LcpUnsolvedError(ArclessError):
+    """No solution was found, or the one found does not satisfy the problem.
+
+    Parameters
+    ----------
+    pivots : int
+        Exchanges made.
+    residual : float
+        Residual of the last candidate, NaN when there was none.
+    """
+
+    def __init__(
+        self,
+        what: str,
+        *,
+        where: str | None = None,
+        got: str | None = None,
+        expected: str | None = None,
+        hint: str | None = None,
+        pivots: int = 0,
+        residual: float = float("nan"),
+    ) -> None:
+        super().__init__(what, where=where, got=got, expected=expected, hint=hint)
+        self.pivots = pivots
+        self.residual = residual
+
+
+@dataclass(frozen=True)
+class LcpInfo:
+    """What it took to solve a problem.
+
+    Parameters
+    ----------
+    pivots : int
+        Exchanges of a variable between zero and free.
+    fallback_used : bool
+        Whether the energy criterion came back to a set of contacts that it had left, and the finite
+        least-index rule took over.
+    residual : float
+        Largest violation of the four conditions, relative to the terms that are added up; at most
+        1e-10, else the problem counts as not solved.
+    status : str
+        Always ``"solved"``; anything else is raised.
+    """
+
+    pivots: int
+    fallback_used: bool
+    residual: float
+    status: Literal["solved"] = "solved"
+
+
+def solve(H: ArrayLike, w: ArrayLike, *, symmetric: bool = True) -> tuple[Array, Array, LcpInfo]:
+    """Solve ``y = Hx + w``, ``x ≥ 0``, ``y ≥ 0``, ``xᵀy = 0``.
+
+    Parameters
+    ----------
+    H : array_like of float, shape (n, n)
+        Symmetric positive definite matrix. Each row may have its own unit, as long as
+        ``x_k y_k`` has the same one everywhere.
+    w : array_like of float, shape (n,)
+        Value of ``y`` without any ``x``.
+    symmetric : bool, optional
+        With False, H only has to be a P-matrix (every principal minor positive), as in a time step
+        where droppers and contacts act on each other. That is not checked in advance; a pivot that
+        contradicts it raises `LcpUnsolvedError`.
+
+    Returns
+    -------
+    x : ndarray of float, shape (n,)
+        Forces: none negative, zero where y is positive.
+    y : ndarray of float, shape (n,)
+        Gaps: none negative, zero where x is positive.
+    info : LcpInfo
+        Pivots, use of the fallback, residual.
+
+    Raises
+    ------
+    LcpInputError
+        H is not square, finite, symmetric or positive definite, does not fit w, or is empty.
+    LcpUnsolvedError
+        A bound on the pivots was reached, or rounding spoiled the solution.
+
+    Examples
+    --------
+    Two contacts, pressed by 1 mm; the second opens by half of it:
+
+    >>> from arcless import lcp
+    >>> x, y, info = lcp.solve([[2e-6, -1e-6], [-1e-6, 2e-6]], [-1e-3, 1e-3])
+    >>> x.round(6).tolist(), y.round(6).tolist(), info.pivots
+    ([500.0, 0.0], [0.0, 0.0005], 1)
+    """
+    matrix, vector = _arrays(H, w)
+    if symmetric:
+        _check_symmetric(matrix)
+        _check_definite(matrix)
+    try:
+        x, y, pivots, fallback_used, residual = _core.solve_lcp(matrix.ravel(), vector)
+    except _core.NativeError as error:
+        _, _, details = error.args
+        raise LcpUnsolvedError(
+            "the complementarity problem could not be solved",
+            got=details["reason"],
+            hint="check the signs and units of H",
+            pivots=details["pivots"],
+            residual=details["residual"],
+        ) from error
+    return x, y, LcpInfo(pivots, fallback_used, residual)
+
+
+def _arrays(H: ArrayLike, w: ArrayLike) -> tuple[Array, Array]:
+    matrix, vector = _numbers("H", H), _numbers("w", w)
+    if vector.ndim != 1:
+        raise LcpInputError("w", got=f"shape {vector.shape}", expected="one dimension")
+    if matrix.ndim != 2 or matrix.shape[0] != matrix.shape[1]:  # noqa: PLR2004 - a matrix
+        raise LcpInputError("H", got=f"shape {matrix.shape}", expected="a square matrix")
+    if matrix.shape[0] != vector.size:
+        raise LcpInputError(
+            "w",
+            got=f"{vector.size} entries",
+            expected=f"{matrix.shape[0]}, as many as H has rows",
+        )
+    if vector.size == 0:
+        raise LcpInputError("H", got="n = 0", expected="at least one row")
+    for name, values in (("H", matrix), ("w", vector)):
+        bad = np.argwhere(~np.isfinite(values))
+        if bad.size:
+            index = tuple(int(i) for i in bad[0])
+            place = ", ".join(str(i) for i in index)
+            raise LcpInputError(f"{name}[{place}]", got=str(values[index]), expected="a number")
+    return matrix, vector
+
+
+def _numbers(name: str, values: ArrayLike) -> Array:
+    try:
+        array = np.asarray(values)
+        if np.iscomplexobj(array):
+            raise LcpInputError(name, got="complex numbers", expected="real numbers")
+        return np.ascontiguousarray(array, dtype=np.float64).reshape(array.shape)
+    except (TypeError, ValueError) as error:
+        if isinstance(error, LcpInputError):
+            raise
+        raise LcpInputError(name, got=str(error), expected="an array of numbers") from error
+
+
+def _scaled(matrix: Array) -> Array:
+    """Bring H to unit diagonal, after a look at the diagonal's signs."""
+    diagonal = np.diagonal(matrix)
+    if (diagonal <= 0).any():
+        k = int(np.argmax(diagonal <= 0))
+        raise LcpInputError(
+            "H", got=f"H[{k}, {k}] = {diagonal[k]:g}", expected="a positive definite matrix"
+        )
+    root = np.sqrt(diagonal)
+    scaled: Array = matrix / root / root[:, np.newaxis]
+    return scaled
+
+
+def _check_symmetric(matrix: Array) -> None:
+    scaled = _scaled(matrix)
+    difference = np.abs(scaled - scaled.T)
+    if difference.max() > SYMMETRY_TOLERANCE:
+        i, j = (int(k) for k in np.unravel_index(np.argmax(difference), difference.shape))
+        raise LcpInputError(
+            "H",
+            got=f"H[{i}, {j}] = {matrix[i, j]:g} and H[{j}, {i}] = {matrix[j, i]:g}",
+            expected=f"a symmetric matrix (to {SYMMETRY_TOLERANCE:g} of the diagonal)",
+        )
+
+
+def _check_definite(matrix: Array) -> None:
+    scaled = _scaled(matrix)
+    try:
+        least = float(np.diagonal(np.linalg.cholesky(scaled)).min()) ** 2
+    except np.linalg.LinAlgError:
+        least = 0.0
+    if least < DEFINITE_MIN:
+        smallest = float(np.linalg.eigvalsh(scaled)[0])
+        raise LcpInputError(
+            "H",
+            got=f"a smallest eigenvalue of {smallest:.2g} at unit diagonal",
+            expected="a positive definite matrix",
+            hint="two rows that say the same, or a mechanism that nothing holds?",
+        )

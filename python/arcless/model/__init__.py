@@ -1,0 +1,71 @@
+"""Model files: validated lines, pantographs and scenarios, and the shipped library."""
+
+from arcless.model.advice import scenario_warnings
+from arcless.model.components import (
+    DropperType,
+    MessengerSupport,
+    Rayleigh,
+    SteadyArm,
+    SteadyArmBar,
+    SteadyArmSpring,
+    Wire,
+)
+from arcless.model.documents import MARKS, Provenance
+from arcless.model.library import LibraryEntry, library
+from arcless.model.line import DesignSpace, Geometry, Line, SpanDroppers, SpanRun, SpanType
+from arcless.model.load import load, load_any, load_line, load_pantograph
+from arcless.model.overrides import parse_override
+from arcless.model.pantograph import Pantograph, PantographMass
+from arcless.model.scenario import Analysis, PantographPlacement, Scenario, Travel
+from arcless.model.schema import json_schema
+from arcless.model.settings import (
+    Contact,
+    GeneralisedAlpha,
+    HilberHughesTaylor,
+    Newmark,
+    Output,
+    Solver,
+    SpeedProfile,
+    Trapezoidal,
+)
+
+__all__ = [
+    "MARKS",
+    "Analysis",
+    "Contact",
+    "DesignSpace",
+    "DropperType",
+    "GeneralisedAlpha",
+    "Geometry",
+    "HilberHughesTaylor",
+    "LibraryEntry",
+    "Line",
+    "MessengerSupport",
+    "Newmark",
+    "Output",
+    "Pantograph",
+    "PantographMass",
+    "PantographPlacement",
+    "Provenance",
+    "Rayleigh",
+    "Scenario",
+    "Solver",
+    "SpanDroppers",
+    "SpanRun",
+    "SpanType",
+    "SpeedProfile",
+    "SteadyArm",
+    "SteadyArmBar",
+    "SteadyArmSpring",
+    "Trapezoidal",
+    "Travel",
+    "Wire",
+    "json_schema",
+    "library",
+    "load",
+    "load_any",
+    "load_line",
+    "load_pantograph",
+    "parse_override",
+    "scenario_warnings",
+]

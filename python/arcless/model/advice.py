@@ -1,0 +1,108 @@
+"""What is allowed in a scenario but deserves a word to the user."""
+
+from itertools import pairwise
+
+from arcless.model.scenario import Scenario
+
+# EN 50119:2009, 5.2.4: speed at most 70 % of the wave speed of the contact wire.
+WAVE_SPEED_SHARE = 0.70
+KMH = 3.6
+
+
+def scenario_warnings(scenario: Scenario) -> list[str]:
+    """Return one sentence for each thing that runs but is probably not meant.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        A validated scenario.
+
+    Returns
+    -------
+    list of str
+        Empty when there is nothing to say.
+    """
+    return [
+        *_about_speed(scenario),
+        *_about_section(scenario),
+        *_about_line(scenario),
+        *_about_solver(scenario),
+    ]
+
+
+def _top_speed(scenario: Scenario) -> float:
+    if scenario.speed is not None:
+        return scenario.speed
+    assert scenario.speed_profile is not None
+    return max(scenario.speed_profile.speed)
+
+
+def _about_speed(scenario: Scenario) -> list[str]:
+    speed, wave = _top_speed(scenario), scenario.line.wave_speed
+    share = f"{speed * KMH:.0f} km/h is {speed / wave:.0%} of the wave speed {wave * KMH:.0f} km/h"
+    if speed >= wave:
+        return [
+            f"speed: {share} of the contact wire; the run is made, but linear theory says little"
+            " above the wave speed (a speed in km/h needs its unit)"
+        ]
+    if speed > WAVE_SPEED_SHARE * wave:
+        return [f"speed: {share}; EN 50119 allows {WAVE_SPEED_SHARE:.0%}"]
+    return []
+
+
+def _about_section(scenario: Scenario) -> list[str]:
+    supports = scenario.line.support_positions()
+    (first, last), (start, end) = scenario.analysis_range(), scenario.travel_range()
+    end -= scenario.pantographs[-1].distance
+    found = []
+    analysis = scenario.analysis
+    if analysis.spans is None and scenario.default_section() is None:
+        found.append("analysis: the line is too short for inner spans; all of the travel is taken")
+    elif first < supports[min(2, len(supports) - 1)] or last > supports[max(-3, -len(supports))]:
+        found.append("analysis: the section reaches into the first or last two spans of the line")
+    if first < start or last > end:
+        found.append(
+            f"analysis: the section {first:g} to {last:g} m is not travelled in full by every"
+            f" pantograph; all of them travel {start:g} to {end:g} m"
+        )
+    if scenario.speed_profile is not None:
+        times, speeds = scenario.speed_profile.time, scenario.speed_profile.speed
+        way = sum(
+            (later - earlier) * (left + right) / 2
+            for (earlier, later), (left, right) in zip(
+                pairwise(times), pairwise(speeds), strict=True
+            )
+        )
+        if start + way < last:
+            found.append("speed_profile: it ends before the first pantograph has left the section")
+    return found
+
+
+def _about_line(scenario: Scenario) -> list[str]:
+    line = scenario.line
+    if line.steady_arm.kind == "arm" and not any(line.geometry.stagger_contact_wire):
+        return ["line.geometry.stagger_contact_wire: without stagger the steady arms carry nothing"]
+    return []
+
+
+def _about_solver(scenario: Scenario) -> list[str]:
+    solver, found = scenario.solver, []
+    way = _top_speed(scenario) * solver.time_step
+    if way > solver.contact_wire_element / 2:
+        found.append(
+            f"solver.time_step: the pantograph moves {way:.2g} m in a step, more than half an"
+            f" element of the contact wire ({solver.contact_wire_element:g} m)"
+        )
+    gap = min(
+        (
+            right - left
+            for span in scenario.line.span_types.values()
+            for left, right in pairwise((0.0, *span.droppers.positions, span.length))
+        ),
+    )
+    if solver.contact_wire_element > gap / 2:
+        found.append(
+            f"solver.contact_wire_element: {solver.contact_wire_element:g} m leaves fewer than two"
+            f" elements in the shortest distance between droppers ({gap:.3g} m)"
+        )
+    return found

@@ -1,0 +1,180 @@
+"""What must fit together in a scenario: pantographs, travel, section and sizes."""
+
+from itertools import pairwise
+from math import isclose
+from typing import TYPE_CHECKING
+
+from arcless.errors import ModelError
+from arcless.units import show
+
+if TYPE_CHECKING:
+    from arcless.model.fields import Path
+    from arcless.model.scenario import Scenario
+
+MAX_STEPS = 20_000_000
+MAX_ELEMENTS = 500_000
+# Positions typed with few digits may lie this far outside the line's exact length.
+POSITION_TOLERANCE = 1e-6
+
+
+def check_scenario(scenario: "Scenario") -> None:
+    """Raise `ModelError` for the first thing that does not fit."""
+    _check_speed(scenario)
+    _check_pantographs(scenario)
+    _check_travel(scenario)
+    _check_section(scenario)
+    _check_points(scenario)
+    _check_sizes(scenario)
+
+
+def _check_speed(scenario: "Scenario") -> None:
+    if scenario.speed is None and scenario.speed_profile is None:
+        raise ModelError("missing field", expected="speed or speed_profile", field=("speed",))
+    if scenario.speed is not None and scenario.speed_profile is not None:
+        raise ModelError(
+            "both speed and speed_profile given",
+            expected="speed or speed_profile",
+            field=("speed_profile",),
+        )
+    if scenario.speed_profile is not None and max(scenario.speed_profile.speed) <= 0:
+        raise ModelError(
+            "no motion",
+            got="a profile of zeros",
+            expected="a speed above 0",
+            field=("speed_profile", "speed"),
+        )
+
+
+def _check_pantographs(scenario: "Scenario") -> None:
+    placements = scenario.pantographs
+    if placements[0].distance != 0:
+        raise ModelError(
+            "wrong distance",
+            got=f"{placements[0].distance:g} m",
+            expected="0 m for the first pantograph",
+            hint="distances count from the first pantograph, backwards",
+            field=("pantographs", 0, "distance"),
+        )
+    for index, (front, behind) in enumerate(pairwise(placements), start=1):
+        if behind.distance <= front.distance:
+            raise ModelError(
+                "pantographs out of order",
+                got=f"{behind.distance:g} m after {front.distance:g} m",
+                expected="distances that increase towards the rear",
+                field=("pantographs", index, "distance"),
+            )
+    names = [placement.name for placement in placements]
+    for index, name in enumerate(names):
+        if name in names[:index]:
+            raise ModelError(
+                "name used twice",
+                got=show(name),
+                expected="a different name for each pantograph",
+                field=("pantographs", index, "name"),
+            )
+
+
+def _check_travel(scenario: "Scenario") -> None:
+    length = scenario.line.total_length
+    for name in ("start", "end"):
+        _check_inside(getattr(scenario.travel, name), length, ("travel", name))
+    start, end = scenario.travel_range()
+    last = scenario.pantographs[-1].distance
+    if start < last:
+        raise ModelError(
+            "the last pantograph starts outside the line",
+            got=f"a start at {start:g} m with {last:g} m between first and last",
+            expected=f"a start of at least {last:g} m",
+            field=("travel", "start"),
+        )
+    if start >= end:
+        raise ModelError(
+            "no travel",
+            got=f"{start:g} m to {end:g} m",
+            expected="a start before the end",
+            hint="give travel, add spans, or bring the pantographs closer together",
+            field=("travel",),
+        )
+
+
+def _check_section(scenario: "Scenario") -> None:
+    length = scenario.line.total_length
+    analysis = scenario.analysis
+    count = len(scenario.line.support_positions()) - 1
+    if analysis.spans is not None and analysis.spans[1] > count:
+        raise ModelError(
+            "analysis section outside the line",
+            got=f"span {analysis.spans[1]}",
+            expected=f"spans between 1 and {count}",
+            field=("analysis", "spans"),
+        )
+    for value, name in ((analysis.from_, "from"), (analysis.to, "to")):
+        _check_inside(value, length, ("analysis", name), "analysis section outside the line")
+    (first, last), (start, end) = scenario.analysis_range(), scenario.travel_range()
+    name = "spans" if analysis.spans is not None else "to" if analysis.from_ is None else "from"
+    if first >= last:
+        raise ModelError(
+            "empty analysis section",
+            got=f"{first:g} m to {last:g} m",
+            expected="a section whose end lies behind its start",
+            field=("analysis", name),
+        )
+    rear = scenario.pantographs[-1].distance
+    if last <= start or first >= end - rear:
+        raise ModelError(
+            "analysis section not travelled by every pantograph",
+            got=f"{first:g} m to {last:g} m",
+            expected=f"a section between {start:g} m and {end - rear:g} m",
+            hint="change analysis or travel",
+            field=("analysis", name),
+        )
+
+
+def _check_points(scenario: "Scenario") -> None:
+    for index, point in enumerate(scenario.output.points):
+        _check_inside(point, scenario.line.total_length, ("output", "points", index))
+
+
+def _check_inside(
+    x: float | None, length: float, field: "Path", what: str = "outside the line"
+) -> None:
+    if x is not None and not 0 <= x <= length + POSITION_TOLERANCE:
+        expected = f"a position between 0 and {length:g} m, the line's length"
+        raise ModelError(what, got=f"{x:g} m", expected=expected, field=field)
+
+
+def _check_sizes(scenario: "Scenario") -> None:
+    solver, length = scenario.solver, scenario.line.total_length
+    elements = length / solver.contact_wire_element + length / solver.messenger_wire_element
+    if elements > MAX_ELEMENTS:
+        raise ModelError(
+            "too many elements",
+            got=f"about {elements:.3g}",
+            expected=f"at most {MAX_ELEMENTS}",
+            hint="use longer elements or a shorter line",
+            field=("solver", "contact_wire_element"),
+        )
+    start, end = scenario.travel_range()
+    if scenario.speed is not None:
+        duration = (end - start) / scenario.speed
+    else:
+        assert scenario.speed_profile is not None
+        duration = scenario.speed_profile.time[-1]
+    if duration / solver.time_step > MAX_STEPS:
+        raise ModelError(
+            "too many time steps",
+            got=f"about {duration / solver.time_step:.3g}",
+            expected=f"at most {MAX_STEPS}",
+            hint=f"the run lasts {duration:.3g} s; shorten the travel or use a longer time step",
+            field=("solver", "time_step"),
+        )
+    nyquist = 0.5 / (solver.time_step * scenario.output.contact_every)
+    low_pass = scenario.analysis.low_pass
+    if low_pass >= nyquist or isclose(low_pass, nyquist):
+        raise ModelError(
+            "the recorded steps are too long for the filter",
+            got=f"{low_pass:g} Hz",
+            expected=f"less than {nyquist:g} Hz, half the record rate",
+            hint="shorten solver.time_step or lower output.contact_every",
+            field=("analysis", "low_pass"),
+        )

@@ -1,0 +1,108 @@
+"""What a line is made of: wires, droppers, messenger supports, steady arms."""
+
+from math import pi
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from arcless.model.fields import Part, Unit
+
+
+class Rayleigh(Part):
+    """Proportional damping C = alpha M + beta K."""
+
+    alpha: Annotated[float, Unit("1/s", minimum=0)] = Field(default=0.0, description="Mass share.")
+    beta: Annotated[float, Unit("s", minimum=0)] = Field(
+        default=0.0, description="Stiffness share."
+    )
+
+
+class Wire(Part):
+    """A contact or messenger wire under tension."""
+
+    mass: Annotated[float, Unit("kg/m", above=0)] = Field(description="Mass per metre.")
+    axial_stiffness: Annotated[float, Unit("N", above=0)] = Field(description="Axial stiffness EA.")
+    bending_stiffness: Annotated[float, Unit("N m2", minimum=0)] = Field(
+        description="Bending stiffness EI."
+    )
+    tension: Annotated[float, Unit("N", above=0)] = Field(description="Tension.")
+    damping: Rayleigh = Field(default_factory=Rayleigh, description="Rayleigh damping of the wire.")
+    ends: Literal["fixed", "constant_force"] = Field(
+        default="fixed",
+        description="Ends anchored, or held by a device of constant force.",
+    )
+
+
+class DropperType(Part):
+    """The droppers of a line: tension only when slackens is true."""
+
+    stiffness: Annotated[float, Unit("N/m", above=0)] = Field(description="Stiffness when taut.")
+    mass: Annotated[float, Unit("kg/m", minimum=0)] = Field(
+        default=0.0, description="Mass per metre."
+    )
+    damping: Annotated[float, Unit("N s/m", minimum=0)] = Field(
+        default=0.0, description="Viscous damping along the dropper."
+    )
+    rayleigh: Rayleigh = Field(default_factory=Rayleigh, description="Rayleigh damping.")
+    clamp_mass_contact_wire: Annotated[float, Unit("kg", minimum=0)] = Field(
+        default=0.0, description="Mass of the clamp on the contact wire."
+    )
+    clamp_mass_messenger_wire: Annotated[float, Unit("kg", minimum=0)] = Field(
+        default=0.0, description="Mass of the clamp on the messenger wire."
+    )
+    slackens: bool = Field(default=True, strict=True, description="False: can be compressed.")
+
+
+class MessengerSupport(Part):
+    """The support of the messenger wire at each mast."""
+
+    vertical_stiffness: Annotated[float, Unit("N/m", above=0)] = Field(
+        description="Vertical stiffness."
+    )
+    lateral_stiffness: Annotated[float, Unit("N/m", above=0)] | None = Field(
+        default=None, description="Stiffness across the track; without it, the vertical one."
+    )
+    longitudinal_stiffness: Annotated[float, Unit("N/m", minimum=0)] = Field(
+        default=0.0, description="Stiffness along the track."
+    )
+    vertical_damping: Annotated[float, Unit("N s/m", minimum=0)] = Field(
+        default=0.0, description="Vertical damping."
+    )
+    mass: Annotated[float, Unit("kg", minimum=0)] = Field(default=0.0, description="Moving mass.")
+
+
+class SteadyArmSpring(Part):
+    """A steady arm reduced to a vertical spring."""
+
+    kind: Literal["spring"] = Field(default="spring", description="Kind of steady arm.")
+    vertical_stiffness: Annotated[float, Unit("N/m", minimum=0)] = Field(
+        description="Vertical stiffness at the contact wire."
+    )
+    vertical_damping: Annotated[float, Unit("N s/m", minimum=0)] = Field(
+        default=0.0, description="Vertical damping at the contact wire."
+    )
+    mass: Annotated[float, Unit("kg", minimum=0)] = Field(
+        default=0.0, description="Moving mass at the contact wire."
+    )
+
+
+class SteadyArmBar(Part):
+    """A steady arm as a hinged bar that carries the radial load of the contact wire."""
+
+    kind: Literal["arm"] = Field(description="Kind of steady arm.")
+    length: Annotated[float, Unit("m", above=0, maximum=10)] = Field(
+        description="Length from hinge to clamp."
+    )
+    slope: Annotated[float, Unit("rad", above=-pi / 3, below=pi / 3)] = Field(
+        default=0.0, description="Angle to the horizontal, positive with the hinge end higher."
+    )
+    mass: Annotated[float, Unit("kg/m", minimum=0)] = Field(
+        default=0.0, description="Mass per metre."
+    )
+    axial_stiffness: Annotated[float, Unit("N", above=0)] = Field(
+        default=17e6,
+        description="Axial stiffness EA; default assumed (aluminium, 250 mm²).",
+    )
+
+
+SteadyArm = Annotated[SteadyArmSpring | SteadyArmBar, Field(discriminator="kind")]

@@ -1,0 +1,140 @@
+"""The base of the three file formats, and the provenance of their values.
+
+The form ``{value: 22 kN, mark: A, source: S1, note: "…"}`` is taken apart when a document (line,
+pantograph, scenario) is validated; the provenance is kept beside the plain data.
+"""
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from pydantic import Field, model_validator
+
+from arcless.errors import ModelError
+from arcless.model.fields import Mark, Part, Path, nearest
+from arcless.units import show
+
+MARKS: dict[str, str] = {
+    "A": "read in the named source",
+    "B": "quoted by the named source from another one that was not read",
+    "C": "from memory, not found in a readable source",
+    "C*": "from memory; a quick computation agrees with it",
+    "D": "computed from other data",
+    "assumed": "chosen for this model; the note says why",
+}
+MAX_DEPTH = 40
+
+
+class Provenance(Part):
+    """Where a value comes from."""
+
+    mark: Mark | None = Field(default=None, description="A, B, C, C*, D or assumed.")
+    source: str | None = Field(default=None, description="Keys of sources, with commas.")
+    note: str | None = Field(default=None, description="Why assumed, how computed, what is odd.")
+    given: str = Field(default="", description="The value as it was written.")
+
+
+class Document(Part):
+    """Base of the three file formats: a name, a description, sources and provenance."""
+
+    name: str = Field(description="Short name, used in lists and in file names.", min_length=1)
+    description: str = Field(default="", description="What it is, in a sentence.")
+    sources: dict[str, str] = Field(
+        default_factory=dict, description="Citation of each source key used below."
+    )
+    provenance: dict[str, Provenance] = Field(
+        default_factory=dict, description="Origin of each value, by dotted path of its field."
+    )
+
+    @model_validator(mode="before")
+    @classmethod
+    def _take_provenance(cls, data: object) -> object:
+        if not isinstance(data, Mapping):
+            return data
+        found: dict[str, Any] = {}
+        plain = {
+            key: value if key in {"sources", "provenance"} else unwrap(value, (key,), found.update)
+            for key, value in data.items()
+        }
+        if found:
+            plain["provenance"] = {**(plain.get("provenance") or {}), **found}
+        return cls.prepare(plain)
+
+    @classmethod
+    def prepare(cls, data: dict[str, Any]) -> dict[str, Any]:
+        """Return the plain data with what a document fills in by itself."""
+        return data
+
+    def origin_of(self, path: str) -> Provenance | None:
+        """Return the provenance of a field by dotted path: its own, or that of its group."""
+        parts = path.split(".")
+        for count in range(len(parts), 0, -1):
+            entry = self.provenance.get(".".join(parts[:count]))
+            if entry is not None:
+                return entry
+        return None
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return plain data (SI, provenance included) from which loading makes an equal model."""
+        return self.model_dump(mode="json", by_alias=True)
+
+    @model_validator(mode="after")
+    def _check_sources(self) -> "Document":
+        for path, entry in self.provenance.items():
+            for key in filter(None, (part.strip() for part in (entry.source or "").split(","))):
+                if key not in self.sources:
+                    raise ModelError(
+                        "unknown source",
+                        got=show(key),
+                        expected="a key of sources",
+                        hint=nearest(key, list(self.sources)) if self.sources else "add sources:",
+                        field=("provenance", path, "source"),
+                    )
+        return self
+
+
+def unwrap(value: Any, path: Path, keep: Callable[[dict[str, Any]], None]) -> Any:
+    """Return `value` without its provenance mappings; hand each of those to `keep`.
+
+    A nested document keeps its own provenance, so it is left as it is.
+    """
+    if len(path) > MAX_DEPTH:
+        raise ModelError("nested too deep", expected=f"at most {MAX_DEPTH} levels", field=path[:1])
+    if isinstance(value, Mapping):
+        if "format" in value:
+            return value
+        if "value" in value:
+            _check_wrapper(value, path)
+            entry = {key: item for key, item in value.items() if key != "value"}
+            keep({dotted(path): {**entry, "given": written(value["value"])}})
+            return unwrap(value["value"], path, keep)
+        return {key: unwrap(item, (*path, key), keep) for key, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [unwrap(item, (*path, index), keep) for index, item in enumerate(value)]
+    return value
+
+
+def _check_wrapper(value: Mapping[str, Any], path: Path) -> None:
+    known = ["value", "mark", "source", "note"]
+    for key in value:
+        if key not in known:
+            raise ModelError(
+                "unknown field beside a value",
+                got=show(key),
+                expected=", ".join(known),
+                hint="write a note that contains a comma in quotes",
+                field=(*path, key),
+            )
+
+
+def dotted(path: Path) -> str:
+    """Return the dotted form of a field path: ``("masses", 2, "mass")`` → ``masses.2.mass``."""
+    return ".".join(str(part) for part in path)
+
+
+def written(value: object) -> str:
+    """Return a value as it stood in the file, in one line."""
+    if isinstance(value, (list, tuple)):
+        return f"[{', '.join(written(item) for item in value)}]"
+    if isinstance(value, Mapping):
+        return f"{{{', '.join(f'{key}: {written(item)}' for key, item in value.items())}}}"
+    return str(value)

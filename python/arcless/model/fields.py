@@ -1,0 +1,206 @@
+"""What all parts of a model share: units, provenance, and refusal of unknown fields.
+
+A value in a file is a number in SI, a text with its unit, or a mapping that also says where the
+value comes from: ``{value: 22 kN, mark: A, source: S1, note: "…"}``; see `documents`.
+"""
+
+from collections.abc import Mapping
+from difflib import get_close_matches
+from typing import Annotated, Any, Literal, get_args
+
+from pydantic import (
+    BaseModel,
+    ConfigDict,
+    GetCoreSchemaHandler,
+    GetJsonSchemaHandler,
+    model_validator,
+)
+from pydantic_core import core_schema
+
+from arcless.errors import ModelError
+from arcless.units import WRONG_VALUE, accepted, show, spell, to_si
+
+Path = tuple[str | int, ...]
+Mark = Literal["A", "B", "C", "C*", "D", "assumed"]
+
+
+class Unit:
+    """Annotation of a number: its SI unit and the bounds it must keep.
+
+    Parameters
+    ----------
+    unit : str
+        SI unit, a key of `arcless.units.KINDS`.
+    above, minimum, below, maximum : float, optional
+        Bounds in that unit; `above` and `below` exclude the bound itself.
+    """
+
+    def __init__(
+        self,
+        unit: str,
+        *,
+        above: float | None = None,
+        minimum: float | None = None,
+        below: float | None = None,
+        maximum: float | None = None,
+    ) -> None:
+        self.unit = unit
+        self.above, self.minimum = above, minimum
+        self.below, self.maximum = below, maximum
+
+    @property
+    def label(self) -> str:
+        """The unit as printed, e.g. ``N m²``."""
+        return spell(self.unit)
+
+    @property
+    def bounds(self) -> str:
+        """The bounds in words; empty when there are none."""
+        words = ("above", "at least", "below", "at most")
+        values = (self.above, self.minimum, self.below, self.maximum)
+        suffix = "" if self.unit == "1" else f" {self.label}"
+        kept = [
+            f"{word} {value:g}{suffix}"
+            for word, value in zip(words, values, strict=True)
+            if value is not None
+        ]
+        return " and ".join(kept)
+
+    @property
+    def expected(self) -> str:
+        """What is accepted: kind, units and bounds."""
+        return ", ".join(filter(None, [accepted(self.unit), self.bounds]))
+
+    def validate(self, value: object) -> float:
+        """Return `value` in SI, or raise what is wrong with it."""
+        number = to_si(value, self.unit)
+        inside = (
+            (self.above is None or number > self.above)
+            and (self.minimum is None or number >= self.minimum)
+            and (self.below is None or number < self.below)
+            and (self.maximum is None or number <= self.maximum)
+        )
+        if not inside:
+            raise ModelError(WRONG_VALUE, got=show(value), expected=self.expected)
+        return number
+
+    def __get_pydantic_core_schema__(
+        self, source: Any, handler: GetCoreSchemaHandler
+    ) -> core_schema.CoreSchema:
+        return core_schema.no_info_before_validator_function(self.validate, handler(source))
+
+    def __get_pydantic_json_schema__(
+        self, schema: core_schema.CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        keys = ("exclusiveMinimum", "minimum", "exclusiveMaximum", "maximum")
+        values = (self.above, self.minimum, self.below, self.maximum)
+        number = handler(schema) | {
+            key: value for key, value in zip(keys, values, strict=True) if value is not None
+        }
+        text = {"type": "string", "description": f"number and unit: {accepted(self.unit)}"}
+        return {"anyOf": [number, text, wrapped_schema([number, text])], "unit": self.label}
+
+
+Lengths = tuple[Annotated[float, Unit("m", minimum=-1e6, maximum=1e6)], ...]
+
+
+def wrapped_schema(values: list[dict[str, Any]]) -> dict[str, Any]:
+    """Return the JSON Schema of a value given with its provenance."""
+    return {
+        "type": "object",
+        "properties": {
+            "value": values[0] if len(values) == 1 else {"anyOf": values},
+            "mark": {"enum": list(get_args(Mark))},
+            "source": {"type": "string"},
+            "note": {"type": "string"},
+        },
+        "required": ["value"],
+        "additionalProperties": False,
+    }
+
+
+def nearest(name: str, known: list[str]) -> str:
+    """Return the hint for an unknown name: the nearest known one, or all of them."""
+    close = get_close_matches(name, known, n=1)
+    return f"did you mean {close[0]}?" if close else f"known: {', '.join(known)}"
+
+
+class Part(BaseModel):
+    """Base of every piece of a model: frozen, finite, and without unknown fields."""
+
+    model_config = ConfigDict(
+        frozen=True,
+        extra="forbid",
+        allow_inf_nan=False,
+        populate_by_name=True,
+        defer_build=True,  # halves the import time; validators are built at first use
+    )
+
+    @model_validator(mode="before")
+    @classmethod
+    def _check_names(cls, data: object) -> object:
+        if isinstance(data, BaseModel):
+            return data
+        if not isinstance(data, Mapping):
+            expected = f"a mapping with {', '.join(cls.field_names())}"
+            raise ModelError("not a mapping", got=show(data), expected=expected)
+        known = cls.field_names()
+        accepted_names = {*known, *cls.model_fields}
+        for key in data:
+            if key not in accepted_names:
+                raise ModelError(
+                    "unknown field",
+                    got=show(key),
+                    expected=f"a field of {cls._title()}",
+                    hint=nearest(str(key), known),
+                    field=(key if isinstance(key, int) else str(key),),
+                )
+        for name, field in cls.model_fields.items():
+            if field.is_required() and not {name, field.alias} & set(data):
+                raise ModelError(
+                    "missing field",
+                    expected=cls._expected(name),
+                    field=(field.alias or name,),
+                )
+        return data
+
+    @classmethod
+    def field_names(cls) -> list[str]:
+        """Return the names of the fields as they are written in files."""
+        return [field.alias or name for name, field in cls.model_fields.items()]
+
+    @classmethod
+    def _title(cls) -> str:
+        title = (cls.__doc__ or cls.__name__).split("\n", maxsplit=1)[0].rstrip(".")
+        is_phrase = title.split(" ", maxsplit=1)[0] in {"A", "How", "The", "What", "Where"}
+        return title[0].lower() + title[1:] if is_phrase else title
+
+    @classmethod
+    def _expected(cls, name: str) -> str:
+        unit = find_unit(cls.model_fields[name])
+        text = (cls.model_fields[name].description or name).rstrip(".")
+        return text if unit is None else f"{text}: {unit.expected}"
+
+    @classmethod
+    def __pydantic_init_subclass__(cls, **kwargs: Any) -> None:
+        """Put the unit of each field into its metadata, where results and reports look it up."""
+        super().__pydantic_init_subclass__(**kwargs)
+        for field in cls.model_fields.values():
+            unit = find_unit(field)
+            if unit is not None:
+                field.json_schema_extra = {"unit": unit.label}
+
+
+def find_unit(annotated: Any) -> Unit | None:
+    """Return the first `Unit` in an annotation or a pydantic field, also inside a list."""
+    metadata: Any = getattr(annotated, "metadata", None) or getattr(annotated, "__metadata__", ())
+    for item in metadata:
+        if isinstance(item, Unit):
+            return item
+    inner = getattr(annotated, "annotation", None)
+    children = get_args(annotated) if inner is None else (inner,)
+    for child in children:
+        unit = find_unit(child)
+        if unit is not None:
+            return unit
+    return None

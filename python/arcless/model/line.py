@@ -1,0 +1,220 @@
+"""An overhead line as engineers describe it: geometry, spans, and their components."""
+
+from itertools import accumulate, pairwise
+from math import sqrt
+from typing import Annotated, Literal
+
+from pydantic import Field, model_validator
+
+from arcless.errors import ModelError
+from arcless.model.components import DropperType, MessengerSupport, SteadyArm, Wire
+from arcless.model.documents import Document
+from arcless.model.fields import Lengths, Part, Unit, nearest
+from arcless.units import WRONG_VALUE, show
+
+MAX_SPANS = 5000
+MAX_DROPPERS_PER_SPAN = 200
+MAX_PATTERN = 1000
+
+
+Staggers = Annotated[
+    tuple[Annotated[float, Unit("m", minimum=-1, maximum=1)], ...],
+    Field(min_length=1, max_length=MAX_PATTERN),
+]
+
+
+class Geometry(Part):
+    """Heights and staggers at the supports."""
+
+    contact_wire_height: Annotated[float, Unit("m", above=0, maximum=20)] = Field(
+        description="Height of the contact wire above rail at the supports."
+    )
+    encumbrance: Annotated[float, Unit("m", above=0, maximum=10)] = Field(
+        description="Messenger wire above contact wire at the supports (system height)."
+    )
+    stagger_contact_wire: Staggers = Field(
+        default=(0.0,), description="Stagger at successive supports; the pattern repeats."
+    )
+    stagger_messenger_wire: Staggers = Field(
+        default=(0.0,), description="Lateral position of the messenger wire; the pattern repeats."
+    )
+
+
+class SpanDroppers(Part):
+    """Droppers of a span: design by pre-sag, or as built by lengths."""
+
+    positions: Annotated[Lengths, Field(max_length=MAX_DROPPERS_PER_SPAN)] = Field(
+        description="Distance of each dropper from the left support of the span."
+    )
+    presag: Lengths | None = Field(
+        default=None,
+        description="Contact wire below its nominal height at each dropper; zeros without it.",
+    )
+    lengths: Lengths | None = Field(
+        default=None, description="Unstretched distance between the clamps of each dropper."
+    )
+
+    @property
+    def design_presag(self) -> tuple[float, ...]:
+        """Pre-sag at each dropper in m; zeros when neither presag nor lengths is given."""
+        return self.presag if self.presag is not None else (0.0,) * len(self.positions)
+
+    @model_validator(mode="after")
+    def _check_lists(self) -> "SpanDroppers":
+        if self.presag is not None and self.lengths is not None:
+            raise ModelError(
+                "both presag and lengths given",
+                expected="presag (design) or lengths (as built)",
+                field=("lengths",),
+            )
+        count = len(self.positions)
+        for name in ("presag", "lengths"):
+            values = getattr(self, name)
+            if values is not None and len(values) != count:
+                raise ModelError(
+                    "wrong number of values",
+                    got=f"{len(values)} values",
+                    expected=f"{count}, one for each of positions",
+                    field=(name,),
+                )
+        for index, (left, right) in enumerate(pairwise(self.positions), start=1):
+            if right <= left:
+                raise ModelError(
+                    "droppers out of order",
+                    got=f"{right:g} m after {left:g} m",
+                    expected="positions that increase along the span",
+                    field=("positions", index),
+                )
+        for index, length in enumerate(self.lengths or ()):
+            if length <= 0:
+                raise ModelError(
+                    WRONG_VALUE,
+                    got=f"{length:g} m",
+                    expected="a dropper length above 0 m",
+                    field=("lengths", index),
+                )
+        return self
+
+
+class SpanType(Part):
+    """A span: its length and its droppers."""
+
+    length: Annotated[float, Unit("m", above=0, maximum=500)] = Field(
+        description="Distance between the two supports."
+    )
+    droppers: SpanDroppers = Field(description="Droppers of the span.")
+
+    @model_validator(mode="after")
+    def _check_inside(self) -> "SpanType":
+        for index, x in enumerate(self.droppers.positions):
+            if not 0 < x < self.length:
+                raise ModelError(
+                    "dropper outside its span",
+                    got=f"{x:g} m",
+                    expected=f"a position between 0 and {self.length:g} m, the span's length",
+                    hint="positions count from the left support of the span",
+                    field=("droppers", "positions", index),
+                )
+        return self
+
+
+class SpanRun(Part):
+    """A number of equal spans in a row."""
+
+    type: str = Field(description="Name of a span type.")
+    count: int = Field(
+        default=1, ge=1, le=MAX_SPANS, strict=True, description="Number of such spans in a row."
+    )
+
+
+class DesignSpace(Part):
+    """What the line was designed for; used by the assessment only."""
+
+    uplift_space: Annotated[float, Unit("m", above=0, maximum=2)] | None = Field(
+        default=None, description="Free space above the steady arm at rest."
+    )
+    uplift_limited: bool = Field(
+        default=False,
+        strict=True,
+        description="True when a stop limits the steady arm's uplift.",
+    )
+    supply: Literal["AC 25 kV", "AC 15 kV", "DC 3 kV", "DC 1.5 kV"] = Field(
+        default="AC 25 kV", description="Electrical supply; selects the force limits."
+    )
+
+
+class Line(Document):
+    """An overhead line: one tension length made of spans."""
+
+    format: Literal["arcless-line/1"] = Field(
+        default="arcless-line/1", description="Format, version."
+    )
+    contact_wire: Wire = Field(description="Contact wire.")
+    messenger_wire: Wire = Field(description="Messenger wire.")
+    dropper: DropperType = Field(description="Droppers.")
+    support: MessengerSupport = Field(description="Supports of the messenger wire.")
+    steady_arm: SteadyArm = Field(description="Steady arm: kind spring or kind arm.")
+    geometry: Geometry = Field(description="Heights and staggers.")
+    span_types: dict[str, SpanType] = Field(description="Span types by name.", min_length=1)
+    spans: tuple[SpanRun, ...] = Field(
+        description="Spans from the start of the line to its end.", min_length=1
+    )
+    design: DesignSpace = Field(default_factory=DesignSpace, description="Values for assessment.")
+
+    @model_validator(mode="after")
+    def _check_spans(self) -> "Line":
+        for index, run in enumerate(self.spans):
+            if run.type not in self.span_types:
+                raise ModelError(
+                    "unknown span type",
+                    got=show(run.type),
+                    expected="a name from span_types",
+                    hint=nearest(run.type, list(self.span_types)),
+                    field=("spans", index, "type"),
+                )
+        for name, span in self.span_types.items():
+            self._check_presag(name, span)
+        total = sum(run.count for run in self.spans)
+        if total > MAX_SPANS:
+            raise ModelError(
+                "too many spans",
+                got=str(total),
+                expected=f"at most {MAX_SPANS} in all",
+                field=("spans",),
+            )
+        return self
+
+    def _check_presag(self, name: str, span: SpanType) -> None:
+        for index, presag in enumerate(span.droppers.presag or ()):
+            if not abs(presag) < self.geometry.encumbrance:
+                raise ModelError(
+                    WRONG_VALUE,
+                    got=f"{presag:g} m",
+                    expected=f"less than the encumbrance, {self.geometry.encumbrance:g} m",
+                    hint="pre-sag is positive downwards; mind mm and m",
+                    field=("span_types", name, "droppers", "presag", index),
+                )
+
+    def span_list(self) -> list[SpanType]:
+        """Return the span types in order, one entry per span."""
+        return [self.span_types[run.type] for run in self.spans for _ in range(run.count)]
+
+    def support_positions(self) -> list[float]:
+        """Return the positions of the supports in m, one more than there are spans."""
+        return list(accumulate((span.length for span in self.span_list()), initial=0.0))
+
+    @property
+    def total_length(self) -> float:
+        """Length of the line in m."""
+        return self.support_positions()[-1]
+
+    @property
+    def is_spatial(self) -> bool:
+        """True when stagger or a steady arm makes the line three-dimensional."""
+        staggers = self.geometry.stagger_contact_wire + self.geometry.stagger_messenger_wire
+        return self.steady_arm.kind == "arm" or any(stagger != 0 for stagger in staggers)
+
+    @property
+    def wave_speed(self) -> float:
+        """Wave speed of the contact wire, √(tension / mass per metre), in m/s."""
+        return sqrt(self.contact_wire.tension / self.contact_wire.mass)

@@ -1,0 +1,227 @@
+"""Names, files and plain data → validated models; references between files are resolved here."""
+
+import os
+from collections.abc import Mapping
+from difflib import get_close_matches
+from pathlib import Path as FilePath
+from typing import Any, Literal, TypeVar
+
+from pydantic import ValidationError
+
+from arcless.errors import ModelError
+from arcless.model.documents import dotted
+from arcless.model.explain import explain
+from arcless.model.fields import Path
+from arcless.model.library import shipped
+from arcless.model.line import Line
+from arcless.model.pantograph import Pantograph
+from arcless.model.reader import Origin, is_file, parse, read_text
+from arcless.model.scenario import Scenario
+from arcless.units import show
+
+Kind = Literal["scenario", "line", "pantograph"]
+Source = str | os.PathLike[str] | Mapping[str, Any]
+Model = TypeVar("Model", Scenario, Line, Pantograph)
+_MODELS: dict[Kind, type[Scenario] | type[Line] | type[Pantograph]] = {
+    "scenario": Scenario,
+    "line": Line,
+    "pantograph": Pantograph,
+}
+_SUFFIXES = {".yaml", ".yml", ".json"}
+
+
+def load(source: Source | Scenario) -> Scenario:
+    """Return a scenario.
+
+    Parameters
+    ----------
+    source : str, path or mapping
+        Shipped name, model file, or the data themselves.
+
+    Returns
+    -------
+    Scenario
+        Validated; its line and pantographs are resolved.
+
+    Raises
+    ------
+    ModelError
+        The file or the data are wrong; the message says where and what is expected.
+    """
+    return source if isinstance(source, Scenario) else _load(source, "scenario", Scenario)
+
+
+def load_line(source: Source | Line) -> Line:
+    """Return a line from a shipped name, a file or plain data; see `load`."""
+    return source if isinstance(source, Line) else _load(source, "line", Line)
+
+
+def load_pantograph(source: Source | Pantograph) -> Pantograph:
+    """Return a pantograph from a shipped name, a file or plain data; see `load`."""
+    if isinstance(source, Pantograph):
+        return source
+    return _load(source, "pantograph", Pantograph)
+
+
+def load_any(source: Source) -> Scenario | Line | Pantograph:
+    """Return the model in a file of any of the three formats, or a shipped one by name."""
+    if isinstance(source, Mapping):
+        return _load_kind(source, _kind_of(source.get("format"), Origin()))
+    if isinstance(source, str):
+        for kind in ("scenario", "line", "pantograph"):
+            if source in shipped(kind):
+                return _load_kind(source, kind)
+    data, origin = _read(_locate(source, "scenario", Origin()), Origin())
+    return _build(data, _kind_of(data.get("format"), origin), origin)
+
+
+def build(data: Mapping[str, Any], kind: Kind) -> Scenario | Line | Pantograph:
+    """Return the model of plain data; references are relative to the current folder."""
+    return _build(dict(data), kind, Origin())
+
+
+def _load(source: Source, kind: Kind, model: type[Model]) -> Model:
+    loaded = _load_kind(source, kind)
+    assert isinstance(loaded, model)
+    return loaded
+
+
+def _load_kind(source: Source, kind: Kind) -> Scenario | Line | Pantograph:
+    if isinstance(source, Mapping):
+        return build(source, kind)
+    if not isinstance(source, (str, os.PathLike)):
+        expected = f"the name of a shipped {kind}, a file, or a mapping"
+        raise ModelError(kind, got=show(source), expected=expected)
+    return _load_file(_locate(source, kind, Origin()), kind, Origin())
+
+
+def _load_file(path: FilePath, kind: Kind, referrer: Origin) -> Scenario | Line | Pantograph:
+    data, origin = _read(path, referrer)
+    return _build(data, kind, origin)
+
+
+def _read(path: FilePath, referrer: Origin) -> tuple[dict[str, Any], Origin]:
+    label = str(path)
+    text = read_text(path, label)
+    resolved = path.resolve()
+    if resolved in referrer.chain:
+        names = " → ".join(part.name for part in (*referrer.chain, resolved))
+        expected = "files that do not refer to each other in a circle"
+        raise ModelError("recursive reference", where=label, got=names, expected=expected)
+    data, positions = parse(text, label)
+    return data, Origin(label, path.parent, positions, (*referrer.chain, resolved))
+
+
+def _build(
+    data: dict[str, Any], kind: Kind, origin: Origin, prefix: Path = ()
+) -> Scenario | Line | Pantograph:
+    _check_format(data, kind, origin, prefix)
+    if kind == "scenario":
+        data = _resolve(data, origin)
+    try:
+        return _MODELS[kind].model_validate(data)
+    except ValidationError as error:
+        raise explain(error, data, origin, prefix) from None
+
+
+def _check_format(data: dict[str, Any], kind: Kind, origin: Origin, prefix: Path) -> None:
+    expected = f"arcless-{kind}/1"
+    given = data.get("format")
+    # Data that are not a file of their own need no format: nobody has to guess what they are.
+    is_file = origin.label is not None and not prefix
+    if given == expected or (given is None and not is_file):
+        return
+    path = (*prefix, "format")
+    what = "missing field" if given is None else "wrong format"
+    is_version = isinstance(given, str) and given.startswith(f"arcless-{kind}/")
+    hint = "this version of Arcless reads version 1" if is_version else None
+    if given is None:
+        hint = f"start the file with format: {expected}"
+    raise ModelError(
+        f"{dotted(path)}: {what}",
+        where=origin.where(path),
+        got=None if given is None else show(given),
+        expected=expected,
+        hint=hint,
+        field=path,
+    )
+
+
+def _kind_of(given: object, origin: Origin) -> Kind:
+    kinds: tuple[Kind, ...] = ("scenario", "line", "pantograph")
+    for kind in kinds:
+        if isinstance(given, str) and given.startswith(f"arcless-{kind}/"):
+            return kind
+    raise ModelError(
+        "format: missing field" if given is None else "format",
+        where=origin.where(("format",)),
+        got=None if given is None else show(given),
+        expected=" or ".join(f"arcless-{kind}/1" for kind in kinds),
+    )
+
+
+def _resolve(data: dict[str, Any], origin: Origin) -> dict[str, Any]:
+    """Replace the references of a scenario by the models they name."""
+    resolved = dict(data)
+    if "line" in data:
+        resolved["line"] = _reference(data["line"], "line", origin, ("line",))
+    placements = data.get("pantographs")
+    if isinstance(placements, (list, tuple)):
+        resolved["pantographs"] = [
+            {
+                **item,
+                "model": _reference(
+                    item["model"], "pantograph", origin, ("pantographs", index, "model")
+                ),
+            }
+            if isinstance(item, Mapping) and "model" in item
+            else item
+            for index, item in enumerate(placements)
+        ]
+    return resolved
+
+
+def _reference(value: object, kind: Kind, origin: Origin, path: Path) -> object:
+    if isinstance(value, Mapping):
+        return _build(dict(value), kind, origin, path)
+    if isinstance(value, (Line, Pantograph)):
+        return value
+    if not isinstance(value, str):
+        raise ModelError(
+            dotted(path),
+            where=origin.where(path),
+            got=show(value),
+            expected=f"the name of a shipped {kind}, a file, or a mapping",
+            field=path,
+        )
+    try:
+        file = _locate(value, kind, origin)
+    except ModelError as error:
+        error.what, error.where = f"{dotted(path)}: {error.what}", origin.where(path)
+        raise
+    try:
+        return _load_file(file, kind, origin)
+    except ModelError as error:
+        referrer = origin.where(path)
+        if referrer is not None:
+            error.where = f"{error.where} (named in {referrer})"
+        raise
+
+
+def _locate(source: str | os.PathLike[str], kind: Kind, origin: Origin) -> FilePath:
+    if isinstance(source, str):
+        known = shipped(kind)
+        if source in known:
+            return known[source]
+        path = origin.folder / source
+        is_path = path.suffix in _SUFFIXES or os.sep in source or "/" in source
+        if not is_path and not is_file(path):
+            close = get_close_matches(source, known, n=1)
+            raise ModelError(
+                f"unknown {kind}",
+                got=show(source),
+                expected=f"a shipped name or a file ({', '.join(sorted(_SUFFIXES))})",
+                hint=f"did you mean {close[0]}?" if close else f"shipped: {', '.join(known)}",
+            )
+        return path
+    return FilePath(source)

@@ -1,0 +1,135 @@
+"""Changes to a scenario by dotted path: ``line.contact_wire.tension=24 kN``."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from arcless.errors import ModelError
+from arcless.model.documents import written
+from arcless.model.fields import nearest
+from arcless.model.load import build, load_line, load_pantograph
+from arcless.model.reader import parse, scalar
+from arcless.model.scenario import Scenario
+from arcless.units import show
+
+# Giving one of these takes the others back, unless they are changed in the same call.
+_EXCLUSIVE = {
+    "speed": ("speed_profile",),
+    "speed_profile": ("speed",),
+    "static_force": ("mean_force",),
+    "mean_force": ("static_force",),
+    "presag": ("lengths",),
+    "lengths": ("presag",),
+    "spans": ("from", "to"),
+    "from": ("spans",),
+    "to": ("spans",),
+}
+
+
+def parse_override(text: str) -> tuple[str, Any]:
+    """Return path and value of ``path.to.field=value``.
+
+    The value is read as in a model file: a number, a text with its unit, true, false, null, or a
+    list or mapping in brackets.
+
+    Examples
+    --------
+    >>> parse_override("line.contact_wire.tension=24 kN")
+    ('line.contact_wire.tension', '24 kN')
+    """
+    path, equals, value = (part.strip() for part in text.partition("="))
+    if not path or not equals or not value:
+        raise ModelError(
+            "override",
+            got=show(text),
+            expected="path.to.field=value",
+            hint="for example line.contact_wire.tension=24 kN",
+        )
+    if value[0] in "[{\"'":
+        data, _ = parse(f"value: {value}", f"override {path}")
+        return path, data["value"]
+    return path, scalar(value)
+
+
+def apply(scenario: Scenario, changes: Mapping[str, Any]) -> Scenario:
+    """Return a validated copy of `scenario` with changed fields; see `Scenario.with_`."""
+    data = scenario.to_dict()
+    for path, value in changes.items():
+        _set(data, path, value, set(changes))
+    changed = build(data, "scenario")
+    assert isinstance(changed, Scenario)
+    return changed
+
+
+def _set(data: dict[str, Any], path: str, value: Any, changed: set[str]) -> None:
+    *groups, last = _full_path(data, path)
+    place: Any = data
+    document, inside = data, 0
+    for depth, part in enumerate(groups, start=1):
+        place = place[part]
+        if isinstance(place, dict) and "provenance" in place:
+            document, inside = place, depth
+    before, _, _ = path.rpartition(".")
+    place[last] = _named_model(last, value)
+    for other in _EXCLUSIVE.get(str(last), ()) if isinstance(place, dict) else ():
+        if other in place and f"{before}.{other}".lstrip(".") not in changed:
+            place[other] = None
+    relative = ".".join(str(part) for part in (*groups, last)[inside:])
+    _renew_provenance(document["provenance"], relative, value)
+
+
+def _named_model(field: str | int, value: Any) -> Any:
+    """Return the data of a model that is given by name, so that later changes can go into it."""
+    if isinstance(value, str) and field == "line":
+        return load_line(value).to_dict()
+    if isinstance(value, str) and field == "model":
+        return load_pantograph(value).to_dict()
+    return value
+
+
+def _renew_provenance(provenance: dict[str, Any], path: str, value: Any) -> None:
+    """Forget where the replaced value came from, and note that it was replaced."""
+    for known in list(provenance):
+        if known == path or known.startswith(f"{path}."):
+            del provenance[known]
+    given = value.name if hasattr(value, "name") else written(value)
+    provenance[path] = {"note": "set for this run", "given": given}
+
+
+def _full_path(data: dict[str, Any], path: str) -> list[str | int]:
+    """Return the parts of a path in `data`; ``model`` of a pantograph may be left out."""
+    parts: list[str | int] = []
+    place: Any = data
+    names = path.split(".")
+    for depth, name in enumerate(names):
+        if isinstance(place, dict) and name not in place:
+            model = place.get("model")
+            if isinstance(model, dict) and name in model:
+                parts.append("model")
+                place = model
+        parts.append(_step(place, name, names[:depth], path))
+        place = place[parts[-1]]
+    return parts
+
+
+def _step(place: Any, name: str, above: list[str], path: str) -> str | int:
+    where = ".".join(above)
+    if isinstance(place, dict):
+        if name in place:
+            return name
+        known = [key for key in place if key != "provenance"]
+        hint = nearest(name, known)
+        title = f"a field of {where}" if where else "a field of the scenario"
+        raise ModelError(f"{path}: unknown field", got=show(name), expected=title, hint=hint)
+    if isinstance(place, list):
+        if name.isdecimal() and int(name) < len(place):
+            return int(name)
+        expected = f"a number from 0 to {len(place) - 1}" if place else "the whole list"
+        raise ModelError(f"{path}: unknown item", got=show(name), expected=expected)
+    got = f"{where} is {show(place)}"
+    whole = f"set {where} as a whole, for example {where}={{{name}: …}}"
+    raise ModelError(
+        f"{path}: not a group of fields",
+        got=got,
+        expected="a group",
+        hint=whole if place is None else None,
+    )

@@ -1,0 +1,64 @@
+"""The model files as JSON Schema, for editors."""
+
+from typing import Any
+
+from pydantic.json_schema import models_json_schema
+
+from arcless.model.documents import Provenance
+from arcless.model.fields import wrapped_schema
+from arcless.model.line import Line
+from arcless.model.pantograph import Pantograph
+from arcless.model.scenario import Scenario
+
+_PLAIN = {"name", "description", "sources", "provenance", "line", "model"}
+_LABELS = {"title", "description", "default", "unit"}
+DIALECT = "https://json-schema.org/draft/2020-12/schema"
+
+
+def json_schema() -> dict[str, Any]:
+    """Return one JSON Schema document with the definitions of the three formats.
+
+    A file is valid when it is a line, a pantograph or a scenario. Numbers with a unit are shown as
+    a number, a text, or a mapping that carries the provenance of the value.
+    """
+    models = (Line, Pantograph, Scenario)
+    references, document = models_json_schema(
+        [(model, "validation") for model in models], by_alias=True
+    )
+    definitions = document["$defs"]
+    for model in models:
+        definition = definitions[model.__name__]
+        definition["required"] = sorted({*definition.get("required", ()), "format"})
+    for definition in definitions.values():
+        for field in definition.get("properties", {}).values():
+            if field.pop("reference", None) is not None:
+                field["anyOf"] = [{"type": "string"}, {"$ref": field.pop("$ref")}]
+    scheme = definitions["Solver"]["properties"]["scheme"]
+    names = sorted(scheme["discriminator"]["mapping"])
+    choices = {key: scheme.pop(key) for key in ("discriminator", "oneOf")}
+    scheme["anyOf"] = [{"enum": names}, choices]
+    for name, definition in definitions.items():
+        if name != Provenance.__name__:
+            _accept_provenance(definition.get("properties", {}))
+    return {
+        "$schema": DIALECT,
+        "title": "Arcless model files",
+        "oneOf": [references[(model, "validation")] for model in models],
+        "$defs": definitions,
+    }
+
+
+def _accept_provenance(properties: dict[str, Any]) -> None:
+    """Let every field that is not a name also be written with its provenance."""
+    for name, field in properties.items():
+        if name in _PLAIN or "const" in field or _has_wrapper(field):
+            continue
+        labels = {key: value for key, value in field.items() if key in _LABELS}
+        plain = {key: value for key, value in field.items() if key not in _LABELS}
+        properties[name] = {**labels, "anyOf": [plain, wrapped_schema([plain])]}
+
+
+def _has_wrapper(field: dict[str, Any]) -> bool:
+    if "value" in field.get("properties", {}):
+        return True
+    return any(_has_wrapper(choice) for choice in field.get("anyOf", ()))

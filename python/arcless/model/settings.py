@@ -1,0 +1,167 @@
+"""How a run moves, computes and records: speed profile, contact law, solver, output."""
+
+from itertools import pairwise
+from typing import Annotated, Any, Literal
+
+from pydantic import Field, model_validator
+
+from arcless.errors import ModelError
+from arcless.model.fields import Lengths, Part, Unit
+from arcless.units import WRONG_VALUE
+
+# 1080 km/h: above any train, and a speed in km/h written without its unit is often above it.
+MAX_SPEED = 300.0
+MAX_PROFILE = 50_000
+
+
+class SpeedProfile(Part):
+    """Speed over time, linear between the given points."""
+
+    time: tuple[Annotated[float, Unit("s", minimum=0)], ...] = Field(
+        description="Times, the first one 0.", min_length=2, max_length=MAX_PROFILE
+    )
+    speed: tuple[Annotated[float, Unit("m/s", minimum=0, maximum=MAX_SPEED)], ...] = Field(
+        description="Speed at each time."
+    )
+
+    @model_validator(mode="after")
+    def _check_lists(self) -> "SpeedProfile":
+        if len(self.speed) != len(self.time):
+            raise ModelError(
+                "wrong number of values",
+                got=f"{len(self.speed)} values",
+                expected=f"{len(self.time)}, one for each of time",
+                field=("speed",),
+            )
+        if self.time[0] != 0:
+            raise ModelError(
+                WRONG_VALUE,
+                got=f"{self.time[0]:g} s",
+                expected="0 s as the first time",
+                field=("time", 0),
+            )
+        for index, (earlier, later) in enumerate(pairwise(self.time), start=1):
+            if later <= earlier:
+                raise ModelError(
+                    "times out of order",
+                    got=f"{later:g} s after {earlier:g} s",
+                    expected="times that increase",
+                    field=("time", index),
+                )
+        return self
+
+
+class Contact(Part):
+    """The contact between collector strip and contact wire."""
+
+    law: Literal["compliant", "rigid"] = Field(default="compliant", description="Contact law.")
+    stiffness: Annotated[float, Unit("N/m", above=0)] = Field(
+        default=50e3, description="Stiffness of the compliant law."
+    )
+    friction_coefficient: Annotated[float, Unit("1", minimum=0, maximum=2)] = Field(
+        default=0.0, description="Friction along the wire."
+    )
+
+
+class GeneralisedAlpha(Part):
+    """Generalised-alpha scheme (Chung and Hulbert)."""
+
+    name: Literal["generalised-alpha"] = Field(description="Name of the scheme.")
+    spectral_radius: Annotated[float, Unit("1", minimum=0, maximum=1)] = Field(
+        default=0.9, description="Spectral radius at infinite frequency; 1 damps nothing."
+    )
+
+
+class HilberHughesTaylor(Part):
+    """Hilber-Hughes-Taylor scheme."""
+
+    name: Literal["hht"] = Field(description="Name of the scheme.")
+    alpha: Annotated[float, Unit("1", minimum=-1 / 3, maximum=0)] = Field(
+        default=-0.05, description="Damping parameter, from -1/3 to 0 (none)."
+    )
+
+
+class Newmark(Part):
+    """Newmark scheme, unconditionally stable members only."""
+
+    name: Literal["newmark"] = Field(description="Name of the scheme.")
+    beta: Annotated[float, Unit("1", minimum=0.25, maximum=1)] = Field(
+        default=0.25, description="Newmark's beta."
+    )
+    gamma: Annotated[float, Unit("1", minimum=0.5, maximum=1)] = Field(
+        default=0.5, description="Newmark's gamma; above 0.5 damps and is of first order."
+    )
+
+    @model_validator(mode="after")
+    def _check_stable(self) -> "Newmark":
+        lowest = (self.gamma + 0.5) ** 2 / 4
+        if self.beta < lowest - 1e-12:
+            raise ModelError(
+                "not unconditionally stable",
+                got=f"{self.beta:g}",
+                expected=f"at least (gamma + 1/2)²/4 = {lowest:g}",
+                field=("beta",),
+            )
+        return self
+
+
+class Trapezoidal(Part):
+    """Trapezoidal rule: conserves energy."""
+
+    name: Literal["trapezoidal"] = Field(description="Name of the scheme.")
+
+
+Scheme = Annotated[
+    GeneralisedAlpha | HilberHughesTaylor | Newmark | Trapezoidal, Field(discriminator="name")
+]
+
+
+class Solver(Part):
+    """How the motion is computed."""
+
+    time_step: Annotated[float, Unit("s", minimum=1e-5, maximum=0.05)] = Field(
+        default=1e-3, description="Time step."
+    )
+    scheme: Scheme = Field(
+        default_factory=lambda: GeneralisedAlpha(name="generalised-alpha"),
+        description="Time-stepping scheme: its name, or its name and parameters.",
+    )
+    kinematics: Literal["linearised"] = Field(
+        default="linearised", description="Motion about the static equilibrium."
+    )
+    wire_model: Literal["hermite"] = Field(default="hermite", description="Wire elements.")
+    dimension: Literal["auto", "planar", "spatial"] = Field(
+        default="auto", description="Planar or spatial; auto looks at stagger and steady arms."
+    )
+    contact_wire_element: Annotated[float, Unit("m", minimum=0.05, maximum=20)] = Field(
+        default=1.45, description="Longest element of the contact wire."
+    )
+    messenger_wire_element: Annotated[float, Unit("m", minimum=0.05, maximum=20)] = Field(
+        default=2.9, description="Longest element of the messenger wire."
+    )
+    gravity: Annotated[float, Unit("m/s2", minimum=0, maximum=100)] = Field(
+        default=9.81, description="Acceleration of gravity."
+    )
+
+    @model_validator(mode="before")
+    @classmethod
+    def _scheme_by_name(cls, data: Any) -> Any:
+        if isinstance(data, dict) and isinstance(data.get("scheme"), str):
+            return {**data, "scheme": {"name": data["scheme"]}}
+        return data
+
+
+class Output(Part):
+    """What is recorded, and how often."""
+
+    contact_every: int = Field(
+        default=1, ge=1, le=10_000, strict=True, description="Steps between records of the contact."
+    )
+    line_every: int = Field(
+        default=5, ge=1, le=10_000, strict=True, description="Steps between records of the line."
+    )
+    droppers: bool = Field(default=True, strict=True, description="Record dropper forces.")
+    supports: bool = Field(default=True, strict=True, description="Record uplift at supports.")
+    points: Annotated[Lengths, Field(max_length=1000)] = Field(
+        default=(), description="Points of the contact wire whose uplift is recorded."
+    )

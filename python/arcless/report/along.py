@@ -1,0 +1,217 @@
+"""Figures along the track: force, height and uplift, on one shared axis."""
+
+from typing import Any
+
+import numpy as np
+
+from arcless.report.reduce import envelope, every
+from arcless.report.scene import Scene
+from arcless.report.style import (
+    GREY,
+    LIGHT,
+    SECTION_FILL,
+    add_hover,
+    add_legend,
+    colour,
+    figure,
+    models,
+    plain,
+    single,
+)
+
+X_LABEL = "position along the track, m"
+X_LABEL_FRONT = "position of the first pantograph, m"
+
+# Points in the file, shared by the pantographs: bounds the size whatever the run's length.
+RAW_POINTS, SMOOTH_POINTS = 6000, 3000
+MARKS, TRACES, TRACE_POINTS = 1000, 24, 400
+
+# How much of a place's channel is drawn: from the train ahead of it to the last one gone.
+BEFORE_M, AFTER_M = 100.0, 200.0
+CHANNELS = {"support": "support_uplift", "dropper": "dropper_force"}
+
+
+def force(scene: Scene) -> Any:
+    """Draw the contact force, unfiltered and filtered, with supports and droppers marked."""
+    title = f"Contact force after the {scene.assessment.low_pass_Hz:g} Hz low-pass, and unfiltered"
+    fig = _track_figure(scene, title, "contact force, N", height=360)
+    entries, filtered, unfiltered = [], [], []
+    for i, name in enumerate(scene.pantographs):
+        raw = _series(scene, i, scene.record.force[:, i], RAW_POINTS)
+        smooth = _series(scene, i, scene.record.bands.total[:, i], SMOOTH_POINTS)
+        style = {"source": raw, "color": colour(i), "line_width": 0.8, "line_alpha": 0.35}
+        thin = fig.line("x", "y", **style)
+        thick = fig.line("x", "y", source=smooth, color=colour(i), line_width=1.6, name=plain(name))
+        entries.append((name, [thick]))
+        filtered.append(thick)
+        unfiltered.append(thin)
+    entries.append(("unfiltered", unfiltered))
+    if scene.has("dropper_x"):
+        x = single(scene.values("dropper_x")[every(scene.values("dropper_x").size, MARKS)])
+        ticks = fig.scatter(
+            x=x, y=np.zeros_like(x), marker="dash", angle=np.pi / 2, size=8, color=GREY
+        )
+        entries.append(("dropper", [ticks]))
+    entries += _support_entry(scene, fig)
+    add_legend(fig, entries)
+    _hover(fig, filtered, "force", "0.0 N")
+    return fig
+
+
+def height(scene: Scene) -> Any:
+    """Draw the height of the contact point over the height of the wire at rest."""
+    fig = _track_figure(scene, "Height of the contact point", "height above rail, m")
+    entries, hovered = [], []
+    if scene.has("contact_wire_node_x", "contact_wire_node_z"):
+        z = scene.values("contact_wire_node_z")
+        kept = envelope(z, SMOOTH_POINTS)
+        x = scene.values("contact_wire_node_x")[kept]
+        rest = fig.line(single(x), single(z[kept]), color=GREY, line_width=1)
+        entries.append(("contact wire at rest", [rest]))
+    for i, name in enumerate(scene.pantographs):
+        path = _series(scene, i, scene.dataset["contact_height"].values[:, i], SMOOTH_POINTS)
+        line = fig.line("x", "y", source=path, color=colour(i), line_width=1.4, name=plain(name))
+        entries.append((name, [line]))
+        hovered.append(line)
+    fig.yaxis.formatter = models().NumeralTickFormatter(format="0.00")
+    add_legend(fig, [*entries, *_support_entry(scene, fig)])
+    _hover(fig, hovered, "height", "0.000 m")
+    return fig
+
+
+def uplift(scene: Scene) -> Any | None:
+    """Draw the uplift at supports: the section's during the passage, and the peak of each."""
+    if not scene.has("support_x", "support_uplift_max"):
+        return None
+    fig = _track_figure(scene, "Uplift of the contact wire at supports", "uplift, mm")
+    fig.xaxis.axis_label = f"{X_LABEL_FRONT} (peaks: of the support)"
+    inside = scene.inside(scene.values("support_x"))
+    chosen = inside[every(inside.size, TRACES)]
+    tip = ("uplift", "$snap_y{0.0} mm")
+    entries = _passages(scene, fig, "support", chosen, scale=1e3, tip=tip)
+    x, peak = scene.values("support_x"), 1e3 * scene.values("support_uplift_max")
+    kept = every(x.size, MARKS)
+    data = {"x": single(x[kept]), "y": single(peak[kept]), "name": _names(scene, "support", kept)}
+    dots = fig.scatter("x", "y", source=_source(data), size=6, color=colour(0))
+    add_hover(fig, [dots], [("", "@name"), ("highest uplift", "@y{0.0} mm")])
+    add_legend(fig, [*entries, ("peak at each support", [dots]), *_support_entry(scene, fig)])
+    return fig
+
+
+def droppers(scene: Scene) -> Any | None:
+    """Draw the range of every dropper's force, and its force at rest."""
+    if not scene.has("dropper_x", "dropper_force_min", "dropper_force_max"):
+        return None
+    fig = _track_figure(scene, "Range of the dropper forces", "dropper force, N")
+    kept = every(scene.values("dropper_x").size, MARKS)
+    columns = {"x": "dropper_x", "low": "dropper_force_min", "high": "dropper_force_max"}
+    if scene.has("dropper_force_static"):
+        columns["rest"] = "dropper_force_static"
+    data = {key: single(scene.values(name)[kept]) for key, name in columns.items()}
+    source = _source({**data, "name": _names(scene, "dropper", kept)})
+    bars = fig.segment("x", "low", "x", "high", source=source, line_width=3, color=colour(0))
+    bars.glyph.line_alpha = 0.45
+    entries = [("lowest to highest", [bars])]
+    tips = [("", "@name"), ("lowest", "@low{0.0} N"), ("highest", "@high{0.0} N")]
+    if "rest" in data:
+        rest = fig.scatter("x", "rest", source=source, size=5, color=colour(1))
+        entries.append(("at rest", [rest]))
+        tips.append(("at rest", "@rest{0.0} N"))
+    add_hover(fig, [bars], tips)
+    add_legend(fig, [*entries, *_support_entry(scene, fig)])
+    return fig
+
+
+def dropper_passages(scene: Scene) -> Any | None:
+    """Draw the forces of the droppers of the section's middle span while the train passes."""
+    if not scene.has("dropper_x", "dropper_span", "dropper_force"):
+        return None
+    span = scene.values("dropper_span")
+    middle = int(np.argmin(np.abs(scene.values("dropper_x") - np.mean(scene.assessment.section_m))))
+    chosen = np.flatnonzero(span == span[middle])[:TRACES]
+    title = f"Dropper forces in span {int(span[middle])}"
+    fig = _track_figure(scene, title, "dropper force, N")
+    fig.xaxis.axis_label = X_LABEL_FRONT
+    tip = ("force", "$snap_y{0.0} N")
+    _passages(scene, fig, "dropper", chosen, scale=1.0, tip=tip)
+    _support_entry(scene, fig)
+    return fig
+
+
+def _track_figure(scene: Scene, title: str, y_label: str, *, height: int = 290) -> Any:
+    fig = figure(title, X_LABEL, y_label, height=height, x_range=scene.track)
+    begin, end = scene.assessment.section_m
+    fig.add_layout(
+        models().BoxAnnotation(
+            left=begin, right=end, fill_color=SECTION_FILL, fill_alpha=0.05, level="image"
+        )
+    )
+    return fig
+
+
+def _series(scene: Scene, pantograph: int, values: Any, points: int) -> Any:
+    kept = envelope(values, max(200, points // len(scene.pantographs)))
+    position = scene.dataset["position"].values[:, pantograph]
+    return _source(
+        {
+            "x": single(position[kept]),
+            "y": single(values[kept]),
+            "t": single(scene.values("time")[kept]),
+        }
+    )
+
+
+def _passages(
+    scene: Scene, fig: Any, place: str, chosen: Any, *, scale: float, tip: tuple[str, str]
+) -> list[tuple[str, list[Any]]]:
+    """Draw the channel of some supports or droppers, each while the train is there."""
+    channel, x = CHANNELS[place], scene.values(f"{place}_x")
+    if not scene.has(channel):
+        return []
+    pieces = [_passage(scene, scene.dataset[channel].values[:, i], x[i]) for i in chosen]
+    source = _source(
+        {
+            "x": [single(scene.line_position[kept]) for kept, _ in pieces],
+            "y": [single(scale * values) for _, values in pieces],
+            "name": _names(scene, place, chosen),
+            "colour": [colour(n) for n in range(len(pieces))],
+        }
+    )
+    lines = fig.multi_line("x", "y", source=source, line_width=1.2, color="colour")
+    add_hover(fig, [lines], [("", "@name"), tip], line_policy="interp")
+    return [("passage of the train", [lines])]
+
+
+def _passage(scene: Scene, values: Any, x: float) -> tuple[Any, Any]:
+    beyond = scene.line_position - x
+    train = float(np.ptp(scene.dataset["position"].values[0]))
+    near = np.flatnonzero((beyond > -BEFORE_M) & (beyond < train + AFTER_M))
+    kept = near[envelope(values[near], TRACE_POINTS)] if near.size else near
+    return kept, values[kept]
+
+
+def _support_entry(scene: Scene, fig: Any) -> list[tuple[str, list[Any]]]:
+    x = scene.values("support_x")
+    if not x.size:
+        return []
+    lines = fig.vspan(
+        x=single(x[every(x.size, MARKS)]), line_color=LIGHT, line_dash="dashed", line_width=1
+    )
+    lines.level = "underlay"
+    return [("support", [lines])]
+
+
+def _names(scene: Scene, dimension: str, kept: Any) -> list[str]:
+    return [plain(str(name)) for name in scene.values(dimension)[kept]]
+
+
+def _hover(fig: Any, renderers: list[Any], word: str, form: str) -> None:
+    value, unit = form.split(" ")
+    tips = [("", "$name"), (word, f"@y{{{value}}} {unit}")]
+    tips += [("position", "@x{0.0} m"), ("time", "@t{0.000} s")]
+    mode = "vline" if len(renderers) == 1 else "mouse"
+    add_hover(fig, renderers, tips, mode=mode, line_policy="nearest")
+
+
+def _source(columns: dict[str, Any]) -> Any:
+    return models().ColumnDataSource(columns)

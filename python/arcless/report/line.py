@@ -1,0 +1,103 @@
+"""Figures of the line itself: its shape at rest, its elasticity, and the energy ledger."""
+
+from typing import Any
+
+import numpy as np
+
+from arcless.report.along import MARKS, X_LABEL
+from arcless.report.reduce import envelope, every
+from arcless.report.scene import Scene
+from arcless.report.style import COLOURS, GREY, LIGHT, add_hover, add_legend, colour, figure, single
+
+NODE_POINTS = 1500
+ENERGY_ROWS = 500
+
+WIRES = (("contact_wire", "contact wire", 0), ("messenger_wire", "messenger wire", 7))
+
+
+def side_view(scene: Scene) -> Any | None:
+    """Draw the line at rest from the side; heights are drawn larger than lengths."""
+    fig = _view(scene, "Initial configuration, side view", "z", "height above rail, m", 280)
+    if fig is None:
+        return None
+    wires = ("contact_wire_node", "messenger_wire_node")
+    if scene.has("dropper_x", *(f"{wire}_{axis}" for wire in wires for axis in "xz")):
+        x = scene.values("dropper_x")[every(scene.values("dropper_x").size, MARKS)]
+        ends = [
+            np.interp(x, scene.values(f"{wire}_x"), scene.values(f"{wire}_z")) for wire in wires
+        ]
+        data = (single(x), single(ends[0]), single(x), single(ends[1]))
+        fig.segment(*data, color=GREY, line_width=1)
+    return fig
+
+
+def plan_view(scene: Scene) -> Any | None:
+    """Draw the line at rest from above when it is not straight."""
+    sides = [scene.values(f"{wire}_node_y") for wire, _, _ in WIRES]
+    if not any(side.size and np.ptp(side) > 0.0 for side in sides):
+        return None
+    return _view(scene, "Initial configuration, from above", "y", "across the track, m", 220)
+
+
+def elasticity(scene: Scene) -> Any | None:
+    """Draw the static elasticity of the contact wire."""
+    if not scene.has("elasticity"):
+        return None
+    values = 1e3 * scene.values("elasticity")
+    total = float(values.max() + values.min())
+    title = "Elasticity of the contact wire at rest"
+    if total > 0.0:
+        title += f" (non-uniformity {100.0 * np.ptp(values) / total:.0f} %)"
+    fig = figure(title, X_LABEL, "elasticity, mm/N")
+    kept = envelope(values, NODE_POINTS)
+    line = fig.line(single(scene.values("elasticity_x")[kept]), single(values[kept]))
+    line.glyph.line_color, line.glyph.line_width = colour(0), 1.6
+    add_hover(fig, [line], [("elasticity", "@y{0.000} mm/N"), ("position", "@x{0.0} m")])
+    return fig
+
+
+def energy(scene: Scene) -> Any | None:
+    """Draw every term of the energy ledger over time."""
+    terms = [(name, label) for name, label in energy_terms(scene) if scene.values(name).any()]
+    if not terms:
+        return None
+    fig = figure("Terms that are not zero throughout", "time, s", "energy, J", height=420)
+    kept = every(scene.values("line_time").size, ENERGY_ROWS)
+    time = single(scene.values("line_time")[kept])
+    entries = []
+    for i, (name, label) in enumerate(terms):
+        dash = ("solid", "dashed")[i // len(COLOURS) % 2]
+        line = fig.line(time, single(scene.values(name)[kept]), color=colour(i), line_dash=dash)
+        add_hover(fig, [line], [(label, "@y{0.000} J"), ("time", "@x{0.000} s")])
+        entries.append((label, [line]))
+    add_legend(fig, entries)
+    return fig
+
+
+def energy_terms(scene: Scene) -> list[tuple[str, str]]:
+    """Return name and short label of the ledger's terms in the dataset."""
+    names = [str(name) for name in scene.dataset.data_vars if str(name).startswith("energy_")]
+    return [(name, name.removeprefix("energy_").replace("_", " ")) for name in names]
+
+
+def _view(scene: Scene, title: str, axis: str, y_label: str, height: int) -> Any | None:
+    if not scene.has(f"contact_wire_node_{axis}", "contact_wire_node_x"):
+        return None
+    fig = figure(title, X_LABEL, y_label, height=height, x_range=scene.track)
+    entries = []
+    for wire, label, shade in WIRES:
+        if not scene.has(f"{wire}_node_x", f"{wire}_node_{axis}"):
+            continue
+        values = scene.values(f"{wire}_node_{axis}")
+        kept = envelope(values, NODE_POINTS)
+        x = scene.values(f"{wire}_node_x")[kept]
+        drawn = fig.line(single(x), single(values[kept]), color=colour(shade), line_width=1.5)
+        add_hover(fig, [drawn], [(label, "@y{0.000} m"), ("position", "@x{0.0} m")])
+        entries.append((label, [drawn]))
+    supports = scene.values("support_x")
+    if supports.size:
+        places = single(supports[every(supports.size, MARKS)])
+        lines = fig.vspan(x=places, line_color=LIGHT, line_dash="dashed")
+        entries.append(("support", [lines]))
+    add_legend(fig, entries)
+    return fig

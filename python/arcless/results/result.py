@@ -1,0 +1,77 @@
+"""The object that `arcless.run` and `arcless.open` return."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from arcless.results.store import metadata, open_dataset, save
+
+if TYPE_CHECKING:
+    import xarray
+
+    from arcless.assess import Assessment
+    from arcless.model import Scenario
+
+
+@dataclass(frozen=True, eq=False)
+class Result:
+    """A finished run: its dataset, and what follows from it.
+
+    Attributes
+    ----------
+    dataset
+        Everything that was recorded, with units; see the results reference.
+    scenario
+        The resolved scenario that was run.
+    """
+
+    dataset: "xarray.Dataset"
+    scenario: "Scenario"
+
+    # The two stages below stand right of this module in the import order; they are imported when
+    # asked for, so that reading a result needs neither.
+    @cached_property
+    def assessment(self) -> "Assessment":
+        """The run's indicators and criteria over its own analysis section."""
+        from arcless.assess import assess
+
+        return assess(self.dataset)
+
+    def write_report(self, path: str | Path, **options: Any) -> None:
+        """Write the HTML report; the options are those of `arcless.report.write`."""
+        from arcless import report
+
+        report.write(self, path, **options)
+
+    @cached_property
+    def metadata(self) -> dict[str, Any]:
+        """The dataset's attributes as plain Python values."""
+        return metadata(self.dataset)
+
+    def save(self, path: str | Path) -> None:
+        """Save the dataset as NetCDF, whole or not at all."""
+        save(self.dataset, path)
+
+    def __repr__(self) -> str:
+        facts = self.metadata
+        return f"<Result {facts['scenario_name']}: {facts['simulated_time_s']:.2f} s simulated>"
+
+
+def open_result(path: str | Path) -> Result:
+    """Open a saved result.
+
+    Parameters
+    ----------
+    path
+        A file written by `Result.save` or ``arcless run``.
+
+    Raises
+    ------
+    ResultFormatError
+        The file is missing, damaged, or of another format version.
+    """
+    from arcless.model import load
+
+    dataset = open_dataset(path)
+    return Result(dataset, load(metadata(dataset)["scenario"]))

@@ -1,0 +1,164 @@
+"""What a result file holds: one table that building, checking and the documentation share."""
+
+from dataclasses import dataclass
+from typing import Any, Literal
+
+RESULT_FORMAT = "arcless-result/1"
+
+
+@dataclass(frozen=True)
+class Dimension:
+    """One dimension of the dataset, with the coordinate that labels it."""
+
+    kind: Literal["number", "name", "count"]
+    units: str
+    long_name: str
+
+
+@dataclass(frozen=True)
+class Variable:
+    """One variable of the dataset."""
+
+    dims: tuple[str, ...]
+    units: str
+    long_name: str
+    required: bool = False
+    integer: bool = False
+    padded: bool = False
+    """Whole columns may be NaN (a pantograph with fewer masses than another)."""
+
+
+@dataclass(frozen=True)
+class Attribute:
+    """One attribute of the dataset; lists and dictionaries are stored as JSON text."""
+
+    kind: Literal["text", "integer", "number", "json"]
+    meaning: str
+    required: bool = False
+
+
+DIMENSIONS: dict[str, Dimension] = {
+    "time": Dimension("number", "s", "time since the start of the run, contact channels"),
+    "line_time": Dimension("number", "s", "time since the start of the run, line channels"),
+    "pantograph": Dimension("name", "1", "pantograph name, first in the direction of travel first"),
+    "mass": Dimension("count", "1", "mass of a pantograph, from 1 at the base to the head"),
+    "dropper": Dimension("name", "1", "dropper name"),
+    "support": Dimension("name", "1", "support name"),
+    "point": Dimension("name", "1", "recorded point of the contact wire"),
+    "contact_wire_node": Dimension("count", "1", "node of the contact wire"),
+    "messenger_wire_node": Dimension("count", "1", "node of the messenger wire"),
+    "elasticity_x": Dimension("number", "m", "position at which the elasticity was found"),
+    "mode": Dimension("count", "1", "natural mode of the line at rest"),
+}
+
+_CONTACT = ("time", "pantograph")
+_LINE = ("line_time",)
+
+VARIABLES: dict[str, Variable] = {
+    "contact_force": Variable(_CONTACT, "N", "contact force", required=True),
+    "contact_gap": Variable(
+        _CONTACT, "m", "gap between contact wire and strip, 0 when closed", required=True
+    ),
+    "contact_height": Variable(
+        _CONTACT, "m", "height of the contact wire above rail at the pantograph", required=True
+    ),
+    "contact_lateral": Variable(_CONTACT, "m", "lateral position of the contact wire at the strip"),
+    "position": Variable(
+        _CONTACT, "m", "position of the pantograph along the track", required=True
+    ),
+    "speed": Variable(("time",), "m/s", "speed of the train", required=True),
+    "mass_displacement": Variable(
+        ("time", "pantograph", "mass"),
+        "m",
+        "vertical displacement of a pantograph mass since the start of the run",
+        padded=True,
+    ),
+    "dropper_force": Variable(("line_time", "dropper"), "N", "dropper force, tension positive"),
+    "support_uplift": Variable(("line_time", "support"), "m", "uplift of the contact wire"),
+    "point_uplift": Variable(("line_time", "point"), "m", "uplift of the contact wire"),
+    "slack_droppers": Variable(_LINE, "1", "number of slack droppers", integer=True),
+    "energy_kinetic": Variable(_LINE, "J", "kinetic energy of the line"),
+    "energy_elastic": Variable(_LINE, "J", "elastic energy of the line"),
+    "energy_contact": Variable(_LINE, "J", "energy stored in the contact"),
+    "energy_pantograph": Variable(_LINE, "J", "kinetic and elastic energy of the pantographs"),
+    "energy_dissipated_line": Variable(_LINE, "J", "energy dissipated in the wires"),
+    "energy_dissipated_droppers": Variable(_LINE, "J", "energy dissipated in the droppers"),
+    "energy_dissipated_supports": Variable(_LINE, "J", "energy dissipated at the supports"),
+    "energy_dissipated_pantograph": Variable(_LINE, "J", "energy dissipated in the pantographs"),
+    "energy_dissipated_scheme": Variable(_LINE, "J", "energy dissipated by the time scheme"),
+    "energy_switching": Variable(
+        _LINE, "J", "energy lost where a contact or a dropper closes or opens within a step"
+    ),
+    "energy_work_uplift": Variable(_LINE, "J", "work of the uplift forces on the pantographs"),
+    "energy_work_traction": Variable(_LINE, "J", "work that moves the contact along the wire"),
+    "energy_work_friction": Variable(_LINE, "J", "work of the friction along the wire"),
+    "energy_residual": Variable(_LINE, "J", "what the energy ledger does not account for"),
+    "dropper_force_min": Variable(("dropper",), "N", "lowest dropper force, every step"),
+    "dropper_force_max": Variable(("dropper",), "N", "highest dropper force, every step"),
+    "support_uplift_max": Variable(("support",), "m", "highest contact-wire uplift, every step"),
+    "dropper_x": Variable(("dropper",), "m", "position of the dropper along the track"),
+    "dropper_span": Variable(("dropper",), "1", "span of the dropper, from 1", integer=True),
+    "dropper_length": Variable(("dropper",), "m", "distance between the clamps at rest"),
+    "dropper_force_static": Variable(("dropper",), "N", "dropper force at rest"),
+    "support_x": Variable(("support",), "m", "position of the support along the track"),
+    "support_force_static": Variable(("support",), "N", "vertical force on the messenger support"),
+    "steady_arm_force_static": Variable(("support",), "N", "force of the steady arm at rest"),
+    "contact_wire_node_x": Variable(("contact_wire_node",), "m", "along the track, at rest"),
+    "contact_wire_node_y": Variable(("contact_wire_node",), "m", "across the track, at rest"),
+    "contact_wire_node_z": Variable(("contact_wire_node",), "m", "height above rail, at rest"),
+    "messenger_wire_node_x": Variable(("messenger_wire_node",), "m", "along the track, at rest"),
+    "messenger_wire_node_y": Variable(("messenger_wire_node",), "m", "across the track, at rest"),
+    "messenger_wire_node_z": Variable(("messenger_wire_node",), "m", "height above rail, at rest"),
+    "elasticity": Variable(("elasticity_x",), "m/N", "static elasticity of the contact wire"),
+    "natural_frequency": Variable(("mode",), "Hz", "natural frequency of the line at rest"),
+}
+
+ATTRIBUTES: dict[str, Attribute] = {
+    "format": Attribute("text", f"always `{RESULT_FORMAT}`", required=True),
+    "arcless_version": Attribute("text", "version that computed the run", required=True),
+    "created": Attribute("text", "when the dataset was built, ISO 8601, UTC", required=True),
+    "scenario": Attribute("json", "the whole resolved scenario, with provenance", required=True),
+    "scenario_name": Attribute("text", "name of the scenario", required=True),
+    "section_m": Attribute("json", "analysis section, [from, to]", required=True),
+    "steps": Attribute("integer", "number of time steps", required=True),
+    "simulated_time_s": Attribute("number", "simulated time", required=True),
+    "wall_time_s": Attribute("number", "wall time of the time-stepping loop alone", required=True),
+    "setup_time_s": Attribute("number", "wall time of everything before the loop"),
+    "real_time_factor": Attribute("number", "simulated time over wall time", required=True),
+    "energy_residual_relative": Attribute("number", "largest ledger residual, relative"),
+    "slack_droppers_max": Attribute("integer", "most droppers slack at once, every step"),
+    "lcp_pivots_total": Attribute("integer", "pivots of the complementarity solver, all steps"),
+    "lcp_pivots_max": Attribute("integer", "most pivots in one step"),
+    "static_force_found": Attribute("json", "static force of each pantograph in N"),
+    "warnings": Attribute("json", "warnings of the run, as sentences"),
+    "command": Attribute("text", "command that runs this scenario again"),
+}
+
+
+def sizes_of(shapes: dict[str, tuple[int, ...]]) -> dict[str, int]:
+    """Return the size of each dimension as the first variable that uses it has it."""
+    sizes: dict[str, int] = {}
+    for name, shape in shapes.items():
+        for dim, size in zip(VARIABLES[name].dims, shape, strict=False):
+            sizes.setdefault(dim, size)
+    return sizes
+
+
+def markdown_tables() -> str:
+    """Return the tables of this module as Markdown, for the reference page."""
+    rows: list[str] = ["| dimension | unit | meaning |", "|---|---|---|"]
+    rows += [f"| `{n}` | {d.units} | {d.long_name} |" for n, d in DIMENSIONS.items()]
+    rows += ["", "| variable | dimensions | unit | meaning |", "|---|---|---|---|"]
+    rows += [_variable_row(name, variable) for name, variable in VARIABLES.items()]
+    rows += ["", "| attribute | kind | meaning |", "|---|---|---|"]
+    rows += [f"| {_mark(n, a)} | {a.kind} | {a.meaning} |" for n, a in ATTRIBUTES.items()]
+    return "\n".join(rows) + "\n"
+
+
+def _variable_row(name: str, variable: Variable) -> str:
+    dims = ", ".join(variable.dims)
+    return f"| {_mark(name, variable)} | {dims} | {variable.units} | {variable.long_name} |"
+
+
+def _mark(name: str, entry: Any) -> str:
+    return f"**`{name}`**" if entry.required else f"`{name}`"

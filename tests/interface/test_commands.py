@@ -1,0 +1,234 @@
+"""Each command on good input: what it prints, what it writes, how it ends."""
+
+import json
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from typer.testing import Result
+
+Arcless = Callable[..., Result]
+
+# The keys that outside programs read; a missing one breaks them.
+ASSESSMENT = set(
+    [
+        "scenario",
+        "version",
+        "speed_m_s",
+        "pantographs",
+        "max_uplift_at_support_mm",
+        "slack_droppers_max",
+        "min_dropper_force_N",
+        "energy_residual_relative",
+        "steps",
+        "wall_time_s",
+        "real_time_factor",
+        "criteria",
+    ]
+)
+PANTOGRAPH = set(
+    [
+        "name",
+        "mean_force_N",
+        "std_force_N",
+        "std_force_0_5Hz_N",
+        "std_force_5_20Hz_N",
+        "max_force_N",
+        "min_force_N",
+        "statistical_max_N",
+        "statistical_min_N",
+        "contact_loss_percent",
+        "longest_loss_s",
+        "max_gap_mm",
+        "contact_point_range_mm",
+        "unfiltered_max_force_N",
+        "unfiltered_min_force_N",
+    ]
+)
+STATICS = set(
+    [
+        "droppers",
+        "elasticity",
+        "elasticity_nonuniformity",
+        "contact_wire_sag_m",
+        "wave_speed_m_s",
+        "natural_frequencies_Hz",
+    ]
+)
+COMMANDS = [
+    "library",
+    "check",
+    "schema",
+    "statics",
+    "run",
+    "assess",
+    "report",
+    "validate",
+    "replay",
+]
+
+
+def strict_json(text: str) -> object:
+    """Read JSON that holds no NaN and no infinity."""
+
+    def refuse(constant: str) -> object:
+        raise AssertionError(f"{constant} in JSON")
+
+    return json.loads(text, parse_constant=refuse)
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_help_of_every_command(arcless: Arcless, name: str) -> None:
+    done = arcless(name, "--help")
+    assert done.exit_code == 0
+    assert done.stdout.startswith(f"Usage: arcless {name}") or "Usage:" in done.stdout
+    assert name in arcless("--help").stdout
+
+
+def test_no_command_prints_help(arcless: Arcless) -> None:
+    done = arcless()
+    assert done.exit_code == 0
+    assert "Commands:" in done.stdout
+
+
+def test_version(arcless: Arcless) -> None:
+    assert arcless("--version").stdout.startswith("arcless 0.")
+
+
+def test_library_lists_every_kind_with_its_source(arcless: Arcless) -> None:
+    entries = strict_json(arcless("library", "--json").stdout)
+    assert {entry["kind"] for entry in entries} == {"line", "pantograph", "scenario"}
+    assert all(entry["source"] and entry["title"] for entry in entries)
+    names = {entry["name"] for entry in entries}
+    assert {f"en50318-ac-simple-{v}" for v in (275, 320)} <= names
+    assert {f"en50318-2002-{v}" for v in (250, 300)} <= names
+    printed = arcless("library").stdout
+    assert all(name in printed for name in names)
+
+
+def test_check_says_what_a_good_file_holds(arcless: Arcless, short: Path) -> None:
+    done = arcless("check", short)
+    assert done.exit_code == 0
+    assert "valid scenario `short`" in done.stdout
+    assert done.stderr == ""
+
+
+def test_check_takes_every_shipped_model(arcless: Arcless) -> None:
+    entries = strict_json(arcless("library", "--json").stdout)
+    for name in {entry["name"] for entry in entries}:
+        done = arcless("check", name)
+        assert done.exit_code == 0, done.stderr
+        assert done.stdout.startswith(f"{name}: valid ")
+
+
+def test_check_warns_above_the_wave_speed(arcless: Arcless, short: Path, tmp_path: Path) -> None:
+    fast = tmp_path / "fast.yaml"
+    fast.write_text(short.read_text("utf-8").replace("160 km/h", "500 km/h"), "utf-8")
+    done = arcless("check", fast)
+    assert done.exit_code == 0
+    assert "warning:" in done.stderr
+    assert "wave speed" in done.stderr
+
+
+def test_schema_is_json(arcless: Arcless) -> None:
+    assert strict_json(arcless("schema").stdout)["$schema"].startswith("https://json-schema.org/")
+
+
+def test_statics_prints_tables_and_json(arcless: Arcless, short: Path, tmp_path: Path) -> None:
+    found = strict_json(arcless("statics", short, "--json", "--out", "here").stdout)
+    assert set(found) >= STATICS
+    assert {"span", "x_m", "length_m", "force_N"} <= set(found["droppers"][0])
+    assert {dropper["span"] for dropper in found["droppers"]} == set(range(1, 9))
+    assert strict_json((tmp_path / "here/statics.json").read_text("utf-8")) == found
+    printed = arcless("statics", short)
+    assert printed.exit_code == 0
+    assert "Droppers of span" in printed.stdout
+    assert "wave speed" in printed.stdout
+
+
+def test_run_writes_three_files(finished: Path) -> None:
+    names = sorted(path.name for path in finished.iterdir())
+    assert names == ["assessment.json", "report.html", "result.nc"]
+    assessment = strict_json((finished / "assessment.json").read_text("utf-8"))
+    assert set(assessment) >= ASSESSMENT
+    assert set(assessment["pantographs"][0]) >= PANTOGRAPH
+    assert all(
+        {"name", "value", "limit", "passed", "source"} <= set(c) for c in assessment["criteria"]
+    )
+
+
+def test_run_json_is_the_assessment_and_nothing_else(arcless: Arcless, short: Path) -> None:
+    done = arcless("run", short, "--json", "--no-report", "--speed", "180 km/h")
+    assessment = strict_json(done.stdout)
+    # 180 km/h is 50 m/s; the value passes through the file's seven-digit text at most.
+    assert assessment["speed_m_s"] == pytest.approx(50.0, rel=1e-6)
+    missed = any(item["passed"] is False for item in assessment["criteria"])
+    assert done.exit_code == (1 if missed else 0)
+    assert sorted(path.name for path in Path("runs/short").iterdir()) == [
+        "assessment.json",
+        "result.nc",
+    ]
+
+
+def test_run_records_how_to_run_it_again(arcless: Arcless, short: Path) -> None:
+    import xarray
+
+    words = ("run", short, "--set", "solver.time_step=4 ms", "--out", "again", "--no-report")
+    assert "wrote again/result.nc" in arcless(*words).stdout.replace("\\", "/")
+    with xarray.open_dataset("again/result.nc", engine="h5netcdf", decode_times=False) as dataset:
+        assert dataset.attrs["command"] == f"arcless run {short} --set 'solver.time_step=4 ms'"
+        # Recorded times are multiples of the step, rounded to double precision.
+        np.testing.assert_allclose(np.diff(dataset["time"])[:5], 4e-3, rtol=1e-9)
+
+
+def test_quiet_run_says_nothing_on_standard_error(arcless: Arcless, short: Path) -> None:
+    assert arcless("run", short, "--quiet", "--no-report").stderr == ""
+
+
+def test_assess_again_over_another_section(
+    arcless: Arcless, finished: Path, tmp_path: Path
+) -> None:
+    words = ("--from", "150 m", "--to", "0.25 km", "--low-pass", "15 Hz", "--out", "again.json")
+    done = arcless("assess", finished / "result.nc", "--json", *words)
+    assessment = strict_json(done.stdout)
+    assert assessment["section_m"] == [150.0, 250.0]
+    assert assessment["low_pass_Hz"] == 15.0
+    assert strict_json((tmp_path / "again.json").read_text("utf-8")) == assessment
+    assert "Criteria" in arcless("assess", finished / "result.nc").stdout
+
+
+def test_assess_without_options_repeats_the_assessment(arcless: Arcless, finished: Path) -> None:
+    again = strict_json(arcless("assess", finished / "result.nc", "--json").stdout)
+    assert again == strict_json((finished / "assessment.json").read_text("utf-8"))
+
+
+def test_report_again(arcless: Arcless, finished: Path, tmp_path: Path) -> None:
+    shutil.copy(finished / "result.nc", tmp_path)
+    assert arcless("report", "result.nc").exit_code == 0
+    assert arcless("report", "result.nc", "--out", "other.html").exit_code == 0
+    assert (tmp_path / "report.html").stat().st_size > 0
+    assert (tmp_path / "other.html").stat().st_size > 0
+
+
+def test_replay_prints_the_solution(arcless: Arcless, tmp_path: Path) -> None:
+    # x = 0.5 closes the first link (2·0.5 − 1 = 0); the second stays open with y = 3.
+    problem = {"kind": "lcp", "H": [[2.0, 0.0], [0.0, 1.0]], "w": [-1.0, 3.0], "step": 7}
+    saved = tmp_path / "failed.json"
+    saved.write_text(json.dumps({**problem, "time_s": 0.007, "links": ["P1", "dropper 3"]}))
+    done = arcless("replay", saved)
+    assert done.exit_code == 0, done.stderr
+    assert "step: 7, time: 0.007 s, links: 2" in done.stdout
+    assert "P1: x = 0.5, y = 0" in done.stdout
+    assert "dropper 3: x = 0, y = 3" in done.stdout
+
+
+def test_replay_of_an_unsolvable_problem_fails(arcless: Arcless, tmp_path: Path) -> None:
+    # −x − 1 ≥ 0 has no solution with x ≥ 0.
+    saved = tmp_path / "failed.json"
+    saved.write_text(json.dumps({"kind": "lcp", "H": [[-1.0]], "w": [-1.0]}))
+    done = arcless("replay", saved)
+    assert done.exit_code == 1
+    assert "status: not solved" in done.stdout
+    assert done.stderr.startswith("error:")

@@ -1,0 +1,249 @@
+"""The whole assessment on records with known content."""
+
+import json
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from arcless.assess import assess
+from arcless.assess.criteria import markdown_table
+from arcless.errors import ModelError
+from tests.support.synthetic import scenario_data, synthetic_dataset
+
+GUIDE = Path(__file__).parents[3] / "docs" / "guide" / "assessment.md"
+
+# The names of the interface; users script against them.
+KEYS = {
+    "scenario", "version", "speed_m_s", "pantographs", "max_uplift_at_support_mm",
+    "slack_droppers_max", "min_dropper_force_N", "energy_residual_relative", "steps",
+    "wall_time_s", "real_time_factor", "criteria",
+}  # fmt: skip
+PANTOGRAPH_KEYS = {
+    "name", "mean_force_N", "std_force_N", "std_force_0_5Hz_N", "std_force_5_20Hz_N",
+    "max_force_N", "min_force_N", "statistical_max_N", "statistical_min_N",
+    "contact_loss_percent", "longest_loss_s", "max_gap_mm", "contact_point_range_mm",
+    "unfiltered_max_force_N", "unfiltered_min_force_N",
+}  # fmt: skip
+CRITERION_KEYS = {"name", "value", "limit", "passed", "source"}
+
+
+def gain(frequency: float, cutoff: float) -> float:
+    ratio = math.tan(math.pi * frequency / 1000.0) / math.tan(math.pi * cutoff / 1000.0)
+    return 1.0 / (1.0 + ratio**12)
+
+
+def sine(frequency: float, amplitude: float):
+    return lambda t: amplitude * np.sin(2.0 * np.pi * frequency * t)
+
+
+def test_keys_are_those_of_the_interface() -> None:
+    found = assess(synthetic_dataset()).to_dict()
+    assert set(found) >= KEYS
+    assert set(found["pantographs"][0]) == PANTOGRAPH_KEYS
+    assert set(found["criteria"][0]) >= CRITERION_KEYS
+
+
+# 200 m at 20 m/s are 10 s: whole periods of 2, 9 and 50 Hz, so means and σ are exact; the section
+# holds both its ends, one sample more than whole periods, hence 1e-3 instead of rounding.
+def test_mean_deviation_and_bands_of_three_sines() -> None:
+    waves = [sine(2.0, 30.0), sine(9.0, 10.0), sine(50.0, 25.0)]
+    dataset = synthetic_dataset(force=lambda t: 120.0 + sum(wave(t) for wave in waves))
+    [found] = assess(dataset).pantographs
+    low = 30.0 * gain(2.0, 5.0) / math.sqrt(2.0)
+    high = math.hypot(
+        30.0 * (gain(2.0, 20.0) - gain(2.0, 5.0)), 10.0 * (gain(9.0, 20.0) - gain(9.0, 5.0))
+    ) / math.sqrt(2.0)
+    assert found.mean_force_N == pytest.approx(120.0, abs=1e-2)
+    assert found.std_force_0_5Hz_N == pytest.approx(low, rel=1e-3)
+    assert found.std_force_5_20Hz_N == pytest.approx(high, rel=1e-3)
+    assert found.std_force_N == pytest.approx(math.hypot(low, high), rel=1e-3)
+    assert found.statistical_max_N == found.mean_force_N + 3.0 * found.std_force_N
+    assert found.statistical_min_N == found.mean_force_N - 3.0 * found.std_force_N
+
+
+def test_a_sine_above_the_band_vanishes_and_shows_only_unfiltered() -> None:
+    [found] = assess(synthetic_dataset(force=lambda t: 100.0 + sine(50.0, 40.0)(t))).pantographs
+    assert found.std_force_N < 40.0 * gain(50.0, 20.0) + 1e-6
+    assert found.unfiltered_max_force_N == pytest.approx(140.0)
+    assert found.unfiltered_min_force_N == pytest.approx(60.0)
+    assert found.max_force_N == pytest.approx(100.0, abs=1e-2)
+
+
+# The force is one constant inside the section and another one outside: assessing the right part
+# in the wrong order (cut, then filter) would give exactly 0; filtering first blurs the border.
+def test_the_whole_record_is_filtered_before_the_section_is_cut() -> None:
+    step = lambda t: np.where((t >= 10.0) & (t <= 20.0), 100.0, 300.0)  # noqa: E731
+    [found] = assess(synthetic_dataset(force=step)).pantographs
+    assert found.max_force_N > 150.0
+    assert found.unfiltered_max_force_N == 100.0
+    inner = assess(synthetic_dataset(force=step), section=(220.0, 380.0)).pantographs[0]
+    assert inner.mean_force_N == pytest.approx(100.0, abs=1e-6)
+
+
+def test_what_the_filter_makes_up_at_the_ends_stays_outside() -> None:
+    wave = synthetic_dataset(force=lambda t: 100.0 + 50.0 * np.cos(2.0 * np.pi * 3.0 * t))
+    assert assess(wave).notes == []
+    [note] = assess(wave, section=(0.0, 400.0)).notes
+    assert "makes numbers up" in note
+
+
+def test_each_pantograph_has_its_own_time_in_the_section() -> None:
+    ramp = synthetic_dataset(pantographs=("P1", "P2"), distance_m=100.0, force=lambda t: 100.0 + t)
+    first, second = assess(ramp).pantographs
+    # P1 is inside from 10 to 20 s, P2 100 m behind at 20 m/s, five seconds later.
+    assert first.mean_force_N == pytest.approx(115.0, abs=1e-6)
+    assert second.mean_force_N == pytest.approx(120.0, abs=1e-6)
+
+
+def lost(begin: float, end: float):
+    # Half a step of margin: the drawn times are multiples of 1 ms up to rounding.
+    return lambda t: np.where((t > begin - 5e-4) & (t < end - 5e-4), 0.0, 100.0)
+
+
+def test_loss_is_counted_in_time_and_on_the_unfiltered_force() -> None:
+    [found] = assess(synthetic_dataset(force=lost(12.0, 12.02))).pantographs
+    samples = 10_001  # both ends of the section are inside
+    assert found.contact_loss_percent == pytest.approx(100.0 * 20 / samples, rel=1e-12)
+    assert found.longest_loss_s == pytest.approx(0.020, rel=1e-9)
+    assert found.unfiltered_min_force_N == 0.0
+
+
+def test_a_loss_over_the_border_counts_with_its_part_inside() -> None:
+    [found] = assess(synthetic_dataset(force=lost(9.9, 10.03))).pantographs
+    assert found.longest_loss_s == pytest.approx(0.030, rel=1e-9)
+
+
+def test_a_loss_outside_the_section_does_not_count() -> None:
+    [found] = assess(synthetic_dataset(force=lost(5.0, 6.0))).pantographs
+    assert found.contact_loss_percent == 0.0
+    assert found.longest_loss_s == 0.0
+
+
+def test_percentages_are_by_time_when_the_speed_changes() -> None:
+    # Half the distance at 20 m/s, half at 40 m/s: a loss all along the fast half is a third.
+    dataset = synthetic_dataset(force=lambda t: np.where(t > 15.0, 0.0, 100.0))
+    time = dataset["time"].values
+    x = np.where(time <= 15.0, 20.0 * time, 300.0 + 40.0 * (time - 15.0))
+    dataset["position"].values[:, 0] = x
+    [found] = assess(dataset).pantographs
+    assert found.contact_loss_percent == pytest.approx(100.0 / 3.0, rel=1e-3)
+
+
+def test_gap_and_height_are_millimetres_inside_the_section() -> None:
+    dataset = synthetic_dataset(
+        gap=lambda t: np.where(t < 5.0, 0.5, np.where(np.abs(t - 15.0) < 0.01, 0.012, 0.0)),
+        height=lambda t: 5.3 + np.where(t < 5.0, 0.4, 0.02) * np.sin(2.0 * np.pi * t),
+    )
+    [found] = assess(dataset).pantographs
+    assert found.max_gap_mm == pytest.approx(12.0)
+    assert found.contact_point_range_mm == pytest.approx(40.0, rel=1e-6)
+
+
+def test_line_numbers_come_from_places_inside_the_section() -> None:
+    dataset = synthetic_dataset()
+    dataset["support_uplift_max"].values[:] = 0.001 * np.arange(13)  # supports every 50 m
+    dataset["dropper_force_min"].values[:] = np.abs(dataset["dropper_x"].values - 300.0)
+    found = assess(dataset)
+    assert found.max_uplift_at_support_mm == pytest.approx(8.0)  # at 400 m
+    assert found.min_dropper_force_N == pytest.approx(5.0)
+    assert assess(dataset, section=(210.0, 240.0)).max_uplift_at_support_mm is None
+
+
+def test_speed_and_wave_speed_come_from_run_and_line() -> None:
+    found = assess(synthetic_dataset())
+    assert found.speed_m_s == pytest.approx(20.0, rel=1e-12)
+    [use] = [c for c in found.criteria if c.name == "wave_speed_use"]
+    assert use.value == pytest.approx(0.2, rel=1e-12)  # √(10 kN / 1 kg/m) = 100 m/s
+
+
+def test_design_space_decides_the_uplift_criterion() -> None:
+    def uplift(**design):
+        data = scenario_data(line__design={"uplift_space": None, **design})
+        found = assess(synthetic_dataset(scenario=data)).criteria
+        return next(c for c in found if c.name == "uplift_space")
+
+    assert uplift(uplift_space=0.08).passed is True  # 2 × 40 mm
+    assert uplift(uplift_space=0.0799).passed is False
+    assert uplift(uplift_space=0.06, uplift_limited=True).passed is True
+    assert uplift().passed is None
+
+
+def test_passed_ignores_what_could_not_be_judged() -> None:
+    data = scenario_data(line__design={"uplift_space": None})
+    calm = synthetic_dataset(scenario=data, force=lambda t: np.full_like(t, 80.0))
+    found = assess(calm)
+    assert None in {c.passed for c in found.criteria}
+    assert found.passed
+    assert not assess(synthetic_dataset(force=lambda t: np.full_like(t, 500.0))).passed
+
+
+@pytest.mark.parametrize(
+    "dataset",
+    [
+        synthetic_dataset(),
+        synthetic_dataset(force=np.zeros_like),
+        synthetic_dataset(without=("support_uplift_max", "dropper_force_min")),
+        synthetic_dataset(attrs={"energy_residual_relative": None, "slack_droppers_max": None}),
+    ],
+    ids=["usual", "never in contact", "no extremes", "no ledger"],
+)
+def test_json_never_holds_a_nan(dataset) -> None:
+    text = assess(dataset).to_json()
+    assert "NaN" not in text
+    assert "Infinity" not in text
+    assert json.loads(text) == assess(dataset).to_dict()
+
+
+def test_what_is_missing_is_null_and_noted() -> None:
+    dataset = synthetic_dataset(
+        without=("support_uplift_max",), attrs={"energy_residual_relative": None}
+    )
+    found = assess(dataset)
+    assert found.max_uplift_at_support_mm is None
+    assert found.energy_residual_relative is None
+    assert any("max_uplift_at_support_mm" in note for note in found.notes)
+
+
+def test_a_coarse_record_is_noted() -> None:
+    [note] = assess(synthetic_dataset(step_s=0.01)).notes
+    assert "100 Hz" in note
+
+
+def test_a_section_that_is_only_partly_travelled_is_noted() -> None:
+    notes = assess(synthetic_dataset(), section=(400.0, 900.0)).notes
+    assert any("400 to 600 m" in note for note in notes)
+
+
+@pytest.mark.parametrize(
+    "section", [(700.0, 900.0), (-50.0, -10.0), (300.0, 300.0), (400.0, 200.0), (math.nan, 1.0)]
+)
+def test_a_section_that_cannot_be_is_refused(section) -> None:
+    with pytest.raises(ModelError, match="analysis section"):
+        assess(synthetic_dataset(), section=section)
+
+
+def test_another_low_pass_changes_what_is_kept() -> None:
+    dataset = synthetic_dataset(force=lambda t: 100.0 + sine(9.0, 10.0)(t))
+    narrow = assess(dataset, low_pass_Hz=6.0).pantographs[0]
+    wide = assess(dataset).pantographs[0]
+    assert narrow.std_force_N == pytest.approx(10.0 * gain(9.0, 6.0) / math.sqrt(2.0), rel=1e-3)
+    assert wide.std_force_N == pytest.approx(10.0 * gain(9.0, 20.0) / math.sqrt(2.0), rel=1e-3)
+
+
+def test_a_low_pass_below_the_band_split_leaves_nothing_in_the_upper_band() -> None:
+    dataset = synthetic_dataset(force=lambda t: 100.0 + sine(2.0, 10.0)(t))
+    assert assess(dataset, low_pass_Hz=4.0).pantographs[0].std_force_5_20Hz_N == 0.0
+
+
+def test_the_dataset_stays_as_it_was() -> None:
+    dataset = synthetic_dataset()
+    before = dataset.copy(deep=True)
+    assess(dataset)
+    assert dataset.identical(before)
+
+
+def test_the_guide_shows_the_rules_of_the_code() -> None:
+    # To update: paste the output of arcless.assess.criteria.markdown_table().
+    assert markdown_table() in GUIDE.read_text(encoding="utf-8")

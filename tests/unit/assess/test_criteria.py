@@ -1,0 +1,186 @@
+"""Verdicts at their boundaries, for every supply and every band of speed."""
+
+import math
+from dataclasses import replace
+
+import pytest
+
+from arcless.assess.criteria import evaluate
+from arcless.assess.rules import ANY_SUPPLY, MEAN_FORCE_TOLERANCE_N, RULES, Facts
+from arcless.assess.statistics import PantographAssessment
+
+FACTS = Facts("AC 25 kV", 300.0, wave_speed_use=0.5, uplift_mm=40.0, uplift_space_mm=100.0)
+GOOD = PantographAssessment(
+    name="P1",
+    mean_force_N=150.0,
+    std_force_N=30.0,
+    std_force_0_5Hz_N=20.0,
+    std_force_5_20Hz_N=20.0,
+    max_force_N=240.0,
+    min_force_N=70.0,
+    statistical_max_N=240.0,
+    statistical_min_N=60.0,
+    contact_loss_percent=0.0,
+    longest_loss_s=0.0,
+    max_gap_mm=0.0,
+    contact_point_range_mm=40.0,
+    unfiltered_max_force_N=260.0,
+    unfiltered_min_force_N=50.0,
+)
+
+
+def verdict(name: str, facts: Facts = FACTS, **numbers: float):
+    [found] = [c for c in evaluate(facts, [replace(GOOD, **numbers)]) if c.name == name]
+    return found
+
+
+def just_above(value: float) -> float:
+    return math.nextafter(value, math.inf)
+
+
+def just_below(value: float) -> float:
+    return math.nextafter(value, -math.inf)
+
+
+def test_a_good_run_meets_every_criterion() -> None:
+    assert all(c.passed for c in evaluate(FACTS, [GOOD]))
+
+
+def test_standard_deviation_boundary() -> None:
+    assert verdict("standard_deviation", mean_force_N=100.0, std_force_N=30.0).passed
+    assert not verdict("standard_deviation", mean_force_N=100.0, std_force_N=just_above(30)).passed
+
+
+def test_statistical_minimum_is_strict() -> None:
+    assert not verdict("statistical_min", statistical_min_N=0.0).passed
+    assert verdict("statistical_min", statistical_min_N=just_above(0.0)).passed
+
+
+@pytest.mark.parametrize(
+    ("supply", "speed", "limit", "mark"),
+    [
+        ("AC 25 kV", 200.0, 300.0, "A"),
+        ("AC 25 kV", 200.1, 350.0, "A"),
+        ("AC 25 kV", 320.0, 350.0, "A"),
+        ("AC 25 kV", 320.1, 400.0, "A"),
+        ("AC 15 kV", 320.0, 350.0, "C"),
+        ("DC 3 kV", 200.0, 300.0, "A"),
+        ("DC 3 kV", 201.0, 400.0, "A"),
+        ("DC 1.5 kV", 201.0, 400.0, "C"),
+    ],
+)
+def test_statistical_maximum_by_supply_and_speed(supply, speed, limit, mark) -> None:
+    facts = replace(FACTS, supply=supply, speed_km_h=speed)
+    at = verdict("statistical_max", facts, statistical_max_N=limit)
+    assert (at.passed, at.limit, at.mark) == (True, limit, mark)
+    assert not verdict("statistical_max", facts, statistical_max_N=just_above(limit)).passed
+
+
+@pytest.mark.parametrize("km_h", [200.0, 250.0, 320.0])
+def test_a_round_speed_survives_the_way_through_metres_per_second(km_h: float) -> None:
+    exact = verdict("statistical_max", replace(FACTS, speed_km_h=km_h))
+    for there_and_back in (3.6 * (km_h / 3.6), just_above(km_h), just_below(km_h)):
+        facts = replace(FACTS, speed_km_h=there_and_back)
+        assert verdict("statistical_max", facts).limit == exact.limit
+        assert (
+            verdict("contact_loss", facts).limit
+            == verdict("contact_loss", replace(FACTS, speed_km_h=km_h)).limit
+        )
+
+
+# Values of the law as printed where it was read, to the 0.1 N given there.
+@pytest.mark.parametrize(
+    ("supply", "km_h", "limit"),
+    [
+        ("AC 25 kV", 250.0, 130.6),
+        ("AC 25 kV", 300.0, 157.3),
+        ("AC 15 kV", 320.0, 169.3),
+        ("AC 25 kV", 350.0, 188.8),
+        ("AC 25 kV", 380.0, 210.1),
+        ("AC 25 kV", 400.0, 225.2),
+        ("AC 25 kV", 160.0, 0.00047 * 160.0**2 + 90.0),
+        ("DC 3 kV", 200.0, 0.00097 * 200.0**2 + 110.0),
+        ("DC 1.5 kV", 160.0, 0.00097 * 160.0**2 + 140.0),
+    ],
+)
+def test_mean_force_law(supply: str, km_h: float, limit: float) -> None:
+    facts = replace(FACTS, supply=supply, speed_km_h=km_h)
+    found = verdict("mean_force", facts, mean_force_N=100.0)
+    assert found.limit == pytest.approx(limit, abs=0.05)
+    over = found.limit + MEAN_FORCE_TOLERANCE_N
+    assert verdict("mean_force", facts, mean_force_N=over).passed
+    assert not verdict("mean_force", facts, mean_force_N=just_above(over)).passed
+
+
+def test_the_rounded_target_of_a_reference_case_meets_its_own_law() -> None:
+    # 143.4 N at 275 km/h is the law's 143.36 N, rounded up.
+    assert verdict("mean_force", replace(FACTS, speed_km_h=275.0), mean_force_N=143.4).passed
+
+
+def test_lower_mean_force_law_belongs_to_slow_alternating_current() -> None:
+    slow = replace(FACTS, speed_km_h=160.0)
+    limit = 0.00047 * 160.0**2 + 60.0
+    low = limit - MEAN_FORCE_TOLERANCE_N
+    assert verdict("mean_force_lower", slow, mean_force_N=just_above(low)).passed
+    assert not verdict("mean_force_lower", slow, mean_force_N=low - 1e-9).passed
+    assert "mean_force_lower" not in {c.name for c in evaluate(FACTS, [GOOD])}
+
+
+@pytest.mark.parametrize(("km_h", "limit"), [(250.0, 0.1), (251.0, 0.2)])
+def test_loss_of_contact(km_h: float, limit: float) -> None:
+    facts = replace(FACTS, speed_km_h=km_h)
+    assert verdict("contact_loss", facts, contact_loss_percent=limit).passed
+    found = verdict("contact_loss", facts, contact_loss_percent=just_above(limit))
+    assert found.passed is False
+    assert found.mark == "C"
+
+
+@pytest.mark.parametrize(("limited", "highest"), [(False, 50.0), (True, 100.0 / 1.5)])
+def test_uplift_needs_twice_or_one_and_a_half_times_its_space(limited, highest) -> None:
+    facts = replace(FACTS, uplift_limited=limited, uplift_mm=highest * (1.0 - 1e-12))
+    assert verdict("uplift_space", facts).passed
+    assert not verdict("uplift_space", replace(facts, uplift_mm=highest * (1.0 + 1e-12))).passed
+
+
+def test_wave_speed_boundary() -> None:
+    assert verdict("wave_speed_use", replace(FACTS, wave_speed_use=0.7)).passed
+    assert not verdict("wave_speed_use", replace(FACTS, wave_speed_use=just_above(0.7))).passed
+
+
+@pytest.mark.parametrize(
+    ("change", "reason"),
+    [({"uplift_space_mm": None}, "design data"), ({"uplift_mm": None}, "record")],
+)
+def test_what_cannot_be_judged_has_no_verdict_and_a_reason(change: dict, reason: str) -> None:
+    found = verdict("uplift_space", replace(FACTS, **change))
+    assert found.passed is None
+    assert reason in found.note
+
+
+def test_no_uplift_at_all_is_judged() -> None:
+    assert verdict("uplift_space", replace(FACTS, uplift_mm=0.0)).passed
+
+
+def test_each_pantograph_is_judged_and_the_run_once() -> None:
+    found = evaluate(FACTS, [GOOD, replace(GOOD, name="P2", std_force_N=80.0)])
+    by_pantograph = {(c.name, c.pantograph): c.passed for c in found}
+    assert by_pantograph["standard_deviation", "P1"] is True
+    assert by_pantograph["standard_deviation", "P2"] is False
+    assert ("wave_speed_use", None) in by_pantograph
+    assert len(by_pantograph) == len(found)
+
+
+@pytest.mark.parametrize("supply", ANY_SUPPLY)
+@pytest.mark.parametrize("km_h", [0.0, 80.0, 200.0, 200.5, 250.0, 320.0, 320.5, 500.0])
+def test_every_supply_and_speed_has_the_full_set(supply: str, km_h: float) -> None:
+    names = [c.name for c in evaluate(replace(FACTS, supply=supply, speed_km_h=km_h), [GOOD])]
+    everywhere = {rule.name for rule in RULES} - {"mean_force_lower"}
+    assert everywhere <= set(names)
+    assert len(names) == len(set(names))
+
+
+def test_every_rule_has_source_and_mark() -> None:
+    for rule in RULES:
+        assert rule.source
+        assert rule.mark in {"A", "B", "C"}
+        assert ("memory" in rule.source) == (rule.mark == "C") or "taken over" in rule.note

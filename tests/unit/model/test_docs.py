@@ -1,0 +1,49 @@
+"""The examples and the tables of docs/reference/model-files.md are true."""
+
+import re
+from pathlib import Path
+from typing import Any
+
+from arcless.model import MARKS, Line, Pantograph, Scenario, load, scenario_warnings
+from arcless.model.documents import Provenance
+from arcless.units import KINDS, spell
+
+PAGE = (Path(__file__).parents[3] / "docs/reference/model-files.md").read_text(encoding="utf-8")
+
+
+def test_the_worked_example_loads(tmp_path: Path) -> None:
+    blocks = re.findall(r"```yaml\n# (\S+\.yaml)\n(.*?)```", PAGE, re.DOTALL)
+    assert [name for name, _ in blocks] == ["my-line.yaml", "my-scenario.yaml"]
+    for name, text in blocks:
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    scenario = load(tmp_path / "my-scenario.yaml")
+    assert scenario_warnings(scenario) == []
+    assert scenario.line.provenance["contact_wire.tension"].mark == "A"
+
+
+def test_every_unit_and_mark_is_listed() -> None:
+    for kind in KINDS.values():
+        for unit in filter(None, kind.units):
+            assert f"`{spell(unit)}`" in PAGE, unit
+    for mark in MARKS:
+        assert f"| {mark} |" in PAGE
+
+
+def test_every_field_is_named() -> None:
+    for model in _models():
+        for name in model.field_names():
+            assert f"`{name}`" in PAGE, f"{model.__name__}.{name}"
+
+
+def _models() -> list[Any]:
+    found: list[Any] = []
+    todo: list[Any] = [Line, Pantograph, Scenario]
+    while todo:
+        item = todo.pop()
+        if hasattr(item, "model_fields"):
+            if item not in found and item is not Provenance:
+                found.append(item)
+                todo += [field.annotation for field in item.model_fields.values()]
+        else:
+            todo += list(getattr(item, "__args__", ()))
+    return found

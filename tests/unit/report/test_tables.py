@@ -1,0 +1,107 @@
+"""Numbers as text, verdicts as sentences, and the model's data with their sources."""
+
+from arcless.assess import assess
+from arcless.model import load
+from arcless.report.model_data import MAX_ROWS, groups, marks_used
+from arcless.report.tables import (
+    INDICATORS,
+    criterion_rows,
+    indicator_rows,
+    number,
+    reference_cells,
+    verdict,
+)
+from tests.support.synthetic import SPAN_M, scenario_data, synthetic_dataset
+
+
+def test_numbers() -> None:
+    assert number(None) == "–"
+    assert number(-1.25, 2) == "−1.25"
+    assert number(0.12345, 3) == "0.123"
+
+
+def test_verdict_names_what_was_missed_and_how_sure_the_limit_is() -> None:
+    found = verdict(assess(synthetic_dataset()))
+    assert found.state == "missed"
+    assert found.text == "1 of 8 judged criteria missed"
+    assert found.missed == ["mean force F_m, upper law (P1, mark C)"]
+
+
+def test_verdict_counts_what_could_not_be_judged() -> None:
+    data = scenario_data(line__design={"uplift_space": None})
+    calm = synthetic_dataset(scenario=data, force=lambda t: 80.0 + 0.0 * t)
+    found = verdict(assess(calm))
+    assert found.state == "met"
+    assert found.text == "All 7 judged criteria met; 1 could not be judged"
+
+
+def test_every_indicator_has_a_row_and_every_pantograph_a_column() -> None:
+    two = assess(synthetic_dataset(pantographs=("P1", "P2")))
+    rows = indicator_rows(two)
+    assert len(rows) == len(INDICATORS)
+    assert {key for key in vars(two.pantographs[0]) if key != "name"} == set(INDICATORS)
+    assert all(len(values) == 2 for _, _, values in rows)
+
+
+def test_criteria_say_title_and_source_once() -> None:
+    rows = criterion_rows(assess(synthetic_dataset(pantographs=("P1", "P2"))))
+    first, second = rows[:2]
+    assert (first["title"] != "", second["title"]) == (True, "")
+    assert [first["pantograph"], second["pantograph"]] == ["P1", "P2"]
+
+
+def test_reference_cells_are_text() -> None:
+    [row] = reference_cells([{"quantity": "σ", "value": 31.94444, "low": None, "high": -2.0}])
+    assert (row["value"], row["low"], row["high"], row["mark"]) == ("31.94", "–", "−2", "–")
+
+
+def test_model_data_carry_unit_mark_source_and_note() -> None:
+    line, pantograph, scenario = groups(load(scenario_data()))
+    rows = {row.path: row for row in line.rows}
+    tension = rows["contact_wire.tension"]
+    assert tension.value == "10\u202f000 N"
+    assert (tension.mark, tension.source, tension.note) == ("A", "S1", "drawn")
+    assert rows["contact_wire.mass"].mark == ""
+    assert rows["span_types.all.length"].value == f"{SPAN_M:g} m"
+    assert rows["span_types.all.droppers.positions"].value == "5, 45 m"
+    assert line.sources == {"S1": "a drawing"}
+    assert [row.value for row in pantograph.rows if row.path == "masses.0.mass"] == ["8 kg"]
+    assert not any("contact_wire." in row.path for row in scenario.rows)
+    assert marks_used([line, pantograph, scenario]) == {"A"}
+
+
+def test_equal_pantographs_are_listed_once() -> None:
+    data = scenario_data()
+    data["pantographs"] += [{**data["pantographs"][0], "name": "P2", "distance": 100.0}]
+    titles = [group.title for group in groups(load(data))]
+    assert titles == ["Line drawn line", "Pantograph drawn", "Scenario synthetic"]
+
+
+def test_a_line_with_hundreds_of_span_types_is_cut_and_says_so() -> None:
+    data = scenario_data()
+    span = data["line"]["span_types"]["all"]
+    data["line"]["span_types"] = {f"t{i}": span for i in range(MAX_ROWS)}
+    data["line"]["spans"] = [{"type": "t0", "count": 12}]
+    line = groups(load(data))[0]
+    assert len(line.rows) == MAX_ROWS
+    assert line.left_out > 0
+
+
+def test_values_are_those_of_the_run_even_after_a_change() -> None:
+    changed = load(scenario_data()).with_(**{"line.contact_wire.tension": "12 kN"})
+    rows = {row.path: row for row in groups(changed)[0].rows}
+    assert rows["contact_wire.tension"].value == "12\u202f000 N"
+
+
+def test_a_value_inherits_the_source_of_the_mapping_it_was_given_in() -> None:
+    damping = {"value": {"alpha": 0.01, "beta": "0.1 ms"}, "mark": "C", "note": "remembered"}
+    data = scenario_data(line__contact_wire__damping=damping)
+    rows = {row.path: row for row in groups(load(data))[0].rows}
+    assert rows["contact_wire.damping.beta"].value == "0.0001 s"
+    assert rows["contact_wire.damping.beta"].mark == "C"
+    assert rows["messenger_wire.damping.beta"].mark == ""
+
+
+def test_an_empty_list_is_none() -> None:
+    rows = {row.path: row for row in groups(load(scenario_data()))[-1].rows}
+    assert rows["output.points"].value == "none"

@@ -1,0 +1,85 @@
+"""Every kind of error, with an example of its message: the list that users meet."""
+
+import pickle
+
+import pytest
+
+from arcless import errors
+from arcless.errors import (
+    ArclessError,
+    ContactError,
+    EquilibriumError,
+    MeshError,
+    ModelError,
+    OutputError,
+    ResultFormatError,
+)
+
+EXAMPLES = [
+    (
+        ModelError(
+            "contact_wire.tension",
+            where="lines/foo.yaml:12",
+            got='"22 kg"',
+            expected="a force (N, kN)",
+            hint="kg is the unit of a mass",
+        ),
+        'lines/foo.yaml:12: contact_wire.tension: got "22 kg", expected a force (N, kN);'
+        " hint: kg is the unit of a mass",
+        2,
+    ),
+    (
+        MeshError("elements", got="0.001 m", expected="elements longer than 0.05 m"),
+        "elements: got 0.001 m, expected elements longer than 0.05 m",
+        2,
+    ),
+    (
+        OutputError("folder cannot be written", where="runs/x", hint="choose another with --out"),
+        "runs/x: folder cannot be written; hint: choose another with --out",
+        2,
+    ),
+    (
+        EquilibriumError("no equilibrium", where="iteration 50", got="a residual of 3 N"),
+        "iteration 50: no equilibrium: got a residual of 3 N",
+        1,
+    ),
+    (
+        ContactError("not solved", where="step 812, t = 0.812 s, span 3 dropper 5"),
+        "step 812, t = 0.812 s, span 3 dropper 5: not solved",
+        1,
+    ),
+    (
+        ResultFormatError("not a result", where="x.nc", expected="a file of arcless run"),
+        "x.nc: not a result: expected a file of arcless run",
+        2,
+    ),
+]
+
+
+@pytest.mark.parametrize(("error", "message", "code"), EXAMPLES, ids=lambda e: type(e).__name__)
+def test_message_and_exit_code(error: ArclessError, message: str, code: int) -> None:
+    assert str(error) == message
+    assert error.exit_code == code
+
+
+def test_every_kind_has_an_example() -> None:
+    kinds = {
+        value
+        for value in vars(errors).values()
+        if isinstance(value, type) and issubclass(value, ArclessError) and value is not ArclessError
+    }
+    assert kinds == {type(error) for error, _, _ in EXAMPLES}
+
+
+def test_further_mistakes_follow_on_their_own_lines() -> None:
+    second = ModelError("b", where="x.yaml:2", expected="a length (m)")
+    first = ModelError("a", where="x.yaml:1", expected="a force (N)", also=[second])
+    assert str(first).splitlines() == [
+        "x.yaml:1: a: expected a force (N)",
+        "x.yaml:2: b: expected a length (m)",
+    ]
+
+
+def test_errors_survive_the_way_from_a_worker_process() -> None:
+    error = EXAMPLES[0][0]
+    assert str(pickle.loads(pickle.dumps(error))) == str(error)
