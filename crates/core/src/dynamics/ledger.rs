@@ -20,6 +20,7 @@ use super::contact::Unilateral;
 use super::path::Place;
 use super::rider::{RiderState, RiderWork};
 use super::stepper::{LineState, Prepared};
+use crate::linalg::{Kernel, widest};
 
 /// Entries in J, summed since the start of the run (stored energies: their change).
 #[derive(Debug, Clone, Copy, Default)]
@@ -86,9 +87,8 @@ pub struct Ledger<const D: usize> {
     pub entries: Entries,
     start: Entries,
     rate: Vec<[f64; D]>,
-    mass_delta: Vec<[f64; D]>,
-    stiffness_delta: Vec<[f64; D]>,
-    damping_rest: Vec<[f64; D]>,
+    balance: Vec<[f64; D]>,
+    link_work: Vec<f64>,
     stored_work: f64,
     scheme_riders: f64,
     start_linear: f64,
@@ -105,6 +105,45 @@ fn dot<const D: usize>(x: &[[f64; D]], y: &[[f64; D]]) -> f64 {
         }
     }
     sums.iter().sum()
+}
+
+/// Δu·(M a_m), Δu·(K u_f), v_f·(M Δu), v_f·(K Δu).
+#[derive(Debug, Default)]
+struct Sums([f64; 4]);
+
+/// The products of one step, in one pass over the matrices.
+struct StepWork<'a, const DIM: usize, const D: usize> {
+    p: &'a Prepared<DIM, D>,
+    state: &'a LineState<D>,
+    /// v_f of every node.
+    rate: &'a mut [[f64; D]],
+    /// u_f of every node.
+    balance: &'a mut [[f64; D]],
+    sums: &'a mut Sums,
+}
+
+impl<const DIM: usize, const D: usize> Kernel for StepWork<'_, DIM, D> {
+    #[inline(always)]
+    fn run(self) {
+        let Self { p, state, rate, balance, sums } = self;
+        let c = p.coefficients;
+        let [mut inertia, mut elastic, mut by_mass, mut by_stiffness] = [[0.0; D]; 4];
+        let rows = state.delta.iter().zip(&state.u).zip(&state.v).zip(&state.a);
+        for (i, (((d, u), v), a)) in rows.enumerate() {
+            let mass = p.line.mass.row(i, &state.delta);
+            for k in 0..D {
+                let velocity = c.damping * d[k] + c.velocity_from_v * v[k] + c.velocity_from_a * a[k];
+                let force = c.mass * d[k] + c.acceleration_from_v * v[k] + c.acceleration_from_a * a[k];
+                rate[i][k] = velocity;
+                balance[i][k] = u[k] + c.stiffness * d[k];
+                inertia[k] += force * mass[k];
+                by_mass[k] += velocity * mass[k];
+            }
+            p.line.stiffness.add_row_of_form(i, &state.delta, balance, &mut elastic);
+            p.line.stiffness.add_row_of_form(i, &state.delta, rate, &mut by_stiffness);
+        }
+        sums.0 = [inertia, elastic, by_mass, by_stiffness].map(|lanes| lanes.iter().sum());
+    }
 }
 
 /// What the ledger needs to know of one step, beyond the states before and after.
@@ -137,9 +176,8 @@ impl<const D: usize> Ledger<D> {
             entries: Entries::default(),
             start: Entries::default(),
             rate: zero.clone(),
-            mass_delta: zero.clone(),
-            stiffness_delta: zero.clone(),
-            damping_rest: zero,
+            balance: zero,
+            link_work: vec![0.0; p.line.links.len()],
             stored_work: 0.0,
             scheme_riders: 0.0,
             start_linear: 0.0,
@@ -147,8 +185,7 @@ impl<const D: usize> Ledger<D> {
             slack_energy: slack_energy(p, state),
             rider_work: Vec::with_capacity(riders.len()),
         };
-        p.line.stiffness.product(&state.u, &mut ledger.stiffness_delta);
-        ledger.start_linear = 0.5 * dot(&state.u, &ledger.stiffness_delta);
+        ledger.start_linear = 0.5 * p.line.stiffness.quadratic(&state.u);
         ledger.start.contact = contact_energy(p, state, riders, places, datum);
         ledger.start.riders = riders.iter().map(RiderState::energy).sum();
         ledger
@@ -156,9 +193,6 @@ impl<const D: usize> Ledger<D> {
 
     /// Everything that needs the state before the step is taken. Call after the increments are
     /// complete and before `advance`.
-    ///
-    /// The matrices are symmetric, so Δu·(M a_m) = a_m·(M Δu) and so on: one product with M and
-    /// one with K serve all terms.
     pub fn before<const DIM: usize>(
         &mut self,
         p: &Prepared<DIM, D>,
@@ -169,30 +203,43 @@ impl<const D: usize> Ledger<D> {
         let c = &p.coefficients;
         self.rider_work.clear();
         self.rider_work.extend(riders.iter().map(|rider| rider.work(c, speed)));
-        p.line.mass.product(&state.delta, &mut self.mass_delta);
-        p.line.stiffness.product(&state.delta, &mut self.stiffness_delta);
-        let (alpha, beta) = (p.line.common.alpha, p.line.common.beta);
-        let mut inertia = [0.0; D];
-        let mut elastic = [0.0; D];
-        let mut dissipated = [0.0; D];
-        let state_rows = state.delta.iter().zip(&state.u).zip(&state.v).zip(&state.a);
-        let products = self.mass_delta.iter().zip(&self.stiffness_delta).zip(&mut self.rate);
-        for ((((d, u), v), a), ((m, s), rate)) in state_rows.zip(products) {
-            for k in 0..D {
-                let velocity = c.damping * d[k] + c.velocity_from_v * v[k] + c.velocity_from_a * a[k];
-                let force = c.mass * d[k] + c.acceleration_from_v * v[k] + c.acceleration_from_a * a[k];
-                rate[k] = velocity;
-                inertia[k] += force * m[k];
-                elastic[k] += (u[k] + c.stiffness * d[k]) * s[k];
-                dissipated[k] += velocity * (alpha * m[k] + beta * s[k]);
+        let mut sums = Sums::default();
+        widest(StepWork { p, state, rate: &mut self.rate, balance: &mut self.balance, sums: &mut sums });
+        let [inertia, elastic, by_mass, by_stiffness] = sums.0;
+        let common = &p.line.common;
+        self.stored_work += inertia + elastic;
+        self.entries.dissipated_line += common.alpha * by_mass + common.beta * by_stiffness;
+        self.entries.dissipated_line += self.rest_form(p, state);
+        for (work, (link, (&d, s))) in
+            self.link_work.iter_mut().zip(p.line.links.iter().zip(state.link_delta.iter().zip(&state.links)))
+        {
+            let rate = c.damping * d + c.velocity_from_v * s[1] + c.velocity_from_a * s[2];
+            *work = link.viscosity * rate * d;
+        }
+    }
+
+    /// Δuᵀ (C − αM − βK) v_f
+    fn rest_form<const DIM: usize>(&mut self, p: &Prepared<DIM, D>, state: &LineState<D>) -> f64 {
+        let mut sum = 0.0;
+        if let Some(rest) = &p.line.mass_damping_rest {
+            rest.product(&self.rate, &mut self.balance);
+            sum += dot(&state.delta, &self.balance);
+        }
+        for (i, j, block) in &p.line.damping_rest {
+            let mut form = |a: usize, b: usize, transposed: bool| {
+                for p in 0..D {
+                    for q in 0..D {
+                        let value = if transposed { block[q][p] } else { block[p][q] };
+                        sum += state.delta[a][p] * value * self.rate[b][q];
+                    }
+                }
+            };
+            form(*i, *j, false);
+            if i != j {
+                form(*j, *i, true);
             }
         }
-        self.damping_rest.fill([0.0; D]);
-        let (rest, work) = (&mut self.damping_rest, &mut self.mass_delta);
-        p.line.add_damping_rest(&self.rate, rest, work);
-        self.entries.dissipated_line +=
-            dissipated.iter().sum::<f64>() + dot(&state.delta, &self.damping_rest);
-        self.stored_work += inertia.iter().sum::<f64>() + elastic.iter().sum::<f64>();
+        sum
     }
 
     /// Book the step after `advance`.
@@ -212,11 +259,9 @@ impl<const D: usize> Ledger<D> {
     /// Stored energies of the state itself, ½ vᵀM v and ½ uᵀK u. What was worked against inertia
     /// and stiffness and is not stored there, the scheme has dissipated.
     pub fn settle<const DIM: usize>(&mut self, p: &Prepared<DIM, D>, state: &LineState<D>) {
-        p.line.mass.product(&state.v, &mut self.mass_delta);
-        p.line.stiffness.product(&state.u, &mut self.stiffness_delta);
         let e = &mut self.entries;
-        e.kinetic = 0.5 * dot(&state.v, &self.mass_delta);
-        let linear = 0.5 * dot(&state.u, &self.stiffness_delta) - self.start_linear;
+        e.kinetic = 0.5 * p.line.mass.quadratic(&state.v);
+        let linear = 0.5 * p.line.stiffness.quadratic(&state.u) - self.start_linear;
         e.elastic = linear + self.slack_energy - self.start_slack;
         e.dissipated_scheme = self.scheme_riders + self.stored_work - e.kinetic - linear;
     }
@@ -242,7 +287,7 @@ impl<const D: usize> Ledger<D> {
         let mut dissipated = 0.0;
         for (i, link) in p.line.links.iter().enumerate() {
             let d = state.link_delta[i];
-            let linear = link.viscosity * link.elongation(&self.rate) * d;
+            let linear = self.link_work[i];
             let correction = unilateral.correction[i];
             let is_slack = correction > 0.0;
             self.entries.dissipated_line -= linear;

@@ -17,7 +17,7 @@ use super::path::{Path, Place};
 use super::rider::RiderState;
 use crate::error::CoreError;
 use crate::lcp::LcpStats;
-use crate::linalg::BlockLdl;
+use crate::linalg::{BlockLdl, Kernel, widest};
 use crate::scheme::{Coefficients, Scheme};
 
 /// Everything that stays the same during a run, and may be shared by many runs.
@@ -149,26 +149,15 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
     /// Increment of the line without contact forces and corrections. `load` is called with the
     /// force vector to add given forces.
     pub fn free_increment(&self, state: &mut LineState<D>, load: impl FnOnce(&mut [[f64; D]])) {
-        let [mu, mv, ma] = self.from_mass;
+        widest(Inertia { p: self, state });
         let LineState { u, v, a, delta, mass_work, scratch, .. } = state;
-        for (w, ((u, v), a)) in mass_work.iter_mut().zip(u.iter().zip(&*v).zip(&*a)) {
-            for k in 0..D {
-                w[k] = -(mu * u[k] + mv * v[k] + ma * a[k]);
-            }
-        }
-        self.line.mass.product(mass_work, delta);
         self.subtract_damping_rest(u, v, a, [mass_work, scratch], delta);
         load(delta);
         for &(node, component) in &self.fixed {
             delta[node as usize][component as usize] = 0.0;
         }
         self.factor.solve(delta, mass_work);
-        let [su, sv, sa] = self.shift;
-        for (d, ((u, v), a)) in delta.iter_mut().zip(u.iter().zip(&*v).zip(&*a)) {
-            for k in 0..D {
-                d[k] -= su * u[k] + sv * v[k] + sa * a[k];
-            }
-        }
+        widest(Combine { factors: self.shift, state });
         for (link, d) in self.line.links.iter().zip(&mut state.link_delta) {
             *d = link.elongation(&state.delta);
         }
@@ -283,20 +272,75 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
     /// Take the step: new displacement, velocity, acceleration.
     pub fn advance(&self, state: &mut LineState<D>) {
         let c = &self.coefficients;
-        let LineState { u, v, a, delta, links, link_delta, .. } = state;
-        for (((u, v), a), d) in u.iter_mut().zip(v).zip(a).zip(&*delta) {
-            for k in 0..D {
-                let (new_v, new_a) = c.advance(d[k], v[k], a[k]);
-                u[k] += d[k];
-                v[k] = new_v;
-                a[k] = new_a;
-            }
-        }
+        widest(Advance { c, state });
+        let LineState { links, link_delta, .. } = state;
         for ([e, rate, second], &d) in links.iter_mut().zip(&*link_delta) {
             let (new_rate, new_second) = c.advance(d, *rate, *second);
             *e += d;
             *rate = new_rate;
             *second = new_second;
+        }
+    }
+}
+
+/// `delta = −M (combination of u, v, a)`
+struct Inertia<'a, const DIM: usize, const D: usize> {
+    p: &'a Prepared<DIM, D>,
+    state: &'a mut LineState<D>,
+}
+
+impl<const DIM: usize, const D: usize> Kernel for Inertia<'_, DIM, D> {
+    #[inline(always)]
+    fn run(self) {
+        let [fu, fv, fa] = self.p.from_mass;
+        let LineState { u, v, a, delta, mass_work, .. } = self.state;
+        for (w, ((u, v), a)) in mass_work.iter_mut().zip(u.iter().zip(&*v).zip(&*a)) {
+            for k in 0..D {
+                w[k] = -(fu * u[k] + fv * v[k] + fa * a[k]);
+            }
+        }
+        for (i, d) in delta.iter_mut().enumerate() {
+            *d = self.p.line.mass.row(i, mass_work);
+        }
+    }
+}
+
+/// `delta −= combination of u, v, a`
+struct Combine<'a, const D: usize> {
+    factors: [f64; 3],
+    state: &'a mut LineState<D>,
+}
+
+impl<const D: usize> Kernel for Combine<'_, D> {
+    #[inline(always)]
+    fn run(self) {
+        let [fu, fv, fa] = self.factors;
+        let LineState { u, v, a, delta, .. } = self.state;
+        for (d, ((u, v), a)) in delta.iter_mut().zip(u.iter().zip(&*v).zip(&*a)) {
+            for k in 0..D {
+                d[k] -= fu * u[k] + fv * v[k] + fa * a[k];
+            }
+        }
+    }
+}
+
+/// New displacement, velocity and acceleration.
+struct Advance<'a, const D: usize> {
+    c: &'a Coefficients,
+    state: &'a mut LineState<D>,
+}
+
+impl<const D: usize> Kernel for Advance<'_, D> {
+    #[inline(always)]
+    fn run(self) {
+        let LineState { u, v, a, delta, .. } = self.state;
+        for (((u, v), a), d) in u.iter_mut().zip(v).zip(a).zip(&*delta) {
+            for k in 0..D {
+                let (new_v, new_a) = self.c.advance(d[k], v[k], a[k]);
+                u[k] += d[k];
+                v[k] = new_v;
+                a[k] = new_a;
+            }
         }
     }
 }

@@ -28,10 +28,15 @@ pub fn subtract_transposed_product<const D: usize>(
     a: &Block<D>,
     x: &[f64; D],
 ) {
-    for i in 0..D {
+    // Pairs shorten the chain of dependent additions; blocks have an even size.
+    let mut product = [0.0; D];
+    for i in (0..D).step_by(2) {
         for j in 0..D {
-            y[j] -= a[i][j] * x[i];
+            product[j] += a[i][j] * x[i] + a[i + 1][j] * x[i + 1];
         }
+    }
+    for j in 0..D {
+        y[j] -= product[j];
     }
 }
 

@@ -27,6 +27,24 @@ pub struct BlockLdl<const D: usize> {
     negative_pivots: usize,
 }
 
+struct Substitution<'a, const D: usize> {
+    factor: &'a BlockLdl<D>,
+    x: &'a mut [[f64; D]],
+    work: &'a mut [[f64; D]],
+}
+
+impl<const D: usize> super::Kernel for Substitution<'_, D> {
+    #[inline(always)]
+    fn run(self) {
+        let Self { factor, x, work } = self;
+        factor.forward(x, work);
+        factor.backward(work);
+        for (value, &node) in work.iter().zip(&factor.order) {
+            x[node as usize] = *value;
+        }
+    }
+}
+
 /// First, last, second, last but one, …
 fn from_both_ends(n: usize) -> Vec<u32> {
     (0..n).map(|i| if i % 2 == 0 { i / 2 } else { n - 1 - i / 2 } as u32).collect()
@@ -140,14 +158,14 @@ impl<const D: usize> BlockLdl<D> {
 
     /// Solve `A x = b` in place; `work` is scratch space of the same length.
     pub fn solve(&self, x: &mut [[f64; D]], work: &mut [[f64; D]]) {
-        self.forward(x, work);
-        self.backward(work);
-        for (value, &node) in work.iter().zip(&self.order) {
-            x[node as usize] = *value;
-        }
+        super::widest(Substitution { factor: self, x, work });
     }
 
+    /// The products of a row are summed pairwise: the chain of dependent additions is what a
+    /// substitution waits for.
+    ///
     /// `y = L⁻¹ b`, from the order of the nodes into the order of elimination.
+    #[inline(always)]
     fn forward(&self, b: &[[f64; D]], y: &mut [[f64; D]]) {
         let mut start = self.row_start[0];
         for (i, (&node, &end)) in self.order.iter().zip(&self.row_start[1..]).enumerate() {
@@ -155,10 +173,14 @@ impl<const D: usize> BlockLdl<D> {
             let row = self.lower_transposed[start..end].iter().zip(&self.columns[start..end]);
             for (l, &j) in row {
                 let yj = y[j as usize];
-                for q in 0..D {
+                let mut product = [0.0; D];
+                for q in (0..D).step_by(2) {
                     for p in 0..D {
-                        sum[p] -= l[q][p] * yj[q];
+                        product[p] += l[q][p] * yj[q] + l[q + 1][p] * yj[q + 1];
                     }
+                }
+                for p in 0..D {
+                    sum[p] -= product[p];
                 }
             }
             y[i] = sum;
@@ -167,6 +189,7 @@ impl<const D: usize> BlockLdl<D> {
     }
 
     /// `x = L⁻ᵀ D⁻¹ y`
+    #[inline(always)]
     fn backward(&self, y: &mut [[f64; D]]) {
         for (value, inverse) in y.iter_mut().zip(&self.diagonal_inverse) {
             // Column form (the inverse is symmetric): the lanes of the sum are independent.

@@ -70,22 +70,32 @@ impl<const D: usize> MassMatrix<D> {
     }
 
     /// `y = M x`; the matrix must be packed.
-    #[inline(always)]
     pub fn product(&self, x: &[[f64; D]], y: &mut [[f64; D]]) {
+        super::widest(Product { mass: self, x, y });
+    }
+
+    /// xᵀ M x
+    #[must_use]
+    pub fn quadratic(&self, x: &[[f64; D]]) -> f64 {
+        let mut sums = [0.0; D];
+        super::widest(Quadratic { mass: self, x, sums: &mut sums });
+        sums.iter().sum()
+    }
+
+    /// Row `i` of `M x`, for use inside a kernel.
+    #[inline(always)]
+    #[must_use]
+    pub fn row(&self, i: usize, x: &[[f64; D]]) -> [f64; D] {
         let dim = Self::DIM;
-        let mut begin = 0;
-        for (value, &end) in y.iter_mut().zip(&self.start[1..]) {
-            let mut sum = [0.0; D];
-            for (j, m) in &self.entries[begin..end as usize] {
-                let xj = &x[*j as usize];
-                for c in 0..dim {
-                    sum[c] += m[0][0] * xj[c] + m[0][1] * xj[dim + c];
-                    sum[dim + c] += m[1][0] * xj[c] + m[1][1] * xj[dim + c];
-                }
+        let mut sum = [0.0; D];
+        for (j, m) in &self.entries[self.start[i] as usize..self.start[i + 1] as usize] {
+            let xj = &x[*j as usize];
+            for c in 0..dim {
+                sum[c] += m[0][0] * xj[c] + m[0][1] * xj[dim + c];
+                sum[dim + c] += m[1][0] * xj[c] + m[1][1] * xj[dim + c];
             }
-            *value = sum;
-            begin = end as usize;
         }
+        sum
     }
 
     /// Add `factor · M` to a matrix whose pattern holds all wire neighbours.
@@ -104,6 +114,39 @@ impl<const D: usize> MassMatrix<D> {
         for (i, row) in self.rows.iter().enumerate() {
             for (j, m) in row {
                 target.add(i, *j as usize, &expand(m));
+            }
+        }
+    }
+}
+
+struct Product<'a, const D: usize> {
+    mass: &'a MassMatrix<D>,
+    x: &'a [[f64; D]],
+    y: &'a mut [[f64; D]],
+}
+
+impl<const D: usize> super::Kernel for Product<'_, D> {
+    #[inline(always)]
+    fn run(self) {
+        for (i, value) in self.y.iter_mut().enumerate() {
+            *value = self.mass.row(i, self.x);
+        }
+    }
+}
+
+struct Quadratic<'a, const D: usize> {
+    mass: &'a MassMatrix<D>,
+    x: &'a [[f64; D]],
+    sums: &'a mut [f64; D],
+}
+
+impl<const D: usize> super::Kernel for Quadratic<'_, D> {
+    #[inline(always)]
+    fn run(self) {
+        for (i, xi) in self.x.iter().enumerate() {
+            let row = self.mass.row(i, self.x);
+            for k in 0..D {
+                self.sums[k] += row[k] * xi[k];
             }
         }
     }

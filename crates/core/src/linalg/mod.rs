@@ -6,8 +6,10 @@ pub mod lanczos;
 pub mod ldl;
 pub mod mass;
 pub mod symmetric;
+pub mod wide;
 
 pub use block::Block;
 pub use ldl::BlockLdl;
 pub use mass::MassMatrix;
 pub use symmetric::SymmetricBlocks;
+pub use wide::{Kernel, widest};

@@ -92,30 +92,57 @@ impl<const D: usize> SymmetricBlocks<D> {
         self.blocks[diagonal][component][component] = 1.0;
     }
 
-    /// `y = A x`
+    /// xᵀ A x
+    #[must_use]
+    pub fn quadratic(&self, x: &[[f64; D]]) -> f64 {
+        let mut sums = [0.0; D];
+        super::widest(Quadratic { matrix: self, x, sums: &mut sums });
+        sums.iter().sum()
+    }
+
+    /// Adds the terms of row `i` of xᵀ A y + (off-diagonal mirror) to `sums`, lane by lane: with
+    /// all rows added, the lanes sum up to xᵀ A y. For use inside a kernel.
     #[inline(always)]
-    pub fn product(&self, x: &[[f64; D]], y: &mut [[f64; D]]) {
-        for i in 0..self.rows() {
-            let (begin, diagonal) = (self.row_start[i], self.row_start[i + 1] - 1);
-            let xi = x[i];
-            let mut sum = [0.0; D];
-            for (a, &j) in self.blocks[begin..diagonal].iter().zip(&self.columns[begin..diagonal]) {
-                let xj = x[j];
-                let mut yj = y[j];
-                for p in 0..D {
-                    for q in 0..D {
-                        yj[q] += a[p][q] * xi[p];
-                    }
-                    let mut dot = 0.0;
-                    for q in 0..D {
-                        dot += a[p][q] * xj[q];
-                    }
-                    sum[p] += dot;
-                }
-                y[j] = yj;
+    pub fn add_row_of_form(&self, i: usize, x: &[[f64; D]], y: &[[f64; D]], sums: &mut [f64; D]) {
+        let (begin, diagonal) = (self.row_start[i], self.row_start[i + 1] - 1);
+        let (xi, yi) = (&x[i], &y[i]);
+        for (a, &j) in self.blocks[begin..diagonal].iter().zip(&self.columns[begin..diagonal]) {
+            let (xa, ya) = (left_product(xi, a), left_product(yi, a));
+            let (xj, yj) = (&x[j], &y[j]);
+            for q in 0..D {
+                sums[q] += xa[q] * yj[q] + ya[q] * xj[q];
             }
-            super::block::add_product(&mut sum, &self.blocks[diagonal], &xi);
-            y[i] = sum;
+        }
+        let xa = left_product(xi, &self.blocks[diagonal]);
+        for q in 0..D {
+            sums[q] += xa[q] * yi[q];
+        }
+    }
+}
+
+/// `xᵀ a`, with independent lanes.
+#[inline(always)]
+fn left_product<const D: usize>(x: &[f64; D], a: &Block<D>) -> [f64; D] {
+    let mut y = [0.0; D];
+    for p in 0..D {
+        for q in 0..D {
+            y[q] += x[p] * a[p][q];
+        }
+    }
+    y
+}
+
+struct Quadratic<'a, const D: usize> {
+    matrix: &'a SymmetricBlocks<D>,
+    x: &'a [[f64; D]],
+    sums: &'a mut [f64; D],
+}
+
+impl<const D: usize> super::Kernel for Quadratic<'_, D> {
+    #[inline(always)]
+    fn run(self) {
+        for i in 0..self.x.len() {
+            self.matrix.add_row_of_form(i, self.x, self.x, self.sums);
         }
     }
 }

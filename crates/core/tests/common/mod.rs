@@ -1,0 +1,153 @@
+//! A planar simple line built in Rust, for tests and benchmarks: two wires, droppers, supports.
+#![allow(dead_code)] // every test file uses a part
+
+use arcless_core::dynamics::line::Line;
+use arcless_core::dynamics::path::Path;
+use arcless_core::dynamics::rider::Rider;
+use arcless_core::dynamics::stepper::Prepared;
+use arcless_core::element::hermite::Section;
+use arcless_core::scheme::Scheme;
+use arcless_core::statics::Geometry;
+use arcless_core::structure::{
+    Link, PointMass, Rayleigh, Spring, SpringMode, Structure, TensionedEnd, Wire,
+};
+
+pub const CONTACT_TENSION: f64 = 22e3;
+pub const MESSENGER_TENSION: f64 = 16e3;
+pub const SPAN: f64 = 55.0;
+const DROPPERS: [f64; 9] = [4.5, 10.25, 16.0, 21.75, 27.5, 33.25, 39.0, 44.75, 50.5];
+const HEIGHT: f64 = 1.2;
+const DAMPING: Rayleigh = Rayleigh { alpha: 0.0125, beta: 1e-4 };
+
+/// Stations of a wire: all special places, and equal elements between them.
+fn stations(spans: usize, longest: f64) -> Vec<f64> {
+    let mut places = vec![0.0];
+    for span in 0..spans {
+        let start = span as f64 * SPAN;
+        places.extend(DROPPERS.iter().map(|x| start + x));
+        places.push(start + SPAN);
+    }
+    let mut x = vec![0.0];
+    for pair in places.windows(2) {
+        let count = ((pair[1] - pair[0]) / longest - 1e-9).ceil().max(1.0) as usize;
+        x.extend((1..=count).map(|i| pair[0] + (pair[1] - pair[0]) * i as f64 / count as f64));
+    }
+    x
+}
+
+fn wire(a: usize, b: usize, length: f64, contact: bool) -> Wire {
+    let (ea, ei, mass, tension) = if contact {
+        (15e6, 195.0, 1.35, CONTACT_TENSION)
+    } else {
+        (11.64e6, 131.7, 1.08, MESSENGER_TENSION)
+    };
+    Wire {
+        nodes: [a, b],
+        slope_nodes: [a, b],
+        section: Section {
+            rest_length: length / (1.0 + tension / ea),
+            axial_stiffness: ea,
+            bending_stiffness: ei,
+        },
+        mass,
+        damping: DAMPING,
+    }
+}
+
+/// Unit data of the 55 m line with level contact wire; also the wire numbers of the contact wire.
+pub fn simple_line(spans: usize) -> (Structure, Vec<usize>) {
+    let (contact, messenger) = (stations(spans, 1.45), stations(spans, 2.9));
+    let mut nodes: Vec<(f64, bool)> = messenger.iter().map(|&x| (x, false)).collect();
+    nodes.extend(contact.iter().map(|&x| (x, true)));
+    nodes.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    let at = |x: f64, upper: bool| {
+        let near = |n: &(f64, bool)| n.1 != upper && (n.0 - x).abs() < 1e-6;
+        nodes.iter().position(near).expect("a node stands at every station")
+    };
+    let load = (1.35 + 1.08) * 9.81;
+    let sag = |x: f64| {
+        let local = x.rem_euclid(SPAN);
+        load * local * (SPAN - local) / (2.0 * MESSENGER_TENSION)
+    };
+    let mut s = Structure { dim: 2, gravity: 9.81, ..Structure::default() };
+    for &(x, is_contact) in &nodes {
+        s.positions.push([x, if is_contact { 0.0 } else { HEIGHT - sag(x) }, 0.0]);
+        s.slopes.push([1.0014, 0.0, 0.0]);
+    }
+    let mut path = Vec::new();
+    for (x, is_contact) in [(&contact, true), (&messenger, false)] {
+        for pair in x.windows(2) {
+            let (a, b) = (at(pair[0], !is_contact), at(pair[1], !is_contact));
+            if is_contact {
+                path.push(s.wires.len());
+            }
+            s.wires.push(wire(a, b, pair[1] - pair[0], is_contact));
+        }
+        let (first, last) = (at(x[0], !is_contact), at(x[x.len() - 1], !is_contact));
+        s.fixed.extend([(first, 0), (first, 1), (last, 0), (last, 1)]);
+        let force = if is_contact { CONTACT_TENSION } else { MESSENGER_TENSION };
+        s.ends.push(TensionedEnd { node: last, force, released: false });
+    }
+    add_droppers_and_supports(&mut s, spans, &at);
+    (s, path)
+}
+
+fn add_droppers_and_supports(s: &mut Structure, spans: usize, at: &impl Fn(f64, bool) -> usize) {
+    for span in 0..spans {
+        let start = span as f64 * SPAN;
+        for x in DROPPERS.map(|x| start + x) {
+            let nodes = [at(x, true), at(x, false)];
+            s.links.push(Link {
+                nodes,
+                rest_length: HEIGHT,
+                stiffness: 2e5,
+                viscosity: 0.0,
+                damping: DAMPING,
+                mass: 0.117,
+                unilateral: true,
+                adjust: true,
+            });
+            s.masses.push(PointMass { node: nodes[0], mass: 0.195, alpha: DAMPING.alpha });
+            s.masses.push(PointMass { node: nodes[1], mass: 0.165, alpha: DAMPING.alpha });
+        }
+        if span > 0 {
+            let held = |node, stiffness, viscosity, mode| Spring {
+                node,
+                component: 1,
+                stiffness,
+                viscosity,
+                rest: 0.0,
+                mode,
+            };
+            s.springs.push(held(at(start, true), 5e5, 1e3, SpringMode::Held));
+            s.springs.push(held(at(start, false), 267.0, 0.0, SpringMode::Unloaded));
+        }
+    }
+}
+
+/// The line at rest, ready to step.
+pub fn prepared(spans: usize, scheme: Scheme, h: f64, contact: f64) -> Prepared<2, 4> {
+    let (structure, path) = simple_line(spans);
+    let mut geometry = Geometry::<2, 4>::new(structure).expect("a valid structure");
+    let start = geometry.design().expect("the design converges");
+    let shape = geometry.settle(&start).expect("the equilibrium converges");
+    let path = Path::new(&geometry, &shape, &path).expect("the contact wire is a path");
+    Prepared::new(Line::new(&geometry, shape), path, scheme, h, contact).expect("regular")
+}
+
+/// The three-mass pantograph of the 55 m data set.
+pub fn three_masses(force: f64) -> Rider {
+    let (k, c) = ([160.0, 15_500.0, 7_000.0], [100.0, 0.1, 45.0]);
+    let chain = |v: [f64; 3]| {
+        vec![v[0] + v[1], -v[1], 0.0, -v[1], v[1] + v[2], -v[2], 0.0, -v[2], v[2]]
+    };
+    Rider {
+        mass: vec![6.0, 0.0, 0.0, 0.0, 9.0, 0.0, 0.0, 0.0, 7.5],
+        damping: chain(c),
+        stiffness: chain(k),
+        strip: vec![0.0, 0.0, 1.0],
+        preload: vec![1.0, 0.0, 0.0],
+        lift: vec![0.0; 3],
+        start_force: force,
+    }
+}
