@@ -65,7 +65,9 @@ fn two_thousand_steps(bencher: Bencher, ledger: bool) {
     let p = line();
     let speed = 320.0 / 3.6;
     let travel = Travel {
-        positions: (0..=2000).map(|i| 300.0 + speed * 1e-3 * f64::from(i)).collect(),
+        positions: (0..=2000)
+            .map(|i| 300.0 + speed * 1e-3 * f64::from(i))
+            .collect(),
         speeds: vec![speed; 2001],
         distances: vec![0.0],
         friction: 0.0,

@@ -32,7 +32,12 @@ impl Scheme {
         let alpha_f = radius / (radius + 1.0);
         let gamma = 0.5 - alpha_m + alpha_f;
         let beta = 0.25 * (1.0 - alpha_m + alpha_f).powi(2);
-        Self { beta, gamma, alpha_m, alpha_f }
+        Self {
+            beta,
+            gamma,
+            alpha_m,
+            alpha_f,
+        }
     }
 
     /// Hilber–Hughes–Taylor member, 0 ≤ α ≤ 1/3.
@@ -49,7 +54,12 @@ impl Scheme {
     /// Newmark member with the balance at the end of the step.
     #[must_use]
     pub fn newmark(beta: f64, gamma: f64) -> Self {
-        Self { beta, gamma, alpha_m: 0.0, alpha_f: 0.0 }
+        Self {
+            beta,
+            gamma,
+            alpha_m: 0.0,
+            alpha_f: 0.0,
+        }
     }
 
     /// Check that the member is implicit and unconditionally stable for linear systems:
@@ -58,7 +68,9 @@ impl Scheme {
     /// # Errors
     /// [`CoreError::Input`].
     pub fn check(&self) -> Result<(), CoreError> {
-        let finite = [self.beta, self.gamma, self.alpha_m, self.alpha_f].iter().all(|v| v.is_finite());
+        let finite = [self.beta, self.gamma, self.alpha_m, self.alpha_f]
+            .iter()
+            .all(|v| v.is_finite());
         // Rounding of the parameters themselves must not refuse the limit ρ = 1.
         let slack = 1e-12;
         let stable = self.alpha_m <= self.alpha_f + slack
@@ -77,7 +89,12 @@ impl Scheme {
     /// Coefficients for step length `h` in s.
     #[must_use]
     pub fn coefficients(&self, h: f64) -> Coefficients {
-        let Self { beta, gamma, alpha_m, alpha_f } = *self;
+        let Self {
+            beta,
+            gamma,
+            alpha_m,
+            alpha_f,
+        } = *self;
         let (keep_m, keep_f) = (1.0 - alpha_m, 1.0 - alpha_f);
         Coefficients {
             mass: keep_m / (beta * h * h),
@@ -88,7 +105,11 @@ impl Scheme {
             velocity_from_v: keep_f * (1.0 - gamma / beta) + alpha_f,
             velocity_from_a: keep_f * h * (1.0 - 0.5 * gamma / beta),
             new_a: [1.0 / (beta * h * h), -1.0 / (beta * h), 1.0 - 0.5 / beta],
-            new_v: [gamma / (beta * h), 1.0 - gamma / beta, h * (1.0 - 0.5 * gamma / beta)],
+            new_v: [
+                gamma / (beta * h),
+                1.0 - gamma / beta,
+                h * (1.0 - 0.5 * gamma / beta),
+            ],
             old: alpha_f,
             old_acceleration: alpha_m,
         }

@@ -19,10 +19,18 @@ pub fn check(s: &Structure, dim: usize) -> Result<(), CoreError> {
     if s.dim != dim {
         return Err(refuse("dim", format!("is {}, expected {dim}", s.dim)));
     }
-    if n < 2 || n > MOST_NODES || s.slopes.len() != n {
-        return Err(refuse("positions", format!("{n} nodes and {} slopes", s.slopes.len())));
+    if !(2..=MOST_NODES).contains(&n) || s.slopes.len() != n {
+        return Err(refuse(
+            "positions",
+            format!("{n} nodes and {} slopes", s.slopes.len()),
+        ));
     }
-    if s.positions.iter().chain(&s.slopes).flatten().any(|v| !v.is_finite()) {
+    if s.positions
+        .iter()
+        .chain(&s.slopes)
+        .flatten()
+        .any(|v| !v.is_finite())
+    {
         return Err(refuse("positions", "not finite".into()));
     }
     check_bars(s, n)?;
@@ -31,7 +39,10 @@ pub fn check(s: &Structure, dim: usize) -> Result<(), CoreError> {
         return Err(refuse("gravity", format!("is {}", s.gravity)));
     }
     let mut on_wire = vec![false; n];
-    s.wires.iter().flat_map(|w| w.places()).for_each(|(i, _)| on_wire[i] = true);
+    s.wires
+        .iter()
+        .flat_map(|w| w.places())
+        .for_each(|(i, _)| on_wire[i] = true);
     match on_wire.iter().position(|on| !on) {
         Some(i) => Err(refuse("wires", format!("node {i} lies on no wire"))),
         None => Ok(()),
@@ -76,21 +87,39 @@ fn check_points(s: &Structure, n: usize, dim: usize) -> Result<(), CoreError> {
     for (i, p) in s.springs.iter().enumerate() {
         let signs = p.stiffness > 0.0 && p.viscosity >= 0.0 && p.rest.is_finite();
         if p.node >= n || p.component >= dim || !signs || !p.stiffness.is_finite() {
-            return Err(refuse("springs", format!("spring {i} is impossible: {p:?}")));
+            return Err(refuse(
+                "springs",
+                format!("spring {i} is impossible: {p:?}"),
+            ));
         }
     }
     let possible = |v: f64| v.is_finite() && v >= 0.0;
-    if s.masses.iter().any(|m| m.node >= n || !possible(m.mass) || !possible(m.alpha)) {
-        return Err(refuse("masses", "node out of range or mass negative".into()));
+    if s.masses
+        .iter()
+        .any(|m| m.node >= n || !possible(m.mass) || !possible(m.alpha))
+    {
+        return Err(refuse(
+            "masses",
+            "node out of range or mass negative".into(),
+        ));
     }
     if s.fixed.iter().any(|&(node, c)| node >= n || c >= dim) {
         return Err(refuse("fixed", "node or component out of range".into()));
     }
     if s.ends.iter().any(|e| e.node >= n || !e.force.is_finite()) {
-        return Err(refuse("ends", "node out of range or force not finite".into()));
+        return Err(refuse(
+            "ends",
+            "node out of range or force not finite".into(),
+        ));
     }
-    if s.loads.iter().any(|&(node, c, f)| node >= n || c >= dim || !f.is_finite()) {
-        return Err(refuse("loads", "node or component out of range or force not finite".into()));
+    if s.loads
+        .iter()
+        .any(|&(node, c, f)| node >= n || c >= dim || !f.is_finite())
+    {
+        return Err(refuse(
+            "loads",
+            "node or component out of range or force not finite".into(),
+        ));
     }
     Ok(())
 }

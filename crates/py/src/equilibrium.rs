@@ -6,8 +6,8 @@ use crate::structure;
 use arcless_core::CoreError;
 use arcless_core::dynamics::line::Line;
 use arcless_core::dynamics::path::Path;
-use arcless_core::dynamics::still::Still;
 use arcless_core::dynamics::stepper;
+use arcless_core::dynamics::still::Still;
 use arcless_core::element::hermite;
 use arcless_core::linalg::lanczos;
 use arcless_core::scheme::Scheme;
@@ -102,14 +102,19 @@ impl Equilibrium {
         contact_stiffness: f64,
     ) -> PyResult<Prepared> {
         let (beta, gamma, alpha_m, alpha_f) = scheme;
-        let scheme = Scheme { beta, gamma, alpha_m, alpha_f };
+        let scheme = Scheme {
+            beta,
+            gamma,
+            alpha_m,
+            alpha_f,
+        };
         let found = py.detach(|| match &self.0 {
-            Any::Planar(s) => {
-                s.prepare(&path, scheme, step, contact_stiffness).map(prepared::Any::Planar)
-            }
-            Any::Spatial(s) => {
-                s.prepare(&path, scheme, step, contact_stiffness).map(prepared::Any::Spatial)
-            }
+            Any::Planar(s) => s
+                .prepare(&path, scheme, step, contact_stiffness)
+                .map(prepared::Any::Planar),
+            Any::Spatial(s) => s
+                .prepare(&path, scheme, step, contact_stiffness)
+                .map(prepared::Any::Spatial),
         });
         found.map(Prepared).map_err(|e| convert(py, &e))
     }
@@ -118,7 +123,11 @@ impl Equilibrium {
 impl<const DIM: usize, const D: usize> Solved<DIM, D> {
     fn new(s: arcless_core::structure::Structure, design: bool) -> Result<Self, CoreError> {
         let mut geometry = Geometry::<DIM, D>::new(s)?;
-        let start = if design { geometry.design()? } else { geometry.initial_shape() };
+        let start = if design {
+            geometry.design()?
+        } else {
+            geometry.initial_shape()
+        };
         // The service equilibrium decides, also after a design: the lengths must reproduce it.
         let shape = geometry.settle(&start)?;
         Ok(Self { geometry, shape })
@@ -142,7 +151,14 @@ impl<const DIM: usize, const D: usize> Solved<DIM, D> {
         let still = Still::new(&line, &path)?;
         let free = |node: usize, c: usize| line.free[node][c];
         let steps = LANCZOS_STEPS * count;
-        Ok(lanczos::lowest_frequencies(still.factor(), &line.mass, line.nodes(), free, count, steps))
+        Ok(lanczos::lowest_frequencies(
+            still.factor(),
+            &line.mass,
+            line.nodes(),
+            free,
+            count,
+            steps,
+        ))
     }
 
     fn prepare(
@@ -152,35 +168,65 @@ impl<const DIM: usize, const D: usize> Solved<DIM, D> {
         step: f64,
         contact_stiffness: f64,
     ) -> Result<stepper::Prepared<DIM, D>, CoreError> {
-        stepper::Prepared::new(self.line(), self.path(path)?, scheme, step, contact_stiffness)
+        stepper::Prepared::new(
+            self.line(),
+            self.path(path)?,
+            scheme,
+            step,
+            contact_stiffness,
+        )
     }
 
     fn arrays<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let s = &self.geometry.structure;
         let out = PyDict::new(py);
         let part = |from: usize| -> Vec<f64> {
-            self.shape.iter().flat_map(|node| node[from..from + DIM].to_vec()).collect()
+            self.shape
+                .iter()
+                .flat_map(|node| node[from..from + DIM].to_vec())
+                .collect()
         };
-        let links: Vec<_> =
-            s.links.iter().map(|l| (l, Geometry::<DIM, D>::link_state(&self.shape, l))).collect();
+        let links: Vec<_> = s
+            .links
+            .iter()
+            .map(|l| (l, Geometry::<DIM, D>::link_state(&self.shape, l)))
+            .collect();
         let collect = |values: Vec<f64>| values.to_pyarray(py);
         out.set_item("positions", collect(part(0)))?;
         out.set_item("slopes", collect(part(DIM)))?;
-        out.set_item("wire_rest_length", collect(s.wires.iter().map(|w| w.section.rest_length).collect()))?;
+        out.set_item(
+            "wire_rest_length",
+            collect(s.wires.iter().map(|w| w.section.rest_length).collect()),
+        )?;
         out.set_item("wire_tension", collect(self.tensions()))?;
-        out.set_item("link_length", collect(links.iter().map(|(_, b)| b.length).collect()))?;
-        out.set_item("link_rest_length", collect(s.links.iter().map(|l| l.rest_length).collect()))?;
+        out.set_item(
+            "link_length",
+            collect(links.iter().map(|(_, b)| b.length).collect()),
+        )?;
+        out.set_item(
+            "link_rest_length",
+            collect(s.links.iter().map(|l| l.rest_length).collect()),
+        )?;
         let tension = links.iter().map(|(l, b)| assembly::link_tension(l, b));
         out.set_item("link_tension", collect(tension.collect()))?;
         let strut = |t| Geometry::<DIM, D>::strut_state(&self.shape, t).linear_tension;
-        out.set_item("strut_tension", collect(s.struts.iter().map(strut).collect()))?;
+        out.set_item(
+            "strut_tension",
+            collect(s.struts.iter().map(strut).collect()),
+        )?;
         let anchors: Vec<f64> = s.struts.iter().flat_map(|t| t.anchor).collect();
         out.set_item("strut_anchor", collect(anchors))?;
         let spring = |p: &arcless_core::structure::Spring| {
             -p.stiffness * (self.shape[p.node][p.component] - p.rest)
         };
-        out.set_item("spring_force", collect(s.springs.iter().map(spring).collect()))?;
-        out.set_item("spring_rest", collect(s.springs.iter().map(|p| p.rest).collect()))?;
+        out.set_item(
+            "spring_force",
+            collect(s.springs.iter().map(spring).collect()),
+        )?;
+        out.set_item(
+            "spring_rest",
+            collect(s.springs.iter().map(|p| p.rest).collect()),
+        )?;
         Ok(out)
     }
 

@@ -6,7 +6,12 @@ use pyo3::exceptions::PyException;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-create_exception!(_core, NativeError, PyException, "Failure in the core: kind, message, details.");
+create_exception!(
+    _core,
+    NativeError,
+    PyException,
+    "Failure in the core: kind, message, details."
+);
 
 /// Python exception for a core error; the details are what a caller needs to name the culprit.
 pub fn convert(py: Python<'_>, error: &CoreError) -> PyErr {
@@ -30,7 +35,12 @@ fn details<'py>(
             d.set_item("node", node)?;
             "singular"
         }
-        CoreError::NoEquilibrium { iterations, residual, node, tolerance } => {
+        CoreError::NoEquilibrium {
+            iterations,
+            residual,
+            node,
+            tolerance,
+        } => {
             d.set_item("iterations", iterations)?;
             d.set_item("residual", residual)?;
             d.set_item("node", node)?;
@@ -46,7 +56,13 @@ fn details<'py>(
             d.set_item("step", step)?;
             "not_finite"
         }
-        CoreError::Lcp { step, time, contacts, links, failure } => {
+        CoreError::Lcp {
+            step,
+            time,
+            contacts,
+            links,
+            failure,
+        } => {
             d.set_item("step", step)?;
             d.set_item("time", time)?;
             d.set_item("contacts", contacts)?;
@@ -61,7 +77,11 @@ fn details<'py>(
             d.set_item("time", time)?;
             "slack_set"
         }
-        CoreError::OffWire { contact, position, step } => {
+        CoreError::OffWire {
+            contact,
+            position,
+            step,
+        } => {
             d.set_item("contact", contact)?;
             d.set_item("position", position)?;
             d.set_item("step", step)?;

@@ -25,10 +25,26 @@ pub struct Prepared(pub Any);
 
 /// One rider as it comes from Python: mass, damping, stiffness matrices by rows; strip, preload,
 /// lift vectors; contact force at the start.
-type RiderData = (Vec<f64>, Vec<f64>, Vec<f64>, Vec<f64>, Vec<f64>, Vec<f64>, f64);
+type RiderData = (
+    Vec<f64>,
+    Vec<f64>,
+    Vec<f64>,
+    Vec<f64>,
+    Vec<f64>,
+    Vec<f64>,
+    f64,
+);
 
 fn rider((mass, damping, stiffness, strip, preload, lift, start_force): RiderData) -> Rider {
-    Rider { mass, damping, stiffness, strip, preload, lift, start_force }
+    Rider {
+        mass,
+        damping,
+        stiffness,
+        strip,
+        preload,
+        lift,
+        start_force,
+    }
 }
 
 #[pymethods]
@@ -49,7 +65,12 @@ impl Prepared {
         observe: &Bound<'py, PyAny>,
     ) -> PyResult<Bound<'py, PyDict>> {
         let riders: Vec<Rider> = riders.into_iter().map(rider).collect();
-        let travel = Travel { positions, speeds, distances, friction };
+        let travel = Travel {
+            positions,
+            speeds,
+            distances,
+            friction,
+        };
         let plan = read_plan(plan)?;
         let observer = observe.clone().unbind();
         let mut raised: Option<PyErr> = None;

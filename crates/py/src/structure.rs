@@ -2,7 +2,7 @@
 
 use arcless_core::element::hermite::Section;
 use arcless_core::structure::{
-    Link, PointMass, Rayleigh, Spring, SpringMode, Strut, Structure, TensionedEnd, Wire,
+    Link, PointMass, Rayleigh, Spring, SpringMode, Structure, Strut, TensionedEnd, Wire,
 };
 use numpy::PyReadonlyArray2;
 use pyo3::exceptions::PyValueError;
@@ -36,19 +36,32 @@ fn table(parts: &Bound<'_, PyDict>, name: &str, widths: [usize; 2]) -> PyResult<
         };
         row.into_iter().map(convert).collect::<PyResult<Vec<_>>>()
     });
-    Ok(Table { integers: unsigned.collect::<PyResult<_>>()?, floats: rows(&floats) })
+    Ok(Table {
+        integers: unsigned.collect::<PyResult<_>>()?,
+        floats: rows(&floats),
+    })
 }
 
 fn each<T>(t: &Table, make: impl Fn(&[usize], &[f64]) -> T) -> Vec<T> {
-    t.integers.iter().zip(&t.floats).map(|(i, f)| make(i, f)).collect()
+    t.integers
+        .iter()
+        .zip(&t.floats)
+        .map(|(i, f)| make(i, f))
+        .collect()
 }
 
 fn triples(array: &PyReadonlyArray2<'_, f64>) -> PyResult<Vec<[f64; 3]>> {
     let view = array.as_array();
     if view.ncols() != 3 {
-        return Err(PyValueError::new_err("positions and slopes have three columns"));
+        return Err(PyValueError::new_err(
+            "positions and slopes have three columns",
+        ));
     }
-    Ok(view.rows().into_iter().map(|r| [r[0], r[1], r[2]]).collect())
+    Ok(view
+        .rows()
+        .into_iter()
+        .map(|r| [r[0], r[1], r[2]])
+        .collect())
 }
 
 /// Assemble the structure; the columns are documented in `arcless.mesh`.
@@ -93,7 +106,10 @@ fn wire(i: &[usize], f: &[f64]) -> Wire {
             bending_stiffness: f[2],
         },
         mass: f[3],
-        damping: Rayleigh { alpha: f[4], beta: f[5] },
+        damping: Rayleigh {
+            alpha: f[4],
+            beta: f[5],
+        },
     }
 }
 
@@ -105,7 +121,10 @@ fn link(i: &[usize], f: &[f64]) -> Link {
         rest_length: f[0],
         stiffness: f[1],
         viscosity: f[2],
-        damping: Rayleigh { alpha: f[3], beta: f[4] },
+        damping: Rayleigh {
+            alpha: f[3],
+            beta: f[4],
+        },
         mass: f[5],
     }
 }
@@ -129,5 +148,12 @@ fn spring(i: &[usize], f: &[f64]) -> Spring {
         1 => SpringMode::Held,
         _ => SpringMode::Unloaded,
     };
-    Spring { node: i[0], component: i[1], mode, stiffness: f[0], viscosity: f[1], rest: f[2] }
+    Spring {
+        node: i[0],
+        component: i[1],
+        mode,
+        stiffness: f[0],
+        viscosity: f[1],
+        rest: f[2],
+    }
 }

@@ -49,7 +49,7 @@ class _Chain:
         return int(np.searchsorted(self.points[:, 0], x - wires.SAME_PLACE))
 
     def at(self, x: float) -> int:
-        """Number of the node that stands at a station."""
+        """Return the number of the node that stands at a station."""
         return self.nodes[self.row(x)]
 
 
@@ -99,7 +99,7 @@ class _Builder:
         return contact, _Chain(np.column_stack([x, y, z]))
 
     def _number(self, contact: _Chain, messenger: _Chain) -> tuple[Floats, Floats]:
-        """Number all nodes along the track; a messenger node comes before its contact node."""
+        """Give numbers to all nodes along the track; messenger before contact wire."""
         tangents = wires.slopes(messenger.points, wires.stretch(self.line.messenger_wire))
         hinges = self._hinge_rows(messenger)
         points = np.vstack([messenger.points, messenger.points[hinges], contact.points])
@@ -206,7 +206,7 @@ class _Builder:
         return None
 
     def _pull_side(self, index: int) -> float:
-        """Side the arm must pull to: outwards of the bend the stagger makes, so it is in tension."""
+        """Side the arm pulls to: outwards of the bend that the stagger makes, in tension."""
         pattern = self.line.geometry.stagger_contact_wire
         before, here, after = (pattern[i % len(pattern)] for i in (index - 1, index, index + 1))
         x0, x1, x2 = self.places.supports[index - 1 : index + 2]

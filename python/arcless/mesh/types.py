@@ -44,7 +44,7 @@ class Mesh:
     ======== ========================================== =========================================
     kind     integer columns                            float columns
     ======== ========================================== =========================================
-    wires    nodes of both ends, nodes that hold the    rest length m, EA N, EI N·m², kg/m, α 1/s, β s
+    wires    nodes of both ends, nodes that hold the    rest length m, EA N, EI N·m², kg/m, α, β
              slopes there (another one at a hinge)
     links    upper node, lower node, tension only,      rest length m, N/m, N·s/m, α 1/s, β s, kg/m
              length to be found

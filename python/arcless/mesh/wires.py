@@ -2,12 +2,14 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from math import ceil, sqrt
 
 import numpy as np
 
 from arcless.mesh.types import Floats
-from arcless.model.line import Line, Wire
+from arcless.model.components import Wire
+from arcless.model.line import Line
 
 # Stations closer than this are one: far below a clamp, far above rounding. In m.
 SAME_PLACE = 1e-6
@@ -44,7 +46,7 @@ def stations(line: Line) -> Stations:
 def divide(places: Sequence[float], longest: float) -> Floats:
     """Return node positions in m: all places, and equal elements no longer than asked between."""
     nodes = [places[0]]
-    for left, right in zip(places, places[1:], strict=False):
+    for left, right in pairwise(places):
         if right - left < SAME_PLACE:
             continue
         # A trifle of slack, so that a spacing equal to the longest element is not divided.
@@ -63,7 +65,7 @@ def stretch(wire: Wire) -> float:
 
 
 def messenger_guess(line: Line, supports: Sequence[float], x: Floats, gravity: float) -> Floats:
-    """Height of the messenger wire in m: parabolas q x (L − x) / 2T under the weight of both wires."""
+    """Height of the messenger wire in m: parabolas q x (L − x) / 2T, q the weight of both wires."""
     load = (line.messenger_wire.mass + line.contact_wire.mass) * gravity
     span = np.clip(np.searchsorted(supports, x, side="right") - 1, 0, len(supports) - 2)
     left = np.asarray(supports)[span]
@@ -77,7 +79,9 @@ def contact_guess(line: Line, places: Stations, x: Floats, gravity: float) -> Fl
     """Height of the contact wire in m: straight between the heights known at the droppers."""
     height = line.geometry.contact_wire_height
     known: dict[float, float] = {places.supports[0]: height, places.supports[-1]: height}
-    messenger = messenger_guess(line, places.supports, np.array([d[1] for d in places.droppers]), gravity)
+    messenger = messenger_guess(
+        line, places.supports, np.array([d[1] for d in places.droppers]), gravity
+    )
     for (_, position, presag, length), top in zip(places.droppers, messenger, strict=True):
         known[position] = height - presag if presag is not None else float(top) - (length or 0.0)
     ordered = sorted(known)

@@ -162,6 +162,10 @@ class Output(Part):
     )
     droppers: bool = Field(default=True, strict=True, description="Record dropper forces.")
     supports: bool = Field(default=True, strict=True, description="Record uplift at supports.")
+    energy: Literal["auto", "always", "never"] = Field(
+        default="auto",
+        description="Energy ledger; auto: for the trapezoidal scheme, which conserves energy.",
+    )
     points: Annotated[Lengths, Field(max_length=1000)] = Field(
         default=(), description="Points of the contact wire whose uplift is recorded."
     )

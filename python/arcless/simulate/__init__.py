@@ -1,4 +1,4 @@
-"""The arrow: scenario → mesh → equilibrium → record → dataset. This package alone knows all of it."""
+"""The arrow: scenario → mesh → equilibrium → record → dataset. Only this package knows all."""
 
 from arcless.simulate.run import run
 from arcless.simulate.statics import StaticsResult, statics

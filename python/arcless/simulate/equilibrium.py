@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from arcless import _core
 from arcless.errors import ArclessError, EquilibriumError
-from arcless.mesh import Mesh, build_mesh
+from arcless.mesh import SPATIAL, Mesh, build_mesh
 from arcless.model import Scenario
 
 Floats = NDArray[np.float64]
@@ -32,7 +32,7 @@ class Equilibrium:
     def positions(self) -> Floats:
         """Node positions (n × 3) in m: along, across, up."""
         points = self.arrays["positions"].reshape(-1, self.mesh.dimension)
-        if self.mesh.dimension == 3:
+        if self.mesh.dimension == SPATIAL:
             return points
         return np.column_stack([points[:, 0], np.zeros(len(points)), points[:, 1]])
 
@@ -118,7 +118,7 @@ def _translate(mesh: Mesh, kind: str, message: str, details: dict[str, Any]) -> 
         return EquilibriumError(
             "no static equilibrium was found",
             where=place_of(mesh, details["node"]),
-            got=f"{details['residual']:.3g} N out of balance after {details['iterations']} iterations",
+            got=f"{details['residual']:.3g} N out of balance, {details['iterations']} iterations",
             expected=f"at most {details['tolerance']:.2g} N",
             hint="check tensions, masses and dropper lengths around that place",
         )

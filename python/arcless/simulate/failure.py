@@ -1,4 +1,4 @@
-"""Failures of a computation: named in the words of the line, and saved so that they can be replayed."""
+"""Failures of a computation: named in the words of the line, and saved for a replay."""
 
 import json
 import tempfile

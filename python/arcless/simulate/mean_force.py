@@ -50,7 +50,7 @@ def find_forces(job: "Job") -> list[float]:
     raise ContactError(
         f"the mean force of pantograph {placements[worst].name} was not reached",
         where=f"pantographs.{worst}.mean_force",
-        got=f"{means[worst]:.2f} N with a static force of {before[0][worst] if before else 0:.2f} N",
+        got=f"{means[worst]:.2f} N",
         expected=f"{targets[worst]:.2f} N within {TOLERANCE:g} N",
         hint="give static_force, or a longer analysis section",
     )

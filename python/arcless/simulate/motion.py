@@ -55,15 +55,15 @@ def motion(scenario: Scenario) -> Motion:
     if scenario.speed_profile is None:
         speed = scenario.speed or 0.0
         count = _bounded((end - start) / speed / h)
-        times = h * np.arange(count + 1)
+        times = h * np.arange(count + 1, dtype=np.float64)
         return Motion(start + speed * times, np.full(count + 1, speed), h)
     profile = scenario.speed_profile
     count = _bounded(profile.time[-1] / h)
-    times = h * np.arange(count + 1)
+    times = h * np.arange(count + 1, dtype=np.float64)
     speeds = np.interp(times, profile.time, profile.speed)
     positions = start + _distance(times, np.array(profile.time), np.array(profile.speed))
     inside = int(np.searchsorted(positions, end, side="right"))
-    if inside < 2:
+    if inside <= 1:
         raise ModelError(
             "the run takes no step", where="speed_profile", expected="a speed above 0 at the start"
         )

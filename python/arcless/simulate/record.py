@@ -33,7 +33,9 @@ def dynamic_variables(
     }
     out = {name: values.reshape(-1, count) for name, values in per_contact.items()}
     out["speed"] = raw["speed"]
-    out["mass_displacement"] = _masses(raw["masses"], [len(p.model.masses) for p in scenario.pantographs])
+    out["mass_displacement"] = _masses(
+        raw["masses"], [len(p.model.masses) for p in scenario.pantographs]
+    )
     rows = len(raw["line_time"])
     links = [dropper.link for dropper in found.mesh.droppers]
     if scenario.output.droppers:
@@ -46,7 +48,8 @@ def dynamic_variables(
     out["dropper_force_min"] = raw["link_min"][links]
     out["dropper_force_max"] = raw["link_max"][links]
     out["support_uplift_max"] = raw["uplift_max"]
-    for name, values in raw["energy"].items():
+    kept = {name: values for name, values in raw["energy"].items() if len(values)}
+    for name, values in kept.items():
         out[f"energy_{ENERGY_NAMES.get(name, name)}"] = values
     return out
 

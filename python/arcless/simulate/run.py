@@ -47,7 +47,7 @@ class Job:
             "links": full and output.droppers,
             "nodes": [support.contact_node for support in mesh.supports],
             "points": list(output.points),
-            "ledger": full,
+            "ledger": full and _keeps_ledger(self.scenario),
         }
         speed = float(self.travel.speeds[0])
         riders = [
@@ -101,7 +101,9 @@ def run(
     elasticity = found.elasticity(x)
     travel = motion.motion(scenario)
     job = Job(scenario, found, prepared, travel, _observer(travel.steps, "stepping", tell, cancel))
-    searching = replace(job, observe=_observer(travel.steps, "finding the static force", tell, cancel))
+    searching = replace(
+        job, observe=_observer(travel.steps, "finding the static force", tell, cancel)
+    )
     forces = find_forces(searching)
     setup = time.perf_counter() - started
     began = time.perf_counter()
@@ -112,9 +114,15 @@ def run(
         record.dynamic_variables(raw, found, scenario),
         record.names(raw, found, scenario, x),
         record.static_variables(found, elasticity),
-        _attributes(scenario, raw, travel, forces, setup, wall),
+        _attributes(job, raw, forces, setup=setup, wall=wall),
     )
     return Result(dataset, scenario)
+
+
+def _keeps_ledger(scenario: Scenario) -> bool:
+    # The ledger costs about as much as the step itself; see docs/decisions.
+    wanted = scenario.output.energy
+    return wanted == "always" or (wanted == "auto" and scenario.solver.scheme.name == "trapezoidal")
 
 
 def _observer(
@@ -130,13 +138,9 @@ def _observer(
 
 
 def _attributes(
-    scenario: Scenario,
-    raw: dict[str, Any],
-    travel: motion.Motion,
-    forces: list[float],
-    setup: float,
-    wall: float,
+    job: Job, raw: dict[str, Any], forces: list[float], *, setup: float, wall: float
 ) -> dict[str, Any]:
+    scenario, travel = job.scenario, job.travel
     names = [placement.name for placement in scenario.pantographs]
     return {
         "arcless_version": _core.__version__,
@@ -148,7 +152,7 @@ def _attributes(
         "wall_time_s": wall,
         "setup_time_s": setup,
         "real_time_factor": travel.duration / wall,
-        "energy_residual_relative": raw["energy_residual"] / raw["energy_turnover"],
+        "energy_residual_relative": _relative(raw["energy_residual"], raw["energy_turnover"]),
         "slack_droppers_max": raw["slack_max"],
         "lcp_pivots_total": raw["pivots"],
         "lcp_pivots_max": raw["pivots_max"],
@@ -156,3 +160,8 @@ def _attributes(
         "warnings": scenario_warnings(scenario),
         "command": f"arcless run {scenario.name}",
     }
+
+
+def _relative(residual: float, turnover: float) -> float | None:
+    """Residual of the energy ledger over the energy turned over; None when none was kept."""
+    return residual / turnover if turnover > 0.0 else None

@@ -56,9 +56,7 @@ class StaticsResult:
                 "x_m": support.x,
                 "messenger_force_N": _entry(arrays["spring_force"], support.messenger_spring),
                 "steady_arm_force_N": _entry(arrays["strut_tension"], support.steady_arm),
-                "contact_wire_height_m": float(
-                    self.equilibrium.positions[support.contact_node, 2]
-                ),
+                "contact_wire_height_m": float(self.equilibrium.positions[support.contact_node, 2]),
             }
             for support in self.equilibrium.mesh.supports
         ]

@@ -33,7 +33,11 @@ impl<const D: usize> Columns<D> {
         let keeps = |v: &[f64; D]| size(v) > CUT * peak;
         let first = rhs.iter().position(keeps).unwrap_or(0);
         let end = rhs.iter().rposition(keeps).map_or(first, |i| i + 1);
-        self.windows.push(Window { first, offset: self.values.len(), length: end - first });
+        self.windows.push(Window {
+            first,
+            offset: self.values.len(),
+            length: end - first,
+        });
         self.values.extend_from_slice(&rhs[first..end]);
         self.windows.len() - 1
     }
@@ -54,7 +58,10 @@ impl<const D: usize> Columns<D> {
     pub fn add(&self, column: usize, factor: f64, x: &mut [[f64; D]]) {
         let w = &self.windows[column];
         let target = &mut x[w.first..w.first + w.length];
-        for (a, b) in target.iter_mut().zip(&self.values[w.offset..w.offset + w.length]) {
+        for (a, b) in target
+            .iter_mut()
+            .zip(&self.values[w.offset..w.offset + w.length])
+        {
             for c in 0..D {
                 a[c] += factor * b[c];
             }

@@ -120,7 +120,9 @@ impl Unilateral {
             self.w[m + k] = tension_free(link) / p.link_stiffness[link];
             self.warm[m + k] = self.correction[link] > 0.0;
         }
-        let stats = self.solver.solve(&self.h, &self.w, &mut self.x, &mut self.y, &self.warm);
+        let stats = self
+            .solver
+            .solve(&self.h, &self.w, &mut self.x, &mut self.y, &self.warm);
         let stats = stats.map_err(Box::new)?;
         self.force.copy_from_slice(&self.x[..m]);
         for j in 0..m {
@@ -163,7 +165,9 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         let l = &line.links[link];
         let upper = self.contact_field(source, l.nodes[0]);
         let lower = self.contact_field(source, l.nodes[1]);
-        (0..DIM).map(|c| l.direction[c] * (lower[c] - upper[c])).sum()
+        (0..DIM)
+            .map(|c| l.direction[c] * (lower[c] - upper[c]))
+            .sum()
     }
 
     fn link_on_link(&self, source: usize, target: usize) -> f64 {
@@ -171,7 +175,9 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         let column = self.link_column(source);
         let upper = self.columns.at(column, l.nodes[0]);
         let lower = self.columns.at(column, l.nodes[1]);
-        (0..DIM).map(|c| l.direction[c] * (lower[c] - upper[c])).sum()
+        (0..DIM)
+            .map(|c| l.direction[c] * (lower[c] - upper[c]))
+            .sum()
     }
 
     /// Number of the column A⁻¹g of a link, after the two columns of each path node.

@@ -4,8 +4,8 @@
 //!
 //!   Δu·(M a_m) + Δu·(C v_f) + Δu·(K u_f) = Δu·f
 //!
-//! The first term is ΔE_kin plus what the scheme dissipates in inertia, the third ΔE_el plus what
-//! it dissipates in stiffness (both zero for the trapezoidal rule), the second is real
+//! The first term is ΔE_kin plus what the scheme dissipates in inertia, the third is ΔE_el plus
+//! (½ − α_f) ΔuᵀK Δu (both extras are zero for the trapezoidal rule), the second is real
 //! dissipation. What a unilateral law loses because it opens or closes between two instants
 //! (including the impact of a rigid contact) is the `switching` entry:
 //!
@@ -87,9 +87,10 @@ pub struct Ledger<const D: usize> {
     pub entries: Entries,
     start: Entries,
     rate: Vec<[f64; D]>,
-    balance: Vec<[f64; D]>,
+    work: Vec<[f64; D]>,
     link_work: Vec<f64>,
-    stored_work: f64,
+    inertia: f64,
+    scheme_elastic: f64,
     scheme_riders: f64,
     start_linear: f64,
     start_slack: f64,
@@ -107,7 +108,7 @@ fn dot<const D: usize>(x: &[[f64; D]], y: &[[f64; D]]) -> f64 {
     sums.iter().sum()
 }
 
-/// Δu·(M a_m), Δu·(K u_f), v_f·(M Δu), v_f·(K Δu).
+/// Δu·(M a_m), Δu·(K Δu), v_f·(M Δu), v_f·(K Δu).
 #[derive(Debug, Default)]
 struct Sums([f64; 4]);
 
@@ -117,32 +118,36 @@ struct StepWork<'a, const DIM: usize, const D: usize> {
     state: &'a LineState<D>,
     /// v_f of every node.
     rate: &'a mut [[f64; D]],
-    /// u_f of every node.
-    balance: &'a mut [[f64; D]],
     sums: &'a mut Sums,
 }
 
 impl<const DIM: usize, const D: usize> Kernel for StepWork<'_, DIM, D> {
     #[inline(always)]
     fn run(self) {
-        let Self { p, state, rate, balance, sums } = self;
+        let Self {
+            p,
+            state,
+            rate,
+            sums,
+        } = self;
         let c = p.coefficients;
-        let [mut inertia, mut elastic, mut by_mass, mut by_stiffness] = [[0.0; D]; 4];
-        let rows = state.delta.iter().zip(&state.u).zip(&state.v).zip(&state.a);
-        for (i, (((d, u), v), a)) in rows.enumerate() {
+        let [mut inertia, mut own, mut by_mass, mut by_stiffness] = [[0.0; D]; 4];
+        let rows = state.delta.iter().zip(&state.v).zip(&state.a);
+        for (i, ((d, v), a)) in rows.enumerate() {
             let mass = p.line.mass.row(i, &state.delta);
             for k in 0..D {
-                let velocity = c.damping * d[k] + c.velocity_from_v * v[k] + c.velocity_from_a * a[k];
-                let force = c.mass * d[k] + c.acceleration_from_v * v[k] + c.acceleration_from_a * a[k];
+                let velocity =
+                    c.damping * d[k] + c.velocity_from_v * v[k] + c.velocity_from_a * a[k];
+                let force =
+                    c.mass * d[k] + c.acceleration_from_v * v[k] + c.acceleration_from_a * a[k];
                 rate[i][k] = velocity;
-                balance[i][k] = u[k] + c.stiffness * d[k];
                 inertia[k] += force * mass[k];
                 by_mass[k] += velocity * mass[k];
             }
-            p.line.stiffness.add_row_of_form(i, &state.delta, balance, &mut elastic);
-            p.line.stiffness.add_row_of_form(i, &state.delta, rate, &mut by_stiffness);
+            let k = &p.line.stiffness;
+            k.add_row_of_forms(i, &state.delta, rate, &mut own, &mut by_stiffness);
         }
-        sums.0 = [inertia, elastic, by_mass, by_stiffness].map(|lanes| lanes.iter().sum());
+        sums.0 = [inertia, own, by_mass, by_stiffness].map(|lanes| lanes.iter().sum());
     }
 }
 
@@ -176,9 +181,10 @@ impl<const D: usize> Ledger<D> {
             entries: Entries::default(),
             start: Entries::default(),
             rate: zero.clone(),
-            balance: zero,
+            work: zero,
             link_work: vec![0.0; p.line.links.len()],
-            stored_work: 0.0,
+            inertia: 0.0,
+            scheme_elastic: 0.0,
             scheme_riders: 0.0,
             start_linear: 0.0,
             start_slack: slack_energy(p, state),
@@ -202,17 +208,27 @@ impl<const D: usize> Ledger<D> {
     ) {
         let c = &p.coefficients;
         self.rider_work.clear();
-        self.rider_work.extend(riders.iter().map(|rider| rider.work(c, speed)));
+        self.rider_work
+            .extend(riders.iter().map(|rider| rider.work(c, speed)));
         let mut sums = Sums::default();
-        widest(StepWork { p, state, rate: &mut self.rate, balance: &mut self.balance, sums: &mut sums });
-        let [inertia, elastic, by_mass, by_stiffness] = sums.0;
+        widest(StepWork {
+            p,
+            state,
+            rate: &mut self.rate,
+            sums: &mut sums,
+        });
+        let [inertia, own, by_mass, by_stiffness] = sums.0;
         let common = &p.line.common;
-        self.stored_work += inertia + elastic;
+        self.inertia += inertia;
+        self.scheme_elastic += (0.5 - c.old) * own;
         self.entries.dissipated_line += common.alpha * by_mass + common.beta * by_stiffness;
         self.entries.dissipated_line += self.rest_form(p, state);
-        for (work, (link, (&d, s))) in
-            self.link_work.iter_mut().zip(p.line.links.iter().zip(state.link_delta.iter().zip(&state.links)))
-        {
+        for (work, (link, (&d, s))) in self.link_work.iter_mut().zip(
+            p.line
+                .links
+                .iter()
+                .zip(state.link_delta.iter().zip(&state.links)),
+        ) {
             let rate = c.damping * d + c.velocity_from_v * s[1] + c.velocity_from_a * s[2];
             *work = link.viscosity * rate * d;
         }
@@ -222,8 +238,8 @@ impl<const D: usize> Ledger<D> {
     fn rest_form<const DIM: usize>(&mut self, p: &Prepared<DIM, D>, state: &LineState<D>) -> f64 {
         let mut sum = 0.0;
         if let Some(rest) = &p.line.mass_damping_rest {
-            rest.product(&self.rate, &mut self.balance);
-            sum += dot(&state.delta, &self.balance);
+            rest.product(&self.rate, &mut self.work);
+            sum += dot(&state.delta, &self.work);
         }
         for (i, j, block) in &p.line.damping_rest {
             let mut form = |a: usize, b: usize, transposed: bool| {
@@ -256,14 +272,14 @@ impl<const D: usize> Ledger<D> {
         self.book_contacts(p, state, riders, f);
     }
 
-    /// Stored energies of the state itself, ½ vᵀM v and ½ uᵀK u. What was worked against inertia
-    /// and stiffness and is not stored there, the scheme has dissipated.
+    /// Stored energies of the state itself, ½ vᵀM v and ½ uᵀK u, and what the scheme has dissipated:
+    /// the work against inertia that is not stored, and (½ − α_f) ΔuᵀK Δu of every step.
     pub fn settle<const DIM: usize>(&mut self, p: &Prepared<DIM, D>, state: &LineState<D>) {
         let e = &mut self.entries;
         e.kinetic = 0.5 * p.line.mass.quadratic(&state.v);
         let linear = 0.5 * p.line.stiffness.quadratic(&state.u) - self.start_linear;
         e.elastic = linear + self.slack_energy - self.start_slack;
-        e.dissipated_scheme = self.scheme_riders + self.stored_work - e.kinetic - linear;
+        e.dissipated_scheme = self.scheme_riders + self.scheme_elastic + self.inertia - e.kinetic;
     }
 
     /// Take the dampers to ground out of the dissipation of the line.

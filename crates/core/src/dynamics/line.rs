@@ -43,7 +43,11 @@ impl<const DIM: usize> LinearLink<DIM> {
     /// Correction that already acts at equilibrium, N: positive for a link slack there.
     #[must_use]
     pub fn rest_correction(&self) -> f64 {
-        if self.unilateral { (-self.rest_tension).max(0.0) } else { 0.0 }
+        if self.unilateral {
+            (-self.rest_tension).max(0.0)
+        } else {
+            0.0
+        }
     }
 
     /// gᵀ x: elongation of a displacement field.
@@ -115,7 +119,9 @@ impl<const DIM: usize, const D: usize> Line<DIM, D> {
         }
         for link in &s.links {
             let half = 0.5 * link.mass * Geometry::<DIM, D>::link_state(&shape, link).length;
-            link.nodes.iter().for_each(|&node| add_point(node, half, link.damping.alpha));
+            link.nodes
+                .iter()
+                .for_each(|&node| add_point(node, half, link.damping.alpha));
         }
         for strut in &s.struts {
             add_point(strut.node, strut.moving_mass, common.alpha);
@@ -133,7 +139,11 @@ impl<const DIM: usize, const D: usize> Line<DIM, D> {
         Self {
             free: geometry.service_mask(),
             damping_rest: damping_rest(geometry, &shape, common.beta),
-            dampers: s.springs.iter().map(|p| (p.node, p.component, p.viscosity)).collect(),
+            dampers: s
+                .springs
+                .iter()
+                .map(|p| (p.node, p.component, p.viscosity))
+                .collect(),
             links: s.links.iter().map(|l| LinearLink::new(l, &shape)).collect(),
             mass_damping_rest: (!uniform).then_some(mass_rest),
             shape,
@@ -154,7 +164,11 @@ impl<const DIM: usize, const D: usize> Line<DIM, D> {
     pub fn combine(&self, c: f64, d: f64, k: f64) -> SymmetricBlocks<D> {
         let mut a = self.stiffness.clone();
         let factor = k + d * self.common.beta;
-        a.blocks.iter_mut().flatten().flatten().for_each(|v| *v *= factor);
+        a.blocks
+            .iter_mut()
+            .flatten()
+            .flatten()
+            .for_each(|v| *v *= factor);
         self.mass.add_to(c + d * self.common.alpha, &mut a);
         if let Some(rest) = &self.mass_damping_rest {
             rest.add_to(d, &mut a);

@@ -44,11 +44,18 @@ impl<const DIM: usize> Path<DIM> {
         shape: &Shape<D>,
         wires: &[usize],
     ) -> Result<Self, CoreError> {
-        let refuse = |reason: &str| CoreError::Input { array: "path", reason: reason.into() };
+        let refuse = |reason: &str| CoreError::Input {
+            array: "path",
+            reason: reason.into(),
+        };
         let mut nodes: Vec<usize> = Vec::with_capacity(wires.len() + 1);
         let mut elements = Vec::with_capacity(wires.len());
         for &w in wires {
-            let wire = geometry.structure.wires.get(w).ok_or_else(|| refuse("unknown element"))?;
+            let wire = geometry
+                .structure
+                .wires
+                .get(w)
+                .ok_or_else(|| refuse("unknown element"))?;
             if !wire.runs_through() {
                 return Err(refuse("the wire is hinged"));
             }
@@ -62,7 +69,10 @@ impl<const DIM: usize> Path<DIM> {
                 return Err(refuse("the wire runs backwards"));
             }
             nodes.push(wire.nodes[1]);
-            elements.push(PathElement { rest_length: wire.section.rest_length, coordinates });
+            elements.push(PathElement {
+                rest_length: wire.section.rest_length,
+                coordinates,
+            });
         }
         if elements.is_empty() {
             return Err(refuse("no elements"));
@@ -74,7 +84,10 @@ impl<const DIM: usize> Path<DIM> {
     #[must_use]
     pub fn range(&self) -> (f64, f64) {
         let last = self.elements.len() - 1;
-        (self.elements[0].coordinates[0][0], self.elements[last].coordinates[2][0])
+        (
+            self.elements[0].coordinates[0][0],
+            self.elements[last].coordinates[2][0],
+        )
     }
 
     /// Place at coordinate `x` along the track; `None` beyond the ends. `near` is the element
@@ -107,20 +120,34 @@ impl<const DIM: usize> Path<DIM> {
         let weights = hermite::shape(xi.clamp(0.0, 1.0), l);
         let r = hermite::interpolate(&weights, &e.coordinates);
         let lateral = if DIM == 3 { r[1] } else { 0.0 };
-        Some(Place { element: k, weights, height: r[DIM - 1], lateral })
+        Some(Place {
+            element: k,
+            weights,
+            height: r[DIM - 1],
+            lateral,
+        })
     }
 
     /// Component `c` of a displacement field at a place.
     #[inline(always)]
     #[must_use]
     pub fn displacement<const D: usize>(&self, place: &Place, x: &[[f64; D]], c: usize) -> f64 {
-        let (a, b) = (&x[self.nodes[place.element]], &x[self.nodes[place.element + 1]]);
+        let (a, b) = (
+            &x[self.nodes[place.element]],
+            &x[self.nodes[place.element + 1]],
+        );
         let w = &place.weights;
         w[0] * a[c] + w[1] * a[DIM + c] + w[2] * b[c] + w[3] * b[DIM + c]
     }
 
     /// Add a force on component `c` at a place.
-    pub fn add_force<const D: usize>(&self, place: &Place, force: f64, c: usize, f: &mut [[f64; D]]) {
+    pub fn add_force<const D: usize>(
+        &self,
+        place: &Place,
+        force: f64,
+        c: usize,
+        f: &mut [[f64; D]],
+    ) {
         let (a, b) = (self.nodes[place.element], self.nodes[place.element + 1]);
         let w = &place.weights;
         f[a][c] += w[0] * force;

@@ -46,11 +46,18 @@ impl Rider {
         let n = self.size();
         let matrices = [&self.mass, &self.damping, &self.stiffness];
         let vectors = [&self.strip, &self.preload, &self.lift];
-        let sized = matrices.iter().all(|m| m.len() == n * n) && vectors.iter().all(|v| v.len() == n);
-        let finite = matrices.iter().chain(&vectors).all(|m| m.iter().all(|v| v.is_finite()));
+        let sized =
+            matrices.iter().all(|m| m.len() == n * n) && vectors.iter().all(|v| v.len() == n);
+        let finite = matrices
+            .iter()
+            .chain(&vectors)
+            .all(|m| m.iter().all(|v| v.is_finite()));
         if n == 0 || !sized || !finite || !self.start_force.is_finite() {
             let reason = "sizes disagree or a number is not finite".into();
-            return Err(CoreError::Input { array: "riders", reason });
+            return Err(CoreError::Input {
+                array: "riders",
+                reason,
+            });
         }
         Ok(())
     }
@@ -60,7 +67,12 @@ impl Rider {
     ///
     /// # Errors
     /// [`CoreError::Input`] when the chain has no such equilibrium.
-    pub fn equilibrium(&self, force: f64, z: f64, speed: f64) -> Result<(Vec<f64>, f64), CoreError> {
+    pub fn equilibrium(
+        &self,
+        force: f64,
+        z: f64,
+        speed: f64,
+    ) -> Result<(Vec<f64>, f64), CoreError> {
         let n = self.size();
         let m = n + 1;
         let mut a = vec![0.0; m * m];
@@ -76,7 +88,10 @@ impl Rider {
         rhs[n] = z;
         if !dense::solve_in_place(&mut a, &mut rhs) {
             let reason = "the preload cannot balance the contact force".into();
-            return Err(CoreError::Input { array: "riders", reason });
+            return Err(CoreError::Input {
+                array: "riders",
+                reason,
+            });
         }
         let preload = rhs[n];
         rhs.truncate(n);
@@ -116,7 +131,9 @@ impl RiderState {
         let (u, preload) = rider.equilibrium(rider.start_force, z, speed)?;
         let a: Vec<f64> = (0..n * n)
             .map(|i| {
-                c.mass * rider.mass[i] + c.damping * rider.damping[i] + c.stiffness * rider.stiffness[i]
+                c.mass * rider.mass[i]
+                    + c.damping * rider.damping[i]
+                    + c.stiffness * rider.stiffness[i]
             })
             .collect();
         let inverse = dense::inverse(&a, n).ok_or_else(|| CoreError::Input {
@@ -230,5 +247,7 @@ fn inner(x: &[f64], y: &[f64]) -> f64 {
 #[must_use]
 pub fn multiply(a: &[f64], x: &[f64]) -> Vec<f64> {
     let n = x.len();
-    (0..n).map(|i| (0..n).map(|j| a[i * n + j] * x[j]).sum()).collect()
+    (0..n)
+        .map(|i| (0..n).map(|j| a[i * n + j] * x[j]).sum())
+        .collect()
 }

@@ -5,8 +5,8 @@ use super::ledger::{Ledger, StepForces};
 use super::path::Place;
 use super::record::{Record, RecordPlan};
 use super::rider::{Rider, RiderState};
-use super::still::Still;
 use super::stepper::{LineState, Prepared};
+use super::still::Still;
 use crate::error::CoreError;
 use crate::lcp::LcpStats;
 
@@ -60,9 +60,9 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
     ) -> Result<Record, CoreError> {
         check(riders, travel, plan)?;
         let mut run = Run::start(self, riders, travel, plan)?;
-        let mut ledger = plan.ledger.then(|| {
-            Ledger::new(self, &run.state, &run.riders, &run.at_end, run.datum)
-        });
+        let mut ledger = plan
+            .ledger
+            .then(|| Ledger::new(self, &run.state, &run.riders, &run.at_end, run.datum));
         for step in 0..travel.positions.len() - 1 {
             if step % OBSERVE_EVERY == 0 {
                 if !observe(step) {
@@ -78,7 +78,12 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
 }
 
 fn check(riders: &[Rider], travel: &Travel, plan: &RecordPlan) -> Result<(), CoreError> {
-    let refuse = |array, reason: &str| Err(CoreError::Input { array, reason: reason.into() });
+    let refuse = |array, reason: &str| {
+        Err(CoreError::Input {
+            array,
+            reason: reason.into(),
+        })
+    };
     if riders.is_empty() || travel.distances.len() != riders.len() {
         return refuse("riders", "none, or not one distance for each");
     }
@@ -104,7 +109,11 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
         plan: &'a RecordPlan,
     ) -> Result<Self, CoreError> {
         let locate = |contact: usize, position: f64| {
-            p.path.locate(position, 0).ok_or(CoreError::OffWire { contact, position, step: 0 })
+            p.path.locate(position, 0).ok_or(CoreError::OffWire {
+                contact,
+                position,
+                step: 0,
+            })
         };
         let places = travel
             .distances
@@ -112,7 +121,11 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
             .enumerate()
             .map(|(j, d)| locate(j, travel.positions[0] - d))
             .collect::<Result<Vec<_>, _>>()?;
-        let points = plan.points.iter().map(|&x| locate(0, x)).collect::<Result<Vec<_>, _>>()?;
+        let points = plan
+            .points
+            .iter()
+            .map(|&x| locate(0, x))
+            .collect::<Result<Vec<_>, _>>()?;
         let forces: Vec<f64> = riders.iter().map(|r| r.start_force).collect();
         let still = Still::new(&p.line, &p.path)?.solve(&places, &forces)?;
         let datum = places[0].height;
@@ -127,7 +140,7 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
             start_u: states.iter().map(|r| r.u.clone()).collect(),
             riders: states,
             unilateral: Unilateral::new(forces, still.correction),
-            state: LineState::at_rest(&p.line, still.u),
+            state: p.at_rest(still.u),
             gaps: vec![0.0; riders.len()],
             friction: vec![0.0; riders.len()],
             at_start: places.clone(),
@@ -165,7 +178,12 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
             for (place, &t) in places.iter().zip(friction).filter(|(_, t)| **t != 0.0) {
                 p.path.add_force(place, t, 0, f);
             }
-            for link in p.line.links.iter().filter(|l| l.unilateral && l.rest_tension < 0.0) {
+            for link in p
+                .line
+                .links
+                .iter()
+                .filter(|l| l.unilateral && l.rest_tension < 0.0)
+            {
                 link.add_to(link.rest_correction(), f);
             }
         });
@@ -196,7 +214,11 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
             let near = self.at_start[j].element;
             let locate = |position: f64| {
                 let place = self.p.path.locate(position, near);
-                place.ok_or(CoreError::OffWire { contact: j, position, step })
+                place.ok_or(CoreError::OffWire {
+                    contact: j,
+                    position,
+                    step,
+                })
             };
             self.at_end[j] = locate(self.travel.positions[step + 1] - distance)?;
             self.at_balance[j] = locate(balance - distance)?;
@@ -229,7 +251,9 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
         r.fallbacks += usize::from(stats.fallback_used);
         r.lcp_residual = r.lcp_residual.max(stats.residual);
         let slack = self.unilateral.links.iter();
-        let slack = slack.filter(|&&i| self.unilateral.correction[i] > 0.0).count();
+        let slack = slack
+            .filter(|&&i| self.unilateral.correction[i] > 0.0)
+            .count();
         r.slack_max = r.slack_max.max(slack);
     }
 
@@ -239,7 +263,8 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
         if correction > 0.0 {
             return 0.0;
         }
-        self.p.linear_tension(&self.state, i, self.state.link_delta[i])
+        self.p
+            .linear_tension(&self.state, i, self.state.link_delta[i])
     }
 
     /// Uplift of a node at the time of balance.
@@ -305,7 +330,12 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
                 + keep * path.displacement(place, &self.state.delta, DIM - 1);
             self.record.point_uplift.push(uplift);
         }
-        let slack = self.unilateral.correction.iter().filter(|r| **r > 0.0).count();
+        let slack = self
+            .unilateral
+            .correction
+            .iter()
+            .filter(|r| **r > 0.0)
+            .count();
         self.record.slack.push(slack as f64);
     }
 
@@ -315,12 +345,16 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
         self.record.steps = step + 1;
         let Some(ledger) = ledger else {
             p.advance(&mut self.state);
-            self.riders.iter_mut().for_each(|r| r.advance(&p.coefficients));
+            self.riders
+                .iter_mut()
+                .for_each(|r| r.advance(&p.coefficients));
             return;
         };
         ledger.before(p, &self.state, &self.riders, speed);
         p.advance(&mut self.state);
-        self.riders.iter_mut().for_each(|r| r.advance(&p.coefficients));
+        self.riders
+            .iter_mut()
+            .for_each(|r| r.advance(&p.coefficients));
         let forces = StepForces {
             places: &self.at_balance,
             ends: [&self.at_start, &self.at_end],
@@ -346,6 +380,9 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
         if finite && self.unilateral.force.iter().all(|v| v.is_finite()) {
             return Ok(());
         }
-        Err(CoreError::NotFinite { what: "the displacement of the line", step })
+        Err(CoreError::NotFinite {
+            what: "the displacement of the line",
+            step,
+        })
     }
 }

@@ -62,23 +62,31 @@ pub struct LineState<const D: usize> {
     /// Elongation increment of each link in the current step.
     pub link_delta: Vec<f64>,
     link_free: Vec<f64>,
-    mass_work: Vec<[f64; D]>,
+    /// −(combination of u, v, a) whose product with M is the inertia of the next step.
+    prepared: Vec<[f64; D]>,
+    /// s/κ of the next step.
+    shift: Vec<[f64; D]>,
+    work: Vec<[f64; D]>,
     scratch: Vec<[f64; D]>,
 }
 
 impl<const D: usize> LineState<D> {
-    /// At rest in a displaced position.
-    #[must_use]
-    pub fn at_rest<const DIM: usize>(line: &Line<DIM, D>, u: Vec<[f64; D]>) -> Self {
+    fn at_rest<const DIM: usize>(line: &Line<DIM, D>, u: Vec<[f64; D]>) -> Self {
         let zero = vec![[0.0; D]; u.len()];
         Self {
-            links: line.links.iter().map(|l| [l.elongation(&u), 0.0, 0.0]).collect(),
+            links: line
+                .links
+                .iter()
+                .map(|l| [l.elongation(&u), 0.0, 0.0])
+                .collect(),
             link_delta: vec![0.0; line.links.len()],
             link_free: vec![0.0; line.links.len()],
             v: zero.clone(),
             a: zero.clone(),
             delta: zero.clone(),
-            mass_work: zero.clone(),
+            prepared: zero.clone(),
+            shift: zero.clone(),
+            work: zero.clone(),
             scratch: zero,
             u,
         }
@@ -101,7 +109,10 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         scheme.check()?;
         if !(h.is_finite() && h > 0.0) || contact_stiffness.is_nan() || contact_stiffness <= 0.0 {
             let reason = format!("step {h} s, contact stiffness {contact_stiffness} N/m");
-            return Err(CoreError::Input { array: "solver", reason });
+            return Err(CoreError::Input {
+                array: "solver",
+                reason,
+            });
         }
         let c = scheme.coefficients(h);
         let factor = BlockLdl::new(&line.combine(c.mass, c.damping, c.stiffness))?;
@@ -112,12 +123,13 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         let old_a = [0.0, c.acceleration_from_v, c.acceleration_from_a];
         let s = [1.0, beta * old_v[1], beta * old_v[2]];
         let alpha = line.common.alpha;
-        let combine = |k: usize| {
-            old_a[k] + alpha * old_v[k] - (c.mass + c.damping * alpha) / kappa * s[k]
-        };
+        let combine =
+            |k: usize| old_a[k] + alpha * old_v[k] - (c.mass + c.damping * alpha) / kappa * s[k];
         let columns = influence_columns(&line, &path, &factor);
         let fixed = line.free.iter().enumerate().flat_map(|(node, free)| {
-            (0..D).filter(|&k| !free[k]).map(move |k| (node as u32, k as u32))
+            (0..D)
+                .filter(|&k| !free[k])
+                .map(move |k| (node as u32, k as u32))
         });
         Ok(Self {
             fixed: fixed.collect(),
@@ -146,18 +158,37 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         self.factor.fill()
     }
 
+    /// A state at rest in a displaced position, ready for the first step.
+    #[must_use]
+    pub fn at_rest(&self, u: Vec<[f64; D]>) -> LineState<D> {
+        let mut state = LineState::at_rest(&self.line, u);
+        widest(Advance {
+            p: self,
+            state: &mut state,
+        });
+        state
+    }
+
     /// Increment of the line without contact forces and corrections. `load` is called with the
     /// force vector to add given forces.
     pub fn free_increment(&self, state: &mut LineState<D>, load: impl FnOnce(&mut [[f64; D]])) {
         widest(Inertia { p: self, state });
-        let LineState { u, v, a, delta, mass_work, scratch, .. } = state;
-        self.subtract_damping_rest(u, v, a, [mass_work, scratch], delta);
+        let LineState {
+            u,
+            v,
+            a,
+            delta,
+            work,
+            scratch,
+            ..
+        } = state;
+        self.subtract_damping_rest(u, v, a, [work, scratch], delta);
         load(delta);
         for &(node, component) in &self.fixed {
             delta[node as usize][component as usize] = 0.0;
         }
-        self.factor.solve(delta, mass_work);
-        widest(Combine { factors: self.shift, state });
+        self.factor.solve(delta, work);
+        widest(Unshift(state));
         for (link, d) in self.line.links.iter().zip(&mut state.link_delta) {
             *d = link.elongation(&state.delta);
         }
@@ -227,10 +258,18 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         // Every round adds at least one link, so there are at most as many rounds as links.
         for _ in 0..=links.len() {
             let tension = |i: usize| self.linear_tension(state, i, state.link_free[i]);
-            let stats = unilateral.solve(self, places, riders, gaps, tension).map_err(|failure| {
-                let contacts = (0..places.len()).collect();
-                CoreError::Lcp { step, time, contacts, links: unilateral.links.clone(), failure }
-            })?;
+            let stats = unilateral
+                .solve(self, places, riders, gaps, tension)
+                .map_err(|failure| {
+                    let contacts = (0..places.len()).collect();
+                    CoreError::Lcp {
+                        step,
+                        time,
+                        contacts,
+                        links: unilateral.links.clone(),
+                        failure,
+                    }
+                })?;
             total.pivots += stats.pivots;
             total.fallback_used |= stats.fallback_used;
             total.residual = total.residual.max(stats.residual);
@@ -254,14 +293,16 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
             let change = unilateral.force[j] - unilateral.applied_force[j];
             unilateral.applied_force[j] = unilateral.force[j];
             for (k, weight) in place.weights.iter().enumerate() {
-                self.columns.add(2 * place.element + k, weight * change, &mut state.delta);
+                self.columns
+                    .add(2 * place.element + k, weight * change, &mut state.delta);
             }
         }
         for &link in &unilateral.links {
             let change = unilateral.correction[link] - unilateral.applied_correction[link];
             unilateral.applied_correction[link] = unilateral.correction[link];
             if change != 0.0 {
-                self.columns.add(self.link_column(link), -change, &mut state.delta);
+                self.columns
+                    .add(self.link_column(link), -change, &mut state.delta);
             }
         }
         for (link, d) in self.line.links.iter().zip(&mut state.link_delta) {
@@ -272,8 +313,10 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
     /// Take the step: new displacement, velocity, acceleration.
     pub fn advance(&self, state: &mut LineState<D>) {
         let c = &self.coefficients;
-        widest(Advance { c, state });
-        let LineState { links, link_delta, .. } = state;
+        widest(Advance { p: self, state });
+        let LineState {
+            links, link_delta, ..
+        } = state;
         for ([e, rate, second], &d) in links.iter_mut().zip(&*link_delta) {
             let (new_rate, new_second) = c.advance(d, *rate, *second);
             *e += d;
@@ -283,7 +326,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
     }
 }
 
-/// `delta = −M (combination of u, v, a)`
+/// `delta = M · prepared`
 struct Inertia<'a, const DIM: usize, const D: usize> {
     p: &'a Prepared<DIM, D>,
     state: &'a mut LineState<D>,
@@ -292,54 +335,59 @@ struct Inertia<'a, const DIM: usize, const D: usize> {
 impl<const DIM: usize, const D: usize> Kernel for Inertia<'_, DIM, D> {
     #[inline(always)]
     fn run(self) {
-        let [fu, fv, fa] = self.p.from_mass;
-        let LineState { u, v, a, delta, mass_work, .. } = self.state;
-        for (w, ((u, v), a)) in mass_work.iter_mut().zip(u.iter().zip(&*v).zip(&*a)) {
-            for k in 0..D {
-                w[k] = -(fu * u[k] + fv * v[k] + fa * a[k]);
-            }
-        }
+        let LineState {
+            delta, prepared, ..
+        } = self.state;
         for (i, d) in delta.iter_mut().enumerate() {
-            *d = self.p.line.mass.row(i, mass_work);
+            *d = self.p.line.mass.row(i, prepared);
         }
     }
 }
 
-/// `delta −= combination of u, v, a`
-struct Combine<'a, const D: usize> {
-    factors: [f64; 3],
-    state: &'a mut LineState<D>,
-}
+/// `delta −= shift`, the part of the unknown that is not an increment.
+struct Unshift<'a, const D: usize>(&'a mut LineState<D>);
 
-impl<const D: usize> Kernel for Combine<'_, D> {
+impl<const D: usize> Kernel for Unshift<'_, D> {
     #[inline(always)]
     fn run(self) {
-        let [fu, fv, fa] = self.factors;
-        let LineState { u, v, a, delta, .. } = self.state;
-        for (d, ((u, v), a)) in delta.iter_mut().zip(u.iter().zip(&*v).zip(&*a)) {
+        for (d, s) in self.0.delta.iter_mut().zip(&self.0.shift) {
             for k in 0..D {
-                d[k] -= fu * u[k] + fv * v[k] + fa * a[k];
+                d[k] -= s[k];
             }
         }
     }
 }
 
-/// New displacement, velocity and acceleration.
-struct Advance<'a, const D: usize> {
-    c: &'a Coefficients,
+/// New displacement, velocity and acceleration, and the combinations of them that the next step
+/// starts from: one pass over the state.
+struct Advance<'a, const DIM: usize, const D: usize> {
+    p: &'a Prepared<DIM, D>,
     state: &'a mut LineState<D>,
 }
 
-impl<const D: usize> Kernel for Advance<'_, D> {
+impl<const DIM: usize, const D: usize> Kernel for Advance<'_, DIM, D> {
     #[inline(always)]
     fn run(self) {
-        let LineState { u, v, a, delta, .. } = self.state;
-        for (((u, v), a), d) in u.iter_mut().zip(v).zip(a).zip(&*delta) {
+        let LineState {
+            u,
+            v,
+            a,
+            delta,
+            prepared,
+            shift,
+            ..
+        } = self.state;
+        let (c, [mu, mv, ma], [su, sv, sa]) =
+            (&self.p.coefficients, self.p.from_mass, self.p.shift);
+        let state = u.iter_mut().zip(v).zip(a).zip(&*delta);
+        for ((((u, v), a), d), (w, s)) in state.zip(prepared.iter_mut().zip(shift)) {
             for k in 0..D {
-                let (new_v, new_a) = self.c.advance(d[k], v[k], a[k]);
+                let (new_v, new_a) = c.advance(d[k], v[k], a[k]);
                 u[k] += d[k];
                 v[k] = new_v;
                 a[k] = new_a;
+                w[k] = -(mu * u[k] + mv * new_v + ma * new_a);
+                s[k] = su * u[k] + sv * new_v + sa * new_a;
             }
         }
     }

@@ -41,7 +41,14 @@ impl<'a, const DIM: usize, const D: usize> Still<'a, DIM, D> {
         let factor = BlockLdl::new(&line.combine(0.0, 0.0, 1.0))?;
         let scratch = vec![[0.0; D]; line.nodes()];
         let solver = LcpSolver::new();
-        Ok(Self { line, path, factor, pulls: BTreeMap::new(), solver, scratch })
+        Ok(Self {
+            line,
+            path,
+            factor,
+            pulls: BTreeMap::new(),
+            solver,
+            scratch,
+        })
     }
 
     /// Factor of the stiffness.
@@ -60,7 +67,9 @@ impl<'a, const DIM: usize, const D: usize> Still<'a, DIM, D> {
         for (place, &force) in places.iter().zip(forces) {
             self.path.add_force(place, force, DIM - 1, &mut free);
         }
-        links.iter().for_each(|l| l.add_to(l.rest_correction(), &mut free));
+        links
+            .iter()
+            .for_each(|l| l.add_to(l.rest_correction(), &mut free));
         self.line.mask(&mut free);
         self.factor.solve(&mut free, &mut self.scratch);
         let mut correction = vec![0.0; links.len()];
@@ -72,8 +81,9 @@ impl<'a, const DIM: usize, const D: usize> Still<'a, DIM, D> {
                 let l = &links[i];
                 l.unilateral && l.rest_tension + l.stiffness * l.elongation(&u) < 0.0
             };
-            let new: Vec<usize> =
-                (0..links.len()).filter(|i| !active.contains(i) && pushes(*i)).collect();
+            let new: Vec<usize> = (0..links.len())
+                .filter(|i| !active.contains(i) && pushes(*i))
+                .collect();
             if new.is_empty() {
                 return Ok(StillState { u, correction });
             }
@@ -105,17 +115,21 @@ impl<'a, const DIM: usize, const D: usize> Still<'a, DIM, D> {
             w[a] = l.rest_tension / l.stiffness + l.elongation(free);
         }
         let (mut x, mut y) = (vec![0.0; n], vec![0.0; n]);
-        self.solver.solve(&h, &w, &mut x, &mut y, &[]).map_err(|failure| CoreError::Lcp {
-            step: 0,
-            time: 0.0,
-            contacts: Vec::new(),
-            links: active.to_vec(),
-            failure: Box::new(failure),
-        })?;
+        self.solver
+            .solve(&h, &w, &mut x, &mut y, &[])
+            .map_err(|failure| CoreError::Lcp {
+                step: 0,
+                time: 0.0,
+                contacts: Vec::new(),
+                links: active.to_vec(),
+                failure: Box::new(failure),
+            })?;
         u.copy_from_slice(free);
         for (&i, &r) in active.iter().zip(&x) {
             correction[i] = r;
-            let Some(pull) = self.pulls.get(&i) else { continue };
+            let Some(pull) = self.pulls.get(&i) else {
+                continue;
+            };
             for (target, value) in u.iter_mut().zip(pull) {
                 for c in 0..D {
                     target[c] -= r * value[c];
@@ -148,7 +162,11 @@ impl<'a, const DIM: usize, const D: usize> Still<'a, DIM, D> {
             .enumerate()
             .map(|(i, &position)| {
                 let place = self.path.locate(position, hint);
-                let place = place.ok_or(CoreError::OffWire { contact: i, position, step: 0 })?;
+                let place = place.ok_or(CoreError::OffWire {
+                    contact: i,
+                    position,
+                    step: 0,
+                })?;
                 hint = place.element;
                 if force > 0.0 {
                     let state = self.solve(&[place], &[force])?;

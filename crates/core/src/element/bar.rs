@@ -21,7 +21,11 @@ impl<const DIM: usize> BarState<DIM> {
         }
         let length = direction.iter().map(|d| d * d).sum::<f64>().sqrt();
         direction.iter_mut().for_each(|d| *d /= length);
-        Self { direction, length, linear_tension: stiffness * (length - rest_length) }
+        Self {
+            direction,
+            length,
+            linear_tension: stiffness * (length - rest_length),
+        }
     }
 
     /// ∂²U/∂x² for the second end: k n nᵀ + (T/ℓ)(1 − n nᵀ). The stiffness is zero for a slack bar.
@@ -54,7 +58,10 @@ mod tests {
             let (mut up, mut down) = (b, b);
             up[q] += h;
             down[q] -= h;
-            let (u, d) = (BarState::new(&a, &up, l0, k), BarState::new(&a, &down, l0, k));
+            let (u, d) = (
+                BarState::new(&a, &up, l0, k),
+                BarState::new(&a, &down, l0, k),
+            );
             for p in 0..3 {
                 let slope = (u.linear_tension * u.direction[p] - d.linear_tension * d.direction[p])
                     / (2.0 * h);

@@ -37,7 +37,12 @@ const GAUSS: [(f64, f64); 5] = [
 #[must_use]
 pub fn shape(xi: f64, l: f64) -> [f64; 4] {
     let (x2, x3) = (xi * xi, xi * xi * xi);
-    [1.0 - 3.0 * x2 + 2.0 * x3, l * (xi - 2.0 * x2 + x3), 3.0 * x2 - 2.0 * x3, l * (x3 - x2)]
+    [
+        1.0 - 3.0 * x2 + 2.0 * x3,
+        l * (xi - 2.0 * x2 + x3),
+        3.0 * x2 - 2.0 * x3,
+        l * (x3 - x2),
+    ]
 }
 
 /// ∂S/∂s at ξ.
@@ -152,8 +157,8 @@ pub fn add_force<const DIM: usize>(
             for c in 0..DIM {
                 let by_slope = 2.0 * kappa.s * a[c] + kappa.w * b[c];
                 let by_curvature = 2.0 * kappa.t * b[c] + kappa.w * a[c];
-                force[k][c] += axial * a[c] * d1[k]
-                    + bending * (by_slope * d1[k] + by_curvature * d2[k]);
+                force[k][c] +=
+                    axial * a[c] * d1[k] + bending * (by_slope * d1[k] + by_curvature * d2[k]);
             }
         }
     }
@@ -181,9 +186,7 @@ pub fn tangent<const DIM: usize>(section: &Section, e: &Coordinates<DIM>) -> Tan
                     + f.ww * b[p] * b[q];
                 let bb = 2.0 * f.t * one + f.ww * a[p] * a[q];
                 let cross = |u: usize, v: usize| {
-                    f.w * one
-                        + 2.0 * a[u] * (2.0 * f.st * b[v] + f.sw * a[v])
-                        + f.ww * b[u] * a[v]
+                    f.w * one + 2.0 * a[u] * (2.0 * f.st * b[v] + f.sw * a[v]) + f.ww * b[u] * a[v]
                 };
                 let (ab, ba) = (cross(p, q), cross(q, p));
                 for m in 0..4 {
@@ -203,11 +206,19 @@ pub fn tangent<const DIM: usize>(section: &Section, e: &Coordinates<DIM>) -> Tan
 mod tests {
     use super::*;
 
-    const SECTION: Section =
-        Section { rest_length: 1.4, axial_stiffness: 15.0e6, bending_stiffness: 195.0 };
+    const SECTION: Section = Section {
+        rest_length: 1.4,
+        axial_stiffness: 15.0e6,
+        bending_stiffness: 195.0,
+    };
 
     fn bent() -> Coordinates<3> {
-        [[0.1, 0.0, 5.0], [1.001, 0.02, 0.1], [1.49, 0.05, 5.2], [0.998, 0.03, -0.05]]
+        [
+            [0.1, 0.0, 5.0],
+            [1.001, 0.02, 0.1],
+            [1.49, 0.05, 5.2],
+            [0.998, 0.03, -0.05],
+        ]
     }
 
     /// Central difference of a smooth function: error h² f‴, rounding ε f / h; with h = 1e-6 and
@@ -233,7 +244,10 @@ mod tests {
     #[test]
     fn tangent_is_the_gradient_of_the_force_and_symmetric() {
         for ei in [0.0, 195.0, 1e5] {
-            let section = Section { bending_stiffness: ei, ..SECTION };
+            let section = Section {
+                bending_stiffness: ei,
+                ..SECTION
+            };
             let e = bent();
             let k = tangent(&section, &e);
             for n in 0..4 {
@@ -270,11 +284,19 @@ mod tests {
     #[test]
     fn straight_stretch_gives_the_tension() {
         let stretch = 1.0015;
-        let e = [[0.0, 0.0], [stretch, 0.0], [1.4 * stretch, 0.0], [stretch, 0.0]];
+        let e = [
+            [0.0, 0.0],
+            [stretch, 0.0],
+            [1.4 * stretch, 0.0],
+            [stretch, 0.0],
+        ];
         let mut force = [[0.0; 2]; 4];
         add_force(&SECTION, &e, &mut force);
         let expected = 15e6 * 0.5 * (stretch * stretch - 1.0) * stretch;
         assert!((force[2][0] - expected).abs() < 1e-6, "rounding of EA");
-        assert!((tension(&SECTION, &e, 0.3) - expected).abs() < 1e-6, "rounding of EA");
+        assert!(
+            (tension(&SECTION, &e, 0.3) - expected).abs() < 1e-6,
+            "rounding of EA"
+        );
     }
 }

@@ -23,11 +23,7 @@ pub fn add_product<const D: usize>(y: &mut [f64; D], a: &Block<D>, x: &[f64; D])
 
 /// `y -= aᵀ x`
 #[inline(always)]
-pub fn subtract_transposed_product<const D: usize>(
-    y: &mut [f64; D],
-    a: &Block<D>,
-    x: &[f64; D],
-) {
+pub fn subtract_transposed_product<const D: usize>(y: &mut [f64; D], a: &Block<D>, x: &[f64; D]) {
     // Pairs shorten the chain of dependent additions; blocks have an even size.
     let mut product = [0.0; D];
     for i in (0..D).step_by(2) {
@@ -152,7 +148,10 @@ mod tests {
         for i in 0..3 {
             for j in 0..3 {
                 let expected = f64::from(u8::from(i == j));
-                assert!((c[i][j] - expected).abs() < 1e-14, "rounding of a 3×3 product");
+                assert!(
+                    (c[i][j] - expected).abs() < 1e-14,
+                    "rounding of a 3×3 product"
+                );
             }
         }
     }

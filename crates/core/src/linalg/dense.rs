@@ -63,13 +63,21 @@ pub fn tridiagonal_eigenvalues(diagonal: &[f64], off: &[f64]) -> Vec<f64> {
         let right = if i + 1 < n { off[i].abs() } else { 0.0 };
         left + right
     };
-    let low = (0..n).map(|i| diagonal[i] - radius(i)).fold(f64::INFINITY, f64::min);
-    let high = (0..n).map(|i| diagonal[i] + radius(i)).fold(f64::NEG_INFINITY, f64::max);
+    let low = (0..n)
+        .map(|i| diagonal[i] - radius(i))
+        .fold(f64::INFINITY, f64::min);
+    let high = (0..n)
+        .map(|i| diagonal[i] + radius(i))
+        .fold(f64::NEG_INFINITY, f64::max);
     let below = |x: f64| {
         let mut count = 0;
         let mut q = 1.0_f64;
         for i in 0..n {
-            let coupling = if i > 0 { off[i - 1] * off[i - 1] / q } else { 0.0 };
+            let coupling = if i > 0 {
+                off[i - 1] * off[i - 1] / q
+            } else {
+                0.0
+            };
             q = diagonal[i] - x - coupling;
             if q == 0.0 {
                 q = f64::EPSILON * (low.abs() + high.abs());
@@ -84,7 +92,11 @@ pub fn tridiagonal_eigenvalues(diagonal: &[f64], off: &[f64]) -> Vec<f64> {
             // 100 halvings shrink any interval to the spacing of floating-point numbers.
             for _ in 0..100 {
                 let middle = 0.5 * (a + b);
-                if below(middle) > k { b = middle } else { a = middle }
+                if below(middle) > k {
+                    b = middle
+                } else {
+                    a = middle
+                }
             }
             0.5 * (a + b)
         })
@@ -102,7 +114,10 @@ mod tests {
         let values = tridiagonal_eigenvalues(&vec![2.0; n], &vec![-1.0; n - 1]);
         for (k, value) in values.iter().enumerate() {
             let angle = (k + 1) as f64 * std::f64::consts::PI / (n + 1) as f64;
-            assert!((value - (2.0 - 2.0 * angle.cos())).abs() < 1e-13, "rounding");
+            assert!(
+                (value - (2.0 - 2.0 * angle.cos())).abs() < 1e-13,
+                "rounding"
+            );
         }
     }
 

@@ -7,11 +7,18 @@
 use super::{BlockLdl, MassMatrix, dense};
 
 fn dot<const D: usize>(x: &[[f64; D]], y: &[[f64; D]]) -> f64 {
-    x.iter().flatten().zip(y.iter().flatten()).map(|(a, b)| a * b).sum()
+    x.iter()
+        .flatten()
+        .zip(y.iter().flatten())
+        .map(|(a, b)| a * b)
+        .sum()
 }
 
 fn axpy<const D: usize>(y: &mut [[f64; D]], factor: f64, x: &[[f64; D]]) {
-    y.iter_mut().flatten().zip(x.iter().flatten()).for_each(|(a, b)| *a += factor * b);
+    y.iter_mut()
+        .flatten()
+        .zip(x.iter().flatten())
+        .for_each(|(a, b)| *a += factor * b);
 }
 
 /// The `count` lowest natural frequencies in Hz, ascending. `steps` Lanczos steps are made, and
@@ -32,7 +39,9 @@ pub fn lowest_frequencies<const D: usize>(
     let mut start = vec![[0.0; D]; nodes];
     for (i, node) in start.iter_mut().enumerate() {
         for (c, value) in node.iter_mut().enumerate() {
-            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            seed = seed
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
             let random = (seed >> 11) as f64 / (1_u64 << 53) as f64 - 0.5;
             *value = if free(i, c) { random } else { 0.0 };
         }
@@ -81,7 +90,8 @@ pub fn lowest_frequencies<const D: usize>(
             }
         }
     }
-    let values = dense::tridiagonal_eigenvalues(&diagonal, &off[..diagonal.len().saturating_sub(1)]);
+    let values =
+        dense::tridiagonal_eigenvalues(&diagonal, &off[..diagonal.len().saturating_sub(1)]);
     values
         .iter()
         .rev()

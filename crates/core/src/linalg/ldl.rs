@@ -47,16 +47,20 @@ impl<const D: usize> super::Kernel for Substitution<'_, D> {
 
 /// First, last, second, last but one, …
 fn from_both_ends(n: usize) -> Vec<u32> {
-    (0..n).map(|i| if i % 2 == 0 { i / 2 } else { n - 1 - i / 2 } as u32).collect()
+    (0..n)
+        .map(|i| if i % 2 == 0 { i / 2 } else { n - 1 - i / 2 } as u32)
+        .collect()
 }
 
 /// The matrix with its nodes in another order.
 fn reorder<const D: usize>(a: &SymmetricBlocks<D>, order: &[u32]) -> SymmetricBlocks<D> {
     let mut position = vec![0; order.len()];
-    order.iter().enumerate().for_each(|(i, &node)| position[node as usize] = i);
-    let entries = || {
-        (0..a.rows()).flat_map(|i| (a.row_start[i]..a.row_start[i + 1]).map(move |k| (i, k)))
-    };
+    order
+        .iter()
+        .enumerate()
+        .for_each(|(i, &node)| position[node as usize] = i);
+    let entries =
+        || (0..a.rows()).flat_map(|i| (a.row_start[i]..a.row_start[i + 1]).map(move |k| (i, k)));
     let places = entries().map(|(i, k)| (position[i], position[a.columns[k]]));
     let mut b = SymmetricBlocks::with_pattern(a.rows(), places);
     for (i, k) in entries() {
@@ -158,7 +162,11 @@ impl<const D: usize> BlockLdl<D> {
 
     /// Solve `A x = b` in place; `work` is scratch space of the same length.
     pub fn solve(&self, x: &mut [[f64; D]], work: &mut [[f64; D]]) {
-        super::widest(Substitution { factor: self, x, work });
+        super::widest(Substitution {
+            factor: self,
+            x,
+            work,
+        });
     }
 
     /// The products of a row are summed pairwise: the chain of dependent additions is what a
@@ -170,7 +178,9 @@ impl<const D: usize> BlockLdl<D> {
         let mut start = self.row_start[0];
         for (i, (&node, &end)) in self.order.iter().zip(&self.row_start[1..]).enumerate() {
             let mut sum = b[node as usize];
-            let row = self.lower_transposed[start..end].iter().zip(&self.columns[start..end]);
+            let row = self.lower_transposed[start..end]
+                .iter()
+                .zip(&self.columns[start..end]);
             for (l, &j) in row {
                 let yj = y[j as usize];
                 let mut product = [0.0; D];

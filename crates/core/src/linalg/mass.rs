@@ -22,8 +22,14 @@ impl<const D: usize> MassMatrix<D> {
     /// No mass anywhere.
     #[must_use]
     pub fn zero(nodes: usize) -> Self {
-        let rows = (0..nodes).map(|i| vec![(i as u32, [[0.0; 2]; 2])]).collect();
-        Self { rows, start: vec![0; nodes + 1], entries: Vec::new() }
+        let rows = (0..nodes)
+            .map(|i| vec![(i as u32, [[0.0; 2]; 2])])
+            .collect();
+        Self {
+            rows,
+            start: vec![0; nodes + 1],
+            entries: Vec::new(),
+        }
     }
 
     /// Put the rows one after the other in memory, once all masses have been added.
@@ -38,10 +44,13 @@ impl<const D: usize> MassMatrix<D> {
 
     fn entry(&mut self, i: usize, j: usize) -> &mut Entry {
         let row = &mut self.rows[i];
-        let place = row.iter().position(|entry| entry.0 == j as u32).unwrap_or_else(|| {
-            row.push((j as u32, [[0.0; 2]; 2]));
-            row.len() - 1
-        });
+        let place = row
+            .iter()
+            .position(|entry| entry.0 == j as u32)
+            .unwrap_or_else(|| {
+                row.push((j as u32, [[0.0; 2]; 2]));
+                row.len() - 1
+            });
         &mut row[place].1
     }
 
@@ -78,7 +87,11 @@ impl<const D: usize> MassMatrix<D> {
     #[must_use]
     pub fn quadratic(&self, x: &[[f64; D]]) -> f64 {
         let mut sums = [0.0; D];
-        super::widest(Quadratic { mass: self, x, sums: &mut sums });
+        super::widest(Quadratic {
+            mass: self,
+            x,
+            sums: &mut sums,
+        });
         sums.iter().sum()
     }
 

@@ -18,7 +18,8 @@ impl<const D: usize> SymmetricBlocks<D> {
     /// Matrix of zeros in which the given node pairs, and all diagonals, have a place.
     #[must_use]
     pub fn with_pattern(n: usize, pairs: impl IntoIterator<Item = (usize, usize)>) -> Self {
-        let mut rows: Vec<BTreeMap<usize, ()>> = (0..n).map(|i| BTreeMap::from([(i, ())])).collect();
+        let mut rows: Vec<BTreeMap<usize, ()>> =
+            (0..n).map(|i| BTreeMap::from([(i, ())])).collect();
         for (i, j) in pairs {
             rows[i.max(j)].insert(i.min(j), ());
         }
@@ -29,7 +30,11 @@ impl<const D: usize> SymmetricBlocks<D> {
             row_start.push(columns.len());
         }
         let blocks = vec![zero(); columns.len()];
-        Self { row_start, columns, blocks }
+        Self {
+            row_start,
+            columns,
+            blocks,
+        }
     }
 
     /// Number of node rows.
@@ -46,7 +51,10 @@ impl<const D: usize> SymmetricBlocks<D> {
     /// Position of block (i, j), i ≥ j.
     fn place(&self, i: usize, j: usize) -> Option<usize> {
         let row = self.row_start[i]..self.row_start[i + 1];
-        self.columns[row.clone()].binary_search(&j).ok().map(|k| row.start + k)
+        self.columns[row.clone()]
+            .binary_search(&j)
+            .ok()
+            .map(|k| row.start + k)
     }
 
     /// Add a block at nodes (i, j). Blocks above the diagonal mirror those below and are
@@ -80,7 +88,9 @@ impl<const D: usize> SymmetricBlocks<D> {
     /// Remove one degree of freedom: its row and column become those of the identity.
     pub fn fix(&mut self, node: usize, component: usize) {
         for i in node..self.rows() {
-            let Some(place) = self.place(i, node) else { continue };
+            let Some(place) = self.place(i, node) else {
+                continue;
+            };
             for a in 0..D {
                 self.blocks[place][a][component] = 0.0;
             }
@@ -96,26 +106,42 @@ impl<const D: usize> SymmetricBlocks<D> {
     #[must_use]
     pub fn quadratic(&self, x: &[[f64; D]]) -> f64 {
         let mut sums = [0.0; D];
-        super::widest(Quadratic { matrix: self, x, sums: &mut sums });
+        super::widest(Quadratic {
+            matrix: self,
+            x,
+            sums: &mut sums,
+        });
         sums.iter().sum()
     }
 
-    /// Adds the terms of row `i` of xᵀ A y + (off-diagonal mirror) to `sums`, lane by lane: with
-    /// all rows added, the lanes sum up to xᵀ A y. For use inside a kernel.
+    /// Add the terms of row `i` of xᵀ A x and of yᵀ A x to the lanes of `own` and `mixed`: with all
+    /// rows added, the lanes sum up to the forms. For use inside a kernel.
     #[inline(always)]
-    pub fn add_row_of_form(&self, i: usize, x: &[[f64; D]], y: &[[f64; D]], sums: &mut [f64; D]) {
+    pub fn add_row_of_forms(
+        &self,
+        i: usize,
+        x: &[[f64; D]],
+        y: &[[f64; D]],
+        own: &mut [f64; D],
+        mixed: &mut [f64; D],
+    ) {
         let (begin, diagonal) = (self.row_start[i], self.row_start[i + 1] - 1);
         let (xi, yi) = (&x[i], &y[i]);
-        for (a, &j) in self.blocks[begin..diagonal].iter().zip(&self.columns[begin..diagonal]) {
+        for (a, &j) in self.blocks[begin..diagonal]
+            .iter()
+            .zip(&self.columns[begin..diagonal])
+        {
             let (xa, ya) = (left_product(xi, a), left_product(yi, a));
             let (xj, yj) = (&x[j], &y[j]);
             for q in 0..D {
-                sums[q] += xa[q] * yj[q] + ya[q] * xj[q];
+                own[q] += 2.0 * xa[q] * xj[q];
+                mixed[q] += xa[q] * yj[q] + ya[q] * xj[q];
             }
         }
         let xa = left_product(xi, &self.blocks[diagonal]);
         for q in 0..D {
-            sums[q] += xa[q] * yi[q];
+            own[q] += xa[q] * xi[q];
+            mixed[q] += xa[q] * yi[q];
         }
     }
 }
@@ -141,8 +167,22 @@ struct Quadratic<'a, const D: usize> {
 impl<const D: usize> super::Kernel for Quadratic<'_, D> {
     #[inline(always)]
     fn run(self) {
-        for i in 0..self.x.len() {
-            self.matrix.add_row_of_form(i, self.x, self.x, self.sums);
+        let m = self.matrix;
+        for (i, xi) in self.x.iter().enumerate() {
+            let (begin, diagonal) = (m.row_start[i], m.row_start[i + 1] - 1);
+            for (a, &j) in m.blocks[begin..diagonal]
+                .iter()
+                .zip(&m.columns[begin..diagonal])
+            {
+                let (xa, xj) = (left_product(xi, a), &self.x[j]);
+                for q in 0..D {
+                    self.sums[q] += 2.0 * xa[q] * xj[q];
+                }
+            }
+            let xa = left_product(xi, &m.blocks[diagonal]);
+            for q in 0..D {
+                self.sums[q] += xa[q] * xi[q];
+            }
         }
     }
 }

@@ -130,7 +130,12 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         let s = &self.structure;
         for link in &s.links {
             let state = Self::link_state(shape, link);
-            add_pair(residual, link.nodes, &state.direction, link_tension(link, &state));
+            add_pair(
+                residual,
+                link.nodes,
+                &state.direction,
+                link_tension(link, &state),
+            );
         }
         for strut in &s.struts {
             let state = Self::strut_state(shape, strut);
@@ -151,7 +156,11 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
             let places = w.places();
             (0..16).map(move |k| (places[k / 4].0, places[k % 4].0))
         });
-        let links = self.structure.links.iter().map(|l| (l.nodes[0], l.nodes[1]));
+        let links = self
+            .structure
+            .links
+            .iter()
+            .map(|l| (l.nodes[0], l.nodes[1]));
         SymmetricBlocks::with_pattern(self.nodes(), wires.chain(links))
     }
 
@@ -195,7 +204,11 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         for link in &s.links {
             let state = Self::link_state(shape, link);
             let slack = link.unilateral && state.linear_tension < 0.0;
-            let stiffness = if slack && law == LinkLaw::Unilateral { 0.0 } else { link.stiffness };
+            let stiffness = if slack && law == LinkLaw::Unilateral {
+                0.0
+            } else {
+                link.stiffness
+            };
             let tangent = state.tangent(stiffness, link_tension(link, &state));
             Self::add_between(k, link.nodes, &tangent);
         }
@@ -232,7 +245,12 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
     #[must_use]
     pub fn force_rounding(&self) -> f64 {
         let stiffest = |w: &Wire| w.section.axial_stiffness / w.section.rest_length;
-        let steepest = self.structure.wires.iter().map(stiffest).fold(0.0, f64::max);
+        let steepest = self
+            .structure
+            .wires
+            .iter()
+            .map(stiffest)
+            .fold(0.0, f64::max);
         8.0 * f64::EPSILON * self.extent() * steepest
     }
 
@@ -244,14 +262,22 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
     }
 
     fn extent(&self) -> f64 {
-        self.structure.positions.iter().map(|p| p[0].abs()).fold(1.0, f64::max)
+        self.structure
+            .positions
+            .iter()
+            .map(|p| p[0].abs())
+            .fold(1.0, f64::max)
     }
 }
 
 /// Tension of a link by its own law.
 #[must_use]
 pub fn link_tension<const DIM: usize>(link: &Link, state: &BarState<DIM>) -> f64 {
-    if link.unilateral { state.linear_tension.max(0.0) } else { state.linear_tension }
+    if link.unilateral {
+        state.linear_tension.max(0.0)
+    } else {
+        state.linear_tension
+    }
 }
 
 /// Add the internal force of a bar with tension `t`; `n` points from the first to the second node.

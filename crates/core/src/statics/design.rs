@@ -67,7 +67,10 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         for link in s.links.iter().filter(|l| l.adjust) {
             free[link.nodes[1]][Self::UP] = false;
         }
-        s.struts.iter().filter(|t| t.adjust).for_each(|t| free[t.node][1] = false);
+        s.struts
+            .iter()
+            .filter(|t| t.adjust)
+            .for_each(|t| free[t.node][1] = false);
         let held = s.springs.iter().filter(|p| p.mode == SpringMode::Held);
         held.for_each(|p| free[p.node][p.component] = false);
         self.fix_unused(&mut free);
@@ -99,7 +102,9 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
     ) -> Shape<D> {
         let s = &self.structure;
         self.wires_and_weight(shape, residual);
-        s.ends.iter().for_each(|end| residual[end.node][0] -= end.force);
+        s.ends
+            .iter()
+            .for_each(|end| residual[end.node][0] -= end.force);
         for (link, tension) in s.links.iter().zip(tensions.iter_mut()) {
             let state = Self::link_state(shape, link);
             *tension = if link.adjust {
@@ -145,11 +150,17 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
     fn design_tangent(&self, shape: &Shape<D>, tensions: &[f64], k: &mut SymmetricBlocks<D>) {
         let s = &self.structure;
         k.clear();
-        s.wires.iter().for_each(|wire| Self::add_wire(k, shape, wire, 1.0));
+        s.wires
+            .iter()
+            .for_each(|wire| Self::add_wire(k, shape, wire, 1.0));
         for (link, &tension) in s.links.iter().zip(tensions) {
             let state = Self::link_state(shape, link);
             let slack = link.unilateral && state.linear_tension < 0.0;
-            let stiffness = if link.adjust || slack { 0.0 } else { link.stiffness };
+            let stiffness = if link.adjust || slack {
+                0.0
+            } else {
+                link.stiffness
+            };
             Self::add_between(k, link.nodes, &state.tangent(stiffness, tension.max(0.0)));
         }
         for strut in s.struts.iter().filter(|t| !t.adjust) {
@@ -167,13 +178,20 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         held: &Shape<D>,
         tensions: &[f64],
     ) -> Result<(), CoreError> {
-        let forces: Vec<f64> =
-            self.structure.struts.iter().map(|t| self.strut_force(shape, t, held).0).collect();
+        let forces: Vec<f64> = self
+            .structure
+            .struts
+            .iter()
+            .map(|t| self.strut_force(shape, t, held).0)
+            .collect();
         let s = &mut self.structure;
         for (index, (link, &tension)) in s.links.iter_mut().zip(tensions).enumerate() {
             if link.adjust {
                 if link.unilateral && tension < 0.0 {
-                    return Err(CoreError::PushingLink { link: index, force: tension });
+                    return Err(CoreError::PushingLink {
+                        link: index,
+                        force: tension,
+                    });
                 }
                 link.rest_length = Self::link_state(shape, link).length - tension / link.stiffness;
             }
@@ -186,7 +204,11 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         }
         for spring in s.springs.iter_mut().filter(|p| p.mode != SpringMode::Given) {
             let is_held = spring.mode == SpringMode::Held;
-            let reaction = if is_held { held[spring.node][spring.component] } else { 0.0 };
+            let reaction = if is_held {
+                held[spring.node][spring.component]
+            } else {
+                0.0
+            };
             spring.rest = shape[spring.node][spring.component] + reaction / spring.stiffness;
         }
         Ok(())

@@ -19,7 +19,9 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         let s = &self.structure;
         let mut free = vec![[true; D]; self.nodes()];
         s.fixed.iter().for_each(|&(node, c)| free[node][c] = false);
-        s.ends.iter().for_each(|end| free[end.node][0] = end.released);
+        s.ends
+            .iter()
+            .for_each(|end| free[end.node][0] = end.released);
         self.fix_unused(&mut free);
         free
     }
@@ -27,7 +29,11 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
     /// Positions of nodes that only hold a slope take no part.
     pub(super) fn fix_unused(&self, free: &mut [[bool; D]]) {
         let mut used = vec![[false; 2]; free.len()];
-        let places = self.structure.wires.iter().flat_map(crate::structure::Wire::places);
+        let places = self
+            .structure
+            .wires
+            .iter()
+            .flat_map(crate::structure::Wire::places);
         places.for_each(|(node, slot)| used[node][slot] = true);
         for (mask, used) in free.iter_mut().zip(used) {
             for c in 0..D {

@@ -17,7 +17,10 @@ pub const MESSENGER_TENSION: f64 = 16e3;
 pub const SPAN: f64 = 55.0;
 const DROPPERS: [f64; 9] = [4.5, 10.25, 16.0, 21.75, 27.5, 33.25, 39.0, 44.75, 50.5];
 const HEIGHT: f64 = 1.2;
-const DAMPING: Rayleigh = Rayleigh { alpha: 0.0125, beta: 1e-4 };
+const DAMPING: Rayleigh = Rayleigh {
+    alpha: 0.0125,
+    beta: 1e-4,
+};
 
 /// Stations of a wire: all special places, and equal elements between them.
 fn stations(spans: usize, longest: f64) -> Vec<f64> {
@@ -62,16 +65,24 @@ pub fn simple_line(spans: usize) -> (Structure, Vec<usize>) {
     nodes.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     let at = |x: f64, upper: bool| {
         let near = |n: &(f64, bool)| n.1 != upper && (n.0 - x).abs() < 1e-6;
-        nodes.iter().position(near).expect("a node stands at every station")
+        nodes
+            .iter()
+            .position(near)
+            .expect("a node stands at every station")
     };
     let load = (1.35 + 1.08) * 9.81;
     let sag = |x: f64| {
         let local = x.rem_euclid(SPAN);
         load * local * (SPAN - local) / (2.0 * MESSENGER_TENSION)
     };
-    let mut s = Structure { dim: 2, gravity: 9.81, ..Structure::default() };
+    let mut s = Structure {
+        dim: 2,
+        gravity: 9.81,
+        ..Structure::default()
+    };
     for &(x, is_contact) in &nodes {
-        s.positions.push([x, if is_contact { 0.0 } else { HEIGHT - sag(x) }, 0.0]);
+        s.positions
+            .push([x, if is_contact { 0.0 } else { HEIGHT - sag(x) }, 0.0]);
         s.slopes.push([1.0014, 0.0, 0.0]);
     }
     let mut path = Vec::new();
@@ -84,9 +95,18 @@ pub fn simple_line(spans: usize) -> (Structure, Vec<usize>) {
             s.wires.push(wire(a, b, pair[1] - pair[0], is_contact));
         }
         let (first, last) = (at(x[0], !is_contact), at(x[x.len() - 1], !is_contact));
-        s.fixed.extend([(first, 0), (first, 1), (last, 0), (last, 1)]);
-        let force = if is_contact { CONTACT_TENSION } else { MESSENGER_TENSION };
-        s.ends.push(TensionedEnd { node: last, force, released: false });
+        s.fixed
+            .extend([(first, 0), (first, 1), (last, 0), (last, 1)]);
+        let force = if is_contact {
+            CONTACT_TENSION
+        } else {
+            MESSENGER_TENSION
+        };
+        s.ends.push(TensionedEnd {
+            node: last,
+            force,
+            released: false,
+        });
     }
     add_droppers_and_supports(&mut s, spans, &at);
     (s, path)
@@ -107,8 +127,16 @@ fn add_droppers_and_supports(s: &mut Structure, spans: usize, at: &impl Fn(f64, 
                 unilateral: true,
                 adjust: true,
             });
-            s.masses.push(PointMass { node: nodes[0], mass: 0.195, alpha: DAMPING.alpha });
-            s.masses.push(PointMass { node: nodes[1], mass: 0.165, alpha: DAMPING.alpha });
+            s.masses.push(PointMass {
+                node: nodes[0],
+                mass: 0.195,
+                alpha: DAMPING.alpha,
+            });
+            s.masses.push(PointMass {
+                node: nodes[1],
+                mass: 0.165,
+                alpha: DAMPING.alpha,
+            });
         }
         if span > 0 {
             let held = |node, stiffness, viscosity, mode| Spring {
@@ -119,8 +147,10 @@ fn add_droppers_and_supports(s: &mut Structure, spans: usize, at: &impl Fn(f64, 
                 rest: 0.0,
                 mode,
             };
-            s.springs.push(held(at(start, true), 5e5, 1e3, SpringMode::Held));
-            s.springs.push(held(at(start, false), 267.0, 0.0, SpringMode::Unloaded));
+            s.springs
+                .push(held(at(start, true), 5e5, 1e3, SpringMode::Held));
+            s.springs
+                .push(held(at(start, false), 267.0, 0.0, SpringMode::Unloaded));
         }
     }
 }
@@ -139,7 +169,17 @@ pub fn prepared(spans: usize, scheme: Scheme, h: f64, contact: f64) -> Prepared<
 pub fn three_masses(force: f64) -> Rider {
     let (k, c) = ([160.0, 15_500.0, 7_000.0], [100.0, 0.1, 45.0]);
     let chain = |v: [f64; 3]| {
-        vec![v[0] + v[1], -v[1], 0.0, -v[1], v[1] + v[2], -v[2], 0.0, -v[2], v[2]]
+        vec![
+            v[0] + v[1],
+            -v[1],
+            0.0,
+            -v[1],
+            v[1] + v[2],
+            -v[2],
+            0.0,
+            -v[2],
+            v[2],
+        ]
     };
     Rider {
         mass: vec![6.0, 0.0, 0.0, 0.0, 9.0, 0.0, 0.0, 0.0, 7.5],
