@@ -29,6 +29,8 @@ pub struct Wire {
     pub mass: f64,
     /// Damping of this wire.
     pub damping: Rayleigh,
+    /// Horizontal tension that the design calculation gives this element, N.
+    pub design_tension: f64,
 }
 
 impl Wire {
@@ -116,7 +118,7 @@ pub enum SpringMode {
     Unloaded,
 }
 
-/// End of a wire at which the tension is applied.
+/// End of a wire that a device of constant force may hold.
 #[derive(Debug, Clone, Copy)]
 pub struct TensionedEnd {
     /// Node.

@@ -59,7 +59,8 @@ fn check_bars(s: &Structure, n: usize) -> Result<(), CoreError> {
             && positive(w.section.axial_stiffness)
             && not_negative(w.section.bending_stiffness);
         let damping = not_negative(w.damping.alpha) && not_negative(w.damping.beta);
-        if !(nodes && section && damping && positive(w.mass)) {
+        let loaded = positive(w.mass) && positive(w.design_tension);
+        if !(nodes && section && damping && loaded) {
             return Err(refuse("wires", format!("element {i} is impossible: {w:?}")));
         }
     }

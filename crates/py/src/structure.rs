@@ -76,7 +76,7 @@ pub fn build(
         dim,
         positions: triples(positions)?,
         slopes: triples(slopes)?,
-        wires: each(&table(parts, "wires", [4, 6])?, wire),
+        wires: each(&table(parts, "wires", [4, 7])?, wire),
         links: each(&table(parts, "links", [4, 6])?, link),
         struts: each(&table(parts, "struts", [2, 10])?, strut),
         springs: each(&table(parts, "springs", [3, 3])?, spring),
@@ -110,6 +110,7 @@ fn wire(i: &[usize], f: &[f64]) -> Wire {
             alpha: f[4],
             beta: f[5],
         },
+        design_tension: f[6],
     }
 }
 

@@ -9,7 +9,7 @@ from arcless.model.components import DropperType, SteadyArmBar, Wire
 
 # Number of integer and float columns of each kind, as documented in `arcless.mesh.types.Mesh`.
 COLUMNS = {
-    "wires": (4, 6),
+    "wires": (4, 7),
     "links": (4, 6),
     "struts": (2, 10),
     "springs": (3, 3),
@@ -52,7 +52,7 @@ class Parts:
         """Add an element of a wire."""
         elastic = (rest_length, wire.axial_stiffness, wire.bending_stiffness)
         damping = (wire.damping.alpha, wire.damping.beta)
-        return self.add("wires", (*nodes, *slope_nodes), (*elastic, wire.mass, *damping))
+        return self.add("wires", (*nodes, *slope_nodes), (*elastic, wire.mass, *damping, wire.tension))
 
     def add_dropper(
         self, kind: DropperType, upper: int, lower: int, distance: float, length: float | None

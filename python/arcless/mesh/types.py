@@ -44,8 +44,8 @@ class Mesh:
     ======== ========================================== =========================================
     kind     integer columns                            float columns
     ======== ========================================== =========================================
-    wires    nodes of both ends, nodes that hold the    rest length m, EA N, EI N·m², kg/m, α, β
-             slopes there (another one at a hinge)
+    wires    nodes of both ends, nodes that hold the    rest length m, EA N, EI N·m², kg/m, α, β,
+             slopes there (another one at a hinge)      horizontal tension in the design N
     links    upper node, lower node, tension only,      rest length m, N/m, N·s/m, α 1/s, β s, kg/m
              length to be found
     struts   node, anchor to be found                   direction (3), anchor (3) m, rest length m,

@@ -178,9 +178,7 @@ impl<const DIM: usize, const D: usize> Line<DIM, D> {
             scaled.iter_mut().flatten().for_each(|v| *v *= d);
             a.add(*i, *j, &scaled);
         }
-        for (node, free) in self.free.iter().enumerate() {
-            (0..D).filter(|&c| !free[c]).for_each(|c| a.fix(node, c));
-        }
+        a.keep_free(&self.free);
         a
     }
 

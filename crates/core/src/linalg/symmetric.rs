@@ -85,21 +85,22 @@ impl<const D: usize> SymmetricBlocks<D> {
         }
     }
 
-    /// Remove one degree of freedom: its row and column become those of the identity.
-    pub fn fix(&mut self, node: usize, component: usize) {
-        for i in node..self.rows() {
-            let Some(place) = self.place(i, node) else {
-                continue;
-            };
-            for a in 0..D {
-                self.blocks[place][a][component] = 0.0;
+    /// Remove the degrees of freedom that are not free: their rows and columns become those of
+    /// the identity.
+    pub fn keep_free(&mut self, free: &[[bool; D]]) {
+        for (i, rows) in free.iter().enumerate() {
+            for k in self.row_start[i]..self.row_start[i + 1] {
+                let j = self.columns[k];
+                let block = &mut self.blocks[k];
+                for (a, row) in block.iter_mut().enumerate() {
+                    for (b, value) in row.iter_mut().enumerate() {
+                        if !(rows[a] && free[j][b]) {
+                            *value = f64::from(u8::from(i == j && a == b));
+                        }
+                    }
+                }
             }
         }
-        for k in self.row_start[node]..self.row_start[node + 1] {
-            self.blocks[k][component] = [0.0; D];
-        }
-        let diagonal = self.row_start[node + 1] - 1;
-        self.blocks[diagonal][component][component] = 1.0;
     }
 
     /// xᵀ A x

@@ -254,13 +254,6 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         8.0 * f64::EPSILON * self.extent() * steepest
     }
 
-    /// Relative change of an element's length that is rounding, by the same reasoning.
-    #[must_use]
-    pub fn length_rounding(&self) -> f64 {
-        let lengths = self.structure.wires.iter().map(|w| w.section.rest_length);
-        8.0 * f64::EPSILON * self.extent() / lengths.fold(f64::INFINITY, f64::min)
-    }
-
     fn extent(&self) -> f64 {
         self.structure
             .positions

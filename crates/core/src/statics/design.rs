@@ -7,18 +7,21 @@
 //! * strut: tension T = R_y / n_y along its given direction;
 //! * spring: rest coordinate = position + R / k.
 //!
-//! Wire ends are pulled with their tension while the element lengths are scaled until every node
-//! stands where it was drawn along the track: tension and positions are both exact. The forces
-//! of links lag one iteration behind, which changes the speed of convergence, not its limit.
+//! Nodes are held where they were drawn along the track, and the element lengths are corrected
+//! until every element carries its horizontal tension T. With the vertical load given, z′ ∝ 1/H,
+//! so H = EA ½ (x′² + z′² − 1) gives L ← L (1 + (H − T) (1/EA + z′²/T)). Each correction is local,
+//! so long lines need no more iterations than short ones. The forces of links lag one
+//! iteration behind, which changes the speed of convergence, not its limit.
 //! (Tur et al. 2014 put all of these unknowns into one Newton system; the staged form needs no
 //! unsymmetric matrix and no more than a few iterations more.)
 
 use super::assembly::{Geometry, Shape, add_pair, largest};
+use crate::element::hermite;
 use crate::error::CoreError;
 use crate::linalg::{BlockLdl, SymmetricBlocks};
-use crate::structure::SpringMode;
+use crate::structure::{SpringMode, Wire};
 
-/// Bound on the iterations; planar lines need about 8, staggered ones about 20.
+/// Bound on the iterations; lines need about 10, staggered ones about 20.
 const MOST_ITERATIONS: usize = 200;
 
 impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
@@ -34,16 +37,15 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         let mut tensions = vec![0.0; self.structure.links.len()];
         let mut k = self.empty_matrix();
         let tolerance = self.force_rounding();
-        let settled = self.length_rounding();
         let mut worst = (f64::INFINITY, 0);
         for _ in 0..MOST_ITERATIONS {
-            let change = self.rescale_wires(&shape);
+            let slack = self.retension(&mut shape);
             let held = self.design_residual(&shape, &mut residual, &mut tensions);
             worst = largest(&residual, &free);
             if !worst.0.is_finite() {
                 break;
             }
-            if worst.0 <= tolerance && change <= settled {
+            if worst.0 <= tolerance && slack <= tolerance {
                 self.complete(&shape, &held, &tensions)?;
                 return Ok(shape);
             }
@@ -63,7 +65,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         let s = &self.structure;
         let mut free = vec![[true; D]; self.nodes()];
         s.fixed.iter().for_each(|&(node, c)| free[node][c] = false);
-        s.ends.iter().for_each(|end| free[end.node][0] = true);
+        free.iter_mut().for_each(|mask| mask[0] = false);
         for link in s.links.iter().filter(|l| l.adjust) {
             free[link.nodes[1]][Self::UP] = false;
         }
@@ -77,19 +79,44 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         free
     }
 
-    /// Scale element lengths so that nodes keep their spacing along the track; returns the
-    /// largest relative change.
-    fn rescale_wires(&mut self, shape: &Shape<D>) -> f64 {
-        let s = &mut self.structure;
-        let mut change: f64 = 0.0;
-        for wire in &mut s.wires {
-            let [i, j] = wire.nodes;
-            let drawn = s.positions[j][0] - s.positions[i][0];
-            let factor = drawn / (shape[j][0] - shape[i][0]);
-            wire.section.rest_length *= factor;
-            change = change.max((factor - 1.0).abs());
+    /// Correct element lengths towards their horizontal tension; returns the largest error found
+    /// before the correction, N. The slopes follow their elements (r′ ∝ 1/L between held nodes),
+    /// or every other iteration would only repair them.
+    fn retension(&mut self, shape: &mut Shape<D>) -> f64 {
+        let mut worst: f64 = 0.0;
+        let mut changes = vec![(0.0, 0.0); shape.len()];
+        for wire in &mut self.structure.wires {
+            let mut force = [[0.0; DIM]; 4];
+            hermite::add_force(&wire.section, &Self::coordinates(shape, wire), &mut force);
+            let error = force[2][0] - wire.design_tension;
+            let steep = Self::squared_slope(shape, wire);
+            let flexibility = 1.0 / wire.section.axial_stiffness + steep / wire.design_tension;
+            // A wild first guess must not turn an element inside out.
+            let change = (error * flexibility).clamp(-0.1, 0.1);
+            wire.section.rest_length *= 1.0 + change;
+            worst = worst.max(error.abs());
+            for node in wire.slope_nodes {
+                changes[node].0 += change;
+                changes[node].1 += 1.0;
+            }
         }
-        change
+        for (node, (sum, count)) in shape.iter_mut().zip(changes).filter(|(_, c)| c.1 > 0.0) {
+            node[DIM..]
+                .iter_mut()
+                .for_each(|slope| *slope /= 1.0 + sum / count);
+        }
+        worst
+    }
+
+    /// Mean of y′² + z′² over an element, by Simpson's rule.
+    fn squared_slope(shape: &Shape<D>, wire: &Wire) -> f64 {
+        let e = Self::coordinates(shape, wire);
+        let across = |xi: f64| {
+            let slope = hermite::shape_slope(xi, wire.section.rest_length);
+            let r = hermite::interpolate(&slope, &e);
+            r[1..].iter().map(|c| c * c).sum::<f64>()
+        };
+        (across(0.0) + 4.0 * across(0.5) + across(1.0)) / 6.0
     }
 
     /// Residual with the reactions of held components turned into element forces. Returns the
@@ -223,11 +250,9 @@ pub(super) fn step<const D: usize>(
     shape: &mut Shape<D>,
 ) -> Result<usize, CoreError> {
     let mut correction = residual.clone();
-    for (node, mask) in free.iter().enumerate() {
-        for c in (0..D).filter(|&c| !mask[c]) {
-            k.fix(node, c);
-            correction[node][c] = 0.0;
-        }
+    k.keep_free(free);
+    for (value, mask) in correction.iter_mut().zip(free) {
+        (0..D).filter(|&c| !mask[c]).for_each(|c| value[c] = 0.0);
     }
     let factor = BlockLdl::new(k)?;
     let mut scratch = vec![[0.0; D]; correction.len()];

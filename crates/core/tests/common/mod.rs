@@ -3,7 +3,9 @@
 
 use arcless_core::dynamics::line::Line;
 use arcless_core::dynamics::path::Path;
+use arcless_core::dynamics::record::{Record, RecordPlan};
 use arcless_core::dynamics::rider::Rider;
+use arcless_core::dynamics::run::Travel;
 use arcless_core::dynamics::stepper::Prepared;
 use arcless_core::element::hermite::Section;
 use arcless_core::scheme::Scheme;
@@ -54,6 +56,7 @@ fn wire(a: usize, b: usize, length: f64, contact: bool) -> Wire {
         },
         mass,
         damping: DAMPING,
+        design_tension: tension,
     }
 }
 
@@ -190,4 +193,135 @@ pub fn three_masses(force: f64) -> Rider {
         lift: vec![0.0; 3],
         start_force: force,
     }
+}
+
+/// Design calculation, a change of what it found, service equilibrium, matrices of the scheme.
+pub fn prepare(
+    (structure, path): (Structure, Vec<usize>),
+    change: impl FnOnce(&mut Structure),
+    scheme: Scheme,
+    h: f64,
+    contact: f64,
+) -> Prepared<2, 4> {
+    let mut geometry = Geometry::<2, 4>::new(structure).expect("a valid structure");
+    let start = geometry.design().expect("the design converges");
+    change(&mut geometry.structure);
+    let shape = geometry.settle(&start).expect("the equilibrium converges");
+    let path = Path::new(&geometry, &shape, &path).expect("the wire is a path");
+    Prepared::new(Line::new(&geometry, shape), path, scheme, h, contact).expect("regular")
+}
+
+/// One horizontal wire between fixed ends: nodes from left to right, all elements on the path.
+#[derive(Clone, Copy)]
+pub struct Single {
+    pub length: f64,
+    pub elements: usize,
+    pub mass: f64,
+    pub axial: f64,
+    pub bending: f64,
+    pub tension: f64,
+    pub gravity: f64,
+}
+
+impl Single {
+    pub fn structure(&self, dim: usize) -> (Structure, Vec<usize>) {
+        let step = self.length / self.elements as f64;
+        let mut s = Structure {
+            dim,
+            gravity: self.gravity,
+            ..Structure::default()
+        };
+        for i in 0..=self.elements {
+            s.positions.push([i as f64 * step, 0.0, 0.0]);
+            s.slopes.push([1.0 + self.tension / self.axial, 0.0, 0.0]);
+        }
+        for i in 0..self.elements {
+            s.wires.push(Wire {
+                nodes: [i, i + 1],
+                slope_nodes: [i, i + 1],
+                section: Section {
+                    rest_length: step / (1.0 + self.tension / self.axial),
+                    axial_stiffness: self.axial,
+                    bending_stiffness: self.bending,
+                },
+                mass: self.mass,
+                damping: Rayleigh::default(),
+                design_tension: self.tension,
+            });
+        }
+        s.fixed.extend(
+            [0, self.elements]
+                .iter()
+                .flat_map(|&n| (0..dim).map(move |c| (n, c))),
+        );
+        s.ends.push(TensionedEnd {
+            node: self.elements,
+            force: self.tension,
+            released: false,
+        });
+        (s, (0..self.elements).collect())
+    }
+}
+
+/// Rider of one mass that nothing holds: its contact force is the preload but for its inertia.
+pub fn free_mass(mass: f64, force: f64) -> Rider {
+    Rider {
+        mass: vec![mass],
+        damping: vec![0.0],
+        stiffness: vec![0.0],
+        strip: vec![1.0],
+        preload: vec![1.0],
+        lift: vec![0.0],
+        start_force: force,
+    }
+}
+
+/// Travel at constant speed.
+pub fn travel(start: f64, end: f64, speed: f64, h: f64) -> Travel {
+    let steps = ((end - start) / (speed * h)).floor() as usize;
+    Travel {
+        positions: (0..=steps).map(|i| start + speed * h * i as f64).collect(),
+        speeds: vec![speed; steps + 1],
+        distances: vec![0.0],
+        friction: 0.0,
+    }
+}
+
+/// Record everything at every step, with the ledger.
+pub fn everything() -> RecordPlan {
+    RecordPlan {
+        contact_every: 1,
+        line_every: 1,
+        links: true,
+        nodes: Vec::new(),
+        points: Vec::new(),
+        ledger: true,
+    }
+}
+
+pub fn run<const DIM: usize, const D: usize>(
+    p: &Prepared<DIM, D>,
+    riders: &[Rider],
+    travel: &Travel,
+    plan: &RecordPlan,
+) -> Record {
+    p.run(riders, travel, plan, &mut |_| true)
+        .expect("the run completes")
+}
+
+/// Largest absolute value.
+pub fn peak(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |m: f64, v| m.max(v.abs()))
+}
+
+/// Largest difference relative to the largest value of `b`.
+pub fn difference(a: &[f64], b: &[f64]) -> f64 {
+    assert_eq!(a.len(), b.len());
+    let deltas: Vec<f64> = a.iter().zip(b).map(|(x, y)| x - y).collect();
+    peak(&deltas) / peak(b).max(f64::MIN_POSITIVE)
+}
+
+/// Observed order of convergence between neighbouring meshes of halved size.
+pub fn orders(errors: &[f64]) -> Vec<f64> {
+    errors.windows(2).map(|e| (e[0] / e[1]).log2()).collect()
 }
