@@ -100,7 +100,7 @@ def assess(
     line = _line_numbers(dataset, limits)
     speed = dataset["speed"].values[record.inside[:, 0]]
     notes = section_notes(dataset, limits, record, split_Hz)
-    notes += [f"{name} is not in the record" for name, value in line.items() if value is None]
+    notes += [_absent(name) for name, value in line.items() if value is None]
     judged_by = _criteria_facts(facts["scenario"], speed, line["max_uplift_at_support_mm"])
     own = ("steps", "setup_time_s", "wall_time_s", "real_time_factor")
     return Assessment(
@@ -116,6 +116,12 @@ def assess(
         **line,
         **{name: facts[name] for name in own},
     )
+
+
+def _absent(name: str) -> str:
+    if name == "energy_residual_relative":
+        return "no energy ledger was kept; `output.energy: always` keeps one"
+    return f"{name} is not in the record"
 
 
 def _checked(section: Any) -> Section:

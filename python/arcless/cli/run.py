@@ -59,7 +59,8 @@ def run(
         result.save(folder.file("result.nc"))
         folder.file("assessment.json").write_text(result.assessment.to_json(), "utf-8")
         if not no_report:
-            result.write_report(folder.file("report.html"))
+            rows = _reference_rows(chosen, result.assessment.to_dict())
+            result.write_report(folder.file("report.html"), reference_rows=rows)
         written = folder.publish()
     assessment = result.assessment.to_dict()
     if json:
@@ -123,6 +124,25 @@ def _find_statics(scenario: "Scenario", *, quiet: bool) -> dict[str, Any]:
 
     with console.progress(quiet=quiet) as progress:
         return compute(lambda: simulate.statics(scenario, progress=progress).to_dict())
+
+
+def _reference_rows(scenario: "Scenario", assessment: dict[str, Any]) -> list[dict[str, Any]]:
+    """Published ranges for the report; none unless the scenario is a reference case as shipped."""
+    from arcless.validate import case_of, compare
+
+    case = case_of(scenario)
+    return [
+        {
+            "quantity": f"{row.quantity}, {row.unit}",
+            "value": row.value,
+            "low": row.low,
+            "high": row.high,
+            "verdict": row.verdict,
+            "mark": row.mark,
+            "source": case.source,
+        }
+        for row in (compare(case, assessment) if case else [])
+    ]
 
 
 def _say_written(files: list[Path]) -> None:
