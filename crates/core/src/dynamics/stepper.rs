@@ -179,6 +179,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
             a,
             delta,
             work,
+            shift,
             scratch,
             ..
         } = state;
@@ -187,8 +188,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         for &(node, component) in &self.fixed {
             delta[node as usize][component as usize] = 0.0;
         }
-        self.factor.solve(delta, work);
-        widest(Unshift(state));
+        self.factor.solve_minus(delta, shift, work);
         for (link, d) in self.line.links.iter().zip(&mut state.link_delta) {
             *d = link.elongation(&state.delta);
         }
@@ -340,20 +340,6 @@ impl<const DIM: usize, const D: usize> Kernel for Inertia<'_, DIM, D> {
         } = self.state;
         for (i, d) in delta.iter_mut().enumerate() {
             *d = self.p.line.mass.row(i, prepared);
-        }
-    }
-}
-
-/// `delta −= shift`, the part of the unknown that is not an increment.
-struct Unshift<'a, const D: usize>(&'a mut LineState<D>);
-
-impl<const D: usize> Kernel for Unshift<'_, D> {
-    #[inline(always)]
-    fn run(self) {
-        for (d, s) in self.0.delta.iter_mut().zip(&self.0.shift) {
-            for k in 0..D {
-                d[k] -= s[k];
-            }
         }
     }
 }

@@ -30,17 +30,32 @@ pub struct BlockLdl<const D: usize> {
 struct Substitution<'a, const D: usize> {
     factor: &'a BlockLdl<D>,
     x: &'a mut [[f64; D]],
+    minus: &'a [[f64; D]],
     work: &'a mut [[f64; D]],
 }
 
 impl<const D: usize> super::Kernel for Substitution<'_, D> {
     #[inline(always)]
     fn run(self) {
-        let Self { factor, x, work } = self;
+        let Self {
+            factor,
+            x,
+            minus,
+            work,
+        } = self;
         factor.forward(x, work);
         factor.backward(work);
+        if minus.is_empty() {
+            for (value, &node) in work.iter().zip(&factor.order) {
+                x[node as usize] = *value;
+            }
+            return;
+        }
         for (value, &node) in work.iter().zip(&factor.order) {
-            x[node as usize] = *value;
+            let (target, shift) = (&mut x[node as usize], &minus[node as usize]);
+            for c in 0..D {
+                target[c] = value[c] - shift[c];
+            }
         }
     }
 }
@@ -165,6 +180,17 @@ impl<const D: usize> BlockLdl<D> {
         super::widest(Substitution {
             factor: self,
             x,
+            minus: &[],
+            work,
+        });
+    }
+
+    /// `x ← A⁻¹ x − minus`, without another pass over the vectors.
+    pub fn solve_minus(&self, x: &mut [[f64; D]], minus: &[[f64; D]], work: &mut [[f64; D]]) {
+        super::widest(Substitution {
+            factor: self,
+            x,
+            minus,
             work,
         });
     }

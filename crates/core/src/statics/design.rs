@@ -91,8 +91,10 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
             let error = force[2][0] - wire.design_tension;
             let steep = Self::squared_slope(shape, wire);
             let flexibility = 1.0 / wire.section.axial_stiffness + steep / wire.design_tension;
-            // A wild first guess must not turn an element inside out.
-            let change = (error * flexibility).clamp(-0.1, 0.1);
+            // Never by more than the strain of the tension: a wild first guess must not slacken
+            // or overstretch an element.
+            let strain = wire.design_tension / wire.section.axial_stiffness;
+            let change = (error * flexibility).clamp(-strain, strain);
             wire.section.rest_length *= 1.0 + change;
             worst = worst.max(error.abs());
             for node in wire.slope_nodes {
