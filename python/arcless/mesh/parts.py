@@ -52,7 +52,9 @@ class Parts:
         """Add an element of a wire."""
         elastic = (rest_length, wire.axial_stiffness, wire.bending_stiffness)
         damping = (wire.damping.alpha, wire.damping.beta)
-        return self.add("wires", (*nodes, *slope_nodes), (*elastic, wire.mass, *damping, wire.tension))
+        return self.add(
+            "wires", (*nodes, *slope_nodes), (*elastic, wire.mass, *damping, wire.tension)
+        )
 
     def add_dropper(
         self, kind: DropperType, upper: int, lower: int, distance: float, length: float | None

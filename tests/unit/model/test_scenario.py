@@ -139,3 +139,11 @@ def test_warnings(changes: dict[str, Any], message: str) -> None:
 def test_sizes_are_bounded(changes: dict[str, Any], message: str) -> None:
     with pytest.raises(ModelError, match=message):
         SCENARIO.with_(**changes)
+
+
+def test_rigid_contact_with_a_scheme_that_rings_is_warned_about() -> None:
+    rigid = SCENARIO.with_(**{"contact.law": "rigid"})
+    assert "rings at the step frequency" in scenario_warnings(rigid)[0]
+    quiet = {"name": "generalised-alpha", "spectral_radius": 0}
+    assert scenario_warnings(rigid.with_(**{"solver.scheme": quiet})) == []
+    assert scenario_warnings(SCENARIO) == []
