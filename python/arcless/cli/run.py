@@ -127,10 +127,12 @@ def _find_statics(scenario: "Scenario", *, quiet: bool) -> dict[str, Any]:
 
 
 def _reference_rows(scenario: "Scenario", assessment: dict[str, Any]) -> list[dict[str, Any]]:
-    """Published ranges for the report; none unless the scenario is a reference case as shipped."""
+    """Return published ranges for the report: of a reference case as shipped, else none."""
     from arcless.validate import case_of, compare
 
     case = case_of(scenario)
+    if case is None:
+        return []
     return [
         {
             "quantity": f"{row.quantity}, {row.unit}",
@@ -141,7 +143,7 @@ def _reference_rows(scenario: "Scenario", assessment: dict[str, Any]) -> list[di
             "mark": row.mark,
             "source": case.source,
         }
-        for row in (compare(case, assessment) if case else [])
+        for row in compare(case, assessment)
     ]
 
 
