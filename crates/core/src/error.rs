@@ -19,6 +19,12 @@ pub enum CoreError {
         /// Node whose pivot block is singular.
         node: usize,
     },
+    /// The equilibrium found would not hold: a small push moves the structure away from it.
+    #[error("the equilibrium is unstable in {directions} directions")]
+    Unstable {
+        /// Number of negative pivots of the tangent stiffness.
+        directions: usize,
+    },
     /// Newton's method for the static equilibrium did not converge.
     #[error(
         "no static equilibrium after {iterations} iterations: largest residual {residual:.3e} N \

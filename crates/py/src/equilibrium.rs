@@ -152,7 +152,7 @@ impl<const DIM: usize, const D: usize> Solved<DIM, D> {
         let free = |node: usize, c: usize| line.free[node][c];
         let steps = LANCZOS_STEPS * count;
         Ok(lanczos::lowest_frequencies(
-            still.factor(),
+            still.factor_at_rest(),
             &line.mass,
             line.nodes(),
             free,

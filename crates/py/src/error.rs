@@ -35,6 +35,10 @@ fn details<'py>(
             d.set_item("node", node)?;
             "singular"
         }
+        CoreError::Unstable { directions } => {
+            d.set_item("directions", directions)?;
+            "unstable"
+        }
         CoreError::NoEquilibrium {
             iterations,
             residual,

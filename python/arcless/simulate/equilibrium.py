@@ -114,6 +114,12 @@ def _translate(mesh: Mesh, kind: str, message: str, details: dict[str, Any]) -> 
         return EquilibriumError(
             "the line is loose", where=place_of(mesh, details["node"]), hint="is it held there?"
         )
+    if kind == "unstable":
+        return EquilibriumError(
+            "the static equilibrium is unstable",
+            got=f"{details['directions']} directions in which a small push moves the line away",
+            hint="is a steady arm in compression, or a link between wires longer than its place?",
+        )
     if kind == "equilibrium":
         return EquilibriumError(
             "no static equilibrium was found",

@@ -46,6 +46,8 @@ def find_forces(job: "Job") -> list[float]:
             slopes = _secant(forces - before[0], means - before[1], slopes)
         before = forces.copy(), means
         forces = forces + errors / slopes
+        if np.min(forces) <= 0.0:
+            break
     worst = int(np.argmax(np.abs(errors)))
     raise ContactError(
         f"the mean force of pantograph {placements[worst].name} was not reached",

@@ -308,7 +308,10 @@ impl<const D: usize> Ledger<D> {
             let is_slack = correction > 0.0;
             self.entries.dissipated_line -= linear;
             if is_slack {
-                switching += linear;
+                // K counts the link as linear, so the scheme's share of it is not real either.
+                let by_scheme = (0.5 - p.coefficients.old) * link.stiffness * d * d;
+                self.scheme_elastic -= by_scheme;
+                switching += linear + by_scheme;
             } else {
                 dissipated += linear;
             }
@@ -345,14 +348,15 @@ impl<const D: usize> Ledger<D> {
             let force = f.unilateral.force[j];
             let on_line = force * p.path.displacement(place, &state.delta, up);
             let on_rider = -force * riders[j].strip(&riders[j].delta);
-            // Displacement of the balance, frozen while the contact moves along the wire.
-            let frozen = |q: &Place| {
-                let now = p.path.displacement(q, &state.u, up);
-                let increment = p.path.displacement(q, &state.delta, up);
-                q.height + now - p.coefficients.old * increment
+            // Height of the wire under the contact, before and after the step.
+            let height = |q: &Place, back: f64| {
+                q.height + p.path.displacement(q, &state.u, up)
+                    - back * p.path.displacement(q, &state.delta, up)
             };
-            // Where the wire rises ahead, it pushes the strip on: the train gains what W < 0 says.
-            let traction = force * (frozen(&before[j]) - frozen(&after[j]));
+            let rise = height(&after[j], 0.0) - height(&before[j], 1.0);
+            // What of it is not motion of the wire is the contact moving along its slope. Where
+            // the wire rises ahead it pushes the strip on: the train gains, traction is negative.
+            let traction = on_line - force * rise;
             self.entries.work_traction += traction;
             self.entries.switching += traction - on_line - on_rider;
             let along = p.path.displacement(place, &state.delta, 0);

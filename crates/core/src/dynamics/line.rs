@@ -182,6 +182,27 @@ impl<const DIM: usize, const D: usize> Line<DIM, D> {
         a
     }
 
+    /// K without the links that are slack at rest, fixed components removed; `None` when there is
+    /// no such link.
+    #[must_use]
+    pub fn stiffness_at_rest(&self) -> Option<SymmetricBlocks<D>> {
+        let is_slack = |l: &&LinearLink<DIM>| l.unilateral && l.rest_tension < 0.0;
+        self.links.iter().find(is_slack)?;
+        let mut k = self.stiffness.clone();
+        for link in self.links.iter().filter(is_slack) {
+            let n = &link.direction;
+            let mut block = [[0.0; DIM]; DIM];
+            for p in 0..DIM {
+                for q in 0..DIM {
+                    block[p][q] = -link.stiffness * n[p] * n[q];
+                }
+            }
+            Geometry::<DIM, D>::add_between(&mut k, link.nodes, &block);
+        }
+        k.keep_free(&self.free);
+        Some(k)
+    }
+
     /// `y += (C − α M − β K) x`, the part of the damping that is not common to all.
     /// `work` is scratch space.
     #[inline(always)]

@@ -34,7 +34,7 @@ pub struct Record {
     pub gap: Vec<f64>,
     /// Height of the wire at the contact, m.
     pub height: Vec<f64>,
-    /// Lateral position of the wire at the contact, m.
+    /// Lateral position of the wire at the contact, m; zero when planar.
     pub lateral: Vec<f64>,
     /// Position along the track, m.
     pub position: Vec<f64>,
@@ -74,7 +74,7 @@ pub struct Record {
     pub lcp_residual: f64,
     /// Steps done.
     pub steps: usize,
-    /// Largest residual of the energy ledger over all steps, J.
+    /// Largest residual of the energy ledger where it was settled (line rows and the end), J.
     pub energy_residual: f64,
     /// Largest energy turned over, J: the scale of the residual.
     pub energy_turnover: f64,

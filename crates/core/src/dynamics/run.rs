@@ -234,6 +234,17 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
             + p.coefficients.stiffness * p.path.displacement(place, &self.state.delta, DIM - 1)
     }
 
+    /// Lateral position of the wire at the time of balance; zero when planar.
+    fn wire_lateral(&self, j: usize) -> f64 {
+        let (p, place) = (self.p, &self.at_balance[j]);
+        if DIM < 3 {
+            return 0.0;
+        }
+        place.lateral
+            + p.path.displacement(place, &self.state.u, 1)
+            + p.coefficients.stiffness * p.path.displacement(place, &self.state.delta, 1)
+    }
+
     /// Gaps that the motion without contact forces would open (or, negative, close).
     fn measure_gaps(&mut self) {
         let keep = self.p.coefficients.stiffness;
@@ -298,11 +309,12 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
         self.record.speed.push(speed);
         for j in 0..self.riders.len() {
             let height = self.wire_height(j);
+            let lateral = self.wire_lateral(j);
             let r = &mut self.record;
             r.force.push(self.unilateral.force[j]);
             r.gap.push(self.unilateral.gap[j]);
             r.height.push(height);
-            r.lateral.push(self.at_balance[j].lateral);
+            r.lateral.push(lateral);
             r.position.push(position - self.travel.distances[j]);
             let rider = &self.riders[j];
             for ((u, d), start) in rider.u.iter().zip(&rider.delta).zip(&self.start_u[j]) {

@@ -17,7 +17,11 @@ use std::collections::BTreeMap;
 pub struct Still<'a, const DIM: usize, const D: usize> {
     line: &'a Line<DIM, D>,
     path: &'a Path<DIM>,
+    /// Factor of K with every link linear: the corrections r are on the right-hand side.
     factor: BlockLdl<D>,
+    /// Factor of the stiffness at rest, without the links that are slack there; `None` when there
+    /// are none and `factor` serves.
+    at_rest: Option<BlockLdl<D>>,
     pulls: BTreeMap<usize, Vec<[f64; D]>>,
     solver: LcpSolver,
     scratch: Vec<[f64; D]>,
@@ -39,22 +43,27 @@ impl<'a, const DIM: usize, const D: usize> Still<'a, DIM, D> {
     /// [`CoreError::Singular`] when the line is loose.
     pub fn new(line: &'a Line<DIM, D>, path: &'a Path<DIM>) -> Result<Self, CoreError> {
         let factor = BlockLdl::new(&line.combine(0.0, 0.0, 1.0))?;
+        let at_rest = line
+            .stiffness_at_rest()
+            .map(|k| BlockLdl::new(&k))
+            .transpose()?;
         let scratch = vec![[0.0; D]; line.nodes()];
         let solver = LcpSolver::new();
         Ok(Self {
             line,
             path,
             factor,
+            at_rest,
             pulls: BTreeMap::new(),
             solver,
             scratch,
         })
     }
 
-    /// Factor of the stiffness.
+    /// Factor of the stiffness at rest, for small motion: links slack there take no part.
     #[must_use]
-    pub fn factor(&self) -> &BlockLdl<D> {
-        &self.factor
+    pub fn factor_at_rest(&self) -> &BlockLdl<D> {
+        self.at_rest.as_ref().unwrap_or(&self.factor)
     }
 
     /// Displacement under vertical forces (N, upwards) at places of the path.
@@ -151,7 +160,7 @@ impl<'a, const DIM: usize, const D: usize> Still<'a, DIM, D> {
     }
 
     /// Elasticity e = u/p in m/N at coordinates `x`, for a force `p` in N; with p = 0 the limit
-    /// of a small force, in which no link goes slack.
+    /// of a small force, which neither slackens a link nor takes up the slack of one.
     ///
     /// # Errors
     /// [`CoreError::OffWire`] or those of [`Still::solve`].
@@ -177,7 +186,8 @@ impl<'a, const DIM: usize, const D: usize> Still<'a, DIM, D> {
                 let mut u = vec![[0.0; D]; self.line.nodes()];
                 self.path.add_force(&place, 1.0, DIM - 1, &mut u);
                 self.line.mask(&mut u);
-                self.factor.solve(&mut u, &mut self.scratch);
+                let factor = self.at_rest.as_ref().unwrap_or(&self.factor);
+                factor.solve(&mut u, &mut self.scratch);
                 Ok(self.path.displacement(&place, &u, DIM - 1))
             })
             .collect()

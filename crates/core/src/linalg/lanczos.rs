@@ -34,7 +34,8 @@ pub fn lowest_frequencies<const D: usize>(
     count: usize,
     steps: usize,
 ) -> Vec<f64> {
-    // A start vector without symmetry, the same in every run, so that no mode is missed.
+    // A start vector without symmetry, the same in every run: it has a part of every mode. Of
+    // modes with exactly the same frequency (two equal wires apart) one is found.
     let mut seed = 0x9E37_79B9_7F4A_7C15_u64;
     let mut start = vec![[0.0; D]; nodes];
     for (i, node) in start.iter_mut().enumerate() {

@@ -134,6 +134,10 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         s.ends
             .iter()
             .for_each(|end| residual[end.node][0] -= end.force);
+        for spring in s.springs.iter().filter(|p| p.mode == SpringMode::Given) {
+            residual[spring.node][spring.component] +=
+                spring.stiffness * (shape[spring.node][spring.component] - spring.rest);
+        }
         for (link, tension) in s.links.iter().zip(tensions.iter_mut()) {
             let state = Self::link_state(shape, link);
             *tension = if link.adjust {
@@ -143,10 +147,6 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
                 super::assembly::link_tension(link, &state)
             };
             add_pair(residual, link.nodes, &state.direction, *tension);
-        }
-        for spring in s.springs.iter().filter(|p| p.mode == SpringMode::Given) {
-            residual[spring.node][spring.component] +=
-                spring.stiffness * (shape[spring.node][spring.component] - spring.rest);
         }
         let held = residual.clone();
         for strut in &s.struts {
@@ -250,7 +250,7 @@ pub(super) fn step<const D: usize>(
     free: &[[bool; D]],
     residual: &Shape<D>,
     shape: &mut Shape<D>,
-) -> Result<usize, CoreError> {
+) -> Result<(), CoreError> {
     let mut correction = residual.clone();
     k.keep_free(free);
     for (value, mask) in correction.iter_mut().zip(free) {
@@ -264,5 +264,5 @@ pub(super) fn step<const D: usize>(
             node[c] -= delta[c];
         }
     }
-    Ok(factor.negative_pivots())
+    Ok(())
 }

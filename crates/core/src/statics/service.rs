@@ -5,6 +5,7 @@
 use super::assembly::{Geometry, LinkLaw, Shape, largest};
 use super::design::step;
 use crate::error::CoreError;
+use crate::linalg::BlockLdl;
 
 /// Bound on Newton iterations; from a design shape one or two suffice, from straight wires about 15.
 const MOST_ITERATIONS: usize = 200;
@@ -54,7 +55,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
     /// Find the equilibrium near `start`.
     ///
     /// # Errors
-    /// [`CoreError::NoEquilibrium`] or [`CoreError::Singular`].
+    /// [`CoreError::NoEquilibrium`], [`CoreError::Singular`] or [`CoreError::Unstable`].
     pub fn settle(&self, start: &Shape<D>) -> Result<Shape<D>, CoreError> {
         let free = self.service_mask();
         let tolerance = self.force_rounding();
@@ -64,10 +65,14 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         self.service_residual(&shape, &mut residual);
         let mut worst = largest(&residual, &free);
         for _ in 0..MOST_ITERATIONS {
-            if worst.0 <= tolerance {
-                return Ok(shape);
-            }
             self.tangent(&shape, LinkLaw::Unilateral, &mut k);
+            if worst.0 <= tolerance {
+                k.keep_free(&free);
+                return match BlockLdl::new(&k)?.negative_pivots() {
+                    0 => Ok(shape),
+                    directions => Err(CoreError::Unstable { directions }),
+                };
+            }
             let mut target = shape.clone();
             step(&mut k, &free, &residual, &mut target)?;
             worst = self.search(&mut shape, &target, &free, &mut residual);
