@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from arcless.model.fields import Path
     from arcless.model.scenario import Scenario
 
-MAX_STEPS = 20_000_000
+MAX_STEPS = 10_000_000
 MAX_ELEMENTS = 500_000
 # Positions typed with few digits may lie this far outside the line's exact length.
 POSITION_TOLERANCE = 1e-6
