@@ -63,7 +63,7 @@ impl Scheme {
     }
 
     /// Check that the member is implicit and unconditionally stable for linear systems:
-    /// α_m ≤ α_f ≤ ½, β ≥ ¼ + ½ (α_f − α_m) (Chung & Hulbert 1993, equation 24), γ ≥ ½ − α_m + α_f.
+    /// α_m ≤ α_f ≤ ½, γ ≥ ½ − α_m + α_f, β ≥ ½ γ (Chung & Hulbert 1993; Newmark's 2β ≥ γ ≥ ½).
     ///
     /// # Errors
     /// [`CoreError::Input`].
@@ -75,7 +75,7 @@ impl Scheme {
         let slack = 1e-12;
         let stable = self.alpha_m <= self.alpha_f + slack
             && self.alpha_f <= 0.5 + slack
-            && self.beta + slack >= 0.25 + 0.5 * (self.alpha_f - self.alpha_m)
+            && self.beta + slack >= 0.5 * self.gamma
             && self.gamma + slack >= 0.5 - self.alpha_m + self.alpha_f;
         if finite && stable {
             return Ok(());

@@ -354,11 +354,15 @@ impl<const D: usize> Ledger<D> {
                     - back * p.path.displacement(q, &state.delta, up)
             };
             let rise = height(&after[j], 0.0) - height(&before[j], 1.0);
-            // What of it is not motion of the wire is the contact moving along its slope. Where
-            // the wire rises ahead it pushes the strip on: the train gains, traction is negative.
-            let traction = on_line - force * rise;
-            self.entries.work_traction += traction;
-            self.entries.switching += traction - on_line - on_rider;
+            // Of the contact that moves while the wire does, the scheme keeps a share (½ − α_f).
+            let moved = p.path.displacement(&after[j], &state.delta, up)
+                - p.path.displacement(&before[j], &state.delta, up);
+            let by_scheme = (0.5 - p.coefficients.old) * force * moved;
+            self.scheme_elastic -= by_scheme;
+            // What is not motion of the wire is the contact moving along its slope. Where the
+            // wire rises ahead it pushes the strip on: the train gains, traction is negative.
+            self.entries.work_traction += on_line - by_scheme - force * rise;
+            self.entries.switching -= force * rise + on_rider;
             let along = p.path.displacement(place, &state.delta, 0);
             self.entries.work_friction += f.friction[j] * along;
         }

@@ -24,6 +24,10 @@ use crate::structure::{SpringMode, Wire};
 /// Bound on the iterations; lines need about 10, staggered ones about 20.
 const MOST_ITERATIONS: usize = 200;
 
+/// Smaller and smaller corrections, tried when full ones do not converge: wires that sag far, or
+/// that hardly stretch.
+const RELAXATIONS: [f64; 2] = [0.4, 0.15];
+
 impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
     /// Find the unstretched lengths and complete the structure with them; returns the shape.
     ///
@@ -31,6 +35,23 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
     /// [`CoreError::NoEquilibrium`], [`CoreError::Singular`], or [`CoreError::PushingLink`] when
     /// a tension-only link would have to push.
     pub fn design(&mut self) -> Result<Shape<D>, CoreError> {
+        let given = self.structure.clone();
+        let mut found = self.design_with(1.0);
+        for relaxation in RELAXATIONS {
+            let lost = matches!(
+                found,
+                Err(CoreError::NoEquilibrium { .. } | CoreError::Singular { .. })
+            );
+            if lost {
+                self.structure = given.clone();
+                found = self.design_with(relaxation);
+            }
+        }
+        found
+    }
+
+    /// One attempt, with every length correction multiplied by `relaxation`.
+    fn design_with(&mut self, relaxation: f64) -> Result<Shape<D>, CoreError> {
         let free = self.design_mask();
         let mut shape = self.initial_shape();
         let mut residual = vec![[0.0; D]; self.nodes()];
@@ -39,7 +60,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         let tolerance = self.force_rounding();
         let mut worst = (f64::INFINITY, 0);
         for _ in 0..MOST_ITERATIONS {
-            let slack = self.retension(&mut shape);
+            let slack = self.retension(&mut shape, relaxation);
             let held = self.design_residual(&shape, &mut residual, &mut tensions);
             worst = largest(&residual, &free);
             if !worst.0.is_finite() {
@@ -82,7 +103,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
     /// Correct element lengths towards their horizontal tension; returns the largest error found
     /// before the correction, N. The slopes follow their elements (r′ ∝ 1/L between held nodes),
     /// or every other iteration would only repair them.
-    fn retension(&mut self, shape: &mut Shape<D>) -> f64 {
+    fn retension(&mut self, shape: &mut Shape<D>, relaxation: f64) -> f64 {
         let mut worst: f64 = 0.0;
         let mut changes = vec![(0.0, 0.0); shape.len()];
         for wire in &mut self.structure.wires {
@@ -94,7 +115,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
             // Never by more than the strain of the tension: a wild first guess must not slacken
             // or overstretch an element.
             let strain = wire.design_tension / wire.section.axial_stiffness;
-            let change = (error * flexibility).clamp(-strain, strain);
+            let change = relaxation * (error * flexibility).clamp(-strain, strain);
             wire.section.rest_length *= 1.0 + change;
             worst = worst.max(error.abs());
             for node in wire.slope_nodes {

@@ -224,6 +224,12 @@ pub struct Single {
 }
 
 impl Single {
+    /// Strain δ of the straight wire: EA (δ + ½δ²)(1 + δ) = T for Green's strain, by iteration.
+    pub fn stretch(&self) -> f64 {
+        let ratio = self.tension / self.axial;
+        (0..60).fold(ratio, |d, _| ratio / ((1.0 + 0.5 * d) * (1.0 + d)))
+    }
+
     pub fn structure(&self, dim: usize) -> (Structure, Vec<usize>) {
         let step = self.length / self.elements as f64;
         let mut s = Structure {
@@ -231,9 +237,16 @@ impl Single {
             gravity: self.gravity,
             ..Structure::default()
         };
+        let curvature = self.mass * self.gravity / self.tension;
         for i in 0..=self.elements {
-            s.positions.push([i as f64 * step, 0.0, 0.0]);
-            s.slopes.push([1.0 + self.tension / self.axial, 0.0, 0.0]);
+            // The parabola is a first guess.
+            let x = i as f64 * step;
+            let (mut position, mut slope) =
+                ([x, 0.0, 0.0], [1.0 + self.tension / self.axial, 0.0, 0.0]);
+            position[dim - 1] = -0.5 * curvature * x * (self.length - x);
+            slope[dim - 1] = curvature * (x - 0.5 * self.length);
+            s.positions.push(position);
+            s.slopes.push(slope);
         }
         for i in 0..self.elements {
             s.wires.push(Wire {

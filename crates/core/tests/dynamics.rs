@@ -1,0 +1,88 @@
+//! Natural frequencies of wires against closed forms.
+
+mod common;
+
+use arcless_core::dynamics::line::Line;
+use arcless_core::linalg::{BlockLdl, lanczos};
+use arcless_core::statics::Geometry;
+use common::Single;
+use std::f64::consts::PI;
+
+/// Contact wire of the 55 m line (reference-data.md, section 6).
+const WIRE: Single = Single {
+    length: 55.0,
+    elements: 20,
+    mass: 1.35,
+    axial: 15e6,
+    bending: 195.0,
+    tension: 22e3,
+    gravity: 0.0,
+};
+
+fn frequencies(s: &Single, count: usize) -> Vec<f64> {
+    let mut g = Geometry::<2, 4>::new(s.structure(2).0).expect("a valid structure");
+    let shape = g.design().expect("the design converges");
+    let line = Line::new(&g, shape);
+    let k = BlockLdl::new(&line.combine(0.0, 0.0, 1.0)).expect("regular");
+    let free = |node: usize, c: usize| line.free[node][c];
+    lanczos::lowest_frequencies(&k, &line.mass, line.nodes(), free, count, 4 * count + 20)
+}
+
+/// f = (n/2L) √(T/m) √(1 + (nπ/L)² EI/T), ends hinged; m and EI per stretched metre.
+/// Source: reference-data.md, section 6.
+fn exact(s: &Single, n: usize) -> f64 {
+    let stretched = 1.0 + s.stretch();
+    let (mass, bending) = (s.mass / stretched, s.bending / stretched);
+    let k = n as f64 * PI / s.length;
+    0.5 * n as f64 / s.length * (s.tension / mass * (1.0 + k * k * bending / s.tension)).sqrt()
+}
+
+#[test]
+fn frequencies_of_a_beam_under_tension() {
+    let s = Single {
+        elements: 38,
+        ..WIRE
+    };
+    let found = frequencies(&s, 20);
+    // Published to four digits for the unstretched wire, which the stretch of 0.15 % changes by half.
+    for (n, published) in [
+        (1, 1.161),
+        (2, 2.321),
+        (3, 3.482),
+        (5, 5.805),
+        (10, 11.62),
+        (20, 23.34),
+    ] {
+        assert!((found[n - 1] / published - 1.0).abs() < 1.2e-3);
+    }
+    for n in 1..=20 {
+        let relative = found[n - 1] / exact(&s, n) - 1.0;
+        // Rayleigh quotients come from above; order h⁴ of the bending part, 2e-4 at a half wave of 1.9
+        // elements.
+        let size = 2.5e-4 * (n as f64 / 20.0).powi(4) + 1e-9;
+        assert!((-1e-11..size).contains(&relative), "{n}: {relative:e}");
+        let fault = Single {
+            tension: 1.01 * s.tension,
+            ..s
+        };
+        assert!((found[n - 1] / exact(&fault, n) - 1.0).abs() > 4e-3);
+    }
+}
+
+/// Twice the order of the shape functions in the norm of the energy: 6 for the string (first
+/// derivatives), 4 for the beam (second). Source: Strang & Fix, section 6.3.
+#[test]
+fn order_of_the_frequencies() {
+    for (bending, theory) in [(0.0, 6.0), (2e6, 4.0)] {
+        let errors = [10, 20, 40].map(|elements| {
+            let s = Single {
+                elements,
+                bending,
+                ..WIRE
+            };
+            frequencies(&s, 6)[5] / exact(&s, 6) - 1.0
+        });
+        let last = common::orders(&errors)[1];
+        assert!(last > theory - 0.4, "{errors:?}: {last}");
+    }
+}
