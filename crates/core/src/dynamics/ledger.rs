@@ -135,15 +135,16 @@ impl<const DIM: usize, const D: usize> Kernel for StepWork<'_, DIM, D> {
         let rows = state.delta.iter().zip(&state.v).zip(&state.a);
         for (i, ((d, v), a)) in rows.enumerate() {
             let mass = p.line.mass.row(i, &state.delta);
+            let [mut velocity, mut force] = [[0.0; D]; 2];
             for k in 0..D {
-                let velocity =
+                velocity[k] =
                     c.damping * d[k] + c.velocity_from_v * v[k] + c.velocity_from_a * a[k];
-                let force =
+                force[k] =
                     c.mass * d[k] + c.acceleration_from_v * v[k] + c.acceleration_from_a * a[k];
-                rate[i][k] = velocity;
-                inertia[k] += force * mass[k];
-                by_mass[k] += velocity * mass[k];
+                inertia[k] += force[k] * mass[k];
+                by_mass[k] += velocity[k] * mass[k];
             }
+            rate[i] = velocity;
             let k = &p.line.stiffness;
             k.add_row_of_forms(i, &state.delta, rate, &mut own, &mut by_stiffness);
         }

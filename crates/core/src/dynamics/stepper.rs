@@ -367,14 +367,17 @@ impl<const DIM: usize, const D: usize> Kernel for Advance<'_, DIM, D> {
             (&self.p.coefficients, self.p.from_mass, self.p.shift);
         let state = u.iter_mut().zip(v).zip(a).zip(&*delta);
         for ((((u, v), a), d), (w, s)) in state.zip(prepared.iter_mut().zip(shift)) {
+            // Read everything, compute, then write: the lanes need not fear that the rows overlap.
+            let (old_v, old_a, d) = (*v, *a, *d);
+            let [mut new_u, mut new_v, mut new_a] = [*u, [0.0; D], [0.0; D]];
+            let [mut inertia, mut offset] = [[0.0; D]; 2];
             for k in 0..D {
-                let (new_v, new_a) = c.advance(d[k], v[k], a[k]);
-                u[k] += d[k];
-                v[k] = new_v;
-                a[k] = new_a;
-                w[k] = -(mu * u[k] + mv * new_v + ma * new_a);
-                s[k] = su * u[k] + sv * new_v + sa * new_a;
+                new_u[k] += d[k];
+                (new_v[k], new_a[k]) = c.advance(d[k], old_v[k], old_a[k]);
+                inertia[k] = -(mu * new_u[k] + mv * new_v[k] + ma * new_a[k]);
+                offset[k] = su * new_u[k] + sv * new_v[k] + sa * new_a[k];
             }
+            (*u, *v, *a, *w, *s) = (new_u, new_v, new_a, inertia, offset);
         }
     }
 }
