@@ -1,0 +1,123 @@
+"""Failures speak the words of the line, and leave a file with which they can be replayed."""
+
+import json
+import re
+from collections.abc import Callable
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+import arcless
+from arcless import _core
+from arcless.cli.app import app
+from arcless.errors import ContactError, EquilibriumError
+from arcless.model import Scenario
+from arcless.simulate import equilibrium, failure
+
+Short = Callable[..., Scenario]
+
+
+@pytest.fixture(autouse=True)
+def temporary(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Send the files of failures into the test's own folder."""
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    return tmp_path
+
+
+@pytest.fixture
+def pushing(short: Short) -> Scenario:
+    """A pre-sag that asks one dropper to hold the wire down."""
+    presag = [0.0, 0.0, 0.08, 0.0, 0.0]
+    return short(**{"line.span_types.span.droppers.presag": presag})
+
+
+def test_a_dropper_that_would_push_is_named(pushing: Scenario) -> None:
+    with pytest.raises(EquilibriumError) as caught:
+        arcless.statics(pushing)
+    text = str(caught.value)
+    assert re.search(r"span \d dropper [1-5] would have to push", text)
+    assert re.search(r"\d+\.\d\d m: .*got a force of -\d+\.\d N, expected a tension", text)
+    assert "pre-sag" in text
+
+
+def test_a_static_failure_can_be_replayed(pushing: Scenario, temporary: Path) -> None:
+    with pytest.raises(EquilibriumError) as caught:
+        arcless.run(pushing)
+    (path,) = temporary.glob("arcless-statics-*.json")
+    assert f"`arcless statics {path}`" in str(caught.value)
+    assert arcless.load(path).line == pushing.line
+    done = CliRunner().invoke(app, ["statics", str(path)])
+    assert done.exit_code == EquilibriumError.exit_code
+    assert "would have to push" in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("kind", "details", "words"),
+    [
+        (
+            "equilibrium",
+            {"node": 0, "residual": 12.3, "iterations": 100, "tolerance": 1e-6},
+            "no static equilibrium was found: got 12.3 N out of balance, 100 iterations",
+        ),
+        ("singular", {"node": 0}, "the line is loose"),
+        ("another", {}, "as the core says"),
+    ],
+)
+def test_statics_errors_in_words(short: Short, kind: str, details: dict, words: str) -> None:
+    found = equilibrium.find(short())
+    message = "as the core says"
+    with pytest.raises(EquilibriumError, match=words) as caught, equilibrium.named(found.mesh):
+        raise _core.NativeError(kind, message, details)
+    if details:
+        assert re.match(r"(contact|messenger) wire at 0\.00 m: ", str(caught.value))
+
+
+@pytest.mark.parametrize(
+    ("kind", "details", "words"),
+    [
+        (
+            "off_wire",
+            {"contact": 0, "step": 7, "position": 301.25},
+            "front left the wire",
+        ),
+        ("slack_set", {"step": 7, "time": 0.014}, "step 7, t = 0.014 s: the set of"),
+        ("not_finite", {"step": 7}, "step 7: the motion grew beyond all numbers"),
+    ],
+)
+def test_stepping_errors_in_words(kind: str, details: dict, words: str) -> None:
+    mesh = SimpleNamespace(droppers=[])
+    with pytest.raises(ContactError, match=words), failure.stepping(mesh, ["front"]):
+        raise _core.NativeError(kind, "", details)
+
+
+def test_an_unsolved_problem_names_its_links_and_is_saved(short: Short, temporary: Path) -> None:
+    mesh = equilibrium.find(short()).mesh
+    details = {
+        "step": 12,
+        "time": 0.024,
+        "contacts": [0],
+        "links": [3],
+        "h": [1.0, 0.0, 0.0, 1.0],
+        "w": [-1.0, -2.0],
+        "reason": "it cycles",
+    }
+    with pytest.raises(ContactError) as caught, failure.stepping(mesh, ["front"]):
+        raise _core.NativeError("lcp", "", details)
+    text = str(caught.value)
+    assert "step 12, t = 0.024 s, pantograph front, span 1 dropper 4" in text
+    assert "it cycles" in text
+    (path,) = temporary.glob("arcless-lcp-*.json")
+    saved = json.loads(path.read_text(encoding="utf-8"))
+    assert saved["links"] == ["pantograph front", "span 1 dropper 4"]
+    assert (saved["H"], saved["w"]) == (details["h"], details["w"])
+    assert str(path) in text
+
+
+def test_a_mean_force_that_cannot_be_reached(short: Short, monkeypatch: pytest.MonkeyPatch) -> None:
+    # With a mean that never follows, the search must end and say so.
+    monkeypatch.setattr("arcless.simulate.mean_force._means", lambda *_: np.array([50.0]))
+    with pytest.raises(ContactError, match=r"pantographs\.0\.mean_force.*P1 was not reached"):
+        arcless.run(short(**{"pantographs.0.mean_force": 80.0}))
