@@ -12,6 +12,8 @@ def solve_lcp(
     h: NDArray[np.float64], w: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], int, bool, float]: ...
 
+def scheme(name: str, parameter: float) -> tuple[float, float, float, float]: ...
+
 class Equilibrium:
     def __new__(
         cls,

@@ -111,7 +111,6 @@ impl Scheme {
                 h * (1.0 - 0.5 * gamma / beta),
             ],
             old: alpha_f,
-            old_acceleration: alpha_m,
         }
     }
 }
@@ -143,8 +142,6 @@ pub struct Coefficients {
     pub new_v: [f64; 3],
     /// Weight α_f of the old state in the balance.
     pub old: f64,
-    /// Weight α_m of the old acceleration in the balance.
-    pub old_acceleration: f64,
 }
 
 impl Coefficients {

@@ -6,6 +6,7 @@ from math import inf
 import numpy as np
 from numpy.typing import NDArray
 
+from arcless import _core
 from arcless.errors import ModelError
 from arcless.model import Scenario
 from arcless.model.pantograph import Pantograph
@@ -124,11 +125,9 @@ def scheme_numbers(scheme: Scheme) -> tuple[float, float, float, float]:
     if isinstance(scheme, Newmark):
         return scheme.beta, scheme.gamma, 0.0, 0.0
     if isinstance(scheme, HilberHughesTaylor):
-        alpha = -scheme.alpha
-        return (1.0 + alpha) ** 2 / 4.0, 0.5 + alpha, 0.0, alpha
+        return _core.scheme("hht", -scheme.alpha)
     radius = scheme.spectral_radius if isinstance(scheme, GeneralisedAlpha) else 1.0
-    alpha_m, alpha_f = (2.0 * radius - 1.0) / (radius + 1.0), radius / (radius + 1.0)
-    return (1.0 - alpha_m + alpha_f) ** 2 / 4.0, 0.5 - alpha_m + alpha_f, alpha_m, alpha_f
+    return _core.scheme("generalised-alpha", radius)
 
 
 def contact_stiffness(scenario: Scenario) -> float:

@@ -4,7 +4,6 @@
 //! which belong to the end of the step.
 
 use super::ledger::Entries;
-use super::path::Place;
 
 /// What to record and how often.
 #[derive(Debug, Clone)]
@@ -60,8 +59,6 @@ pub struct Record {
     pub link_max: Vec<f64>,
     /// Largest uplift of each watched node over all steps, m.
     pub uplift_max: Vec<f64>,
-    /// Contact places at the end, for callers that go on.
-    pub places: Vec<Place>,
     /// Largest number of slack links in any step.
     pub slack_max: usize,
     /// Exchanges of the complementarity solver, all steps.

@@ -72,7 +72,6 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
             }
             run.step(step, ledger.as_mut())?;
         }
-        run.record.places = run.at_end;
         Ok(run.record)
     }
 }

@@ -74,17 +74,6 @@ impl<const D: usize> SymmetricBlocks<D> {
         }
     }
 
-    /// `self += factor · other`; the pattern of `other` must be contained in this one.
-    pub fn add_scaled(&mut self, factor: f64, other: &Self) {
-        for i in 0..other.rows() {
-            for k in other.row_start[i]..other.row_start[i + 1] {
-                let mut block = other.blocks[k];
-                block.iter_mut().flatten().for_each(|v| *v *= factor);
-                self.add(i, other.columns[k], &block);
-            }
-        }
-    }
-
     /// Remove the degrees of freedom that are not free: their rows and columns become those of
     /// the identity.
     pub fn keep_free(&mut self, free: &[[bool; D]]) {
