@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from math import ceil, sqrt
+from math import ceil
 
 import numpy as np
 
@@ -103,8 +103,3 @@ def slopes(points: Floats, magnitude: float) -> Floats:
 def chord_lengths(points: Floats, magnitude: float) -> Floats:
     """Unstretched length of each element in m, from its chord."""
     return np.asarray(np.linalg.norm(np.diff(points, axis=0), axis=1) / magnitude)
-
-
-def wave_speed(wire: Wire) -> float:
-    """Return √(T/μ) in m/s."""
-    return sqrt(wire.tension / wire.mass)

@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from arcless.model.fields import Path
     from arcless.model.scenario import Scenario
 
+# One run keeps its whole record in memory; this many steps at 1 ms are nearly three hours.
 MAX_STEPS = 10_000_000
 MAX_ELEMENTS = 500_000
 # Positions typed with few digits may lie this far outside the line's exact length.

@@ -61,8 +61,7 @@ class Equilibrium:
         """Positions in m along the middle span at which the elasticity is reported."""
         left, right = self.middle_span()
         count = max(2, round((right - left) / ELASTICITY_SPACING) + 1)
-        inner = max(left, self.mesh.supports[0].x), min(right, self.mesh.supports[-1].x)
-        return np.linspace(*inner, count)
+        return np.linspace(left, right, count)
 
 
 def find(scenario: Scenario) -> Equilibrium:

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from arcless import _core
 from arcless.errors import ModelError
 from arcless.model import Scenario
+from arcless.model.checks import MAX_STEPS
 from arcless.model.pantograph import Pantograph
 from arcless.model.settings import GeneralisedAlpha, HilberHughesTaylor, Newmark, Scheme
 
@@ -16,9 +17,6 @@ Floats = NDArray[np.float64]
 RiderData = tuple[
     list[float], list[float], list[float], list[float], list[float], list[float], float
 ]
-
-# One run keeps its whole record in memory; this many steps at 1 ms are nearly three hours.
-MOST_STEPS = 10_000_000
 
 
 @dataclass(frozen=True)
@@ -74,11 +72,11 @@ def motion(scenario: Scenario) -> Motion:
 def _bounded(steps: float) -> int:
     # A trifle is added so that a travel of whole steps is not one short by rounding.
     count = int(steps + 1e-9)
-    if not 1 <= count <= MOST_STEPS:
+    if not 1 <= count <= MAX_STEPS:
         raise ModelError(
             "number of time steps",
             got=f"{steps:.3g}",
-            expected=f"1 to {MOST_STEPS}",
+            expected=f"1 to {MAX_STEPS}",
             hint="change travel, speed or solver.time_step",
         )
     return count
