@@ -4,6 +4,7 @@
 //! column is a short window of nodes. What is cut off is below [`CUT`] of its peak.
 
 use crate::linalg::BlockLdl;
+use std::ops::Range;
 
 /// Values below this fraction of a column's peak are cut: rounding of one solve. Larger would
 /// unbalance the forces, smaller stores noise.
@@ -53,11 +54,12 @@ impl<const D: usize> Columns<D> {
         }
     }
 
-    /// `x += factor · column`
+    /// `x += factor · column`; returns the nodes that this moved.
     #[inline(always)]
-    pub fn add(&self, column: usize, factor: f64, x: &mut [[f64; D]]) {
+    pub fn add(&self, column: usize, factor: f64, x: &mut [[f64; D]]) -> Range<usize> {
         let w = &self.windows[column];
-        let target = &mut x[w.first..w.first + w.length];
+        let nodes = w.first..w.first + w.length;
+        let target = &mut x[nodes.clone()];
         for (a, b) in target
             .iter_mut()
             .zip(&self.values[w.offset..w.offset + w.length])
@@ -66,6 +68,7 @@ impl<const D: usize> Columns<D> {
                 a[c] += factor * b[c];
             }
         }
+        nodes
     }
 
     /// Numbers stored.

@@ -91,7 +91,7 @@ impl Unilateral {
         places: &[Place],
         riders: &[RiderState],
         gap_free: &[f64],
-        tension_free: impl Fn(usize) -> f64,
+        tension_free: &[f64],
     ) -> Result<LcpStats, Box<LcpFailure>> {
         let (m, n) = (places.len(), places.len() + self.links.len());
         self.h.resize(n * n, 0.0);
@@ -117,7 +117,7 @@ impl Unilateral {
                 self.h[(m + k) * n + m + l] = -p.link_on_link(other, link);
             }
             self.h[(m + k) * n + m + k] += 1.0 / p.link_stiffness[link];
-            self.w[m + k] = tension_free(link) / p.link_stiffness[link];
+            self.w[m + k] = tension_free[link] / p.link_stiffness[link];
             self.warm[m + k] = self.correction[link] > 0.0;
         }
         let stats = self

@@ -228,7 +228,7 @@ impl<const D: usize> Ledger<D> {
             p.line
                 .links
                 .iter()
-                .zip(state.link_delta.iter().zip(&state.links)),
+                .zip(state.links.delta.iter().zip(&state.links.elongation)),
         ) {
             let rate = c.damping * d + c.velocity_from_v * s[1] + c.velocity_from_a * s[2];
             *work = link.viscosity * rate * d;
@@ -303,7 +303,7 @@ impl<const D: usize> Ledger<D> {
         let mut switching = 0.0;
         let mut dissipated = 0.0;
         for (i, link) in p.line.links.iter().enumerate() {
-            let d = state.link_delta[i];
+            let d = state.links.delta[i];
             let linear = self.link_work[i];
             let correction = unilateral.correction[i];
             let is_slack = correction > 0.0;
@@ -399,7 +399,7 @@ fn slack_energy<const DIM: usize, const D: usize>(
     state: &LineState<D>,
 ) -> f64 {
     let mut energy = 0.0;
-    for (link, [e, _, _]) in p.line.links.iter().zip(&state.links) {
+    for (link, [e, _, _]) in p.line.links.iter().zip(&state.links.elongation) {
         let tension = link.rest_tension + link.stiffness * e;
         if link.unilateral {
             energy -= 0.5 * tension.min(0.0).powi(2) / link.stiffness;

@@ -5,6 +5,7 @@ pub mod columns;
 pub mod contact;
 pub mod ledger;
 pub mod line;
+pub mod links;
 pub mod path;
 pub mod record;
 pub mod rider;

@@ -268,13 +268,12 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
     }
 
     /// Tension of a link at the time of balance.
+    #[inline(always)]
     fn tension(&self, i: usize) -> f64 {
-        let correction = self.unilateral.correction[i];
-        if correction > 0.0 {
+        if self.unilateral.correction[i] > 0.0 {
             return 0.0;
         }
-        self.p
-            .linear_tension(&self.state, i, self.state.link_delta[i])
+        self.state.links.tension[i]
     }
 
     /// Uplift of a node at the time of balance.

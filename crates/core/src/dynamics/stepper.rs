@@ -13,6 +13,7 @@
 use super::columns::Columns;
 use super::contact::Unilateral;
 use super::line::Line;
+use super::links::LinkMotion;
 use super::path::{Path, Place};
 use super::rider::RiderState;
 use crate::error::CoreError;
@@ -57,11 +58,8 @@ pub struct LineState<const D: usize> {
     pub a: Vec<[f64; D]>,
     /// Increment of the current step.
     pub delta: Vec<[f64; D]>,
-    /// Elongation of each link, its rate and second rate.
-    pub links: Vec<[f64; 3]>,
-    /// Elongation increment of each link in the current step.
-    pub link_delta: Vec<f64>,
-    link_free: Vec<f64>,
+    /// Elongations and tensions of the links.
+    pub links: LinkMotion,
     /// −(combination of u, v, a) whose product with M is the inertia of the next step.
     prepared: Vec<[f64; D]>,
     /// s/κ of the next step.
@@ -74,13 +72,7 @@ impl<const D: usize> LineState<D> {
     fn at_rest<const DIM: usize>(line: &Line<DIM, D>, u: Vec<[f64; D]>) -> Self {
         let zero = vec![[0.0; D]; u.len()];
         Self {
-            links: line
-                .links
-                .iter()
-                .map(|l| [l.elongation(&u), 0.0, 0.0])
-                .collect(),
-            link_delta: vec![0.0; line.links.len()],
-            link_free: vec![0.0; line.links.len()],
+            links: LinkMotion::at_rest(&line.links, &u),
             v: zero.clone(),
             a: zero.clone(),
             delta: zero.clone(),
@@ -189,9 +181,15 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
             delta[node as usize][component as usize] = 0.0;
         }
         self.factor.solve_minus(delta, shift, work);
-        for (link, d) in self.line.links.iter().zip(&mut state.link_delta) {
-            *d = link.elongation(&state.delta);
-        }
+        let (links, all) = (&self.line.links, 0..self.line.nodes());
+        state.links.begin(links, &self.coefficients);
+        state
+            .links
+            .follow(links, &self.link_stiffness, &state.delta, &all);
+        state
+            .links
+            .tension_free
+            .copy_from_slice(&state.links.tension);
     }
 
     /// `f −= (C − αM − βK) (v* − (a_C/κ) s)`
@@ -220,17 +218,6 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         self.line.add_damping_rest(work, f, scratch);
     }
 
-    /// Tension that link `i` would have at the time of balance for an elongation increment `d`,
-    /// were it linear and without correction.
-    #[inline(always)]
-    #[must_use]
-    pub fn linear_tension(&self, state: &LineState<D>, i: usize, d: f64) -> f64 {
-        let (l, c) = (&self.line.links[i], &self.coefficients);
-        let [e, rate, second] = state.links[i];
-        let rate = c.damping * d + c.velocity_from_v * rate + c.velocity_from_a * second;
-        l.rest_tension + l.stiffness * (e + c.stiffness * d) + l.viscosity * rate
-    }
-
     /// Solve the complementarity problem of the step and complete the increments with its forces.
     /// `places` are the contacts at the time of balance, `gaps` their gaps without contact force.
     ///
@@ -250,16 +237,12 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
     ) -> Result<LcpStats, CoreError> {
         let links = &self.line.links;
         let time = (step + 1) as f64 * self.h;
-        state.link_free.copy_from_slice(&state.link_delta);
-        unilateral.collect(|i| {
-            links[i].unilateral && self.linear_tension(state, i, state.link_free[i]) < 0.0
-        });
+        unilateral.collect(|i| links[i].unilateral && state.links.tension[i] < 0.0);
         let mut total = LcpStats::default();
         // Every round adds at least one link, so there are at most as many rounds as links.
         for _ in 0..=links.len() {
-            let tension = |i: usize| self.linear_tension(state, i, state.link_free[i]);
             let stats = unilateral
-                .solve(self, places, riders, gaps, tension)
+                .solve(self, places, riders, gaps, &state.links.tension_free)
                 .map_err(|failure| {
                     let contacts = (0..places.len()).collect();
                     CoreError::Lcp {
@@ -274,10 +257,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
             total.fallback_used |= stats.fallback_used;
             total.residual = total.residual.max(stats.residual);
             self.respond(state, unilateral, places);
-            let pushes = |i: usize| {
-                links[i].unilateral && self.linear_tension(state, i, state.link_delta[i]) < 0.0
-            };
-            if !unilateral.extend(pushes) {
+            if !unilateral.extend(|i| links[i].unilateral && state.links.tension[i] < 0.0) {
                 for (rider, &force) in riders.iter_mut().zip(&unilateral.force) {
                     rider.add_contact(force);
                 }
@@ -289,40 +269,35 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
 
     /// Add the response to what changed since the last call in this step: Δu += A⁻¹(C λ − G r).
     fn respond(&self, state: &mut LineState<D>, unilateral: &mut Unilateral, places: &[Place]) {
+        let mut moved = self.line.nodes()..0;
+        let mut add = |column: usize, factor: f64| {
+            let nodes = self.columns.add(column, factor, &mut state.delta);
+            moved = moved.start.min(nodes.start)..moved.end.max(nodes.end);
+        };
         for (j, place) in places.iter().enumerate() {
             let change = unilateral.force[j] - unilateral.applied_force[j];
             unilateral.applied_force[j] = unilateral.force[j];
             for (k, weight) in place.weights.iter().enumerate() {
-                self.columns
-                    .add(2 * place.element + k, weight * change, &mut state.delta);
+                add(2 * place.element + k, weight * change);
             }
         }
         for &link in &unilateral.links {
             let change = unilateral.correction[link] - unilateral.applied_correction[link];
             unilateral.applied_correction[link] = unilateral.correction[link];
             if change != 0.0 {
-                self.columns
-                    .add(self.link_column(link), -change, &mut state.delta);
+                add(self.link_column(link), -change);
             }
         }
-        for (link, d) in self.line.links.iter().zip(&mut state.link_delta) {
-            *d = link.elongation(&state.delta);
-        }
+        let stiffness = &self.link_stiffness;
+        state
+            .links
+            .follow(&self.line.links, stiffness, &state.delta, &moved);
     }
 
     /// Take the step: new displacement, velocity, acceleration.
     pub fn advance(&self, state: &mut LineState<D>) {
-        let c = &self.coefficients;
         widest(Advance { p: self, state });
-        let LineState {
-            links, link_delta, ..
-        } = state;
-        for ([e, rate, second], &d) in links.iter_mut().zip(&*link_delta) {
-            let (new_rate, new_second) = c.advance(d, *rate, *second);
-            *e += d;
-            *rate = new_rate;
-            *second = new_second;
-        }
+        state.links.advance(&self.coefficients);
     }
 }
 

@@ -52,10 +52,12 @@ impl<const D: usize> super::Kernel for Substitution<'_, D> {
             return;
         }
         for (value, &node) in work.iter().zip(&factor.order) {
-            let (target, shift) = (&mut x[node as usize], &minus[node as usize]);
+            // A row of its own: the lanes need not fear that `x` and `minus` overlap.
+            let (mut row, shift) = (*value, minus[node as usize]);
             for c in 0..D {
-                target[c] = value[c] - shift[c];
+                row[c] -= shift[c];
             }
+            x[node as usize] = row;
         }
     }
 }

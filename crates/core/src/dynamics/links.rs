@@ -1,0 +1,78 @@
+//! Motion of the links of a line during a run.
+//!
+//! Tension at the time of balance, as if the link were linear, with κ = a k + (a γ / β h) c:
+//!
+//!   T = T₀ + k e_f + c ė_f = [T₀ + k e + c (velocity terms of the old state)] + κ Δe
+
+use super::line::LinearLink;
+use crate::scheme::Coefficients;
+
+/// Elongations of all links, and the tensions that follow from them.
+#[derive(Debug, Clone)]
+pub struct LinkMotion {
+    /// Elongation since the static shape in m, its rate and second rate.
+    pub elongation: Vec<[f64; 3]>,
+    /// Elongation increment of the current step, m.
+    pub delta: Vec<f64>,
+    /// Tension at the time of balance without correction, N; negative where the link would push.
+    pub tension: Vec<f64>,
+    /// The same without the contact forces and corrections of the current step.
+    pub tension_free: Vec<f64>,
+    /// Part of the tension that does not depend on the increment, N.
+    old_part: Vec<f64>,
+}
+
+impl LinkMotion {
+    /// Links at rest in a displaced position.
+    #[must_use]
+    pub fn at_rest<const DIM: usize, const D: usize>(
+        links: &[LinearLink<DIM>],
+        u: &[[f64; D]],
+    ) -> Self {
+        let zero = vec![0.0; links.len()];
+        Self {
+            elongation: links.iter().map(|l| [l.elongation(u), 0.0, 0.0]).collect(),
+            delta: zero.clone(),
+            tension: zero.clone(),
+            tension_free: zero.clone(),
+            old_part: zero,
+        }
+    }
+
+    /// Prepare the next step from the present elongations.
+    pub fn begin<const DIM: usize>(&mut self, links: &[LinearLink<DIM>], c: &Coefficients) {
+        let old = self.old_part.iter_mut().zip(&self.elongation);
+        for ((old, [e, rate, second]), l) in old.zip(links) {
+            let rate = c.velocity_from_v * rate + c.velocity_from_a * second;
+            *old = l.rest_tension + l.stiffness * e + l.viscosity * rate;
+        }
+    }
+
+    /// Set the increment of every link that lies among the given nodes from a displacement
+    /// increment; `stiffness` is κ of each link.
+    pub fn follow<const DIM: usize, const D: usize>(
+        &mut self,
+        links: &[LinearLink<DIM>],
+        stiffness: &[f64],
+        delta: &[[f64; D]],
+        among: &std::ops::Range<usize>,
+    ) {
+        for (i, link) in links.iter().enumerate() {
+            if among.contains(&link.nodes[0]) || among.contains(&link.nodes[1]) {
+                let d = link.elongation(delta);
+                self.delta[i] = d;
+                self.tension[i] = self.old_part[i] + stiffness[i] * d;
+            }
+        }
+    }
+
+    /// Take the step.
+    pub fn advance(&mut self, c: &Coefficients) {
+        for ([e, rate, second], &d) in self.elongation.iter_mut().zip(&self.delta) {
+            let (new_rate, new_second) = c.advance(d, *rate, *second);
+            *e += d;
+            *rate = new_rate;
+            *second = new_second;
+        }
+    }
+}
