@@ -11,6 +11,7 @@ class NativeError(Exception): ...
 def solve_lcp(
     h: NDArray[np.float64], w: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], int, bool, float]: ...
+def friction(coefficient: float, force_1: NDArray[np.float64]) -> NDArray[np.float64]: ...
 def scheme(name: str, parameter: float) -> tuple[float, float, float, float]: ...
 
 class Equilibrium:
@@ -46,3 +47,24 @@ class Prepared:
         observe: Callable[[int], bool],
     ) -> dict[str, Any]: ...
     def cost(self) -> tuple[int, int, int]: ...
+
+class PublishedStep:
+    def __new__(
+        cls,
+        size: int,
+        mass: NDArray[np.float64],
+        damping: NDArray[np.float64],
+        stiffness: NDArray[np.float64],
+        time_step: float,
+    ) -> PublishedStep: ...
+    def reform(self, stiffness: NDArray[np.float64]) -> None: ...
+    def table(
+        self,
+        u_1: NDArray[np.float64],
+        u_2: NDArray[np.float64],
+        load: NDArray[np.float64],
+        contact_map: NDArray[np.float64],
+        initial_gap: NDArray[np.float64],
+    ) -> tuple[
+        NDArray[np.float64], NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]
+    ]: ...

@@ -6,6 +6,8 @@ import io
 import itertools
 import pickle
 import re
+import sys
+import textwrap
 from pathlib import Path
 
 import numpy as np
@@ -17,6 +19,11 @@ from arcless import lcp
 from arcless.errors import ArclessError
 
 PAGE = Path(__file__).parents[2] / "docs/guide/lcp.md"
+
+
+def blocks(language: str) -> list[str]:
+    """Code blocks of the page, in order."""
+    return re.findall(rf"```{language}\n(.*?)```", PAGE.read_text("utf-8"), re.DOTALL)
 
 
 def definite(n: int, seed: int) -> tuple[np.ndarray, np.ndarray]:
@@ -133,15 +140,14 @@ def test_matrix_outside_the_class_is_not_solved() -> None:
 
 
 def test_docstring_example() -> None:
-    results = doctest.testmod(lcp)
+    results = doctest.testmod(sys.modules["arcless.lcp.problem"])
     assert results.attempted > 0
     assert results.failed == 0
 
 
 def test_page_prints_what_it_says() -> None:
-    page = PAGE.read_text("utf-8")
-    (code,) = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
-    (expected,) = re.findall(r"```text\n(.*?)```", page, re.DOTALL)
+    code, _ = blocks("python")
+    expected, _ = blocks("text")
     printed = io.StringIO()
     names: dict[str, object] = {}
     with contextlib.redirect_stdout(printed):
@@ -149,10 +155,15 @@ def test_page_prints_what_it_says() -> None:
     assert printed.getvalue() == expected
 
 
+def test_page_quotes_its_second_example() -> None:
+    _, code = blocks("python")
+    example = (PAGE.parents[2] / "examples/dropped_beam.py").read_text("utf-8")
+    assert textwrap.indent(code, "    ", lambda line: bool(line.strip())) in example
+
+
 def test_beam_of_the_page_has_the_textbook_reaction() -> None:
     """Two equal spans, load in the middle of the first: 11/16 at the middle support."""
-    page = PAGE.read_text("utf-8")
-    (code,) = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
+    code, _ = blocks("python")
     names: dict[str, object] = {}
     with contextlib.redirect_stdout(io.StringIO()):
         exec(compile(code.split("for load")[0], str(PAGE), "exec"), names)

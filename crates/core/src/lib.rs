@@ -18,6 +18,7 @@ pub mod element;
 pub mod error;
 pub mod lcp;
 pub mod linalg;
+pub mod published;
 pub mod scheme;
 pub mod statics;
 pub mod structure;

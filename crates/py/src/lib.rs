@@ -4,6 +4,7 @@ mod equilibrium;
 mod error;
 mod lcp;
 mod prepared;
+mod published;
 mod structure;
 
 use arcless_core::scheme::Scheme;
@@ -31,5 +32,7 @@ fn _core(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_class::<equilibrium::Equilibrium>()?;
     m.add_class::<prepared::Prepared>()?;
     m.add_function(wrap_pyfunction!(lcp::solve_lcp, m)?)?;
+    m.add_class::<published::PublishedStep>()?;
+    m.add_function(wrap_pyfunction!(published::friction, m)?)?;
     Ok(())
 }

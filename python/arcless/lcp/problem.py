@@ -1,4 +1,4 @@
-"""Linear complementarity: contacts that push but do not pull.
+"""One linear complementarity problem.
 
 ``y = Hx + w``, ``x ≥ 0``, ``y ≥ 0``, ``xᵀy = 0``, solved by principal pivoting in the core.
 For contacts of an elastic structure ``x`` holds the forces in N, ``y`` the gaps in m, ``H`` the
@@ -9,12 +9,11 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from arcless import _core
-from arcless.errors import ArclessError
-
-Array = NDArray[np.float64]
+from arcless.lcp.arrays import Array, finite, numbers
+from arcless.lcp.failures import LcpInputError, LcpUnsolvedError
 
 # |H_ij − H_ji| / √(H_ii H_jj). Products of measured or assembled matrices differ by some 1e-14;
 # a wrong sign or a forgotten term differs by far more.
@@ -23,39 +22,6 @@ SYMMETRY_TOLERANCE = 1e-10
 # Smallest part of a diagonal entry that the rows before it leave unexplained (a squared Cholesky
 # pivot at unit diagonal). The core's PIVOT_MIN: below it, rounding decides about the sign.
 DEFINITE_MIN = 1e-14
-
-
-class LcpInputError(ArclessError, ValueError):
-    """H or w is not what a complementarity problem needs."""
-
-    exit_code = 2
-
-
-class LcpUnsolvedError(ArclessError):
-    """No solution was found, or the one found does not satisfy the problem.
-
-    Parameters
-    ----------
-    pivots : int
-        Exchanges made.
-    residual : float
-        Residual of the last candidate, NaN when there was none.
-    """
-
-    def __init__(
-        self,
-        what: str,
-        *,
-        where: str | None = None,
-        got: str | None = None,
-        expected: str | None = None,
-        hint: str | None = None,
-        pivots: int = 0,
-        residual: float = float("nan"),
-    ) -> None:
-        super().__init__(what, where=where, got=got, expected=expected, hint=hint)
-        self.pivots = pivots
-        self.residual = residual
 
 
 @dataclass(frozen=True)
@@ -126,6 +92,11 @@ def solve(H: ArrayLike, w: ArrayLike, *, symmetric: bool = True) -> tuple[Array,
     if symmetric:
         _check_symmetric(matrix)
         _check_definite(matrix)
+    return pivoted(matrix, vector)
+
+
+def pivoted(matrix: Array, vector: Array) -> tuple[Array, Array, LcpInfo]:
+    """Solve a problem whose arrays are known to fit."""
     try:
         x, y, pivots, fallback_used, residual = _core.solve_lcp(matrix.ravel(), vector)
     except _core.NativeError as error:
@@ -141,7 +112,7 @@ def solve(H: ArrayLike, w: ArrayLike, *, symmetric: bool = True) -> tuple[Array,
 
 
 def _arrays(H: ArrayLike, w: ArrayLike) -> tuple[Array, Array]:
-    matrix, vector = _numbers("H", H), _numbers("w", w)
+    matrix, vector = numbers("H", H), numbers("w", w)
     if vector.ndim != 1:
         raise LcpInputError("w", got=f"shape {vector.shape}", expected="one dimension")
     if matrix.ndim != 2 or matrix.shape[0] != matrix.shape[1]:  # noqa: PLR2004 - a matrix
@@ -154,25 +125,7 @@ def _arrays(H: ArrayLike, w: ArrayLike) -> tuple[Array, Array]:
         )
     if vector.size == 0:
         raise LcpInputError("H", got="n = 0", expected="at least one row")
-    for name, values in (("H", matrix), ("w", vector)):
-        bad = np.argwhere(~np.isfinite(values))
-        if bad.size:
-            index = tuple(int(i) for i in bad[0])
-            place = ", ".join(str(i) for i in index)
-            raise LcpInputError(f"{name}[{place}]", got=str(values[index]), expected="a number")
-    return matrix, vector
-
-
-def _numbers(name: str, values: ArrayLike) -> Array:
-    try:
-        array = np.asarray(values)
-        if np.iscomplexobj(array):
-            raise LcpInputError(name, got="complex numbers", expected="real numbers")
-        return np.ascontiguousarray(array, dtype=np.float64).reshape(array.shape)
-    except (TypeError, ValueError) as error:
-        if isinstance(error, LcpInputError):
-            raise
-        raise LcpInputError(name, got=str(error), expected="an array of numbers") from error
+    return finite("H", matrix), finite("w", vector)
 
 
 def _scaled(matrix: Array) -> Array:
