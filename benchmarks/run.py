@@ -38,7 +38,7 @@ def measure(name: str, energy: str) -> list[str]:
     prepared = found.core.prepare(
         found.mesh.path,
         motion.scheme_numbers(scenario.solver.scheme),
-        scenario.solver.time_step,
+        scenario.time_step_s,
         motion.contact_stiffness(scenario),
     )
     setup = time.perf_counter() - began

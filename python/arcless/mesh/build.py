@@ -1,6 +1,7 @@
 """Line and solver settings → mesh."""
 
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 import numpy as np
 
@@ -8,7 +9,7 @@ from arcless.errors import MeshError
 from arcless.mesh import wires
 from arcless.mesh.parts import HELD, UNLOADED, Parts
 from arcless.mesh.types import DropperPlace, Floats, Mesh, SupportPlace
-from arcless.model.components import SteadyArmBar, Wire
+from arcless.model.components import NoSteadyArm, SteadyArmBar, Wire
 from arcless.model.line import Line
 from arcless.model.settings import Solver
 
@@ -58,6 +59,7 @@ class _Builder:
         self.line, self.solver = line, solver
         self.dimension = _dimension(line, solver)
         self.up = self.dimension - 1
+        self.lumped = solver.wire_model == "lumped"
         self.places = wires.stations(line)
         self.parts = Parts()
 
@@ -100,15 +102,12 @@ class _Builder:
 
     def _number(self, contact: _Chain, messenger: _Chain) -> tuple[Floats, Floats]:
         """Give numbers to all nodes along the track; messenger before contact wire."""
-        tangents = wires.slopes(messenger.points, wires.stretch(self.line.messenger_wire))
-        hinges = self._hinge_rows(messenger)
+        tangents = self._slopes(messenger, self.line.messenger_wire)
+        # A chain of point masses has no slopes to be told apart at a hinge.
+        hinges = [] if self.lumped else self._hinge_rows(messenger)
         points = np.vstack([messenger.points, messenger.points[hinges], contact.points])
         tangents = np.vstack(
-            [
-                tangents,
-                tangents[hinges],
-                wires.slopes(contact.points, wires.stretch(self.line.contact_wire)),
-            ]
+            [tangents, tangents[hinges], self._slopes(contact, self.line.contact_wire)]
         )
         order = np.argsort(points[:, 0], kind="stable")
         rank = np.empty(len(order), dtype=np.int64)
@@ -122,6 +121,11 @@ class _Builder:
         contact.nodes = numbers[all_messenger:]
         return points[order], tangents[order]
 
+    def _slopes(self, chain: _Chain, wire: Wire) -> Floats:
+        if self.lumped:
+            return np.zeros_like(chain.points)
+        return wires.slopes(chain.points, wires.stretch(wire))
+
     def _hinge_rows(self, messenger: _Chain) -> list[int]:
         """Rows of the messenger wire's nodes at inner supports.
 
@@ -131,21 +135,41 @@ class _Builder:
         return [messenger.row(support) for support in self.places.supports[1:-1]]
 
     def _add_wires(self, contact: _Chain, messenger: _Chain) -> list[int]:
-        path = self._add_chain(contact, self.line.contact_wire)
-        self._add_chain(messenger, self.line.messenger_wire)
+        path = self._add_wire(contact, self.line.contact_wire, [])
+        self._add_wire(messenger, self.line.messenger_wire, self._hinge_rows(messenger))
         return path
 
-    def _add_chain(self, chain: _Chain, wire: Wire) -> list[int]:
-        lengths = wires.chord_lengths(chain.points, wires.stretch(wire))
-        rows = []
-        for a, b, length in zip(chain.nodes, chain.nodes[1:], lengths, strict=False):
-            slopes = (chain.leaving.get(a, a), b)
-            rows.append(self.parts.add_wire(wire, (a, b), slopes, float(length)))
+    def _add_wire(self, chain: _Chain, wire: Wire, hinges: list[int]) -> list[int]:
+        """Add the elements of a wire and what holds its ends; return the elements' rows."""
+        if self.lumped:
+            rows = self._add_segments(chain, wire, set(hinges))
+        else:
+            rows = self._add_elements(chain, wire)
         for component in range(self.dimension):
             self.parts.add("fixed", (chain.nodes[0], component))
             self.parts.add("fixed", (chain.nodes[-1], component))
         released = int(wire.ends == "constant_force")
         self.parts.add("ends", (chain.nodes[-1], released), (wire.tension,))
+        return rows
+
+    def _add_elements(self, chain: _Chain, wire: Wire) -> list[int]:
+        lengths = wires.chord_lengths(chain.points, wires.stretch(wire))
+        rows = []
+        for a, b, length in zip(chain.nodes, chain.nodes[1:], lengths, strict=False):
+            slopes = (chain.leaving.get(a, a), b)
+            rows.append(self.parts.add_wire(wire, (a, b), slopes, float(length)))
+        return rows
+
+    def _add_segments(self, chain: _Chain, wire: Wire, hinges: set[int]) -> list[int]:
+        """Add a chain of point masses that bends at its inner nodes, but for the hinges."""
+        lengths = wires.chord_lengths(chain.points, wires.chain_stretch(wire))
+        rows = [
+            self.parts.add_segment(wire, nodes, float(length))
+            for nodes, length in zip(pairwise(chain.nodes), lengths, strict=True)
+        ]
+        for node, (before, behind) in enumerate(pairwise(rows), start=1):
+            if node not in hinges:
+                self.parts.add_bend(wire, before, behind)
         return rows
 
     def _add_droppers(self, contact: _Chain, messenger: _Chain) -> list[DropperPlace]:
@@ -196,6 +220,8 @@ class _Builder:
         arm = self.line.steady_arm
         if isinstance(arm, SteadyArmBar):
             return self.parts.add_steady_arm(arm, node, self._pull_side(index))
+        if isinstance(arm, NoSteadyArm):
+            return None
         if arm.vertical_stiffness > 0.0:
             spring = (arm.vertical_stiffness, arm.vertical_damping, 0.0)
             self.parts.add("springs", (node, self.up, UNLOADED), spring)

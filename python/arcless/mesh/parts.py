@@ -10,6 +10,8 @@ from arcless.model.components import DropperType, SteadyArmBar, Wire
 # Number of integer and float columns of each kind, as documented in `arcless.mesh.types.Mesh`.
 COLUMNS = {
     "wires": (4, 7),
+    "segments": (2, 6),
+    "bends": (2, 2),
     "links": (4, 6),
     "struts": (2, 10),
     "springs": (3, 3),
@@ -49,12 +51,23 @@ class Parts:
     def add_wire(
         self, wire: Wire, nodes: tuple[int, int], slope_nodes: tuple[int, int], rest_length: float
     ) -> int:
-        """Add an element of a wire."""
+        """Add a cubic element of a wire."""
         elastic = (rest_length, wire.axial_stiffness, wire.bending_stiffness)
         damping = (wire.damping.alpha, wire.damping.beta)
         return self.add(
             "wires", (*nodes, *slope_nodes), (*elastic, wire.mass, *damping, wire.tension)
         )
+
+    def add_segment(self, wire: Wire, nodes: tuple[int, int], rest_length: float) -> int:
+        """Add a straight link of a chain of point masses."""
+        damping = (wire.damping.alpha, wire.damping.beta)
+        floats = (rest_length, wire.axial_stiffness, wire.mass, *damping, wire.tension)
+        return self.add("segments", nodes, floats)
+
+    def add_bend(self, wire: Wire, before: int, behind: int) -> None:
+        """Let a wire resist bending between two segments, if it does at all."""
+        if wire.bending_stiffness > 0.0:
+            self.add("bends", (before, behind), (wire.bending_stiffness, wire.damping.beta))
 
     def add_dropper(
         self, kind: DropperType, upper: int, lower: int, distance: float, length: float | None

@@ -46,6 +46,9 @@ class Mesh:
     ======== ========================================== =========================================
     wires    nodes of both ends, nodes that hold the    rest length m, EA N, EI N·m², kg/m, α, β,
              slopes there (another one at a hinge)      horizontal tension in the design N
+    segments nodes of both ends                         rest length m, EA N, kg/m, α 1/s, β s,
+                                                        horizontal tension in the design N
+    bends    segment before and segment behind a node   EI N·m², β s
     links    upper node, lower node, tension only,      rest length m, N/m, N·s/m, α 1/s, β s, kg/m
              length to be found
     struts   node, anchor to be found                   direction (3), anchor (3) m, rest length m,
@@ -57,6 +60,10 @@ class Mesh:
     ends     node, free in service                      force along the track N
     loads    node, component                            force N
     ======== ========================================== =========================================
+
+    A mesh has wires (wire model hermite), or segments and bends (lumped): then its slopes are zero
+    and nothing reads them. `path` holds the rows of the contact wire in the table of wires or
+    segments, from left to right.
     """
 
     dimension: int

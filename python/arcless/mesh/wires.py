@@ -64,6 +64,11 @@ def stretch(wire: Wire) -> float:
     return s
 
 
+def chain_stretch(wire: Wire) -> float:
+    """Return ℓ/L of a straight link under the wire's tension: T = EA (ℓ − L)/L."""
+    return 1.0 + wire.tension / wire.axial_stiffness
+
+
 def messenger_guess(line: Line, supports: Sequence[float], x: Floats, gravity: float) -> Floats:
     """Height of the messenger wire in m: parabolas q x (L − x) / 2T, q the weight of both wires."""
     load = (line.messenger_wire.mass + line.contact_wire.mass) * gravity

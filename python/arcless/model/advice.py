@@ -1,8 +1,10 @@
 """What is allowed in a scenario but deserves a word to the user."""
 
 from itertools import pairwise
+from math import atan, hypot, log1p, pi
 
 from arcless.model.scenario import Scenario
+from arcless.model.settings import ONE_ELEMENT
 
 # EN 50119:2009, 5.2.4: speed at most 70 % of the wave speed of the contact wire.
 WAVE_SPEED_SHARE = 0.70
@@ -11,6 +13,17 @@ KMH = 3.6
 # 12 % with 0.2, 32 % with 0.4, 78 % with 0.9; 0.5 % with Newmark's gamma = 1 (first order).
 QUIET_RADIUS = 0.1
 QUIET_GAMMA = 0.9
+# Backward differences have the spectral radius 0 at infinite frequency.
+QUIET_SCHEMES = {"backward-difference"}
+# The shipped lines damp their waves by 0.1 to 1.9 % of critical, below 20 Hz: a scheme that adds
+# more than that makes another line of them.
+LOUD_DAMPING = 0.02
+# Fewest elements of the contact wire between droppers. Cubic elements follow the sag with two. A
+# chain of n straight ones misses 1/n² of the sag between droppers (its links are chords of a
+# parabola), and the wave as long as the distance between droppers travels (π/n)²/6 too slowly
+# (ω = 2c/a sin(ka/2)): with eight, 1.6 % and 2.6 %.
+FEWEST_ELEMENTS = {"hermite": 2, "lumped": 8}
+IN_WORDS = {2: "two", 8: "eight"}
 
 
 def scenario_warnings(scenario: Scenario) -> list[str]:
@@ -31,19 +44,13 @@ def scenario_warnings(scenario: Scenario) -> list[str]:
         *_about_section(scenario),
         *_about_line(scenario),
         *_about_contact(scenario),
+        *_about_scheme(scenario),
         *_about_solver(scenario),
     ]
 
 
-def _top_speed(scenario: Scenario) -> float:
-    if scenario.speed is not None:
-        return scenario.speed
-    assert scenario.speed_profile is not None
-    return max(scenario.speed_profile.speed)
-
-
 def _about_speed(scenario: Scenario) -> list[str]:
-    speed, wave = _top_speed(scenario), scenario.line.wave_speed
+    speed, wave = scenario.top_speed, scenario.line.wave_speed
     share = f"{speed * KMH:.0f} km/h is {speed / wave:.0%} of the wave speed {wave * KMH:.0f} km/h"
     if speed >= wave:
         return [
@@ -92,22 +99,56 @@ def _about_line(scenario: Scenario) -> list[str]:
 
 def _about_contact(scenario: Scenario) -> list[str]:
     scheme = scenario.solver.scheme
-    quiet = (scheme.name == "generalised-alpha" and scheme.spectral_radius <= QUIET_RADIUS) or (
-        scheme.name == "newmark" and scheme.gamma >= QUIET_GAMMA
+    quiet = (
+        (scheme.name == "generalised-alpha" and scheme.spectral_radius <= QUIET_RADIUS)
+        or (scheme.name == "newmark" and scheme.gamma >= QUIET_GAMMA)
+        or scheme.name in QUIET_SCHEMES
     )
     if scenario.contact.law == "rigid" and not quiet:
         return [
             f"contact.law: rigid contact rings at the step frequency with the scheme {scheme.name};"
-            " unfiltered force and loss of contact mean nothing then; take spectral_radius 0, or"
-            " a compliant contact"
+            " unfiltered force and loss of contact mean nothing then; take spectral_radius 0,"
+            " backward differences, or a compliant contact"
         ]
     return []
 
 
+def backward_difference_damping(angle: float) -> float:
+    """Return the share of critical damping that backward differences add to an oscillation.
+
+    Parameters
+    ----------
+    angle : float
+        ωh, circular frequency times time step, above 0.
+
+    Notes
+    -----
+    The undamped oscillator, ((1 − 1/z)/h)² + ω² = 0, has the roots z = (1 ± iωh)/(1 + ω²h²): in a
+    step the amplitude shrinks by |z| = (1 + ω²h²)^(−½) and the phase turns by arctan ωh. A damped
+    oscillation does the same when ζ/√(1 − ζ²) = −ln|z| / arg z; for small ωh, ζ ≈ ωh/2.
+    """
+    decay, turn = log1p(angle * angle) / 2, atan(angle)
+    return decay / hypot(decay, turn)
+
+
+def _about_scheme(scenario: Scenario) -> list[str]:
+    if scenario.solver.scheme.name != "backward-difference":
+        return []
+    frequency, step = scenario.analysis.low_pass, scenario.time_step_s
+    damping = backward_difference_damping(2 * pi * frequency * step)
+    if damping <= LOUD_DAMPING:
+        return []
+    return [
+        f"solver.scheme: backward differences with a step of {1e3 * step:.3g} ms damp {frequency:g}"
+        f" Hz by {damping:.1%} of critical and may hide gaps; compare with a shorter"
+        " solver.time_step or the scheme generalised-alpha"
+    ]
+
+
 def _about_solver(scenario: Scenario) -> list[str]:
     solver, found = scenario.solver, []
-    way = _top_speed(scenario) * solver.time_step
-    if way > solver.contact_wire_element / 2:
+    way = scenario.top_speed * scenario.time_step_s
+    if solver.time_step != ONE_ELEMENT and way > solver.contact_wire_element / 2:
         found.append(
             f"solver.time_step: the pantograph moves {way:.2g} m in a step, more than half an"
             f" element of the contact wire ({solver.contact_wire_element:g} m)"
@@ -119,9 +160,10 @@ def _about_solver(scenario: Scenario) -> list[str]:
             for left, right in pairwise((0.0, *span.droppers.positions, span.length))
         ),
     )
-    if solver.contact_wire_element > gap / 2:
+    fewest = FEWEST_ELEMENTS[solver.wire_model]
+    if solver.contact_wire_element > gap / fewest:
         found.append(
-            f"solver.contact_wire_element: {solver.contact_wire_element:g} m leaves fewer than two"
-            f" elements in the shortest distance between droppers ({gap:.3g} m)"
+            f"solver.contact_wire_element: {solver.contact_wire_element:g} m leaves fewer than"
+            f" {IN_WORDS[fewest]} elements in the shortest distance between droppers ({gap:.3g} m)"
         )
     return found

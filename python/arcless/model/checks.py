@@ -16,6 +16,8 @@ MAX_STEPS = 10_000_000
 MAX_ELEMENTS = 500_000
 # Positions typed with few digits may lie this far outside the line's exact length.
 POSITION_TOLERANCE = 1e-6
+# Speed times (element over speed) is the element up to a rounding or two.
+ROUNDING = 1e-9
 
 
 def check_scenario(scenario: "Scenario") -> None:
@@ -25,7 +27,10 @@ def check_scenario(scenario: "Scenario") -> None:
     _check_travel(scenario)
     _check_section(scenario)
     _check_points(scenario)
-    _check_sizes(scenario)
+    _check_elements(scenario)
+    _check_step(scenario)
+    _check_steps(scenario)
+    _check_energy(scenario)
 
 
 def _check_speed(scenario: "Scenario") -> None:
@@ -144,7 +149,7 @@ def _check_inside(
         raise ModelError(what, got=f"{x:g} m", expected=expected, field=field)
 
 
-def _check_sizes(scenario: "Scenario") -> None:
+def _check_elements(scenario: "Scenario") -> None:
     solver, length = scenario.solver, scenario.line.total_length
     elements = length / solver.contact_wire_element + length / solver.messenger_wire_element
     if elements > MAX_ELEMENTS:
@@ -155,21 +160,57 @@ def _check_sizes(scenario: "Scenario") -> None:
             hint="use longer elements or a shorter line",
             field=("solver", "contact_wire_element"),
         )
+
+
+def _check_step(scenario: "Scenario") -> None:
+    solver, field = scenario.solver, ("solver", "time_step")
+    if isinstance(solver.time_step, str) and scenario.speed is None:
+        raise ModelError(
+            "no time step",
+            got=f"{show(solver.time_step)} with a speed profile",
+            expected="a time: with a changing speed, one element takes no fixed time",
+            field=field,
+        )
+    way, element = scenario.top_speed * scenario.time_step_s, solver.contact_wire_element
+    if way > element * (1 + ROUNDING):
+        raise ModelError(
+            "step longer than an element",
+            got=f"{way:.4g} m in a step",
+            expected=f"at most {element:g} m, one element of the contact wire",
+            hint=f"at most {1e3 * element / scenario.top_speed:.4g} ms at this speed, or a longer"
+            " solver.contact_wire_element",
+            field=field,
+        )
+
+
+def _check_energy(scenario: "Scenario") -> None:
+    if scenario.output.energy == "always" and scenario.solver.kinematics == "updated":
+        raise ModelError(
+            "no energy ledger with updated kinematics",
+            got="always",
+            expected="auto or never, or solver.kinematics linearised",
+            hint="stiffness that is formed anew in each step belongs to no stored energy",
+            field=("output", "energy"),
+        )
+
+
+def _check_steps(scenario: "Scenario") -> None:
     start, end = scenario.travel_range()
     if scenario.speed is not None:
         duration = (end - start) / scenario.speed
     else:
         assert scenario.speed_profile is not None
         duration = scenario.speed_profile.time[-1]
-    if duration / solver.time_step > MAX_STEPS:
+    step = scenario.time_step_s
+    if duration / step > MAX_STEPS:
         raise ModelError(
             "too many time steps",
-            got=f"about {duration / solver.time_step:.3g}",
+            got=f"about {duration / step:.3g}",
             expected=f"at most {MAX_STEPS}",
             hint=f"the run lasts {duration:.3g} s; shorten the travel or use a longer time step",
             field=("solver", "time_step"),
         )
-    nyquist = 0.5 / (solver.time_step * scenario.output.contact_every)
+    nyquist = 0.5 / (step * scenario.output.contact_every)
     low_pass = scenario.analysis.low_pass
     if low_pass >= nyquist or isclose(low_pass, nyquist):
         raise ModelError(

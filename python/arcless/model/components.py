@@ -105,4 +105,10 @@ class SteadyArmBar(Part):
     )
 
 
-SteadyArm = Annotated[SteadyArmSpring | SteadyArmBar, Field(discriminator="kind")]
+class NoSteadyArm(Part):
+    """No steady arm: at the supports nothing holds the contact wire, it hangs on its droppers."""
+
+    kind: Literal["none"] = Field(description="Kind of steady arm.")
+
+
+SteadyArm = Annotated[SteadyArmSpring | SteadyArmBar | NoSteadyArm, Field(discriminator="kind")]

@@ -33,6 +33,8 @@ class Unit:
         SI unit, a key of `arcless.units.KINDS`.
     above, minimum, below, maximum : float, optional
         Bounds in that unit; `above` and `below` exclude the bound itself.
+    words : tuple of str, optional
+        Words that may stand for a number; they are kept as they are.
     """
 
     def __init__(
@@ -43,8 +45,9 @@ class Unit:
         minimum: float | None = None,
         below: float | None = None,
         maximum: float | None = None,
+        words: tuple[str, ...] = (),
     ) -> None:
-        self.unit = unit
+        self.unit, self.words = unit, words
         self.above, self.minimum = above, minimum
         self.below, self.maximum = below, maximum
 
@@ -68,12 +71,20 @@ class Unit:
 
     @property
     def expected(self) -> str:
-        """What is accepted: kind, units and bounds."""
-        return ", ".join(filter(None, [accepted(self.unit), self.bounds]))
+        """What is accepted: kind, units, bounds and words."""
+        words = [f"or {show(word)}" for word in self.words]
+        return ", ".join(filter(None, [accepted(self.unit), self.bounds, *words]))
 
-    def validate(self, value: object) -> float:
-        """Return `value` in SI, or raise what is wrong with it."""
-        number = to_si(value, self.unit)
+    def validate(self, value: object) -> float | str:
+        """Return `value` in SI or as the word it is, or raise what is wrong with it."""
+        if isinstance(value, str) and value.strip() in self.words:
+            return value.strip()
+        try:
+            number = to_si(value, self.unit)
+        except ModelError as error:
+            if self.words:
+                error.expected = self.expected
+            raise
         inside = (
             (self.above is None or number > self.above)
             and (self.minimum is None or number >= self.minimum)
@@ -94,11 +105,11 @@ class Unit:
     ) -> dict[str, Any]:
         keys = ("exclusiveMinimum", "minimum", "exclusiveMaximum", "maximum")
         values = (self.above, self.minimum, self.below, self.maximum)
-        number = handler(schema) | {
-            key: value for key, value in zip(keys, values, strict=True) if value is not None
-        }
+        bounds = {key: value for key, value in zip(keys, values, strict=True) if value is not None}
+        number = ({"type": "number"} if self.words else handler(schema)) | bounds
         text = {"type": "string", "description": f"number and unit: {accepted(self.unit)}"}
-        return {"anyOf": [number, text, wrapped_schema([number, text])], "unit": self.label}
+        plain = [number, text, *({"const": word} for word in self.words)]
+        return {"anyOf": [*plain, wrapped_schema(plain)], "unit": self.label}
 
 
 Lengths = tuple[Annotated[float, Unit("m", minimum=-1e6, maximum=1e6)], ...]

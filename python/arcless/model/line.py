@@ -15,6 +15,8 @@ from arcless.units import WRONG_VALUE, show
 MAX_SPANS = 5000
 MAX_DROPPERS_PER_SPAN = 200
 MAX_PATTERN = 1000
+# A dropper nearer to a support than this stands at the support. In m.
+AT_SUPPORT = 1e-6
 
 
 Staggers = Annotated[
@@ -107,6 +109,15 @@ class SpanType(Part):
     @model_validator(mode="after")
     def _check_inside(self) -> "SpanType":
         for index, x in enumerate(self.droppers.positions):
+            if min(abs(x), abs(x - self.length)) < AT_SUPPORT:
+                side = "left" if abs(x) < AT_SUPPORT else "right"
+                raise ModelError(
+                    "dropper (hanger) at a support",
+                    got=f"{x:g} m, the place of the {side} support",
+                    expected=f"a position between the supports at 0 and {self.length:g} m",
+                    hint="at a support the messenger wire is held, a dropper has no part there",
+                    field=("droppers", "positions", index),
+                )
             if not 0 < x < self.length:
                 raise ModelError(
                     "dropper outside its span",
@@ -153,7 +164,7 @@ class Line(Document):
     messenger_wire: Wire = Field(description="Messenger wire.")
     dropper: DropperType = Field(description="Droppers.")
     support: MessengerSupport = Field(description="Supports of the messenger wire.")
-    steady_arm: SteadyArm = Field(description="Steady arm: kind spring or kind arm.")
+    steady_arm: SteadyArm = Field(description="Steady arm: kind spring, arm or none.")
     geometry: Geometry = Field(description="Heights and staggers.")
     span_types: dict[str, SpanType] = Field(description="Span types by name.", min_length=1)
     spans: tuple[SpanRun, ...] = Field(
@@ -174,6 +185,7 @@ class Line(Document):
                 )
         for name, span in self.span_types.items():
             self._check_presag(name, span)
+        self._check_stagger()
         total = sum(run.count for run in self.spans)
         if total > MAX_SPANS:
             raise ModelError(
@@ -193,6 +205,16 @@ class Line(Document):
                     expected=f"less than the encumbrance, {self.geometry.encumbrance:g} m",
                     hint="pre-sag is positive downwards; mind mm and m",
                     field=("span_types", name, "droppers", "presag", index),
+                )
+
+    def _check_stagger(self) -> None:
+        for index, stagger in enumerate(self.geometry.stagger_contact_wire):
+            if self.steady_arm.kind == "none" and stagger != 0:
+                raise ModelError(
+                    "nothing holds the stagger",
+                    got=f"{stagger:g} m with a steady arm of kind none",
+                    expected="0 m, or a steady arm of kind spring or arm",
+                    field=("geometry", "stagger_contact_wire", index),
                 )
 
     def span_list(self) -> list[SpanType]:

@@ -162,6 +162,23 @@ class Scenario(Document):
         check_scenario(self)
         return self
 
+    @property
+    def time_step_s(self) -> float:
+        """Time step in s, also when it is given as one element."""
+        step = self.solver.time_step
+        if not isinstance(step, str):
+            return step
+        assert self.speed is not None  # a speed profile is refused then, see checks
+        return self.solver.contact_wire_element / self.speed
+
+    @property
+    def top_speed(self) -> float:
+        """Highest speed in m/s."""
+        if self.speed is not None:
+            return self.speed
+        assert self.speed_profile is not None
+        return max(self.speed_profile.speed)
+
     def travel_range(self) -> tuple[float, float]:
         """Return start and end of the first pantograph's travel in m.
 

@@ -1,7 +1,7 @@
 """How a run moves, computes and records: speed profile, contact law, solver, output."""
 
 from itertools import pairwise
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Final, Literal
 
 from pydantic import Field, model_validator
 
@@ -12,6 +12,8 @@ from arcless.units import WRONG_VALUE
 # 1080 km/h: above any train, and a speed in km/h written without its unit is often above it.
 MAX_SPEED = 300.0
 MAX_PROFILE = 50_000
+# The time step in which the collector moves by one element of the contact wire.
+ONE_ELEMENT: Final = "one element"
 
 
 class SpeedProfile(Part):
@@ -111,25 +113,42 @@ class Trapezoidal(Part):
     name: Literal["trapezoidal"] = Field(description="Name of the scheme.")
 
 
+class BackwardDifference(Part):
+    """Backward differences for velocity and acceleration: first order, dissipative."""
+
+    name: Literal["backward-difference"] = Field(description="Name of the scheme.")
+
+
 Scheme = Annotated[
-    GeneralisedAlpha | HilberHughesTaylor | Newmark | Trapezoidal, Field(discriminator="name")
+    GeneralisedAlpha | HilberHughesTaylor | Newmark | Trapezoidal | BackwardDifference,
+    Field(discriminator="name"),
 ]
 
 
 class Solver(Part):
     """How the motion is computed."""
 
-    time_step: Annotated[float, Unit("s", minimum=1e-5, maximum=0.05)] = Field(
-        default=1e-3, description="Time step."
+    time_step: Annotated[
+        float | Literal["one element"],
+        Unit("s", minimum=1e-5, maximum=0.05, words=(ONE_ELEMENT,)),
+    ] = Field(
+        default=1e-3,
+        description="Time step; one element: that in which the first pantograph moves by"
+        " contact_wire_element.",
     )
     scheme: Scheme = Field(
         default_factory=lambda: GeneralisedAlpha(name="generalised-alpha"),
         description="Time-stepping scheme: its name, or its name and parameters.",
     )
-    kinematics: Literal["linearised"] = Field(
-        default="linearised", description="Motion about the static equilibrium."
+    kinematics: Literal["linearised", "updated"] = Field(
+        default="linearised",
+        description="Motion about the static equilibrium, or node coordinates and stiffness"
+        " updated in each step.",
     )
-    wire_model: Literal["hermite"] = Field(default="hermite", description="Wire elements.")
+    wire_model: Literal["hermite", "lumped"] = Field(
+        default="hermite",
+        description="Wire elements: cubic with slopes, or point masses on a chain.",
+    )
     dimension: Literal["auto", "planar", "spatial"] = Field(
         default="auto", description="Planar or spatial; auto looks at stagger and steady arms."
     )
@@ -164,7 +183,8 @@ class Output(Part):
     supports: bool = Field(default=True, strict=True, description="Record uplift at supports.")
     energy: Literal["auto", "always", "never"] = Field(
         default="auto",
-        description="Energy ledger; auto: for the trapezoidal scheme, which conserves energy.",
+        description="Energy ledger; auto: for the trapezoidal scheme, which conserves energy, with"
+        " linearised kinematics.",
     )
     points: Annotated[Lengths, Field(max_length=1000)] = Field(
         default=(), description="Points of the contact wire whose uplift is recorded."

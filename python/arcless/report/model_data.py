@@ -108,8 +108,8 @@ def _text(value: Any, unit: str) -> str:
         text, unit = ("yes" if value else "no"), ""
     elif isinstance(value, float):
         text = f"{value:,.8g}".replace(",", "\u202f")
-    else:
-        text = str(value)
+    else:  # words and counts have no unit
+        text, unit = str(value), ""
     if len(text) > MAX_TEXT:
         text = text[:MAX_TEXT] + " …"
     return f"{text} {unit}".rstrip()

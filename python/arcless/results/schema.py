@@ -76,6 +76,9 @@ VARIABLES: dict[str, Variable] = {
     "dropper_force": Variable(("line_time", "dropper"), "N", "dropper force, tension positive"),
     "support_uplift": Variable(("line_time", "support"), "m", "uplift of the contact wire"),
     "point_uplift": Variable(("line_time", "point"), "m", "uplift of the contact wire"),
+    "point_along": Variable(
+        ("line_time", "point"), "m", "displacement of the contact wire along the track"
+    ),
     "slack_droppers": Variable(_LINE, "1", "number of slack droppers", integer=True),
     "energy_kinetic": Variable(_LINE, "J", "kinetic energy of the line"),
     "energy_elastic": Variable(_LINE, "J", "elastic energy of the line"),
@@ -129,6 +132,8 @@ ATTRIBUTES: dict[str, Attribute] = {
     "slack_droppers_max": Attribute("integer", "most droppers slack at once, every step"),
     "lcp_pivots_total": Attribute("integer", "pivots of the complementarity solver, all steps"),
     "lcp_pivots_max": Attribute("integer", "most pivots in one step"),
+    "lcp_pivots_mean": Attribute("number", "pivots per step, mean of all steps"),
+    "lcp_pivots_per_step": Attribute("json", "number of steps that took 0, 1, 2, … pivots"),
     "static_force_found": Attribute("json", "static force of each pantograph in N"),
     "warnings": Attribute("json", "warnings of the run, as sentences"),
     "command": Attribute("text", "command that runs this scenario again"),

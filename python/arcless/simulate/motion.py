@@ -50,7 +50,7 @@ def motion(scenario: Scenario) -> Motion:
         The travel takes no step, or more than can be recorded.
     """
     start, end = scenario.travel_range()
-    h = scenario.solver.time_step
+    h = scenario.time_step_s
     if scenario.speed_profile is None:
         speed = scenario.speed or 0.0
         count = _bounded((end - start) / speed / h)

@@ -94,7 +94,7 @@ def run(
     prepared = found.core.prepare(
         found.mesh.path,
         motion.scheme_numbers(scenario.solver.scheme),
-        scenario.solver.time_step,
+        scenario.time_step_s,
         motion.contact_stiffness(scenario),
     )
     x = found.elasticity_positions()

@@ -15,9 +15,11 @@ ARM = {"kind": "arm", "length": 1.2, "slope": radians(10), "mass": 0.7, "axial_s
 STAGGER = {"contact_wire_height": 5.3, "encumbrance": 1.2, "stagger_contact_wire": [0.2, -0.2]}
 
 
+@pytest.mark.parametrize("wire_model", ["hermite", "lumped"])
 @pytest.mark.parametrize("spatial", [False, True])
-def test_every_table_has_its_columns(mesh: Make, spatial: bool) -> None:
-    made = mesh(geometry=STAGGER, steady_arm=ARM) if spatial else mesh()
+def test_every_table_has_its_columns(mesh: Make, spatial: bool, wire_model: str) -> None:
+    changes = {"geometry": STAGGER, "steady_arm": ARM} if spatial else {}
+    made = mesh({"wire_model": wire_model}, **changes)
     assert made.dimension == (3 if spatial else 2)
     assert set(made.parts) == set(COLUMNS)
     for kind, (integers, floats) in made.parts.items():

@@ -63,6 +63,22 @@ Refused = Callable[..., str]
             " count from the left support of the span",
         ),
         (
+            "positions: [10, 20, 35, 45]",
+            "positions: [10, 20, 35, 55]",
+            "line.yaml:27: span_types.standard.droppers.positions.3: dropper (hanger) at a support:"
+            " got 55 m, the place of the right support, expected a position between the supports at"
+            " 0 and 55 m; hint: at a support the messenger wire is held, a dropper has no part"
+            " there",
+        ),
+        (
+            "positions: [10, 20, 35, 45]",
+            "positions: [0 mm, 20, 35, 45]",
+            "line.yaml:27: span_types.standard.droppers.positions.0: dropper (hanger) at a support:"
+            " got 0 m, the place of the left support, expected a position between the supports at"
+            " 0 and 55 m; hint: at a support the messenger wire is held, a dropper has no part"
+            " there",
+        ),
+        (
             "[10, 20, 35, 45]",
             "[10, 35, 20, 45]",
             "line.yaml:27: span_types.standard.droppers.positions.2: droppers out of order: got"
@@ -95,8 +111,8 @@ Refused = Callable[..., str]
         (
             "kind: spring",
             "kind: spirng",
-            'line.yaml:18: steady_arm.kind: got "spirng", expected spring or arm; hint: did you'
-            " mean spring?",
+            'line.yaml:18: steady_arm.kind: got "spirng", expected spring or arm or none; hint: did'
+            " you mean spring?",
         ),
         (
             "  kind: spring\n",
@@ -250,14 +266,41 @@ def test_line(refused: Refused, old: str, new: str, message: str) -> None:
             "speed:",
             "solver: {time_step: 1 s}\nspeed:",
             'scenario.yaml:6: solver.time_step: got "1 s", expected a time (s, ms, min), at least'
-            " 1e-05 s and at most 0.05 s",
+            ' 1e-05 s and at most 0.05 s, or "one element"',
+        ),
+        (
+            "speed:",
+            "solver: {time_step: one elment}\nspeed:",
+            'scenario.yaml:6: solver.time_step: got "one elment", expected a time (s, ms, min), at'
+            ' least 1e-05 s and at most 0.05 s, or "one element"; hint: write a number, then its'
+            " unit, such as 1.5 m",
+        ),
+        (
+            "speed:",
+            "solver: {time_step: 25 ms}\nspeed:",
+            "scenario.yaml: analysis.low_pass: the recorded steps are too long for the filter: got"
+            " 20 Hz, expected less than 20 Hz, half the record rate; hint: shorten"
+            " solver.time_step or lower output.contact_every",
         ),
         (
             "speed:",
             "solver: {time_step: 50 ms}\nspeed:",
-            "scenario.yaml: analysis.low_pass: the recorded steps are too long for the filter: got"
-            " 20 Hz, expected less than 10 Hz, half the record rate; hint: shorten"
-            " solver.time_step or lower output.contact_every",
+            "scenario.yaml:6: solver.time_step: step longer than an element: got 2.778 m in a step,"
+            " expected at most 1.45 m, one element of the contact wire; hint: at most 26.1 ms at"
+            " this speed, or a longer solver.contact_wire_element",
+        ),
+        (
+            "speed: 200 km/h",
+            "speed_profile: {time: [0, 9], speed: [50, 60]}\nsolver: {time_step: one element}",
+            'scenario.yaml:7: solver.time_step: no time step: got "one element" with a speed'
+            " profile, expected a time: with a changing speed, one element takes no fixed time",
+        ),
+        (
+            "speed:",
+            "solver: {kinematics: updated}\noutput: {energy: always}\nspeed:",
+            "scenario.yaml:7: output.energy: no energy ledger with updated kinematics: got always,"
+            " expected auto or never, or solver.kinematics linearised; hint: stiffness that is"
+            " formed anew in each step belongs to no stored energy",
         ),
         (
             "speed:",

@@ -17,6 +17,20 @@ REQUIRED_SCENARIOS = {
     "en50318-ac-simple-320",
     "en50318-2002-250",
     "en50318-2002-300",
+    "praks-180",
+    "praks-250",
+    "praks-340",
+    "praks-360",
+}
+# The published method damps: that is a property to be told, not a mistake in the file.
+WARNED = {
+    "praks-180": ["solver.scheme: backward differences with a step of 5 ms damp 20 Hz by 28.4%"],
+    "praks-250": ["solver.scheme: backward differences with a step of 3.6 ms damp 20 Hz by 21.4%"],
+    "praks-340": ["solver.scheme: backward differences with a step of 2.65 ms damp 20 Hz by 16.1%"],
+    "praks-360": [
+        "speed: 360 km/h is 74% of the wave speed 487 km/h; EN 50119 allows 70%",
+        "solver.scheme: backward differences with a step of 2.5 ms damp 20 Hz by 15.3%",
+    ],
 }
 
 
@@ -35,7 +49,7 @@ def numbers(value: Any, path: tuple[str | int, ...] = ()) -> Iterator[str]:
 
 
 def test_no_file_is_left_out_of_these_tests() -> None:
-    assert len(FILES) == len(library()) >= 18
+    assert len(FILES) == len(library()) >= 24
     assert {entry.name for entry in library() if entry.kind == "scenario"} >= REQUIRED_SCENARIOS
 
 
@@ -69,8 +83,12 @@ def test_every_source_is_used(path: Any) -> None:
 
 
 @pytest.mark.parametrize("name", shipped("scenario"))
-def test_shipped_scenarios_give_no_warning(name: str) -> None:
-    assert scenario_warnings(load(name)) == []
+def test_shipped_scenarios_give_no_warning_but_what_the_published_method_deserves(
+    name: str,
+) -> None:
+    warnings = scenario_warnings(load(name))
+    for warning, start in zip(warnings, WARNED.get(name, []), strict=True):
+        assert warning.startswith(start)
 
 
 def test_ac_simple_numbers() -> None:
@@ -109,7 +127,12 @@ def test_pre_sag_of_spain_is_the_published_share_of_the_span() -> None:
 
 @pytest.mark.parametrize(
     ("name", "head_first"),
-    [("en50318-2002", [7.2, 15.0]), ("ac-simple", [7.5, 9.0, 6.0]), ("dsa-380", [7.12, 6.0, 5.8])],
+    [
+        ("en50318-2002", [7.2, 15.0]),
+        ("ac-simple", [7.5, 9.0, 6.0]),
+        ("dsa-380", [7.12, 6.0, 5.8]),
+        ("praks", [16.0, 45.0]),
+    ],
 )
 def test_masses_stand_from_base_to_head(name: str, head_first: list[float]) -> None:
     assert [mass.mass for mass in reversed(load_pantograph(name).masses)] == head_first

@@ -1,11 +1,14 @@
 """What a scenario fills in by itself, and what it warns about."""
 
+from math import pi
 from typing import Any
 
+import numpy as np
 import pytest
 
 from arcless.errors import ModelError
 from arcless.model import load, load_line, load_pantograph, scenario_warnings
+from arcless.model.advice import FEWEST_ELEMENTS, backward_difference_damping
 
 SCENARIO = load("en50318-ac-simple-320")
 
@@ -147,3 +150,105 @@ def test_rigid_contact_with_a_scheme_that_rings_is_warned_about() -> None:
     quiet = {"name": "generalised-alpha", "spectral_radius": 0}
     assert scenario_warnings(rigid.with_(**{"solver.scheme": quiet})) == []
     assert scenario_warnings(SCENARIO) == []
+    backward = rigid.with_(**{"solver.scheme": "backward-difference"})
+    assert not any("rings" in warning for warning in scenario_warnings(backward))
+
+
+@pytest.mark.parametrize("angle", [1e-4, 0.01, 2 * pi * 20 * 1e-3, 0.6, 3.0, 100.0])
+def test_damping_of_backward_differences_from_the_roots_of_the_scheme(angle: float) -> None:
+    # u″ + ω²u = 0 with (u_i − 2u_{i−1} + u_{i−2})/h² for u″: (1 + ω²h²) z² − 2z + 1 = 0.
+    root = np.log(np.roots([1 + angle**2, -2, 1])[0])
+    # The roots of a polynomial with nearly equal roots are good to √ε ≈ 1e-8 relative to 1, and
+    # the decay is their distance from 1, about angle².
+    tolerance = max(1e-9, 1e-8 / angle)
+    exact = -root.real / abs(root)
+    assert backward_difference_damping(angle) == pytest.approx(exact, rel=tolerance)
+
+
+def test_damping_of_backward_differences_at_known_points() -> None:
+    # For short steps ωh/2; the next term is of the third order.
+    assert backward_difference_damping(1e-3) == pytest.approx(0.5e-3, rel=1e-6)
+    # 20 Hz at 1 ms: the design notes say about 6 %.
+    assert backward_difference_damping(2 * pi * 20 * 1e-3) == pytest.approx(0.06, abs=0.005)
+
+
+def test_a_scheme_that_damps_more_than_the_line_is_warned_about() -> None:
+    # 2 % at ωh = 0.04: 0.32 ms for 20 Hz.
+    changes = {"solver.scheme": "backward-difference", "solver.contact_wire_element": 0.5}
+    loud, quiet = (SCENARIO.with_(**changes, **{"solver.time_step": h}) for h in ("1 ms", "0.3 ms"))
+    assert scenario_warnings(loud) == [
+        "solver.scheme: backward differences with a step of 1 ms damp 20 Hz by 6.3% of critical and"
+        " may hide gaps; compare with a shorter solver.time_step or the scheme generalised-alpha"
+    ]
+    assert scenario_warnings(quiet) == []
+    # A lower band is damped less.
+    assert scenario_warnings(loud.with_(**{"analysis.low_pass": "6 Hz"})) == []
+
+
+def test_a_chain_needs_more_elements_between_droppers_than_cubic_elements_do() -> None:
+    # Shortest distance 4.5 m, from support to dropper.
+    lumped = SCENARIO.with_(**{"solver.wire_model": "lumped"})
+    assert "1.45 m leaves fewer than eight elements" in scenario_warnings(lumped)[0]
+    for element, said in (("0.6 m", 1), ("0.55 m", 0)):
+        finer = lumped.with_(**{"solver.contact_wire_element": element})
+        assert len(scenario_warnings(finer)) == said
+
+
+def test_the_reasons_given_for_the_length_of_links() -> None:
+    n = FEWEST_ELEMENTS["lumped"]
+    # Chords of a parabola x (1 − x): their distance from it over its height 1/4.
+    x = np.linspace(0, 1, n + 1)
+    sag, middle = x * (1 - x), (x[1:] + x[:-1]) / 2
+    missed = (middle * (1 - middle) - (sag[1:] + sag[:-1]) / 2) / 0.25
+    np.testing.assert_allclose(missed, 1 / n**2)
+    assert 1 / n**2 == pytest.approx(0.016, abs=5e-4)
+    # A chain carries the wave number k with ω = (2c/a) sin(ka/2); here ka = 2π/n.
+    slower = 1 - np.sin(pi / n) / (pi / n)
+    assert slower == pytest.approx((pi / n) ** 2 / 6, rel=0.01)
+    assert slower == pytest.approx(0.026, abs=5e-4)
+
+
+def test_a_step_of_one_element_is_not_called_long() -> None:
+    assert scenario_warnings(SCENARIO.with_(**{"solver.time_step": "one element"})) == []
+
+
+@pytest.mark.parametrize("wire_model", ["hermite", "lumped"])
+@pytest.mark.parametrize(("speed", "element"), [(320 / 3.6, 1.45), (0.7, 0.05), (100 / 3, 0.3)])
+def test_a_step_may_be_exactly_one_element(wire_model: str, speed: float, element: float) -> None:
+    changes = {
+        "speed": speed,
+        "solver.wire_model": wire_model,
+        "solver.contact_wire_element": element,
+        "solver.time_step": "one element",
+        "analysis.low_pass": 6,
+    }
+    scenario = SCENARIO.with_(**changes)
+    assert scenario.time_step_s == element / speed
+    step = scenario.time_step_s
+    if step <= 0.05:  # the longest that can be typed
+        scenario.with_(**{"solver.time_step": step})
+        with pytest.raises(ModelError, match=r"solver\.time_step: step longer than an element"):
+            scenario.with_(**{"solver.time_step": 1.001 * step})
+
+
+def test_the_fastest_moment_of_a_profile_decides_on_the_step() -> None:
+    profile = {"time": [0, 5, 10], "speed": [10, 80, 10]}
+    fitting = SCENARIO.with_(speed_profile=profile, **{"solver.time_step": "18 ms"})
+    assert fitting.top_speed == 80
+    with pytest.raises(ModelError, match=r"got 1\.52 m in a step, expected at most 1\.45 m"):
+        SCENARIO.with_(speed_profile=profile, **{"solver.time_step": "19 ms"})
+
+
+@pytest.mark.parametrize("end", ["151 m", "1 km"])
+def test_a_line_shorter_than_the_run_is_refused(end: str) -> None:
+    short = {"line.spans": [{"type": "standard", "count": 15}], "travel.end": end}
+    with pytest.raises(ModelError) as caught:
+        load("praks-180").with_(**short)
+    message = str(caught.value)
+    assert message.startswith("travel.end: outside the line: got 1")
+    assert "expected a position between 0 and 150 m, the line's length" in message
+
+
+def test_stagger_without_steady_arms_is_refused() -> None:
+    with pytest.raises(ModelError, match=r"stagger_contact_wire\.1: nothing holds the stagger"):
+        load("praks-180").with_(**{"line.geometry.stagger_contact_wire": [0, 0.2]})

@@ -69,6 +69,14 @@ def test_a_number_with_a_unit_is_a_number_a_text_or_carries_its_provenance() -> 
     assert not accepts(tension, 0) and not accepts(tension, {"value": "22 kN", "marc": "A"})
 
 
+def test_a_word_may_stand_for_a_number() -> None:
+    step = SCHEMA["$defs"]["Solver"]["properties"]["time_step"]
+    assert {"const": "one element"} in step["anyOf"]
+    assert accepts(step, 1e-3) and accepts(step, "1 ms") and accepts(step, "one element")
+    assert accepts(step, {"value": "one element", "mark": "A", "source": "S1"})
+    assert not accepts(step, 1.0)
+
+
 def test_every_field_has_a_description() -> None:
     for name, definition in SCHEMA["$defs"].items():
         assert definition["description"], name

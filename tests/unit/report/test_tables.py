@@ -20,6 +20,14 @@ def test_numbers() -> None:
     assert number(0.12345, 3) == "0.123"
 
 
+def test_a_word_in_place_of_a_number_gets_no_unit() -> None:
+    found = {row.path: row for group in groups(load("praks-340")) for row in group.rows}
+    assert found["solver.time_step"].value == "one element"
+    assert found["solver.time_step"].source == "K"
+    assert found["solver.contact_wire_element"].value == "0.25 m"
+    assert found["steady_arm.kind"].value == "none"
+
+
 def test_verdict_names_what_was_missed_and_how_sure_the_limit_is() -> None:
     found = verdict(assess(synthetic_dataset()))
     assert found.state == "missed"

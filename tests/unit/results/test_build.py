@@ -87,6 +87,19 @@ def test_attributes_come_back_as_python_values() -> None:
     assert set(facts) == set(ATTRIBUTES)
 
 
+def test_motion_of_points_and_pivots_per_step_are_kept() -> None:
+    record, names, static, attrs = minimal()
+    record |= {"point_uplift": [[0.0], [0.02]], "point_along": [[0.0], [-1e-3]]}
+    names |= {"line_time": [0.0, 1.0], "point": ["20 m"]}
+    attrs |= {"lcp_pivots_per_step": [3, 0, 1], "lcp_pivots_mean": 0.5}
+    dataset = dataset_from(record, names, static, attrs)
+    assert dataset["point_along"].sel(point="20 m").values.tolist() == [0.0, -1e-3]
+    assert dataset["point_along"].dims == dataset["point_uplift"].dims
+    facts = metadata(dataset)
+    assert facts["lcp_pivots_per_step"] == [3, 0, 1]
+    assert facts["lcp_pivots_mean"] == 0.5
+
+
 def test_scenario_attribute_is_json_text() -> None:
     assert json.loads(dataset_from(*minimal()).attrs["scenario"]) == {"name": "x"}
 
