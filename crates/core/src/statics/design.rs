@@ -111,11 +111,8 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
             hermite::add_force(&wire.section, &Self::coordinates(shape, wire), &mut force);
             let error = force[2][0] - wire.design_tension;
             let steep = Self::squared_slope(shape, wire);
-            let flexibility = 1.0 / wire.section.axial_stiffness + steep / wire.design_tension;
-            // Never by more than the strain of the tension: a wild first guess must not slacken
-            // or overstretch an element.
-            let strain = wire.design_tension / wire.section.axial_stiffness;
-            let change = relaxation * (error * flexibility).clamp(-strain, strain);
+            let (tension, axial) = (wire.design_tension, wire.section.axial_stiffness);
+            let change = relaxation * length_change(error, steep, tension, axial);
             wire.section.rest_length *= 1.0 + change;
             worst = worst.max(error.abs());
             for node in wire.slope_nodes {
@@ -127,6 +124,22 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
             node[DIM..]
                 .iter_mut()
                 .for_each(|slope| *slope /= 1.0 + sum / count);
+        }
+        worst.max(self.retension_chains(shape, relaxation))
+    }
+
+    /// The same for the segments of chains.
+    fn retension_chains(&mut self, shape: &Shape<D>, relaxation: f64) -> f64 {
+        let mut worst: f64 = 0.0;
+        let horizontal = self.horizontal_forces(shape);
+        for (segment, force) in self.structure.segments.iter_mut().zip(horizontal) {
+            let (tension, axial) = (segment.design_tension, segment.axial_stiffness);
+            let state = Self::segment_state(shape, segment);
+            let across = state.direction[1..].iter().map(|n| n * n).sum::<f64>();
+            let steep = across * (state.length / segment.rest_length).powi(2);
+            let error = force - tension;
+            segment.rest_length *= 1.0 + relaxation * length_change(error, steep, tension, axial);
+            worst = worst.max(error.abs());
         }
         worst
     }
@@ -203,6 +216,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         s.wires
             .iter()
             .for_each(|wire| Self::add_wire(k, shape, wire, 1.0));
+        self.add_chain_tangent(shape, k);
         for (link, &tension) in s.links.iter().zip(tensions) {
             let state = Self::link_state(shape, link);
             let slack = link.unilateral && state.linear_tension < 0.0;
@@ -263,6 +277,16 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         }
         Ok(())
     }
+}
+
+/// Relative change of length of an element whose horizontal force is off by `error`: the local
+/// correction above, for a mean squared slope `steep`.
+fn length_change(error: f64, steep: f64, tension: f64, axial: f64) -> f64 {
+    let flexibility = 1.0 / axial + steep / tension;
+    // Never by more than the strain of the tension: a wild first guess must not slacken or
+    // overstretch an element.
+    let strain = tension / axial;
+    (error * flexibility).clamp(-strain, strain)
 }
 
 /// One Newton step on the free degrees of freedom.
