@@ -1,6 +1,7 @@
 //! What chains of point masses add to the forces and tangents of a structure.
 
 use super::assembly::{Geometry, Shape, add_pair};
+use super::design::length_change;
 use crate::element::bar::BarState;
 use crate::element::chain::BendElement;
 use crate::linalg::SymmetricBlocks;
@@ -99,7 +100,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
 
     /// Horizontal force that each segment hands on: its own, and the shear of the bends it is part
     /// of. Where these are equal along a wire, nothing pulls its nodes along the track.
-    pub(super) fn horizontal_forces(&self, shape: &Shape<D>) -> Vec<f64> {
+    fn horizontal_forces(&self, shape: &Shape<D>) -> Vec<f64> {
         let s = &self.structure;
         let own = |k: &Segment| {
             let state = Self::segment_state(shape, k);
@@ -114,6 +115,29 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         horizontal
     }
 
+    /// Correct segment lengths towards their horizontal tension, as the design calculation does with
+    /// Hermite elements; returns the largest error found before the correction, N.
+    pub(super) fn retension_chains(&mut self, shape: &Shape<D>, relaxation: f64) -> f64 {
+        let mut worst: f64 = 0.0;
+        let horizontal = self.horizontal_forces(shape);
+        let mut bending = vec![0.0_f64; horizontal.len()];
+        for bend in &self.structure.bends {
+            for k in bend.segments {
+                bending[k] = bending[k].max(bend.stiffness);
+            }
+        }
+        let found = horizontal.into_iter().zip(bending);
+        for (segment, (force, bending)) in self.structure.segments.iter_mut().zip(found) {
+            let (tension, axial) = (segment.design_tension, segment.axial_stiffness);
+            let error = force - tension;
+            let flexibility = flexibility(&Self::segment_state(shape, segment), segment, bending);
+            let change = relaxation * length_change(error, flexibility, tension / axial);
+            segment.rest_length *= 1.0 + change;
+            worst = worst.max(error.abs());
+        }
+        worst
+    }
+
     /// Largest stiffness of a chain between coordinates, N/m.
     pub(super) fn steepest_chain(&self) -> f64 {
         let s = &self.structure;
@@ -121,4 +145,19 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         let segments = s.segments.iter().map(Segment::stiffness);
         segments.chain(bends).fold(0.0, f64::max)
     }
+}
+
+/// Relative change of length for a change of horizontal force, 1/N. Where neighbours are off alike,
+/// slopes follow the force and it is (1 + s)/EA with s = EA z′²/T, as for Hermite elements. Where
+/// they are off by turns, bends resist: a zigzag has curvature 4/L² for each unit of height, and
+/// slopes follow by the share T/(T + 4 EI/L²) alone. The harmonic mean of both corrects them equally
+/// fast; without it, segments shorter than √(EI/T) diverge.
+fn flexibility<const DIM: usize>(state: &BarState<DIM>, segment: &Segment, bending: f64) -> f64 {
+    let (tension, axial) = (segment.design_tension, segment.axial_stiffness);
+    let across: f64 = state.direction[1..].iter().map(|n| n * n).sum();
+    let steep = across * (state.length / segment.rest_length).powi(2);
+    let smooth = 1.0 + axial * steep / tension;
+    let share = tension / (tension + 4.0 * bending / segment.rest_length.powi(2));
+    let zigzag = 1.0 + share * axial * steep / tension;
+    2.0 / (1.0 / smooth + 1.0 / zigzag) / axial
 }

@@ -112,7 +112,8 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
             let error = force[2][0] - wire.design_tension;
             let steep = Self::squared_slope(shape, wire);
             let (tension, axial) = (wire.design_tension, wire.section.axial_stiffness);
-            let change = relaxation * length_change(error, steep, tension, axial);
+            let flexibility = 1.0 / axial + steep / tension;
+            let change = relaxation * length_change(error, flexibility, tension / axial);
             wire.section.rest_length *= 1.0 + change;
             worst = worst.max(error.abs());
             for node in wire.slope_nodes {
@@ -126,22 +127,6 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
                 .for_each(|slope| *slope /= 1.0 + sum / count);
         }
         worst.max(self.retension_chains(shape, relaxation))
-    }
-
-    /// The same for the segments of chains.
-    fn retension_chains(&mut self, shape: &Shape<D>, relaxation: f64) -> f64 {
-        let mut worst: f64 = 0.0;
-        let horizontal = self.horizontal_forces(shape);
-        for (segment, force) in self.structure.segments.iter_mut().zip(horizontal) {
-            let (tension, axial) = (segment.design_tension, segment.axial_stiffness);
-            let state = Self::segment_state(shape, segment);
-            let across = state.direction[1..].iter().map(|n| n * n).sum::<f64>();
-            let steep = across * (state.length / segment.rest_length).powi(2);
-            let error = force - tension;
-            segment.rest_length *= 1.0 + relaxation * length_change(error, steep, tension, axial);
-            worst = worst.max(error.abs());
-        }
-        worst
     }
 
     /// Mean of y′² + z′² over an element, by Simpson's rule.
@@ -279,13 +264,9 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
     }
 }
 
-/// Relative change of length of an element whose horizontal force is off by `error`: the local
-/// correction above, for a mean squared slope `steep`.
-fn length_change(error: f64, steep: f64, tension: f64, axial: f64) -> f64 {
-    let flexibility = 1.0 / axial + steep / tension;
-    // Never by more than the strain of the tension: a wild first guess must not slacken or
-    // overstretch an element.
-    let strain = tension / axial;
+/// Relative change of length of an element whose horizontal force is off by `error`, but never by
+/// more than the strain of its tension: a wild first guess must not slacken or overstretch it.
+pub(super) fn length_change(error: f64, flexibility: f64, strain: f64) -> f64 {
     (error * flexibility).clamp(-strain, strain)
 }
 
