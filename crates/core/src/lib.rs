@@ -11,7 +11,8 @@
 //! * [`dynamics`] — steps about the equilibrium, everything unilateral in one [`lcp`] per step;
 //! * [`element`], [`linalg`], [`scheme`] — what these are made of.
 //!
-//! `DIM` is the number of components of space (2 or 3), `D = 2·DIM` the unknowns of a node.
+//! `DIM` is the number of components of space (2 or 3), `D` the unknowns of a node: `2·DIM` (position
+//! and slope) where wires are Hermite elements, `DIM` where they are chains of point masses.
 
 pub mod dynamics;
 pub mod element;

@@ -1,8 +1,9 @@
 //! What is given to the core: a structure of wires, links, springs and masses, as plain data.
 //!
-//! Nodes carry a position and a slope (the derivative of position along the unstretched wire).
-//! Components are ordered along the track, (across,) up; the last one is vertical. Nodes must be
-//! ordered along the track so that the matrices stay narrow.
+//! Wires are Hermite elements ([`Wire`]) or chains of point masses ([`Segment`], [`Bend`]), not both.
+//! Nodes carry a position and, for Hermite elements, a slope (the derivative of position along the
+//! unstretched wire). Components are ordered along the track, (across,) up; the last one is
+//! vertical. Nodes must be ordered along the track so that the matrices stay narrow.
 
 use crate::element::hermite::Section;
 
@@ -46,6 +47,35 @@ impl Wire {
     pub fn runs_through(&self) -> bool {
         self.nodes == self.slope_nodes
     }
+}
+
+/// Piece of a wire that is a chain of point masses: elastic, straight between its two nodes, with
+/// half of its mass on each.
+#[derive(Debug, Clone, Copy)]
+pub struct Segment {
+    /// First and second node.
+    pub nodes: [usize; 2],
+    /// Unstretched length, m.
+    pub rest_length: f64,
+    /// Axial stiffness EA, N.
+    pub axial_stiffness: f64,
+    /// Mass per metre of rest length, kg/m.
+    pub mass: f64,
+    /// Damping of this segment.
+    pub damping: Rayleigh,
+    /// Horizontal tension that the design calculation gives this segment, N.
+    pub design_tension: f64,
+}
+
+/// Bending element at the node that two consecutive segments share.
+#[derive(Debug, Clone, Copy)]
+pub struct Bend {
+    /// Segments before and behind the node.
+    pub segments: [usize; 2],
+    /// Bending stiffness EI, N·m².
+    pub stiffness: f64,
+    /// Stiffness-proportional damping, s.
+    pub beta: f64,
 }
 
 /// Bar between two nodes. A unilateral link pulls but never pushes.
@@ -148,10 +178,14 @@ pub struct Structure {
     pub dim: usize,
     /// Positions, m: targets where held, first guesses elsewhere. Unused components are zero.
     pub positions: Vec<[f64; 3]>,
-    /// First guesses of the slopes.
+    /// First guesses of the slopes; ignored where the wires are chains of point masses.
     pub slopes: Vec<[f64; 3]>,
-    /// Wire elements.
+    /// Wires as Hermite elements.
     pub wires: Vec<Wire>,
+    /// Wires as chains of point masses.
+    pub segments: Vec<Segment>,
+    /// Bending elements between segments.
+    pub bends: Vec<Bend>,
     /// Links.
     pub links: Vec<Link>,
     /// Struts.
@@ -168,4 +202,13 @@ pub struct Structure {
     pub loads: Vec<(usize, usize, f64)>,
     /// Acceleration of gravity, m/s², acting against the last component.
     pub gravity: f64,
+}
+
+impl Structure {
+    /// The three nodes of a bending element, in order.
+    #[must_use]
+    pub fn bend_nodes(&self, bend: &Bend) -> [usize; 3] {
+        let [before, behind] = bend.segments.map(|k| self.segments[k].nodes);
+        [before[0], before[1], behind[1]]
+    }
 }

@@ -10,11 +10,19 @@ fn refuse(array: &'static str, reason: String) -> CoreError {
 /// Largest number of nodes accepted: indices are stored in 32 bits.
 const MOST_NODES: usize = 1 << 30;
 
-/// Check indices, signs and finiteness.
+fn positive(v: f64) -> bool {
+    v.is_finite() && v > 0.0
+}
+
+fn not_negative(v: f64) -> bool {
+    v.is_finite() && v >= 0.0
+}
+
+/// Check indices, signs and finiteness. Nodes have `slots` vectors: a position, and a slope or not.
 ///
 /// # Errors
 /// [`CoreError::Input`] naming the array.
-pub fn check(s: &Structure, dim: usize) -> Result<(), CoreError> {
+pub fn check(s: &Structure, dim: usize, slots: usize) -> Result<(), CoreError> {
     let n = s.positions.len();
     if s.dim != dim {
         return Err(refuse("dim", format!("is {}, expected {dim}", s.dim)));
@@ -33,7 +41,10 @@ pub fn check(s: &Structure, dim: usize) -> Result<(), CoreError> {
     {
         return Err(refuse("positions", "not finite".into()));
     }
-    check_bars(s, n)?;
+    check_model(s, slots)?;
+    check_wires(s, n)?;
+    check_chains(s, n)?;
+    check_links(s, n)?;
     check_points(s, n, dim)?;
     if !s.gravity.is_finite() || s.gravity < 0.0 {
         return Err(refuse("gravity", format!("is {}", s.gravity)));
@@ -42,16 +53,29 @@ pub fn check(s: &Structure, dim: usize) -> Result<(), CoreError> {
     s.wires
         .iter()
         .flat_map(|w| w.places())
-        .for_each(|(i, _)| on_wire[i] = true);
+        .map(|(i, _)| i)
+        .chain(s.segments.iter().flat_map(|k| k.nodes))
+        .for_each(|i| on_wire[i] = true);
     match on_wire.iter().position(|on| !on) {
         Some(i) => Err(refuse("wires", format!("node {i} lies on no wire"))),
         None => Ok(()),
     }
 }
 
-fn check_bars(s: &Structure, n: usize) -> Result<(), CoreError> {
-    let positive = |v: f64| v.is_finite() && v > 0.0;
-    let not_negative = |v: f64| v.is_finite() && v >= 0.0;
+/// All wires of a structure are of one model.
+fn check_model(s: &Structure, slots: usize) -> Result<(), CoreError> {
+    if slots == 1 && !s.wires.is_empty() {
+        let reason = "Hermite elements need nodes with slopes";
+        return Err(refuse("wires", reason.into()));
+    }
+    if slots == 2 && !(s.segments.is_empty() && s.bends.is_empty()) {
+        let reason = "chains of point masses do not mix with Hermite elements";
+        return Err(refuse("segments", reason.into()));
+    }
+    Ok(())
+}
+
+fn check_wires(s: &Structure, n: usize) -> Result<(), CoreError> {
     for (i, w) in s.wires.iter().enumerate() {
         let inside = w.places().iter().all(|&(node, _)| node < n);
         let nodes = inside && w.nodes[0] != w.nodes[1];
@@ -64,6 +88,32 @@ fn check_bars(s: &Structure, n: usize) -> Result<(), CoreError> {
             return Err(refuse("wires", format!("element {i} is impossible: {w:?}")));
         }
     }
+    Ok(())
+}
+
+fn check_chains(s: &Structure, n: usize) -> Result<(), CoreError> {
+    for (i, k) in s.segments.iter().enumerate() {
+        let nodes = k.nodes[0] < n && k.nodes[1] < n && k.nodes[0] != k.nodes[1];
+        let sizes = [k.rest_length, k.axial_stiffness, k.mass, k.design_tension];
+        let damping = not_negative(k.damping.alpha) && not_negative(k.damping.beta);
+        if !(nodes && damping && sizes.into_iter().all(positive)) {
+            let reason = format!("segment {i} is impossible: {k:?}");
+            return Err(refuse("segments", reason));
+        }
+    }
+    for (i, b) in s.bends.iter().enumerate() {
+        let follow = match b.segments.map(|k| s.segments.get(k)) {
+            [Some(p), Some(q)] => p.nodes[1] == q.nodes[0] && p.nodes[0] != q.nodes[1],
+            _ => false,
+        };
+        if !(follow && not_negative(b.stiffness) && not_negative(b.beta)) {
+            return Err(refuse("bends", format!("bend {i} is impossible: {b:?}")));
+        }
+    }
+    Ok(())
+}
+
+fn check_links(s: &Structure, n: usize) -> Result<(), CoreError> {
     for (i, l) in s.links.iter().enumerate() {
         let nodes = l.nodes[0] < n && l.nodes[1] < n && l.nodes[0] != l.nodes[1];
         let numbers = positive(l.stiffness) && l.rest_length.is_finite();
@@ -94,10 +144,9 @@ fn check_points(s: &Structure, n: usize, dim: usize) -> Result<(), CoreError> {
             ));
         }
     }
-    let possible = |v: f64| v.is_finite() && v >= 0.0;
     if s.masses
         .iter()
-        .any(|m| m.node >= n || !possible(m.mass) || !possible(m.alpha))
+        .any(|m| m.node >= n || !not_negative(m.mass) || !not_negative(m.alpha))
     {
         return Err(refuse(
             "masses",

@@ -12,6 +12,7 @@ use arcless_core::linalg::{BlockLdl, SymmetricBlocks, dense};
 use arcless_core::scheme::Scheme;
 use arcless_core::statics::Geometry;
 use arcless_core::structure::Structure;
+use common::space::in_space;
 use common::{Single, difference, everything, run, three_masses, travel};
 use proptest::prelude::*;
 
@@ -198,22 +199,6 @@ fn mirrored_line_answers_a_train_that_runs_back() {
         difference(&wrong.force, &a.force) > 1e-2,
         "the partner: not mirrored"
     );
-}
-
-/// The planar structure in space: component 1 becomes component 2, nothing across.
-fn in_space(s: &Structure) -> Structure {
-    let mut t = s.clone();
-    t.dim = 3;
-    let up = |v: [f64; 3]| [v[0], 0.0, v[1]];
-    t.positions
-        .iter_mut()
-        .chain(&mut t.slopes)
-        .for_each(|v| *v = up(*v));
-    t.springs.iter_mut().for_each(|p| p.component *= 2);
-    t.fixed = s.fixed.iter().map(|&(node, c)| (node, 2 * c)).collect();
-    let ends: Vec<usize> = s.fixed.iter().map(|f| f.0).collect();
-    t.fixed.extend(ends.iter().map(|&node| (node, 1)));
-    t
 }
 
 #[test]

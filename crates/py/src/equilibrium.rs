@@ -19,10 +19,12 @@ use pyo3::types::PyDict;
 /// Lanczos steps for each frequency asked for; six give the lowest ones to rounding.
 const LANCZOS_STEPS: usize = 6;
 
-/// Equilibrium in two or three dimensions.
+/// Equilibrium in two or three dimensions, of Hermite elements or of chains of point masses.
 enum Any {
     Planar(Solved<2, 4>),
     Spatial(Solved<3, 6>),
+    PlanarChain(Solved<2, 2>),
+    SpatialChain(Solved<3, 3>),
 }
 
 struct Solved<const DIM: usize, const D: usize> {
@@ -36,6 +38,8 @@ macro_rules! either {
         match $any {
             Any::Planar($s) => $body,
             Any::Spatial($s) => $body,
+            Any::PlanarChain($s) => $body,
+            Any::SpatialChain($s) => $body,
         }
     };
 }
@@ -46,7 +50,8 @@ pub struct Equilibrium(Any);
 
 #[pymethods]
 impl Equilibrium {
-    /// Find it; with `design`, unknown lengths are found first.
+    /// Find it; with `design`, unknown lengths are found first. Without Hermite elements in the
+    /// table `wires`, the wires are the chains in `segments` and `bends`.
     #[new]
     fn new(
         py: Python<'_>,
@@ -58,12 +63,12 @@ impl Equilibrium {
         design: bool,
     ) -> PyResult<Self> {
         let s = structure::build(dim, &positions, &slopes, parts, gravity)?;
-        let found = py.detach(|| {
-            if dim == 2 {
-                Solved::new(s, design).map(Any::Planar)
-            } else {
-                Solved::new(s, design).map(Any::Spatial)
-            }
+        let is_chain = s.wires.is_empty() && !s.segments.is_empty();
+        let found = py.detach(|| match (dim, is_chain) {
+            (2, false) => Solved::new(s, design).map(Any::Planar),
+            (_, false) => Solved::new(s, design).map(Any::Spatial),
+            (2, true) => Solved::new(s, design).map(Any::PlanarChain),
+            (_, true) => Solved::new(s, design).map(Any::SpatialChain),
         });
         found.map(Self).map_err(|e| convert(py, &e))
     }
@@ -115,6 +120,12 @@ impl Equilibrium {
             Any::Spatial(s) => s
                 .prepare(&path, scheme, step, contact_stiffness)
                 .map(prepared::Any::Spatial),
+            Any::PlanarChain(s) => s
+                .prepare(&path, scheme, step, contact_stiffness)
+                .map(prepared::Any::PlanarChain),
+            Any::SpatialChain(s) => s
+                .prepare(&path, scheme, step, contact_stiffness)
+                .map(prepared::Any::SpatialChain),
         });
         found.map(Prepared).map_err(|e| convert(py, &e))
     }
@@ -180,24 +191,18 @@ impl<const DIM: usize, const D: usize> Solved<DIM, D> {
     fn arrays<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let s = &self.geometry.structure;
         let out = PyDict::new(py);
-        let part = |from: usize| -> Vec<f64> {
-            self.shape
-                .iter()
-                .flat_map(|node| node[from..from + DIM].to_vec())
-                .collect()
-        };
+        let positions = self.shape.iter().flat_map(|node| node[..DIM].to_vec());
+        // None where nodes have no slopes.
+        let slopes = self.shape.iter().flat_map(|node| node[DIM..].to_vec());
         let links: Vec<_> = s
             .links
             .iter()
             .map(|l| (l, Geometry::<DIM, D>::link_state(&self.shape, l)))
             .collect();
         let collect = |values: Vec<f64>| values.to_pyarray(py);
-        out.set_item("positions", collect(part(0)))?;
-        out.set_item("slopes", collect(part(DIM)))?;
-        out.set_item(
-            "wire_rest_length",
-            collect(s.wires.iter().map(|w| w.section.rest_length).collect()),
-        )?;
+        out.set_item("positions", collect(positions.collect()))?;
+        out.set_item("slopes", collect(slopes.collect()))?;
+        out.set_item("wire_rest_length", collect(self.rest_lengths()))?;
         out.set_item("wire_tension", collect(self.tensions()))?;
         out.set_item(
             "link_length",
@@ -230,12 +235,25 @@ impl<const DIM: usize, const D: usize> Solved<DIM, D> {
         Ok(out)
     }
 
-    /// Tension in the middle of each wire element, N.
+    /// Unstretched length of each wire element or segment, m.
+    fn rest_lengths(&self) -> Vec<f64> {
+        let s = &self.geometry.structure;
+        let segments = s.segments.iter().map(|k| k.rest_length);
+        let wires = s.wires.iter().map(|w| w.section.rest_length);
+        wires.chain(segments).collect()
+    }
+
+    /// Tension in the middle of each wire element or segment, N.
     fn tensions(&self) -> Vec<f64> {
+        let s = &self.geometry.structure;
         let middle = |w: &arcless_core::structure::Wire| {
             let e = Geometry::<DIM, D>::coordinates(&self.shape, w);
             hermite::tension(&w.section, &e, 0.5)
         };
-        self.geometry.structure.wires.iter().map(middle).collect()
+        let segments = s
+            .segments
+            .iter()
+            .map(|k| Geometry::<DIM, D>::segment_state(&self.shape, k).linear_tension);
+        s.wires.iter().map(middle).chain(segments).collect()
     }
 }

@@ -13,10 +13,26 @@ use pyo3::types::PyDict;
 
 /// Prepared line in two or three dimensions.
 pub enum Any {
-    /// Along and up.
+    /// Along and up, Hermite elements.
     Planar(stepper::Prepared<2, 4>),
-    /// Along, across and up.
+    /// Along, across and up, Hermite elements.
     Spatial(stepper::Prepared<3, 6>),
+    /// Along and up, chains of point masses.
+    PlanarChain(stepper::Prepared<2, 2>),
+    /// Along, across and up, chains of point masses.
+    SpatialChain(stepper::Prepared<3, 3>),
+}
+
+/// Call a method of whichever variant is there.
+macro_rules! either {
+    ($any:expr, $p:ident => $body:expr) => {
+        match $any {
+            Any::Planar($p) => $body,
+            Any::Spatial($p) => $body,
+            Any::PlanarChain($p) => $body,
+            Any::SpatialChain($p) => $body,
+        }
+    };
 }
 
 /// A line whose step matrix is factorised; it serves any number of runs.
@@ -87,10 +103,7 @@ impl Prepared {
                     })
                 })
             };
-            match &self.0 {
-                Any::Planar(p) => p.run(&riders, &travel, &plan, &mut go_on),
-                Any::Spatial(p) => p.run(&riders, &travel, &plan, &mut go_on),
-            }
+            either!(&self.0, p => p.run(&riders, &travel, &plan, &mut go_on))
         });
         match (outcome, raised) {
             (Err(CoreError::Cancelled { .. }), Some(error)) => Err(error),
@@ -101,10 +114,7 @@ impl Prepared {
 
     /// Sizes that explain the cost of a step: nodes, blocks of the factor, numbers in the columns.
     fn cost(&self) -> (usize, usize, usize) {
-        match &self.0 {
-            Any::Planar(p) => (p.line.nodes(), p.fill(), p.columns.stored()),
-            Any::Spatial(p) => (p.line.nodes(), p.fill(), p.columns.stored()),
-        }
+        either!(&self.0, p => (p.line.nodes(), p.fill(), p.columns.stored()))
     }
 }
 

@@ -2,7 +2,8 @@
 
 use arcless_core::element::hermite::Section;
 use arcless_core::structure::{
-    Link, PointMass, Rayleigh, Spring, SpringMode, Structure, Strut, TensionedEnd, Wire,
+    Bend, Link, PointMass, Rayleigh, Segment, Spring, SpringMode, Structure, Strut, TensionedEnd,
+    Wire,
 };
 use numpy::PyReadonlyArray2;
 use pyo3::exceptions::PyValueError;
@@ -77,6 +78,12 @@ pub fn build(
         positions: triples(positions)?,
         slopes: triples(slopes)?,
         wires: each(&table(parts, "wires", [4, 7])?, wire),
+        segments: each(&table(parts, "segments", [2, 6])?, segment),
+        bends: each(&table(parts, "bends", [2, 2])?, |i, f| Bend {
+            segments: [i[0], i[1]],
+            stiffness: f[0],
+            beta: f[1],
+        }),
         links: each(&table(parts, "links", [4, 6])?, link),
         struts: each(&table(parts, "struts", [2, 10])?, strut),
         springs: each(&table(parts, "springs", [3, 3])?, spring),
@@ -111,6 +118,20 @@ fn wire(i: &[usize], f: &[f64]) -> Wire {
             beta: f[5],
         },
         design_tension: f[6],
+    }
+}
+
+fn segment(i: &[usize], f: &[f64]) -> Segment {
+    Segment {
+        nodes: [i[0], i[1]],
+        rest_length: f[0],
+        axial_stiffness: f[1],
+        mass: f[2],
+        damping: Rayleigh {
+            alpha: f[3],
+            beta: f[4],
+        },
+        design_tension: f[5],
     }
 }
 

@@ -11,7 +11,7 @@
 //! symmetric and the coupling skew, so the matrix is positive definite and the solution unique.
 
 use super::line::Line;
-use super::path::{Path, Place};
+use super::path::{Path, Place, slots};
 use super::rider::RiderState;
 use super::stepper::Prepared;
 use crate::lcp::{LcpFailure, LcpSolver, LcpStats};
@@ -140,8 +140,9 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
     #[inline(always)]
     fn contact_field(&self, place: &Place, node: usize) -> [f64; D] {
         let mut field = [0.0; D];
-        for (k, weight) in place.weights.iter().enumerate() {
-            let value = self.columns.at(2 * place.element + k, node);
+        let slots = slots::<DIM, D>();
+        for (k, weight) in place.weights[..2 * slots].iter().enumerate() {
+            let value = self.columns.at(slots * place.element + k, node);
             for c in 0..D {
                 field[c] += weight * value[c];
             }
@@ -151,11 +152,13 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
 
     fn contact_on_contact(&self, source: &Place, target: &Place) -> f64 {
         let path: &Path<DIM> = &self.path;
+        let slots = slots::<DIM, D>();
         let mut sum = 0.0;
         for side in 0..2 {
             let field = self.contact_field(source, path.nodes[target.element + side]);
-            sum += target.weights[2 * side] * field[DIM - 1]
-                + target.weights[2 * side + 1] * field[2 * DIM - 1];
+            let share =
+                |slot: usize| target.weights[slots * side + slot] * field[slot * DIM + DIM - 1];
+            sum += (0..slots).map(share).sum::<f64>();
         }
         sum
     }
@@ -180,10 +183,10 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
             .sum()
     }
 
-    /// Number of the column A⁻¹g of a link, after the two columns of each path node.
+    /// Number of the column A⁻¹g of a link, after the columns of all path nodes.
     #[inline(always)]
     #[must_use]
     pub fn link_column(&self, link: usize) -> usize {
-        2 * self.path.nodes.len() + link
+        slots::<DIM, D>() * self.path.nodes.len() + link
     }
 }

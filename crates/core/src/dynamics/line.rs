@@ -82,11 +82,11 @@ pub struct Line<const DIM: usize, const D: usize> {
     /// Tangent stiffness, links linear.
     pub stiffness: SymmetricBlocks<D>,
     /// Mass.
-    pub mass: MassMatrix<D>,
+    pub mass: MassMatrix<DIM, D>,
     /// α and β shared by most of the structure.
     pub common: Rayleigh,
     /// Σ (α − α_common) M over the parts that differ; `None` when none does.
-    pub mass_damping_rest: Option<MassMatrix<D>>,
+    pub mass_damping_rest: Option<MassMatrix<DIM, D>>,
     /// Blocks (row ≥ column) of C − α M − β K that are not zero.
     pub damping_rest: Vec<(usize, usize, Block<D>)>,
     /// Links.
@@ -103,7 +103,9 @@ impl<const DIM: usize, const D: usize> Line<DIM, D> {
         let n = geometry.nodes();
         let mut stiffness = geometry.empty_matrix();
         geometry.tangent(&shape, LinkLaw::Linear, &mut stiffness);
-        let common = s.wires.first().map(|w| w.damping).unwrap_or_default();
+        let hermite = s.wires.iter().map(|w| w.damping);
+        let chains = s.segments.iter().map(|k| k.damping);
+        let common = hermite.chain(chains).next().unwrap_or_default();
         let mut mass = MassMatrix::zero(n);
         let mut mass_rest = MassMatrix::zero(n);
         let mut uniform = true;
@@ -125,6 +127,12 @@ impl<const DIM: usize, const D: usize> Line<DIM, D> {
         }
         for strut in &s.struts {
             add_point(strut.node, strut.moving_mass, common.alpha);
+        }
+        for k in &s.segments {
+            let half = 0.5 * k.mass * k.rest_length;
+            k.nodes
+                .iter()
+                .for_each(|&node| add_point(node, half, k.damping.alpha));
         }
         for w in &s.wires {
             mass.add_hermite(w.places(), w.mass, w.section.rest_length, 1.0);
@@ -250,6 +258,13 @@ fn damping_rest<const DIM: usize, const D: usize>(
     let mut c = geometry.empty_matrix();
     for wire in s.wires.iter().filter(|w| w.damping.beta != common) {
         Geometry::<DIM, D>::add_wire(&mut c, shape, wire, wire.damping.beta - common);
+    }
+    for segment in s.segments.iter().filter(|k| k.damping.beta != common) {
+        let difference = segment.damping.beta - common;
+        Geometry::<DIM, D>::add_segment(&mut c, shape, segment, difference);
+    }
+    for bend in s.bends.iter().filter(|b| b.beta != common) {
+        geometry.add_bend(&mut c, bend, bend.beta - common);
     }
     for link in &s.links {
         let state = Geometry::<DIM, D>::link_state(shape, link);

@@ -4,6 +4,13 @@ use crate::element::hermite;
 use crate::error::CoreError;
 use crate::statics::assembly::{Geometry, Shape};
 
+/// Vectors of a node, each of which takes a share of a force on the wire: its position, and its
+/// slope where it has one.
+#[must_use]
+pub const fn slots<const DIM: usize, const D: usize>() -> usize {
+    D / DIM
+}
+
 /// Elements of one wire in the order of the track, in their static shape.
 #[derive(Debug, Clone)]
 pub struct Path<const DIM: usize> {
@@ -13,9 +20,14 @@ pub struct Path<const DIM: usize> {
 }
 
 #[derive(Debug, Clone)]
-struct PathElement<const DIM: usize> {
-    rest_length: f64,
-    coordinates: hermite::Coordinates<DIM>,
+enum PathElement<const DIM: usize> {
+    /// Hermite element.
+    Curve {
+        rest_length: f64,
+        coordinates: hermite::Coordinates<DIM>,
+    },
+    /// Segment of a chain, between its two ends.
+    Chord([[f64; DIM]; 2]),
 }
 
 /// A place on the path: where a contact acts, and on which degrees of freedom.
@@ -23,7 +35,7 @@ struct PathElement<const DIM: usize> {
 pub struct Place {
     /// Element of the path; its nodes are `path.nodes[element]` and the next one.
     pub element: usize,
-    /// Shape functions of the four coordinates.
+    /// Shape functions: with S [`slots`], number k belongs to slot k % S of node k / S of the two.
     pub weights: [f64; 4],
     /// Static height, m.
     pub height: f64,
@@ -34,8 +46,81 @@ pub struct Place {
 /// Newton steps that invert x(ξ); the wire is nearly straight, three reach rounding.
 const MOST_INVERSIONS: usize = 20;
 
+impl<const DIM: usize> PathElement<DIM> {
+    /// Coordinates of both ends along the track, m.
+    fn range(&self) -> (f64, f64) {
+        match self {
+            Self::Curve { coordinates: e, .. } => (e[0][0], e[2][0]),
+            Self::Chord(ends) => (ends[0][0], ends[1][0]),
+        }
+    }
+
+    /// Shape functions at coordinate `x` along the track, to the given accuracy in m.
+    fn weights(&self, x: f64, accuracy: f64) -> [f64; 4] {
+        let (x0, x1) = self.range();
+        let mut xi = (x - x0) / (x1 - x0);
+        let Self::Curve {
+            rest_length: l,
+            coordinates: e,
+        } = self
+        else {
+            return [1.0 - xi, xi, 0.0, 0.0];
+        };
+        for _ in 0..MOST_INVERSIONS {
+            let error = hermite::interpolate(&hermite::shape(xi, *l), e)[0] - x;
+            let slope = hermite::interpolate(&hermite::shape_slope(xi, *l), e)[0] * l;
+            xi -= error / slope;
+            if error.abs() <= accuracy {
+                break;
+            }
+        }
+        hermite::shape(xi.clamp(0.0, 1.0), *l)
+    }
+
+    /// Static position for given shape functions.
+    fn point(&self, weights: &[f64; 4]) -> [f64; DIM] {
+        match self {
+            Self::Curve { coordinates, .. } => hermite::interpolate(weights, coordinates),
+            Self::Chord([a, b]) => std::array::from_fn(|c| weights[0] * a[c] + weights[1] * b[c]),
+        }
+    }
+}
+
+/// Element `number` of the wires, in the model that `D` stands for, and its nodes.
+fn element<const DIM: usize, const D: usize>(
+    geometry: &Geometry<DIM, D>,
+    shape: &Shape<D>,
+    number: usize,
+) -> Result<(PathElement<DIM>, [usize; 2]), CoreError> {
+    let s = &geometry.structure;
+    if slots::<DIM, D>() == 1 {
+        let segment = s.segments.get(number);
+        let nodes = segment.ok_or_else(|| refuse("unknown element"))?.nodes;
+        let ends = nodes.map(|n| Geometry::<DIM, D>::position(shape, n));
+        return Ok((PathElement::Chord(ends), nodes));
+    }
+    let wire = s.wires.get(number);
+    let wire = wire.ok_or_else(|| refuse("unknown element"))?;
+    if !wire.runs_through() {
+        return Err(refuse("the wire is hinged"));
+    }
+    let curve = PathElement::Curve {
+        rest_length: wire.section.rest_length,
+        coordinates: Geometry::<DIM, D>::coordinates(shape, wire),
+    };
+    Ok((curve, wire.nodes))
+}
+
+fn refuse(reason: &str) -> CoreError {
+    CoreError::Input {
+        array: "path",
+        reason: reason.into(),
+    }
+}
+
 impl<const DIM: usize> Path<DIM> {
-    /// Path over the given wire elements, which must follow each other along the track.
+    /// Path over the given wire elements (segments of a chain), which must follow each other along
+    /// the track.
     ///
     /// # Errors
     /// [`CoreError::Input`] when they do not.
@@ -44,35 +129,21 @@ impl<const DIM: usize> Path<DIM> {
         shape: &Shape<D>,
         wires: &[usize],
     ) -> Result<Self, CoreError> {
-        let refuse = |reason: &str| CoreError::Input {
-            array: "path",
-            reason: reason.into(),
-        };
         let mut nodes: Vec<usize> = Vec::with_capacity(wires.len() + 1);
         let mut elements = Vec::with_capacity(wires.len());
-        for &w in wires {
-            let wire = geometry
-                .structure
-                .wires
-                .get(w)
-                .ok_or_else(|| refuse("unknown element"))?;
-            if !wire.runs_through() {
-                return Err(refuse("the wire is hinged"));
-            }
+        for &number in wires {
+            let (element, ends) = element(geometry, shape, number)?;
             if nodes.is_empty() {
-                nodes.push(wire.nodes[0]);
-            } else if nodes.last() != Some(&wire.nodes[0]) {
+                nodes.push(ends[0]);
+            } else if nodes.last() != Some(&ends[0]) {
                 return Err(refuse("elements do not follow each other"));
             }
-            let coordinates = Geometry::<DIM, D>::coordinates(shape, wire);
-            if coordinates[2][0] <= coordinates[0][0] {
+            let (first, last) = element.range();
+            if last <= first {
                 return Err(refuse("the wire runs backwards"));
             }
-            nodes.push(wire.nodes[1]);
-            elements.push(PathElement {
-                rest_length: wire.section.rest_length,
-                coordinates,
-            });
+            nodes.push(ends[1]);
+            elements.push(element);
         }
         if elements.is_empty() {
             return Err(refuse("no elements"));
@@ -84,10 +155,7 @@ impl<const DIM: usize> Path<DIM> {
     #[must_use]
     pub fn range(&self) -> (f64, f64) {
         let last = self.elements.len() - 1;
-        (
-            self.elements[0].coordinates[0][0],
-            self.elements[last].coordinates[2][0],
-        )
+        (self.elements[0].range().0, self.elements[last].range().1)
     }
 
     /// Place at coordinate `x` along the track; `None` beyond the ends. `near` is the element
@@ -99,26 +167,15 @@ impl<const DIM: usize> Path<DIM> {
             return None;
         }
         let mut k = near.min(self.elements.len() - 1);
-        while x < self.elements[k].coordinates[0][0] {
+        while x < self.elements[k].range().0 {
             k -= 1;
         }
-        while x > self.elements[k].coordinates[2][0] {
+        while x > self.elements[k].range().1 {
             k += 1;
         }
-        let e = &self.elements[k];
-        let l = e.rest_length;
-        let (x0, x1) = (e.coordinates[0][0], e.coordinates[2][0]);
-        let mut xi = (x - x0) / (x1 - x0);
-        for _ in 0..MOST_INVERSIONS {
-            let error = hermite::interpolate(&hermite::shape(xi, l), &e.coordinates)[0] - x;
-            let slope = hermite::interpolate(&hermite::shape_slope(xi, l), &e.coordinates)[0] * l;
-            xi -= error / slope;
-            if error.abs() <= 4.0 * f64::EPSILON * last.abs() {
-                break;
-            }
-        }
-        let weights = hermite::shape(xi.clamp(0.0, 1.0), l);
-        let r = hermite::interpolate(&weights, &e.coordinates);
+        let element = &self.elements[k];
+        let weights = element.weights(x, 4.0 * f64::EPSILON * last.abs());
+        let r = element.point(&weights);
         let lateral = if DIM == 3 { r[1] } else { 0.0 };
         Some(Place {
             element: k,
@@ -137,6 +194,9 @@ impl<const DIM: usize> Path<DIM> {
             &x[self.nodes[place.element + 1]],
         );
         let w = &place.weights;
+        if slots::<DIM, D>() == 1 {
+            return w[0] * a[c] + w[1] * b[c];
+        }
         w[0] * a[c] + w[1] * a[DIM + c] + w[2] * b[c] + w[3] * b[DIM + c]
     }
 
@@ -148,11 +208,10 @@ impl<const DIM: usize> Path<DIM> {
         c: usize,
         f: &mut [[f64; D]],
     ) {
-        let (a, b) = (self.nodes[place.element], self.nodes[place.element + 1]);
-        let w = &place.weights;
-        f[a][c] += w[0] * force;
-        f[a][DIM + c] += w[1] * force;
-        f[b][c] += w[2] * force;
-        f[b][DIM + c] += w[3] * force;
+        let slots = slots::<DIM, D>();
+        for (k, weight) in place.weights[..2 * slots].iter().enumerate() {
+            let node = self.nodes[place.element + k / slots];
+            f[node][k % slots * DIM + c] += weight * force;
+        }
     }
 }

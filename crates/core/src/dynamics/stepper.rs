@@ -14,7 +14,7 @@ use super::columns::Columns;
 use super::contact::Unilateral;
 use super::line::Line;
 use super::links::LinkMotion;
-use super::path::{Path, Place};
+use super::path::{Path, Place, slots};
 use super::rider::RiderState;
 use crate::error::CoreError;
 use crate::lcp::LcpStats;
@@ -32,7 +32,7 @@ pub struct Prepared<const DIM: usize, const D: usize> {
     pub h: f64,
     /// Numbers of the scheme.
     pub coefficients: Coefficients,
-    /// Influence columns: two for each path node (force, couple), then one for each link.
+    /// Influence columns: one for each slot of each path node (force, couple), then one for each link.
     pub columns: Columns<D>,
     /// κ of each link, N/m.
     pub link_stiffness: Vec<f64>,
@@ -269,6 +269,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
 
     /// Add the response to what changed since the last call in this step: Δu += A⁻¹(C λ − G r).
     fn respond(&self, state: &mut LineState<D>, unilateral: &mut Unilateral, places: &[Place]) {
+        let slots = slots::<DIM, D>();
         let mut moved = self.line.nodes()..0;
         let mut add = |column: usize, factor: f64| {
             let nodes = self.columns.add(column, factor, &mut state.delta);
@@ -277,8 +278,8 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         for (j, place) in places.iter().enumerate() {
             let change = unilateral.force[j] - unilateral.applied_force[j];
             unilateral.applied_force[j] = unilateral.force[j];
-            for (k, weight) in place.weights.iter().enumerate() {
-                add(2 * place.element + k, weight * change);
+            for (k, weight) in place.weights[..2 * slots].iter().enumerate() {
+                add(slots * place.element + k, weight * change);
             }
         }
         for &link in &unilateral.links {
@@ -357,7 +358,8 @@ impl<const DIM: usize, const D: usize> Kernel for Advance<'_, DIM, D> {
     }
 }
 
-/// Columns of all path nodes (unit force and unit couple in the vertical), then of all links.
+/// Columns of all path nodes (unit force in the vertical, and unit couple where they have slopes),
+/// then of all links.
 fn influence_columns<const DIM: usize, const D: usize>(
     line: &Line<DIM, D>,
     path: &Path<DIM>,
@@ -365,7 +367,7 @@ fn influence_columns<const DIM: usize, const D: usize>(
 ) -> Columns<D> {
     let mut columns = Columns::default();
     for &node in &path.nodes {
-        for component in [DIM - 1, 2 * DIM - 1] {
+        for component in (0..slots::<DIM, D>()).map(|slot| slot * DIM + DIM - 1) {
             let mut unit = vec![[0.0; D]; line.nodes()];
             unit[node][component] = f64::from(u8::from(line.free[node][component]));
             columns.push(factor, unit);

@@ -1,4 +1,5 @@
 //! Elements: energy, its gradient and its exact tangent for given positions.
 
 pub mod bar;
+pub mod chain;
 pub mod hermite;

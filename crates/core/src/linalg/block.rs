@@ -24,11 +24,16 @@ pub fn add_product<const D: usize>(y: &mut [f64; D], a: &Block<D>, x: &[f64; D])
 /// `y -= aᵀ x`
 #[inline(always)]
 pub fn subtract_transposed_product<const D: usize>(y: &mut [f64; D], a: &Block<D>, x: &[f64; D]) {
-    // Pairs shorten the chain of dependent additions; blocks have an even size.
+    // Pairs shorten the chain of dependent additions; a block of odd size has one row left over.
     let mut product = [0.0; D];
-    for i in (0..D).step_by(2) {
+    for i in (0..D - D % 2).step_by(2) {
         for j in 0..D {
             product[j] += a[i][j] * x[i] + a[i + 1][j] * x[i + 1];
+        }
+    }
+    if D % 2 == 1 {
+        for j in 0..D {
+            product[j] += a[D - 1][j] * x[D - 1];
         }
     }
     for j in 0..D {
@@ -154,6 +159,14 @@ mod tests {
                 );
             }
         }
+    }
+
+    #[test]
+    fn transposed_product_takes_blocks_of_odd_size() {
+        let a = [[4.0, 1.0, 0.5], [1.0, 3.0, -0.25], [2.0, -1.0, -2.0]];
+        let mut y = [1.0, 1.0, 1.0];
+        subtract_transposed_product(&mut y, &a, &[1.0, 2.0, 4.0]);
+        assert_eq!(y, [-13.0, -2.0, 9.0]);
     }
 
     #[test]

@@ -26,9 +26,9 @@ fn axpy<const D: usize>(y: &mut [[f64; D]], factor: f64, x: &[[f64; D]]) {
 ///
 /// `free(node, component)` tells whether a degree of freedom can move.
 #[must_use]
-pub fn lowest_frequencies<const D: usize>(
+pub fn lowest_frequencies<const DIM: usize, const D: usize>(
     stiffness: &BlockLdl<D>,
-    mass: &MassMatrix<D>,
+    mass: &MassMatrix<DIM, D>,
     nodes: usize,
     free: impl Fn(usize, usize) -> bool,
     count: usize,

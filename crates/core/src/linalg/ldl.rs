@@ -197,9 +197,6 @@ impl<const D: usize> BlockLdl<D> {
         });
     }
 
-    /// The products of a row are summed pairwise: the chain of dependent additions is what a
-    /// substitution waits for.
-    ///
     /// `y = L⁻¹ b`, from the order of the nodes into the order of elimination.
     #[inline(always)]
     fn forward(&self, b: &[[f64; D]], y: &mut [[f64; D]]) {
@@ -210,16 +207,7 @@ impl<const D: usize> BlockLdl<D> {
                 .iter()
                 .zip(&self.columns[start..end]);
             for (l, &j) in row {
-                let yj = y[j as usize];
-                let mut product = [0.0; D];
-                for q in (0..D).step_by(2) {
-                    for p in 0..D {
-                        product[p] += l[q][p] * yj[q] + l[q + 1][p] * yj[q + 1];
-                    }
-                }
-                for p in 0..D {
-                    sum[p] -= product[p];
-                }
+                block::subtract_transposed_product(&mut sum, l, &y[j as usize]);
             }
             y[i] = sum;
             start = end;

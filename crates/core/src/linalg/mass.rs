@@ -1,23 +1,25 @@
-//! Mass matrix of Hermite wires and point masses.
+//! Mass matrix of wires and point masses.
 //!
 //! The mass of a wire element does not depend on direction: each block is a 2×2 matrix of
 //! numbers (position–position, position–slope, slope–slope) times the identity of space.
-//! Storing the numbers alone makes the product six to nine times lighter than full blocks.
+//! Storing the numbers alone makes the product six to nine times lighter than full blocks. Where
+//! nodes have no slopes (chains of point masses) only the first number counts.
 
 /// Couplings of a node with another one, or with itself: rows and columns (position, slope).
 type Entry = [[f64; 2]; 2];
 
-/// Structured mass matrix; `D = 2·dim`: position components, then slope components. Rows are
+/// Structured mass matrix; position components, then (with `D = 2·DIM`) slope components. Rows are
 /// complete (both triangles), so a product writes every node once.
 #[derive(Debug, Clone)]
-pub struct MassMatrix<const D: usize> {
+pub struct MassMatrix<const DIM: usize, const D: usize> {
     rows: Vec<Vec<(u32, Entry)>>,
     start: Vec<u32>,
     entries: Vec<(u32, Entry)>,
 }
 
-impl<const D: usize> MassMatrix<D> {
-    const DIM: usize = D / 2;
+impl<const DIM: usize, const D: usize> MassMatrix<DIM, D> {
+    /// Vectors of a node: its position, and its slope or not.
+    const SLOTS: usize = D / DIM;
 
     /// No mass anywhere.
     #[must_use]
@@ -99,13 +101,16 @@ impl<const D: usize> MassMatrix<D> {
     #[inline(always)]
     #[must_use]
     pub fn row(&self, i: usize, x: &[[f64; D]]) -> [f64; D] {
-        let dim = Self::DIM;
         let mut sum = [0.0; D];
         for (j, m) in &self.entries[self.start[i] as usize..self.start[i + 1] as usize] {
             let xj = &x[*j as usize];
-            for c in 0..dim {
-                sum[c] += m[0][0] * xj[c] + m[0][1] * xj[dim + c];
-                sum[dim + c] += m[1][0] * xj[c] + m[1][1] * xj[dim + c];
+            for c in 0..DIM {
+                if Self::SLOTS == 1 {
+                    sum[c] += m[0][0] * xj[c];
+                    continue;
+                }
+                sum[c] += m[0][0] * xj[c] + m[0][1] * xj[DIM + c];
+                sum[DIM + c] += m[1][0] * xj[c] + m[1][1] * xj[DIM + c];
             }
         }
         sum
@@ -115,10 +120,10 @@ impl<const D: usize> MassMatrix<D> {
     pub fn add_to(&self, factor: f64, target: &mut super::SymmetricBlocks<D>) {
         let expand = |m: &Entry| {
             let mut block = super::block::zero::<D>();
-            for p in 0..2 {
-                for q in 0..2 {
-                    for c in 0..Self::DIM {
-                        block[p * Self::DIM + c][q * Self::DIM + c] = factor * m[p][q];
+            for p in 0..Self::SLOTS {
+                for q in 0..Self::SLOTS {
+                    for c in 0..DIM {
+                        block[p * DIM + c][q * DIM + c] = factor * m[p][q];
                     }
                 }
             }
@@ -132,13 +137,13 @@ impl<const D: usize> MassMatrix<D> {
     }
 }
 
-struct Product<'a, const D: usize> {
-    mass: &'a MassMatrix<D>,
+struct Product<'a, const DIM: usize, const D: usize> {
+    mass: &'a MassMatrix<DIM, D>,
     x: &'a [[f64; D]],
     y: &'a mut [[f64; D]],
 }
 
-impl<const D: usize> super::Kernel for Product<'_, D> {
+impl<const DIM: usize, const D: usize> super::Kernel for Product<'_, DIM, D> {
     #[inline(always)]
     fn run(self) {
         for (i, value) in self.y.iter_mut().enumerate() {
@@ -147,13 +152,13 @@ impl<const D: usize> super::Kernel for Product<'_, D> {
     }
 }
 
-struct Quadratic<'a, const D: usize> {
-    mass: &'a MassMatrix<D>,
+struct Quadratic<'a, const DIM: usize, const D: usize> {
+    mass: &'a MassMatrix<DIM, D>,
     x: &'a [[f64; D]],
     sums: &'a mut [f64; D],
 }
 
-impl<const D: usize> super::Kernel for Quadratic<'_, D> {
+impl<const DIM: usize, const D: usize> super::Kernel for Quadratic<'_, DIM, D> {
     #[inline(always)]
     fn run(self) {
         for (i, xi) in self.x.iter().enumerate() {

@@ -6,10 +6,11 @@ use crate::error::CoreError;
 use crate::linalg::SymmetricBlocks;
 use crate::structure::{Link, Structure, Wire};
 
-/// Positions and slopes of all nodes: `D = 2·DIM` numbers a node.
+/// Positions and slopes (`D = 2·DIM` numbers a node), or positions alone (`D = DIM`), of all nodes.
 pub type Shape<const D: usize> = Vec<[f64; D]>;
 
-/// A structure together with the operations that need its dimension at compile time.
+/// A structure together with the operations that need its dimension at compile time: `D = 2·DIM`
+/// for wires of Hermite elements, `D = DIM` for chains of point masses.
 #[derive(Debug, Clone)]
 pub struct Geometry<const DIM: usize, const D: usize> {
     /// The structure; the design calculation completes its unknown lengths.
@@ -29,12 +30,12 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
     /// Component that points up.
     pub const UP: usize = DIM - 1;
 
-    /// Wrap a structure whose `dim` is `DIM`.
+    /// Wrap a structure whose `dim` is `DIM` and whose wires are of the model that `D` stands for.
     ///
     /// # Errors
     /// [`CoreError::Input`] when indices, signs or numbers are impossible.
     pub fn new(structure: Structure) -> Result<Self, CoreError> {
-        crate::structure_check::check(&structure, DIM)?;
+        crate::structure_check::check(&structure, DIM, D / DIM)?;
         Ok(Self { structure })
     }
 
@@ -54,7 +55,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
             .map(|(r, t)| {
                 let mut node = [0.0; D];
                 node[..DIM].copy_from_slice(&r[..DIM]);
-                node[DIM..].copy_from_slice(&t[..DIM]);
+                node[DIM..].copy_from_slice(&t[..D - DIM]);
                 node
             })
             .collect()
@@ -108,6 +109,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
                 }
             }
         }
+        self.add_chain_forces(shape, residual);
         for m in &s.masses {
             residual[m.node][Self::UP] += m.mass * s.gravity;
         }
@@ -161,7 +163,8 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
             .links
             .iter()
             .map(|l| (l.nodes[0], l.nodes[1]));
-        SymmetricBlocks::with_pattern(self.nodes(), wires.chain(links))
+        let chains = self.chain_pairs();
+        SymmetricBlocks::with_pattern(self.nodes(), wires.chain(chains).chain(links))
     }
 
     /// Add the tangent of one wire element, times `factor`.
@@ -201,6 +204,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         for wire in &s.wires {
             Self::add_wire(k, shape, wire, 1.0);
         }
+        self.add_chain_tangent(shape, k);
         for link in &s.links {
             let state = Self::link_state(shape, link);
             let slack = link.unilateral && state.linear_tension < 0.0;
@@ -250,7 +254,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
             .wires
             .iter()
             .map(stiffest)
-            .fold(0.0, f64::max);
+            .fold(self.steepest_chain(), f64::max);
         8.0 * f64::EPSILON * self.extent() * steepest
     }
 

@@ -111,11 +111,9 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
             hermite::add_force(&wire.section, &Self::coordinates(shape, wire), &mut force);
             let error = force[2][0] - wire.design_tension;
             let steep = Self::squared_slope(shape, wire);
-            let flexibility = 1.0 / wire.section.axial_stiffness + steep / wire.design_tension;
-            // Never by more than the strain of the tension: a wild first guess must not slacken
-            // or overstretch an element.
-            let strain = wire.design_tension / wire.section.axial_stiffness;
-            let change = relaxation * (error * flexibility).clamp(-strain, strain);
+            let (tension, axial) = (wire.design_tension, wire.section.axial_stiffness);
+            let flexibility = 1.0 / axial + steep / tension;
+            let change = relaxation * length_change(error, flexibility, tension / axial);
             wire.section.rest_length *= 1.0 + change;
             worst = worst.max(error.abs());
             for node in wire.slope_nodes {
@@ -128,7 +126,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
                 .iter_mut()
                 .for_each(|slope| *slope /= 1.0 + sum / count);
         }
-        worst
+        worst.max(self.retension_chains(shape, relaxation))
     }
 
     /// Mean of y′² + z′² over an element, by Simpson's rule.
@@ -203,6 +201,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         s.wires
             .iter()
             .for_each(|wire| Self::add_wire(k, shape, wire, 1.0));
+        self.add_chain_tangent(shape, k);
         for (link, &tension) in s.links.iter().zip(tensions) {
             let state = Self::link_state(shape, link);
             let slack = link.unilateral && state.linear_tension < 0.0;
@@ -263,6 +262,12 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         }
         Ok(())
     }
+}
+
+/// Relative change of length of an element whose horizontal force is off by `error`, but never by
+/// more than the strain of its tension: a wild first guess must not slacken or overstretch it.
+pub(super) fn length_change(error: f64, flexibility: f64, strain: f64) -> f64 {
+    (error * flexibility).clamp(-strain, strain)
 }
 
 /// One Newton step on the free degrees of freedom.

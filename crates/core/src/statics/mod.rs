@@ -4,6 +4,7 @@
 //! * [`service`](service::settle): unstretched lengths are given, positions are found.
 
 pub mod assembly;
+mod chain;
 pub mod design;
 pub mod service;
 

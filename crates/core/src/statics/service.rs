@@ -30,12 +30,11 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
     /// Positions of nodes that only hold a slope take no part.
     pub(super) fn fix_unused(&self, free: &mut [[bool; D]]) {
         let mut used = vec![[false; 2]; free.len()];
-        let places = self
-            .structure
-            .wires
-            .iter()
-            .flat_map(crate::structure::Wire::places);
+        let s = &self.structure;
+        let places = s.wires.iter().flat_map(crate::structure::Wire::places);
         places.for_each(|(node, slot)| used[node][slot] = true);
+        let chains = s.segments.iter().flat_map(|k| k.nodes);
+        chains.for_each(|node| used[node][0] = true);
         for (mask, used) in free.iter_mut().zip(used) {
             for c in 0..D {
                 mask[c] &= used[c / DIM];

@@ -1,6 +1,9 @@
 //! A planar simple line built in Rust, for tests and benchmarks: two wires, droppers, supports.
 #![allow(dead_code)] // every test file uses a part
 
+pub mod chain;
+pub mod space;
+
 use arcless_core::dynamics::line::Line;
 use arcless_core::dynamics::path::Path;
 use arcless_core::dynamics::record::{Record, RecordPlan};
@@ -62,7 +65,12 @@ fn wire(a: usize, b: usize, length: f64, contact: bool) -> Wire {
 
 /// Unit data of the 55 m line with level contact wire; also the wire numbers of the contact wire.
 pub fn simple_line(spans: usize) -> (Structure, Vec<usize>) {
-    let (contact, messenger) = (stations(spans, 1.45), stations(spans, 2.9));
+    simple_line_of(spans, [1.45, 2.9])
+}
+
+/// The same with given longest elements of contact and messenger wire, m.
+pub fn simple_line_of(spans: usize, [longest, above]: [f64; 2]) -> (Structure, Vec<usize>) {
+    let (contact, messenger) = (stations(spans, longest), stations(spans, above));
     let mut nodes: Vec<(f64, bool)> = messenger.iter().map(|&x| (x, false)).collect();
     nodes.extend(contact.iter().map(|&x| (x, true)));
     nodes.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
@@ -160,12 +168,7 @@ fn add_droppers_and_supports(s: &mut Structure, spans: usize, at: &impl Fn(f64, 
 
 /// The line at rest, ready to step.
 pub fn prepared(spans: usize, scheme: Scheme, h: f64, contact: f64) -> Prepared<2, 4> {
-    let (structure, path) = simple_line(spans);
-    let mut geometry = Geometry::<2, 4>::new(structure).expect("a valid structure");
-    let start = geometry.design().expect("the design converges");
-    let shape = geometry.settle(&start).expect("the equilibrium converges");
-    let path = Path::new(&geometry, &shape, &path).expect("the contact wire is a path");
-    Prepared::new(Line::new(&geometry, shape), path, scheme, h, contact).expect("regular")
+    prepare(simple_line(spans), |_| (), scheme, h, contact)
 }
 
 /// The three-mass pantograph of the 55 m data set.
@@ -197,13 +200,24 @@ pub fn three_masses(force: f64) -> Rider {
 
 /// Design calculation, a change of what it found, service equilibrium, matrices of the scheme.
 pub fn prepare(
-    (structure, path): (Structure, Vec<usize>),
+    line: (Structure, Vec<usize>),
     change: impl FnOnce(&mut Structure),
     scheme: Scheme,
     h: f64,
     contact: f64,
 ) -> Prepared<2, 4> {
-    let mut geometry = Geometry::<2, 4>::new(structure).expect("a valid structure");
+    prepare_any(line, change, scheme, h, contact)
+}
+
+/// The same in any dimension and with any wire model.
+pub fn prepare_any<const DIM: usize, const D: usize>(
+    (structure, path): (Structure, Vec<usize>),
+    change: impl FnOnce(&mut Structure),
+    scheme: Scheme,
+    h: f64,
+    contact: f64,
+) -> Prepared<DIM, D> {
+    let mut geometry = Geometry::<DIM, D>::new(structure).expect("a valid structure");
     let start = geometry.design().expect("the design converges");
     change(&mut geometry.structure);
     let shape = geometry.settle(&start).expect("the equilibrium converges");

@@ -1,0 +1,163 @@
+//! What chains of point masses add to the forces and tangents of a structure.
+
+use super::assembly::{Geometry, Shape, add_pair};
+use super::design::length_change;
+use crate::element::bar::BarState;
+use crate::element::chain::BendElement;
+use crate::linalg::SymmetricBlocks;
+use crate::structure::{Bend, Segment};
+
+impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
+    /// State of a segment.
+    #[must_use]
+    pub fn segment_state(shape: &Shape<D>, segment: &Segment) -> BarState<DIM> {
+        let [a, b] = segment.nodes.map(|n| Self::position(shape, n));
+        segment.state([&a, &b])
+    }
+
+    fn bend_element(&self, bend: &Bend) -> BendElement {
+        let segments = &self.structure.segments;
+        let lengths = bend.segments.map(|k| segments[k].rest_length);
+        BendElement::new(bend.stiffness, lengths)
+    }
+
+    /// Nodes of a bend and the forces on them.
+    fn bend_forces(&self, shape: &Shape<D>, bend: &Bend) -> ([usize; 3], [[f64; DIM]; 3]) {
+        let nodes = self.structure.bend_nodes(bend);
+        let positions = nodes.map(|n| Self::position(shape, n));
+        let forces = self.bend_element(bend).force(positions.each_ref());
+        (nodes, forces)
+    }
+
+    /// Add internal forces and weight of all chains to the residual.
+    pub(super) fn add_chain_forces(&self, shape: &Shape<D>, residual: &mut Shape<D>) {
+        let s = &self.structure;
+        for segment in &s.segments {
+            let state = Self::segment_state(shape, segment);
+            let half = 0.5 * segment.mass * segment.rest_length * s.gravity;
+            for node in segment.nodes {
+                residual[node][Self::UP] += half;
+            }
+            let tension = state.linear_tension;
+            add_pair(residual, segment.nodes, &state.direction, tension);
+        }
+        for bend in &s.bends {
+            let (nodes, forces) = self.bend_forces(shape, bend);
+            for (node, force) in nodes.into_iter().zip(forces) {
+                for c in 0..DIM {
+                    residual[node][c] += force[c];
+                }
+            }
+        }
+    }
+
+    /// Node pairs that segments and bends couple.
+    pub(super) fn chain_pairs(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
+        let s = &self.structure;
+        let neighbours = s.segments.iter().map(|k| (k.nodes[0], k.nodes[1]));
+        let outer = s.bends.iter().map(|b| {
+            let [a, _, c] = s.bend_nodes(b);
+            (a, c)
+        });
+        neighbours.chain(outer)
+    }
+
+    /// Add the tangent of one segment, times `factor`.
+    pub fn add_segment(
+        k: &mut SymmetricBlocks<D>,
+        shape: &Shape<D>,
+        segment: &Segment,
+        factor: f64,
+    ) {
+        let state = Self::segment_state(shape, segment);
+        let tangent = state.tangent(factor * segment.stiffness(), factor * state.linear_tension);
+        Self::add_between(k, segment.nodes, &tangent);
+    }
+
+    /// Add the stiffness of one bend, times `factor`.
+    pub fn add_bend(&self, k: &mut SymmetricBlocks<D>, bend: &Bend, factor: f64) {
+        let (nodes, element) = (self.structure.bend_nodes(bend), self.bend_element(bend));
+        for (i, &row) in nodes.iter().enumerate() {
+            for (j, &column) in nodes.iter().enumerate() {
+                let mut block = [[0.0; D]; D];
+                for c in 0..DIM {
+                    block[c][c] = factor * element.stiffness(i, j);
+                }
+                k.add(row, column, &block);
+            }
+        }
+    }
+
+    /// Add the tangent of all chains.
+    pub(super) fn add_chain_tangent(&self, shape: &Shape<D>, k: &mut SymmetricBlocks<D>) {
+        for segment in &self.structure.segments {
+            Self::add_segment(k, shape, segment, 1.0);
+        }
+        for bend in &self.structure.bends {
+            self.add_bend(k, bend, 1.0);
+        }
+    }
+
+    /// Horizontal force that each segment hands on: its own, and the shear of the bends it is part
+    /// of. Where these are equal along a wire, nothing pulls its nodes along the track.
+    fn horizontal_forces(&self, shape: &Shape<D>) -> Vec<f64> {
+        let s = &self.structure;
+        let own = |k: &Segment| {
+            let state = Self::segment_state(shape, k);
+            state.linear_tension * state.direction[0]
+        };
+        let mut horizontal: Vec<f64> = s.segments.iter().map(own).collect();
+        for bend in &s.bends {
+            let (_, [first, _, last]) = self.bend_forces(shape, bend);
+            horizontal[bend.segments[0]] -= first[0];
+            horizontal[bend.segments[1]] += last[0];
+        }
+        horizontal
+    }
+
+    /// Correct segment lengths towards their horizontal tension, as the design calculation does with
+    /// Hermite elements; returns the largest error found before the correction, N.
+    pub(super) fn retension_chains(&mut self, shape: &Shape<D>, relaxation: f64) -> f64 {
+        let mut worst: f64 = 0.0;
+        let horizontal = self.horizontal_forces(shape);
+        let mut bending = vec![0.0_f64; horizontal.len()];
+        for bend in &self.structure.bends {
+            for k in bend.segments {
+                bending[k] = bending[k].max(bend.stiffness);
+            }
+        }
+        let found = horizontal.into_iter().zip(bending);
+        for (segment, (force, bending)) in self.structure.segments.iter_mut().zip(found) {
+            let (tension, axial) = (segment.design_tension, segment.axial_stiffness);
+            let error = force - tension;
+            let flexibility = flexibility(&Self::segment_state(shape, segment), segment, bending);
+            let change = relaxation * length_change(error, flexibility, tension / axial);
+            segment.rest_length *= 1.0 + change;
+            worst = worst.max(error.abs());
+        }
+        worst
+    }
+
+    /// Largest stiffness of a chain between coordinates, N/m.
+    pub(super) fn steepest_chain(&self) -> f64 {
+        let s = &self.structure;
+        let bends = s.bends.iter().map(|b| self.bend_element(b).stiffness(1, 1));
+        let segments = s.segments.iter().map(Segment::stiffness);
+        segments.chain(bends).fold(0.0, f64::max)
+    }
+}
+
+/// Relative change of length for a change of horizontal force, 1/N. Where neighbours are off alike,
+/// slopes follow the force and it is (1 + s)/EA with s = EA z′²/T, as for Hermite elements. Where
+/// they are off by turns, bends resist: a zigzag has curvature 4/L² for each unit of height, and
+/// slopes follow by the share T/(T + 4 EI/L²) alone. The harmonic mean of both corrects them equally
+/// fast; without it, segments shorter than √(EI/T) diverge.
+fn flexibility<const DIM: usize>(state: &BarState<DIM>, segment: &Segment, bending: f64) -> f64 {
+    let (tension, axial) = (segment.design_tension, segment.axial_stiffness);
+    let across: f64 = state.direction[1..].iter().map(|n| n * n).sum();
+    let steep = across * (state.length / segment.rest_length).powi(2);
+    let smooth = 1.0 + axial * steep / tension;
+    let share = tension / (tension + 4.0 * bending / segment.rest_length.powi(2));
+    let zigzag = 1.0 + share * axial * steep / tension;
+    2.0 / (1.0 / smooth + 1.0 / zigzag) / axial
+}

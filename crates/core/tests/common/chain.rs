@@ -1,0 +1,38 @@
+//! The same wires as chains of point masses.
+
+use arcless_core::statics::{Geometry, Shape};
+use arcless_core::structure::{Bend, Segment, Structure};
+
+/// Every Hermite element becomes a segment, every node where two meet gets a bend.
+pub fn lumped(s: &Structure) -> Structure {
+    let mut t = s.clone();
+    for wire in t.wires.drain(..) {
+        t.segments.push(Segment {
+            nodes: wire.nodes,
+            rest_length: wire.section.rest_length,
+            axial_stiffness: wire.section.axial_stiffness,
+            mass: wire.mass,
+            damping: wire.damping,
+            design_tension: wire.design_tension,
+        });
+    }
+    for (k, pair) in s.wires.windows(2).enumerate() {
+        if pair[0].nodes[1] == pair[1].nodes[0] {
+            t.bends.push(Bend {
+                segments: [k, k + 1],
+                stiffness: pair[0].section.bending_stiffness,
+                beta: pair[0].damping.beta,
+            });
+        }
+    }
+    t.slopes.fill([0.0; 3]);
+    t
+}
+
+/// Design calculation and service equilibrium.
+pub fn settled<const DIM: usize, const D: usize>(s: Structure) -> (Geometry<DIM, D>, Shape<D>) {
+    let mut geometry = Geometry::<DIM, D>::new(s).expect("a valid structure");
+    let start = geometry.design().expect("the design converges");
+    let shape = geometry.settle(&start).expect("the equilibrium converges");
+    (geometry, shape)
+}
