@@ -24,21 +24,29 @@ pub fn add_product<const D: usize>(y: &mut [f64; D], a: &Block<D>, x: &[f64; D])
 /// `y -= aᵀ x`
 #[inline(always)]
 pub fn subtract_transposed_product<const D: usize>(y: &mut [f64; D], a: &Block<D>, x: &[f64; D]) {
+    let product = transposed_product(a, x);
+    for j in 0..D {
+        y[j] -= product[j];
+    }
+}
+
+/// `aᵀ x`
+#[inline(always)]
+#[must_use]
+pub fn transposed_product<const D: usize>(a: &Block<D>, x: &[f64; D]) -> [f64; D] {
     // Pairs shorten the chain of dependent additions; a block of odd size has one row left over.
-    let mut product = [0.0; D];
+    let mut y = [0.0; D];
     for i in (0..D - D % 2).step_by(2) {
         for j in 0..D {
-            product[j] += a[i][j] * x[i] + a[i + 1][j] * x[i + 1];
+            y[j] += a[i][j] * x[i] + a[i + 1][j] * x[i + 1];
         }
     }
     if D % 2 == 1 {
         for j in 0..D {
-            product[j] += a[D - 1][j] * x[D - 1];
+            y[j] += a[D - 1][j] * x[D - 1];
         }
     }
-    for j in 0..D {
-        y[j] -= product[j];
-    }
+    y
 }
 
 /// `a b`

@@ -21,10 +21,27 @@ pub struct BlockLdl<const D: usize> {
     row_start: Vec<usize>,
     columns: Vec<u32>,
     lower: Vec<Block<D>>,
-    /// Transposes of `lower`: forward and backward substitution each want their lanes contiguous.
-    lower_transposed: Vec<Block<D>>,
     diagonal_inverse: Vec<Block<D>>,
+    /// The factor as substitutions read it, from front to back and from back to front.
+    rows: Vec<Row>,
+    /// Transposes of `lower`: forward and backward substitution each want their lanes contiguous.
+    forward: Vec<Entry<D>>,
+    backward: Vec<Entry<D>>,
     negative_pivots: usize,
+}
+
+/// Row of the factor: its node, and the number of blocks below the diagonal.
+#[derive(Debug, Clone, Copy)]
+struct Row {
+    node: u32,
+    length: u32,
+}
+
+/// Block of the factor with its column.
+#[derive(Debug, Clone, Copy)]
+struct Entry<const D: usize> {
+    block: Block<D>,
+    column: usize,
 }
 
 struct Substitution<'a, const D: usize> {
@@ -43,8 +60,8 @@ impl<const D: usize> super::Kernel for Substitution<'_, D> {
             minus,
             work,
         } = self;
-        factor.forward(x, work);
-        factor.backward(work);
+        factor.substitute_forward(x, work);
+        factor.substitute_backward(work);
         if minus.is_empty() {
             for (value, &node) in work.iter().zip(&factor.order) {
                 x[node as usize] = *value;
@@ -102,7 +119,9 @@ impl<const D: usize> BlockLdl<D> {
         let (row_start, columns) = fill_pattern(&a);
         let mut factor = Self {
             lower: vec![zero(); columns.len()],
-            lower_transposed: Vec::new(),
+            rows: Vec::new(),
+            forward: Vec::new(),
+            backward: Vec::new(),
             diagonal_inverse: vec![zero(); a.rows()],
             negative_pivots: 0,
             order,
@@ -110,8 +129,27 @@ impl<const D: usize> BlockLdl<D> {
             columns,
         };
         factor.factorise(&a)?;
-        factor.lower_transposed = factor.lower.iter().map(block::transpose).collect();
+        factor.arrange();
         Ok(factor)
+    }
+
+    /// Lay the factor out for substitutions.
+    fn arrange(&mut self) {
+        let rows = self.order.iter().zip(self.row_start.windows(2));
+        let rows = rows.map(|(&node, ends)| Row {
+            node,
+            length: (ends[1] - ends[0]) as u32,
+        });
+        self.rows = rows.collect();
+        let entries = || self.lower.iter().zip(&self.columns);
+        let entry = |block, &column: &u32| Entry {
+            block,
+            column: column as usize,
+        };
+        self.forward = entries()
+            .map(|(l, c)| entry(block::transpose(l), c))
+            .collect();
+        self.backward = entries().map(|(l, c)| entry(*l, c)).collect();
     }
 
     fn factorise(&mut self, a: &SymmetricBlocks<D>) -> Result<(), CoreError> {
@@ -199,41 +237,34 @@ impl<const D: usize> BlockLdl<D> {
 
     /// `y = L⁻¹ b`, from the order of the nodes into the order of elimination.
     #[inline(always)]
-    fn forward(&self, b: &[[f64; D]], y: &mut [[f64; D]]) {
-        let mut start = self.row_start[0];
-        for (i, (&node, &end)) in self.order.iter().zip(&self.row_start[1..]).enumerate() {
-            let mut sum = b[node as usize];
-            let row = self.lower_transposed[start..end]
-                .iter()
-                .zip(&self.columns[start..end]);
-            for (l, &j) in row {
-                block::subtract_transposed_product(&mut sum, l, &y[j as usize]);
+    fn substitute_forward(&self, b: &[[f64; D]], y: &mut [[f64; D]]) {
+        let mut entries = self.forward.as_slice();
+        for (i, r) in self.rows.iter().enumerate() {
+            let (row, rest) = entries.split_at(r.length as usize);
+            entries = rest;
+            let mut sum = b[r.node as usize];
+            for e in row {
+                block::subtract_transposed_product(&mut sum, &e.block, &y[e.column]);
             }
             y[i] = sum;
-            start = end;
         }
     }
 
     /// `x = L⁻ᵀ D⁻¹ y`
     #[inline(always)]
-    fn backward(&self, y: &mut [[f64; D]]) {
+    fn substitute_backward(&self, y: &mut [[f64; D]]) {
         for (value, inverse) in y.iter_mut().zip(&self.diagonal_inverse) {
-            // Column form (the inverse is symmetric): the lanes of the sum are independent.
-            let mut z = [0.0; D];
-            for q in 0..D {
-                for p in 0..D {
-                    z[p] += inverse[q][p] * value[q];
-                }
-            }
-            *value = z;
+            // The inverse is symmetric.
+            *value = block::transposed_product(inverse, value);
         }
-        let mut end = self.columns.len();
-        for (i, &start) in self.row_start[..y.len()].iter().enumerate().rev() {
+        let mut entries = self.backward.as_slice();
+        for (i, r) in self.rows.iter().enumerate().rev() {
+            let (rest, row) = entries.split_at(entries.len() - r.length as usize);
+            entries = rest;
             let xi = y[i];
-            for (l, &j) in self.lower[start..end].iter().zip(&self.columns[start..end]) {
-                block::subtract_transposed_product(&mut y[j as usize], l, &xi);
+            for e in row {
+                block::subtract_transposed_product(&mut y[e.column], &e.block, &xi);
             }
-            end = start;
         }
     }
 }

@@ -8,13 +8,17 @@
 /// Couplings of a node with another one, or with itself: rows and columns (position, slope).
 type Entry = [[f64; 2]; 2];
 
+/// An entry ready for lanes: what each component takes from itself, and what from its partner in
+/// the other half (position from slope, slope from position).
+type Lanes<const D: usize> = [[f64; D]; 2];
+
 /// Structured mass matrix; position components, then (with `D = 2·DIM`) slope components. Rows are
 /// complete (both triangles), so a product writes every node once.
 #[derive(Debug, Clone)]
 pub struct MassMatrix<const DIM: usize, const D: usize> {
     rows: Vec<Vec<(u32, Entry)>>,
     start: Vec<u32>,
-    entries: Vec<(u32, Entry)>,
+    entries: Vec<(u32, Lanes<D>)>,
 }
 
 impl<const DIM: usize, const D: usize> MassMatrix<DIM, D> {
@@ -39,9 +43,17 @@ impl<const DIM: usize, const D: usize> MassMatrix<DIM, D> {
         self.entries.clear();
         for (i, row) in self.rows.iter_mut().enumerate() {
             row.sort_by_key(|entry| entry.0);
-            self.entries.extend_from_slice(row);
+            self.entries
+                .extend(row.iter().map(|(j, m)| (*j, Self::lanes(m))));
             self.start[i + 1] = self.entries.len() as u32;
         }
+    }
+
+    fn lanes(m: &Entry) -> Lanes<D> {
+        [
+            std::array::from_fn(|c| m[c / DIM][c / DIM]),
+            std::array::from_fn(|c| m[c / DIM][1 - c / DIM]),
+        ]
     }
 
     fn entry(&mut self, i: usize, j: usize) -> &mut Entry {
@@ -102,15 +114,16 @@ impl<const DIM: usize, const D: usize> MassMatrix<DIM, D> {
     #[must_use]
     pub fn row(&self, i: usize, x: &[[f64; D]]) -> [f64; D] {
         let mut sum = [0.0; D];
-        for (j, m) in &self.entries[self.start[i] as usize..self.start[i + 1] as usize] {
-            let xj = &x[*j as usize];
-            for c in 0..DIM {
-                if Self::SLOTS == 1 {
-                    sum[c] += m[0][0] * xj[c];
-                    continue;
-                }
-                sum[c] += m[0][0] * xj[c] + m[0][1] * xj[DIM + c];
-                sum[DIM + c] += m[1][0] * xj[c] + m[1][1] * xj[DIM + c];
+        for (j, lanes) in &self.entries[self.start[i] as usize..self.start[i + 1] as usize] {
+            let x = x[*j as usize];
+            for c in 0..D {
+                sum[c] += lanes[0][c] * x[c];
+            }
+            if Self::SLOTS == 1 {
+                continue;
+            }
+            for c in 0..D {
+                sum[c] += lanes[1][c] * x[(c + DIM) % D];
             }
         }
         sum
