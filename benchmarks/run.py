@@ -40,6 +40,7 @@ def measure(name: str, energy: str) -> list[str]:
         motion.scheme_numbers(scenario.solver.scheme),
         scenario.time_step_s,
         motion.contact_stiffness(scenario),
+        scenario.solver.kinematics == "updated",
     )
     setup = time.perf_counter() - began
     travel = motion.motion(scenario)

@@ -12,7 +12,6 @@ def solve_lcp(
     h: NDArray[np.float64], w: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], int, bool, float]: ...
 def friction(coefficient: float, force_1: NDArray[np.float64]) -> NDArray[np.float64]: ...
-def scheme(name: str, parameter: float) -> tuple[float, float, float, float]: ...
 
 class Equilibrium:
     def __new__(
@@ -30,9 +29,10 @@ class Equilibrium:
     def prepare(
         self,
         path: list[int],
-        scheme: tuple[float, float, float, float],
+        scheme: tuple[str, list[float]],
         step: float,
         contact_stiffness: float,
+        updated: bool,
     ) -> Prepared: ...
 
 class Prepared:

@@ -8,12 +8,29 @@
 //!
 //! Members: HHT (α_m = 0), Newmark (α_m = α_f = 0), trapezoidal rule (spectral radius one:
 //! α_m = α_f = ½, β = ¼, γ = ½, which conserves energy exactly).
+//!
+//! Besides the family, the backward differences of the published method (Kolesnikov & Kuvshinov,
+//! about 2009), with the balance at the end of the step:
+//!
+//!   vₙ₊₁ = (uₙ₊₁ − uₙ)/h,   aₙ₊₁ = (uₙ₊₁ − 2uₙ + uₙ₋₁)/h² = (vₙ₊₁ − vₙ)/h
+//!
+//! They are of first order and damp strongly: an oscillator loses the factor 1/√(1 + ω²h²) in
+//! amplitude every step.
 
 use crate::error::CoreError;
 
+/// A time-stepping scheme.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Scheme {
+    /// Member of the generalised-α family.
+    Alpha(AlphaScheme),
+    /// One-sided differences.
+    BackwardDifference,
+}
+
 /// Parameters of a member of the family.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Scheme {
+pub struct AlphaScheme {
     /// Newmark's β.
     pub beta: f64,
     /// Newmark's γ.
@@ -30,44 +47,60 @@ impl Scheme {
     pub fn generalised_alpha(radius: f64) -> Self {
         let alpha_m = (2.0 * radius - 1.0) / (radius + 1.0);
         let alpha_f = radius / (radius + 1.0);
-        let gamma = 0.5 - alpha_m + alpha_f;
-        let beta = 0.25 * (1.0 - alpha_m + alpha_f).powi(2);
-        Self {
-            beta,
-            gamma,
+        Self::Alpha(AlphaScheme {
+            beta: 0.25 * (1.0 - alpha_m + alpha_f).powi(2),
+            gamma: 0.5 - alpha_m + alpha_f,
             alpha_m,
             alpha_f,
-        }
+        })
     }
 
     /// Hilber–Hughes–Taylor member, 0 ≤ α ≤ 1/3.
     #[must_use]
     pub fn hht(alpha: f64) -> Self {
-        Self {
+        Self::Alpha(AlphaScheme {
             beta: 0.25 * (1.0 + alpha) * (1.0 + alpha),
             gamma: 0.5 + alpha,
             alpha_m: 0.0,
             alpha_f: alpha,
-        }
+        })
     }
 
     /// Newmark member with the balance at the end of the step.
     #[must_use]
     pub fn newmark(beta: f64, gamma: f64) -> Self {
-        Self {
+        Self::Alpha(AlphaScheme {
             beta,
             gamma,
             alpha_m: 0.0,
             alpha_f: 0.0,
-        }
+        })
     }
 
-    /// Check that the member is implicit and unconditionally stable for linear systems:
-    /// α_m ≤ α_f ≤ ½, γ ≥ ½ − α_m + α_f, β ≥ ½ γ (Chung & Hulbert 1993; Newmark's 2β ≥ γ ≥ ½).
+    /// Check that the scheme is implicit and unconditionally stable for linear systems.
     ///
     /// # Errors
     /// [`CoreError::Input`].
     pub fn check(&self) -> Result<(), CoreError> {
+        match self {
+            Self::Alpha(member) => member.check(),
+            Self::BackwardDifference => Ok(()),
+        }
+    }
+
+    /// Coefficients for step length `h` in s.
+    #[must_use]
+    pub fn coefficients(&self, h: f64) -> Coefficients {
+        match self {
+            Self::Alpha(member) => member.coefficients(h),
+            Self::BackwardDifference => Coefficients::backward_difference(h),
+        }
+    }
+}
+
+impl AlphaScheme {
+    /// α_m ≤ α_f ≤ ½, γ ≥ ½ − α_m + α_f, β ≥ ½ γ (Chung & Hulbert 1993; Newmark's 2β ≥ γ ≥ ½).
+    fn check(&self) -> Result<(), CoreError> {
         let finite = [self.beta, self.gamma, self.alpha_m, self.alpha_f]
             .iter()
             .all(|v| v.is_finite());
@@ -86,9 +119,7 @@ impl Scheme {
         })
     }
 
-    /// Coefficients for step length `h` in s.
-    #[must_use]
-    pub fn coefficients(&self, h: f64) -> Coefficients {
+    fn coefficients(&self, h: f64) -> Coefficients {
         let Self {
             beta,
             gamma,
@@ -145,6 +176,22 @@ pub struct Coefficients {
 }
 
 impl Coefficients {
+    /// A = M/h² + C/h + K; a_m = Δu/h² − v/h and v_f = Δu/h, as published.
+    fn backward_difference(h: f64) -> Self {
+        Self {
+            mass: 1.0 / (h * h),
+            damping: 1.0 / h,
+            stiffness: 1.0,
+            acceleration_from_v: -1.0 / h,
+            acceleration_from_a: 0.0,
+            velocity_from_v: 0.0,
+            velocity_from_a: 0.0,
+            new_a: [1.0 / (h * h), -1.0 / h, 0.0],
+            new_v: [1.0 / h, 0.0, 0.0],
+            old: 0.0,
+        }
+    }
+
     /// New velocity and acceleration from an increment and the old ones.
     #[inline(always)]
     #[must_use]

@@ -66,6 +66,7 @@ fn balances_with_slack_links_lift_off_friction_and_two_riders() {
         Scheme::generalised_alpha(0.0),
         Scheme::hht(0.1),
         Scheme::newmark(0.3025, 0.6),
+        Scheme::BackwardDifference,
     ];
     for scheme in members {
         for contact in [CONTACT, f64::INFINITY] {

@@ -4,7 +4,7 @@ mod common;
 
 use arcless_core::CoreError;
 use arcless_core::dynamics::rider::{Rider, RiderState};
-use arcless_core::scheme::Scheme;
+use arcless_core::scheme::{AlphaScheme, Scheme};
 use std::f64::consts::TAU;
 
 /// Oscillator of one hertz with ratio of damping ζ: a rider that touches nothing.
@@ -89,9 +89,12 @@ fn two_steps_of_every_member() {
     let (k, d) = (TAU * TAU, 2.0 * zeta * TAU);
     let mut members = second_order();
     members.push(Scheme::newmark(0.4, 0.7));
-    for s in members {
+    for scheme in members {
+        let Scheme::Alpha(s) = scheme else {
+            unreachable!("members of the family only");
+        };
         let (mut u, mut v, mut a) = (1.0, 0.0, -k);
-        let mut state = released(oscillator(zeta), s, h);
+        let mut state = released(oscillator(zeta), scheme, h);
         for _ in 0..2 {
             let (um, vm) = (
                 u + h * v + h * h * (0.5 - s.beta) * a,
@@ -104,7 +107,7 @@ fn two_steps_of_every_member() {
             let new = -known / factor;
             (u, v, a) = (um + h * h * s.beta * new, vm + h * s.gamma * new, new);
         }
-        advance(&mut state, s, h, 2);
+        advance(&mut state, scheme, h, 2);
         // 1/(β h²) amplifies rounding of displacements in the acceleration.
         assert!((state.u[0] - u).abs() < 1e-13, "{s:?}");
         assert!((state.v[0] - v).abs() < 1e-11, "{s:?}");
@@ -206,6 +209,36 @@ fn numerical_damping_of_newmark() {
     assert!(-radius(Scheme::generalised_alpha(0.9), omega_h).ln() / omega_h < 1e-3 * expected);
 }
 
+/// Backward differences: z = 1/(1 ± iωh), so the amplitude shrinks by 1/√(1 + ω²h²) in every step,
+/// and the displacement after n steps from rest (u₀ = u₋₁) follows the recursion written out.
+#[test]
+fn backward_differences_shrink_as_their_roots_say() {
+    let scheme = Scheme::BackwardDifference;
+    for omega_h in [0.01_f64, 0.125_66, 1.0, 10.0] {
+        let expected = 1.0 / (1.0 + omega_h * omega_h).sqrt();
+        let found = radius(scheme, omega_h);
+        // A double root would add 2e-5; these are simple.
+        assert!((found / expected - 1.0).abs() < 1e-5, "{omega_h}: {found}");
+    }
+    let (h, zeta) = (0.05, 0.1);
+    let (k, d) = (TAU * TAU, 2.0 * zeta * TAU);
+    let mut state = released(oscillator(zeta), scheme, h);
+    let (mut old, mut now) = (1.0, 1.0);
+    for _ in 0..20 {
+        let new = ((2.0 * now - old) / (h * h) + d * now / h) / (1.0 / (h * h) + d / h + k);
+        (old, now) = (now, new);
+    }
+    advance(&mut state, scheme, h, 20);
+    assert!((state.u[0] - now).abs() < 1e-13, "rounding of 20 steps");
+    let errors = [400, 800, 1600].map(|n| (after_a_second(scheme, 0.1, n) - exact(0.1)).abs());
+    let orders = common::orders(&errors);
+    // First order; the quadratic term is a few per cent of the linear one at these steps.
+    assert!(
+        orders.iter().all(|&p| (0.9..1.1).contains(&p)),
+        "{orders:?}"
+    );
+}
+
 #[test]
 fn members_that_pass_the_check_are_stable_at_any_step() {
     let mut members = second_order();
@@ -225,14 +258,18 @@ fn unstable_parameters_are_refused() {
     let explicit = Scheme::newmark(0.0, 0.5);
     let linear = Scheme::newmark(1.0 / 6.0, 0.5);
     let growing = Scheme::newmark(0.25, 0.4);
-    let old = Scheme {
-        alpha_f: 0.6,
-        ..Scheme::generalised_alpha(1.0)
+    let with = |change: fn(&mut AlphaScheme)| {
+        let mut s = AlphaScheme {
+            beta: 0.25,
+            gamma: 0.5,
+            alpha_m: 0.5,
+            alpha_f: 0.5,
+        };
+        assert!(Scheme::Alpha(s).check().is_ok(), "trapezoidal");
+        change(&mut s);
+        Scheme::Alpha(s)
     };
-    let nan = Scheme {
-        beta: f64::NAN,
-        ..Scheme::generalised_alpha(0.5)
-    };
+    let (old, nan) = (with(|s| s.alpha_f = 0.6), with(|s| s.beta = f64::NAN));
     for s in [explicit, linear, growing, old, nan] {
         assert!(
             matches!(

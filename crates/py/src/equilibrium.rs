@@ -13,6 +13,7 @@ use arcless_core::linalg::lanczos;
 use arcless_core::scheme::Scheme;
 use arcless_core::statics::{Geometry, Shape, assembly};
 use numpy::{PyReadonlyArray2, ToPyArray};
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -96,38 +97,51 @@ impl Equilibrium {
         found.map_err(|e| convert(py, &e))
     }
 
-    /// Factorise for stepping: scheme as (beta, gamma, alpha_m, alpha_f), step in s, contact
-    /// stiffness in N/m (infinite when rigid).
+    /// Factorise for stepping: scheme as name and parameters, step in s, contact stiffness in N/m
+    /// (infinite when rigid), updated or linearised kinematics.
     fn prepare(
         &self,
         py: Python<'_>,
         path: Vec<usize>,
-        scheme: (f64, f64, f64, f64),
+        scheme: (String, Vec<f64>),
         step: f64,
         contact_stiffness: f64,
+        updated: bool,
     ) -> PyResult<Prepared> {
-        let (beta, gamma, alpha_m, alpha_f) = scheme;
-        let scheme = Scheme {
-            beta,
-            gamma,
-            alpha_m,
-            alpha_f,
+        let stepping = Stepping {
+            scheme: read_scheme(&scheme.0, &scheme.1)?,
+            step,
+            contact_stiffness,
+            updated,
         };
         let found = py.detach(|| match &self.0 {
-            Any::Planar(s) => s
-                .prepare(&path, scheme, step, contact_stiffness)
-                .map(prepared::Any::Planar),
-            Any::Spatial(s) => s
-                .prepare(&path, scheme, step, contact_stiffness)
-                .map(prepared::Any::Spatial),
-            Any::PlanarChain(s) => s
-                .prepare(&path, scheme, step, contact_stiffness)
-                .map(prepared::Any::PlanarChain),
-            Any::SpatialChain(s) => s
-                .prepare(&path, scheme, step, contact_stiffness)
-                .map(prepared::Any::SpatialChain),
+            Any::Planar(s) => s.prepare(&path, &stepping).map(prepared::Any::Planar),
+            Any::Spatial(s) => s.prepare(&path, &stepping).map(prepared::Any::Spatial),
+            Any::PlanarChain(s) => s.prepare(&path, &stepping).map(prepared::Any::PlanarChain),
+            Any::SpatialChain(s) => s.prepare(&path, &stepping).map(prepared::Any::SpatialChain),
         });
         found.map(Prepared).map_err(|e| convert(py, &e))
+    }
+}
+
+struct Stepping {
+    scheme: Scheme,
+    step: f64,
+    contact_stiffness: f64,
+    updated: bool,
+}
+
+fn read_scheme(name: &str, parameters: &[f64]) -> PyResult<Scheme> {
+    match (name, parameters) {
+        ("generalised-alpha", &[radius]) => Ok(Scheme::generalised_alpha(radius)),
+        ("hht", &[alpha]) => Ok(Scheme::hht(alpha)),
+        ("newmark", &[beta, gamma]) => Ok(Scheme::newmark(beta, gamma)),
+        ("trapezoidal", &[]) => Ok(Scheme::generalised_alpha(1.0)),
+        ("backward-difference", &[]) => Ok(Scheme::BackwardDifference),
+        _ => Err(PyValueError::new_err(format!(
+            "unknown scheme {name} with {} parameters",
+            parameters.len()
+        ))),
     }
 }
 
@@ -175,17 +189,14 @@ impl<const DIM: usize, const D: usize> Solved<DIM, D> {
     fn prepare(
         &self,
         path: &[usize],
-        scheme: Scheme,
-        step: f64,
-        contact_stiffness: f64,
+        with: &Stepping,
     ) -> Result<stepper::Prepared<DIM, D>, CoreError> {
-        stepper::Prepared::new(
-            self.line(),
-            self.path(path)?,
-            scheme,
-            step,
-            contact_stiffness,
-        )
+        let (path, h, contact) = (self.path(path)?, with.step, with.contact_stiffness);
+        if with.updated {
+            let (geometry, shape) = (&self.geometry, &self.shape);
+            return stepper::Prepared::updated(geometry, shape, path, with.scheme, h, contact);
+        }
+        stepper::Prepared::new(self.line(), path, with.scheme, h, contact)
     }
 
     fn arrays<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {

@@ -132,7 +132,7 @@ fn read_plan(plan: &Bound<'_, PyDict>) -> PyResult<RecordPlan> {
 
 fn arrays<'py>(py: Python<'py>, r: &Record) -> PyResult<Bound<'py, PyDict>> {
     let out = PyDict::new(py);
-    let series: [(&str, &[f64]); 16] = [
+    let series: [(&str, &[f64]); 17] = [
         ("time", &r.time),
         ("force", &r.force),
         ("gap", &r.gap),
@@ -145,6 +145,7 @@ fn arrays<'py>(py: Python<'py>, r: &Record) -> PyResult<Bound<'py, PyDict>> {
         ("link_force", &r.link_force),
         ("uplift", &r.uplift),
         ("point_uplift", &r.point_uplift),
+        ("point_along", &r.point_along),
         ("slack", &r.slack),
         ("link_min", &r.link_min),
         ("link_max", &r.link_max),
@@ -179,6 +180,7 @@ fn arrays<'py>(py: Python<'py>, r: &Record) -> PyResult<Bound<'py, PyDict>> {
     out.set_item("slack_max", r.slack_max)?;
     out.set_item("pivots", r.pivots)?;
     out.set_item("pivots_max", r.pivots_max)?;
+    out.set_item("pivot_counts", &r.pivot_counts)?;
     out.set_item("fallbacks", r.fallbacks)?;
     out.set_item("lcp_residual", r.lcp_residual)?;
     out.set_item("steps", r.steps)?;

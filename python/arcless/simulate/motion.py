@@ -6,7 +6,6 @@ from math import inf
 import numpy as np
 from numpy.typing import NDArray
 
-from arcless import _core
 from arcless.errors import ModelError
 from arcless.model import Scenario
 from arcless.model.checks import MAX_STEPS
@@ -115,17 +114,16 @@ def rider(pantograph: Pantograph, start_force: float) -> RiderData:
     return (*matrices, strip.tolist(), preload.tolist(), lift, start_force)
 
 
-def scheme_numbers(scheme: Scheme) -> tuple[float, float, float, float]:
-    """Return (beta, gamma, alpha_m, alpha_f); see the core's `scheme` for the equations.
-
-    The trapezoidal rule is the member of spectral radius one: balance in the middle of the step.
-    """
+def scheme_numbers(scheme: Scheme) -> tuple[str, list[float]]:
+    """Return the name and the parameters of a scheme; see the core's `scheme` for the equations."""
     if isinstance(scheme, Newmark):
-        return scheme.beta, scheme.gamma, 0.0, 0.0
+        return scheme.name, [scheme.beta, scheme.gamma]
     if isinstance(scheme, HilberHughesTaylor):
-        return _core.scheme("hht", -scheme.alpha)
-    radius = scheme.spectral_radius if isinstance(scheme, GeneralisedAlpha) else 1.0
-    return _core.scheme("generalised-alpha", radius)
+        # The core counts alpha from 0 to 1/3.
+        return scheme.name, [-scheme.alpha]
+    if isinstance(scheme, GeneralisedAlpha):
+        return scheme.name, [scheme.spectral_radius]
+    return scheme.name, []
 
 
 def contact_stiffness(scenario: Scenario) -> float:

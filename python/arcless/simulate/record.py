@@ -44,6 +44,7 @@ def dynamic_variables(
         out["support_uplift"] = raw["uplift"].reshape(rows, -1)
     if scenario.output.points:
         out["point_uplift"] = raw["point_uplift"].reshape(rows, -1)
+        out["point_along"] = raw["point_along"].reshape(rows, -1)
     out["slack_droppers"] = raw["slack"]
     out["dropper_force_min"] = raw["link_min"][links]
     out["dropper_force_max"] = raw["link_max"][links]

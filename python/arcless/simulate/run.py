@@ -96,6 +96,7 @@ def run(
         motion.scheme_numbers(scenario.solver.scheme),
         scenario.time_step_s,
         motion.contact_stiffness(scenario),
+        scenario.solver.kinematics == "updated",
     )
     x = found.elasticity_positions()
     elasticity = found.elasticity(x)
@@ -121,6 +122,8 @@ def run(
 
 def _keeps_ledger(scenario: Scenario) -> bool:
     # The ledger costs about as much as the step itself; see docs/decisions.
+    if scenario.solver.kinematics == "updated":
+        return False
     wanted = scenario.output.energy
     return wanted == "always" or (wanted == "auto" and scenario.solver.scheme.name == "trapezoidal")
 
@@ -156,6 +159,8 @@ def _attributes(
         "slack_droppers_max": raw["slack_max"],
         "lcp_pivots_total": raw["pivots"],
         "lcp_pivots_max": raw["pivots_max"],
+        "lcp_pivots_mean": raw["pivots"] / raw["steps"],
+        "lcp_pivots_per_step": list(raw["pivot_counts"]),
         "static_force_found": dict(zip(names, np.round(forces, 6).tolist(), strict=True)),
         "warnings": scenario_warnings(scenario),
         "command": f"arcless run {scenario.name}",

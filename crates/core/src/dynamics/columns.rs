@@ -10,14 +10,14 @@ use std::ops::Range;
 /// unbalance the forces, smaller stores noise.
 const CUT: f64 = 1e-17;
 
-/// Columns one after the other in one piece of memory.
-#[derive(Debug, Clone, Default)]
+/// Columns one after the other in one piece of memory, found by their numbers.
+#[derive(Debug, Clone)]
 pub struct Columns<const D: usize> {
     windows: Vec<Window>,
     values: Vec<[f64; D]>,
 }
 
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 struct Window {
     first: usize,
     offset: usize,
@@ -25,8 +25,35 @@ struct Window {
 }
 
 impl<const D: usize> Columns<D> {
-    /// Solve for a right-hand side and keep the column; returns its number.
-    pub fn push(&mut self, factor: &BlockLdl<D>, mut rhs: Vec<[f64; D]>) -> usize {
+    /// Room for a number of columns; all are zero.
+    #[must_use]
+    pub fn new(count: usize) -> Self {
+        Self {
+            windows: vec![Window::default(); count],
+            values: Vec::new(),
+        }
+    }
+
+    /// Number of columns there is room for.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.windows.len()
+    }
+
+    /// Forget all columns.
+    pub fn forget(&mut self) {
+        self.windows.fill(Window::default());
+        self.values.clear();
+    }
+
+    /// Whether a column has been set.
+    #[must_use]
+    pub fn has(&self, column: usize) -> bool {
+        self.windows[column].length > 0
+    }
+
+    /// Solve for a right-hand side and keep the column.
+    pub fn set(&mut self, column: usize, factor: &BlockLdl<D>, mut rhs: Vec<[f64; D]>) {
         let mut scratch = vec![[0.0; D]; rhs.len()];
         factor.solve(&mut rhs, &mut scratch);
         let size = |v: &[f64; D]| v.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
@@ -34,13 +61,12 @@ impl<const D: usize> Columns<D> {
         let keeps = |v: &[f64; D]| size(v) > CUT * peak;
         let first = rhs.iter().position(keeps).unwrap_or(0);
         let end = rhs.iter().rposition(keeps).map_or(first, |i| i + 1);
-        self.windows.push(Window {
+        self.windows[column] = Window {
             first,
             offset: self.values.len(),
             length: end - first,
-        });
+        };
         self.values.extend_from_slice(&rhs[first..end]);
-        self.windows.len() - 1
     }
 
     /// Value at a node.

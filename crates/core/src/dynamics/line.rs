@@ -146,7 +146,7 @@ impl<const DIM: usize, const D: usize> Line<DIM, D> {
         mass_rest.pack();
         Self {
             free: geometry.service_mask(),
-            damping_rest: damping_rest(geometry, &shape, common.beta),
+            damping_rest: damping_rest(geometry, &shape, common.beta, &mut geometry.empty_matrix()),
             dampers: s
                 .springs
                 .iter()
@@ -167,19 +167,50 @@ impl<const DIM: usize, const D: usize> Line<DIM, D> {
         self.shape.len()
     }
 
+    /// Linearise anew about another position; masses and what is fixed stay. `scratch` is a matrix
+    /// of the structure's pattern.
+    pub fn reform(
+        &mut self,
+        geometry: &Geometry<DIM, D>,
+        shape: &Shape<D>,
+        scratch: &mut SymmetricBlocks<D>,
+    ) {
+        geometry.tangent(shape, LinkLaw::Linear, &mut self.stiffness);
+        // Whether there is any such damping does not depend on the position.
+        if !self.damping_rest.is_empty() {
+            self.damping_rest = damping_rest(geometry, shape, self.common.beta, scratch);
+        }
+        for (linear, link) in self.links.iter_mut().zip(&geometry.structure.links) {
+            *linear = LinearLink::new(link, shape);
+        }
+    }
+
     /// `c · M + d · C + k · K` with the fixed components removed.
     #[must_use]
     pub fn combine(&self, c: f64, d: f64, k: f64) -> SymmetricBlocks<D> {
+        let mut a = self.inertia(c, d);
+        self.add_stiffness(d, k, &mut a);
+        a
+    }
+
+    /// `c · M` and the mass-proportional part of `d · C`.
+    #[must_use]
+    pub fn inertia(&self, c: f64, d: f64) -> SymmetricBlocks<D> {
         let mut a = self.stiffness.clone();
-        let factor = k + d * self.common.beta;
-        a.blocks
-            .iter_mut()
-            .flatten()
-            .flatten()
-            .for_each(|v| *v *= factor);
+        a.clear();
         self.mass.add_to(c + d * self.common.alpha, &mut a);
         if let Some(rest) = &self.mass_damping_rest {
             rest.add_to(d, &mut a);
+        }
+        a
+    }
+
+    /// Add `k · K` and the rest of `d · C`, then remove the fixed components.
+    pub fn add_stiffness(&self, d: f64, k: f64, a: &mut SymmetricBlocks<D>) {
+        let factor = k + d * self.common.beta;
+        let stiffness = self.stiffness.blocks.iter().flatten().flatten();
+        for (a, k) in a.blocks.iter_mut().flatten().flatten().zip(stiffness) {
+            *a += factor * k;
         }
         for (i, j, block) in &self.damping_rest {
             let mut scaled = *block;
@@ -187,7 +218,16 @@ impl<const DIM: usize, const D: usize> Line<DIM, D> {
             a.add(*i, *j, &scaled);
         }
         a.keep_free(&self.free);
-        a
+    }
+
+    /// Add the forces that hold links which are slack at rest.
+    pub fn add_rest_corrections(&self, f: &mut [[f64; D]]) {
+        for link in &self.links {
+            let correction = link.rest_correction();
+            if correction > 0.0 {
+                link.add_to(correction, f);
+            }
+        }
     }
 
     /// K without the links that are slack at rest, fixed components removed; `None` when there is
@@ -253,18 +293,19 @@ fn damping_rest<const DIM: usize, const D: usize>(
     geometry: &Geometry<DIM, D>,
     shape: &Shape<D>,
     common: f64,
+    c: &mut SymmetricBlocks<D>,
 ) -> Vec<(usize, usize, Block<D>)> {
     let s = &geometry.structure;
-    let mut c = geometry.empty_matrix();
+    c.clear();
     for wire in s.wires.iter().filter(|w| w.damping.beta != common) {
-        Geometry::<DIM, D>::add_wire(&mut c, shape, wire, wire.damping.beta - common);
+        Geometry::<DIM, D>::add_wire(c, shape, wire, wire.damping.beta - common);
     }
     for segment in s.segments.iter().filter(|k| k.damping.beta != common) {
         let difference = segment.damping.beta - common;
-        Geometry::<DIM, D>::add_segment(&mut c, shape, segment, difference);
+        Geometry::<DIM, D>::add_segment(c, shape, segment, difference);
     }
     for bend in s.bends.iter().filter(|b| b.beta != common) {
-        geometry.add_bend(&mut c, bend, bend.beta - common);
+        geometry.add_bend(c, bend, bend.beta - common);
     }
     for link in &s.links {
         let state = Geometry::<DIM, D>::link_state(shape, link);
@@ -277,14 +318,14 @@ fn damping_rest<const DIM: usize, const D: usize>(
                 tangent[p][q] = difference * tangent[p][q] + link.viscosity * along;
             }
         }
-        Geometry::<DIM, D>::add_between(&mut c, link.nodes, &tangent);
+        Geometry::<DIM, D>::add_between(c, link.nodes, &tangent);
     }
     for strut in s.struts.iter().filter(|_| common != 0.0) {
-        Geometry::<DIM, D>::add_strut(&mut c, shape, strut, -common);
+        Geometry::<DIM, D>::add_strut(c, shape, strut, -common);
     }
     for spring in &s.springs {
         let value = spring.viscosity - common * spring.stiffness;
-        Geometry::<DIM, D>::add_spring(&mut c, spring, value);
+        Geometry::<DIM, D>::add_spring(c, spring, value);
     }
     let mut rest = Vec::new();
     for i in 0..c.rows() {

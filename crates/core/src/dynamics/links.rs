@@ -39,6 +39,18 @@ impl LinkMotion {
         }
     }
 
+    /// Measure elongations anew from the present position, along the present directions.
+    pub fn restart<const DIM: usize, const D: usize>(
+        &mut self,
+        links: &[LinearLink<DIM>],
+        v: &[[f64; D]],
+        a: &[[f64; D]],
+    ) {
+        for (elongation, link) in self.elongation.iter_mut().zip(links) {
+            *elongation = [0.0, link.elongation(v), link.elongation(a)];
+        }
+    }
+
     /// Prepare the next step from the present elongations.
     pub fn begin<const DIM: usize>(&mut self, links: &[LinearLink<DIM>], c: &Coefficients) {
         let old = self.old_part.iter_mut().zip(&self.elongation);

@@ -1,6 +1,7 @@
 //! Motion about the static equilibrium: constant M, C, K; everything unilateral in one linear
 //! complementarity problem per step.
 
+mod close;
 pub mod columns;
 pub mod contact;
 pub mod ledger;
@@ -12,3 +13,4 @@ pub mod rider;
 pub mod run;
 pub mod stepper;
 pub mod still;
+pub mod updated;

@@ -15,6 +15,8 @@ pub const fn slots<const DIM: usize, const D: usize>() -> usize {
 #[derive(Debug, Clone)]
 pub struct Path<const DIM: usize> {
     elements: Vec<PathElement<DIM>>,
+    /// The same elements where they have moved to, with updated kinematics; else empty.
+    moved: Vec<PathElement<DIM>>,
     /// Nodes along the path, one more than there are elements.
     pub nodes: Vec<usize>,
 }
@@ -75,6 +77,21 @@ impl<const DIM: usize> PathElement<DIM> {
             }
         }
         hermite::shape(xi.clamp(0.0, 1.0), *l)
+    }
+
+    /// Move both ends (position, and slope where there is one) by the displacements of their nodes.
+    fn displace<const D: usize>(&mut self, ends: [&[f64; D]; 2]) {
+        for (side, end) in ends.into_iter().enumerate() {
+            for c in 0..DIM {
+                match self {
+                    Self::Curve { coordinates: e, .. } => {
+                        e[2 * side][c] += end[c];
+                        e[2 * side + 1][c] += end[DIM + c];
+                    }
+                    Self::Chord(points) => points[side][c] += end[c],
+                }
+            }
+        }
     }
 
     /// Static position for given shape functions.
@@ -148,7 +165,11 @@ impl<const DIM: usize> Path<DIM> {
         if elements.is_empty() {
             return Err(refuse("no elements"));
         }
-        Ok(Self { elements, nodes })
+        Ok(Self {
+            elements,
+            moved: Vec::new(),
+            nodes,
+        })
     }
 
     /// First and last coordinate along the track, m.
@@ -158,24 +179,37 @@ impl<const DIM: usize> Path<DIM> {
         (self.elements[0].range().0, self.elements[last].range().1)
     }
 
+    /// From now on, places are found on the wire displaced by `u`.
+    pub fn follow<const D: usize>(&mut self, u: &[[f64; D]]) {
+        self.moved.clone_from(&self.elements);
+        for (element, nodes) in self.moved.iter_mut().zip(self.nodes.windows(2)) {
+            element.displace([&u[nodes[0]], &u[nodes[1]]]);
+        }
+    }
+
     /// Place at coordinate `x` along the track; `None` beyond the ends. `near` is the element
     /// where the search starts (contacts move little from step to step).
     #[must_use]
     pub fn locate(&self, x: f64, near: usize) -> Option<Place> {
-        let (first, last) = self.range();
+        let present = if self.moved.is_empty() {
+            &self.elements
+        } else {
+            &self.moved
+        };
+        let (first, last) = (present[0].range().0, present[present.len() - 1].range().1);
         if !(first..=last).contains(&x) {
             return None;
         }
-        let mut k = near.min(self.elements.len() - 1);
-        while x < self.elements[k].range().0 {
+        let mut k = near.min(present.len() - 1);
+        while k > 0 && x < present[k].range().0 {
             k -= 1;
         }
-        while x > self.elements[k].range().1 {
+        while k + 1 < present.len() && x > present[k].range().1 {
             k += 1;
         }
-        let element = &self.elements[k];
-        let weights = element.weights(x, 4.0 * f64::EPSILON * last.abs());
-        let r = element.point(&weights);
+        let weights = present[k].weights(x, 4.0 * f64::EPSILON * last.abs());
+        // The static point with these weights: displacements are added by whoever asks for them.
+        let r = self.elements[k].point(&weights);
         let lateral = if DIM == 3 { r[1] } else { 0.0 };
         Some(Place {
             element: k,
@@ -200,6 +234,19 @@ impl<const DIM: usize> Path<DIM> {
         w[0] * a[c] + w[1] * a[DIM + c] + w[2] * b[c] + w[3] * b[DIM + c]
     }
 
+    /// Degrees of freedom that share component `c` of a force at a place: node, component, share.
+    pub fn shares<const D: usize>(
+        &self,
+        place: &Place,
+        c: usize,
+    ) -> impl Iterator<Item = (usize, usize, f64)> {
+        let (slots, first, weights) = (slots::<DIM, D>(), place.element, place.weights);
+        (0..2 * slots).map(move |k| {
+            let node = self.nodes[first + k / slots];
+            (node, k % slots * DIM + c, weights[k])
+        })
+    }
+
     /// Add a force on component `c` at a place.
     pub fn add_force<const D: usize>(
         &self,
@@ -208,10 +255,8 @@ impl<const DIM: usize> Path<DIM> {
         c: usize,
         f: &mut [[f64; D]],
     ) {
-        let slots = slots::<DIM, D>();
-        for (k, weight) in place.weights[..2 * slots].iter().enumerate() {
-            let node = self.nodes[place.element + k / slots];
-            f[node][k % slots * DIM + c] += weight * force;
+        for (node, component, share) in self.shares::<D>(place, c) {
+            f[node][component] += share * force;
         }
     }
 }

@@ -49,6 +49,8 @@ pub struct Record {
     pub uplift: Vec<f64>,
     /// Uplift of the watched points, m.
     pub point_uplift: Vec<f64>,
+    /// Displacement of the watched points along the track, m.
+    pub point_along: Vec<f64>,
     /// Number of slack links.
     pub slack: Vec<f64>,
     /// Energy entries.
@@ -63,6 +65,8 @@ pub struct Record {
     pub slack_max: usize,
     /// Exchanges of the complementarity solver, all steps.
     pub pivots: usize,
+    /// Number of steps that took 0, 1, 2, … exchanges.
+    pub pivot_counts: Vec<usize>,
     /// Largest number of exchanges in one step.
     pub pivots_max: usize,
     /// Steps in which the finite fallback rule was needed.

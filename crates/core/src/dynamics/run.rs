@@ -2,13 +2,14 @@
 
 use super::contact::Unilateral;
 use super::ledger::{Ledger, StepForces};
-use super::path::Place;
+use super::path::{Path, Place};
 use super::record::{Record, RecordPlan};
 use super::rider::{Rider, RiderState};
 use super::stepper::{LineState, Prepared};
 use super::still::Still;
 use crate::error::CoreError;
 use crate::lcp::LcpStats;
+use std::borrow::Cow;
 
 /// Motion along the track and laws of the contact.
 #[derive(Debug, Clone)]
@@ -27,20 +28,21 @@ pub struct Travel {
 const OBSERVE_EVERY: usize = 256;
 
 /// A run in progress.
-struct Run<'a, const DIM: usize, const D: usize> {
-    p: &'a Prepared<DIM, D>,
+pub(super) struct Run<'a, const DIM: usize, const D: usize> {
+    /// A copy of its own with updated kinematics, where every step changes it.
+    pub(super) p: Cow<'a, Prepared<DIM, D>>,
     travel: &'a Travel,
     plan: &'a RecordPlan,
-    state: LineState<D>,
-    riders: Vec<RiderState>,
+    pub(super) state: LineState<D>,
+    pub(super) riders: Vec<RiderState>,
     start_u: Vec<Vec<f64>>,
-    unilateral: Unilateral,
+    pub(super) unilateral: Unilateral,
     datum: f64,
     at_end: Vec<Place>,
     at_start: Vec<Place>,
-    at_balance: Vec<Place>,
+    pub(super) at_balance: Vec<Place>,
     points: Vec<Place>,
-    gaps: Vec<f64>,
+    pub(super) gaps: Vec<f64>,
     friction: Vec<f64>,
     record: Record,
 }
@@ -58,7 +60,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         plan: &RecordPlan,
         observe: &mut dyn FnMut(usize) -> bool,
     ) -> Result<Record, CoreError> {
-        check(riders, travel, plan)?;
+        check(riders, travel, plan, self.updating.is_some())?;
         let mut run = Run::start(self, riders, travel, plan)?;
         let mut ledger = plan
             .ledger
@@ -76,7 +78,12 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
     }
 }
 
-fn check(riders: &[Rider], travel: &Travel, plan: &RecordPlan) -> Result<(), CoreError> {
+fn check(
+    riders: &[Rider],
+    travel: &Travel,
+    plan: &RecordPlan,
+    updates: bool,
+) -> Result<(), CoreError> {
     let refuse = |array, reason: &str| {
         Err(CoreError::Input {
             array,
@@ -93,10 +100,26 @@ fn check(riders: &[Rider], travel: &Travel, plan: &RecordPlan) -> Result<(), Cor
     if all.iter().any(|a| a.iter().any(|v| !v.is_finite())) || !travel.friction.is_finite() {
         return refuse("positions", "not finite");
     }
+    if plan.ledger && updates {
+        return refuse("plan", "an energy ledger with updated kinematics");
+    }
     if plan.contact_every == 0 || plan.line_every == 0 {
         return refuse("plan", "a recording interval of zero steps");
     }
     Ok(())
+}
+
+/// Places at coordinates along the track, m.
+fn locate_all<const DIM: usize>(path: &Path<DIM>, x: &[f64]) -> Result<Vec<Place>, CoreError> {
+    let locate = |(contact, &position): (usize, &f64)| {
+        let place = path.locate(position, 0);
+        place.ok_or(CoreError::OffWire {
+            contact,
+            position,
+            step: 0,
+        })
+    };
+    x.iter().enumerate().map(locate).collect()
 }
 
 impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
@@ -107,26 +130,24 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
         travel: &'a Travel,
         plan: &'a RecordPlan,
     ) -> Result<Self, CoreError> {
-        let locate = |contact: usize, position: f64| {
-            p.path.locate(position, 0).ok_or(CoreError::OffWire {
-                contact,
-                position,
-                step: 0,
-            })
-        };
-        let places = travel
-            .distances
-            .iter()
-            .enumerate()
-            .map(|(j, d)| locate(j, travel.positions[0] - d))
-            .collect::<Result<Vec<_>, _>>()?;
-        let points = plan
-            .points
-            .iter()
-            .map(|&x| locate(0, x))
-            .collect::<Result<Vec<_>, _>>()?;
+        let start = |distance: &f64| travel.positions[0] - distance;
+        let contacts: Vec<f64> = travel.distances.iter().map(start).collect();
         let forces: Vec<f64> = riders.iter().map(|r| r.start_force).collect();
-        let still = Still::new(&p.line, &p.path)?.solve(&places, &forces)?;
+        let points = locate_all(&p.path, &plan.points)?;
+        let (p, still) = match &p.updating {
+            None => {
+                let places = locate_all(&p.path, &contacts)?;
+                let still = Still::new(&p.line, &p.path)?.solve(&places, &forces)?;
+                (Cow::Borrowed(p), still)
+            }
+            Some(now) => {
+                let still = p.settle(now, &contacts, &forces)?;
+                let mut own = p.clone();
+                own.path.follow(&still.u);
+                (Cow::Owned(own), still)
+            }
+        };
+        let places = locate_all(&p.path, &contacts)?;
         let datum = places[0].height;
         let states = riders.iter().zip(&places).map(|(rider, place)| {
             let wire = place.height + p.path.displacement(place, &still.u, DIM - 1);
@@ -161,8 +182,10 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
 
     /// One step, readable from top to bottom.
     fn step(&mut self, step: usize, ledger: Option<&mut Ledger<D>>) -> Result<(), CoreError> {
-        let p = self.p;
-        let old = p.coefficients.old;
+        if self.p.updating.is_some() {
+            self.p.to_mut().reform(&mut self.state)?;
+        }
+        let old = self.p.coefficients.old;
         let between = |a: &[f64]| (1.0 - old) * a[step + 1] + old * a[step];
         let speed = between(&self.travel.speeds);
         self.move_contacts(step, between(&self.travel.positions))?;
@@ -172,18 +195,13 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
             *t = self.travel.friction * n;
         }
         // Motion without contact forces.
-        let (places, friction) = (&self.at_balance, &self.friction);
+        let (p, places, friction) = (&*self.p, &self.at_balance, &self.friction);
         p.free_increment(&mut self.state, |f| {
             for (place, &t) in places.iter().zip(friction).filter(|(_, t)| **t != 0.0) {
                 p.path.add_force(place, t, 0, f);
             }
-            for link in p
-                .line
-                .links
-                .iter()
-                .filter(|l| l.unilateral && l.rest_tension < 0.0)
-            {
-                link.add_to(link.rest_correction(), f);
+            if p.updating.is_none() {
+                p.line.add_rest_corrections(f);
             }
         });
         for rider in &mut self.riders {
@@ -192,14 +210,7 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
         self.measure_gaps();
 
         // Contacts and slack links together.
-        let stats = p.close(
-            &mut self.state,
-            &mut self.riders,
-            &mut self.unilateral,
-            &self.at_balance,
-            &self.gaps,
-            step,
-        )?;
+        let stats = self.close(step)?;
         self.count(&stats);
         self.watch(step, speed, between(&self.travel.positions));
         self.take(ledger, step, speed);
@@ -227,7 +238,7 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
 
     /// Height of the wire above the datum at the time of balance, with the current increment.
     fn wire_height(&self, j: usize) -> f64 {
-        let (p, place) = (self.p, &self.at_balance[j]);
+        let (p, place) = (&*self.p, &self.at_balance[j]);
         place.height
             + p.path.displacement(place, &self.state.u, DIM - 1)
             + p.coefficients.stiffness * p.path.displacement(place, &self.state.delta, DIM - 1)
@@ -235,7 +246,7 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
 
     /// Lateral position of the wire at the time of balance; zero when planar.
     fn wire_lateral(&self, j: usize) -> f64 {
-        let (p, place) = (self.p, &self.at_balance[j]);
+        let (p, place) = (&*self.p, &self.at_balance[j]);
         if DIM < 3 {
             return 0.0;
         }
@@ -258,6 +269,10 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
         let r = &mut self.record;
         r.pivots += stats.pivots;
         r.pivots_max = r.pivots_max.max(stats.pivots);
+        if r.pivot_counts.len() <= stats.pivots {
+            r.pivot_counts.resize(stats.pivots + 1, 0);
+        }
+        r.pivot_counts[stats.pivots] += 1;
         r.fallbacks += usize::from(stats.fallback_used);
         r.lcp_residual = r.lcp_residual.max(stats.residual);
         let slack = self.unilateral.links.iter();
@@ -336,9 +351,12 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
         let keep = self.p.coefficients.stiffness;
         for place in &self.points {
             let path = &self.p.path;
-            let uplift = path.displacement(place, &self.state.u, DIM - 1)
-                + keep * path.displacement(place, &self.state.delta, DIM - 1);
-            self.record.point_uplift.push(uplift);
+            let moved = |c: usize| {
+                path.displacement(place, &self.state.u, c)
+                    + keep * path.displacement(place, &self.state.delta, c)
+            };
+            self.record.point_uplift.push(moved(DIM - 1));
+            self.record.point_along.push(moved(0));
         }
         let slack = self
             .unilateral
@@ -351,7 +369,7 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
 
     /// Take the step, booking its energies when a ledger is kept.
     fn take(&mut self, ledger: Option<&mut Ledger<D>>, step: usize, speed: f64) {
-        let p = self.p;
+        let p = &*self.p;
         self.record.steps = step + 1;
         let Some(ledger) = ledger else {
             p.advance(&mut self.state);

@@ -15,14 +15,13 @@ use super::contact::Unilateral;
 use super::line::Line;
 use super::links::LinkMotion;
 use super::path::{Path, Place, slots};
-use super::rider::RiderState;
+use super::updated::Updating;
 use crate::error::CoreError;
-use crate::lcp::LcpStats;
 use crate::linalg::{BlockLdl, Kernel, widest};
 use crate::scheme::{Coefficients, Scheme};
 
 /// Everything that stays the same during a run, and may be shared by many runs.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Prepared<const DIM: usize, const D: usize> {
     /// Linearised structure.
     pub line: Line<DIM, D>,
@@ -40,7 +39,9 @@ pub struct Prepared<const DIM: usize, const D: usize> {
     pub contact_compliance: f64,
     /// 1/k_c, m/N.
     pub contact_flexibility: f64,
-    factor: BlockLdl<D>,
+    /// What updated kinematics need; `None` with linearised kinematics.
+    pub(super) updating: Option<Updating<DIM, D>>,
+    pub(super) factor: BlockLdl<D>,
     fixed: Vec<(u32, u32)>,
     from_mass: [f64; 3],
     from_damping: [f64; 3],
@@ -98,6 +99,17 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         h: f64,
         contact_stiffness: f64,
     ) -> Result<Self, CoreError> {
+        Self::assemble(line, path, scheme, h, contact_stiffness, None)
+    }
+
+    pub(super) fn assemble(
+        line: Line<DIM, D>,
+        path: Path<DIM>,
+        scheme: Scheme,
+        h: f64,
+        contact_stiffness: f64,
+        updating: Option<Updating<DIM, D>>,
+    ) -> Result<Self, CoreError> {
         scheme.check()?;
         if !(h.is_finite() && h > 0.0) || contact_stiffness.is_nan() || contact_stiffness <= 0.0 {
             let reason = format!("step {h} s, contact stiffness {contact_stiffness} N/m");
@@ -113,17 +125,19 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         // Each vector below is a combination of (u, v, a) with constant numbers.
         let old_v = [0.0, c.velocity_from_v, c.velocity_from_a];
         let old_a = [0.0, c.acceleration_from_v, c.acceleration_from_a];
-        let s = [1.0, beta * old_v[1], beta * old_v[2]];
+        // With updated kinematics the forces of the present position are given: no product K u.
+        let from_u = f64::from(u8::from(updating.is_none()));
+        let s = [from_u, beta * old_v[1], beta * old_v[2]];
         let alpha = line.common.alpha;
         let combine =
             |k: usize| old_a[k] + alpha * old_v[k] - (c.mass + c.damping * alpha) / kappa * s[k];
-        let columns = influence_columns(&line, &path, &factor);
+        let columns = Columns::new(slots::<DIM, D>() * path.nodes.len() + line.links.len());
         let fixed = line.free.iter().enumerate().flat_map(|(node, free)| {
             (0..D)
                 .filter(|&k| !free[k])
                 .map(move |k| (node as u32, k as u32))
         });
-        Ok(Self {
+        let mut prepared = Self {
             fixed: fixed.collect(),
             from_mass: [0, 1, 2].map(combine),
             from_damping: [0, 1, 2].map(|k| old_v[k] - c.damping / kappa * s[k]),
@@ -141,7 +155,30 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
             coefficients: c,
             columns,
             factor,
-        })
+            updating,
+        };
+        if prepared.updating.is_none() {
+            for number in 0..prepared.columns.count() {
+                let load = prepared.unit_load(number);
+                prepared.columns.set(number, &prepared.factor, load);
+            }
+        }
+        Ok(prepared)
+    }
+
+    /// Right-hand side of a column. First come those of all path nodes (unit force in the vertical,
+    /// and unit couple where they have slopes), then those of all links.
+    pub(super) fn unit_load(&self, number: usize) -> Vec<[f64; D]> {
+        let slots = slots::<DIM, D>();
+        let mut load = vec![[0.0; D]; self.line.nodes()];
+        if let Some(&node) = self.path.nodes.get(number / slots) {
+            load[node][number % slots * DIM + DIM - 1] = 1.0;
+        } else {
+            let link = number - slots * self.path.nodes.len();
+            self.line.links[link].add_to(1.0, &mut load);
+        }
+        self.line.mask(&mut load);
+        load
     }
 
     /// Blocks in the factor, for reports on cost.
@@ -177,6 +214,13 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         } = state;
         self.subtract_damping_rest(u, v, a, [work, scratch], delta);
         load(delta);
+        if let Some(now) = &self.updating {
+            for (force, residual) in delta.iter_mut().zip(&now.residual) {
+                for c in 0..D {
+                    force[c] -= residual[c];
+                }
+            }
+        }
         for &(node, component) in &self.fixed {
             delta[node as usize][component as usize] = 0.0;
         }
@@ -218,57 +262,13 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         self.line.add_damping_rest(work, f, scratch);
     }
 
-    /// Solve the complementarity problem of the step and complete the increments with its forces.
-    /// `places` are the contacts at the time of balance, `gaps` their gaps without contact force.
-    ///
-    /// Only links that would push enter; a link that starts to push because of the solution
-    /// enters then, so the answer is that of the problem with all links.
-    ///
-    /// # Errors
-    /// [`CoreError::Lcp`] or [`CoreError::SlackSet`].
-    pub fn close(
+    /// Add the response to what changed since the last call in this step: Δu += A⁻¹(C λ − G r).
+    pub(super) fn respond(
         &self,
         state: &mut LineState<D>,
-        riders: &mut [RiderState],
         unilateral: &mut Unilateral,
         places: &[Place],
-        gaps: &[f64],
-        step: usize,
-    ) -> Result<LcpStats, CoreError> {
-        let links = &self.line.links;
-        let time = (step + 1) as f64 * self.h;
-        unilateral.collect(|i| links[i].unilateral && state.links.tension[i] < 0.0);
-        let mut total = LcpStats::default();
-        // Every round adds at least one link, so there are at most as many rounds as links.
-        for _ in 0..=links.len() {
-            let stats = unilateral
-                .solve(self, places, riders, gaps, &state.links.tension_free)
-                .map_err(|failure| {
-                    let contacts = (0..places.len()).collect();
-                    CoreError::Lcp {
-                        step,
-                        time,
-                        contacts,
-                        links: unilateral.links.clone(),
-                        failure,
-                    }
-                })?;
-            total.pivots += stats.pivots;
-            total.fallback_used |= stats.fallback_used;
-            total.residual = total.residual.max(stats.residual);
-            self.respond(state, unilateral, places);
-            if !unilateral.extend(|i| links[i].unilateral && state.links.tension[i] < 0.0) {
-                for (rider, &force) in riders.iter_mut().zip(&unilateral.force) {
-                    rider.add_contact(force);
-                }
-                return Ok(total);
-            }
-        }
-        Err(CoreError::SlackSet { step, time })
-    }
-
-    /// Add the response to what changed since the last call in this step: Δu += A⁻¹(C λ − G r).
-    fn respond(&self, state: &mut LineState<D>, unilateral: &mut Unilateral, places: &[Place]) {
+    ) {
         let slots = slots::<DIM, D>();
         let mut moved = self.line.nodes()..0;
         let mut add = |column: usize, factor: f64| {
@@ -356,28 +356,4 @@ impl<const DIM: usize, const D: usize> Kernel for Advance<'_, DIM, D> {
             (*u, *v, *a, *w, *s) = (new_u, new_v, new_a, inertia, offset);
         }
     }
-}
-
-/// Columns of all path nodes (unit force in the vertical, and unit couple where they have slopes),
-/// then of all links.
-fn influence_columns<const DIM: usize, const D: usize>(
-    line: &Line<DIM, D>,
-    path: &Path<DIM>,
-    factor: &BlockLdl<D>,
-) -> Columns<D> {
-    let mut columns = Columns::default();
-    for &node in &path.nodes {
-        for component in (0..slots::<DIM, D>()).map(|slot| slot * DIM + DIM - 1) {
-            let mut unit = vec![[0.0; D]; line.nodes()];
-            unit[node][component] = f64::from(u8::from(line.free[node][component]));
-            columns.push(factor, unit);
-        }
-    }
-    for link in &line.links {
-        let mut pull = vec![[0.0; D]; line.nodes()];
-        link.add_to(1.0, &mut pull);
-        line.mask(&mut pull);
-        columns.push(factor, pull);
-    }
-    columns
 }

@@ -86,26 +86,48 @@ fn from_both_ends(n: usize) -> Vec<u32> {
         .collect()
 }
 
-/// The matrix with its nodes in another order.
-fn reorder<const D: usize>(a: &SymmetricBlocks<D>, order: &[u32]) -> SymmetricBlocks<D> {
-    let mut position = vec![0; order.len()];
-    order
-        .iter()
-        .enumerate()
-        .for_each(|(i, &node)| position[node as usize] = i);
-    let entries =
-        || (0..a.rows()).flat_map(|i| (a.row_start[i]..a.row_start[i + 1]).map(move |k| (i, k)));
-    let places = entries().map(|(i, k)| (position[i], position[a.columns[k]]));
-    let mut b = SymmetricBlocks::with_pattern(a.rows(), places);
-    for (i, k) in entries() {
-        let (row, column) = (position[i], position[a.columns[k]]);
-        if row >= column {
-            b.add(row, column, &a.blocks[k]);
-        } else {
-            b.add(column, row, &block::transpose(&a.blocks[k]));
+/// A matrix in the order of elimination, to factorise again and again with other values.
+#[derive(Debug, Clone)]
+pub struct Refactoring<const D: usize> {
+    reordered: SymmetricBlocks<D>,
+    /// For each block of the matrix as given: its place here, and whether it is transposed.
+    places: Vec<(usize, bool)>,
+}
+
+impl<const D: usize> Refactoring<D> {
+    /// For matrices with the pattern of `a`.
+    #[must_use]
+    pub fn new(a: &SymmetricBlocks<D>) -> Self {
+        let order = from_both_ends(a.rows());
+        let mut position = vec![0; order.len()];
+        order
+            .iter()
+            .enumerate()
+            .for_each(|(i, &node)| position[node as usize] = i);
+        let entries = || {
+            (0..a.rows()).flat_map(|i| (a.row_start[i]..a.row_start[i + 1]).map(move |k| (i, k)))
+        };
+        let pairs = entries().map(|(i, k)| (position[i], position[a.columns[k]]));
+        let reordered = SymmetricBlocks::with_pattern(a.rows(), pairs);
+        let place = |(i, k): (usize, usize)| {
+            let (row, column) = (position[i], position[a.columns[k]]);
+            let place = reordered.place(row.max(column), row.min(column));
+            // Every pair was put into the pattern above.
+            (place.unwrap_or_default(), row < column)
+        };
+        let places = entries().map(place).collect();
+        Self { reordered, places }
+    }
+
+    fn take(&mut self, a: &SymmetricBlocks<D>) {
+        for (block, &(place, transposed)) in a.blocks.iter().zip(&self.places) {
+            self.reordered.blocks[place] = if transposed {
+                block::transpose(block)
+            } else {
+                *block
+            };
         }
     }
-    b
 }
 
 impl<const D: usize> BlockLdl<D> {
@@ -114,9 +136,8 @@ impl<const D: usize> BlockLdl<D> {
     /// # Errors
     /// [`CoreError::Singular`] when a pivot block has no inverse.
     pub fn new(a: &SymmetricBlocks<D>) -> Result<Self, CoreError> {
-        let order = from_both_ends(a.rows());
-        let a = reorder(a, &order);
-        let (row_start, columns) = fill_pattern(&a);
+        let mut refactoring = Refactoring::new(a);
+        let (row_start, columns) = fill_pattern(&refactoring.reordered);
         let mut factor = Self {
             lower: vec![zero(); columns.len()],
             rows: Vec::new(),
@@ -124,16 +145,40 @@ impl<const D: usize> BlockLdl<D> {
             backward: Vec::new(),
             diagonal_inverse: vec![zero(); a.rows()],
             negative_pivots: 0,
-            order,
+            order: from_both_ends(a.rows()),
             row_start,
             columns,
         };
-        factor.factorise(&a)?;
         factor.arrange();
+        factor.refactorise(&mut refactoring, a)?;
         Ok(factor)
     }
 
-    /// Lay the factor out for substitutions.
+    /// Factorise a matrix of the same pattern in the place of the old one.
+    ///
+    /// # Errors
+    /// [`CoreError::Singular`] when a pivot block has no inverse.
+    pub fn refactorise(
+        &mut self,
+        refactoring: &mut Refactoring<D>,
+        a: &SymmetricBlocks<D>,
+    ) -> Result<(), CoreError> {
+        refactoring.take(a);
+        self.negative_pivots = 0;
+        self.factorise(&refactoring.reordered)?;
+        for ((l, forward), backward) in self
+            .lower
+            .iter()
+            .zip(&mut self.forward)
+            .zip(&mut self.backward)
+        {
+            forward.block = block::transpose(l);
+            backward.block = *l;
+        }
+        Ok(())
+    }
+
+    /// Lay out the rows for substitutions.
     fn arrange(&mut self) {
         let rows = self.order.iter().zip(self.row_start.windows(2));
         let rows = rows.map(|(&node, ends)| Row {
@@ -141,15 +186,12 @@ impl<const D: usize> BlockLdl<D> {
             length: (ends[1] - ends[0]) as u32,
         });
         self.rows = rows.collect();
-        let entries = || self.lower.iter().zip(&self.columns);
-        let entry = |block, &column: &u32| Entry {
-            block,
+        let entry = |&column: &u32| Entry {
+            block: zero(),
             column: column as usize,
         };
-        self.forward = entries()
-            .map(|(l, c)| entry(block::transpose(l), c))
-            .collect();
-        self.backward = entries().map(|(l, c)| entry(*l, c)).collect();
+        self.forward = self.columns.iter().map(entry).collect();
+        self.backward = self.forward.clone();
     }
 
     fn factorise(&mut self, a: &SymmetricBlocks<D>) -> Result<(), CoreError> {

@@ -9,7 +9,7 @@ pub mod symmetric;
 pub mod wide;
 
 pub use block::Block;
-pub use ldl::BlockLdl;
+pub use ldl::{BlockLdl, Refactoring};
 pub use mass::MassMatrix;
 pub use symmetric::SymmetricBlocks;
 pub use wide::{Kernel, widest};

@@ -49,7 +49,7 @@ impl<const D: usize> SymmetricBlocks<D> {
     }
 
     /// Position of block (i, j), i ≥ j.
-    fn place(&self, i: usize, j: usize) -> Option<usize> {
+    pub(super) fn place(&self, i: usize, j: usize) -> Option<usize> {
         let row = self.row_start[i]..self.row_start[i + 1];
         self.columns[row.clone()]
             .binary_search(&j)

@@ -17,7 +17,7 @@ pub struct Geometry<const DIM: usize, const D: usize> {
     pub structure: Structure,
 }
 
-/// Which force law a unilateral link follows in a tangent stiffness.
+/// Which force law a unilateral link follows in forces and tangents.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LinkLaw {
     /// Tension only: a slack link has no stiffness.
@@ -128,16 +128,15 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
     }
 
     /// Add the forces of links, struts and springs to the residual.
-    pub fn add_supports(&self, shape: &Shape<D>, residual: &mut Shape<D>) {
+    pub fn add_supports(&self, shape: &Shape<D>, law: LinkLaw, residual: &mut Shape<D>) {
         let s = &self.structure;
         for link in &s.links {
             let state = Self::link_state(shape, link);
-            add_pair(
-                residual,
-                link.nodes,
-                &state.direction,
-                link_tension(link, &state),
-            );
+            let tension = match law {
+                LinkLaw::Unilateral => link_tension(link, &state),
+                LinkLaw::Linear => state.linear_tension,
+            };
+            add_pair(residual, link.nodes, &state.direction, tension);
         }
         for strut in &s.struts {
             let state = Self::strut_state(shape, strut);

@@ -43,9 +43,9 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
     }
 
     /// Internal minus external forces in service.
-    pub fn service_residual(&self, shape: &Shape<D>, residual: &mut Shape<D>) {
+    pub fn service_residual(&self, shape: &Shape<D>, law: LinkLaw, residual: &mut Shape<D>) {
         self.wires_and_weight(shape, residual);
-        self.add_supports(shape, residual);
+        self.add_supports(shape, law, residual);
         for end in self.structure.ends.iter().filter(|e| e.released) {
             residual[end.node][0] -= end.force;
         }
@@ -61,7 +61,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         let mut shape = start.clone();
         let mut residual = vec![[0.0; D]; self.nodes()];
         let mut k = self.empty_matrix();
-        self.service_residual(&shape, &mut residual);
+        self.service_residual(&shape, LinkLaw::Unilateral, &mut residual);
         let mut worst = largest(&residual, &free);
         for _ in 0..MOST_ITERATIONS {
             self.tangent(&shape, LinkLaw::Unilateral, &mut k);
@@ -104,7 +104,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
                     node[c] = a[c] + fraction * (b[c] - a[c]);
                 }
             }
-            self.service_residual(shape, residual);
+            self.service_residual(shape, LinkLaw::Unilateral, residual);
             if sum_of_squares(residual, free) <= before {
                 break;
             }

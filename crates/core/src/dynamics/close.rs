@@ -1,0 +1,63 @@
+//! The end of a step: everything unilateral at once.
+
+use super::run::Run;
+use crate::error::CoreError;
+use crate::lcp::LcpStats;
+
+impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
+    /// Solve the complementarity problem of the step and complete the increments with its forces.
+    ///
+    /// Only links that would push enter; a link that starts to push because of the solution
+    /// enters then, so the answer is that of the problem with all links.
+    ///
+    /// # Errors
+    /// [`CoreError::Lcp`] or [`CoreError::SlackSet`].
+    pub(super) fn close(&mut self, step: usize) -> Result<LcpStats, CoreError> {
+        let time = (step + 1) as f64 * self.p.h;
+        let (links, tension) = (&self.p.line.links, &self.state.links.tension);
+        self.unilateral
+            .collect(|i| links[i].unilateral && tension[i] < 0.0);
+        let mut total = LcpStats::default();
+        // Every round adds at least one link, so there are at most as many rounds as links.
+        for _ in 0..=self.p.line.links.len() {
+            self.provide_columns();
+            let tension_free = &self.state.links.tension_free;
+            let stats = self.unilateral.solve(
+                &self.p,
+                &self.at_balance,
+                &self.riders,
+                &self.gaps,
+                tension_free,
+            );
+            let stats = stats.map_err(|failure| CoreError::Lcp {
+                step,
+                time,
+                contacts: (0..self.at_balance.len()).collect(),
+                links: self.unilateral.links.clone(),
+                failure,
+            })?;
+            total.pivots += stats.pivots;
+            total.fallback_used |= stats.fallback_used;
+            total.residual = total.residual.max(stats.residual);
+            self.p
+                .respond(&mut self.state, &mut self.unilateral, &self.at_balance);
+            let (links, tension) = (&self.p.line.links, &self.state.links.tension);
+            let pushes = |i: usize| links[i].unilateral && tension[i] < 0.0;
+            if !self.unilateral.extend(pushes) {
+                for (rider, &force) in self.riders.iter_mut().zip(&self.unilateral.force) {
+                    rider.add_contact(force);
+                }
+                return Ok(total);
+            }
+        }
+        Err(CoreError::SlackSet { step, time })
+    }
+
+    /// With updated kinematics, influence columns are computed where they are needed.
+    fn provide_columns(&mut self) {
+        if self.p.updating.is_some() {
+            let links = &self.unilateral.links;
+            self.p.to_mut().provide(&self.at_balance, links);
+        }
+    }
+}

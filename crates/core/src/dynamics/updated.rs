@@ -1,0 +1,190 @@
+//! Updated kinematics: node coordinates and stiffness are formed anew in every step.
+//!
+//! The published method does this (seed method, "the whole algorithm", step 5). With the position
+//! r = r₀ + u at the start of the step, internal minus external forces g(r) and their tangent K(r),
+//! the balance of the scheme, linear in the increment, is
+//!
+//!   M a_m + C v_f + g(r) + (1 − α_f) K(r) Δu = C λ − G (r − …)
+//!
+//! With constant K and g = K u this is the linearised step; here no force is carried over from step
+//! to step, so what the tangent misses in one step is put right in the next. Links keep their own
+//! direction, contacts their place on the moved wire, and C = α M + β K follows K.
+
+use super::line::Line;
+use super::path::{Path, Place, slots};
+use super::stepper::{LineState, Prepared};
+use super::still::StillState;
+use crate::error::CoreError;
+use crate::linalg::{Refactoring, SymmetricBlocks};
+use crate::scheme::Scheme;
+use crate::statics::assembly::{Geometry, LinkLaw, Shape};
+
+/// Bound on the approximations of the first equilibrium; the contact moves by less each time.
+const MOST_APPROXIMATIONS: usize = 50;
+
+/// What a run with updated kinematics needs beside the prepared line.
+#[derive(Debug, Clone)]
+pub struct Updating<const DIM: usize, const D: usize> {
+    geometry: Geometry<DIM, D>,
+    /// Static shape r₀, from which u is measured.
+    rest: Shape<D>,
+    /// Positions r = r₀ + u at the start of the step.
+    shape: Shape<D>,
+    /// g(r), N.
+    pub(super) residual: Shape<D>,
+    /// Matrix of the scheme, and the part of it that never changes.
+    matrix: SymmetricBlocks<D>,
+    inertia: SymmetricBlocks<D>,
+    refactoring: Refactoring<D>,
+    scratch: SymmetricBlocks<D>,
+}
+
+impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
+    /// Prepare runs with updated kinematics, from the equilibrium `shape` of `geometry`.
+    ///
+    /// # Errors
+    /// [`CoreError::Input`] or [`CoreError::Singular`].
+    pub fn updated(
+        geometry: &Geometry<DIM, D>,
+        shape: &Shape<D>,
+        path: Path<DIM>,
+        scheme: Scheme,
+        h: f64,
+        contact_stiffness: f64,
+    ) -> Result<Self, CoreError> {
+        let line = Line::new(geometry, shape.clone());
+        let c = scheme.coefficients(h);
+        let matrix = line.combine(c.mass, c.damping, c.stiffness);
+        let updating = Updating {
+            geometry: geometry.clone(),
+            rest: shape.clone(),
+            shape: shape.clone(),
+            residual: vec![[0.0; D]; shape.len()],
+            inertia: line.inertia(c.mass, c.damping),
+            refactoring: Refactoring::new(&matrix),
+            scratch: geometry.empty_matrix(),
+            matrix,
+        };
+        Self::assemble(line, path, scheme, h, contact_stiffness, Some(updating))
+    }
+
+    /// Form coordinates, forces, stiffness and links at the present position; nothing to do with
+    /// linearised kinematics.
+    ///
+    /// # Errors
+    /// [`CoreError::Singular`].
+    pub(super) fn reform(&mut self, state: &mut LineState<D>) -> Result<(), CoreError> {
+        let Some(now) = &mut self.updating else {
+            return Ok(());
+        };
+        for ((r, rest), u) in now.shape.iter_mut().zip(&now.rest).zip(&state.u) {
+            for c in 0..D {
+                r[c] = rest[c] + u[c];
+            }
+        }
+        let (shape, c) = (&now.shape, &self.coefficients);
+        let geometry = &now.geometry;
+        geometry.service_residual(shape, LinkLaw::Linear, &mut now.residual);
+        self.line.reform(geometry, shape, &mut now.scratch);
+        now.matrix.blocks.copy_from_slice(&now.inertia.blocks);
+        self.line
+            .add_stiffness(c.damping, c.stiffness, &mut now.matrix);
+        self.factor.refactorise(&mut now.refactoring, &now.matrix)?;
+        self.path.follow(&state.u);
+        self.columns.forget();
+        state.links.restart(&self.line.links, &state.v, &state.a);
+        Ok(())
+    }
+
+    /// Compute the influence columns that contacts at `places` and the given links need, unless they
+    /// are there already.
+    pub(super) fn provide(&mut self, places: &[Place], links: &[usize]) {
+        let slots = slots::<DIM, D>();
+        for place in places {
+            for number in slots * place.element..slots * (place.element + 2) {
+                self.provide_column(number);
+            }
+        }
+        for &link in links {
+            self.provide_column(self.link_column(link));
+        }
+    }
+
+    fn provide_column(&mut self, number: usize) {
+        if !self.columns.has(number) {
+            let load = self.unit_load(number);
+            self.columns.set(number, &self.factor, load);
+        }
+    }
+
+    /// Equilibrium under vertical contact forces, by successive approximations: the forces move the
+    /// wire along the track, and so the places where they act.
+    ///
+    /// # Errors
+    /// Those of [`Geometry::settle`].
+    pub(super) fn settle(
+        &self,
+        now: &Updating<DIM, D>,
+        contacts: &[f64],
+        forces: &[f64],
+    ) -> Result<StillState<D>, CoreError> {
+        let mut path = self.path.clone();
+        let mut geometry = now.geometry.clone();
+        let given = geometry.structure.loads.len();
+        let mut shape = now.rest.clone();
+        let mut u = vec![[0.0; D]; shape.len()];
+        for _ in 0..MOST_APPROXIMATIONS {
+            geometry.structure.loads.truncate(given);
+            for (contact, (&position, force)) in contacts.iter().zip(forces).enumerate() {
+                let place = path.locate(position, 0).ok_or(CoreError::OffWire {
+                    contact,
+                    position,
+                    step: 0,
+                })?;
+                let shares = path.shares::<D>(&place, DIM - 1);
+                let loads = shares.map(|(node, c, share)| (node, c, share * force));
+                geometry.structure.loads.extend(loads);
+            }
+            shape = geometry.settle(&shape)?;
+            let mut moved: f64 = 0.0;
+            for ((u, r), rest) in u.iter_mut().zip(&shape).zip(&now.rest) {
+                for c in 0..D {
+                    let new = r[c] - rest[c];
+                    moved = moved.max((new - u[c]).abs());
+                    u[c] = new;
+                }
+            }
+            path.follow(&u);
+            // Settling leaves a shape that balances as it is.
+            if moved == 0.0 {
+                return Ok(StillState {
+                    correction: corrections(&geometry, &shape),
+                    u,
+                });
+            }
+        }
+        Err(CoreError::NoEquilibrium {
+            iterations: MOST_APPROXIMATIONS,
+            residual: f64::NAN,
+            node: 0,
+            tolerance: geometry.force_rounding(),
+        })
+    }
+}
+
+/// What cancels the compression of links that are slack in a shape, N.
+fn corrections<const DIM: usize, const D: usize>(
+    geometry: &Geometry<DIM, D>,
+    shape: &Shape<D>,
+) -> Vec<f64> {
+    let links = geometry.structure.links.iter();
+    let correction = links.map(|l| {
+        let tension = Geometry::<DIM, D>::link_state(shape, l).linear_tension;
+        if l.unilateral {
+            (-tension).max(0.0)
+        } else {
+            0.0
+        }
+    });
+    correction.collect()
+}
