@@ -292,10 +292,10 @@ fn column_windows_are_the_full_solve() {
     let p = common::prepare(s.structure(2), |_| (), scheme(), STEP, CONTACT);
     let c = &p.coefficients;
     let factor = BlockLdl::new(&p.line.combine(c.mass, c.damping, c.stiffness)).expect("regular");
-    let mut columns = Columns::default();
+    let (mut columns, number) = (Columns::new(3), 1);
     let mut unit = vec![[0.0; 4]; p.line.nodes()];
     unit[75][1] = 1.0;
-    let number = columns.push(&factor, unit.clone());
+    columns.set(number, &factor, unit.clone());
     factor.solve(&mut unit, &mut vec![[0.0; 4]; p.line.nodes()]);
     let mut added = vec![[0.0; 4]; p.line.nodes()];
     columns.add(number, 2.0, &mut added);
