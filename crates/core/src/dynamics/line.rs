@@ -167,15 +167,14 @@ impl<const DIM: usize, const D: usize> Line<DIM, D> {
         self.shape.len()
     }
 
-    /// Linearise anew about another position; masses and what is fixed stay. `scratch` is a matrix
-    /// of the structure's pattern.
+    /// Links and dampers about another position. Masses stay, and `stiffness` too: updated kinematics
+    /// form that in place. `scratch` is a matrix of the structure's pattern.
     pub fn reform(
         &mut self,
         geometry: &Geometry<DIM, D>,
         shape: &Shape<D>,
         scratch: &mut SymmetricBlocks<D>,
     ) {
-        geometry.tangent(shape, LinkLaw::Linear, &mut self.stiffness);
         // Whether there is any such damping does not depend on the position.
         if !self.damping_rest.is_empty() {
             self.damping_rest = damping_rest(geometry, shape, self.common.beta, scratch);
@@ -207,17 +206,28 @@ impl<const DIM: usize, const D: usize> Line<DIM, D> {
 
     /// Add `k · K` and the rest of `d · C`, then remove the fixed components.
     pub fn add_stiffness(&self, d: f64, k: f64, a: &mut SymmetricBlocks<D>) {
-        let factor = k + d * self.common.beta;
+        let factor = self.stiffness_factor(d, k);
         let stiffness = self.stiffness.blocks.iter().flatten().flatten();
         for (a, k) in a.blocks.iter_mut().flatten().flatten().zip(stiffness) {
             *a += factor * k;
         }
+        self.add_dampers(d, a);
+        a.keep_free(&self.free);
+    }
+
+    /// What K counts in `k · K + d · C` with the damping common to all.
+    #[must_use]
+    pub fn stiffness_factor(&self, d: f64, k: f64) -> f64 {
+        k + d * self.common.beta
+    }
+
+    /// Add `d` times the damping that is not common to all.
+    pub fn add_dampers(&self, d: f64, a: &mut SymmetricBlocks<D>) {
         for (i, j, block) in &self.damping_rest {
             let mut scaled = *block;
             scaled.iter_mut().flatten().for_each(|v| *v *= d);
             a.add(*i, *j, &scaled);
         }
-        a.keep_free(&self.free);
     }
 
     /// Add the forces that hold links which are slack at rest.

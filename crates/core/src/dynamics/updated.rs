@@ -15,7 +15,7 @@ use super::path::{Path, Place, slots};
 use super::stepper::{LineState, Prepared};
 use super::still::StillState;
 use crate::error::CoreError;
-use crate::linalg::{Refactoring, SymmetricBlocks};
+use crate::linalg::{HeldEntry, Refactoring, SymmetricBlocks};
 use crate::scheme::Scheme;
 use crate::statics::assembly::{Geometry, LinkLaw, Shape};
 
@@ -34,7 +34,8 @@ pub struct Updating<const DIM: usize, const D: usize> {
     pub(super) residual: Shape<D>,
     /// Matrix of the scheme, and the part of it that never changes.
     matrix: SymmetricBlocks<D>,
-    inertia: SymmetricBlocks<D>,
+    constant: SymmetricBlocks<D>,
+    held: Vec<HeldEntry>,
     refactoring: Refactoring<D>,
     scratch: SymmetricBlocks<D>,
 }
@@ -54,16 +55,18 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
     ) -> Result<Self, CoreError> {
         let line = Line::new(geometry, shape.clone());
         let c = scheme.coefficients(h);
-        let matrix = line.combine(c.mass, c.damping, c.stiffness);
+        let mut constant = line.inertia(c.mass, c.damping);
+        geometry.add_fixed_tangent(line.stiffness_factor(c.damping, c.stiffness), &mut constant);
         let updating = Updating {
             geometry: geometry.clone(),
             rest: shape.clone(),
             shape: shape.clone(),
             residual: vec![[0.0; D]; shape.len()],
-            inertia: line.inertia(c.mass, c.damping),
-            refactoring: Refactoring::new(&matrix),
+            held: constant.held(&line.free),
+            refactoring: Refactoring::new(&constant),
             scratch: geometry.empty_matrix(),
-            matrix,
+            matrix: constant.clone(),
+            constant,
         };
         Self::assemble(line, path, scheme, h, contact_stiffness, Some(updating))
     }
@@ -86,9 +89,11 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         let geometry = &now.geometry;
         geometry.service_residual(shape, LinkLaw::Linear, &mut now.residual);
         self.line.reform(geometry, shape, &mut now.scratch);
-        now.matrix.blocks.copy_from_slice(&now.inertia.blocks);
-        self.line
-            .add_stiffness(c.damping, c.stiffness, &mut now.matrix);
+        now.matrix.blocks.copy_from_slice(&now.constant.blocks);
+        let factor = self.line.stiffness_factor(c.damping, c.stiffness);
+        geometry.add_moving_tangent(shape, LinkLaw::Linear, factor, &mut now.matrix);
+        self.line.add_dampers(c.damping, &mut now.matrix);
+        now.matrix.hold(&now.held);
         self.factor.refactorise(&mut now.refactoring, &now.matrix)?;
         self.path.follow(&state.u);
         self.columns.forget();

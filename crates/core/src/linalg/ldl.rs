@@ -20,6 +20,10 @@ pub struct BlockLdl<const D: usize> {
     order: Vec<u32>,
     row_start: Vec<usize>,
     columns: Vec<u32>,
+    /// For each block of the factor, the pairs of blocks whose product it loses: one of its own row
+    /// (counted from the row's start) and one of the row of its column.
+    pair_start: Vec<usize>,
+    pairs: Vec<(u32, u32)>,
     lower: Vec<Block<D>>,
     diagonal_inverse: Vec<Block<D>>,
     /// The factor as substitutions read it, from front to back and from back to front.
@@ -138,7 +142,10 @@ impl<const D: usize> BlockLdl<D> {
     pub fn new(a: &SymmetricBlocks<D>) -> Result<Self, CoreError> {
         let mut refactoring = Refactoring::new(a);
         let (row_start, columns) = fill_pattern(&refactoring.reordered);
+        let (pair_start, pairs) = common_columns(&row_start, &columns);
         let mut factor = Self {
+            pair_start,
+            pairs,
             lower: vec![zero(); columns.len()],
             rows: Vec::new(),
             forward: Vec::new(),
@@ -208,7 +215,10 @@ impl<const D: usize> BlockLdl<D> {
                     w = a.blocks[next];
                     next += 1;
                 }
-                self.subtract_common(&mut w, &work, start..p, j);
+                for &(own, other) in &self.pairs[self.pair_start[p]..self.pair_start[p + 1]] {
+                    let other = &self.lower[other as usize];
+                    block::subtract_product_transposed(&mut w, &work[own as usize], other);
+                }
                 self.lower[p] = block::product(&w, &self.diagonal_inverse[j]);
                 work.push(w);
             }
@@ -222,27 +232,6 @@ impl<const D: usize> BlockLdl<D> {
             self.negative_pivots += negative;
         }
         Ok(())
-    }
-
-    /// `w −= Σ Wᵢₖ Lⱼₖᵀ` over the columns k that row i (so far) and row j share.
-    fn subtract_common(
-        &self,
-        w: &mut Block<D>,
-        work: &[Block<D>],
-        row_i: std::ops::Range<usize>,
-        j: usize,
-    ) {
-        let mut q = self.row_start[j];
-        let end = self.row_start[j + 1];
-        for (offset, p) in row_i.enumerate() {
-            let k = self.columns[p];
-            while q < end && self.columns[q] < k {
-                q += 1;
-            }
-            if q < end && self.columns[q] == k {
-                block::subtract_product_transposed(w, &work[offset], &self.lower[q]);
-            }
-        }
     }
 
     /// Number of negative pivots: zero exactly when the matrix is positive definite.
@@ -337,4 +326,25 @@ fn fill_pattern<const D: usize>(a: &SymmetricBlocks<D>) -> (Vec<usize>, Vec<u32>
         row_start.push(columns.len());
     }
     (row_start, columns)
+}
+
+/// Σ Wᵢₖ Lⱼₖᵀ runs over the columns k that rows i and j share: for each block (i, j), where they are.
+fn common_columns(row_start: &[usize], columns: &[u32]) -> (Vec<usize>, Vec<(u32, u32)>) {
+    let (mut start, mut pairs) = (vec![0], Vec::new());
+    for row in row_start.windows(2) {
+        for p in row[0]..row[1] {
+            let j = columns[p] as usize;
+            let mut q = row_start[j];
+            for (own, k) in columns[row[0]..p].iter().enumerate() {
+                while q < row_start[j + 1] && columns[q] < *k {
+                    q += 1;
+                }
+                if q < row_start[j + 1] && columns[q] == *k {
+                    pairs.push((own as u32, q as u32));
+                }
+            }
+            start.push(pairs.len());
+        }
+    }
+    (start, pairs)
 }

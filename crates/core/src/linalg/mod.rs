@@ -11,5 +11,5 @@ pub mod wide;
 pub use block::Block;
 pub use ldl::{BlockLdl, Refactoring};
 pub use mass::MassMatrix;
-pub use symmetric::SymmetricBlocks;
+pub use symmetric::{HeldEntry, SymmetricBlocks};
 pub use wide::{Kernel, widest};

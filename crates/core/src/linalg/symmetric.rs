@@ -14,6 +14,16 @@ pub struct SymmetricBlocks<const D: usize> {
     pub blocks: Vec<Block<D>>,
 }
 
+/// An entry of a matrix that belongs to a held degree of freedom: block, row and column in it, and
+/// its value, zero or one.
+#[derive(Debug, Clone, Copy)]
+pub struct HeldEntry {
+    block: usize,
+    a: usize,
+    b: usize,
+    value: f64,
+}
+
 impl<const D: usize> SymmetricBlocks<D> {
     /// Matrix of zeros in which the given node pairs, and all diagonals, have a place.
     #[must_use]
@@ -50,11 +60,10 @@ impl<const D: usize> SymmetricBlocks<D> {
 
     /// Position of block (i, j), i ≥ j.
     pub(super) fn place(&self, i: usize, j: usize) -> Option<usize> {
-        let row = self.row_start[i]..self.row_start[i + 1];
-        self.columns[row.clone()]
-            .binary_search(&j)
-            .ok()
-            .map(|k| row.start + k)
+        // Rows are short, and most blocks asked for are the diagonal or next to it.
+        let (start, end) = (self.row_start[i], self.row_start[i + 1]);
+        let found = self.columns[start..end].iter().rposition(|&k| k == j);
+        found.map(|k| start + k)
     }
 
     /// Add a block at nodes (i, j). Blocks above the diagonal mirror those below and are
@@ -77,18 +86,32 @@ impl<const D: usize> SymmetricBlocks<D> {
     /// Remove the degrees of freedom that are not free: their rows and columns become those of
     /// the identity.
     pub fn keep_free(&mut self, free: &[[bool; D]]) {
+        let held = self.held(free);
+        self.hold(&held);
+    }
+
+    /// Entries that [`SymmetricBlocks::hold`] sets for the degrees of freedom that are not free.
+    #[must_use]
+    pub fn held(&self, free: &[[bool; D]]) -> Vec<HeldEntry> {
+        let mut held = Vec::new();
         for (i, rows) in free.iter().enumerate() {
-            for k in self.row_start[i]..self.row_start[i + 1] {
-                let j = self.columns[k];
-                let block = &mut self.blocks[k];
-                for (a, row) in block.iter_mut().enumerate() {
-                    for (b, value) in row.iter_mut().enumerate() {
-                        if !(rows[a] && free[j][b]) {
-                            *value = f64::from(u8::from(i == j && a == b));
-                        }
+            for block in self.row_start[i]..self.row_start[i + 1] {
+                let j = self.columns[block];
+                for (a, b) in (0..D).flat_map(|a| (0..D).map(move |b| (a, b))) {
+                    if !(rows[a] && free[j][b]) {
+                        let value = f64::from(u8::from(i == j && a == b));
+                        held.push(HeldEntry { block, a, b, value });
                     }
                 }
             }
+        }
+        held
+    }
+
+    /// Set the held entries, which come from a matrix of the same pattern.
+    pub fn hold(&mut self, held: &[HeldEntry]) {
+        for e in held {
+            self.blocks[e.block][e.a][e.b] = e.value;
         }
     }
 

@@ -198,12 +198,36 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
 
     /// Tangent stiffness of the whole structure in service.
     pub fn tangent(&self, shape: &Shape<D>, law: LinkLaw, k: &mut SymmetricBlocks<D>) {
-        let s = &self.structure;
         k.clear();
-        for wire in &s.wires {
-            Self::add_wire(k, shape, wire, 1.0);
+        self.add_fixed_tangent(1.0, k);
+        self.add_moving_tangent(shape, law, 1.0, k);
+    }
+
+    /// Add what does not change with the shape, times `factor`: springs and bends.
+    pub fn add_fixed_tangent(&self, factor: f64, k: &mut SymmetricBlocks<D>) {
+        for spring in &self.structure.springs {
+            Self::add_spring(k, spring, factor * spring.stiffness);
         }
-        self.add_chain_tangent(shape, k);
+        for bend in &self.structure.bends {
+            self.add_bend(k, bend, factor);
+        }
+    }
+
+    /// Add what changes with the shape, times `factor`: wires, links and struts.
+    pub fn add_moving_tangent(
+        &self,
+        shape: &Shape<D>,
+        law: LinkLaw,
+        factor: f64,
+        k: &mut SymmetricBlocks<D>,
+    ) {
+        let s = &self.structure;
+        for wire in &s.wires {
+            Self::add_wire(k, shape, wire, factor);
+        }
+        for segment in &s.segments {
+            Self::add_segment(k, shape, segment, factor);
+        }
         for link in &s.links {
             let state = Self::link_state(shape, link);
             let slack = link.unilateral && state.linear_tension < 0.0;
@@ -212,14 +236,12 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
             } else {
                 link.stiffness
             };
-            let tangent = state.tangent(stiffness, link_tension(link, &state));
+            let tension = link_tension(link, &state);
+            let tangent = state.tangent(factor * stiffness, factor * tension);
             Self::add_between(k, link.nodes, &tangent);
         }
         for strut in &s.struts {
-            Self::add_strut(k, shape, strut, 1.0);
-        }
-        for spring in &s.springs {
-            Self::add_spring(k, spring, spring.stiffness);
+            Self::add_strut(k, shape, strut, factor);
         }
     }
 

@@ -88,16 +88,6 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         }
     }
 
-    /// Add the tangent of all chains.
-    pub(super) fn add_chain_tangent(&self, shape: &Shape<D>, k: &mut SymmetricBlocks<D>) {
-        for segment in &self.structure.segments {
-            Self::add_segment(k, shape, segment, 1.0);
-        }
-        for bend in &self.structure.bends {
-            self.add_bend(k, bend, 1.0);
-        }
-    }
-
     /// Horizontal force that each segment hands on: its own, and the shear of the bends it is part
     /// of. Where these are equal along a wire, nothing pulls its nodes along the track.
     fn horizontal_forces(&self, shape: &Shape<D>) -> Vec<f64> {

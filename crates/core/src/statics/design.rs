@@ -201,7 +201,12 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         s.wires
             .iter()
             .for_each(|wire| Self::add_wire(k, shape, wire, 1.0));
-        self.add_chain_tangent(shape, k);
+        for segment in &s.segments {
+            Self::add_segment(k, shape, segment, 1.0);
+        }
+        for bend in &s.bends {
+            self.add_bend(k, bend, 1.0);
+        }
         for (link, &tension) in s.links.iter().zip(tensions) {
             let state = Self::link_state(shape, link);
             let slack = link.unilateral && state.linear_tension < 0.0;
