@@ -83,7 +83,7 @@ fn balances_with_slack_links_lift_off_friction_and_two_riders() {
 fn balances_with_backward_differences() {
     for contact in [CONTACT, f64::INFINITY] {
         let r = hard_run(Scheme::BackwardDifference, contact);
-        assert!(r.slack_max > 5, "droppers go slack");
+        assert!(r.slack_max > 0, "droppers go slack");
         let relative = r.energy_residual / r.energy_turnover;
         assert!(relative < BALANCE, "{contact}: {relative:e}");
         let last = r.energy.last().expect("a record");

@@ -102,25 +102,33 @@ def criteria(assessment: dict[str, Any]) -> Table:
 
 
 def comparisons(rows: "Sequence[Row]") -> Table:
-    """Set values side by side with the published ranges."""
+    """Set values side by side with what is published."""
     made = table(
-        "Reference cases", "case", "quantity", "unit", "value", "published range", "verdict",
+        "Reference cases", "case", "quantity", "unit", "value", "published", "verdict",
         numbers=("value",),
     )  # fmt: skip
     case = None
     for row in rows:
         if case not in (None, row.case):
             made.add_section()
-        digits = 3 if row.unit == "m" else 1
         made.add_row(
             row.case if row.case != case else "",
-            row.quantity,
+            Text.assemble(row.quantity, (f"\n{row.note}", "dim")) if row.note else row.quantity,
             row.unit,
-            number(row.value, digits + (row.unit == "m")),
+            number(row.value, row.digits),
             *_published(row, True),
         )
         case = row.case
     return made
+
+
+def remarks(rows: "Sequence[Row]") -> list[str]:
+    """Say for each case what was checked and under which assumption, where rows say so."""
+    cases = {row.case: row for row in rows if row.checked}
+    return [
+        f"{case}\n  checked: {row.checked}\n  assumption: {row.assumption}\n"
+        for case, row in cases.items()
+    ]
 
 
 def _published(row: "Row | None", wanted: bool) -> list[Text | str]:
@@ -128,9 +136,7 @@ def _published(row: "Row | None", wanted: bool) -> list[Text | str]:
         return []
     if row is None:
         return ["", ""]
-    digits = 3 if row.unit == "m" else 1 if row.low % 1 or row.high % 1 else 0
-    bounds = f"{row.low:.{digits}f} … {row.high:.{digits}f} ({row.mark})"
-    return [bounds, _verdict(row.verdict)]
+    return [f"{row.limit} ({row.mark})", _verdict(row.verdict)]
 
 
 def _verdict(verdict: str) -> Text:

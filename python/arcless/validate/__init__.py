@@ -1,6 +1,19 @@
-"""Reference cases: runs held against published ranges."""
+"""Reference cases: runs held against published ranges, and against published conclusions."""
 
-from arcless.validate.cases import SUITES, Row, case_of, compare, run
+from arcless.validate.cases import SUITES, case_of, compare, run
 from arcless.validate.reference import CASES, VERIFIED, Case, Range
+from arcless.validate.rows import Row
+from arcless.validate.seed import SOURCE as SEED_SOURCE
 
-__all__ = ["CASES", "SUITES", "VERIFIED", "Case", "Range", "Row", "case_of", "compare", "run"]
+__all__ = [
+    "CASES",
+    "SEED_SOURCE",
+    "SUITES",
+    "VERIFIED",
+    "Case",
+    "Range",
+    "Row",
+    "case_of",
+    "compare",
+    "run",
+]

@@ -5,6 +5,7 @@ unverified as a number of the standard. Verdicts on unverified ranges never deci
 """
 
 from dataclasses import dataclass
+from math import inf
 
 VERIFIED = "A"
 INSIDE = "inside"
@@ -21,24 +22,46 @@ class Range:
         Key of the quantity in the assessment.
     label, unit : str
         How to print it.
-    low, high : float
-        Bounds, both allowed, in `unit`.
+    low, high : float or None
+        Bounds in `unit`; None where there is none.
     mark : str
         Confidence mark of the bounds.
+    strict : bool
+        Whether the bounds themselves are not allowed.
+    digits : int
+        Decimals of a printed value.
     """
 
     key: str
     label: str
     unit: str
-    low: float
-    high: float
+    low: float | None
+    high: float | None
     mark: str
+    strict: bool = False
+    digits: int = 1
 
     def verdict(self, value: float | None) -> str:
         """Say where a value lies: inside, outside, or outside of an unverified range."""
-        if value is not None and self.low <= value <= self.high:
+        if value is not None and self._allows(value):
             return INSIDE
         return OUTSIDE if self.mark == VERIFIED else f"{OUTSIDE} (unverified)"
+
+    @property
+    def limit(self) -> str:
+        """The bounds as text, with as many decimals as they need."""
+        bounds = [bound for bound in (self.low, self.high) if bound is not None]
+        shown = min(self.digits, 3) if any(bound % 1 for bound in bounds) else 0
+        texts = [f"{bound:.{shown}f}" for bound in bounds]
+        if len(texts) > 1:
+            return " … ".join(texts)
+        sign = (">" if self.strict else "≥") if self.high is None else "<" if self.strict else "≤"
+        return f"{sign} {texts[0]}"
+
+    def _allows(self, value: float) -> bool:
+        low = -inf if self.low is None else self.low
+        high = inf if self.high is None else self.high
+        return low < value < high if self.strict else low <= value <= high
 
 
 @dataclass(frozen=True, slots=True)
