@@ -67,8 +67,13 @@ fn run<const DIM: usize, const D: usize>(
     travel: &Travel,
     points: Vec<f64>,
 ) -> Record {
-    p.run(&[rider.clone()], travel, &plan(points), &mut |_| true)
-        .expect("the run goes through")
+    p.run(
+        std::slice::from_ref(rider),
+        travel,
+        &plan(points),
+        &mut |_| true,
+    )
+    .expect("the run goes through")
 }
 
 /// The two masses of the paper's example, without damping.
