@@ -185,6 +185,31 @@ fn radius(scheme: Scheme, omega_h: f64) -> f64 {
     log.exp()
 }
 
+/// Chung & Hulbert (1993), equations 17, 20 and 25, and the HHT member, worked out by hand:
+/// β, γ, α_m, α_f.
+#[test]
+fn members_have_the_parameters_of_their_papers() {
+    let third = 1.0 / 3.0;
+    let expected = [
+        (Scheme::generalised_alpha(0.0), [1.0, 1.5, -1.0, 0.0]),
+        (
+            Scheme::generalised_alpha(0.5),
+            [4.0 / 9.0, 5.0 / 6.0, 0.0, third],
+        ),
+        (Scheme::generalised_alpha(1.0), [0.25, 0.5, 0.5, 0.5]),
+        (Scheme::hht(0.3), [0.4225, 0.8, 0.0, 0.3]),
+        (Scheme::newmark(0.3, 0.55), [0.3, 0.55, 0.0, 0.0]),
+    ];
+    for (scheme, numbers) in expected {
+        let Scheme::Alpha(s) = scheme else {
+            unreachable!("members of the family only");
+        };
+        for (found, number) in [s.beta, s.gamma, s.alpha_m, s.alpha_f].iter().zip(numbers) {
+            assert!((found - number).abs() < 1e-15, "{scheme:?}");
+        }
+    }
+}
+
 /// At infinite frequency the amplitude shrinks by ρ in every step (Chung & Hulbert 1993).
 #[test]
 fn spectral_radius_at_infinite_frequency() {

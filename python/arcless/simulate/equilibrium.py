@@ -89,7 +89,7 @@ def named(mesh: Mesh) -> Iterator[None]:
         yield
     except _core.NativeError as error:
         kind, message, details = error.args
-        raise _translate(mesh, kind, message, details) from error
+        raise translate(mesh, kind, message, details) from error
 
 
 def place_of(mesh: Mesh, node: int) -> str:
@@ -99,7 +99,8 @@ def place_of(mesh: Mesh, node: int) -> str:
     return f"{wire} at {x:.2f} m"
 
 
-def _translate(mesh: Mesh, kind: str, message: str, details: dict[str, Any]) -> ArclessError:
+def translate(mesh: Mesh, kind: str, message: str, details: dict[str, Any]) -> ArclessError:
+    """Say an error of the core in the words of the line."""
     if kind == "pushing":
         dropper = next(d for d in mesh.droppers if d.link == details["link"])
         return EquilibriumError(

@@ -11,6 +11,10 @@ from arcless import _core
 from arcless.errors import ArclessError, ContactError, EquilibriumError
 from arcless.mesh import Mesh
 from arcless.model import Scenario
+from arcless.simulate.equilibrium import translate
+
+# A run starts in statics, and with updated kinematics the tangent is factorised in every step.
+STATIC = ("equilibrium", "singular", "unstable")
 
 
 @contextmanager
@@ -58,6 +62,8 @@ def _translate(
             where=f"step {details['step']}",
             hint="check stiffnesses and dampers; try a dissipative scheme",
         )
+    if kind in STATIC:
+        return translate(mesh, kind, message, details)
     return ContactError(message)
 
 

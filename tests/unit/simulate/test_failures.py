@@ -93,6 +93,12 @@ def test_stepping_errors_in_words(kind: str, details: dict, words: str) -> None:
         raise _core.NativeError(kind, "", details)
 
 
+def test_statics_of_a_run_fail_in_the_same_words(short: Short) -> None:
+    mesh = equilibrium.find(short()).mesh
+    with pytest.raises(EquilibriumError, match="the line is loose"), failure.stepping(mesh, ["P1"]):
+        raise _core.NativeError("singular", "", {"node": 0})
+
+
 def test_an_unsolved_problem_names_its_links_and_is_saved(short: Short, temporary: Path) -> None:
     mesh = equilibrium.find(short()).mesh
     details = {

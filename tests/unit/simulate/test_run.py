@@ -144,7 +144,10 @@ def test_trailing_pantograph_may_ask_for_a_mean_force(run: Run, placement: dict[
 
 
 def test_rigid_contact(run: Run) -> None:
-    rigid, stiff = run(**{"contact.law": "rigid"}), run(**{"contact.stiffness": "10 MN/m"})
+    # With a spectral radius of 0.9 both ring, and 10 MN/m and 10.001 MN/m already differ by 2 %.
+    quiet = {"solver.scheme": {"name": "generalised-alpha", "spectral_radius": 0.0}}
+    rigid = run(**{"contact.law": "rigid"}, **quiet)
+    stiff = run(**{"contact.stiffness": "10 MN/m"}, **quiet)
     force = rigid.dataset["contact_force"].values
     assert np.all(np.isfinite(force))
     assert np.all(force >= 0)
@@ -152,8 +155,8 @@ def test_rigid_contact(run: Run) -> None:
     assert np.all((gap == 0) | (force == 0))
     one, other = (r.assessment.pantographs[0] for r in (rigid, stiff))
     # A contact of 10 MN/m is 200 times stiffer than the usual one: the limit is near.
-    assert one.mean_force_N == pytest.approx(other.mean_force_N, rel=0.01)
-    assert one.std_force_N == pytest.approx(other.std_force_N, rel=0.05)
+    assert one.mean_force_N == pytest.approx(other.mean_force_N, rel=1e-4)
+    assert one.std_force_N == pytest.approx(other.std_force_N, rel=5e-3)
 
 
 def test_friction_pulls_the_wire_along(run: Run) -> None:

@@ -17,7 +17,7 @@ use super::still::StillState;
 use crate::error::CoreError;
 use crate::linalg::{HeldEntry, Refactoring, SymmetricBlocks};
 use crate::scheme::Scheme;
-use crate::statics::assembly::{Geometry, LinkLaw, Shape};
+use crate::statics::assembly::{Geometry, LinkLaw, Shape, largest};
 
 /// Bound on the approximations of the first equilibrium; the contact moves by less each time.
 const MOST_APPROXIMATIONS: usize = 50;
@@ -168,10 +168,13 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
                 });
             }
         }
+        let mut residual = vec![[0.0; D]; shape.len()];
+        geometry.service_residual(&shape, LinkLaw::Unilateral, &mut residual);
+        let (residual, node) = largest(&residual, &geometry.service_mask());
         Err(CoreError::NoEquilibrium {
             iterations: MOST_APPROXIMATIONS,
-            residual: f64::NAN,
-            node: 0,
+            residual,
+            node,
             tolerance: geometry.force_rounding(),
         })
     }
