@@ -19,6 +19,8 @@ CASES = (
     ("the same in three dimensions", "ac-simple-3d-320", "never"),
     ("two pantographs, planar", "ac-simple-320-two-pantographs", "never"),
     ("EN 50318:2002, 10 spans", "en50318-2002-300", "never"),
+    ("PRAKS, 30 spans, 180 km/h, published method", "praks-180", "never"),
+    ("PRAKS, 30 spans, 360 km/h, published method", "praks-360", "never"),
 )
 HEAD = ("run", "× real time", "µs/step", "nodes", "factor blocks", "pivots/step", "set-up ms")
 

@@ -146,8 +146,11 @@ def test_wrong_problem_to_replay(arcless: Arcless, tmp_path: Path, saved: str) -
     assert_refused(arcless("replay", "bad.json"), "bad.json")
 
 
-def test_seed_cases_are_not_in_this_version(arcless: Arcless) -> None:
-    assert_refused(arcless("validate", "seed"), "not part of this version")
+def test_reports_of_reference_cases_that_cannot_be(arcless: Arcless) -> None:
+    assert_refused(arcless("validate", "en50318", "--report", "a.html"), "no report belongs to")
+    # Refused at once, not after the computation.
+    assert_refused(arcless("validate", "--report", "nowhere/a.html"), "nowhere/a.html")
+    assert_refused(arcless("validate", "other"), "seed")
 
 
 def test_a_fault_of_ours_is_a_message_too(

@@ -2,15 +2,19 @@
 
 import json
 from collections.abc import Callable
+from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
 from typer.testing import Result
 
-from arcless.validate import CASES, VERIFIED, cases, compare, reference
+from arcless.validate import CASES, VERIFIED, Row, cases, compare, reference, seed
 
 Arcless = Callable[..., Result]
+CONCLUDED = [
+    Row.of(seed.INTERVAL, reference.Range("force_interval_N", "width", "N", 0.0, None, "A"), 1.0)
+]
 
 
 def middle(case: reference.Case) -> dict[str, Any]:
@@ -37,6 +41,7 @@ def assessed(monkeypatch: pytest.MonkeyPatch) -> dict[str, dict[str, Any]]:
     monkeypatch.setattr("arcless.simulate.run", simulated)
     monkeypatch.setattr("arcless.simulate.statics", lambda *_, **__: statics)
     monkeypatch.setattr(cases, "load", lambda name: SimpleNamespace(name=name))
+    monkeypatch.setattr(seed, "run", lambda *_: list(CONCLUDED))
     return answers
 
 
@@ -59,7 +64,8 @@ def test_all_inside_ends_with_0(arcless: Arcless, assessed: dict[str, Any]) -> N
     rows = json.loads(done.stdout)
     assert done.exit_code == 0
     assert {row["verdict"] for row in rows} == {"inside"}
-    assert len(rows) == 9 + 16 + 18  # dropper lengths, EN 50318:2002, AC simple
+    # dropper lengths, EN 50318:2002, AC simple, conclusions
+    assert len(rows) == 9 + 16 + 18 + len(CONCLUDED)
 
 
 def test_outside_of_a_verified_range_ends_with_1(
@@ -90,3 +96,51 @@ def test_ranges_belong_to_the_unchanged_scenario() -> None:
     assert cases.case_of(shipped.with_(**{"output.line_every": 7})) is not None
     assert cases.case_of(shipped.with_(speed="251 km/h")) is None
     assert [row.verdict for row in compare(case, middle(case))] == ["inside"] * 8
+
+
+def test_limits_as_text() -> None:
+    def limit(low: float | None, high: float | None, **options: Any) -> str:
+        return reference.Range("key", "label", "N", low, high, "A", **options).limit
+
+    assert limit(110.0, 120.0) == "110 … 120"
+    assert limit(31.9, 34.0) == "31.9 … 34.0"
+    assert limit(1.0137, 1.0197, digits=4) == "1.014 … 1.020"
+    assert (limit(2.0, None), limit(None, 2.5)) == ("≥ 2", "≤ 2.5")
+    assert limit(1e-3, None, strict=True, digits=3) == "> 0.001"
+
+
+def test_strict_bounds_are_not_allowed_themselves() -> None:
+    allowed = reference.Range("key", "label", "N", 1.0, None, VERIFIED, strict=True)
+    assert [allowed.verdict(value) for value in (1.0, 1.0001)] == ["outside", "inside"]
+
+
+def test_the_conclusions_hold_and_are_reported(arcless: Arcless, tmp_path: Path) -> None:
+    done = arcless("validate", "seed", "--report", "praks.html")
+    assert done.exit_code == 0, done.stdout
+    for words in (
+        "16 of 16 values are inside",
+        "located at 9 of 9 joints",
+        *(f"{speed} km/h: width of the interval" for speed in (180, 250, 340, 360)),
+        "Checked: ",
+        "Assumption: ",
+        "G. N. Kolesnikov",
+        "curves",
+        "wrote praks.html",
+    ):
+        assert words in done.stdout, words
+    page = (tmp_path / "praks.html").read_text("utf-8")
+    assert "3 of 3 conclusions hold" in page
+
+
+def test_a_conclusion_that_does_not_hold_ends_with_1(
+    arcless: Arcless, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    light = {"line.dropper.clamp_mass_contact_wire": 0.0}
+    shipped = seed.load
+    monkeypatch.setattr(seed, "load", lambda name: shipped(name).with_(**light))
+    done = arcless("validate", "seed", "--json")
+    assert done.exit_code == 1
+    outside = [row for row in json.loads(done.stdout) if row["verdict"] == "outside"]
+    assert {row["case"] for row in outside} == {seed.GAPS}
+    assert [row["quantity"][:8] for row in outside] == ["340 km/h", "360 km/h"]
+    assert all(row["checked"] and "fittings" in row["assumption"] for row in outside)

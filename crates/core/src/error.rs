@@ -56,6 +56,12 @@ pub enum CoreError {
         /// Step at which it was noticed.
         step: usize,
     },
+    /// The wire that contacts run along no longer runs forwards: the motion has grown out of bounds.
+    #[error("the wire folds back on itself in step {step}")]
+    Folded {
+        /// Step number.
+        step: usize,
+    },
     /// The complementarity problem of a step has no verified solution.
     #[error("the contact problem of step {step} (t = {time:.6} s) could not be solved: {failure}")]
     Lcp {

@@ -388,3 +388,15 @@ fn an_energy_ledger_is_refused() {
         Err(CoreError::Input { array: "plan", .. })
     ));
 }
+
+#[test]
+fn a_wire_that_folds_back_is_noticed() {
+    let (structure, elements) = wire();
+    let (geometry, shape) = settled::<2, 2>(structure);
+    let mut path = Path::new(&geometry, &shape, &elements).expect("a path");
+    let mut u = vec![[0.0; 2]; shape.len()];
+    u[20][0] = 0.49;
+    assert!(path.follow(&u), "just not yet: elements of 0.5 m");
+    u[20][0] = 0.51;
+    assert!(!path.follow(&u));
+}

@@ -60,6 +60,10 @@ fn details<'py>(
             d.set_item("step", step)?;
             "not_finite"
         }
+        CoreError::Folded { step } => {
+            d.set_item("step", step)?;
+            "folded"
+        }
         CoreError::Lcp {
             step,
             time,

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from rich.box import SIMPLE_HEAD
+from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
@@ -122,11 +123,16 @@ def comparisons(rows: "Sequence[Row]") -> Table:
     return made
 
 
-def remarks(rows: "Sequence[Row]") -> list[str]:
+def remarks(rows: "Sequence[Row]") -> list[Padding]:
     """Say for each case what was checked and under which assumption, where rows say so."""
     cases = {row.case: row for row in rows if row.checked}
     return [
-        f"{case}\n  checked: {row.checked}\n  assumption: {row.assumption}\n"
+        Padding(
+            Text.assemble(
+                (case, "bold"), f"\nChecked: {row.checked}\nAssumption: {row.assumption}"
+            ),
+            (0, 0, 1, 2),
+        )
         for case, row in cases.items()
     ]
 

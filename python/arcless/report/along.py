@@ -39,7 +39,7 @@ def force(scene: Scene) -> Any:
     for i, name in enumerate(scene.pantographs):
         raw = _series(scene, i, scene.record.force[:, i], RAW_POINTS)
         smooth = _series(scene, i, scene.record.bands.total[:, i], SMOOTH_POINTS)
-        style = {"source": raw, "color": colour(i), "line_width": 0.8, "line_alpha": 0.35}
+        style = {"source": raw, "color": colour(i), "line_width": 0.8, "line_alpha": 0.5}
         thin = fig.line("x", "y", **style)
         thick = fig.line("x", "y", source=smooth, color=colour(i), line_width=1.6, name=plain(name))
         entries.append((name, [thick]))
@@ -55,6 +55,25 @@ def force(scene: Scene) -> Any:
     entries += _support_entry(scene, fig)
     add_legend(fig, entries)
     _hover(fig, filtered, "force", "0.0 N")
+    return fig
+
+
+def gap(scene: Scene) -> Any | None:
+    """Draw the gap between strip and wire where contact is lost, or could be without a trace."""
+    values = scene.values("contact_gap")
+    if not (scene.rigid_contact or np.any(scene.record.force <= 0.0)):
+        return None
+    fig = _track_figure(scene, "Gap between collector strip and contact wire", "gap, mm")
+    entries, lines = [], []
+    for i, name in enumerate(scene.pantographs):
+        path = _series(scene, i, 1e3 * values[:, i], RAW_POINTS)
+        line = fig.line("x", "y", source=path, color=colour(i), line_width=1.2, name=plain(name))
+        entries.append((name, [line]))
+        lines.append(line)
+    largest = float(1e3 * values.max(initial=0.0))
+    fig.y_range = models().Range1d(0.0, 1.1 * largest or 1.0)
+    add_legend(fig, [*entries, *_support_entry(scene, fig)])
+    _hover(fig, lines, "gap", "0.000 mm")
     return fig
 
 

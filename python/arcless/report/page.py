@@ -9,6 +9,7 @@ from arcless.model import MARKS
 from arcless.report import along, distribution, line, tables
 from arcless.report.model_data import groups, marks_used
 from arcless.report.scene import Scene
+from arcless.report.template import render
 from arcless.results.files import write_bytes
 
 if TYPE_CHECKING:
@@ -21,6 +22,7 @@ MAX_WARNINGS = 50
 # Place on the page → figure; a figure that the record has no data for is None.
 FIGURES = {
     "force": along.force,
+    "gap": along.gap,
     "height": along.height,
     "uplift": along.uplift,
     "droppers": along.droppers,
@@ -68,25 +70,9 @@ def html(
     result: "Result", *, assessment: Assessment | None = None, reference_rows: Rows = ()
 ) -> str:
     """Return the report as one HTML text; see `write`."""
-    from bokeh.embed import components
-    from bokeh.resources import Resources
-    from jinja2 import Environment
-    from markupsafe import Markup
-
     scene = Scene(result.dataset, assessment or result.assessment)
     drawn = {name: draw(scene) for name, draw in FIGURES.items()}
-    script, places = components({name: fig for name, fig in drawn.items() if fig is not None})
-    library = Resources(mode="inline", components=["bokeh"], log_level="warn").render()
-    environment = Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True)
-    template = environment.from_string(
-        Path(__file__).with_name("page.html").read_text(encoding="utf-8")
-    )
-    return template.render(
-        library=Markup(library),
-        script=Markup(script),
-        figure={name: Markup(place) for name, place in places.items()},
-        **_texts(result, scene, reference_rows),
-    )
+    return render("page.html", drawn, **_texts(result, scene, reference_rows))
 
 
 def _texts(result: "Result", scene: Scene, reference_rows: Rows) -> dict[str, Any]:

@@ -1,5 +1,6 @@
 """What every figure needs to know, computed once."""
 
+import json
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -33,6 +34,12 @@ class Scene:
     def pantographs(self) -> list[str]:
         """Names of the pantographs."""
         return [str(name) for name in self.dataset["pantograph"].values]
+
+    @cached_property
+    def rigid_contact(self) -> bool:
+        """Whether strip and wire touch without a compliance between them."""
+        law: str = json.loads(self.dataset.attrs["scenario"])["contact"]["law"]
+        return law == "rigid"
 
     @cached_property
     def track(self) -> Any:

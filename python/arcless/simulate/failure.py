@@ -58,9 +58,15 @@ def _translate(
         )
     if kind == "not_finite":
         return ContactError(
-            "the motion grew beyond all numbers",
+            "the motion grew beyond all bounds",
             where=f"step {details['step']}",
             hint="check stiffnesses and dampers; try a dissipative scheme",
+        )
+    if kind == "folded":
+        return ContactError(
+            "the motion grew beyond all bounds: the contact wire folds back on itself",
+            where=f"step {details['step']}",
+            hint="updated kinematics need a scheme that damps: try a smaller spectral_radius",
         )
     if kind in STATIC:
         return translate(mesh, kind, message, details)

@@ -171,6 +171,17 @@ def test_names_cannot_become_markup(rich: str) -> None:
     assert "$$x^2$$" not in figures_in(text)  # bokeh would look for a formula renderer
 
 
+GAP = "Gap between collector strip and contact wire"
+
+
+def test_the_gap_is_drawn_where_contact_is_lost_or_rigid(page: str) -> None:
+    assert GAP not in figures_in(page)
+    lost = synthetic_dataset(force=lambda t: np.where(t > 12.0, 0.0, 100.0))
+    assert GAP in figures_in(report.html(result_of(lost)))
+    rigid = synthetic_dataset(scenario=scenario_data(contact__law="rigid"))
+    assert GAP in figures_in(report.html(result_of(rigid)))
+
+
 BARE = (
     "contact_lateral", "mass_displacement", "dropper_force", "support_uplift", "slack_droppers",
     "support_uplift_max", "dropper_force_min", "dropper_force_max", "dropper_x", "dropper_span",

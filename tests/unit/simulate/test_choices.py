@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import arcless
-from arcless.errors import ModelError
-from arcless.model import Scenario
+from arcless.errors import ContactError, ModelError
+from arcless.model import Scenario, scenario_warnings
 from arcless.results import Result
 
 Run = Callable[..., Result]
@@ -106,3 +106,20 @@ def test_no_energy_ledger_with_updated_kinematics(short: Short, run: Run) -> Non
     assert result.assessment.to_dict()["energy_residual_relative"] is None
     with pytest.raises(ModelError, match="energy"):
         short(**FEW, **choice, **{"output.energy": "always"})
+
+
+def test_motion_that_grows_ends_with_a_word() -> None:
+    changes = {
+        "contact.law": "compliant",
+        "solver.time_step": "1 ms",
+        "line.contact_wire.mass": "0.89 kg/m",
+        "line.dropper.clamp_mass_contact_wire": 0.0,
+        "solver.scheme": "trapezoidal",
+    }
+    scenario = arcless.load("praks-340").with_(**changes)
+    assert any("can grow" in word for word in scenario_warnings(scenario))
+    with pytest.raises(ContactError, match="the motion grew beyond all bounds"):
+        arcless.run(scenario)
+    damped = scenario.with_(**{"solver.scheme": "generalised-alpha"})
+    assert not any("can grow" in word for word in scenario_warnings(damped))
+    assert np.max(arcless.run(damped).dataset["contact_force"].values) < 300.0

@@ -179,12 +179,17 @@ impl<const DIM: usize> Path<DIM> {
         (self.elements[0].range().0, self.elements[last].range().1)
     }
 
-    /// From now on, places are found on the wire displaced by `u`.
-    pub fn follow<const D: usize>(&mut self, u: &[[f64; D]]) {
+    /// From now on, places are found on the wire displaced by `u`. Tells whether every element still
+    /// runs along the track.
+    pub fn follow<const D: usize>(&mut self, u: &[[f64; D]]) -> bool {
         self.moved.clone_from(&self.elements);
+        let mut runs_forwards = true;
         for (element, nodes) in self.moved.iter_mut().zip(self.nodes.windows(2)) {
             element.displace([&u[nodes[0]], &u[nodes[1]]]);
+            let (first, last) = element.range();
+            runs_forwards &= first < last;
         }
+        runs_forwards
     }
 
     /// Place at coordinate `x` along the track; `None` beyond the ends. `near` is the element

@@ -183,7 +183,7 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
     /// One step, readable from top to bottom.
     fn step(&mut self, step: usize, ledger: Option<&mut Ledger<D>>) -> Result<(), CoreError> {
         if self.p.updating.is_some() {
-            self.p.to_mut().reform(&mut self.state)?;
+            self.p.to_mut().reform(&mut self.state, step)?;
         }
         let old = self.p.coefficients.old;
         let between = |a: &[f64]| (1.0 - old) * a[step + 1] + old * a[step];

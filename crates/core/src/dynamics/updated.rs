@@ -75,11 +75,18 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
     /// linearised kinematics.
     ///
     /// # Errors
-    /// [`CoreError::Singular`].
-    pub(super) fn reform(&mut self, state: &mut LineState<D>) -> Result<(), CoreError> {
+    /// [`CoreError::Singular`], or [`CoreError::Folded`] when the motion has grown out of bounds.
+    pub(super) fn reform(
+        &mut self,
+        state: &mut LineState<D>,
+        step: usize,
+    ) -> Result<(), CoreError> {
         let Some(now) = &mut self.updating else {
             return Ok(());
         };
+        if !self.path.follow(&state.u) {
+            return Err(CoreError::Folded { step });
+        }
         for ((r, rest), u) in now.shape.iter_mut().zip(&now.rest).zip(&state.u) {
             for c in 0..D {
                 r[c] = rest[c] + u[c];
@@ -95,7 +102,6 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         self.line.add_dampers(c.damping, &mut now.matrix);
         now.matrix.hold(&now.held);
         self.factor.refactorise(&mut now.refactoring, &now.matrix)?;
-        self.path.follow(&state.u);
         self.columns.forget();
         state.links.restart(&self.line.links, &state.v, &state.a);
         Ok(())
@@ -159,7 +165,9 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
                     u[c] = new;
                 }
             }
-            path.follow(&u);
+            if !path.follow(&u) {
+                return Err(CoreError::Folded { step: 0 });
+            }
             // Settling leaves a shape that balances as it is.
             if moved == 0.0 {
                 return Ok(StillState {

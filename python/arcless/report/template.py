@@ -1,0 +1,38 @@
+"""Figures and texts → one HTML text that loads nothing."""
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+
+def render(template: str, figures: Mapping[str, Any], **texts: Any) -> str:
+    """Fill a template of this folder.
+
+    Parameters
+    ----------
+    template
+        File name of the template; it finds the figures in `figure`.
+    figures
+        Figures by their place on the page; None where there is none.
+    **texts
+        What else the template shows; escaped there.
+    """
+    from bokeh.embed import components
+    from bokeh.resources import Resources
+    from jinja2 import Environment, FileSystemLoader
+    from markupsafe import Markup
+
+    script, places = components({name: fig for name, fig in figures.items() if fig is not None})
+    library = Resources(mode="inline", components=["bokeh"], log_level="warn").render()
+    environment = Environment(
+        autoescape=True,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        loader=FileSystemLoader(Path(__file__).parent),
+    )
+    return environment.get_template(template).render(
+        library=Markup(library),
+        script=Markup(script),
+        figure={name: Markup(place) for name, place in places.items()},
+        **texts,
+    )
