@@ -1,7 +1,7 @@
 """Renew the tables of docs/validation from real runs: `python docs/make_validation.py [PAGE ...]`.
 
 Each page keeps its prose; what stands between `<!-- table: NAME -->` and `<!-- end -->` is
-replaced. All pages need about ten minutes, half of them the line of 21 km.
+replaced. All pages need about fourteen minutes, five of them the line of 21 km.
 """
 
 import sys
@@ -10,6 +10,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from validation import converging, praks
+from validation.runs import run, table
 from validation.variants import (
     WIRES,
     Changes,
@@ -41,28 +43,10 @@ SHOWN = {
 }
 
 
-_known: dict[tuple[str, str], Result] = {}
-
-
-def run(name: str, changes: Changes | None = None) -> Result:
-    """Run a shipped scenario, once for the same changes."""
-    key = name, repr(changes or {})
-    if key not in _known:
-        print(f"{name} {key[1][:100]}", flush=True)
-        _known[key] = arcless.run(arcless.load(name).with_(**(changes or {})))
-    return _known[key]
-
-
 def numbers(result: Result) -> dict[str, float]:
     """Return the assessment of the only pantograph, with the uplift at supports."""
     found = result.assessment.to_dict()
     return {**found, **found["pantographs"][0]}
-
-
-def table(head: Iterable[str], rows: Iterable[Iterable[object]]) -> str:
-    lines = [list(head), *([str(cell) for cell in row] for row in rows)]
-    rule = ["---"] * len(lines[0])
-    return "\n".join(f"| {' | '.join(line)} |" for line in [lines[0], rule, *lines[1:]])
 
 
 def ranges_table(cases: Iterable[Any]) -> str:
@@ -261,7 +245,9 @@ TABLES: dict[str, dict[str, Callable[[], str]]] = {
         "sensitivity": lambda: sensitivity_table(AC_CASES, ac_variants()),
     },
     "convergence": {"halving": halving_table, "distance": distance_table},
+    "convergence-published": converging.TABLES,
     "energy": {"ledger": energy_table},
+    "praks": praks.TABLES,
 }
 
 

@@ -1,6 +1,7 @@
 """The examples run as they are printed, with less work where they offer it."""
 
 import importlib.util
+import re
 from pathlib import Path
 from types import ModuleType
 
@@ -20,9 +21,11 @@ def load(name: str) -> ModuleType:
 
 def test_every_example_is_tested() -> None:
     assert {path.stem for path in EXAMPLES.glob("*.py")} == {
+        "dropped_beam",  # tests/unit/test_published.py
         "one_run",
         "own_line",
         "sweep_of_speed",
+        "tension_coupling",
     }
 
 
@@ -42,3 +45,24 @@ def test_own_line(capsys: pytest.CaptureFixture[str]) -> None:
     result = load("own_line").main()
     assert result.assessment.pantographs[0].contact_loss_percent == 0
     assert "span 6 dropper 6" in capsys.readouterr().out
+
+
+def test_tension_coupling(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    figure = tmp_path / "figure.svg"
+    found = load("tension_coupling").main([10e3, 20e3], str(figure))
+    assert figure.stat().st_size > 0
+    # A string on hangers is between a free one (z ∝ 1/T) and one on a bed (T^−½); along the wire
+    # it is drawn by ½∫z′², between T^−2 and T^−1½.
+    assert 2**0.5 < found["z"][0] / found["z"][1] < 2
+    assert 2**1.5 < found["drawn"][0] / found["drawn"][1] < 2**2
+    # Far below its first longitudinal mode the wire does not stretch: 2 % are left of that.
+    assert found["slow"] == pytest.approx([1, 1], abs=0.03)
+    assert min(found["r"]) > 0.99
+
+    page = (EXAMPLES.parent / "docs/guide/tension-study.md").read_text(encoding="utf-8")
+    for line in capsys.readouterr().out.splitlines()[1:3]:
+        row = re.findall(r"[\d.]+", line)
+        shown = next(text for text in page.splitlines() if text.startswith(line[:4] + " "))
+        values = [float(value) for value in re.findall(r"[\d.]+", shown)]
+        # Rounding of another processor, and of the last digit printed.
+        assert [float(value) for value in row] == pytest.approx(values, rel=0.02, abs=1e-3)
