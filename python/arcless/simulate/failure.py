@@ -16,6 +16,19 @@ from arcless.simulate.equilibrium import translate
 # A run starts in statics, and with updated kinematics the tangent is factorised in every step.
 STATIC = ("equilibrium", "singular", "unstable")
 
+# Failures of a step as a whole: what, and a hint.
+STEPS = {
+    "slack_set": ("the set of slack droppers did not settle", "try a shorter solver.time_step"),
+    "not_finite": (
+        "the motion grew beyond all bounds",
+        "check stiffnesses and dampers; try a dissipative scheme",
+    ),
+    "folded": (
+        "the motion grew beyond all bounds: the contact wire folds back on itself",
+        "updated kinematics need a scheme that damps: try a smaller spectral_radius",
+    ),
+}
+
 
 @contextmanager
 def replayable(scenario: Scenario) -> Iterator[None]:
@@ -50,24 +63,10 @@ def _translate(
             got=f"{details['position']:.2f} m",
             hint="shorten travel, or lengthen the line",
         )
-    if kind == "slack_set":
-        return ContactError(
-            "the set of slack droppers did not settle",
-            where=f"step {details['step']}, t = {details['time']:.6g} s",
-            hint="try a shorter solver.time_step",
-        )
-    if kind == "not_finite":
-        return ContactError(
-            "the motion grew beyond all bounds",
-            where=f"step {details['step']}",
-            hint="check stiffnesses and dampers; try a dissipative scheme",
-        )
-    if kind == "folded":
-        return ContactError(
-            "the motion grew beyond all bounds: the contact wire folds back on itself",
-            where=f"step {details['step']}",
-            hint="updated kinematics need a scheme that damps: try a smaller spectral_radius",
-        )
+    if kind in STEPS:
+        what, hint = STEPS[kind]
+        time = f", t = {details['time']:.6g} s" if "time" in details else ""
+        return ContactError(what, where=f"step {details['step']}{time}", hint=hint)
     if kind in STATIC:
         return translate(mesh, kind, message, details)
     return ContactError(message)

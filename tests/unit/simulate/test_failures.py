@@ -84,7 +84,7 @@ def test_statics_errors_in_words(short: Short, kind: str, details: dict, words: 
             "front left the wire",
         ),
         ("slack_set", {"step": 7, "time": 0.014}, "step 7, t = 0.014 s: the set of"),
-        ("folded", {"step": 7}, "step 7: the motion grew beyond all bounds: the contact wire folds"),
+        ("folded", {"step": 7}, "step 7: the motion grew beyond all bounds: the contact wire"),
         ("not_finite", {"step": 7}, "step 7: the motion grew beyond all bounds"),
     ],
 )
