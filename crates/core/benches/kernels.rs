@@ -53,6 +53,13 @@ fn mass_product(bencher: Bencher) {
 }
 
 #[divan::bench]
+fn advance(bencher: Bencher) {
+    let p = line();
+    let mut state = p.at_rest(vector(p.line.nodes()));
+    bencher.bench_local(|| p.advance(black_box(&mut state)));
+}
+
+#[divan::bench]
 fn stiffness_form(bencher: Bencher) {
     let p = line();
     let x = vector(p.line.nodes());

@@ -3,7 +3,7 @@
 //! With a time step of a millisecond the influence of a force decays over a few nodes, so a
 //! column is a short window of nodes. What is cut off is below [`CUT`] of its peak.
 
-use crate::linalg::BlockLdl;
+use crate::linalg::{BlockLdl, Kernel, widest};
 use std::ops::Range;
 
 /// Values below this fraction of a column's peak are cut: rounding of one solve. Larger would
@@ -85,15 +85,11 @@ impl<const D: usize> Columns<D> {
     pub fn add(&self, column: usize, factor: f64, x: &mut [[f64; D]]) -> Range<usize> {
         let w = &self.windows[column];
         let nodes = w.first..w.first + w.length;
-        let target = &mut x[nodes.clone()];
-        for (a, b) in target
-            .iter_mut()
-            .zip(&self.values[w.offset..w.offset + w.length])
-        {
-            for c in 0..D {
-                a[c] += factor * b[c];
-            }
-        }
+        widest(Add {
+            target: x[nodes.clone()].as_flattened_mut(),
+            values: self.values[w.offset..w.offset + w.length].as_flattened(),
+            factor,
+        });
         nodes
     }
 
@@ -101,5 +97,20 @@ impl<const D: usize> Columns<D> {
     #[must_use]
     pub fn stored(&self) -> usize {
         self.values.len() * D
+    }
+}
+
+struct Add<'a> {
+    target: &'a mut [f64],
+    values: &'a [f64],
+    factor: f64,
+}
+
+impl Kernel for Add<'_> {
+    #[inline(always)]
+    fn run(self) {
+        for (a, b) in self.target.iter_mut().zip(self.values) {
+            *a += self.factor * b;
+        }
     }
 }

@@ -341,18 +341,19 @@ impl<const DIM: usize, const D: usize> Kernel for Advance<'_, DIM, D> {
         } = self.state;
         let (c, [mu, mv, ma], [su, sv, sa]) =
             (&self.p.coefficients, self.p.from_mass, self.p.shift);
-        let state = u.iter_mut().zip(v).zip(a).zip(&*delta);
-        for ((((u, v), a), d), (w, s)) in state.zip(prepared.iter_mut().zip(shift)) {
-            // Read everything, compute, then write: the lanes need not fear that the rows overlap.
-            let (old_v, old_a, d) = (*v, *a, *d);
-            let [mut new_u, mut new_v, mut new_a] = [*u, [0.0; D], [0.0; D]];
-            let [mut inertia, mut offset] = [[0.0; D]; 2];
-            for k in 0..D {
-                new_u[k] += d[k];
-                (new_v[k], new_a[k]) = c.advance(d[k], old_v[k], old_a[k]);
-                inertia[k] = -(mu * new_u[k] + mv * new_v[k] + ma * new_a[k]);
-                offset[k] = su * new_u[k] + sv * new_v[k] + sa * new_a[k];
-            }
+        // Every number by itself: over rows the compiler would gather four of them and transpose.
+        let (u, v, a) = (
+            u.as_flattened_mut(),
+            v.as_flattened_mut(),
+            a.as_flattened_mut(),
+        );
+        let combined = prepared.as_flattened_mut().iter_mut();
+        let state = u.iter_mut().zip(v).zip(a).zip(delta.as_flattened());
+        for ((((u, v), a), d), (w, s)) in state.zip(combined.zip(shift.as_flattened_mut())) {
+            let new_u = *u + d;
+            let (new_v, new_a) = c.advance(*d, *v, *a);
+            let inertia = -(mu * new_u + mv * new_v + ma * new_a);
+            let offset = su * new_u + sv * new_v + sa * new_a;
             (*u, *v, *a, *w, *s) = (new_u, new_v, new_a, inertia, offset);
         }
     }
