@@ -41,11 +41,11 @@ struct Row {
     length: u32,
 }
 
-/// Block of the factor with its column.
+/// Block of the factor with the node that its column belongs to.
 #[derive(Debug, Clone, Copy)]
 struct Entry<const D: usize> {
     block: Block<D>,
-    column: usize,
+    node: usize,
 }
 
 struct Substitution<'a, const D: usize> {
@@ -66,19 +66,13 @@ impl<const D: usize> super::Kernel for Substitution<'_, D> {
         } = self;
         factor.substitute_forward(x, work);
         factor.substitute_backward(work);
+        let (x, work) = (x.as_flattened_mut(), work.as_flattened());
         if minus.is_empty() {
-            for (value, &node) in work.iter().zip(&factor.order) {
-                x[node as usize] = *value;
-            }
+            x.copy_from_slice(work);
             return;
         }
-        for (value, &node) in work.iter().zip(&factor.order) {
-            // A row of its own: the lanes need not fear that `x` and `minus` overlap.
-            let (mut row, shift) = (*value, minus[node as usize]);
-            for c in 0..D {
-                row[c] -= shift[c];
-            }
-            x[node as usize] = row;
+        for ((x, value), minus) in x.iter_mut().zip(work).zip(minus.as_flattened()) {
+            *x = value - minus;
         }
     }
 }
@@ -195,7 +189,7 @@ impl<const D: usize> BlockLdl<D> {
         self.rows = rows.collect();
         let entry = |&column: &u32| Entry {
             block: zero(),
-            column: column as usize,
+            node: self.order[column as usize] as usize,
         };
         self.forward = self.columns.iter().map(entry).collect();
         self.backward = self.forward.clone();
@@ -266,35 +260,34 @@ impl<const D: usize> BlockLdl<D> {
         });
     }
 
-    /// `y = L⁻¹ b`, from the order of the nodes into the order of elimination.
+    /// `y = L⁻¹ x` in the place of x, and `z = D⁻¹ y`: nothing waits for the second product.
     #[inline(always)]
-    fn substitute_forward(&self, b: &[[f64; D]], y: &mut [[f64; D]]) {
+    fn substitute_forward(&self, x: &mut [[f64; D]], z: &mut [[f64; D]]) {
         let mut entries = self.forward.as_slice();
-        for (i, r) in self.rows.iter().enumerate() {
+        for (r, inverse) in self.rows.iter().zip(&self.diagonal_inverse) {
             let (row, rest) = entries.split_at(r.length as usize);
             entries = rest;
-            let mut sum = b[r.node as usize];
+            let node = r.node as usize;
+            let mut sum = x[node];
             for e in row {
-                block::subtract_transposed_product(&mut sum, &e.block, &y[e.column]);
+                block::subtract_transposed_product(&mut sum, &e.block, &x[e.node]);
             }
-            y[i] = sum;
+            x[node] = sum;
+            // The inverse is symmetric.
+            z[node] = block::transposed_product(inverse, &sum);
         }
     }
 
-    /// `x = L⁻ᵀ D⁻¹ y`
+    /// `x = L⁻ᵀ z` in the place of z.
     #[inline(always)]
-    fn substitute_backward(&self, y: &mut [[f64; D]]) {
-        for (value, inverse) in y.iter_mut().zip(&self.diagonal_inverse) {
-            // The inverse is symmetric.
-            *value = block::transposed_product(inverse, value);
-        }
+    fn substitute_backward(&self, z: &mut [[f64; D]]) {
         let mut entries = self.backward.as_slice();
-        for (i, r) in self.rows.iter().enumerate().rev() {
+        for r in self.rows.iter().rev() {
             let (rest, row) = entries.split_at(entries.len() - r.length as usize);
             entries = rest;
-            let xi = y[i];
+            let value = z[r.node as usize];
             for e in row {
-                block::subtract_transposed_product(&mut y[e.column], &e.block, &xi);
+                block::subtract_transposed_product(&mut z[e.node], &e.block, &value);
             }
         }
     }
