@@ -30,18 +30,28 @@ pub struct BlockLdl<const D: usize> {
     rows: Vec<Row>,
     /// Transposes of `lower`: forward and backward substitution each want their lanes contiguous.
     forward: Vec<Entry<D>>,
+    /// Columns from the last to the first, and where in `lower` their blocks are.
+    backward_columns: Vec<Row>,
     backward: Vec<Entry<D>>,
+    backward_places: Vec<u32>,
     negative_pivots: usize,
 }
 
-/// Row of the factor: its node, and the number of blocks below the diagonal.
+/// Row or column of the factor: its node, and the number of its blocks off the diagonal.
 #[derive(Debug, Clone, Copy)]
 struct Row {
     node: u32,
     length: u32,
 }
 
-/// Block of the factor with the node that its column belongs to.
+impl Row {
+    fn new(node: u32, length: usize) -> Self {
+        let length = length as u32;
+        Self { node, length }
+    }
+}
+
+/// Block of the factor with the node whose value it multiplies.
 #[derive(Debug, Clone, Copy)]
 struct Entry<const D: usize> {
     block: Block<D>,
@@ -143,7 +153,9 @@ impl<const D: usize> BlockLdl<D> {
             lower: vec![zero(); columns.len()],
             rows: Vec::new(),
             forward: Vec::new(),
+            backward_columns: Vec::new(),
             backward: Vec::new(),
+            backward_places: Vec::new(),
             diagonal_inverse: vec![zero(); a.rows()],
             negative_pivots: 0,
             order: from_both_ends(a.rows()),
@@ -167,32 +179,40 @@ impl<const D: usize> BlockLdl<D> {
         refactoring.take(a);
         self.negative_pivots = 0;
         self.factorise(&refactoring.reordered)?;
-        for ((l, forward), backward) in self
-            .lower
-            .iter()
-            .zip(&mut self.forward)
-            .zip(&mut self.backward)
-        {
-            forward.block = block::transpose(l);
-            backward.block = *l;
+        for (entry, l) in self.forward.iter_mut().zip(&self.lower) {
+            entry.block = block::transpose(l);
+        }
+        for (entry, &place) in self.backward.iter_mut().zip(&self.backward_places) {
+            entry.block = self.lower[place as usize];
         }
         Ok(())
     }
 
-    /// Lay out the rows for substitutions.
+    /// Lay out rows and columns for substitutions.
     fn arrange(&mut self) {
-        let rows = self.order.iter().zip(self.row_start.windows(2));
-        let rows = rows.map(|(&node, ends)| Row {
-            node,
-            length: (ends[1] - ends[0]) as u32,
-        });
-        self.rows = rows.collect();
-        let entry = |&column: &u32| Entry {
+        let entry = |position: usize| Entry {
             block: zero(),
-            node: self.order[column as usize] as usize,
+            node: self.order[position] as usize,
         };
-        self.forward = self.columns.iter().map(entry).collect();
-        self.backward = self.forward.clone();
+        self.forward = self.columns.iter().map(|&j| entry(j as usize)).collect();
+        let lengths = self.row_start.windows(2).map(|ends| ends[1] - ends[0]);
+        let rows = self.order.iter().zip(lengths);
+        self.rows = rows.map(|(&node, length)| Row::new(node, length)).collect();
+
+        let mut columns = vec![Vec::new(); self.order.len()];
+        for (i, ends) in self.row_start.windows(2).enumerate() {
+            for place in ends[0]..ends[1] {
+                columns[self.columns[place] as usize].push((i, place as u32));
+            }
+        }
+        for (&node, column) in self.order.iter().zip(&columns).rev() {
+            self.backward_columns.push(Row::new(node, column.len()));
+            // What was computed last comes last: the others do not have to wait for it.
+            for &(i, place) in column.iter().rev() {
+                self.backward.push(entry(i));
+                self.backward_places.push(place);
+            }
+        }
     }
 
     fn factorise(&mut self, a: &SymmetricBlocks<D>) -> Result<(), CoreError> {
@@ -282,13 +302,14 @@ impl<const D: usize> BlockLdl<D> {
     #[inline(always)]
     fn substitute_backward(&self, z: &mut [[f64; D]]) {
         let mut entries = self.backward.as_slice();
-        for r in self.rows.iter().rev() {
-            let (rest, row) = entries.split_at(entries.len() - r.length as usize);
+        for r in &self.backward_columns {
+            let (column, rest) = entries.split_at(r.length as usize);
             entries = rest;
-            let value = z[r.node as usize];
-            for e in row {
-                block::subtract_transposed_product(&mut z[e.node], &e.block, &value);
+            let mut sum = z[r.node as usize];
+            for e in column {
+                block::subtract_transposed_product(&mut sum, &e.block, &z[e.node]);
             }
+            z[r.node as usize] = sum;
         }
     }
 }
