@@ -165,7 +165,10 @@ def test_a_compound_line_below_a_rigid_messenger_wire_is_a_string_on_springs() -
     np.testing.assert_allclose(e, [here, between], rtol=2e-3)
 
 
-def test_a_hanger_that_would_have_to_push_is_named() -> None:
+def test_a_hanger_that_would_have_to_push_is_named(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
     high = [0, -0.08, *[0] * 8]
     with pytest.raises(EquilibriumError) as caught:
         at_rest(compound_data(span_types__span__hangers__presag=high))

@@ -16,7 +16,7 @@ def blocks(name: str, found: dict[str, Any]) -> "Iterator[RenderableType]":
     yield _droppers(found["droppers"], span, len(supports) - 1)
     yield _supports(supports[span - 1 : span + 1])
     chosen = {support["name"] for support in supports[span - 1 : span + 1]}
-    stitches = [stitch for stitch in found["stitch_wires"] if stitch["name"] in chosen]
+    stitches = [stitch for stitch in found["stitch_wires"] if stitch["support"] in chosen]
     if stitches:
         yield _stitches(stitches)
     yield _summary(name, found)
@@ -46,7 +46,7 @@ def _stitches(stitches: list[dict[str, Any]]) -> "RenderableType":
     made = table("Stitch wires there", "support", *columns, numbers=columns)
     for stitch in stitches:
         made.add_row(
-            stitch["name"],
+            stitch["support"],
             number(stitch["from_m"], 2),
             number(stitch["to_m"], 2),
             number(stitch["lowest_m"], 4),

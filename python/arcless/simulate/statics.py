@@ -69,7 +69,7 @@ class StaticsResult:
         arrays, points = self.equilibrium.arrays, self.equilibrium.positions
         return [
             {
-                "name": f"support {stitch.support}",
+                "support": f"support {stitch.support}",
                 "from_m": float(points[stitch.nodes[0], 0]),
                 "to_m": float(points[stitch.nodes[-1], 0]),
                 "clamp_heights_m": [float(points[n, 2]) for n in stitch.nodes[:: len(stitch.rows)]],
