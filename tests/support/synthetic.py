@@ -165,6 +165,8 @@ def _line(
         "dropper_x": dropper_x,
         "dropper_span": 1 + (dropper_x // SPAN_M),
         "dropper_length": np.full(dropper_x.size, 1.0),
+        "dropper_top_z": np.full(dropper_x.size, 6.3),
+        "dropper_bottom_z": np.full(dropper_x.size, 5.3),
         "dropper_force_static": np.full(dropper_x.size, 50.0),
         "support_x": support_x,
         "support_force_static": np.full(support_x.size, 900.0),

@@ -15,19 +15,43 @@ def blocks(name: str, found: dict[str, Any]) -> "Iterator[RenderableType]":
     span = max(1, len(supports) // 2)
     yield _droppers(found["droppers"], span, len(supports) - 1)
     yield _supports(supports[span - 1 : span + 1])
+    chosen = {support["name"] for support in supports[span - 1 : span + 1]}
+    stitches = [stitch for stitch in found["stitch_wires"] if stitch["support"] in chosen]
+    if stitches:
+        yield _stitches(stitches)
     yield _summary(name, found)
 
 
 def _droppers(droppers: list[dict[str, Any]], span: int, spans: int) -> "RenderableType":
-    columns = ("dropper", "x / m", "length / m", "force / N")
-    made = table(f"Droppers of span {span} of {spans}", *columns, numbers=columns)
     chosen = [dropper for dropper in droppers if dropper["span"] == span]
-    for index, dropper in enumerate(chosen, start=1):
+    simple = all(dropper["from"] == "messenger wire" for dropper in chosen)
+    columns = ("dropper", "x / m", "length / m", "force / N")
+    # Where all hang from the messenger wire there is nothing to tell apart.
+    extra = () if simple else ("hangs from",)
+    made = table(f"Droppers of span {span} of {spans}", *columns, *extra, numbers=columns)
+    prefix = f"span {span} dropper " if simple else f"span {span} "
+    for dropper in chosen:
         made.add_row(
-            str(index),
+            dropper["name"].removeprefix(prefix),
             number(dropper["x_m"], 2),
             number(dropper["length_m"], 4),
             number(dropper["force_N"], 1),
+            *(() if simple else (dropper["from"],)),
+        )
+    return made
+
+
+def _stitches(stitches: list[dict[str, Any]]) -> "RenderableType":
+    columns = ("from / m", "to / m", "lowest point / m", "unstretched length / m", "tension / N")
+    made = table("Stitch wires there", "support", *columns, numbers=columns)
+    for stitch in stitches:
+        made.add_row(
+            stitch["support"],
+            number(stitch["from_m"], 2),
+            number(stitch["to_m"], 2),
+            number(stitch["lowest_m"], 4),
+            number(stitch["unstretched_length_m"], 4),
+            number(stitch["tension_N"], 1),
         )
     return made
 

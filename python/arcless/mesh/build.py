@@ -1,15 +1,16 @@
 """Line and solver settings → mesh."""
 
-from dataclasses import dataclass, field
+from collections.abc import Callable
 from itertools import pairwise
 
 import numpy as np
 
 from arcless.errors import MeshError
 from arcless.mesh import wires
+from arcless.mesh.chains import Chain, make_chains
 from arcless.mesh.parts import HELD, UNLOADED, Parts
-from arcless.mesh.types import DropperPlace, Floats, Mesh, SupportPlace
-from arcless.model.components import NoSteadyArm, SteadyArmBar, Wire
+from arcless.mesh.types import DropperPlace, Floats, Mesh, StitchPlace, SupportPlace
+from arcless.model.components import NoSteadyArm, SteadyArmBar, TensionedWire, Wire
 from arcless.model.line import Line
 from arcless.model.settings import Solver
 
@@ -34,26 +35,6 @@ def build_mesh(line: Line, solver: Solver) -> Mesh:
     return _Builder(line, solver).build()
 
 
-@dataclass
-class _Chain:
-    """Nodes of one wire: positions (n × 3) and their numbers in the mesh.
-
-    `leaving` maps a hinged node to the one that holds the slope behind the hinge.
-    """
-
-    points: Floats
-    nodes: list[int] = field(default_factory=list)
-    leaving: dict[int, int] = field(default_factory=dict)
-
-    def row(self, x: float) -> int:
-        """Row of the node that stands at a station."""
-        return int(np.searchsorted(self.points[:, 0], x - wires.SAME_PLACE))
-
-    def at(self, x: float) -> int:
-        """Return the number of the node that stands at a station."""
-        return self.nodes[self.row(x)]
-
-
 class _Builder:
     def __init__(self, line: Line, solver: Solver) -> None:
         self.line, self.solver = line, solver
@@ -61,25 +42,31 @@ class _Builder:
         self.up = self.dimension - 1
         self.lumped = solver.wire_model == "lumped"
         self.places = wires.stations(line)
+        self.chains = make_chains(line, solver, self.places)
         self.parts = Parts()
 
     def build(self) -> Mesh:
-        contact, messenger = self._chains()
-        positions, slopes = self._number(contact, messenger)
-        path = self._add_wires(contact, messenger)
-        droppers = self._add_droppers(contact, messenger)
-        supports = self._add_supports(contact, messenger)
+        chains = self.chains
+        path = self._add_anchored(chains.contact, self.line.contact_wire)
+        self._add_anchored(chains.messenger, self.line.messenger_wire)
+        stitches = self._add_stitches()
+        if chains.auxiliary is not None and self.line.auxiliary_wire is not None:
+            self._add_anchored(chains.auxiliary, self.line.auxiliary_wire)
+        droppers = self._add_droppers()
+        supports = self._add_supports(chains.contact, chains.messenger)
         return Mesh(
             dimension=self.dimension,
-            positions=self._in_space(positions),
-            slopes=self._in_space(slopes),
+            positions=self._in_space(chains.positions),
+            slopes=self._in_space(chains.slopes),
             parts=self.parts.arrays(),
             gravity=self.solver.gravity,
             path=path,
-            contact_nodes=contact.nodes,
-            messenger_nodes=messenger.nodes,
+            contact_nodes=chains.contact.nodes,
+            messenger_nodes=chains.messenger.nodes,
             droppers=droppers,
             supports=supports,
+            auxiliary_nodes=[] if chains.auxiliary is None else chains.auxiliary.nodes,
+            stitches=stitches,
         )
 
     def _in_space(self, vectors: Floats) -> Floats:
@@ -88,63 +75,9 @@ class _Builder:
             return vectors
         return np.column_stack([vectors[:, 0], vectors[:, 2], np.zeros(len(vectors))])
 
-    def _chains(self) -> tuple[_Chain, _Chain]:
-        line, supports, gravity = self.line, self.places.supports, self.solver.gravity
-        places = sorted([*supports, *(dropper[1] for dropper in self.places.droppers)])
-        x = wires.divide(places, self.solver.contact_wire_element)
-        y = wires.stagger_guess(line.geometry.stagger_contact_wire, supports, x)
-        z = wires.contact_guess(line, self.places, x, gravity)
-        contact = _Chain(np.column_stack([x, y, z]))
-        x = wires.divide(places, self.solver.messenger_wire_element)
-        y = wires.stagger_guess(line.geometry.stagger_messenger_wire, supports, x)
-        z = wires.messenger_guess(line, supports, x, gravity)
-        return contact, _Chain(np.column_stack([x, y, z]))
-
-    def _number(self, contact: _Chain, messenger: _Chain) -> tuple[Floats, Floats]:
-        """Give numbers to all nodes along the track; messenger before contact wire."""
-        tangents = self._slopes(messenger, self.line.messenger_wire)
-        # A chain of point masses has no slopes to be told apart at a hinge.
-        hinges = [] if self.lumped else self._hinge_rows(messenger)
-        points = np.vstack([messenger.points, messenger.points[hinges], contact.points])
-        tangents = np.vstack(
-            [tangents, tangents[hinges], self._slopes(contact, self.line.contact_wire)]
-        )
-        order = np.argsort(points[:, 0], kind="stable")
-        rank = np.empty(len(order), dtype=np.int64)
-        rank[order] = np.arange(len(order))
-        numbers = [int(n) for n in rank]
-        count, all_messenger = len(messenger.points), len(messenger.points) + len(hinges)
-        messenger.nodes = numbers[:count]
-        messenger.leaving = dict(
-            zip((messenger.nodes[row] for row in hinges), numbers[count:all_messenger], strict=True)
-        )
-        contact.nodes = numbers[all_messenger:]
-        return points[order], tangents[order]
-
-    def _slopes(self, chain: _Chain, wire: Wire) -> Floats:
-        if self.lumped:
-            return np.zeros_like(chain.points)
-        return wires.slopes(chain.points, wires.stretch(wire))
-
-    def _hinge_rows(self, messenger: _Chain) -> list[int]:
-        """Rows of the messenger wire's nodes at inner supports.
-
-        The saddle of a support follows the wire, which bends there without lifting: no moment is
-        carried. A slope continuous over the support would need elements shorter than √(EI/T).
-        """
-        return [messenger.row(support) for support in self.places.supports[1:-1]]
-
-    def _add_wires(self, contact: _Chain, messenger: _Chain) -> list[int]:
-        path = self._add_wire(contact, self.line.contact_wire, [])
-        self._add_wire(messenger, self.line.messenger_wire, self._hinge_rows(messenger))
-        return path
-
-    def _add_wire(self, chain: _Chain, wire: Wire, hinges: list[int]) -> list[int]:
+    def _add_anchored(self, chain: Chain, wire: Wire) -> list[int]:
         """Add the elements of a wire and what holds its ends; return the elements' rows."""
-        if self.lumped:
-            rows = self._add_segments(chain, wire, set(hinges))
-        else:
-            rows = self._add_elements(chain, wire)
+        rows = self._add_wire(chain)
         for component in range(self.dimension):
             self.parts.add("fixed", (chain.nodes[0], component))
             self.parts.add("fixed", (chain.nodes[-1], component))
@@ -152,47 +85,72 @@ class _Builder:
         self.parts.add("ends", (chain.nodes[-1], released), (wire.tension,))
         return rows
 
-    def _add_elements(self, chain: _Chain, wire: Wire) -> list[int]:
-        lengths = wires.chord_lengths(chain.points, wires.stretch(wire))
-        rows = []
-        for a, b, length in zip(chain.nodes, chain.nodes[1:], lengths, strict=False):
-            slopes = (chain.leaving.get(a, a), b)
-            rows.append(self.parts.add_wire(wire, (a, b), slopes, float(length)))
-        return rows
-
-    def _add_segments(self, chain: _Chain, wire: Wire, hinges: set[int]) -> list[int]:
-        """Add a chain of point masses that bends at its inner nodes, but for the hinges."""
-        lengths = wires.chord_lengths(chain.points, wires.chain_stretch(wire))
-        rows = [
-            self.parts.add_segment(wire, nodes, float(length))
-            for nodes, length in zip(pairwise(chain.nodes), lengths, strict=True)
-        ]
-        for node, (before, behind) in enumerate(pairwise(rows), start=1):
-            if node not in hinges:
-                self.parts.add_bend(wire, before, behind)
-        return rows
-
-    def _add_droppers(self, contact: _Chain, messenger: _Chain) -> list[DropperPlace]:
-        kind, line = self.line.dropper, self.line
-        found: list[DropperPlace] = []
-        count = 0
-        for span, x, _, length in self.places.droppers:
-            count = 1 if not found or found[-1].span != span else count + 1
-            upper, lower = messenger.at(x), contact.at(x)
-            apart = messenger.points[messenger.row(x)] - contact.points[contact.row(x)]
-            distance = float(np.linalg.norm(apart))
-            row = self.parts.add_dropper(kind, upper, lower, distance, length)
-            self.parts.add_mass(
-                upper, kind.clamp_mass_messenger_wire, line.messenger_wire.damping.alpha
-            )
-            self.parts.add_mass(
-                lower, kind.clamp_mass_contact_wire, line.contact_wire.damping.alpha
-            )
-            found.append(DropperPlace(f"span {span} dropper {count}", span, x, row))
+    def _add_stitches(self) -> list[StitchPlace]:
+        """Add the stitch wires and their clamps on the messenger wire."""
+        found, messenger = [], self.chains.messenger
+        for number, chain in enumerate(self.chains.stitches, start=2):
+            rows = self._add_wire(chain)
+            assert self.line.stitch_wire is not None
+            for node in (chain.nodes[0], chain.nodes[-1]):
+                alpha = messenger.wire.damping.alpha
+                self.parts.add_mass(node, self.line.stitch_wire.clamp_mass, alpha)
+            found.append(StitchPlace(number, chain.nodes, rows))
         return found
 
-    def _add_supports(self, contact: _Chain, messenger: _Chain) -> list[SupportPlace]:
+    def _add_wire(self, chain: Chain) -> list[int]:
+        return self._add_segments(chain) if self.lumped else self._add_elements(chain)
+
+    def _add_elements(self, chain: Chain) -> list[int]:
+        sections = chain.sections()
+        lengths = self._unstretched(chain, sections, wires.stretch)
+        rows = []
+        for row, (nodes, section) in enumerate(zip(pairwise(chain.nodes), sections, strict=True)):
+            slopes = (chain.leaving.get(row, nodes[0]), chain.arriving.get(row + 1, nodes[1]))
+            rows.append(self.parts.add_wire(section, nodes, slopes, float(lengths[row])))
+        return rows
+
+    def _add_segments(self, chain: Chain) -> list[int]:
+        """Add a chain of point masses that bends at its inner nodes, but for the hinges."""
+        sections = chain.sections()
+        lengths = self._unstretched(chain, sections, wires.chain_stretch)
+        rows = [
+            self.parts.add_segment(section, nodes, float(length))
+            for nodes, section, length in zip(pairwise(chain.nodes), sections, lengths, strict=True)
+        ]
+        hinges = set(chain.hinges)
+        for node, (before, behind) in enumerate(pairwise(rows), start=1):
+            if node not in hinges:
+                self.parts.add_bend(chain.wire, before, behind)
+        return rows
+
+    @staticmethod
+    def _unstretched(
+        chain: Chain, sections: list[TensionedWire], law: Callable[[TensionedWire], float]
+    ) -> Floats:
+        if chain.relieved is None:
+            return wires.chord_lengths(chain.points, law(chain.wire))
+        full, left = law(chain.wire), law(chain.relieved)
+        by_element = [left if section is chain.relieved else full for section in sections]
+        return wires.chord_lengths(chain.points, np.array(by_element))
+
+    def _add_droppers(self) -> list[DropperPlace]:
+        found: list[DropperPlace] = []
+        for hanging in self.places.hangings:
+            kind, x = hanging.kind, hanging.x
+            above, below = (self.chains.of(wire, x) for wire in (hanging.upper, hanging.lower))
+            nodes = (above.at(x), below.at(x))
+            apart = above.points[above.row(x)] - below.points[below.row(x)]
+            distance = float(np.linalg.norm(apart))
+            row = self.parts.add_dropper(kind, *nodes, distance, hanging.length)
+            self.parts.add_mass(nodes[0], kind.clamp_mass_messenger_wire, above.wire.damping.alpha)
+            self.parts.add_mass(nodes[1], kind.clamp_mass_contact_wire, below.wire.damping.alpha)
+            names = (hanging.upper, hanging.lower)
+            found.append(DropperPlace(hanging.name, hanging.span, x, row, nodes, names))
+        return sorted(found, key=lambda dropper: (dropper.span, dropper.x))
+
+    def _add_supports(self, contact: Chain, messenger: Chain) -> list[SupportPlace]:
         last = len(self.places.supports) - 1
+        auxiliary = self.chains.auxiliary
         found = []
         for index, x in enumerate(self.places.supports):
             node = contact.at(x)
@@ -200,6 +158,9 @@ class _Builder:
             if 0 < index < last:
                 spring = self._hold_messenger(messenger.at(x))
                 arm = self._hold_contact_wire(node, index)
+                if auxiliary is not None and self.dimension == SPATIAL:
+                    # A pull-off keeps its lateral position; it hangs on droppers alone.
+                    self.parts.add("fixed", (auxiliary.at(x), 1))
             found.append(SupportPlace(f"support {index + 1}", x, node, spring, arm))
         return found
 

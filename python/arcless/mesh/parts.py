@@ -5,7 +5,7 @@ from math import cos, sin
 import numpy as np
 
 from arcless.mesh.types import Part
-from arcless.model.components import DropperType, SteadyArmBar, Wire
+from arcless.model.components import DropperType, SteadyArmBar, TensionedWire
 
 # Number of integer and float columns of each kind, as documented in `arcless.mesh.types.Mesh`.
 COLUMNS = {
@@ -49,7 +49,11 @@ class Parts:
         return tables
 
     def add_wire(
-        self, wire: Wire, nodes: tuple[int, int], slope_nodes: tuple[int, int], rest_length: float
+        self,
+        wire: TensionedWire,
+        nodes: tuple[int, int],
+        slope_nodes: tuple[int, int],
+        rest_length: float,
     ) -> int:
         """Add a cubic element of a wire."""
         elastic = (rest_length, wire.axial_stiffness, wire.bending_stiffness)
@@ -58,13 +62,13 @@ class Parts:
             "wires", (*nodes, *slope_nodes), (*elastic, wire.mass, *damping, wire.tension)
         )
 
-    def add_segment(self, wire: Wire, nodes: tuple[int, int], rest_length: float) -> int:
+    def add_segment(self, wire: TensionedWire, nodes: tuple[int, int], rest_length: float) -> int:
         """Add a straight link of a chain of point masses."""
         damping = (wire.damping.alpha, wire.damping.beta)
         floats = (rest_length, wire.axial_stiffness, wire.mass, *damping, wire.tension)
         return self.add("segments", nodes, floats)
 
-    def add_bend(self, wire: Wire, before: int, behind: int) -> None:
+    def add_bend(self, wire: TensionedWire, before: int, behind: int) -> None:
         """Let a wire resist bending between two segments, if it does at all."""
         if wire.bending_stiffness > 0.0:
             self.add("bends", (before, behind), (wire.bending_stiffness, wire.damping.beta))

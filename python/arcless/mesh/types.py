@@ -1,6 +1,6 @@
 """What a mesh is: tables for the core, and the names behind their rows."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,12 +12,18 @@ Part = tuple[Integers, Floats]
 
 @dataclass(frozen=True)
 class DropperPlace:
-    """A dropper: its name, its span (from 1), where it hangs (m), its row among the links."""
+    """A dropper or hanger: its name, its span (from 1), where it hangs (m).
+
+    `link` is its row among the links, `nodes` are its upper and its lower end, `wires` what these
+    belong to.
+    """
 
     name: str
     span: int
     x: float
     link: int
+    nodes: tuple[int, int]
+    wires: tuple[str, str]
 
 
 @dataclass(frozen=True)
@@ -33,6 +39,18 @@ class SupportPlace:
     contact_node: int
     messenger_spring: int | None
     steady_arm: int | None
+
+
+@dataclass(frozen=True)
+class StitchPlace:
+    """A stitch wire: the number of its support (from 1) and its nodes from clamp to clamp.
+
+    `rows` are its elements in the table of wires or segments.
+    """
+
+    support: int
+    nodes: list[int]
+    rows: list[int]
 
 
 @dataclass(frozen=True)
@@ -76,3 +94,5 @@ class Mesh:
     messenger_nodes: list[int]
     droppers: list[DropperPlace]
     supports: list[SupportPlace]
+    auxiliary_nodes: list[int] = field(default_factory=list)
+    stitches: list[StitchPlace] = field(default_factory=list)

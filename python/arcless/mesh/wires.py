@@ -1,4 +1,4 @@
-"""Division of the two wires into elements, and a first guess of their shape."""
+"""Division of the wires into elements, and what their ends and lengths are."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -8,39 +8,88 @@ from math import ceil
 import numpy as np
 
 from arcless.mesh.types import Floats
-from arcless.model.components import Wire
-from arcless.model.line import Line
+from arcless.model.components import DropperType, TensionedWire
+from arcless.model.line import Line, SpanDroppers
 
 # Stations closer than this are one: far below a clamp, far above rounding. In m.
 SAME_PLACE = 1e-6
 
+CONTACT, MESSENGER = "contact wire", "messenger wire"
+STITCH, AUXILIARY = "stitch wire", "auxiliary wire"
+
 
 @dataclass(frozen=True)
-class Stations:
-    """Positions along the track that need a node: supports, and droppers with their span.
+class Hanging:
+    """A dropper or hanger to be meshed: what it is, where it hangs, between which wires.
 
     Attributes
     ----------
-    supports : positions of the supports, m
-    droppers : (span from 1, position m, height of the contact wire below nominal m or None,
-        given length m or None) of each dropper
+    presag : the lower wire below its nominal height, m, where the length is to be found
+    length : given length, m
+    """
+
+    name: str
+    span: int
+    x: float
+    upper: str
+    lower: str
+    kind: DropperType
+    presag: float | None
+    length: float | None
+
+
+@dataclass(frozen=True)
+class Stations:
+    """What needs a node along the track, positions in m.
+
+    Attributes
+    ----------
+    supports : positions of the supports
+    clamps : first and last clamp of the stitch wire at each inner support; empty without them
+    hangings : droppers and hangers, those that hold the contact wire first: the design calculation
+        finds forces in this order, and what hangs below adds to what holds it
     """
 
     supports: list[float]
-    droppers: list[tuple[int, float, float | None, float | None]]
+    clamps: list[tuple[float, float]]
+    hangings: list[Hanging]
+
+    def along(self, wire: str) -> list[float]:
+        """Return the places of a wire that need a node, in order."""
+        ends = self.supports if wire != STITCH else []
+        clamps = [x for pair in self.clamps for x in pair] if wire in {STITCH, MESSENGER} else []
+        hung = [h.x for h in self.hangings if wire in {h.upper, h.lower}]
+        return sorted([*ends, *clamps, *hung])
 
 
 def stations(line: Line) -> Stations:
     """Collect the places of a line that need nodes."""
-    supports = line.support_positions()
-    droppers: list[tuple[int, float, float | None, float | None]] = []
-    for number, (start, span) in enumerate(zip(supports, line.span_list(), strict=False), start=1):
-        own = span.droppers
-        for index, position in enumerate(own.positions):
-            length = None if own.lengths is None else own.lengths[index]
-            presag = own.design_presag[index] if length is None else None
-            droppers.append((number, start + position, presag, length))
-    return Stations(supports, droppers)
+    supports, spans = line.support_positions(), line.span_list()
+    reach = 0.5 * line.stitch_wire.length if line.stitch_wire is not None else 0.0
+    clamps = [(x - reach, x + reach) for x in supports[1:-1]] if reach else []
+    lower = CONTACT if line.auxiliary_wire is None else AUXILIARY
+    hangers: list[Hanging] = []
+    droppers: list[Hanging] = []
+    for number, (start, span) in enumerate(zip(supports, spans, strict=False), start=1):
+        # At the ends of the line there is no stitch wire.
+        first = reach if number > 1 else 0.0
+        last = span.length - (reach if number < len(spans) else 0.0)
+        for index, x in enumerate(span.droppers.positions):
+            upper = MESSENGER if first - SAME_PLACE <= x <= last + SAME_PLACE else STITCH
+            name, how = f"span {number} dropper {index + 1}", _design(span.droppers, index)
+            droppers.append(Hanging(name, number, start + x, upper, lower, line.dropper, *how))
+        kind = line.hanger or line.dropper
+        for index, x in enumerate(span.hangers.positions if span.hangers is not None else ()):
+            name, how = f"span {number} hanger {index + 1}", _design(span.holders, index)
+            hangers.append(Hanging(name, number, start + x, AUXILIARY, CONTACT, kind, *how))
+    return Stations(supports, clamps, [*hangers, *droppers])
+
+
+def _design(own: SpanDroppers, index: int) -> tuple[float | None, float | None]:
+    """Return pre-sag and length of a dropper, one of them None."""
+    if own.lengths is not None:
+        return None, own.lengths[index]
+    return own.design_presag[index], None
 
 
 def divide(places: Sequence[float], longest: float) -> Floats:
@@ -55,7 +104,7 @@ def divide(places: Sequence[float], longest: float) -> Floats:
     return np.array(nodes)
 
 
-def stretch(wire: Wire) -> float:
+def stretch(wire: TensionedWire) -> float:
     """Return |r′| of the wire under its tension: T = EA ½ (s² − 1) s, by Newton's method."""
     s = 1.0 + wire.tension / wire.axial_stiffness
     for _ in range(20):
@@ -64,39 +113,9 @@ def stretch(wire: Wire) -> float:
     return s
 
 
-def chain_stretch(wire: Wire) -> float:
+def chain_stretch(wire: TensionedWire) -> float:
     """Return ℓ/L of a straight link under the wire's tension: T = EA (ℓ − L)/L."""
     return 1.0 + wire.tension / wire.axial_stiffness
-
-
-def messenger_guess(line: Line, supports: Sequence[float], x: Floats, gravity: float) -> Floats:
-    """Height of the messenger wire in m: parabolas q x (L − x) / 2T, q the weight of both wires."""
-    load = (line.messenger_wire.mass + line.contact_wire.mass) * gravity
-    span = np.clip(np.searchsorted(supports, x, side="right") - 1, 0, len(supports) - 2)
-    left = np.asarray(supports)[span]
-    right = np.asarray(supports)[span + 1]
-    sag = load * (x - left) * (right - x) / (2.0 * line.messenger_wire.tension)
-    top = line.geometry.contact_wire_height + line.geometry.encumbrance
-    return np.asarray(top - sag)
-
-
-def contact_guess(line: Line, places: Stations, x: Floats, gravity: float) -> Floats:
-    """Height of the contact wire in m: straight between the heights known at the droppers."""
-    height = line.geometry.contact_wire_height
-    known: dict[float, float] = {places.supports[0]: height, places.supports[-1]: height}
-    messenger = messenger_guess(
-        line, places.supports, np.array([d[1] for d in places.droppers]), gravity
-    )
-    for (_, position, presag, length), top in zip(places.droppers, messenger, strict=True):
-        known[position] = height - presag if presag is not None else float(top) - (length or 0.0)
-    ordered = sorted(known)
-    return np.interp(x, ordered, [known[position] for position in ordered])
-
-
-def stagger_guess(pattern: Sequence[float], supports: Sequence[float], x: Floats) -> Floats:
-    """Lateral position in m: straight between the staggers of the supports."""
-    values = [pattern[i % len(pattern)] for i in range(len(supports))]
-    return np.interp(x, supports, values)
 
 
 def slopes(points: Floats, magnitude: float) -> Floats:
@@ -105,6 +124,6 @@ def slopes(points: Floats, magnitude: float) -> Floats:
     return np.asarray(magnitude * tangent / np.linalg.norm(tangent, axis=1, keepdims=True))
 
 
-def chord_lengths(points: Floats, magnitude: float) -> Floats:
+def chord_lengths(points: Floats, magnitude: float | Floats) -> Floats:
     """Unstretched length of each element in m, from its chord."""
     return np.asarray(np.linalg.norm(np.diff(points, axis=0), axis=1) / magnitude)

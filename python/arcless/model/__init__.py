@@ -2,12 +2,14 @@
 
 from arcless.model.advice import scenario_warnings
 from arcless.model.components import (
+    AuxiliaryWire,
     DropperType,
     MessengerSupport,
     Rayleigh,
     SteadyArm,
     SteadyArmBar,
     SteadyArmSpring,
+    StitchWire,
     Wire,
 )
 from arcless.model.documents import MARKS, Provenance
@@ -32,6 +34,7 @@ from arcless.model.settings import (
 __all__ = [
     "MARKS",
     "Analysis",
+    "AuxiliaryWire",
     "Contact",
     "DesignSpace",
     "DropperType",
@@ -57,6 +60,7 @@ __all__ = [
     "SteadyArm",
     "SteadyArmBar",
     "SteadyArmSpring",
+    "StitchWire",
     "Trapezoidal",
     "Travel",
     "Wire",

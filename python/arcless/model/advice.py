@@ -183,7 +183,7 @@ def _about_solver(scenario: Scenario) -> list[str]:
         (
             right - left
             for span in scenario.line.span_types.values()
-            for left, right in pairwise((0.0, *span.droppers.positions, span.length))
+            for left, right in pairwise((0.0, *span.holders.positions, span.length))
         ),
     )
     fewest = FEWEST_ELEMENTS[solver.wire_model]

@@ -151,7 +151,9 @@ def _check_inside(
 
 def _check_elements(scenario: "Scenario") -> None:
     solver, length = scenario.solver, scenario.line.total_length
-    elements = length / solver.contact_wire_element + length / solver.messenger_wire_element
+    wires_above = 1 if scenario.line.auxiliary_wire is None else 2
+    elements = length / solver.contact_wire_element
+    elements += wires_above * length / solver.messenger_wire_element
     if elements > MAX_ELEMENTS:
         raise ModelError(
             "too many elements",

@@ -17,8 +17,8 @@ class Rayleigh(Part):
     )
 
 
-class Wire(Part):
-    """A contact or messenger wire under tension."""
+class TensionedWire(Part):
+    """What all wires of a line have in common."""
 
     mass: Annotated[float, Unit("kg/m", above=0)] = Field(description="Mass per metre.")
     axial_stiffness: Annotated[float, Unit("N", above=0)] = Field(description="Axial stiffness EA.")
@@ -27,9 +27,33 @@ class Wire(Part):
     )
     tension: Annotated[float, Unit("N", above=0)] = Field(description="Tension.")
     damping: Rayleigh = Field(default_factory=Rayleigh, description="Rayleigh damping of the wire.")
+
+
+class Wire(TensionedWire):
+    """A contact or messenger wire under tension."""
+
     ends: Literal["fixed", "constant_force"] = Field(
         default="fixed",
         description="Ends anchored, or held by a device of constant force.",
+    )
+
+
+class StitchWire(TensionedWire):
+    """A stitch wire, between two clamps on the messenger wire at each inner support."""
+
+    length: Annotated[float, Unit("m", above=0, maximum=500)] = Field(
+        description="Distance between its clamps, half of it on each side of the support."
+    )
+    clamp_mass: Annotated[float, Unit("kg", minimum=0)] = Field(
+        default=0.0, description="Mass of each clamp on the messenger wire."
+    )
+
+
+class AuxiliaryWire(Wire):
+    """An auxiliary messenger wire: it hangs on droppers, and the contact wire on it by hangers."""
+
+    height: Annotated[float, Unit("m", above=0, maximum=10)] = Field(
+        description="Nominal height above that of the contact wire."
     )
 
 

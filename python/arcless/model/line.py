@@ -7,9 +7,17 @@ from typing import Annotated, Literal
 from pydantic import Field, model_validator
 
 from arcless.errors import ModelError
-from arcless.model.components import DropperType, MessengerSupport, SteadyArm, Wire
+from arcless.model.components import (
+    AuxiliaryWire,
+    DropperType,
+    MessengerSupport,
+    SteadyArm,
+    StitchWire,
+    Wire,
+)
 from arcless.model.documents import Document
 from arcless.model.fields import Lengths, Part, Unit, nearest
+from arcless.model.line_checks import check_wires
 from arcless.units import WRONG_VALUE, show
 
 MAX_SPANS = 5000
@@ -40,17 +48,20 @@ class Geometry(Part):
     stagger_messenger_wire: Staggers = Field(
         default=(0.0,), description="Lateral position of the messenger wire; the pattern repeats."
     )
+    stagger_auxiliary_wire: Staggers | None = Field(
+        default=None, description="Of the auxiliary wire; without it, as the contact wire."
+    )
 
 
 class SpanDroppers(Part):
-    """Droppers of a span: design by pre-sag, or as built by lengths."""
+    """Droppers (hangers) of a span: design by pre-sag, or as built by lengths."""
 
     positions: Annotated[Lengths, Field(max_length=MAX_DROPPERS_PER_SPAN)] = Field(
         description="Distance of each dropper from the left support of the span."
     )
     presag: Lengths | None = Field(
         default=None,
-        description="Contact wire below its nominal height at each dropper; zeros without it.",
+        description="The wire held, below its nominal height at each dropper; zeros without it.",
     )
     lengths: Lengths | None = Field(
         default=None, description="Unstretched distance between the clamps of each dropper."
@@ -105,28 +116,42 @@ class SpanType(Part):
         description="Distance between the two supports."
     )
     droppers: SpanDroppers = Field(description="Droppers of the span.")
+    hangers: SpanDroppers | None = Field(
+        default=None, description="From the auxiliary to the contact wire; only with that wire."
+    )
+
+    @property
+    def holders(self) -> SpanDroppers:
+        """What the contact wire hangs on: hangers where there is an auxiliary wire."""
+        return self.hangers or self.droppers
 
     @model_validator(mode="after")
     def _check_inside(self) -> "SpanType":
-        for index, x in enumerate(self.droppers.positions):
-            if min(abs(x), abs(x - self.length)) < AT_SUPPORT:
+        self._check_positions("droppers", self.droppers)
+        if self.hangers is not None:
+            self._check_positions("hangers", self.hangers)
+        return self
+
+    def _check_positions(self, name: str, droppers: SpanDroppers) -> None:
+        for index, x in enumerate(droppers.positions):
+            field = (name, "positions", index)
+            if min(abs(x), abs(x - self.length)) < AT_SUPPORT and name == "droppers":
                 side = "left" if abs(x) < AT_SUPPORT else "right"
                 raise ModelError(
                     "dropper (hanger) at a support",
                     got=f"{x:g} m, the place of the {side} support",
                     expected=f"a position between the supports at 0 and {self.length:g} m",
                     hint="at a support the messenger wire is held, a dropper has no part there",
-                    field=("droppers", "positions", index),
+                    field=field,
                 )
             if not 0 < x < self.length:
                 raise ModelError(
-                    "dropper outside its span",
+                    f"{name[:-1]} outside its span",
                     got=f"{x:g} m",
                     expected=f"a position between 0 and {self.length:g} m, the span's length",
                     hint="positions count from the left support of the span",
-                    field=("droppers", "positions", index),
+                    field=field,
                 )
-        return self
 
 
 class SpanRun(Part):
@@ -165,6 +190,15 @@ class Line(Document):
     dropper: DropperType = Field(description="Droppers.")
     support: MessengerSupport = Field(description="Supports of the messenger wire.")
     steady_arm: SteadyArm = Field(description="Steady arm: kind spring, arm or none.")
+    stitch_wire: StitchWire | None = Field(
+        default=None, description="Stitch wires at the inner supports of a stitched line."
+    )
+    auxiliary_wire: AuxiliaryWire | None = Field(
+        default=None, description="Auxiliary wire of a compound line."
+    )
+    hanger: DropperType | None = Field(
+        default=None, description="Hangers of a compound line; without it, as the droppers."
+    )
     geometry: Geometry = Field(description="Heights and staggers.")
     span_types: dict[str, SpanType] = Field(description="Span types by name.", min_length=1)
     spans: tuple[SpanRun, ...] = Field(
@@ -194,17 +228,19 @@ class Line(Document):
                 expected=f"at most {MAX_SPANS} in all",
                 field=("spans",),
             )
+        check_wires(self)
         return self
 
     def _check_presag(self, name: str, span: SpanType) -> None:
-        for index, presag in enumerate(span.droppers.presag or ()):
+        holders = "droppers" if span.hangers is None else "hangers"
+        for index, presag in enumerate(span.holders.presag or ()):
             if not abs(presag) < self.geometry.encumbrance:
                 raise ModelError(
                     WRONG_VALUE,
                     got=f"{presag:g} m",
                     expected=f"less than the encumbrance, {self.geometry.encumbrance:g} m",
                     hint="pre-sag is positive downwards; mind mm and m",
-                    field=("span_types", name, "droppers", "presag", index),
+                    field=("span_types", name, holders, "presag", index),
                 )
 
     def _check_stagger(self) -> None:
@@ -233,7 +269,9 @@ class Line(Document):
     @property
     def is_spatial(self) -> bool:
         """True when stagger or a steady arm makes the line three-dimensional."""
-        staggers = self.geometry.stagger_contact_wire + self.geometry.stagger_messenger_wire
+        geometry = self.geometry
+        staggers = geometry.stagger_contact_wire + geometry.stagger_messenger_wire
+        staggers += geometry.stagger_auxiliary_wire or ()
         return self.steady_arm.kind == "arm" or any(stagger != 0 for stagger in staggers)
 
     @property

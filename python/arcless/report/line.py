@@ -3,16 +3,24 @@
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from arcless.report.along import MARKS, X_LABEL
 from arcless.report.reduce import envelope, every
 from arcless.report.scene import Scene
 from arcless.report.style import COLOURS, GREY, LIGHT, add_hover, add_legend, colour, figure, single
 
+Floats = NDArray[np.float64]
+
 NODE_POINTS = 1500
 ENERGY_ROWS = 500
 
-WIRES = (("contact_wire", "contact wire", 0), ("messenger_wire", "messenger wire", 7))
+WIRES = (
+    ("contact_wire", "contact wire", 0),
+    ("messenger_wire", "messenger wire", 7),
+    ("auxiliary_wire", "auxiliary wire", 2),
+    ("stitch_wire", "stitch wires", 1),
+)
 
 
 def side_view(scene: Scene) -> Any | None:
@@ -20,14 +28,11 @@ def side_view(scene: Scene) -> Any | None:
     fig = _view(scene, "Initial configuration, side view", "z", "height above rail, m", 280)
     if fig is None:
         return None
-    wires = ("contact_wire_node", "messenger_wire_node")
-    if scene.has("dropper_x", *(f"{wire}_{axis}" for wire in wires for axis in "xz")):
-        x = scene.values("dropper_x")[every(scene.values("dropper_x").size, MARKS)]
-        ends = [
-            np.interp(x, scene.values(f"{wire}_x"), scene.values(f"{wire}_z")) for wire in wires
-        ]
-        data = (single(x), single(ends[0]), single(x), single(ends[1]))
-        fig.segment(*data, color=GREY, line_width=1)
+    if scene.has("dropper_x", "dropper_top_z", "dropper_bottom_z"):
+        kept = every(scene.values("dropper_x").size, MARKS)
+        x = single(scene.values("dropper_x")[kept])
+        ends = (single(scene.values(f"dropper_{end}_z")[kept]) for end in ("top", "bottom"))
+        fig.segment(x, next(ends), x, next(ends), color=GREY, line_width=1)
     return fig
 
 
@@ -88,10 +93,13 @@ def _view(scene: Scene, title: str, axis: str, y_label: str, height: int) -> Any
     for wire, label, shade in WIRES:
         if not scene.has(f"{wire}_node_x", f"{wire}_node_{axis}"):
             continue
-        values = scene.values(f"{wire}_node_{axis}")
-        kept = envelope(values, NODE_POINTS)
-        x = scene.values(f"{wire}_node_x")[kept]
-        drawn = fig.line(single(x), single(values[kept]), color=colour(shade), line_width=1.5)
+        values, x = scene.values(f"{wire}_node_{axis}"), scene.values(f"{wire}_node_x")
+        if wire == "stitch_wire":
+            x, values = _apart(scene.values("stitch_wire_node_support"), x, values)
+        else:
+            kept = envelope(values, NODE_POINTS)
+            x, values = x[kept], values[kept]
+        drawn = fig.line(single(x), single(values), color=colour(shade), line_width=1.5)
         add_hover(fig, [drawn], [(label, "@y{0.000} m"), ("position", "@x{0.0} m")])
         entries.append((label, [drawn]))
     supports = scene.values("support_x")
@@ -101,3 +109,11 @@ def _view(scene: Scene, title: str, axis: str, y_label: str, height: int) -> Any
         entries.append(("support", [lines]))
     add_legend(fig, entries)
     return fig
+
+
+def _apart(owner: Floats, x: Floats, values: Floats) -> tuple[Floats, Floats]:
+    """Put a gap behind each of several wires, and leave out wires when there are too many."""
+    owners = np.unique(owner)
+    pieces = [np.flatnonzero(owner == one) for one in owners[every(owners.size, MARKS)]]
+    joined = [[np.append(data[piece], np.nan) for piece in pieces] for data in (x, values)]
+    return np.concatenate(joined[0]), np.concatenate(joined[1])

@@ -47,6 +47,8 @@ DIMENSIONS: dict[str, Dimension] = {
     "point": Dimension("name", "1", "recorded point of the contact wire"),
     "contact_wire_node": Dimension("count", "1", "node of the contact wire"),
     "messenger_wire_node": Dimension("count", "1", "node of the messenger wire"),
+    "auxiliary_wire_node": Dimension("count", "1", "node of the auxiliary wire"),
+    "stitch_wire_node": Dimension("count", "1", "node of the stitch wires, one after the other"),
     "elasticity_x": Dimension("number", "m", "position at which the elasticity was found"),
     "mode": Dimension("count", "1", "natural mode of the line at rest"),
 }
@@ -102,6 +104,10 @@ VARIABLES: dict[str, Variable] = {
     "dropper_x": Variable(("dropper",), "m", "position of the dropper along the track"),
     "dropper_span": Variable(("dropper",), "1", "span of the dropper, from 1", integer=True),
     "dropper_length": Variable(("dropper",), "m", "distance between the clamps at rest"),
+    "dropper_top_z": Variable(("dropper",), "m", "height of the upper clamp above rail, at rest"),
+    "dropper_bottom_z": Variable(
+        ("dropper",), "m", "height of the lower clamp above rail, at rest"
+    ),
     "dropper_force_static": Variable(("dropper",), "N", "dropper force at rest"),
     "support_x": Variable(("support",), "m", "position of the support along the track"),
     "support_force_static": Variable(("support",), "N", "vertical force on the messenger support"),
@@ -112,6 +118,15 @@ VARIABLES: dict[str, Variable] = {
     "messenger_wire_node_x": Variable(("messenger_wire_node",), "m", "along the track, at rest"),
     "messenger_wire_node_y": Variable(("messenger_wire_node",), "m", "across the track, at rest"),
     "messenger_wire_node_z": Variable(("messenger_wire_node",), "m", "height above rail, at rest"),
+    "auxiliary_wire_node_x": Variable(("auxiliary_wire_node",), "m", "along the track, at rest"),
+    "auxiliary_wire_node_y": Variable(("auxiliary_wire_node",), "m", "across the track, at rest"),
+    "auxiliary_wire_node_z": Variable(("auxiliary_wire_node",), "m", "height above rail, at rest"),
+    "stitch_wire_node_x": Variable(("stitch_wire_node",), "m", "along the track, at rest"),
+    "stitch_wire_node_y": Variable(("stitch_wire_node",), "m", "across the track, at rest"),
+    "stitch_wire_node_z": Variable(("stitch_wire_node",), "m", "height above rail, at rest"),
+    "stitch_wire_node_support": Variable(
+        ("stitch_wire_node",), "1", "support of the stitch wire, from 1", integer=True
+    ),
     "elasticity": Variable(("elasticity_x",), "m/N", "static elasticity of the contact wire"),
     "natural_frequency": Variable(("mode",), "Hz", "natural frequency of the line at rest"),
 }

@@ -95,7 +95,13 @@ def named(mesh: Mesh) -> Iterator[None]:
 def place_of(mesh: Mesh, node: int) -> str:
     """Say in words where a node is."""
     x = mesh.positions[node, 0]
-    wire = "contact wire" if node in set(mesh.contact_nodes) else "messenger wire"
+    wire = "messenger wire"
+    if node in set(mesh.contact_nodes):
+        wire = "contact wire"
+    elif node in set(mesh.auxiliary_nodes):
+        wire = "auxiliary wire"
+    elif any(node in stitch.nodes[1:-1] for stitch in mesh.stitches):
+        wire = "stitch wire"
     return f"{wire} at {x:.2f} m"
 
 
@@ -104,11 +110,11 @@ def translate(mesh: Mesh, kind: str, message: str, details: dict[str, Any]) -> A
     if kind == "pushing":
         dropper = next(d for d in mesh.droppers if d.link == details["link"])
         return EquilibriumError(
-            f"{dropper.name} would have to push to hold the contact wire at its height",
+            f"{dropper.name} would have to push to hold the {dropper.wires[1]} at its height",
             where=f"{dropper.x:.2f} m",
             got=f"a force of {details['force']:.1f} N",
             expected="a tension",
-            hint="the heights ask the contact wire to bend upwards there: check the pre-sag",
+            hint=f"the heights ask the {dropper.wires[1]} to bend upwards there: check the pre-sag",
         )
     if kind == "singular":
         return EquilibriumError(

@@ -75,6 +75,8 @@ def static_variables(found: Equilibrium, elasticity: Floats) -> dict[str, Any]:
         "dropper_x": [dropper.x for dropper in mesh.droppers],
         "dropper_span": [dropper.span for dropper in mesh.droppers],
         "dropper_length": found.of_droppers("link_length"),
+        "dropper_top_z": points[[dropper.nodes[0] for dropper in mesh.droppers], 2],
+        "dropper_bottom_z": points[[dropper.nodes[1] for dropper in mesh.droppers], 2],
         "dropper_force_static": found.of_droppers("link_tension"),
         "support_x": [support.x for support in mesh.supports],
         # The ends of the wires are anchored: no support, no arm, no force.
@@ -82,7 +84,19 @@ def static_variables(found: Equilibrium, elasticity: Floats) -> dict[str, Any]:
         "steady_arm_force_static": _rows(found.arrays["strut_tension"], arms),
         "elasticity": elasticity,
     }
-    for wire, nodes in (("contact", mesh.contact_nodes), ("messenger", mesh.messenger_nodes)):
+    stitched = [node for stitch in mesh.stitches for node in stitch.nodes]
+    if stitched:
+        counts = [len(stitch.nodes) for stitch in mesh.stitches]
+        numbers = [stitch.support for stitch in mesh.stitches]
+        out["stitch_wire_node_support"] = np.repeat(numbers, counts)
+    for wire, nodes in (
+        ("contact", mesh.contact_nodes),
+        ("messenger", mesh.messenger_nodes),
+        ("auxiliary", mesh.auxiliary_nodes),
+        ("stitch", stitched),
+    ):
+        if not nodes:
+            continue
         for axis, component in zip("xyz", points[nodes].T, strict=True):
             out[f"{wire}_wire_node_{axis}"] = component
     return out

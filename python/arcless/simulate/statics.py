@@ -25,7 +25,7 @@ class StaticsResult:
 
     @property
     def droppers(self) -> list[dict[str, Any]]:
-        """Droppers: name, span (from 1), x_m, length_m between the clamps, force_N."""
+        """Droppers: name, span (from 1), x_m, wires, length_m between the clamps, force_N."""
         found, mesh = self.equilibrium, self.equilibrium.mesh
         values = zip(
             mesh.droppers,
@@ -39,6 +39,8 @@ class StaticsResult:
                 "name": dropper.name,
                 "span": dropper.span,
                 "x_m": dropper.x,
+                "from": dropper.wires[0],
+                "to": dropper.wires[1],
                 "length_m": float(length),
                 "unstretched_length_m": float(rest),
                 "force_N": float(force),
@@ -62,6 +64,23 @@ class StaticsResult:
         ]
 
     @property
+    def stitch_wires(self) -> list[dict[str, Any]]:
+        """Stitch wires: support, clamps, height of clamps and lowest point, length, tension."""
+        arrays, points = self.equilibrium.arrays, self.equilibrium.positions
+        return [
+            {
+                "support": f"support {stitch.support}",
+                "from_m": float(points[stitch.nodes[0], 0]),
+                "to_m": float(points[stitch.nodes[-1], 0]),
+                "clamp_heights_m": [float(points[n, 2]) for n in stitch.nodes[:: len(stitch.rows)]],
+                "lowest_m": float(points[stitch.nodes, 2].min()),
+                "unstretched_length_m": float(arrays["wire_rest_length"][stitch.rows].sum()),
+                "tension_N": float(arrays["wire_tension"][stitch.rows].max()),
+            }
+            for stitch in self.equilibrium.mesh.stitches
+        ]
+
+    @property
     def elasticity_nonuniformity(self) -> float:
         """Return u = (e_max − e_min) / (e_max + e_min) over the middle span."""
         high, low = max(self.elasticity_m_per_N), min(self.elasticity_m_per_N)
@@ -82,6 +101,7 @@ class StaticsResult:
             "line": self.scenario.line.name,
             "droppers": self.droppers,
             "supports": self.supports,
+            "stitch_wires": self.stitch_wires,
             "elasticity": [
                 {"x_m": x, "mm_per_N": 1e3 * e}
                 for x, e in zip(self.elasticity_x_m, self.elasticity_m_per_N, strict=True)

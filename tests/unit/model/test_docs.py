@@ -4,11 +4,15 @@ import re
 from pathlib import Path
 from typing import Any
 
-from arcless.model import MARKS, Line, Pantograph, Scenario, load, scenario_warnings
+from arcless.model import MARKS, Line, Pantograph, Scenario, load, load_line, scenario_warnings
+from arcless.model.components import Rayleigh, TensionedWire
 from arcless.model.documents import Provenance
+from arcless.model.reader import parse
 from arcless.units import KINDS, spell
+from tests.support.line_types import compound_data, stitched_data
 
-PAGE = (Path(__file__).parents[3] / "docs/reference/model-files.md").read_text(encoding="utf-8")
+DOCS = Path(__file__).parents[3] / "docs"
+PAGE = (DOCS / "reference/model-files.md").read_text(encoding="utf-8")
 
 
 def test_the_worked_example_loads(tmp_path: Path) -> None:
@@ -19,6 +23,25 @@ def test_the_worked_example_loads(tmp_path: Path) -> None:
     scenario = load(tmp_path / "my-scenario.yaml")
     assert scenario_warnings(scenario) == []
     assert scenario.line.provenance["contact_wire.tension"].mark == "A"
+
+
+def test_the_line_types_of_the_guide_load() -> None:
+    text = (DOCS / "guide/line-types.md").read_text(encoding="utf-8")
+    stitched, compound = (
+        parse(t, "guide")[0] for t in re.findall(r"```yaml\n(.*?)```", text, re.S)
+    )
+    ours, shipped = load_line(stitched_data(**stitched)), load_line("norway-s25")
+    assert _undamped(ours.stitch_wire) == _undamped(shipped.stitch_wire)
+    shipped = load_line("shinkansen-heavy-compound")
+    ours = load_line(compound_data(**compound, spans=[{"type": "standard", "count": 3}]))
+    assert ours.span_types["standard"] == shipped.span_types["standard"]
+    assert _undamped(ours.auxiliary_wire) == _undamped(shipped.auxiliary_wire)
+
+
+def _undamped(wire: TensionedWire | None) -> TensionedWire:
+    """The guide leaves the damping out."""
+    assert wire is not None
+    return wire.model_copy(update={"damping": Rayleigh()})
 
 
 def test_every_unit_and_mark_is_listed() -> None:

@@ -1,0 +1,84 @@
+"""First guess of the shape of each wire: heights and lateral positions over the track, in m."""
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+
+from arcless.mesh.types import Floats
+from arcless.mesh.wires import AUXILIARY, CONTACT, MESSENGER, STITCH, Stations
+from arcless.model.line import Line
+
+Height = Callable[[Floats], Floats]
+
+
+def stagger_guess(pattern: Sequence[float], supports: Sequence[float], x: Floats) -> Floats:
+    """Lateral position in m: straight between the staggers of the supports."""
+    values = [pattern[i % len(pattern)] for i in range(len(supports))]
+    return np.interp(x, supports, values)
+
+
+class Guess:
+    """Guessed heights of the wires of a line, each found once it is asked for.
+
+    Parameters
+    ----------
+    line, places
+        The line and its stations.
+    gravity
+        In m/s².
+    """
+
+    def __init__(self, line: Line, places: Stations, gravity: float) -> None:
+        self.line, self.places, self.gravity = line, places, gravity
+        self.height = line.geometry.contact_wire_height
+        above = 0.0 if line.auxiliary_wire is None else line.auxiliary_wire.height
+        self.nominal = {CONTACT: self.height, AUXILIARY: self.height + above}
+
+    def of(self, wire: str, x: Floats) -> Floats:
+        """Height of a wire at positions x; of a stitch wire, between the clamps of each."""
+        if wire == MESSENGER:
+            return self._messenger(x)
+        if wire == STITCH:
+            return self._stitch(x)
+        return self._held(wire, x)
+
+    def _messenger(self, x: Floats) -> Floats:
+        """Parabolas q x (L − x) / 2T, q the weight of all wires."""
+        line, supports = self.line, np.asarray(self.places.supports)
+        mass = line.messenger_wire.mass + line.contact_wire.mass
+        if line.auxiliary_wire is not None:
+            mass += line.auxiliary_wire.mass
+        span = np.clip(np.searchsorted(supports, x, side="right") - 1, 0, len(supports) - 2)
+        sag = self._sag(x, supports[span], supports[span + 1], mass, line.messenger_wire.tension)
+        return np.asarray(self.height + line.geometry.encumbrance - sag)
+
+    def _stitch(self, x: Floats) -> Floats:
+        """Below the line between its clamps by the weight of what hangs on it."""
+        line, clamps = self.line, np.asarray(self.places.clamps)
+        assert line.stitch_wire is not None
+        which = np.clip(np.searchsorted(clamps[:, 0], x, side="right") - 1, 0, len(clamps) - 1)
+        left, right = clamps[which].T
+        share = (x - left) / (right - left)
+        chord = (1.0 - share) * self._messenger(left) + share * self._messenger(right)
+        mass = line.stitch_wire.mass + line.contact_wire.mass
+        if line.auxiliary_wire is not None:
+            mass += line.auxiliary_wire.mass
+        return np.asarray(chord - self._sag(x, left, right, mass, line.stitch_wire.tension))
+
+    def _sag(self, x: Floats, left: Floats, right: Floats, mass: float, tension: float) -> Floats:
+        load = mass * self.gravity
+        return np.asarray(load * (x - left) * (right - x) / (2.0 * tension))
+
+    def _held(self, wire: str, x: Floats) -> Floats:
+        """Straight between the heights known at its droppers and its ends."""
+        nominal, supports = self.nominal[wire], self.places.supports
+        known = {supports[0]: nominal, supports[-1]: nominal}
+        own = [h for h in self.places.hangings if h.lower == wire]
+        for upper in {h.upper for h in own}:
+            hung = [h for h in own if h.upper == upper]
+            tops = self.of(upper, np.array([h.x for h in hung]))
+            for h, top in zip(hung, tops, strict=True):
+                drawn = h.presag is not None
+                known[h.x] = nominal - (h.presag or 0.0) if drawn else float(top) - (h.length or 0)
+        ordered = sorted(known)
+        return np.interp(x, ordered, [known[place] for place in ordered])

@@ -1,0 +1,210 @@
+"""Stitched and compound lines against balance of forces and closed forms."""
+
+import re
+from math import sqrt
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import arcless
+from arcless import report
+from arcless.errors import EquilibriumError
+from arcless.model import load
+from arcless.simulate import StaticsResult
+from tests.support.line_types import compound_data, scenario_data, stitched_data
+
+GUIDE = Path(__file__).parents[2] / "docs" / "guide" / "line-types.md"
+STAGGER = {
+    "geometry__stagger_contact_wire": [0.3, -0.3],
+    "geometry__stagger_messenger_wire": [0.1, -0.1],
+}
+
+
+def at_rest(line: dict[str, Any], **changes: Any) -> StaticsResult:
+    return arcless.statics(load(scenario_data(line, **changes)))
+
+
+@pytest.mark.parametrize("stagger", [{}, STAGGER], ids=["straight", "staggered"])
+def test_forces_balance_at_the_clamps(stagger: dict[str, Any]) -> None:
+    limp = {f"{wire}_wire__bending_stiffness": 0.0 for wire in ("messenger", "stitch")}
+    found = at_rest(stitched_data(**limp, **stagger), solver__wire_model="lumped").equilibrium
+    mesh, points = found.mesh, found.positions
+    nodes, floats = mesh.parts["segments"]
+    tension, rest = found.arrays["wire_tension"], found.arrays["wire_rest_length"]
+    for stitch in mesh.stitches:
+        for clamp in (stitch.nodes[0], stitch.nodes[-1]):
+            rows = np.flatnonzero((nodes == clamp).any(axis=1))
+            far = np.where(nodes[rows, 0] == clamp, nodes[rows, 1], nodes[rows, 0])
+            away = points[far] - points[clamp]
+            pull = tension[rows, None] * away / np.linalg.norm(away, axis=1)[:, None]
+            weight = 9.81 * (0.5 + 0.5 * np.sum(floats[rows, 2] * rest[rows]))
+            # Balanced to what the statics calls rounding: 8 ε · 360 m · EA/L = 4e-6 N here.
+            np.testing.assert_allclose(pull.sum(axis=0), [0.0, 0.0, weight], atol=1e-5)
+            outside, inside = 15e3, 12.2e3
+            found_along = sorted(np.abs(pull[:, 0]))
+            # T outside = T inside + T of the stitch wire, each as asked for.
+            np.testing.assert_allclose(found_along, [2.8e3, inside, outside], atol=1e-5)
+
+
+def test_tensions_of_a_stitched_line_of_cubic_elements() -> None:
+    found = at_rest(stitched_data()).equilibrium
+    mesh, points = found.mesh, found.positions
+    nodes, floats = mesh.parts["wires"]
+    apart = points[nodes[:, 1]] - points[nodes[:, 0]]
+    along = found.arrays["wire_tension"] * apart[:, 0] / np.linalg.norm(apart, axis=1)
+    # Chord and middle of an element differ by the local error of elements of 2 to 3 m.
+    np.testing.assert_allclose(along, floats[:, -1], rtol=1e-3)
+
+
+@pytest.mark.parametrize("model", ["hermite", "lumped"])
+@pytest.mark.parametrize("stagger", [{}, STAGGER], ids=["straight", "staggered"])
+@pytest.mark.parametrize("data", [stitched_data, compound_data], ids=["stitched", "compound"])
+def test_wires_are_where_they_were_drawn(data: Any, stagger: dict[str, Any], model: str) -> None:
+    drawn = data(**stagger)
+    found = at_rest(drawn, solver__wire_model=model).equilibrium
+    height = {"contact wire": 5.3, "auxiliary wire": 5.3 + 0.3}
+    lower = [found.positions[d.nodes[1], 2] for d in found.mesh.droppers]
+    expected = [height[d.wires[1]] for d in found.mesh.droppers]
+    # In service, with all lengths kept: far below a millimetre, the equilibrium is exact.
+    np.testing.assert_allclose(lower, expected, atol=1e-7)
+    assert found.of_droppers("link_tension").min() > 0.0
+
+
+def test_lengths_that_were_found_give_the_same_line_as_built() -> None:
+    for data in (stitched_data, compound_data):
+        design = at_rest(data())
+        changes: dict[str, Any] = {}
+        for name, word in (("droppers", "dropper"), ("hangers", "hanger")):
+            rest = [
+                d["unstretched_length_m"]
+                for d in design.droppers
+                if d["span"] == 3 and f" {word} " in d["name"]
+            ]
+            if rest:
+                changes[f"span_types__span__{name}__lengths"] = rest
+        built = at_rest(data(spans=[{"type": "span", "count": 6}], **changes))
+        pairs = [
+            (a["force_N"], b["force_N"])
+            for a, b in zip(design.droppers, built.droppers, strict=True)
+            if a["span"] == 3
+        ]
+        # Spans 1 and 6, which end at an anchor, got the lengths of span 3: two spans away they
+        # change the forces of span 3 by less than this.
+        assert all(abs(a - b) < 3.0 for a, b in pairs)
+
+
+def test_both_wire_models_find_the_same_droppers() -> None:
+    fine = {"solver__contact_wire_element": 0.5, "solver__messenger_wire_element": 0.5}
+    for data in (stitched_data, compound_data):
+        one, two = (at_rest(data(), **fine, solver__wire_model=m) for m in ("hermite", "lumped"))
+        lengths = [[d["length_m"] for d in found.droppers] for found in (one, two)]
+        # 1.6 mm at 0.25 m in a simple line (docs/theory/wires.md) where messenger wires bend most.
+        np.testing.assert_allclose(*lengths, atol=4e-3)
+
+
+def test_a_stitch_wire_makes_the_elasticity_more_even(at_rest: Any) -> None:
+    stitched = at_rest("norway-s25-250")
+    plain = at_rest("norway-s25-250", {"line.stitch_wire": None})
+    # Found: 16 % against 48 %.
+    assert stitched.elasticity_nonuniformity < 0.5 * plain.elasticity_nonuniformity
+    # It softens the support, and leaves the middle of the span about as it was.
+    assert stitched.elasticity_m_per_N[0] > 1.8 * plain.elasticity_m_per_N[0]
+    middle = len(plain.elasticity_m_per_N) // 2
+    change = stitched.elasticity_m_per_N[middle] / plain.elasticity_m_per_N[middle]
+    assert change == pytest.approx(1.08, abs=0.05)
+
+
+def test_the_guide_prints_what_is_found(at_rest: Any) -> None:
+    text = GUIDE.read_text(encoding="utf-8")
+    columns = [at_rest("norway-s25-250"), at_rest("norway-s25-250", {"line.stitch_wire": None})]
+    rows = {
+        "elasticity at the support, mm/N": [1e3 * c.elasticity_m_per_N[0] for c in columns],
+        "lowest elasticity, mm/N": [1e3 * min(c.elasticity_m_per_N) for c in columns],
+        "elasticity in the middle of the span, mm/N": [
+            1e3 * c.elasticity_m_per_N[len(c.elasticity_m_per_N) // 2] for c in columns
+        ],
+    }
+    for name, values in rows.items():
+        (printed,) = re.findall(rf"\| {name} \| ([\d.]+) \| ([\d.]+) \|", text)
+        # Two printed decimals.
+        np.testing.assert_allclose([float(v) for v in printed], values, atol=0.0051)
+
+
+def test_a_compound_line_below_a_rigid_messenger_wire_is_a_string_on_springs() -> None:
+    """Hangers 10 m apart, each on the auxiliary wire's string between two rigid droppers.
+
+    Auxiliary wire at c from one dropper and a − c from the other: T_a (1/c + 1/(a − c)), in series
+    with the hanger: k. A string T on springs k, a apart: e = 1/√(k² + 4kT/a) at a spring; e₁ = μ e
+    at the next one, with μ = 1 + q − √(q² + 2q), q = ka/2T; between them a/4T + (e + e₁)/2.
+    """
+    rigid = {"mass": 0.1, "axial_stiffness": 1e11, "bending_stiffness": 0.0, "tension": 1e8}
+    line = compound_data(
+        messenger_wire=rigid,
+        contact_wire__bending_stiffness=0.0,
+        auxiliary_wire__bending_stiffness=0.0,
+        dropper={"stiffness": 1e9},
+        hanger={"stiffness": 2e4},
+        support__vertical_stiffness=1e10,
+        steady_arm={"kind": "none"},
+        span_types__span__hangers={"positions": [7.5, 17.5, 27.5, 37.5, 47.5]},
+    )
+    # Next to no weight: straight wires, as the closed form has them.
+    settings = {"solver__gravity": 0.1, "solver__wire_model": "lumped"}
+    found = at_rest(line, **settings, solver__contact_wire_element=0.5).equilibrium
+    a, c, string, tension = 10.0, 2.5, 14e3, 15e3
+    auxiliary = string * (1 / c + 1 / (a - c))
+    k = 1 / (1 / 2e4 + 1 / auxiliary)
+    q = 0.5 * k * a / tension
+    here = 1 / sqrt(k * k + 4 * k * tension / a)
+    following = here * (1 + q - sqrt(q * q + 2 * q))
+    between = a / (4 * tension) + (here + following) / 2
+    e = found.elasticity(np.array([127.5, 132.5]))
+    # The messenger wire gives by L/4T = 1e-7 m/N, 0.1 % of the whole; the rest is sag.
+    np.testing.assert_allclose(e, [here, between], rtol=2e-3)
+
+
+def test_a_hanger_that_would_have_to_push_is_named(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    high = [0, -0.08, *[0] * 8]
+    with pytest.raises(EquilibriumError) as caught:
+        at_rest(compound_data(span_types__span__hangers__presag=high))
+    assert "hanger" in str(caught.value)
+    assert "would have to push to hold the contact wire at its height" in str(caught.value)
+    low = [0, 0, -0.2, 0, 0]
+    with pytest.raises(EquilibriumError) as caught:
+        at_rest(compound_data(span_types__span__droppers__presag=low))
+    assert "would have to push to hold the" in str(caught.value)
+
+
+@pytest.mark.parametrize("model", ["hermite", "lumped"])
+@pytest.mark.parametrize("data", [stitched_data, compound_data], ids=["stitched", "compound"])
+def test_a_pantograph_runs_below(data: Any, model: str) -> None:
+    result = arcless.run(load(scenario_data(data(), solver__wire_model=model)))
+    force = result.dataset["contact_force"].values
+    # The masses of the pantograph move freely: the mean is the static force but for the base.
+    assert force.mean() == pytest.approx(120.0, rel=0.05)
+    html = report.html(result)
+    if "stitch_wire" in data():
+        owner = result.dataset["stitch_wire_node_support"].values
+        assert np.unique(owner).tolist() == [2, 3, 4, 5, 6]
+        assert "auxiliary_wire_node" not in result.dataset.dims
+        assert "stitch wires" in html
+    else:
+        height = result.dataset["auxiliary_wire_node_z"].values
+        assert abs(height - 5.6).max() < 0.05
+        assert "stitch_wire_node" not in result.dataset.dims
+        assert "auxiliary wire" in html
+    top, bottom = (result.dataset[f"dropper_{end}_z"].values for end in ("top", "bottom"))
+    np.testing.assert_allclose(top - bottom, result.dataset["dropper_length"].values, atol=1e-12)
+
+
+@pytest.mark.parametrize("data", [stitched_data, compound_data], ids=["stitched", "compound"])
+def test_the_energy_ledger_closes(data: Any) -> None:
+    settings = {"solver__scheme": "trapezoidal", "output__energy": "always"}
+    result = arcless.run(load(scenario_data(data(), **settings)))
+    # Rounding; as for simple lines.
+    assert abs(result.dataset.attrs["energy_residual_relative"]) < 1e-9
