@@ -1,6 +1,7 @@
 """Model files: validated lines, pantographs and scenarios, and the shipped library."""
 
 from arcless.model.advice import scenario_warnings
+from arcless.model.as_built import AsBuilt, DropperLengthError, Ice, Wear, Wind
 from arcless.model.components import (
     DropperType,
     MessengerSupport,
@@ -32,12 +33,15 @@ from arcless.model.settings import (
 __all__ = [
     "MARKS",
     "Analysis",
+    "AsBuilt",
     "Contact",
     "DesignSpace",
+    "DropperLengthError",
     "DropperType",
     "GeneralisedAlpha",
     "Geometry",
     "HilberHughesTaylor",
+    "Ice",
     "LibraryEntry",
     "Line",
     "MessengerSupport",
@@ -59,6 +63,8 @@ __all__ = [
     "SteadyArmSpring",
     "Trapezoidal",
     "Travel",
+    "Wear",
+    "Wind",
     "Wire",
     "json_schema",
     "library",

@@ -17,6 +17,10 @@ class Rayleigh(Part):
     )
 
 
+# Copper and its alloys, 16.6e-6 to 17.7e-6 1/K.
+COPPER_EXPANSION = 17e-6
+
+
 class Wire(Part):
     """A contact or messenger wire under tension."""
 
@@ -30,6 +34,13 @@ class Wire(Part):
     ends: Literal["fixed", "constant_force"] = Field(
         default="fixed",
         description="Ends anchored, or held by a device of constant force.",
+    )
+    thermal_expansion: Annotated[float, Unit("1/K", minimum=0, maximum=1e-3)] = Field(
+        default=COPPER_EXPANSION,
+        description="Linear thermal expansion; default assumed (copper).",
+    )
+    diameter: Annotated[float, Unit("m", above=0, maximum=0.2)] | None = Field(
+        default=None, description="Diameter of the bare wire; wind acts on it."
     )
 
 
@@ -51,6 +62,10 @@ class DropperType(Part):
         default=0.0, description="Mass of the clamp on the messenger wire."
     )
     slackens: bool = Field(default=True, strict=True, description="False: can be compressed.")
+    thermal_expansion: Annotated[float, Unit("1/K", minimum=0, maximum=1e-3)] = Field(
+        default=COPPER_EXPANSION,
+        description="Linear thermal expansion; default assumed (copper).",
+    )
 
 
 class MessengerSupport(Part):
