@@ -4,4 +4,13 @@ from arcless.mesh.alteration import alteration, without
 from arcless.mesh.build import PLANAR, SPATIAL, build_mesh
 from arcless.mesh.types import DropperPlace, Mesh, SupportPlace
 
-__all__ = ["PLANAR", "SPATIAL", "DropperPlace", "Mesh", "SupportPlace", "alteration", "build_mesh", "without"]
+__all__ = [
+    "PLANAR",
+    "SPATIAL",
+    "DropperPlace",
+    "Mesh",
+    "SupportPlace",
+    "alteration",
+    "build_mesh",
+    "without",
+]

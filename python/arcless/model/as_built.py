@@ -4,7 +4,7 @@ import re
 from collections.abc import Mapping
 from itertools import pairwise
 from math import cos, pi, sin, sqrt
-from typing import Annotated, Any
+from typing import Annotated
 
 from pydantic import BeforeValidator, Field, WithJsonSchema, model_validator
 
@@ -201,4 +201,3 @@ class AsBuilt(Part):
                     field=("contact_wire_wear", index, "from"),
                 )
         return self
-

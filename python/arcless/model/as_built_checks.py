@@ -32,7 +32,9 @@ def _check_droppers(scenario: "Scenario") -> None:
         _check_dropper(int(span), int(dropper), counts, ("missing_droppers", index))
 
 
-def _check_dropper(span: int, dropper: int, counts: list[int], field: tuple[str | int, ...]) -> None:
+def _check_dropper(
+    span: int, dropper: int, counts: list[int], field: tuple[str | int, ...]
+) -> None:
     near = min(max(span, 1), len(counts))
     count = counts[near - 1]
     if near == span and 1 <= dropper <= count:

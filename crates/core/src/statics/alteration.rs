@@ -1,9 +1,9 @@
 //! What is changed on a structure after its design: lengths, sections, masses, links that are gone,
 //! steady loads along the wires.
 //!
-//! Elements are counted as wires, or as segments where wires are chains of point masses. A change
-//! is put on in parts when the equilibrium is too far from the design for one approach: a share σ
-//! of every change, σ = 1/2ⁿ, 2/2ⁿ, … 1, each from the shape of the one before.
+//! Elements are counted as wires, or as segments where wires are chains of point masses. Where the
+//! new equilibrium is too far from the design to be found at once, half of every change is put on
+//! first, or half of that, and the rest in equal parts from there.
 
 use super::assembly::{Geometry, Shape};
 use crate::error::CoreError;
@@ -30,8 +30,8 @@ pub struct Alteration {
     pub removed: Vec<usize>,
 }
 
-/// Largest number of halvings of a change: 64 parts.
-const MOST_HALVINGS: u32 = 6;
+/// Smallest part of a change that is tried: below it, something other than the distance is wrong.
+const SMALLEST_PART: f64 = 1.0 / 64.0;
 
 impl Alteration {
     /// # Errors
@@ -105,35 +105,25 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         change: &Alteration,
     ) -> Result<(Self, Shape<D>), CoreError> {
         change.check(&self.structure)?;
-        let mut found = self.altered_in_parts(shape, change, 1);
-        for halvings in 1..=MOST_HALVINGS {
-            let lost = matches!(
-                found,
-                Err(CoreError::NoEquilibrium { .. }
-                    | CoreError::Singular { .. }
-                    | CoreError::Unstable { .. })
-            );
-            if !lost {
-                break;
+        let (mut geometry, mut settled) = (self.clone(), shape.clone());
+        let (mut done, mut part): (f64, f64) = (0.0, 1.0);
+        while done < 1.0 {
+            let share = (done + part).min(1.0);
+            let next = Self::new(change.applied(&self.structure, share))?;
+            match next.settle(&settled) {
+                Ok(found) => (geometry, settled, done) = (next, found, share),
+                Err(error) if is_lost(&error) && part > SMALLEST_PART => part *= 0.5,
+                Err(error) => return Err(error),
             }
-            found = self.altered_in_parts(shape, change, 1 << halvings);
         }
-        found
+        Ok((geometry, settled))
     }
+}
 
-    fn altered_in_parts(
-        &self,
-        shape: &Shape<D>,
-        change: &Alteration,
-        parts: u32,
-    ) -> Result<(Self, Shape<D>), CoreError> {
-        let mut found = (self.clone(), shape.clone());
-        for part in 1..=parts {
-            let share = f64::from(part) / f64::from(parts);
-            let geometry = Self::new(change.applied(&self.structure, share))?;
-            let shape = geometry.settle(&found.1)?;
-            found = (geometry, shape);
-        }
-        Ok(found)
-    }
+/// Whether a smaller change may find what a large one did not.
+fn is_lost(error: &CoreError) -> bool {
+    matches!(
+        error,
+        CoreError::NoEquilibrium { .. } | CoreError::Singular { .. } | CoreError::Unstable { .. }
+    )
 }
