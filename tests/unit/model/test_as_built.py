@@ -1,5 +1,6 @@
 """The section as_built: what it takes, what it refuses, and its CSV file."""
 
+import re
 from collections.abc import Callable
 from math import cos, pi
 from pathlib import Path
@@ -149,6 +150,17 @@ def test_a_coat_of_ice_is_as_thick_as_its_mass_says() -> None:
     diameter = Ice(density=900).diameter(0.012, 0.5)
     assert 900 * pi / 4 * (diameter**2 - 0.012**2) == pytest.approx(0.5, rel=1e-12)
     assert Ice().diameter(0.012, 0.0) == pytest.approx(0.012, rel=1e-12)
+
+
+def test_the_example_of_the_guide_loads(tmp_path: Path) -> None:
+    page = (Path(__file__).parents[3] / "docs/guide/as-built.md").read_text("utf-8")
+    blocks = re.findall(r"```(?:yaml|csv)\n# ([a-z]+\.(?:yaml|csv))(.*?)```", page, re.DOTALL)
+    assert [name for name, _ in blocks] == ["winter.yaml", "measured.csv"]
+    for name, text in blocks:
+        (tmp_path / name).write_text(f"# {text}", encoding="utf-8")
+    built = load(tmp_path / "winter.yaml").as_built
+    assert [e.length_error for e in built.dropper_length_errors] == [0.012, -0.0045]
+    assert built.missing_droppers == ("span 10 dropper 5",)
 
 
 def test_the_shipped_scenarios_are_as_designed() -> None:
