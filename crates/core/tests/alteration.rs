@@ -74,7 +74,7 @@ fn both(wire: &Single, released: bool, change: impl Fn(&mut Alteration)) -> [See
 
 /// Change-of-state equation of a shallow wire between fixed ends, by bisection:
 /// (T₁ − T₀)/EA + α ΔT = (w₁²/T₁² − w₀²/T₀²) L²/24.
-/// Source: Kiessling et al., Contact Lines for Electric Railways (2009), section 4.1.
+/// It says that the unstretched length S = (L + w²L³/24T²)/(1 + T/EA) grows by α ΔT alone.
 fn change_of_state(wire: &Single, strain: f64, load: f64) -> f64 {
     let sag = |w: f64, t: f64| (w * wire.length / t).powi(2) / 24.0;
     let before = sag(wire.mass * GRAVITY, wire.tension);

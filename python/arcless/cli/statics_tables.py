@@ -22,9 +22,9 @@ def _droppers(droppers: list[dict[str, Any]], span: int, spans: int) -> "Rendera
     columns = ("dropper", "x / m", "length / m", "force / N")
     made = table(f"Droppers of span {span} of {spans}", *columns, numbers=columns)
     chosen = [dropper for dropper in droppers if dropper["span"] == span]
-    for index, dropper in enumerate(chosen, start=1):
+    for dropper in chosen:
         made.add_row(
-            str(index),
+            dropper["name"].split()[-1],  # its own number: others of the span may be missing
             number(dropper["x_m"], 2),
             number(dropper["length_m"], 4),
             number(dropper["force_N"], 1),
