@@ -41,6 +41,8 @@ KINDS: dict[str, Kind] = {
     "m/s2": Kind("an acceleration", {"m/s2": 1}),
     "1/s": Kind("a rate", {"1/s": 1}),
     "1/K": Kind("a thermal expansion", {"1/K": 1}),
+    "K": Kind("a temperature difference", {"K": 1}),
+    "kg/m3": Kind("a density", {"kg/m3": 1}),
     "N/(m/s)2": Kind("an aerodynamic coefficient", {"N/(m/s)2": 1, "N/(km/h)2": 1 / _KMH**2}),
     "1": Kind("a number without unit", {"": 1}),
 }
@@ -58,6 +60,7 @@ _ALIASES = {
 }
 _KIND_OF_UNIT = {unit: kind for kind in KINDS.values() for unit in kind.units if unit}
 
+_POWER = re.compile(r"(?<=[ms)])([23])")
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 _GROUPED = re.compile(r"[+-]?\d{1,3}([ ,'_\u00a0\u202f]\d{3})+(?!\d)")
 _DECIMAL_COMMA = re.compile(r"[+-]?\d+,\d+")
@@ -115,7 +118,7 @@ def accepted(unit: str) -> str:
 
 def spell(unit: str) -> str:
     """Return a unit as engineers print it: ``N·m2`` → ``N m²``."""
-    return unit.replace("·", " ").replace("m2", "m²").replace("s2", "s²").replace(")2", ")²")
+    return _POWER.sub(lambda found: "²" if found[1] == "2" else "³", unit.replace("·", " "))
 
 
 def show(value: object) -> str:
@@ -177,7 +180,7 @@ def _factor(written: str, unit: str, text: str) -> int | float | Fraction:
 
 
 def _canonical(written: str) -> str:
-    name = written.replace("²", "2").replace("**", "").replace("^", "")
+    name = written.replace("²", "2").replace("³", "3").replace("**", "").replace("^", "")
     name = name.replace("⁻¹", "-1").replace("\u2212", "-")
     name = re.sub(r"\s*[·⋅*]\s*|\s+", "·", name)
     name = re.sub(r"·?/·?", "/", name)

@@ -200,6 +200,9 @@ pub struct Structure {
     pub ends: Vec<TensionedEnd>,
     /// Forces on nodes: node, component, N.
     pub loads: Vec<(usize, usize, f64)>,
+    /// Steady force per metre of rest length on each wire element or segment, N/m, beside its
+    /// weight; empty where there is none.
+    pub wire_loads: Vec<[f64; 3]>,
     /// Acceleration of gravity, m/s², acting against the last component.
     pub gravity: f64,
 }

@@ -162,6 +162,7 @@ fn check_points(s: &Structure, n: usize, dim: usize) -> Result<(), CoreError> {
             "node out of range or force not finite".into(),
         ));
     }
+    check_wire_loads(s)?;
     if s.loads
         .iter()
         .any(|&(node, c, f)| node >= n || c >= dim || !f.is_finite())
@@ -170,6 +171,17 @@ fn check_points(s: &Structure, n: usize, dim: usize) -> Result<(), CoreError> {
             "loads",
             "node or component out of range or force not finite".into(),
         ));
+    }
+    Ok(())
+}
+
+/// One load for each wire element or segment, or none at all.
+fn check_wire_loads(s: &Structure) -> Result<(), CoreError> {
+    let (given, elements) = (s.wire_loads.len(), s.wires.len() + s.segments.len());
+    let finite = s.wire_loads.iter().flatten().all(|f| f.is_finite());
+    if (given != 0 && given != elements) || !finite {
+        let reason = format!("{given} loads for {elements} elements, or one not finite");
+        return Err(refuse("wire_loads", reason));
     }
     Ok(())
 }

@@ -11,7 +11,7 @@ use arcless_core::dynamics::still::Still;
 use arcless_core::element::hermite;
 use arcless_core::linalg::lanczos;
 use arcless_core::scheme::Scheme;
-use arcless_core::statics::{Geometry, Shape, assembly};
+use arcless_core::statics::{Alteration, Geometry, Shape, assembly};
 use numpy::{PyReadonlyArray2, ToPyArray};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -70,6 +70,19 @@ impl Equilibrium {
             (_, false) => Solved::new(s, design).map(Any::Spatial),
             (2, true) => Solved::new(s, design).map(Any::PlanarChain),
             (_, true) => Solved::new(s, design).map(Any::SpatialChain),
+        });
+        found.map(Self).map_err(|e| convert(py, &e))
+    }
+
+    /// Equilibrium of the same structure after changes: factors on lengths and stiffnesses, new
+    /// masses, loads along the wires, offsets of link lengths, links taken away.
+    fn altered(&self, py: Python<'_>, changes: &Bound<'_, PyDict>) -> PyResult<Self> {
+        let change = structure::alteration(changes)?;
+        let found = py.detach(|| match &self.0 {
+            Any::Planar(s) => s.altered(&change).map(Any::Planar),
+            Any::Spatial(s) => s.altered(&change).map(Any::Spatial),
+            Any::PlanarChain(s) => s.altered(&change).map(Any::PlanarChain),
+            Any::SpatialChain(s) => s.altered(&change).map(Any::SpatialChain),
         });
         found.map(Self).map_err(|e| convert(py, &e))
     }
@@ -158,6 +171,11 @@ impl<const DIM: usize, const D: usize> Solved<DIM, D> {
         Ok(Self { geometry, shape })
     }
 
+    fn altered(&self, change: &Alteration) -> Result<Self, CoreError> {
+        let (geometry, shape) = self.geometry.altered(&self.shape, change)?;
+        Ok(Self { geometry, shape })
+    }
+
     fn line(&self) -> Line<DIM, D> {
         Line::new(&self.geometry, self.shape.clone())
     }
@@ -215,6 +233,7 @@ impl<const DIM: usize, const D: usize> Solved<DIM, D> {
         out.set_item("slopes", collect(slopes.collect()))?;
         out.set_item("wire_rest_length", collect(self.rest_lengths()))?;
         out.set_item("wire_tension", collect(self.tensions()))?;
+        out.set_item("wire_mass", collect(self.masses()))?;
         out.set_item(
             "link_length",
             collect(links.iter().map(|(_, b)| b.length).collect()),
@@ -252,6 +271,13 @@ impl<const DIM: usize, const D: usize> Solved<DIM, D> {
         let segments = s.segments.iter().map(|k| k.rest_length);
         let wires = s.wires.iter().map(|w| w.section.rest_length);
         wires.chain(segments).collect()
+    }
+
+    /// Mass per metre of rest length of each wire element or segment, kg/m.
+    fn masses(&self) -> Vec<f64> {
+        let s = &self.geometry.structure;
+        let segments = s.segments.iter().map(|k| k.mass);
+        s.wires.iter().map(|w| w.mass).chain(segments).collect()
     }
 
     /// Tension in the middle of each wire element or segment, N.

@@ -1,6 +1,7 @@
 //! Structure from tables of numbers: for each kind of part one integer and one float array.
 
 use arcless_core::element::hermite::Section;
+use arcless_core::statics::Alteration;
 use arcless_core::structure::{
     Bend, Link, PointMass, Rayleigh, Segment, Spring, SpringMode, Structure, Strut, TensionedEnd,
     Wire,
@@ -55,7 +56,7 @@ fn triples(array: &PyReadonlyArray2<'_, f64>) -> PyResult<Vec<[f64; 3]>> {
     let view = array.as_array();
     if view.ncols() != 3 {
         return Err(PyValueError::new_err(
-            "positions and slopes have three columns",
+            "positions, slopes and loads have three columns",
         ));
     }
     Ok(view
@@ -99,7 +100,27 @@ pub fn build(
             released: i[1] != 0,
         }),
         loads: each(&table(parts, "loads", [2, 1])?, |i, f| (i[0], i[1], f[0])),
+        wire_loads: Vec::new(),
         gravity,
+    })
+}
+
+/// Changes after the design; the arrays are documented in `arcless.mesh`.
+pub fn alteration(arrays: &Bound<'_, PyDict>) -> PyResult<Alteration> {
+    let item = |name: &str| {
+        let found = arrays.get_item(name)?;
+        found.ok_or_else(|| PyValueError::new_err(format!("array {name} is missing")))
+    };
+    let floats = |name: &str| -> PyResult<Vec<f64>> { item(name)?.extract() };
+    Ok(Alteration {
+        length_factor: floats("length_factor")?,
+        axial_factor: floats("axial_factor")?,
+        bending_factor: floats("bending_factor")?,
+        mass: floats("mass")?,
+        load: triples(&item("load")?.extract()?)?,
+        link_factor: floats("link_factor")?,
+        link_offset: floats("link_offset")?,
+        removed: item("removed")?.extract()?,
     })
 }
 

@@ -83,6 +83,9 @@ def _summary(name: str, found: dict[str, Any]) -> "RenderableType":
     speed = found["wave_speed_m_s"]
     made.add_row("wave speed of the contact wire", "m/s", number(speed, 1))
     made.add_row("", "km/h", number(None if speed is None else 3.6 * speed, 0))
+    for quantity, value in (found["as_built"] or {}).items():
+        words, _, unit = quantity.rpartition("_")
+        made.add_row(f"as built: {words.replace('_', ' ')}", unit, number(value, 4))
     for index, frequency in enumerate(found["natural_frequencies_Hz"][:5], start=1):
         made.add_row(f"natural frequency {index}", "Hz", number(frequency, 3))
     return made

@@ -1,6 +1,17 @@
 """Model → arrays: nodes, elements and the names behind their numbers."""
 
+from arcless.mesh.alteration import alteration, without
 from arcless.mesh.build import PLANAR, SPATIAL, build_mesh
 from arcless.mesh.types import DropperPlace, Mesh, StitchPlace, SupportPlace
 
-__all__ = ["PLANAR", "SPATIAL", "DropperPlace", "Mesh", "StitchPlace", "SupportPlace", "build_mesh"]
+__all__ = [
+    "PLANAR",
+    "SPATIAL",
+    "DropperPlace",
+    "Mesh",
+    "StitchPlace",
+    "SupportPlace",
+    "alteration",
+    "build_mesh",
+    "without",
+]

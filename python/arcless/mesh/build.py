@@ -48,10 +48,12 @@ class _Builder:
     def build(self) -> Mesh:
         chains = self.chains
         path = self._add_anchored(chains.contact, self.line.contact_wire)
-        self._add_anchored(chains.messenger, self.line.messenger_wire)
+        rows = {"contact_wire": path}
+        rows["messenger_wire"] = self._add_anchored(chains.messenger, self.line.messenger_wire)
         stitches = self._add_stitches()
+        rows["stitch_wire"] = [row for stitch in stitches for row in stitch.rows]
         if chains.auxiliary is not None and self.line.auxiliary_wire is not None:
-            self._add_anchored(chains.auxiliary, self.line.auxiliary_wire)
+            rows["auxiliary_wire"] = self._add_anchored(chains.auxiliary, self.line.auxiliary_wire)
         droppers = self._add_droppers()
         supports = self._add_supports(chains.contact, chains.messenger)
         return Mesh(
@@ -61,6 +63,7 @@ class _Builder:
             parts=self.parts.arrays(),
             gravity=self.solver.gravity,
             path=path,
+            wire_rows=rows,
             contact_nodes=chains.contact.nodes,
             messenger_nodes=chains.messenger.nodes,
             droppers=droppers,

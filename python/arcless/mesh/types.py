@@ -81,7 +81,7 @@ class Mesh:
 
     A mesh has wires (wire model hermite), or segments and bends (lumped): then its slopes are zero
     and nothing reads them. `path` holds the rows of the contact wire in the table of wires or
-    segments, from left to right.
+    segments, from left to right; `wire_rows` those of each wire by its field of the line.
     """
 
     dimension: int
@@ -94,5 +94,6 @@ class Mesh:
     messenger_nodes: list[int]
     droppers: list[DropperPlace]
     supports: list[SupportPlace]
+    wire_rows: dict[str, list[int]]
     auxiliary_nodes: list[int] = field(default_factory=list)
     stitches: list[StitchPlace] = field(default_factory=list)

@@ -1,6 +1,7 @@
 """Model files: validated lines, pantographs and scenarios, and the shipped library."""
 
 from arcless.model.advice import scenario_warnings
+from arcless.model.as_built import AsBuilt, DropperLengthError, Ice, Wear, Wind
 from arcless.model.components import (
     AuxiliaryWire,
     DropperType,
@@ -34,13 +35,16 @@ from arcless.model.settings import (
 __all__ = [
     "MARKS",
     "Analysis",
+    "AsBuilt",
     "AuxiliaryWire",
     "Contact",
     "DesignSpace",
+    "DropperLengthError",
     "DropperType",
     "GeneralisedAlpha",
     "Geometry",
     "HilberHughesTaylor",
+    "Ice",
     "LibraryEntry",
     "Line",
     "MessengerSupport",
@@ -63,6 +67,8 @@ __all__ = [
     "StitchWire",
     "Trapezoidal",
     "Travel",
+    "Wear",
+    "Wind",
     "Wire",
     "json_schema",
     "library",

@@ -17,6 +17,10 @@ class Rayleigh(Part):
     )
 
 
+# Copper and its alloys, 16.6e-6 to 17.7e-6 1/K.
+COPPER_EXPANSION = 17e-6
+
+
 class TensionedWire(Part):
     """What all wires of a line have in common."""
 
@@ -27,6 +31,13 @@ class TensionedWire(Part):
     )
     tension: Annotated[float, Unit("N", above=0)] = Field(description="Tension.")
     damping: Rayleigh = Field(default_factory=Rayleigh, description="Rayleigh damping of the wire.")
+    thermal_expansion: Annotated[float, Unit("1/K", minimum=0, maximum=1e-3)] = Field(
+        default=COPPER_EXPANSION,
+        description="Linear thermal expansion; default assumed (copper).",
+    )
+    diameter: Annotated[float, Unit("m", above=0, maximum=0.2)] | None = Field(
+        default=None, description="Diameter of the bare wire; wind acts on it."
+    )
 
 
 class Wire(TensionedWire):
@@ -75,6 +86,10 @@ class DropperType(Part):
         default=0.0, description="Mass of the clamp on the messenger wire."
     )
     slackens: bool = Field(default=True, strict=True, description="False: can be compressed.")
+    thermal_expansion: Annotated[float, Unit("1/K", minimum=0, maximum=1e-3)] = Field(
+        default=COPPER_EXPANSION,
+        description="Linear thermal expansion; default assumed (copper).",
+    )
 
 
 class MessengerSupport(Part):

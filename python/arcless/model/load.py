@@ -17,6 +17,7 @@ from arcless.model.line import Line
 from arcless.model.pantograph import Pantograph
 from arcless.model.reader import Origin, is_file, parse, read_text
 from arcless.model.scenario import Scenario
+from arcless.model.tables import with_tables
 from arcless.units import show
 
 Kind = Literal["scenario", "line", "pantograph"]
@@ -165,6 +166,8 @@ def _resolve(data: dict[str, Any], origin: Origin) -> dict[str, Any]:
     resolved = dict(data)
     if "line" in data:
         resolved["line"] = _reference(data["line"], "line", origin, ("line",))
+    if "as_built" in data:
+        resolved["as_built"] = with_tables(data["as_built"], origin)
     placements = data.get("pantographs")
     if isinstance(placements, (list, tuple)):
         resolved["pantographs"] = [

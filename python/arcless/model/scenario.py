@@ -5,6 +5,8 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, model_validator
 
 from arcless.errors import ModelError
+from arcless.model.as_built import AsBuilt
+from arcless.model.as_built_checks import check_as_built
 from arcless.model.checks import check_scenario
 from arcless.model.documents import Document
 from arcless.model.fields import Part, Unit
@@ -139,6 +141,10 @@ class Scenario(Document):
         default=None, description="Constant speed; excludes speed_profile."
     )
     speed_profile: SpeedProfile | None = Field(default=None, description="Speed over time.")
+    as_built: AsBuilt = Field(
+        default_factory=AsBuilt,
+        description="How the line differs from its design: as built, and in the weather.",
+    )
     contact: Contact = Field(default_factory=Contact, description="Contact of strip and wire.")
     travel: Travel = Field(default_factory=Travel, description="Travel of the first pantograph.")
     solver: Solver = Field(default_factory=Solver, description="Time step, scheme, elements.")
@@ -160,6 +166,7 @@ class Scenario(Document):
     @model_validator(mode="after")
     def _check(self) -> "Scenario":
         check_scenario(self)
+        check_as_built(self)
         return self
 
     @property

@@ -33,6 +33,9 @@ def json_schema() -> dict[str, Any]:
         for field in definition.get("properties", {}).values():
             if field.pop("reference", None) is not None:
                 field["anyOf"] = [{"type": "string"}, {"$ref": field.pop("$ref")}]
+            if field.pop("table", None) is not None:
+                rows = {key: field.pop(key) for key in ("type", "items", "maxItems")}
+                field["anyOf"] = [{"type": "string", "description": "CSV file"}, rows]
     scheme = definitions["Solver"]["properties"]["scheme"]
     names = sorted(scheme["discriminator"]["mapping"])
     choices = {key: scheme.pop(key) for key in ("discriminator", "oneOf")}

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from arcless import _core
 from arcless.errors import ArclessError, EquilibriumError
-from arcless.mesh import SPATIAL, Mesh, build_mesh
+from arcless.mesh import SPATIAL, Mesh, alteration, build_mesh, without
 from arcless.model import Scenario
 
 Floats = NDArray[np.float64]
@@ -51,6 +51,24 @@ class Equilibrium:
         with named(self.mesh):
             return np.array(self.core.frequencies(self.mesh.path, count))
 
+    def wave_speed(self) -> float:
+        """Lowest wave speed along the contact wire in m/s: √(tension / mass per metre)."""
+        tension = self.arrays["wire_tension"][self.mesh.path]
+        return float(np.sqrt(np.min(tension / self.arrays["wire_mass"][self.mesh.path])))
+
+    def mean_tensions(self) -> tuple[float, float]:
+        """Mean tension of the contact and of the messenger wire over the whole line, in N."""
+        tension = self.arrays["wire_tension"]
+        is_contact = np.zeros(len(tension), dtype=bool)
+        is_contact[self.mesh.path] = True
+        return float(tension[is_contact].mean()), float(tension[~is_contact].mean())
+
+    def end_travel(self) -> tuple[float, float]:
+        """Way of the far ends of contact and messenger wire since the design, in m."""
+        nodes = [self.mesh.contact_nodes[-1], self.mesh.messenger_nodes[-1]]
+        contact, messenger = self.positions[nodes, 0] - self.mesh.positions[nodes, 0]
+        return float(contact), float(messenger)
+
     def middle_span(self) -> tuple[float, float]:
         """Supports of the span in the middle of the line, in m."""
         spans = len(self.mesh.supports) - 1
@@ -79,7 +97,28 @@ def find(scenario: Scenario) -> Equilibrium:
         core = _core.Equilibrium(
             mesh.dimension, mesh.positions, mesh.slopes, mesh.parts, mesh.gravity, design=True
         )
+    if not scenario.as_built.is_empty:
+        mesh, core = _as_built(scenario, mesh, core)
     return Equilibrium(mesh, core, core.arrays())
+
+
+def _as_built(
+    scenario: Scenario, mesh: Mesh, core: _core.Equilibrium
+) -> tuple[Mesh, _core.Equilibrium]:
+    """Change a designed line into the line as built and in the weather."""
+    changes = alteration(mesh, scenario.line, scenario.as_built)
+    lengths = core.arrays()["link_rest_length"] * changes["link_factor"] + changes["link_offset"]
+    for dropper in mesh.droppers:
+        if lengths[dropper.link] <= 0.0:
+            raise EquilibriumError(
+                f"as_built.dropper_length_errors: {dropper.name} has no length left",
+                where=f"{dropper.x:.2f} m",
+                got=f"{1e3 * lengths[dropper.link]:.0f} mm",
+                expected="a designed length that is longer than the error takes away",
+            )
+    with named(mesh):
+        core = core.altered(changes)
+    return without(mesh, changes["removed"]), core
 
 
 @contextmanager

@@ -94,6 +94,32 @@ class StaticsResult:
         inside = points[(points[:, 0] >= left - 1e-6) & (points[:, 0] <= right + 1e-6)]
         return float(np.ptp(inside[:, 2]))
 
+    @property
+    def wave_speed(self) -> float:
+        """Wave speed of the contact wire in m/s: of the design, or the lowest as built."""
+        if self.scenario.as_built.is_empty:
+            return self.scenario.line.wave_speed
+        return self.equilibrium.wave_speed()
+
+    @property
+    def as_built(self) -> dict[str, float] | None:
+        """Tensions and travel of the wires' far ends as built; None for a line as designed."""
+        if self.scenario.as_built.is_empty:
+            return None
+        contact, messenger = self.equilibrium.mean_tensions()
+        contact_end, messenger_end = self.equilibrium.end_travel()
+        points = self.equilibrium.positions[self.equilibrium.mesh.contact_nodes]
+        return {
+            "contact_wire_tension_N": contact,
+            "messenger_wire_tension_N": messenger,
+            "contact_wire_end_travel_m": contact_end,
+            "messenger_wire_end_travel_m": messenger_end,
+            "contact_wire_lowest_m": float(points[:, 2].min()),
+            "contact_wire_highest_m": float(points[:, 2].max()),
+            "contact_wire_across_most_m": float(points[:, 1].max()),
+            "contact_wire_across_least_m": float(points[:, 1].min()),
+        }
+
     def to_dict(self) -> dict[str, Any]:
         """Return plain values, ready for JSON."""
         return {
@@ -108,8 +134,9 @@ class StaticsResult:
             ],
             "elasticity_nonuniformity": self.elasticity_nonuniformity,
             "contact_wire_sag_m": self.contact_wire_sag_m,
-            "wave_speed_m_s": self.scenario.line.wave_speed,
+            "wave_speed_m_s": self.wave_speed,
             "natural_frequencies_Hz": self.natural_frequencies_Hz,
+            "as_built": self.as_built,
         }
 
 

@@ -1,11 +1,14 @@
 //! Static equilibrium with exact geometry.
 //!
 //! * [`design`](design::design): positions are given, unstretched lengths are found;
-//! * [`service`](service::settle): unstretched lengths are given, positions are found.
+//! * [`service`](service::settle): unstretched lengths are given, positions are found;
+//! * [`alteration`]: what is changed after the design, before the line is in service.
 
+pub mod alteration;
 pub mod assembly;
 mod chain;
 pub mod design;
 pub mod service;
 
+pub use alteration::Alteration;
 pub use assembly::{Geometry, Shape};

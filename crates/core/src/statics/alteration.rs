@@ -1,0 +1,129 @@
+//! What is changed on a structure after its design: lengths, sections, masses, links that are gone,
+//! steady loads along the wires.
+//!
+//! Elements are counted as wires, or as segments where wires are chains of point masses. Where the
+//! new equilibrium is too far from the design to be found at once, half of every change is put on
+//! first, or half of that, and the rest in equal parts from there.
+
+use super::assembly::{Geometry, Shape};
+use crate::error::CoreError;
+use crate::structure::Structure;
+
+/// Changes of a structure whose lengths are known.
+#[derive(Debug, Clone, Default)]
+pub struct Alteration {
+    /// Factor on the rest length of each element.
+    pub length_factor: Vec<f64>,
+    /// Factor on the axial stiffness EA of each element.
+    pub axial_factor: Vec<f64>,
+    /// Factor on the bending stiffness EI of each wire element, or of each bend of chains.
+    pub bending_factor: Vec<f64>,
+    /// Mass per metre of rest length of each element, kg/m, in place of the former one.
+    pub mass: Vec<f64>,
+    /// Steady force per metre of rest length on each element, N/m.
+    pub load: Vec<[f64; 3]>,
+    /// Factor on the rest length of each link.
+    pub link_factor: Vec<f64>,
+    /// Added to the rest length of each link after that, m.
+    pub link_offset: Vec<f64>,
+    /// Links that are taken away, in ascending order; the lists above still count them.
+    pub removed: Vec<usize>,
+}
+
+/// Smallest part of a change that is tried: below it, something other than the distance is wrong.
+const SMALLEST_PART: f64 = 1.0 / 64.0;
+
+impl Alteration {
+    /// # Errors
+    /// [`CoreError::Input`] when a list does not fit the structure.
+    fn check(&self, s: &Structure) -> Result<(), CoreError> {
+        let elements = s.wires.len() + s.segments.len();
+        let bending = s.wires.len() + s.bends.len();
+        let links = s.links.len();
+        for (array, found, expected) in [
+            ("length_factor", self.length_factor.len(), elements),
+            ("axial_factor", self.axial_factor.len(), elements),
+            ("bending_factor", self.bending_factor.len(), bending),
+            ("mass", self.mass.len(), elements),
+            ("load", self.load.len(), elements),
+            ("link_factor", self.link_factor.len(), links),
+            ("link_offset", self.link_offset.len(), links),
+        ] {
+            if found != expected {
+                let reason = format!("has {found} entries, expected {expected}");
+                return Err(CoreError::Input { array, reason });
+            }
+        }
+        let ascends = self.removed.windows(2).all(|pair| pair[0] < pair[1]);
+        if !ascends || self.removed.last().is_some_and(|&last| last >= links) {
+            let reason = format!("not ascending, or beyond the {links} links");
+            let array = "removed";
+            return Err(CoreError::Input { array, reason });
+        }
+        Ok(())
+    }
+
+    /// The structure with a share of every change; links are gone as soon as there is any.
+    fn applied(&self, given: &Structure, share: f64) -> Structure {
+        let factor = |f: f64| 1.0 + share * (f - 1.0);
+        let mut s = given.clone();
+        let wires = s.wires.len();
+        for (k, wire) in s.wires.iter_mut().enumerate() {
+            wire.section.rest_length *= factor(self.length_factor[k]);
+            wire.section.axial_stiffness *= factor(self.axial_factor[k]);
+            wire.section.bending_stiffness *= factor(self.bending_factor[k]);
+            wire.mass += share * (self.mass[k] - wire.mass);
+        }
+        for (k, segment) in s.segments.iter_mut().enumerate() {
+            segment.rest_length *= factor(self.length_factor[wires + k]);
+            segment.axial_stiffness *= factor(self.axial_factor[wires + k]);
+            segment.mass += share * (self.mass[wires + k] - segment.mass);
+        }
+        for (k, bend) in s.bends.iter_mut().enumerate() {
+            bend.stiffness *= factor(self.bending_factor[wires + k]);
+        }
+        for (k, link) in s.links.iter_mut().enumerate() {
+            let length = link.rest_length * factor(self.link_factor[k]);
+            link.rest_length = length + share * self.link_offset[k];
+        }
+        for &gone in self.removed.iter().rev() {
+            s.links.remove(gone);
+        }
+        s.wire_loads = self.load.iter().map(|q| q.map(|c| share * c)).collect();
+        s
+    }
+}
+
+impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
+    /// The altered structure and its equilibrium, reached from the equilibrium `shape` of this one.
+    ///
+    /// # Errors
+    /// [`CoreError::Input`], or those of [`Geometry::settle`].
+    pub fn altered(
+        &self,
+        shape: &Shape<D>,
+        change: &Alteration,
+    ) -> Result<(Self, Shape<D>), CoreError> {
+        change.check(&self.structure)?;
+        let (mut geometry, mut settled) = (self.clone(), shape.clone());
+        let (mut done, mut part): (f64, f64) = (0.0, 1.0);
+        while done < 1.0 {
+            let share = (done + part).min(1.0);
+            let next = Self::new(change.applied(&self.structure, share))?;
+            match next.settle(&settled) {
+                Ok(found) => (geometry, settled, done) = (next, found, share),
+                Err(error) if is_lost(&error) && part > SMALLEST_PART => part *= 0.5,
+                Err(error) => return Err(error),
+            }
+        }
+        Ok((geometry, settled))
+    }
+}
+
+/// Whether a smaller change may find what a large one did not.
+fn is_lost(error: &CoreError) -> bool {
+    matches!(
+        error,
+        CoreError::NoEquilibrium { .. } | CoreError::Singular { .. } | CoreError::Unstable { .. }
+    )
+}

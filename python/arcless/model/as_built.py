@@ -1,0 +1,211 @@
+"""How a line differs from its design: as built, and in the weather."""
+
+import re
+from collections.abc import Mapping
+from itertools import pairwise
+from math import cos, pi, sin, sqrt
+from typing import Annotated
+
+from pydantic import BeforeValidator, Field, WithJsonSchema, model_validator
+
+from arcless.errors import ModelError
+from arcless.model.fields import Part, Unit
+from arcless.units import WRONG_VALUE, show
+
+MAX_DROPPERS = 100_000
+_NAME = re.compile(r"\s*span\s+(\d{1,6})\s+dropper\s+(\d{1,6})\s*")
+
+Number = Annotated[int, Field(ge=1, strict=True)]
+
+
+def dropper_name(span: int, dropper: int) -> str:
+    """Return the name of a dropper, both numbers from 1: ``span 3 dropper 2``."""
+    return f"span {span} dropper {dropper}"
+
+
+def _as_name(value: object) -> str:
+    """Return the name of a dropper given by its name, or as {span: 3, dropper: 2}."""
+    if isinstance(value, Mapping) and set(value) == {"span", "dropper"}:
+        value = dropper_name(value["span"], value["dropper"])
+    found = _NAME.fullmatch(value) if isinstance(value, str) else None
+    if found is None:
+        raise ModelError(
+            "not a dropper",
+            got=show(value),
+            expected=f'a name such as "{dropper_name(3, 2)}", or {{span: 3, dropper: 2}}',
+        )
+    return dropper_name(int(found[1]), int(found[2]))
+
+
+class DropperLengthError(Part):
+    """A dropper that is longer or shorter than designed."""
+
+    span: Number = Field(description="Number of the span, from 1.")
+    dropper: Number = Field(description="Number of the dropper in its span, from 1.")
+    length_error: Annotated[float, Unit("m", minimum=-2, maximum=2)] = Field(
+        description="Length as built minus designed length."
+    )
+
+
+DropperName = Annotated[
+    str,
+    BeforeValidator(_as_name),
+    WithJsonSchema(
+        {
+            "anyOf": [
+                {"type": "string", "pattern": r"^\s*span\s+\d+\s+dropper\s+\d+\s*$"},
+                {
+                    "type": "object",
+                    "properties": {"span": {"type": "integer"}, "dropper": {"type": "integer"}},
+                    "required": ["span", "dropper"],
+                    "additionalProperties": False,
+                },
+            ]
+        }
+    ),
+]
+
+
+class Ice(Part):
+    """Ice on the wires: weight and inertia along their whole length."""
+
+    contact_wire: Annotated[float, Unit("kg/m", minimum=0, maximum=50)] = Field(
+        default=0.0, description="Ice on the contact wire."
+    )
+    messenger_wire: Annotated[float, Unit("kg/m", minimum=0, maximum=50)] = Field(
+        default=0.0, description="Ice on the messenger wire."
+    )
+    stitch_wire: Annotated[float, Unit("kg/m", minimum=0, maximum=50)] = Field(
+        default=0.0, description="Ice on the stitch wires."
+    )
+    auxiliary_wire: Annotated[float, Unit("kg/m", minimum=0, maximum=50)] = Field(
+        default=0.0, description="Ice on the auxiliary wire."
+    )
+    density: Annotated[float, Unit("kg/m3", minimum=50, maximum=1000)] = Field(
+        default=900.0, description="Density of the ice: how thick it is in the wind."
+    )
+
+    def diameter(self, bare: float, mass: float) -> float:
+        """Diameter in m of a round coat of ice of a mass in kg/m on a wire of bare diameter."""
+        return sqrt(bare * bare + 4.0 * mass / (pi * self.density))
+
+
+class Wind(Part):
+    """A steady wind across the track."""
+
+    speed: Annotated[float, Unit("m/s", minimum=-100, maximum=100)] = Field(
+        default=0.0, description="Wind speed, positive towards positive stagger."
+    )
+    angle: Annotated[float, Unit("rad", minimum=-pi / 2, maximum=pi / 2)] = Field(
+        default=0.0, description="Angle of the wind to the horizontal, positive upwards."
+    )
+    air_density: Annotated[float, Unit("kg/m3", above=0, maximum=2)] = Field(
+        default=1.225, description="Density of the air."
+    )
+    drag_coefficient: Annotated[float, Unit("1", above=0, maximum=5)] = Field(
+        default=1.0, description="Drag coefficient of the wires."
+    )
+
+    def force(self, diameter: float) -> tuple[float, float]:
+        """Return the force in N/m on a wire of a diameter in m: across the track, and upwards."""
+        pressure = 0.5 * self.air_density * self.speed**2 * self.drag_coefficient * diameter
+        across = pressure * cos(self.angle)
+        return (across if self.speed > 0.0 else -across), pressure * sin(self.angle)
+
+
+class Wear(Part):
+    """A stretch of worn contact wire."""
+
+    from_: Annotated[float, Unit("m", minimum=0)] = Field(
+        alias="from", description="Start of the stretch."
+    )
+    to: Annotated[float, Unit("m", minimum=0)] = Field(description="End of the stretch.")
+    fraction: Annotated[float, Unit("1", above=0, maximum=0.8)] = Field(
+        description="Share of the section that is lost."
+    )
+
+
+class AsBuilt(Part):
+    """What changes a designed line after its design; nothing by default."""
+
+    temperature_difference: Annotated[float, Unit("K", minimum=-150, maximum=150)] = Field(
+        default=0.0, description="Temperature above that of the installation."
+    )
+    dropper_length_errors: tuple[DropperLengthError, ...] = Field(
+        default=(),
+        description="Dropper lengths that differ: a list, or a CSV file relative to this one.",
+        max_length=MAX_DROPPERS,
+        json_schema_extra={"table": True},
+    )
+    missing_droppers: tuple[DropperName, ...] = Field(
+        default=(), description="Droppers that are missing or broken.", max_length=MAX_DROPPERS
+    )
+    ice: Ice = Field(default_factory=Ice, description="Ice on the wires.")
+    wind: Wind = Field(default_factory=Wind, description="Steady wind across the track.")
+    contact_wire_wear: tuple[Wear, ...] = Field(
+        default=(), description="Worn stretches of the contact wire.", max_length=10_000
+    )
+
+    @property
+    def is_empty(self) -> bool:
+        """True when nothing differs from the design."""
+        return not (
+            self.temperature_difference
+            or self.dropper_length_errors
+            or self.missing_droppers
+            or self.ice.contact_wire
+            or self.ice.messenger_wire
+            or self.ice.stitch_wire
+            or self.ice.auxiliary_wire
+            or self.wind.speed
+            or self.contact_wire_wear
+        )
+
+    @model_validator(mode="after")
+    def _check_once(self) -> "AsBuilt":
+        names = [dropper_name(e.span, e.dropper) for e in self.dropper_length_errors]
+        for field, given in (
+            ("dropper_length_errors", names),
+            ("missing_droppers", list(self.missing_droppers)),
+        ):
+            known: set[str] = set()
+            for index, name in enumerate(given):
+                if name in known:
+                    raise ModelError(
+                        "dropper given twice",
+                        got=name,
+                        expected="each dropper once",
+                        field=(field, index),
+                    )
+                known.add(name)
+        gone = set(self.missing_droppers)
+        for index, name in enumerate(names):
+            if name in gone:
+                raise ModelError(
+                    "length error of a missing dropper",
+                    got=name,
+                    expected="a dropper that is not in missing_droppers",
+                    field=("dropper_length_errors", index),
+                )
+        return self
+
+    @model_validator(mode="after")
+    def _check_wear(self) -> "AsBuilt":
+        for index, worn in enumerate(self.contact_wire_wear):
+            if worn.to <= worn.from_:
+                raise ModelError(
+                    WRONG_VALUE,
+                    got=f"{worn.to:g} m",
+                    expected=f"a position behind from, {worn.from_:g} m",
+                    field=("contact_wire_wear", index, "to"),
+                )
+        for index, (before, behind) in enumerate(pairwise(self.contact_wire_wear), start=1):
+            if behind.from_ < before.to:
+                raise ModelError(
+                    "stretches overlap or are out of order",
+                    got=f"a start at {behind.from_:g} m before the end of the last one,"
+                    f" {before.to:g} m",
+                    expected="stretches along the track, one behind the other",
+                    field=("contact_wire_wear", index, "from"),
+                )
+        return self

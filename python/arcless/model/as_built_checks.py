@@ -1,0 +1,97 @@
+"""Whether what is said of the line as built fits the line."""
+
+from typing import TYPE_CHECKING
+
+from arcless.errors import ModelError
+from arcless.model.as_built import dropper_name
+from arcless.units import accepted
+
+if TYPE_CHECKING:
+    from arcless.model.scenario import Scenario
+
+WIRES = ("contact_wire", "messenger_wire", "stitch_wire", "auxiliary_wire")
+# Positions typed with few digits may lie this far outside the line's exact length.
+POSITION_TOLERANCE = 1e-6
+
+
+def check_as_built(scenario: "Scenario") -> None:
+    """Raise `ModelError` for the first thing that does not fit."""
+    if scenario.as_built.is_empty:
+        return
+    _check_droppers(scenario)
+    _check_wear(scenario)
+    _check_ice(scenario)
+    _check_wind(scenario)
+
+
+def _check_droppers(scenario: "Scenario") -> None:
+    built = scenario.as_built
+    counts = [len(span.droppers.positions) for span in scenario.line.span_list()]
+    for index, error in enumerate(built.dropper_length_errors):
+        _check_dropper(error.span, error.dropper, counts, ("dropper_length_errors", index))
+    for index, name in enumerate(built.missing_droppers):
+        _, span, _, dropper = name.split()
+        _check_dropper(int(span), int(dropper), counts, ("missing_droppers", index))
+
+
+def _check_dropper(
+    span: int, dropper: int, counts: list[int], field: tuple[str | int, ...]
+) -> None:
+    near = min(max(span, 1), len(counts))
+    count = counts[near - 1]
+    if near == span and 1 <= dropper <= count:
+        return
+    close = f"did you mean {dropper_name(near, min(max(dropper, 1), count))}? " if count else ""
+    raise ModelError(
+        "unknown dropper",
+        got=dropper_name(span, dropper),
+        expected=f"a dropper of the line's {len(counts)} spans",
+        hint=f"{close}span {near} has {count} droppers",
+        field=("as_built", *field),
+    )
+
+
+def _check_wear(scenario: "Scenario") -> None:
+    length = scenario.line.total_length
+    for index, worn in enumerate(scenario.as_built.contact_wire_wear):
+        if worn.to > length + POSITION_TOLERANCE:
+            raise ModelError(
+                "wear outside the line",
+                got=f"{worn.from_:g} m to {worn.to:g} m",
+                expected=f"a stretch between 0 and {length:g} m, the line's length",
+                field=("as_built", "contact_wire_wear", index, "to"),
+            )
+
+
+def _check_ice(scenario: "Scenario") -> None:
+    for name in WIRES:
+        coat = getattr(scenario.as_built.ice, name)
+        if coat and getattr(scenario.line, name) is None:
+            raise ModelError(
+                "ice on a wire that the line does not have",
+                got=f"{coat:g} kg/m",
+                expected="0 kg/m, or a line with this wire",
+                field=("as_built", "ice", name),
+            )
+
+
+def _check_wind(scenario: "Scenario") -> None:
+    if not scenario.as_built.wind.speed:
+        return
+    line, dimension = scenario.line, scenario.solver.dimension
+    if dimension == "planar" or (dimension == "auto" and not line.is_spatial):
+        raise ModelError(
+            "wind on a planar line",
+            got=f"{scenario.as_built.wind.speed:g} m/s with solver.dimension {dimension}",
+            expected="a spatial line",
+            hint="a planar line cannot move across the track: set solver.dimension to spatial",
+            field=("as_built", "wind", "speed"),
+        )
+    for name in WIRES:
+        wire = getattr(line, name)
+        if wire is not None and wire.diameter is None:
+            raise ModelError(
+                "wind on a wire without diameter",
+                expected=f"line.{name}.diameter: {accepted('m')}",
+                field=("as_built", "wind", "speed"),
+            )

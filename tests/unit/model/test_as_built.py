@@ -1,0 +1,170 @@
+"""The section as_built: what it takes, what it refuses, and its CSV file."""
+
+import re
+from collections.abc import Callable
+from math import cos, pi
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import arcless
+from arcless.errors import ModelError
+from arcless.model import AsBuilt, Ice, Scenario, Wind, load
+
+Refused = Callable[..., str]
+GOOD = "span, dropper, length_error mm\n# read on site\n3, 2, 12.1\n\n4, 1, -5\n"
+
+
+def built(files: Path, text: str) -> Path:
+    path = files / "scenario.yaml"
+    path.write_text(path.read_text("utf-8") + f"as_built:\n  {text}\n", encoding="utf-8")
+    return path
+
+
+def complaint(files: Path, text: str) -> str:
+    with pytest.raises(ModelError) as caught:
+        load(built(files, text))
+    return str(caught.value).replace(f"{files}/", "")
+
+
+def test_nothing_differs_by_default(files: Path) -> None:
+    scenario = load(files / "scenario.yaml")
+    assert scenario.as_built == AsBuilt()
+    assert scenario.as_built.is_empty
+
+
+def test_a_csv_file_is_the_list_it_holds(files: Path) -> None:
+    (files / "errors.csv").write_text(GOOD, encoding="utf-8")
+    scenario = load(built(files, "dropper_length_errors: errors.csv"))
+    found = [(e.span, e.dropper, e.length_error) for e in scenario.as_built.dropper_length_errors]
+    assert found == [(3, 2, 0.0121), (4, 1, -0.005)]
+    again = Scenario.model_validate(scenario.to_dict())
+    assert again == scenario, "a result holds the values, not the name of a file"
+
+
+def test_a_csv_file_may_say_where_it_comes_from(files: Path) -> None:
+    (files / "errors.csv").write_text(GOOD, encoding="utf-8")
+    text = "dropper_length_errors: {value: errors.csv, mark: assumed, note: measured}"
+    scenario = load(built(files, text))
+    assert len(scenario.as_built.dropper_length_errors) == 2
+    assert scenario.provenance["as_built.dropper_length_errors"].note == "measured"
+
+
+@pytest.mark.parametrize(
+    ("text", "parts"),
+    [
+        ("span,dropper\n1,1\n", ["errors.csv:1", "missing column", "no length_error"]),
+        ("span,dropper,length_error\n1,1,2\n", ["unit missing", "length_error mm"]),
+        ("span,dropper,length_error kg\n1,1,2\n", ["column length_error", '"kg"', "a mass"]),
+        ("span m,dropper,length_error mm\n1,1,2\n", ["column span", "without unit"]),
+        ("span,droper,length_error mm\n1,1,2\n", ["unknown column", "did you mean dropper?"]),
+        ("span,span,length_error mm\n1,1,2\n", ["column given twice"]),
+        ("span;dropper;length_error mm\n1;1;2\n", ["commas"]),
+        ("span,dropper,length_error mm\n1,1,2\n1,2\n", ["errors.csv:3", "cells", "got 2"]),
+        ("span,dropper,length_error mm\n1,1,2,5\n", ["errors.csv:2", "decimal point"]),
+        ("span,dropper,length_error mm\n1,,2\n", ["errors.csv:2", "dropper: empty cell"]),
+        ("span,dropper,length_error mm\n1,1.5,2\n", ['got "1.5"', "a whole number"]),
+        ("span,dropper,length_error mm\n1,1,2 mm\n", ['"2 mm"', "a number in mm"]),
+        ("span,dropper,length_error mm\n1,1,nan\n", ["length_error", "finite"]),
+        ("span,dropper,length_error mm\n", ["empty table", "a header without rows"]),
+        ("", ["empty table", "no header"]),
+        ("span,dropper,length_error mm\n1,1,9000\n", ["length_error", "at most 2 m"]),
+        ("span,dropper,length_error mm\n1,1,2\n1,1,3\n", ["given twice", "span 1 dropper 1"]),
+        ("span,dropper,length_error mm\n3,7,2\n", ["unknown dropper", "mean span 3 dropper 4?"]),
+    ],
+)
+def test_a_faulty_csv_file_is_refused(files: Path, text: str, parts: list[str]) -> None:
+    (files / "errors.csv").write_text(text, encoding="utf-8")
+    message = complaint(files, "dropper_length_errors: errors.csv")
+    assert all(part in message for part in parts), message
+    assert "scenario.yaml:8" in message
+
+
+def test_a_csv_file_that_is_not_there(files: Path) -> None:
+    message = complaint(files, "dropper_length_errors: eror.csv")
+    assert "eror.csv" in message
+    assert "no such file" in message
+
+
+@pytest.mark.parametrize(
+    ("text", "parts"),
+    [
+        ("missing_droppers: [span 3 dropper 9]", ["span 3 dropper 4?", "span 3 has 4 droppers"]),
+        ("missing_droppers: [span 12 dropper 1]", ["did you mean span 8 dropper 1?"]),
+        ("missing_droppers: [dropper 3]", ["not a dropper", "span 3 dropper 2"]),
+        ("missing_droppers: [{span: 0, dropper: 1}]", ["unknown dropper", "span 1 dropper 1"]),
+        ("missing_droppers: [span 1 dropper 1, span 1  dropper 1]", ["given twice"]),
+        (
+            "missing_droppers: [span 1 dropper 1]\n"
+            "  dropper_length_errors: [{span: 1, dropper: 1, length_error: 3 mm}]",
+            ["length error of a missing dropper"],
+        ),
+        ("temperature_difference: 30 kg", ["a temperature difference (K)", "unit of a mass"]),
+        ("ice: {contact_wire: 2 kg}", ["a mass per length"]),
+        ("wear: []", ["unknown field", "contact_wire_wear"]),
+        ("contact_wire_wear: [{from: 400, to: 500, fraction: 0.1}]", ["outside the line", "440"]),
+        ("contact_wire_wear: [{from: 50, to: 40, fraction: 0.1}]", ["behind from, 50 m"]),
+        ("contact_wire_wear: [{from: 50, to: 60, fraction: 1}]", ["at most 0.8"]),
+        (
+            "contact_wire_wear: [{from: 5, to: 9, fraction: 0.1}, {from: 8, to: 9, fraction: 0.1}]",
+            ["overlap", "8 m"],
+        ),
+        ("wind: {speed: 30 m/s}", ["planar line", "solver.dimension to spatial"]),
+        ("wind: {speed: 30 m/s}\nsolver: {dimension: planar}", ["dimension planar"]),
+        ("wind: {speed: 30 m/s}\nsolver: {dimension: spatial}", ["line.contact_wire.diameter"]),
+    ],
+)
+def test_what_does_not_fit_is_refused(files: Path, text: str, parts: list[str]) -> None:
+    message = complaint(files, text)
+    assert all(part in message for part in parts), message
+
+
+def test_changes_by_dotted_path(files: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (files / "errors.csv").write_text(GOOD, encoding="utf-8")
+    monkeypatch.chdir(files)
+    scenario = load("scenario.yaml").with_(
+        **{
+            "as_built.temperature_difference": "30 K",
+            "as_built.ice.contact_wire": "0.5 kg/m",
+            "as_built.dropper_length_errors": "errors.csv",
+            "as_built.missing_droppers": [{"span": 2, "dropper": 1}, "span 5 dropper 3"],
+        }
+    )
+    assert scenario.as_built.temperature_difference == 30.0
+    assert scenario.as_built.ice.contact_wire == 0.5
+    assert len(scenario.as_built.dropper_length_errors) == 2
+    assert scenario.as_built.missing_droppers == ("span 2 dropper 1", "span 5 dropper 3")
+
+
+def test_force_of_the_wind() -> None:
+    across, up = Wind(speed=30, angle=0.1, air_density=1.25, drag_coefficient=1.2).force(0.012)
+    # ½ · 1.25 · 900 · 1.2 · 0.012 = 8.1 N/m, by hand.
+    assert across == pytest.approx(8.1 * cos(0.1), rel=1e-12)
+    assert up == pytest.approx(8.1 * 0.0998334166, rel=1e-9)
+    opposite = Wind(speed=-30, angle=0.1, air_density=1.25, drag_coefficient=1.2).force(0.012)
+    assert opposite == pytest.approx((-across, up))
+
+
+def test_a_coat_of_ice_is_as_thick_as_its_mass_says() -> None:
+    diameter = Ice(density=900).diameter(0.012, 0.5)
+    assert 900 * pi / 4 * (diameter**2 - 0.012**2) == pytest.approx(0.5, rel=1e-12)
+    assert Ice().diameter(0.012, 0.0) == pytest.approx(0.012, rel=1e-12)
+
+
+def test_the_example_of_the_guide_loads(tmp_path: Path) -> None:
+    page = (Path(__file__).parents[3] / "docs/guide/as-built.md").read_text("utf-8")
+    blocks = re.findall(r"```(?:yaml|csv)\n# ([a-z]+\.(?:yaml|csv))(.*?)```", page, re.DOTALL)
+    assert [name for name, _ in blocks] == ["winter.yaml", "measured.csv"]
+    for name, text in blocks:
+        (tmp_path / name).write_text(f"# {text}", encoding="utf-8")
+    built = load(tmp_path / "winter.yaml").as_built
+    assert [e.length_error for e in built.dropper_length_errors] == [0.012, -0.0045]
+    assert built.missing_droppers == ("span 10 dropper 5",)
+
+
+def test_the_shipped_scenarios_are_as_designed() -> None:
+    for entry in arcless.library():
+        if entry.kind == "scenario":
+            found: Any = load(entry.name)
+            assert found.as_built.is_empty, entry.name
