@@ -69,6 +69,7 @@ def _check_pantographs(scenario: "Scenario") -> None:
                 "pantographs out of order",
                 got=f"{behind.distance:g} m after {front.distance:g} m",
                 expected="distances that increase towards the rear",
+                hint="every distance counts from the first pantograph, backwards",
                 field=("pantographs", index, "distance"),
             )
     names = [placement.name for placement in placements]

@@ -15,7 +15,6 @@ ROUNDED = 1e-9
 # The strip rises with the whole pantograph but for rounding of what is written.
 RAISED = 1e-6
 
-Matrix = list[list[float]]
 Vector = tuple[Annotated[float, Unit("1")], ...]
 
 
@@ -100,40 +99,32 @@ def _check_matrix(
                     expected="the same number twice",
                     field=(name, i, j),
                 )
-    shift = 0.0 if strict else ROUNDED * largest
-    bad = _first_bad_pivot([list(row) for row in matrix], shift, size)
-    if bad is not None:
-        kind = "positive definite" if strict else "positive definite or zero"
-        what = "inertia" if strict else "energy" if name == "stiffness" else "dissipation"
-        raise ModelError(
-            f"not {kind}",
-            got=f"a motion of the first {bad + 1} coordinates with no {what}"
-            if strict
-            else f"a motion of the first {bad + 1} coordinates with negative {what}",
-            expected=f"a matrix that gives every motion {'positive' if strict else 'no negative'}"
-            f" {what}",
-            field=(name,),
-        )
+    bad = _first_bad_row(matrix, 0.0 if strict else ROUNDED * largest)
+    if bad is None or (largest == 0.0 and not strict):
+        return
+    what = {"mass": "inertia", "damping": "dissipation", "stiffness": "energy"}[name]
+    found, wanted = ("no", "positive") if strict else ("negative", "no negative")
+    raise ModelError(
+        f"not positive {'definite' if strict else 'definite or zero'}",
+        got=f"a motion of the first {bad + 1} coordinates with {found} {what}",
+        expected=f"a matrix that gives every motion {wanted} {what}",
+        field=(name,),
+    )
 
 
-def _first_bad_pivot(a: Matrix, shift: float, size: int) -> int | None:
-    """Return the first row where the Cholesky factor of `a` + `shift` breaks down, or None."""
-    if shift == 0.0 and not any(any(row) for row in a):
-        return 0
-    scale = max(abs(value) for row in a for value in row)
-    if scale == 0.0:
-        return None
-    lower: Matrix = [[0.0] * size for _ in range(size)]
+def _first_bad_row(matrix: tuple[tuple[float, ...], ...], shift: float) -> int | None:
+    """Return the first row where Cholesky's factor of `matrix` + `shift` breaks down, or None."""
+    size = len(matrix)
+    lower = [[0.0] * size for _ in range(size)]
     for i in range(size):
         for j in range(i + 1):
-            value = a[i][j] + (shift if i == j else 0.0)
-            value -= sum(lower[i][k] * lower[j][k] for k in range(j))
+            value = matrix[i][j] - sum(lower[i][k] * lower[j][k] for k in range(j))
             if i != j:
                 lower[i][j] = value / lower[j][j]
-            elif value <= 0.0:
+            elif value + shift <= 0.0:
                 return i
             else:
-                lower[i][i] = sqrt(value)
+                lower[i][i] = sqrt(value + shift)
     return None
 
 
