@@ -4,11 +4,12 @@ import re
 from pathlib import Path
 from typing import Any
 
-from arcless.model import MARKS, Line, Pantograph, Scenario, load, scenario_warnings
+from arcless.model import MARKS, Line, Pantograph, Scenario, load, load_any, scenario_warnings
 from arcless.model.documents import Provenance
 from arcless.units import KINDS, spell
 
-PAGE = (Path(__file__).parents[3] / "docs/reference/model-files.md").read_text(encoding="utf-8")
+ROOT = Path(__file__).parents[3]
+PAGE = (ROOT / "docs/reference/model-files.md").read_text(encoding="utf-8")
 
 
 def test_the_worked_example_loads(tmp_path: Path) -> None:
@@ -47,3 +48,19 @@ def _models() -> list[Any]:
         else:
             todo += list(getattr(item, "__args__", ()))
     return found
+
+
+def test_the_models_of_the_pantograph_guide_load(tmp_path: Path) -> None:
+    page = (ROOT / "docs/guide/pantographs.md").read_text(encoding="utf-8")
+    blocks = re.findall(r"```(?:yaml|csv)\n# (\S+)\n(.*?)```", page, re.DOTALL)
+    names = [name for name, _ in blocks]
+    assert names == [
+        "four.yaml", "reduced.yaml", "lifted.yaml", "shaken.yaml", "roof.csv", "stopped.yaml",
+    ]  # fmt: skip
+    for name, text in blocks:
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    models = {name: load_any(tmp_path / name) for name in names if name.endswith(".yaml")}
+    four = models["four.yaml"]
+    assert isinstance(four, Scenario)
+    assert len(four.pantographs) == 4
+    assert not scenario_warnings(four)
