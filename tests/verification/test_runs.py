@@ -8,7 +8,7 @@ import pytest
 import arcless
 from arcless.assess.filter import low_pass
 from arcless.results import Result
-from arcless.simulate import StaticsResult, equilibrium, motion
+from arcless.simulate import StaticsResult, equilibrium, motion, riders
 
 RunOnce = Callable[..., Result]
 AtRest = Callable[..., StaticsResult]
@@ -65,7 +65,7 @@ def test_two_far_apart_run_like_one() -> None:
     numbers = motion.scheme_numbers(scenario.solver.scheme)
     prepared = found.core.prepare(found.mesh.path, numbers, 2e-3, 50e3, False)
     travel = motion.motion(scenario)
-    rider = motion.rider(scenario.pantographs[0].model, 170.0)
+    rider = riders.rider(scenario.pantographs[0].model, 170.0)
     plan = {"contact_every": 1, "line_every": 100, "links": False, "nodes": [], "points": []}
 
     def force(distances: list[float]) -> np.ndarray:

@@ -73,6 +73,8 @@ pub enum CoreError {
         contacts: Vec<usize>,
         /// Links in the problem, by index, after the contacts.
         links: Vec<usize>,
+        /// Number of stops of each contact's rider; they stand behind the links.
+        stops: Vec<usize>,
         /// The problem itself and why it failed.
         failure: Box<LcpFailure>,
     },

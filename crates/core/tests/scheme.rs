@@ -3,6 +3,7 @@
 mod common;
 
 use arcless_core::CoreError;
+use arcless_core::dynamics::given::Given;
 use arcless_core::dynamics::rider::{Rider, RiderState};
 use arcless_core::scheme::{AlphaScheme, Scheme};
 use std::f64::consts::TAU;
@@ -18,6 +19,8 @@ fn oscillator(zeta: f64) -> Rider {
         preload: vec![1.0],
         lift: vec![0.0],
         start_force: 0.0,
+        given: Given::default(),
+        stops: Vec::new(),
     }
 }
 

@@ -4,6 +4,7 @@
 mod common;
 
 use arcless_core::CoreError;
+use arcless_core::dynamics::given::Given;
 use arcless_core::dynamics::line::Line;
 use arcless_core::dynamics::path::{Path, Place};
 use arcless_core::dynamics::record::{Record, RecordPlan};
@@ -86,6 +87,8 @@ fn two_masses(force: f64) -> Rider {
         preload: vec![1.0, 0.0],
         lift: vec![0.0; 2],
         start_force: force,
+        given: Given::default(),
+        stops: Vec::new(),
     }
 }
 

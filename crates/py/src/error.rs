@@ -69,12 +69,14 @@ fn details<'py>(
             time,
             contacts,
             links,
+            stops,
             failure,
         } => {
             d.set_item("step", step)?;
             d.set_item("time", time)?;
             d.set_item("contacts", contacts)?;
             d.set_item("links", links)?;
+            d.set_item("stops", stops)?;
             d.set_item("h", &failure.h)?;
             d.set_item("w", &failure.w)?;
             d.set_item("reason", failure.to_string())?;

@@ -2,11 +2,13 @@
 
 use crate::error::convert;
 use arcless_core::CoreError;
+use arcless_core::dynamics::given::{Given, Ground, History};
 use arcless_core::dynamics::ledger::Entries;
 use arcless_core::dynamics::record::{Record, RecordPlan};
 use arcless_core::dynamics::rider::Rider;
 use arcless_core::dynamics::run::Travel;
 use arcless_core::dynamics::stepper;
+use arcless_core::dynamics::stop::Stop;
 use numpy::ToPyArray;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -40,7 +42,7 @@ macro_rules! either {
 pub struct Prepared(pub Any);
 
 /// One rider as it comes from Python: mass, damping, stiffness matrices by rows; strip, preload,
-/// lift vectors; contact force at the start.
+/// lift vectors; contact force at the start; what is given; stops.
 type RiderData = (
     Vec<f64>,
     Vec<f64>,
@@ -49,10 +51,45 @@ type RiderData = (
     Vec<f64>,
     Vec<f64>,
     f64,
+    GivenData,
+    Vec<StopData>,
 );
 
-fn rider((mass, damping, stiffness, strip, preload, lift, start_force): RiderData) -> Rider {
+/// Forces (direction, N at every instant), and the ground: displacement that goes with it, its
+/// own in m and its rate in m/s at every instant.
+type GivenData = (
+    Vec<(Vec<f64>, Vec<f64>)>,
+    Option<(Vec<f64>, Vec<f64>, Vec<f64>)>,
+);
+
+/// Direction that opens the stop, gap in m, stiffness in N/m.
+type StopData = (Vec<f64>, f64, f64);
+
+fn given((forces, ground): GivenData) -> Given {
+    let history = |(direction, values)| History { direction, values };
+    Given {
+        forces: forces.into_iter().map(history).collect(),
+        ground: ground.map(|(carried, displacement, rate)| Ground {
+            carried,
+            displacement,
+            rate,
+        }),
+    }
+}
+
+fn stop((direction, gap, stiffness): StopData) -> Stop {
+    Stop {
+        direction,
+        gap,
+        stiffness,
+    }
+}
+
+fn rider(data: RiderData) -> Rider {
+    let (mass, damping, stiffness, strip, preload, lift, start_force, outside, stops) = data;
     Rider {
+        given: given(outside),
+        stops: stops.into_iter().map(stop).collect(),
         mass,
         damping,
         stiffness,
@@ -132,7 +169,7 @@ fn read_plan(plan: &Bound<'_, PyDict>) -> PyResult<RecordPlan> {
 
 fn arrays<'py>(py: Python<'py>, r: &Record) -> PyResult<Bound<'py, PyDict>> {
     let out = PyDict::new(py);
-    let series: [(&str, &[f64]); 17] = [
+    let series: [(&str, &[f64]); 18] = [
         ("time", &r.time),
         ("force", &r.force),
         ("gap", &r.gap),
@@ -150,6 +187,7 @@ fn arrays<'py>(py: Python<'py>, r: &Record) -> PyResult<Bound<'py, PyDict>> {
         ("link_min", &r.link_min),
         ("link_max", &r.link_max),
         ("uplift_max", &r.uplift_max),
+        ("stop_max", &r.stop_max),
     ];
     for (name, values) in series {
         out.set_item(name, values.to_pyarray(py))?;

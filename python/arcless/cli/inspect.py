@@ -71,7 +71,8 @@ def _description(checked: "Scenario | Line | Pantograph") -> str:
         spans = len(checked.span_list())
         return f"line `{checked.name}`, {spans} spans, {checked.total_length:.0f} m"
     if isinstance(checked, Pantograph):
-        return f"pantograph `{checked.name}`, {len(checked.masses)} masses"
+        noun = "masses" if checked.matrices is None else "coordinates, given by matrices"
+        return f"pantograph `{checked.name}`, {checked.size} {noun}"
     count = len(checked.pantographs)
     noun = "pantograph" if count == 1 else "pantographs"
     return f"scenario `{checked.name}`, line `{checked.line.name}`, {count} {noun}"

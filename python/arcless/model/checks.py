@@ -25,6 +25,8 @@ def check_scenario(scenario: "Scenario") -> None:
     _check_speed(scenario)
     _check_pantographs(scenario)
     _check_travel(scenario)
+    _check_lift(scenario)
+    _check_roofs(scenario)
     _check_section(scenario)
     _check_points(scenario)
     _check_elements(scenario)
@@ -67,6 +69,7 @@ def _check_pantographs(scenario: "Scenario") -> None:
                 "pantographs out of order",
                 got=f"{behind.distance:g} m after {front.distance:g} m",
                 expected="distances that increase towards the rear",
+                hint="every distance counts from the first pantograph, backwards",
                 field=("pantographs", index, "distance"),
             )
     names = [placement.name for placement in placements]
@@ -101,6 +104,59 @@ def _check_travel(scenario: "Scenario") -> None:
             hint="give travel, add spans, or bring the pantographs closer together",
             field=("travel",),
         )
+
+
+def _check_lift(scenario: "Scenario") -> None:
+    """Refuse a lift table that does not reach over all speeds of the scenario."""
+    profile = scenario.speed_profile
+    slowest, fastest = scenario.top_speed, scenario.top_speed
+    if profile is not None:
+        slowest = min(profile.speed)
+    for index, placement in enumerate(scenario.pantographs):
+        for number, mass in enumerate(placement.model.masses):
+            if mass.lift is None:
+                continue
+            first, last = mass.lift.speed[0], mass.lift.speed[-1]
+            if slowest < first * (1 - ROUNDING) or fastest > last * (1 + ROUNDING):
+                raise ModelError(
+                    "the table does not reach over the speeds travelled",
+                    got=f"{first:g} to {last:g} m/s",
+                    expected=f"at least {slowest:g} to {fastest:g} m/s",
+                    hint="nothing is assumed beyond a table's ends",
+                    field=("pantographs", index, "model", "masses", number, "lift", "speed"),
+                )
+
+
+def _check_roofs(scenario: "Scenario") -> None:
+    """Refuse a roof motion that begins after or ends before the run."""
+    start, end = scenario.travel_range()
+    for index, placement in enumerate(scenario.pantographs):
+        roof = placement.roof_motion
+        if roof is None:
+            continue
+        if roof.time is None:
+            first, last = start - placement.distance, end - placement.distance
+        else:
+            first, last = 0.0, _duration(scenario)
+        unit = "s" if roof.time is not None else "m"
+        slack = ROUNDING * max(1.0, last)
+        if roof.points[0] > first + slack or roof.points[-1] < last - slack:
+            raise ModelError(
+                "the roof motion does not cover the run",
+                got=f"{roof.points[0]:g} to {roof.points[-1]:g} {unit}",
+                expected=f"at least {first:g} to {last:g} {unit}",
+                hint="shorten travel, or give more points",
+                field=("pantographs", index, "roof_motion", roof.over),
+            )
+
+
+def _duration(scenario: "Scenario") -> float:
+    """Time in s that a run takes at most."""
+    start, end = scenario.travel_range()
+    if scenario.speed is not None:
+        return (end - start) / scenario.speed
+    assert scenario.speed_profile is not None
+    return scenario.speed_profile.time[-1]
 
 
 def _check_section(scenario: "Scenario") -> None:
@@ -197,12 +253,7 @@ def _check_energy(scenario: "Scenario") -> None:
 
 
 def _check_steps(scenario: "Scenario") -> None:
-    start, end = scenario.travel_range()
-    if scenario.speed is not None:
-        duration = (end - start) / scenario.speed
-    else:
-        assert scenario.speed_profile is not None
-        duration = scenario.speed_profile.time[-1]
+    duration = _duration(scenario)
     step = scenario.time_step_s
     if duration / step > MAX_STEPS:
         raise ModelError(

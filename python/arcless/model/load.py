@@ -16,6 +16,7 @@ from arcless.model.library import shipped
 from arcless.model.line import Line
 from arcless.model.pantograph import Pantograph
 from arcless.model.reader import Origin, is_file, parse, read_text
+from arcless.model.roof import with_points
 from arcless.model.scenario import Scenario
 from arcless.model.tables import with_tables
 from arcless.units import show
@@ -171,16 +172,20 @@ def _resolve(data: dict[str, Any], origin: Origin) -> dict[str, Any]:
     placements = data.get("pantographs")
     if isinstance(placements, (list, tuple)):
         resolved["pantographs"] = [
-            {
-                **item,
-                "model": _reference(
-                    item["model"], "pantograph", origin, ("pantographs", index, "model")
-                ),
-            }
-            if isinstance(item, Mapping) and "model" in item
-            else item
+            _placement(item, origin, ("pantographs", index)) if isinstance(item, Mapping) else item
             for index, item in enumerate(placements)
         ]
+    return resolved
+
+
+def _placement(item: Mapping[str, Any], origin: Origin, path: Path) -> dict[str, Any]:
+    resolved = dict(item)
+    if "model" in item:
+        model = item["model"]
+        resolved["model"] = _reference(model, "pantograph", origin, (*path, "model"))
+    motion = item.get("roof_motion")
+    if isinstance(motion, Mapping):
+        resolved["roof_motion"] = with_points(dict(motion), origin, (*path, "roof_motion"))
     return resolved
 
 

@@ -22,6 +22,12 @@ _EXCLUSIVE = {
     "spans": ("from", "to"),
     "from": ("spans",),
     "to": ("spans",),
+    "masses": ("matrices",),
+    "matrices": ("masses",),
+    "file": ("time", "position", "displacement"),
+    "time": ("position", "file"),
+    "position": ("time", "file"),
+    "displacement": ("file",),
 }
 
 

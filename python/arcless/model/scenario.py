@@ -12,6 +12,7 @@ from arcless.model.documents import Document
 from arcless.model.fields import Part, Unit
 from arcless.model.line import Line
 from arcless.model.pantograph import Pantograph
+from arcless.model.roof import RoofMotion
 from arcless.model.settings import MAX_SPEED, Contact, Output, Solver, SpeedProfile
 from arcless.units import WRONG_VALUE, show
 
@@ -34,6 +35,9 @@ class PantographPlacement(Part):
     )
     mean_force: Annotated[float, Unit("N", above=0, maximum=2000)] | None = Field(
         default=None, description="Mean contact force to reach; the static force is then found."
+    )
+    roof_motion: RoofMotion | None = Field(
+        default=None, description="Vertical motion of the roof below; the roof is still without."
     )
 
     @model_validator(mode="after")

@@ -84,7 +84,7 @@ VARIABLES: dict[str, Variable] = {
     "slack_droppers": Variable(_LINE, "1", "number of slack droppers", integer=True),
     "energy_kinetic": Variable(_LINE, "J", "kinetic energy of the line"),
     "energy_elastic": Variable(_LINE, "J", "elastic energy of the line"),
-    "energy_contact": Variable(_LINE, "J", "energy stored in the contact"),
+    "energy_contact": Variable(_LINE, "J", "energy stored in contacts and bump stops"),
     "energy_pantograph": Variable(_LINE, "J", "kinetic and elastic energy of the pantographs"),
     "energy_dissipated_line": Variable(_LINE, "J", "energy dissipated in the wires"),
     "energy_dissipated_droppers": Variable(_LINE, "J", "energy dissipated in the droppers"),
@@ -94,7 +94,7 @@ VARIABLES: dict[str, Variable] = {
     "energy_switching": Variable(
         _LINE, "J", "energy lost where a contact or a dropper closes or opens within a step"
     ),
-    "energy_work_uplift": Variable(_LINE, "J", "work of the uplift forces on the pantographs"),
+    "energy_work_uplift": Variable(_LINE, "J", "work of the uplift forces and of the roof"),
     "energy_work_traction": Variable(_LINE, "J", "work that moves the contact along the wire"),
     "energy_work_friction": Variable(_LINE, "J", "work of the friction along the wire"),
     "energy_residual": Variable(_LINE, "J", "what the energy ledger does not account for"),
@@ -150,6 +150,9 @@ ATTRIBUTES: dict[str, Attribute] = {
     "lcp_pivots_mean": Attribute("number", "pivots per step, mean of all steps"),
     "lcp_pivots_per_step": Attribute("json", "number of steps that took 0, 1, 2, … pivots"),
     "static_force_found": Attribute("json", "static force of each pantograph in N"),
+    "stop_force_max": Attribute(
+        "json", "highest force on a bump stop of each pantograph that has any, in N"
+    ),
     "warnings": Attribute("json", "warnings of the run, as sentences"),
     "command": Attribute("text", "command that runs this scenario again"),
 }

@@ -76,6 +76,8 @@ def _unsolved(mesh: Mesh, pantographs: Sequence[str], details: dict[str, Any]) -
     droppers = {dropper.link: dropper.name for dropper in mesh.droppers}
     links = [f"pantograph {pantographs[j]}" for j in details["contacts"]]
     links += [droppers[i] for i in details["links"]]
+    for name, count in zip(pantographs, details["stops"], strict=False):
+        links += [f"stop {k} of pantograph {name}" for k in range(1, count + 1)]
     problem = {
         "kind": "lcp",
         "step": details["step"],

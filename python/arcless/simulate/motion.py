@@ -1,4 +1,4 @@
-"""Scenario → what the core needs to step: travel, riders, scheme."""
+"""Scenario → what the core needs to step: travel, scheme, contact."""
 
 from dataclasses import dataclass
 from math import inf
@@ -9,13 +9,9 @@ from numpy.typing import NDArray
 from arcless.errors import ModelError
 from arcless.model import Scenario
 from arcless.model.checks import MAX_STEPS
-from arcless.model.pantograph import Pantograph
 from arcless.model.settings import GeneralisedAlpha, HilberHughesTaylor, Newmark, Scheme
 
 Floats = NDArray[np.float64]
-RiderData = tuple[
-    list[float], list[float], list[float], list[float], list[float], list[float], float
-]
 
 
 @dataclass(frozen=True)
@@ -88,30 +84,6 @@ def _distance(times: Floats, knots: Floats, speeds: Floats) -> Floats:
     since = times - knots[piece]
     slope = (speeds[piece + 1] - speeds[piece]) / (knots[piece + 1] - knots[piece])
     return np.asarray(whole[piece] + since * (speeds[piece] + 0.5 * slope * since))
-
-
-def rider(pantograph: Pantograph, start_force: float) -> RiderData:
-    """Return mass, damping and stiffness matrices of a chain, and where forces act.
-
-    M = diag(m); spring i joins mass i to the one below (the first to the base); the preload acts on
-    the first mass, the strip is the last. `start_force` is the contact force at the start in N.
-    """
-    masses = pantograph.masses
-    size = len(masses)
-    mass = np.diag([part.mass for part in masses])
-    stiffness, damping = np.zeros((size, size)), np.zeros((size, size))
-    for i, part in enumerate(masses):
-        joint = np.zeros(size)
-        joint[i] = 1.0
-        if i > 0:
-            joint[i - 1] = -1.0
-        stiffness += part.stiffness * np.outer(joint, joint)
-        damping += part.damping * np.outer(joint, joint)
-    strip, preload = np.zeros(size), np.zeros(size)
-    strip[-1] = preload[0] = 1.0
-    lift = [part.aerodynamic for part in masses]
-    matrices = (mass.ravel().tolist(), damping.ravel().tolist(), stiffness.ravel().tolist())
-    return (*matrices, strip.tolist(), preload.tolist(), lift, start_force)
 
 
 def scheme_numbers(scheme: Scheme) -> tuple[str, list[float]]:

@@ -33,9 +33,7 @@ def dynamic_variables(
     }
     out = {name: values.reshape(-1, count) for name, values in per_contact.items()}
     out["speed"] = raw["speed"]
-    out["mass_displacement"] = _masses(
-        raw["masses"], [len(p.model.masses) for p in scenario.pantographs]
-    )
+    out["mass_displacement"] = _masses(raw["masses"], [p.model.size for p in scenario.pantographs])
     rows = len(raw["line_time"])
     links = [dropper.link for dropper in found.mesh.droppers]
     if scenario.output.droppers:

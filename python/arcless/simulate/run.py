@@ -10,7 +10,7 @@ import numpy as np
 from arcless import _core
 from arcless.model import Scenario, scenario_warnings
 from arcless.results import Result, dataset_from
-from arcless.simulate import equilibrium, motion, record
+from arcless.simulate import equilibrium, motion, record, riders
 from arcless.simulate.failure import replayable, stepping
 from arcless.simulate.mean_force import find_forces
 
@@ -24,8 +24,9 @@ class Job:
 
     Attributes
     ----------
-    scenario, found, prepared, travel
-        The scenario, its equilibrium, the factorised line, the travel.
+    scenario, found, prepared, travel, given
+        The scenario, its equilibrium, the factorised line, the travel, what is given over time for
+        each pantograph.
     observe
         Called with the number of steps done; tells whether to go on.
     """
@@ -34,6 +35,7 @@ class Job:
     found: equilibrium.Equilibrium
     prepared: _core.Prepared
     travel: motion.Motion
+    given: list[riders.GivenData]
     observe: Callable[[int], bool]
 
     def step(self, forces: list[float], *, full: bool) -> dict[str, Any]:
@@ -50,13 +52,13 @@ class Job:
             "ledger": full and _keeps_ledger(self.scenario),
         }
         speed = float(self.travel.speeds[0])
-        riders = [
-            motion.rider(p.model, force + sum(m.aerodynamic for m in p.model.masses) * speed**2)
-            for p, force in zip(placements, forces, strict=True)
+        ridden = [
+            riders.rider(p.model, force + p.model.lift_at(speed), given)
+            for p, force, given in zip(placements, forces, self.given, strict=True)
         ]
         with stepping(mesh, [p.name for p in placements]):
             return self.prepared.run(
-                riders,
+                ridden,
                 [p.distance for p in placements],
                 self.travel.positions.tolist(),
                 self.travel.speeds.tolist(),
@@ -101,7 +103,9 @@ def run(
     x = found.elasticity_positions()
     elasticity = found.elasticity(x)
     travel = motion.motion(scenario)
-    job = Job(scenario, found, prepared, travel, _observer(travel.steps, "stepping", tell, cancel))
+    given = riders.given_motions(scenario, travel)
+    observe = _observer(travel.steps, "stepping", tell, cancel)
+    job = Job(scenario, found, prepared, travel, given, observe)
     searching = replace(
         job, observe=_observer(travel.steps, "finding the static force", tell, cancel)
     )
@@ -145,6 +149,11 @@ def _attributes(
 ) -> dict[str, Any]:
     scenario, travel = job.scenario, job.travel
     names = [placement.name for placement in scenario.pantographs]
+    stops = {
+        placement.name: force
+        for placement, force in zip(scenario.pantographs, raw["stop_max"].tolist(), strict=True)
+        if riders.stops(placement.model)
+    }
     return {
         "arcless_version": _core.__version__,
         "scenario": scenario.to_dict(),
@@ -162,6 +171,7 @@ def _attributes(
         "lcp_pivots_mean": raw["pivots"] / raw["steps"],
         "lcp_pivots_per_step": list(raw["pivot_counts"]),
         "static_force_found": dict(zip(names, np.round(forces, 6).tolist(), strict=True)),
+        **({"stop_force_max": stops} if stops else {}),
         "warnings": scenario_warnings(scenario),
         "command": f"arcless run {scenario.name}",
     }

@@ -229,7 +229,8 @@ def test_line(refused: Refused, old: str, new: str, message: str) -> None:
             "- model: dsa-380",
             "- model: dsa-380\n  - {model: dsa-380, distance: 0 m}",
             "scenario.yaml:6: pantographs.1.distance: pantographs out of order: got 0 m after 0 m,"
-            " expected distances that increase towards the rear",
+            " expected distances that increase towards the rear; hint: every distance counts from"
+            " the first pantograph, backwards",
         ),
         (
             "speed:",

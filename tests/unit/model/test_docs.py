@@ -4,14 +4,24 @@ import re
 from pathlib import Path
 from typing import Any
 
-from arcless.model import MARKS, Line, Pantograph, Scenario, load, load_line, scenario_warnings
+from arcless.model import (
+    MARKS,
+    Line,
+    Pantograph,
+    Scenario,
+    load,
+    load_any,
+    load_line,
+    scenario_warnings,
+)
 from arcless.model.components import Rayleigh, TensionedWire
 from arcless.model.documents import Provenance
 from arcless.model.reader import parse
 from arcless.units import KINDS, spell
 from tests.support.line_types import compound_data, stitched_data
 
-DOCS = Path(__file__).parents[3] / "docs"
+ROOT = Path(__file__).parents[3]
+DOCS = ROOT / "docs"
 PAGE = (DOCS / "reference/model-files.md").read_text(encoding="utf-8")
 
 
@@ -70,3 +80,19 @@ def _models() -> list[Any]:
         else:
             todo += list(getattr(item, "__args__", ()))
     return found
+
+
+def test_the_models_of_the_pantograph_guide_load(tmp_path: Path) -> None:
+    page = (ROOT / "docs/guide/pantographs.md").read_text(encoding="utf-8")
+    blocks = re.findall(r"```(?:yaml|csv)\n# (\S+)\n(.*?)```", page, re.DOTALL)
+    names = [name for name, _ in blocks]
+    assert names == [
+        "four.yaml", "reduced.yaml", "lifted.yaml", "shaken.yaml", "roof.csv", "stopped.yaml",
+    ]  # fmt: skip
+    for name, text in blocks:
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    models = {name: load_any(tmp_path / name) for name in names if name.endswith(".yaml")}
+    four = models["four.yaml"]
+    assert isinstance(four, Scenario)
+    assert len(four.pantographs) == 4
+    assert not scenario_warnings(four)

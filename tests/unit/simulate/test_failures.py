@@ -107,8 +107,9 @@ def test_an_unsolved_problem_names_its_links_and_is_saved(short: Short, temporar
         "time": 0.024,
         "contacts": [0],
         "links": [3],
-        "h": [1.0, 0.0, 0.0, 1.0],
-        "w": [-1.0, -2.0],
+        "stops": [1],
+        "h": [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0],
+        "w": [-1.0, -2.0, 0.5],
         "reason": "it cycles",
     }
     with pytest.raises(ContactError) as caught, failure.stepping(mesh, ["front"]):
@@ -118,7 +119,11 @@ def test_an_unsolved_problem_names_its_links_and_is_saved(short: Short, temporar
     assert "it cycles" in text
     (path,) = temporary.glob("arcless-lcp-*.json")
     saved = json.loads(path.read_text(encoding="utf-8"))
-    assert saved["links"] == ["pantograph front", "span 1 dropper 4"]
+    assert saved["links"] == [
+        "pantograph front",
+        "span 1 dropper 4",
+        "stop 1 of pantograph front",
+    ]
     assert (saved["H"], saved["w"]) == (details["h"], details["w"])
     assert str(path) in text
 

@@ -15,7 +15,7 @@ from arcless.model.settings import (
     Newmark,
     Trapezoidal,
 )
-from arcless.simulate import motion
+from arcless.simulate import motion, riders
 
 Short = Callable[..., Scenario]
 
@@ -77,7 +77,7 @@ def test_a_travel_shorter_than_a_step_is_refused(short: Short) -> None:
 
 def test_rider_matrices_of_a_chain() -> None:
     pantograph = load_pantograph("ac-simple")
-    mass, damping, stiffness, strip, preload, lift, force = motion.rider(pantograph, 160.0)
+    mass, damping, stiffness, strip, preload, lift, force, *_ = riders.rider(pantograph, 160.0)
     np.testing.assert_array_equal(np.reshape(mass, (3, 3)), np.diag([6.0, 9.0, 7.5]))
     expected = [[160 + 15500, -15500, 0], [-15500, 15500 + 7000, -7000], [0, -7000, 7000]]
     np.testing.assert_array_equal(np.reshape(stiffness, (3, 3)), expected)
@@ -89,7 +89,7 @@ def test_rider_matrices_of_a_chain() -> None:
 
 def test_rider_frequencies_are_those_of_the_data_sheet() -> None:
     pantograph = load_pantograph("en50318-2002")
-    mass, _, stiffness, *_ = motion.rider(pantograph, 120.0)
+    mass, _, stiffness, *_ = riders.rider(pantograph, 120.0)
     m, k = np.reshape(mass, (2, 2)), np.reshape(stiffness, (2, 2))
     found = np.sqrt(np.sort(np.linalg.eigvals(np.linalg.solve(m, k)))) / (2 * np.pi)
     # Printed with two decimals in the reference data.

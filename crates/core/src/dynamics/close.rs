@@ -25,7 +25,7 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
             let stats = self.unilateral.solve(
                 &self.p,
                 &self.at_balance,
-                &self.riders,
+                &mut self.riders,
                 &self.gaps,
                 tension_free,
             );
@@ -34,6 +34,7 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
                 time,
                 contacts: (0..self.at_balance.len()).collect(),
                 links: self.unilateral.links.clone(),
+                stops: self.riders.iter().map(|r| r.stops.len()).collect(),
                 failure,
             })?;
             total.pivots += stats.pivots;
@@ -46,6 +47,7 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
             if !self.unilateral.extend(pushes) {
                 for (rider, &force) in self.riders.iter_mut().zip(&self.unilateral.force) {
                     rider.add_contact(force);
+                    rider.add_stops();
                 }
                 return Ok(total);
             }

@@ -1,4 +1,4 @@
-//! The complementarity problem of one step: contacts and slack links together.
+//! The complementarity problem of one step: contacts, slack links and stops together.
 //!
 //! Contact j: force λ ≥ 0 against gap d + λ/k_c ≥ 0 (k_c infinite when rigid).
 //! Link i:    correction r ≥ 0 against tension T ≥ 0; r cancels what the linear link would push.
@@ -9,12 +9,17 @@
 //!
 //! a = 1 − α_f, κ = a k + (a γ / β h) c of the link. Dividing by a and κ makes the diagonal blocks
 //! symmetric and the coupling skew, so the matrix is positive definite and the solution unique.
+//!
+//! Stop s of a rider: force σ ≥ 0 against opening s + σ/k_s ≥ 0. It moves its rider alone, so divided
+//! by a it joins the contacts: dᵀA_p⁻¹d + 1/(a k_s), coupled to the contact of the same rider by
+//! −dᵀA_p⁻¹e in both directions, and to no link. The block stays symmetric and positive definite.
 
 use super::line::Line;
 use super::path::{Path, Place, slots};
 use super::rider::RiderState;
 use super::stepper::Prepared;
 use crate::lcp::{LcpFailure, LcpSolver, LcpStats};
+use crate::scheme::Coefficients;
 
 /// Unknowns and workspace of the complementarity problem; nothing is allocated during a run
 /// once the vectors have grown.
@@ -89,11 +94,12 @@ impl Unilateral {
         &mut self,
         p: &Prepared<DIM, D>,
         places: &[Place],
-        riders: &[RiderState],
+        riders: &mut [RiderState],
         gap_free: &[f64],
         tension_free: &[f64],
     ) -> Result<LcpStats, Box<LcpFailure>> {
-        let (m, n) = (places.len(), places.len() + self.links.len());
+        let (m, first_stop) = (places.len(), places.len() + self.links.len());
+        let n = first_stop + riders.iter().map(|r| r.stops.len()).sum::<usize>();
         self.h.resize(n * n, 0.0);
         for v in [&mut self.w, &mut self.x, &mut self.y] {
             v.resize(n, 0.0);
@@ -120,6 +126,7 @@ impl Unilateral {
             self.w[m + k] = tension_free[link] / p.link_stiffness[link];
             self.warm[m + k] = self.correction[link] > 0.0;
         }
+        self.enter_stops(riders, first_stop, &p.coefficients);
         let stats = self
             .solver
             .solve(&self.h, &self.w, &mut self.x, &mut self.y, &self.warm);
@@ -131,7 +138,35 @@ impl Unilateral {
         for (k, &link) in self.links.iter().enumerate() {
             self.correction[link] = self.x[m + k];
         }
+        let stops = riders.iter_mut().flat_map(|rider| &mut rider.stops);
+        for (stop, &force) in stops.zip(&self.x[first_stop..]) {
+            stop.force = force;
+        }
         Ok(stats)
+    }
+
+    /// Rows and columns of the stops, behind those of contacts and links.
+    fn enter_stops(&mut self, riders: &[RiderState], first: usize, c: &Coefficients) {
+        let n = self.w.len();
+        for row in first..n {
+            self.h[row * n..(row + 1) * n].fill(0.0);
+            (0..first).for_each(|i| self.h[i * n + row] = 0.0);
+        }
+        let mut base = first;
+        for (j, rider) in riders.iter().enumerate() {
+            for (k, stop) in rider.stops.iter().enumerate() {
+                let row = base + k;
+                let coupling = -rider.strip(&stop.column);
+                self.h[row * n + j] = coupling;
+                self.h[j * n + row] = coupling;
+                for (l, other) in rider.stops.iter().enumerate() {
+                    self.h[row * n + base + l] = stop.response(other, k == l, c);
+                }
+                self.w[row] = stop.free / c.stiffness;
+                self.warm[row] = stop.force > 0.0;
+            }
+            base += rider.stops.len();
+        }
     }
 }
 

@@ -10,6 +10,7 @@
 //! (including the impact of a rigid contact) is the `switching` entry:
 //!
 //! * contact:  switching = work of the moving contact − ΔE_contact − work done on line and rider
+//! * stop:     as for a contact; what a moving ground takes of its force is work of the ground
 //! * link:     switching = −(change of stored energy and of dissipation by going slack) − work of r
 //!
 //! The residual is what does not add up. It is independent of the solver: energies come from
@@ -18,7 +19,8 @@
 
 use super::contact::Unilateral;
 use super::path::Place;
-use super::rider::{RiderState, RiderWork};
+use super::rider::RiderState;
+use super::rider_energy::RiderWork;
 use super::stepper::{LineState, Prepared};
 use crate::linalg::{Kernel, widest};
 
@@ -29,7 +31,7 @@ pub struct Entries {
     pub kinetic: f64,
     /// Elastic energy of the line about its equilibrium (gravity and prestress included).
     pub elastic: f64,
-    /// Energy in the contact compliances.
+    /// Energy in the contact compliances, and in the stops of the riders.
     pub contact: f64,
     /// Kinetic and elastic energy of the riders.
     pub riders: f64,
@@ -45,7 +47,7 @@ pub struct Entries {
     pub dissipated_scheme: f64,
     /// Lost when contacts and links open or close, impacts included.
     pub switching: f64,
-    /// Work of preload and lift on the riders.
+    /// Work of preload, lift and given forces on the riders, and of the ground that moves them.
     pub work_uplift: f64,
     /// Work of the traction that moves the contact along the sloping wire.
     pub work_traction: f64,
@@ -331,6 +333,7 @@ impl<const D: usize> Ledger<D> {
             self.entries.work_uplift += work.uplift;
             self.entries.dissipated_riders += work.dissipated;
             self.scheme_riders += work.stored;
+            self.entries.switching -= work.stops;
         }
         self.scheme_riders -= energy - self.entries.riders;
         self.entries.riders = energy;
@@ -373,7 +376,7 @@ impl<const D: usize> Ledger<D> {
     }
 }
 
-/// Energy ½ p²/k_c of the contact compliances, p the overlap of strip and wire.
+/// Energy ½ p²/k_c of the contact compliances, p the overlap of strip and wire, and of the stops.
 fn contact_energy<const DIM: usize, const D: usize>(
     p: &Prepared<DIM, D>,
     state: &LineState<D>,
@@ -381,15 +384,16 @@ fn contact_energy<const DIM: usize, const D: usize>(
     places: &[Place],
     datum: f64,
 ) -> f64 {
+    let stops: f64 = riders.iter().map(RiderState::stop_energy).sum();
     if p.contact_flexibility == 0.0 {
-        return 0.0;
+        return stops;
     }
     let overlap = |(place, rider): (&Place, &RiderState)| {
         let wire = place.height + p.path.displacement(place, &state.u, DIM - 1);
         (datum + rider.strip(&rider.u) - wire).max(0.0)
     };
     let squares = places.iter().zip(riders).map(|pair| overlap(pair).powi(2));
-    0.5 / p.contact_flexibility * squares.sum::<f64>()
+    0.5 / p.contact_flexibility * squares.sum::<f64>() + stops
 }
 
 /// Energy that slack links do not store although K counts it. With T = T₀ + k e of the linear link:

@@ -4,13 +4,16 @@
 mod close;
 pub mod columns;
 pub mod contact;
+pub mod given;
 pub mod ledger;
 pub mod line;
 pub mod links;
 pub mod path;
 pub mod record;
 pub mod rider;
+pub mod rider_energy;
 pub mod run;
 pub mod stepper;
 pub mod still;
+pub mod stop;
 pub mod updated;

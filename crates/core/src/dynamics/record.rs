@@ -61,6 +61,8 @@ pub struct Record {
     pub link_max: Vec<f64>,
     /// Largest uplift of each watched node over all steps, m.
     pub uplift_max: Vec<f64>,
+    /// Largest force of any stop of each rider over all steps, N.
+    pub stop_max: Vec<f64>,
     /// Largest number of slack links in any step.
     pub slack_max: usize,
     /// Exchanges of the complementarity solver, all steps.

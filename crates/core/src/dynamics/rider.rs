@@ -1,13 +1,16 @@
 //! A linear mechanical system that travels along the wire and presses against it.
 //!
-//!   m ü + c u̇ + k u = b p + g V(t)² − e λ
+//!   m ü + c u̇ + k u = b p + g V(t)² + f(t) − e λ + Σ d σ
 //!
-//! `e` picks the height of the contact strip, `b` where the constant preload p acts, `g` the
+//! f is what is [given](super::given) (the ground may move as well), σ the forces of its
+//! [stops](super::stop). `e` picks the height of the contact strip, `b` where the constant preload p acts, `g` the
 //! forces proportional to the square of speed. Heights are measured from the height of the wire
 //! where the run starts. The preload follows from the contact force asked for at the start, in
 //! static equilibrium there; a spring between the first mass and the vehicle is thereby at rest
 //! at the working height.
 
+use super::given::{Drive, Given};
+use super::stop::{Stop, StopState, check_independent};
 use crate::error::CoreError;
 use crate::linalg::dense;
 use crate::scheme::Coefficients;
@@ -29,6 +32,10 @@ pub struct Rider {
     pub lift: Vec<f64>,
     /// Contact force at the start, N, at the speed of the start.
     pub start_force: f64,
+    /// Forces and motion of the ground, given for the whole run.
+    pub given: Given,
+    /// One-sided stops.
+    pub stops: Vec<Stop>,
 }
 
 impl Rider {
@@ -52,7 +59,8 @@ impl Rider {
             .iter()
             .chain(&vectors)
             .all(|m| m.iter().all(|v| v.is_finite()));
-        if n == 0 || !sized || !finite || !self.start_force.is_finite() {
+        let extras = self.given.is_sound(n) && self.stops.iter().all(|s| s.is_sound(n));
+        if n == 0 || !sized || !finite || !extras || !self.start_force.is_finite() {
             let reason = "sizes disagree or a number is not finite".into();
             return Err(CoreError::Input {
                 array: "riders",
@@ -63,7 +71,7 @@ impl Rider {
     }
 
     /// Static equilibrium under contact force λ with the strip at height `z`: displacements and
-    /// preload from  k u − b p = g V² − e λ,  eᵀ u = z.
+    /// preload from  k u − b p = g V² + f − e λ,  eᵀ u = z, with f as given for the start.
     ///
     /// # Errors
     /// [`CoreError::Input`] when the chain has no such equilibrium.
@@ -77,13 +85,14 @@ impl Rider {
         let m = n + 1;
         let mut a = vec![0.0; m * m];
         let mut rhs = vec![0.0; m];
+        let given = self.given.at_start(&self.stiffness, n);
         for i in 0..n {
             for j in 0..n {
                 a[i * m + j] = self.stiffness[i * n + j];
             }
             a[i * m + n] = -self.preload[i];
             a[n * m + i] = self.strip[i];
-            rhs[i] = self.lift[i] * speed * speed - self.strip[i] * force;
+            rhs[i] = self.lift[i] * speed * speed + given[i] - self.strip[i] * force;
         }
         rhs[n] = z;
         if !dense::solve_in_place(&mut a, &mut rhs) {
@@ -117,6 +126,9 @@ pub struct RiderState {
     pub a: Vec<f64>,
     /// Increment of the current step without contact force, then with it.
     pub delta: Vec<f64>,
+    /// Its stops.
+    pub stops: Vec<StopState>,
+    pub(super) drive: Drive,
     rhs: Vec<f64>,
 }
 
@@ -142,7 +154,22 @@ impl RiderState {
         })?;
         let column = multiply(&inverse, &rider.strip);
         let zero = vec![0.0; n];
+        let drive = Drive::new(&rider.given, &rider.stiffness, &rider.damping, n);
+        let stop = |s: &Stop| {
+            let response = multiply(&inverse, &s.direction);
+            let ground = inner(&s.direction, &drive.carried) * drive.now;
+            StopState::new(
+                s,
+                response,
+                &drive.carried,
+                inner(&s.direction, &u) - ground,
+            )
+        };
+        let stops: Vec<StopState> = rider.stops.iter().map(stop).collect();
+        check_independent(&stops, c)?;
         Ok(Self {
+            stops,
+            drive,
             inverse,
             column,
             preload,
@@ -175,9 +202,22 @@ impl RiderState {
             }
             self.rhs[i] = f;
         }
+        self.drive.add_to(&mut self.rhs);
         for i in 0..n {
             self.delta[i] = (0..n).map(|j| self.inverse[i * n + j] * self.rhs[j]).sum();
         }
+        let Drive { now, balance, .. } = self.drive;
+        for stop in &mut self.stops {
+            let moved = inner(&stop.direction, &self.delta);
+            // The ground stands at z of the balance, the rider at u + (1 − α_f) Δu.
+            let ground = stop.carried * (balance[0] - now);
+            stop.free = stop.opening(&self.u, now) + c.stiffness * moved - ground;
+        }
+    }
+
+    /// Read what is given in a step. Call before [`RiderState::free_increment`].
+    pub fn begin(&mut self, c: &Coefficients, step: usize) {
+        self.drive.begin(&self.rider.given, step, c.old);
     }
 
     /// Add the response to a contact force λ (which pushes the strip down).
@@ -187,33 +227,12 @@ impl RiderState {
         }
     }
 
-    /// Kinetic and elastic energy, J.
-    #[must_use]
-    pub fn energy(&self) -> f64 {
-        let kinetic = inner(&self.v, &multiply(&self.rider.mass, &self.v));
-        let elastic = inner(&self.u, &multiply(&self.rider.stiffness, &self.u));
-        0.5 * (kinetic + elastic)
-    }
-
-    /// Work done in the step, by the completed increment. Call before [`RiderState::advance`].
-    #[must_use]
-    pub fn work(&self, c: &Coefficients, speed: f64) -> RiderWork {
-        let r = &self.rider;
-        let at = |k: usize| {
-            let (d, v, a) = (self.delta[k], self.v[k], self.a[k]);
-            [
-                c.mass * d + c.acceleration_from_v * v + c.acceleration_from_a * a,
-                c.damping * d + c.velocity_from_v * v + c.velocity_from_a * a,
-                c.stiffness * d + self.u[k],
-            ]
-        };
-        let field = |q: usize| -> Vec<f64> { (0..r.size()).map(|k| at(k)[q]).collect() };
-        let along = |m: &[f64], q: usize| inner(&self.delta, &multiply(m, &field(q)));
-        let force = |i: usize| r.preload[i] * self.preload + r.lift[i] * speed * speed;
-        RiderWork {
-            uplift: (0..r.size()).map(|i| force(i) * self.delta[i]).sum(),
-            dissipated: along(&r.damping, 1),
-            stored: along(&r.mass, 0) + along(&r.stiffness, 2),
+    /// Add the response to the forces of the stops.
+    pub fn add_stops(&mut self) {
+        for stop in &self.stops {
+            for (d, c) in self.delta.iter_mut().zip(&stop.column) {
+                *d += stop.force * c;
+            }
         }
     }
 
@@ -225,21 +244,13 @@ impl RiderState {
             self.v[i] = v;
             self.a[i] = a;
         }
+        self.drive.now = self.drive.end;
     }
 }
 
-/// Work in one step of a rider, J.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct RiderWork {
-    /// Of preload and lift.
-    pub uplift: f64,
-    /// Against the dampers.
-    pub dissipated: f64,
-    /// Against inertia and springs: what is stored, and what the scheme takes.
-    pub stored: f64,
-}
-
-fn inner(x: &[f64], y: &[f64]) -> f64 {
+/// Scalar product.
+#[must_use]
+pub fn inner(x: &[f64], y: &[f64]) -> f64 {
     x.iter().zip(y).map(|(a, b)| a * b).sum()
 }
 

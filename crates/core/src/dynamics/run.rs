@@ -100,6 +100,9 @@ fn check(
     if all.iter().any(|a| a.iter().any(|v| !v.is_finite())) || !travel.friction.is_finite() {
         return refuse("positions", "not finite");
     }
+    for rider in riders {
+        rider.given.check_instants(travel.positions.len())?;
+    }
     if plan.ledger && updates {
         return refuse("plan", "an energy ledger with updated kinematics");
     }
@@ -170,6 +173,7 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
                 link_min: vec![f64::INFINITY; links],
                 link_max: vec![f64::NEG_INFINITY; links],
                 uplift_max: vec![f64::NEG_INFINITY; plan.nodes.len()],
+                stop_max: vec![0.0; riders.len()],
                 ..Record::default()
             },
             datum,
@@ -205,6 +209,7 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
             }
         });
         for rider in &mut self.riders {
+            rider.begin(&p.coefficients, step);
             rider.free_increment(&p.coefficients, speed);
         }
         self.measure_gaps();
@@ -307,6 +312,9 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
         }
         for (k, &node) in self.plan.nodes.iter().enumerate() {
             self.record.uplift_max[k] = self.record.uplift_max[k].max(self.node_uplift(node));
+        }
+        for (largest, rider) in self.record.stop_max.iter_mut().zip(&self.riders) {
+            *largest = rider.stops.iter().fold(*largest, |m, s| m.max(s.force));
         }
         if step.is_multiple_of(self.plan.contact_every) {
             self.record_contacts(time, speed, position);

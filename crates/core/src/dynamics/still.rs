@@ -131,6 +131,7 @@ impl<'a, const DIM: usize, const D: usize> Still<'a, DIM, D> {
                 time: 0.0,
                 contacts: Vec::new(),
                 links: active.to_vec(),
+                stops: Vec::new(),
                 failure: Box::new(failure),
             })?;
         u.copy_from_slice(free);

@@ -4,6 +4,7 @@
 pub mod chain;
 pub mod space;
 
+use arcless_core::dynamics::given::Given;
 use arcless_core::dynamics::line::Line;
 use arcless_core::dynamics::path::Path;
 use arcless_core::dynamics::record::{Record, RecordPlan};
@@ -195,6 +196,8 @@ pub fn three_masses(force: f64) -> Rider {
         preload: vec![1.0, 0.0, 0.0],
         lift: vec![0.0; 3],
         start_force: force,
+        given: Given::default(),
+        stops: Vec::new(),
     }
 }
 
@@ -300,6 +303,8 @@ pub fn free_mass(mass: f64, force: f64) -> Rider {
         preload: vec![1.0],
         lift: vec![0.0],
         start_force: force,
+        given: Given::default(),
+        stops: Vec::new(),
     }
 }
 

@@ -1,0 +1,134 @@
+"""Pantograph → rider of the core: matrices, where forces act, what is given over time, stops."""
+
+from math import inf
+
+import numpy as np
+from numpy.typing import NDArray
+
+from arcless.model import Scenario
+from arcless.model.pantograph import Pantograph, PantographMass
+from arcless.model.roof import RoofMotion
+from arcless.model.scenario import PantographPlacement
+from arcless.simulate.motion import Motion
+
+Floats = NDArray[np.float64]
+Numbers = list[float]
+# Forces as direction and N at every instant; the ground as what goes with it, m, and m/s.
+GivenData = tuple[list[tuple[Numbers, Numbers]], tuple[Numbers, Numbers, Numbers] | None]
+StopData = tuple[Numbers, float, float]
+RiderData = tuple[
+    Numbers, Numbers, Numbers, Numbers, Numbers, Numbers, float, GivenData, list[StopData]
+]
+NOTHING: GivenData = ([], None)
+
+
+def rider(pantograph: Pantograph, start_force: float, given: GivenData = NOTHING) -> RiderData:
+    """Return a pantograph as the core takes it.
+
+    Parameters
+    ----------
+    pantograph
+        A chain of masses, or matrices.
+    start_force
+        Contact force at the start in N.
+    given
+        What is given over time, see `given_motion`.
+    """
+    if pantograph.matrices is not None:
+        parts = pantograph.matrices
+        matrices = [np.array(m) for m in (parts.mass, parts.damping, parts.stiffness)]
+        # What is symmetric as written but for rounding is made so; the rest keeps its bits.
+        matrices = [(m + m.T) / 2.0 for m in matrices]
+        lift = parts.lift or (0.0,) * len(parts.strip)
+        vectors = (list(parts.strip), list(parts.preload), list(lift))
+    else:
+        matrices = _chain(pantograph.masses)
+        size = len(pantograph.masses)
+        vectors = (
+            _unit(size, size - 1),
+            _unit(size, 0),
+            [p.aerodynamic for p in pantograph.masses],
+        )
+    mass, damping, stiffness = (m.ravel().tolist() for m in matrices)
+    return (mass, damping, stiffness, *vectors, start_force, given, stops(pantograph))
+
+
+def _chain(masses: tuple[PantographMass, ...]) -> list[Floats]:
+    """Return M = diag(m), C and K; spring i joins mass i to the one below, the first to the base.
+
+    The preload acts on the first mass, the strip is the last.
+    """
+    size = len(masses)
+    stiffness, damping = np.zeros((size, size)), np.zeros((size, size))
+    for i, part in enumerate(masses):
+        joint = np.array(_joint(size, i))
+        stiffness += part.stiffness * np.outer(joint, joint)
+        damping += part.damping * np.outer(joint, joint)
+    return [np.diag([part.mass for part in masses]), damping, stiffness]
+
+
+def _unit(size: int, i: int) -> Numbers:
+    return [float(k == i) for k in range(size)]
+
+
+def _joint(size: int, i: int) -> Numbers:
+    """Elongation of what is between mass i and the one below, or the base."""
+    joint = _unit(size, i)
+    if i > 0:
+        joint[i - 1] = -1.0
+    return joint
+
+
+def stops(pantograph: Pantograph) -> list[StopData]:
+    """Return the bump stops of a chain: the motion that opens each, gap in m, stiffness in N/m."""
+    found: list[StopData] = []
+    size = len(pantograph.masses)
+    for i, part in enumerate(pantograph.masses):
+        if part.stops is None:
+            continue
+        given = part.stops.stiffness
+        stiffness = inf if isinstance(given, str) else given
+        joint = _joint(size, i)
+        if part.stops.below is not None:
+            found.append((joint, part.stops.below, stiffness))
+        if part.stops.above is not None:
+            found.append(([-value for value in joint], part.stops.above, stiffness))
+    return found
+
+
+def given_motions(scenario: Scenario, travel: Motion) -> list[GivenData]:
+    """Return lift tables and roof motion of each pantograph, at the start and after each step."""
+    return [_given(placement, travel) for placement in scenario.pantographs]
+
+
+def _given(placement: PantographPlacement, travel: Motion) -> GivenData:
+    pantograph = placement.model
+    forces = [
+        (
+            _unit(len(pantograph.masses), i),
+            np.interp(travel.speeds, part.lift.speed, part.lift.force).tolist(),
+        )
+        for i, part in enumerate(pantograph.masses)
+        if part.lift is not None
+    ]
+    if placement.roof_motion is None:
+        return forces, None
+    rigid = (1.0,) * pantograph.size if pantograph.matrices is None else pantograph.matrices.rigid
+    height, rate = roof(placement.roof_motion, travel, placement.distance)
+    return forces, (list(rigid), height.tolist(), rate.tolist())
+
+
+def roof(motion: RoofMotion, travel: Motion, distance: float) -> tuple[Floats, Floats]:
+    """Return height in m and its rate in m/s of a roof `distance` m behind the first pantograph.
+
+    Between its points the height is the natural cubic spline, the rate its derivative; over
+    position, the slope times the speed.
+    """
+    from scipy.interpolate import CubicSpline
+
+    spline = CubicSpline(motion.points, motion.displacement, bc_type="natural")
+    if motion.position is None:
+        times = travel.time_step * np.arange(travel.steps + 1, dtype=np.float64)
+        return np.asarray(spline(times)), np.asarray(spline(times, 1))
+    places = travel.positions - distance
+    return np.asarray(spline(places)), np.asarray(spline(places, 1)) * travel.speeds
