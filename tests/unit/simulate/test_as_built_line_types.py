@@ -32,9 +32,9 @@ def test_ice_on_the_stitch_wires_hangs_on_the_supports(wire_model: str) -> None:
     bare = equilibrium.find(of(stitched_data(), **choice))
     iced = equilibrium.find(of(stitched_data(), **choice, **{"as_built.ice.stitch_wire": 0.5}))
     weight = 0.5 * GRAVITY * 18.0 * 5
-    # A clamp 9 m from a support of 60 m spans gives it 85 % of its load and the next one the rest: of
-    # five supports the two outer ones lose that much of half their load to the anchors, 3 %. The
-    # contact wire, which sinks with the stitches, takes a little more there.
+    # A clamp 9 m from a support of 60 m spans gives it 85 % of its load and the next one the rest:
+    # of five supports the two outer ones lose that much of half their load to the anchors, 3 %.
+    # The contact wire, which sinks with the stitches, takes a little more there.
     assert 0.92 < (upward(iced) - upward(bare)) / weight < 0.97
     # Partner: the same on the messenger wire is another weight.
     other = equilibrium.find(of(stitched_data(), **choice, **{"as_built.ice.messenger_wire": 0.5}))
