@@ -9,8 +9,8 @@ import statistics
 import time
 
 from arcless.model import load
-from arcless.simulate import equilibrium, motion
-from arcless.simulate.run import Job
+from arcless.simulate import equilibrium, motion, riders
+from arcless.simulate.run import Job, prepare
 
 REPEATS = 5
 CASES = (
@@ -37,16 +37,11 @@ def measure(name: str, energy: str) -> list[str]:
     scenario = load(name).with_(**{"output.energy": energy})
     began = time.perf_counter()
     found = equilibrium.find(scenario)
-    prepared = found.core.prepare(
-        found.mesh.path,
-        motion.scheme_numbers(scenario.solver.scheme),
-        scenario.time_step_s,
-        motion.contact_stiffness(scenario),
-        scenario.solver.kinematics == "updated",
-    )
+    prepared = prepare(found, scenario)
     setup = time.perf_counter() - began
     travel = motion.motion(scenario)
-    job = Job(scenario, found, prepared, travel, lambda _step: True)
+    given = riders.given_motions(scenario, travel)
+    job = Job(scenario, found, prepared, travel, given, lambda _step: True)
     forces = [placement.start_force or 0.0 for placement in scenario.pantographs]
     times, raw = [], {}
     for _ in range(REPEATS):

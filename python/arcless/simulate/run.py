@@ -93,13 +93,7 @@ def run(
     with replayable(scenario):
         found = equilibrium.find(scenario)
     tell(0.0, "factorisation")
-    prepared = found.core.prepare(
-        found.mesh.path,
-        motion.scheme_numbers(scenario.solver.scheme),
-        scenario.time_step_s,
-        motion.contact_stiffness(scenario),
-        scenario.solver.kinematics == "updated",
-    )
+    prepared = prepare(found, scenario)
     x = found.elasticity_positions()
     elasticity = found.elasticity(x)
     travel = motion.motion(scenario)
@@ -122,6 +116,17 @@ def run(
         _attributes(job, raw, forces, setup=setup, wall=wall),
     )
     return Result(dataset, scenario)
+
+
+def prepare(found: equilibrium.Equilibrium, scenario: Scenario) -> _core.Prepared:
+    """Factorise a line for the steps of a scenario."""
+    return found.core.prepare(
+        found.mesh.path,
+        motion.scheme_numbers(scenario.solver.scheme),
+        scenario.time_step_s,
+        motion.contact_stiffness(scenario),
+        scenario.solver.kinematics == "updated",
+    )
 
 
 def _keeps_ledger(scenario: Scenario) -> bool:
