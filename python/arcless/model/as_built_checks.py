@@ -4,14 +4,13 @@ from typing import TYPE_CHECKING
 
 from arcless.errors import ModelError
 from arcless.model.as_built import dropper_name
+from arcless.model.line import POSITION_TOLERANCE
 from arcless.units import accepted
 
 if TYPE_CHECKING:
     from arcless.model.scenario import Scenario
 
 WIRES = ("contact_wire", "messenger_wire", "stitch_wire", "auxiliary_wire")
-# Positions typed with few digits may lie this far outside the line's exact length.
-POSITION_TOLERANCE = 1e-6
 
 
 def check_as_built(scenario: "Scenario") -> None:

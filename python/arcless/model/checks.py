@@ -5,6 +5,7 @@ from math import isclose
 from typing import TYPE_CHECKING
 
 from arcless.errors import ModelError
+from arcless.model.line import POSITION_TOLERANCE
 from arcless.units import show
 
 if TYPE_CHECKING:
@@ -14,8 +15,6 @@ if TYPE_CHECKING:
 # One run keeps its whole record in memory; this many steps at 1 ms are nearly three hours.
 MAX_STEPS = 10_000_000
 MAX_ELEMENTS = 500_000
-# Positions typed with few digits may lie this far outside the line's exact length.
-POSITION_TOLERANCE = 1e-6
 # Speed times (element over speed) is the element up to a rounding or two.
 ROUNDING = 1e-9
 

@@ -23,6 +23,8 @@ from arcless.units import WRONG_VALUE, show
 MAX_SPANS = 5000
 MAX_DROPPERS_PER_SPAN = 200
 MAX_PATTERN = 1000
+# Positions typed with few digits may lie this far outside the line's exact length. In m.
+POSITION_TOLERANCE = 1e-6
 # A dropper nearer to a support than this stands at the support. In m.
 AT_SUPPORT = 1e-6
 

@@ -207,13 +207,8 @@ def _reference(value: object, kind: Kind, origin: Origin, path: Path) -> object:
     except ModelError as error:
         error.what, error.where = f"{dotted(path)}: {error.what}", origin.where(path)
         raise
-    try:
+    with origin.referring(path):
         return _load_file(file, kind, origin)
-    except ModelError as error:
-        referrer = origin.where(path)
-        if referrer is not None:
-            error.where = f"{error.where} (named in {referrer})"
-        raise
 
 
 def _locate(source: str | os.PathLike[str], kind: Kind, origin: Origin) -> FilePath:

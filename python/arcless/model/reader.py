@@ -6,6 +6,7 @@ tags) is refused before anything is built from it.
 
 import re
 from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path as FilePath
 from typing import Any, NamedTuple
@@ -53,6 +54,17 @@ class Origin:
             return None
         position = self.position(path)
         return self.label if position is None else f"{self.label}:{position.line}"
+
+    @contextmanager
+    def referring(self, path: Path) -> Iterator[None]:
+        """Say of an error in a file which field named that file."""
+        try:
+            yield
+        except ModelError as error:
+            referrer = self.where(path)
+            if referrer is not None:
+                error.where = f"{error.where} (named in {referrer})"
+            raise
 
 
 def is_file(path: FilePath) -> bool:

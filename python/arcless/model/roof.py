@@ -89,13 +89,8 @@ def with_points(data: dict[str, Any], origin: Origin, path: Path) -> dict[str, A
     if not isinstance(name, str) or any(data.get(column) for column in COLUMNS):
         return data
     file = origin.folder / name
-    try:
+    with origin.referring((*path, "file")):
         columns = read_columns(read_text(file, str(file)), str(file))
-    except ModelError as error:
-        referrer = origin.where((*path, "file"))
-        if referrer is not None:
-            error.where = f"{error.where} (named in {referrer})"
-        raise
     empty = dict.fromkeys(COLUMNS)
     return {**data, **{key: value for key, value in {**empty, **columns}.items() if value}}
 

@@ -42,13 +42,8 @@ def with_tables(data: object, origin: Origin) -> object:
 
 
 def _referred(name: str, field: str, origin: Origin) -> list[dict[str, Any]]:
-    try:
+    with origin.referring(("as_built", field)):
         return read_table(origin.folder / name, DROPPER_ERRORS)
-    except ModelError as error:
-        referrer = origin.where(("as_built", field))
-        if referrer is not None:
-            error.where = f"{error.where} (named in {referrer})"
-        raise
 
 
 def read_table(path: FilePath, columns: Columns) -> list[dict[str, Any]]:
