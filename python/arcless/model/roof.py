@@ -7,13 +7,13 @@ from typing import Annotated, Any
 from pydantic import Field, model_validator
 
 from arcless.errors import ModelError
-from arcless.model.fields import Part, Path, Unit, nearest
-from arcless.model.reader import Origin, read_text
-from arcless.units import KINDS, accepted, show, spell, to_si
+from arcless.model.fields import Part, Path, Unit
+from arcless.model.reader import Origin
+from arcless.model.tables import Table, read_table
 
 MAX_POINTS = 50_000
-# Fields that hold points, and the SI unit of each.
-COLUMNS = {"time": "s", "position": "m", "displacement": "m"}
+# Fields that hold points, and columns of a file.
+POINTS = Table({"time": "s", "position": "m", "displacement": "m"}, either=("time", "position"))
 
 
 class RoofMotion(Part):
@@ -57,7 +57,7 @@ class RoofMotion(Part):
                 expected=f"{len(self.points)}, one for each of {name}",
                 field=("displacement",),
             )
-        unit = COLUMNS[name]
+        unit = POINTS.columns[name]
         for index, (earlier, later) in enumerate(pairwise(self.points), start=1):
             if later <= earlier:
                 raise ModelError(
@@ -86,102 +86,8 @@ def with_points(data: dict[str, Any], origin: Origin, path: Path) -> dict[str, A
     """
     name = data.get("file")
     name = name.get("value") if isinstance(name, Mapping) else name
-    if not isinstance(name, str) or any(data.get(column) for column in COLUMNS):
+    if not isinstance(name, str) or any(data.get(column) for column in POINTS.columns):
         return data
-    file = origin.folder / name
     with origin.referring((*path, "file")):
-        columns = read_columns(read_text(file, str(file)), str(file))
-    empty = dict.fromkeys(COLUMNS)
-    return {**data, **{key: value for key, value in {**empty, **columns}.items() if value}}
-
-
-def read_columns(text: str, label: str) -> dict[str, list[float]]:
-    """Return the columns of a CSV text in SI.
-
-    The first line names the columns with their units, ``time [s], displacement [mm]``; empty lines
-    and lines that begin with # are left out.
-    """
-    lines = [
-        (number, [cell.strip() for cell in line.split(",")])
-        for number, line in enumerate(text.splitlines(), start=1)
-        if line.strip() and not line.lstrip().startswith("#")
-    ]
-    if not lines:
-        expected = "a first line such as: time [s], displacement [mm]"
-        raise ModelError("empty file", where=label, expected=expected)
-    (first, titles), *rows = lines
-    heads = [_column(title, f"{label}:{first}") for title in titles]
-    names = [name for name, _ in heads]
-    _check_names(names, f"{label}:{first}")
-    if len(rows) > MAX_POINTS:
-        expected = f"at most {MAX_POINTS}"
-        raise ModelError("too many points", where=label, got=str(len(rows)), expected=expected)
-    out: dict[str, list[float]] = {name: [] for name in names}
-    for number, cells in rows:
-        where = f"{label}:{number}"
-        if len(cells) != len(heads):
-            hint = "a decimal point, not a comma" if len(cells) > len(heads) else "a gap?"
-            raise ModelError(
-                "wrong number of values",
-                where=where,
-                got=str(len(cells)),
-                expected=f"{len(heads)}, one for each column",
-                hint=hint,
-            )
-        for (name, unit), cell in zip(heads, cells, strict=True):
-            out[name].append(_number(cell, name, unit, where))
-    return out
-
-
-def _column(title: str, where: str) -> tuple[str, str]:
-    """Return name and unit of a column from its title."""
-    name, bracket, rest = (part.strip() for part in title.partition("["))
-    unit = rest.removesuffix("]").strip()
-    if name not in COLUMNS:
-        raise ModelError(
-            "unknown column",
-            where=where,
-            got=show(title),
-            expected="time or position, and displacement, each with its unit",
-            hint=nearest(name, list(COLUMNS)),
-        )
-    if not bracket or not rest.endswith("]") or not unit:
-        raise ModelError(
-            f"column {name} without unit",
-            where=where,
-            got=show(title),
-            expected=f"{accepted(COLUMNS[name])} in brackets",
-            hint=f"for example {name} [{spell(next(iter(KINDS[COLUMNS[name]].units)))}]",
-        )
-    _number("1", name, unit, where)
-    return name, unit
-
-
-def _check_names(names: list[str], where: str) -> None:
-    for name in names:
-        if names.count(name) > 1:
-            raise ModelError(
-                "column given twice", where=where, got=show(name), expected="each column once"
-            )
-    if "displacement" not in names or ("time" in names) == ("position" in names):
-        raise ModelError(
-            "wrong columns",
-            where=where,
-            got=", ".join(names),
-            expected="time or position, and displacement",
-        )
-
-
-def _number(cell: str, name: str, unit: str, where: str) -> float:
-    try:
-        if not cell or not cell.lstrip("+-.")[:1].isdigit():
-            raise ModelError("", got=show(cell), expected="a number")
-        return to_si(f"{cell} {unit}", COLUMNS[name])
-    except ModelError as error:
-        raise ModelError(
-            f"column {name}",
-            where=where,
-            got=show(cell) if error.got is None else error.got,
-            expected=error.expected,
-            hint=error.hint,
-        ) from None
+        columns = read_table(origin.folder / name, POINTS)
+    return {**data, **dict.fromkeys(POINTS.columns), **columns}

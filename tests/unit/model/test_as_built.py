@@ -43,6 +43,13 @@ def test_a_csv_file_is_the_list_it_holds(files: Path) -> None:
     assert again == scenario, "a result holds the values, not the name of a file"
 
 
+@pytest.mark.parametrize("head", ["length_error mm", "length_error [mm]", "length_error(mm)"])
+def test_a_unit_stands_in_brackets_or_not(files: Path, head: str) -> None:
+    (files / "errors.csv").write_text(f"span,dropper,{head}\n3,2,12\n", encoding="utf-8")
+    scenario = load(built(files, "dropper_length_errors: errors.csv"))
+    assert scenario.as_built.dropper_length_errors[0].length_error == 0.012
+
+
 def test_a_csv_file_may_say_where_it_comes_from(files: Path) -> None:
     (files / "errors.csv").write_text(GOOD, encoding="utf-8")
     text = "dropper_length_errors: {value: errors.csv, mark: assumed, note: measured}"

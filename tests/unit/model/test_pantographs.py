@@ -8,7 +8,8 @@ import pytest
 
 from arcless.errors import ModelError
 from arcless.model import load, load_pantograph
-from arcless.model.roof import read_columns
+from arcless.model.roof import POINTS
+from arcless.model.tables import parse_table
 
 Data = dict[str, Any]
 
@@ -246,25 +247,28 @@ def test_roof_motions_that_do_not_fit_are_refused(data: Data, roof: Data, messag
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("", "roof.csv: empty file: expected a first line such as"),
-        ("# nothing\n\n", "roof.csv: empty file"),
-        ("time, displacement [m]\n", "roof.csv:1: column time without unit"),
+        ("", "roof.csv: empty table: got no header, expected the columns"),
+        ("# nothing\n\n", "roof.csv: empty table"),
+        ("time s, displacement m\n", "roof.csv: empty table: got a header without rows"),
+        ("time, displacement [m]\n", "roof.csv:1: column time: unit missing"),
         ("time [s], height [m]\n", 'roof.csv:1: unknown column: got "height [m]"'),
+        ("time [s, displacement [m]\n", 'roof.csv:1: unknown column: got "time [s"'),
         ("time [s], displacement [kg]\n", "kg is the unit of a mass"),
-        ("time [s]\n0\n", "roof.csv:1: wrong columns: got time, expected time or position, and"),
-        ("time [s], position [m], displacement [m]\n", "roof.csv:1: wrong columns"),
-        ("time [s], time [s]\n", 'roof.csv:1: column given twice: got "time"'),
-        ("time [s], displacement [m]\n0, 0\n\n1,\n", "roof.csv:4: column displacement: got"),
-        ("time [s], displacement [m]\n0, 0\n1\n", "roof.csv:3: wrong number of values: got 1"),
-        ("time [s], displacement [m]\n0, 0,5\n", "hint: a decimal point, not a comma"),
+        ("time [s]\n0\n", "roof.csv:1: missing column: got no displacement, expected the columns"),
+        ("displacement mm\n0\n", "missing column: got no time or position"),
         (
-            "time [s], displacement [m]\n0, nan\n",
-            'column displacement: got "nan", expected a number',
+            "time [s], position [m], displacement [m]\n",
+            "roof.csv:1: one column too many: got time and position, expected time or position",
         ),
-        ("time [s], displacement [m]\n0, 1 mm\n", "roof.csv:2: column displacement: got"),
+        ("time [s], time [s]\n", 'roof.csv:1: column given twice: got "time"'),
+        ("time [s], displacement [m]\n0, 0\n\n1,\n", "roof.csv:4: displacement: empty cell"),
+        ("time [s], displacement [m]\n0, 0\n1\n", "roof.csv:3: wrong number of cells: got 1"),
+        ("time [s], displacement [m]\n0, 0,5\n", "hint: write the decimal point as a point"),
+        ("time [s], displacement [m]\n0, nan\n", 'displacement: got "nan", expected a number'),
+        ("time [s], displacement [m]\n0, 1 mm\n", "roof.csv:2: displacement: got"),
     ],
 )
 def test_files_that_are_no_roof_motion_are_refused(text: str, message: str) -> None:
     with pytest.raises(ModelError) as caught:
-        read_columns(text, "roof.csv")
+        parse_table(text, "roof.csv", POINTS)
     assert message in str(caught.value)
