@@ -1,8 +1,15 @@
 """Model → arrays: nodes, elements and the names behind their numbers."""
 
 from arcless.mesh.alteration import alteration, without
-from arcless.mesh.build import PLANAR, SPATIAL, build_mesh
-from arcless.mesh.types import DropperPlace, Mesh, StitchPlace, SupportPlace
+from arcless.mesh.build import build_mesh
+from arcless.mesh.types import (
+    PLANAR,
+    SPATIAL,
+    DropperPlace,
+    Mesh,
+    StitchPlace,
+    SupportPlace,
+)
 
 __all__ = [
     "PLANAR",

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from arcless.mesh import wires
-from arcless.mesh.shapes import Guess, stagger_guess
+from arcless.mesh.shapes import Guess
 from arcless.mesh.types import Floats
 from arcless.mesh.wires import AUXILIARY, CONTACT, MESSENGER, STITCH
 from arcless.model.components import TensionedWire
@@ -56,68 +56,99 @@ class Chain:
 
 @dataclass
 class Chains:
-    """All wires of a line; the nodes' positions and slopes in the order of the mesh."""
+    """All wires of a system; contact wires side by side are several chains."""
 
-    contact: Chain
+    contacts: list[Chain]
     messenger: Chain
     auxiliary: Chain | None
     stitches: list[Chain]
-    positions: Floats = field(default_factory=lambda: np.empty((0, 3)))
-    slopes: Floats = field(default_factory=lambda: np.empty((0, 3)))
 
     def of(self, wire: str, x: float) -> Chain:
         """Return the chain of a wire; of stitch wires, the one at a place."""
         if wire == STITCH:
             clamps = self.messenger.clamps
             return self.stitches[int(np.searchsorted([left for left, _ in clamps], x)) - 1]
-        found = {CONTACT: self.contact, MESSENGER: self.messenger, AUXILIARY: self.auxiliary}[wire]
-        assert found is not None
-        return found
+        found = {CONTACT: self.contacts[0], MESSENGER: self.messenger, AUXILIARY: self.auxiliary}
+        chain = found[wire]
+        assert chain is not None
+        return chain
+
+    def all(self) -> list[Chain]:
+        """Return all chains."""
+        return [*filter(None, (self.messenger, self.auxiliary)), *self.contacts, *self.stitches]
 
 
-def make_chains(line: Line, solver: Solver, places: wires.Stations) -> Chains:
-    """Divide all wires of a line and number their nodes along the track."""
-    chains = _divided(line, solver, places)
-    _number(chains, lumped=solver.wire_model == "lumped")
-    return chains
+@dataclass(frozen=True)
+class Nodes:
+    """Positions and slopes of all nodes, in the order of the mesh."""
+
+    positions: Floats
+    slopes: Floats
 
 
-def _divided(line: Line, solver: Solver, places: wires.Stations) -> Chains:
-    guess, geometry = Guess(line, places, solver.gravity), line.geometry
+def make_chains(
+    line: Line, solver: Solver, places: list[wires.Stations]
+) -> tuple[list[Chains], Nodes]:
+    """Divide the wires of all systems and number their nodes along the track."""
+    systems = [_Division(line, solver, own).chains() for own in places]
+    return systems, _number(systems, lumped=solver.wire_model == "lumped")
 
-    def points(wire: str, x: Floats, stagger: tuple[float, ...]) -> Floats:
-        y = stagger_guess(stagger, places.supports, x)
-        return np.column_stack([x, y, guess.of(wire, x)])
 
-    longest = solver.messenger_wire_element
-    x = wires.divide(places.along(CONTACT), solver.contact_wire_element)
-    contact = Chain(points(CONTACT, x, geometry.stagger_contact_wire), line.contact_wire)
-    x = wires.divide(places.along(MESSENGER), longest)
-    above = points(MESSENGER, x, geometry.stagger_messenger_wire)
-    messenger = Chain(above, line.messenger_wire, clamps=places.clamps)
-    # The saddle of a support follows the wire, which bends there without lifting: no moment is
-    # carried. A slope continuous over the support would need elements shorter than √(EI/T).
-    turning = [*places.supports[1:-1], *(x for pair in places.clamps for x in pair)]
-    messenger.hinges = sorted(messenger.row(x) for x in turning)
-    auxiliary, stitches = None, []
-    if line.auxiliary_wire is not None:
-        x = wires.divide(places.along(AUXILIARY), longest)
-        stagger = geometry.stagger_auxiliary_wire or geometry.stagger_contact_wire
-        auxiliary = Chain(points(AUXILIARY, x, stagger), line.auxiliary_wire)
-    if line.stitch_wire is not None:
-        left = line.messenger_wire.tension - line.stitch_wire.tension
-        messenger.relieved = line.messenger_wire.model_copy(update={"tension": left})
-        hung = np.array(places.along(STITCH))
-        for first, last in places.clamps:
+class _Division:
+    """Divides the wires of one system."""
+
+    def __init__(self, line: Line, solver: Solver, places: wires.Stations) -> None:
+        self.line, self.solver, self.places, self.system = line, solver, places, places.system
+        self.guess = Guess(line, places, solver.gravity)
+
+    def chains(self) -> Chains:
+        messenger = self.messenger()
+        return Chains([self.contact()], messenger, self.auxiliary(), self.stitches(messenger))
+
+    def points(self, wire: str, x: Floats, stagger: list[float]) -> Floats:
+        y = np.interp(x, self.places.supports, stagger)
+        return np.column_stack([x, y, self.guess.of(wire, x)])
+
+    def contact(self) -> Chain:
+        x = wires.divide(self.places.along(CONTACT), self.solver.contact_wire_element)
+        return Chain(self.points(CONTACT, x, self.system.contact_stagger), self.line.contact_wire)
+
+    def messenger(self) -> Chain:
+        line, places = self.line, self.places
+        x = wires.divide(places.along(MESSENGER), self.solver.messenger_wire_element)
+        points = self.points(MESSENGER, x, self.system.messenger_stagger)
+        chain = Chain(points, line.messenger_wire, clamps=places.clamps)
+        # The saddle of a support follows the wire, which bends there without lifting: no moment is
+        # carried. A slope continuous over the support would need elements shorter than √(EI/T).
+        turning = [*places.supports[1:-1], *(x for pair in places.clamps for x in pair)]
+        chain.hinges = sorted(chain.row(x) for x in turning)
+        if line.stitch_wire is not None:
+            left = line.messenger_wire.tension - line.stitch_wire.tension
+            chain.relieved = line.messenger_wire.model_copy(update={"tension": left})
+        return chain
+
+    def auxiliary(self) -> Chain | None:
+        wire = self.line.auxiliary_wire
+        if wire is None:
+            return None
+        x = wires.divide(self.places.along(AUXILIARY), self.solver.messenger_wire_element)
+        return Chain(self.points(AUXILIARY, x, self.system.auxiliary_stagger), wire)
+
+    def stitches(self, messenger: Chain) -> list[Chain]:
+        wire, found = self.line.stitch_wire, []
+        if wire is None:
+            return []
+        hung = np.array(self.places.along(STITCH))
+        for first, last in self.places.clamps:
             own = hung[(hung >= first) & (hung <= last)]
-            x = wires.divide(own.tolist(), longest)
-            made = points(STITCH, x, geometry.stagger_messenger_wire)
+            x = wires.divide(own.tolist(), self.solver.messenger_wire_element)
+            made = self.points(STITCH, x, self.system.messenger_stagger)
             made[[0, -1]] = messenger.points[[messenger.row(first), messenger.row(last)]]
-            stitch = Chain(made, line.stitch_wire)
+            stitch = Chain(made, wire)
             # As in a saddle, and more so: a dropper bends it by 40 milliradians within 6 cm.
             stitch.hinges = [stitch.row(x) for x in own[1:-1]]
-            stitches.append(stitch)
-    return Chains(contact, messenger, auxiliary, stitches)
+            found.append(stitch)
+        return found
 
 
 class _Pool:
@@ -135,9 +166,25 @@ class _Pool:
         return list(range(self.count - len(points), self.count))
 
 
-def _number(chains: Chains, *, lumped: bool) -> None:
+def _number(systems: list[Chains], *, lumped: bool) -> Nodes:
     """Give numbers to all nodes along the track; messenger before contact wire."""
-    pool, messenger = _Pool(), chains.messenger
+    pool = _Pool()
+    for chains in systems:
+        _fill(pool, chains, lumped=lumped)
+    points = np.vstack(pool.points)
+    order = np.argsort(points[:, 0], kind="stable")
+    rank = np.empty(len(order), dtype=np.int64)
+    rank[order] = np.arange(len(order))
+    for chain in (chain for chains in systems for chain in chains.all()):
+        chain.nodes = [int(rank[n]) for n in chain.nodes]
+        chain.leaving = {row: int(rank[n]) for row, n in chain.leaving.items()}
+        chain.arriving = {row: int(rank[n]) for row, n in chain.arriving.items()}
+    return Nodes(points[order], np.vstack(pool.tangents)[order])
+
+
+def _fill(pool: _Pool, chains: Chains, *, lumped: bool) -> None:
+    """Add the nodes of one system to the pool."""
+    messenger = chains.messenger
     tangents = _slopes(messenger, lumped=lumped)
     messenger.nodes = pool.add(messenger.points, tangents)
     if not lumped:
@@ -146,17 +193,8 @@ def _number(chains: Chains, *, lumped: bool) -> None:
         messenger.leaving = dict(zip(messenger.hinges, far, strict=True))
     for stitch in chains.stitches:
         _number_stitch(pool, stitch, messenger, lumped=lumped)
-    for chain in filter(None, (chains.auxiliary, chains.contact)):
+    for chain in (*filter(None, (chains.auxiliary,)), *chains.contacts):
         chain.nodes = pool.add(chain.points, _slopes(chain, lumped=lumped))
-    points = np.vstack(pool.points)
-    order = np.argsort(points[:, 0], kind="stable")
-    rank = np.empty(len(order), dtype=np.int64)
-    rank[order] = np.arange(len(order))
-    for chain in filter(None, (messenger, chains.auxiliary, chains.contact, *chains.stitches)):
-        chain.nodes = [int(rank[n]) for n in chain.nodes]
-        chain.leaving = {row: int(rank[n]) for row, n in chain.leaving.items()}
-        chain.arriving = {row: int(rank[n]) for row, n in chain.arriving.items()}
-    chains.positions, chains.slopes = points[order], np.vstack(pool.tangents)[order]
 
 
 def _number_stitch(pool: _Pool, stitch: Chain, messenger: Chain, *, lumped: bool) -> None:

@@ -1,38 +1,32 @@
 """First guess of the shape of each wire: heights and lateral positions over the track, in m."""
 
-from collections.abc import Callable, Sequence
-
 import numpy as np
 
 from arcless.mesh.types import Floats
 from arcless.mesh.wires import AUXILIARY, CONTACT, MESSENGER, STITCH, Stations
 from arcless.model.line import Line
 
-Height = Callable[[Floats], Floats]
-
-
-def stagger_guess(pattern: Sequence[float], supports: Sequence[float], x: Floats) -> Floats:
-    """Lateral position in m: straight between the staggers of the supports."""
-    values = [pattern[i % len(pattern)] for i in range(len(supports))]
-    return np.interp(x, supports, values)
-
 
 class Guess:
-    """Guessed heights of the wires of a line, each found once it is asked for.
+    """Guessed heights of the wires of a system, each found once it is asked for.
 
     Parameters
     ----------
     line, places
-        The line and its stations.
+        What the wires are made of, and the stations of the system.
     gravity
         In m/s².
     """
 
     def __init__(self, line: Line, places: Stations, gravity: float) -> None:
         self.line, self.places, self.gravity = line, places, gravity
-        self.height = line.geometry.contact_wire_height
+        system = places.system
         above = 0.0 if line.auxiliary_wire is None else line.auxiliary_wire.height
-        self.nominal = {CONTACT: self.height, AUXILIARY: self.height + above}
+        self.heights = {
+            CONTACT: system.contact_heights,
+            AUXILIARY: [height + above for height in system.contact_heights],
+            MESSENGER: system.messenger_heights,
+        }
 
     def of(self, wire: str, x: Floats) -> Floats:
         """Height of a wire at positions x; of a stitch wire, between the clamps of each."""
@@ -42,6 +36,10 @@ class Guess:
             return self._stitch(x)
         return self._held(wire, x)
 
+    def _nominal(self, wire: str, x: float | Floats) -> Floats:
+        """Height in m of the straight lines between those at the supports."""
+        return np.asarray(np.interp(x, self.places.supports, self.heights[wire]))
+
     def _messenger(self, x: Floats) -> Floats:
         """Parabolas q x (L − x) / 2T, q the weight of all wires."""
         line, supports = self.line, np.asarray(self.places.supports)
@@ -50,7 +48,7 @@ class Guess:
             mass += line.auxiliary_wire.mass
         span = np.clip(np.searchsorted(supports, x, side="right") - 1, 0, len(supports) - 2)
         sag = self._sag(x, supports[span], supports[span + 1], mass, line.messenger_wire.tension)
-        return np.asarray(self.height + line.geometry.encumbrance - sag)
+        return self._nominal(MESSENGER, x) - sag
 
     def _stitch(self, x: Floats) -> Floats:
         """Below the line between its clamps by the weight of what hangs on it."""
@@ -71,14 +69,15 @@ class Guess:
 
     def _held(self, wire: str, x: Floats) -> Floats:
         """Straight between the heights known at its droppers and its ends."""
-        nominal, supports = self.nominal[wire], self.places.supports
-        known = {supports[0]: nominal, supports[-1]: nominal}
+        ends = (self.places.supports[0], self.places.supports[-1])
+        known = {x: float(self._nominal(wire, x)) for x in ends}
         own = [h for h in self.places.hangings if h.lower == wire]
         for upper in {h.upper for h in own}:
             hung = [h for h in own if h.upper == upper]
             tops = self.of(upper, np.array([h.x for h in hung]))
             for h, top in zip(hung, tops, strict=True):
                 drawn = h.presag is not None
+                nominal = float(self._nominal(wire, h.x))
                 known[h.x] = nominal - (h.presag or 0.0) if drawn else float(top) - (h.length or 0)
         ordered = sorted(known)
         return np.interp(x, ordered, [known[place] for place in ordered])

@@ -9,6 +9,8 @@ Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 Part = tuple[Integers, Floats]
 
+PLANAR, SPATIAL = 2, 3
+
 
 @dataclass(frozen=True)
 class DropperPlace:

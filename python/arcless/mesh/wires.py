@@ -7,6 +7,7 @@ from math import ceil
 
 import numpy as np
 
+from arcless.mesh.systems import WireSystem
 from arcless.mesh.types import Floats
 from arcless.model.components import DropperType, TensionedWire
 from arcless.model.line import Line, SpanDroppers
@@ -40,19 +41,24 @@ class Hanging:
 
 @dataclass(frozen=True)
 class Stations:
-    """What needs a node along the track, positions in m.
+    """What needs a node along the wires of a system, positions in m.
 
     Attributes
     ----------
-    supports : positions of the supports
+    system : heights, staggers and supports
     clamps : first and last clamp of the stitch wire at each inner support; empty without them
     hangings : droppers and hangers, those that hold the contact wire first: the design calculation
         finds forces in this order, and what hangs below adds to what holds it
     """
 
-    supports: list[float]
+    system: WireSystem
     clamps: list[tuple[float, float]]
     hangings: list[Hanging]
+
+    @property
+    def supports(self) -> list[float]:
+        """Positions of the supports in m, the two anchors among them."""
+        return self.system.supports
 
     def along(self, wire: str) -> list[float]:
         """Return the places of a wire that need a node, in order."""
@@ -62,27 +68,30 @@ class Stations:
         return sorted([*ends, *clamps, *hung])
 
 
-def stations(line: Line) -> Stations:
-    """Collect the places of a line that need nodes."""
-    supports, spans = line.support_positions(), line.span_list()
+def stations(line: Line, system: WireSystem) -> Stations:
+    """Collect the places of a wire system that need nodes."""
+    supports, spans = system.supports, system.spans
     reach = 0.5 * line.stitch_wire.length if line.stitch_wire is not None else 0.0
     clamps = [(x - reach, x + reach) for x in supports[1:-1]] if reach else []
     lower = CONTACT if line.auxiliary_wire is None else AUXILIARY
     hangers: list[Hanging] = []
     droppers: list[Hanging] = []
-    for number, (start, span) in enumerate(zip(supports, spans, strict=False), start=1):
-        # At the ends of the line there is no stitch wire.
-        first = reach if number > 1 else 0.0
-        last = span.length - (reach if number < len(spans) else 0.0)
+    for place, (start, span) in enumerate(zip(supports, spans, strict=False)):
+        number = system.first + place
+        # At the anchors there is no stitch wire.
+        first = reach if place > 0 else 0.0
+        last = span.length - (reach if place < len(spans) - 1 else 0.0)
         for index, x in enumerate(span.droppers.positions):
             upper = MESSENGER if first - SAME_PLACE <= x <= last + SAME_PLACE else STITCH
-            name, how = f"span {number} dropper {index + 1}", _design(span.droppers, index)
+            name = system.named(f"span {number} dropper {index + 1}")
+            how = _design(span.droppers, index)
             droppers.append(Hanging(name, number, start + x, upper, lower, line.dropper, *how))
         kind = line.hanger or line.dropper
         for index, x in enumerate(span.hangers.positions if span.hangers is not None else ()):
-            name, how = f"span {number} hanger {index + 1}", _design(span.holders, index)
+            name = system.named(f"span {number} hanger {index + 1}")
+            how = _design(span.holders, index)
             hangers.append(Hanging(name, number, start + x, AUXILIARY, CONTACT, kind, *how))
-    return Stations(supports, clamps, [*hangers, *droppers])
+    return Stations(system, clamps, [*hangers, *droppers])
 
 
 def _design(own: SpanDroppers, index: int) -> tuple[float | None, float | None]:

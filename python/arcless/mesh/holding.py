@@ -1,0 +1,69 @@
+"""What holds the wires of a system at its supports → rows of the tables."""
+
+from arcless.mesh.chains import Chains
+from arcless.mesh.kit import Kit
+from arcless.mesh.parts import HELD, UNLOADED
+from arcless.mesh.types import SupportPlace
+from arcless.mesh.wires import Stations
+from arcless.model.components import NoSteadyArm, SteadyArmBar
+
+
+class Holding:
+    """Adds the supports and steady arms of one system."""
+
+    def __init__(self, kit: Kit, places: Stations, chains: Chains) -> None:
+        self.kit, self.chains, self.system = kit, chains, places.system
+        self.line, self.parts = kit.line, kit.parts
+
+    def build(self) -> list[SupportPlace]:
+        """Add everything; at the first and the last support the wires are anchored."""
+        chains, system = self.chains, self.system
+        last = len(system.supports) - 1
+        found = []
+        for index, x in enumerate(system.supports):
+            node = chains.contacts[0].at(x)
+            spring = arm = None
+            if 0 < index < last:
+                spring = self._hold_messenger(chains.messenger.at(x))
+                arm = self._hold_contact_wire(node, index)
+                if chains.auxiliary is not None and self.kit.spatial:
+                    # A pull-off keeps its lateral position; it hangs on droppers alone.
+                    self.parts.add("fixed", (chains.auxiliary.at(x), 1))
+            name = system.named(f"support {system.first + index}")
+            found.append(SupportPlace(name, x, node, spring, arm))
+        return found
+
+    def _hold_messenger(self, node: int) -> int:
+        support = self.line.support
+        vertical = (support.vertical_stiffness, support.vertical_damping, 0.0)
+        row = self.parts.add("springs", (node, self.kit.up, HELD), vertical)
+        if self.kit.spatial:
+            lateral = support.lateral_stiffness or support.vertical_stiffness
+            self.parts.add("springs", (node, 1, HELD), (lateral, 0.0, 0.0))
+        if support.longitudinal_stiffness > 0.0:
+            stiffness = (support.longitudinal_stiffness, 0.0, 0.0)
+            self.parts.add("springs", (node, 0, UNLOADED), stiffness)
+        self.parts.add_mass(node, support.mass, 0.0)
+        return row
+
+    def _hold_contact_wire(self, node: int, index: int) -> int | None:
+        arm = self.line.steady_arm
+        if isinstance(arm, SteadyArmBar):
+            return self.parts.add_steady_arm(arm, node, self._pull_side(index))
+        if isinstance(arm, NoSteadyArm):
+            return None
+        if arm.vertical_stiffness > 0.0:
+            spring = (arm.vertical_stiffness, arm.vertical_damping, 0.0)
+            self.parts.add("springs", (node, self.kit.up, UNLOADED), spring)
+        self.parts.add_mass(node, arm.mass, 0.0)
+        if self.kit.spatial:
+            # An arm known only by its vertical stiffness holds the stagger rigidly.
+            self.parts.add("fixed", (node, 1))
+        return None
+
+    def _pull_side(self, index: int) -> float:
+        """Side the arm pulls to: outwards of the bend that the stagger makes, in tension."""
+        before, here, after = self.system.contact_stagger[index - 1 : index + 2]
+        x0, x1, x2 = self.system.supports[index - 1 : index + 2]
+        bend = (here - before) / (x1 - x0) - (after - here) / (x2 - x1)
+        return -1.0 if bend < 0.0 else 1.0
