@@ -30,7 +30,7 @@ pub struct Wire {
     pub mass: f64,
     /// Damping of this wire.
     pub damping: Rayleigh,
-    /// Horizontal tension that the design calculation gives this element, N.
+    /// Horizontal tension that the design calculation gives this element, N; 0 for a beam.
     pub design_tension: f64,
 }
 
@@ -63,7 +63,7 @@ pub struct Segment {
     pub mass: f64,
     /// Damping of this segment.
     pub damping: Rayleigh,
-    /// Horizontal tension that the design calculation gives this segment, N.
+    /// Horizontal tension that the design calculation gives this segment, N; 0 for a beam.
     pub design_tension: f64,
 }
 
@@ -155,7 +155,7 @@ pub struct TensionedEnd {
     pub node: usize,
     /// Force applied along the track, N; positive in the direction of travel.
     pub force: f64,
-    /// In service the end stays free under this force (balance weight); otherwise it is fixed
+    /// In service the end stays free under this force; otherwise it is fixed
     /// where the design calculation left it.
     pub released: bool,
 }

@@ -83,7 +83,10 @@ fn check_wires(s: &Structure, n: usize) -> Result<(), CoreError> {
             && positive(w.section.axial_stiffness)
             && not_negative(w.section.bending_stiffness);
         let damping = not_negative(w.damping.alpha) && not_negative(w.damping.beta);
-        let loaded = positive(w.mass) && positive(w.design_tension);
+        // What carries no tension must resist bending, or nothing holds it up.
+        let stiff = w.section.bending_stiffness > 0.0;
+        let held = positive(w.design_tension) || (w.design_tension == 0.0 && stiff);
+        let loaded = positive(w.mass) && held;
         if !(nodes && section && damping && loaded) {
             return Err(refuse("wires", format!("element {i} is impossible: {w:?}")));
         }
@@ -94,8 +97,9 @@ fn check_wires(s: &Structure, n: usize) -> Result<(), CoreError> {
 fn check_chains(s: &Structure, n: usize) -> Result<(), CoreError> {
     for (i, k) in s.segments.iter().enumerate() {
         let nodes = k.nodes[0] < n && k.nodes[1] < n && k.nodes[0] != k.nodes[1];
-        let sizes = [k.rest_length, k.axial_stiffness, k.mass, k.design_tension];
+        let sizes = [k.rest_length, k.axial_stiffness, k.mass];
         let damping = not_negative(k.damping.alpha) && not_negative(k.damping.beta);
+        let damping = damping && not_negative(k.design_tension);
         if !(nodes && damping && sizes.into_iter().all(positive)) {
             let reason = format!("segment {i} is impossible: {k:?}");
             return Err(refuse("segments", reason));

@@ -364,7 +364,7 @@ impl<const D: usize> Ledger<D> {
             let by_scheme = (0.5 - p.coefficients.old) * force * moved;
             self.scheme_elastic -= by_scheme;
             // What is not motion of the wire is the contact moving along its slope. Where the
-            // wire rises ahead it pushes the strip on: the train gains, traction is negative.
+            // wire rises ahead it pushes the strip on: the rider gains, traction is negative.
             self.entries.work_traction += on_line - by_scheme - force * rise;
             self.entries.switching -= force * rise + on_rider;
             let along = p.path.displacement(place, &state.delta, 0);

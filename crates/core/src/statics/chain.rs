@@ -141,9 +141,12 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
 /// slopes follow the force and it is (1 + s)/EA with s = EA z′²/T, as for Hermite elements. Where
 /// they are off by turns, bends resist: a zigzag has curvature 4/L² for each unit of height, and
 /// slopes follow by the share T/(T + 4 EI/L²) alone. The harmonic mean of both corrects them equally
-/// fast; without it, segments shorter than √(EI/T) diverge.
+/// fast; without it, segments shorter than √(EI/T) diverge. Without tension, slopes do not follow.
 fn flexibility<const DIM: usize>(state: &BarState<DIM>, segment: &Segment, bending: f64) -> f64 {
     let (tension, axial) = (segment.design_tension, segment.axial_stiffness);
+    if tension == 0.0 {
+        return 1.0 / axial;
+    }
     let across: f64 = state.direction[1..].iter().map(|n| n * n).sum();
     let steep = across * (state.length / segment.rest_length).powi(2);
     let smooth = 1.0 + axial * steep / tension;

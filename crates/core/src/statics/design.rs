@@ -1,4 +1,4 @@
-//! Design calculation: heights, staggers and tensions are given, unstretched lengths are found.
+//! Design calculation: heights, lateral positions and tensions are given, unstretched lengths are found.
 //!
 //! Components that the drawing fixes are held at their target; the reaction that this needs is
 //! the force of the element that will hold them in service:
@@ -10,7 +10,8 @@
 //! Nodes are held where they were drawn along the track, and the element lengths are corrected
 //! until every element carries its horizontal tension T. With the vertical load given, z′ ∝ 1/H,
 //! so H = EA ½ (x′² + z′² − 1) gives L ← L (1 + (H − T) (1/EA + z′²/T)). Each correction is local,
-//! so long lines need no more iterations than short ones. The forces of links lag one
+//! so long lines need no more iterations than short ones. A beam without tension carries its load
+//! by bending: z′ does not follow H, which leaves L ← L (1 + H/EA). The forces of links lag one
 //! iteration behind, which changes the speed of convergence, not its limit.
 //! (Tur et al. 2014 put all of these unknowns into one Newton system; the staged form needs no
 //! unsymmetric matrix and no more than a few iterations more.)
@@ -21,7 +22,7 @@ use crate::error::CoreError;
 use crate::linalg::{BlockLdl, SymmetricBlocks};
 use crate::structure::{SpringMode, Wire};
 
-/// Bound on the iterations; lines need about 10, staggered ones about 20.
+/// Bound on the iterations; lines need about 10, spatial ones about 20.
 const MOST_ITERATIONS: usize = 200;
 
 /// Smaller and smaller corrections, tried when full ones do not converge: wires that sag far, or
@@ -112,7 +113,11 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
             let error = force[2][0] - wire.design_tension;
             let steep = Self::squared_slope(shape, wire);
             let (tension, axial) = (wire.design_tension, wire.section.axial_stiffness);
-            let flexibility = 1.0 / axial + steep / tension;
+            let flexibility = if tension > 0.0 {
+                1.0 / axial + steep / tension
+            } else {
+                1.0 / axial
+            };
             let change = relaxation * length_change(error, flexibility, tension / axial);
             wire.section.rest_length *= 1.0 + change;
             worst = worst.max(error.abs());
@@ -269,10 +274,19 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
     }
 }
 
+/// Most that one correction may strain an element which shall carry no tension: some hundred times
+/// what a sag of a thousandth of the span needs.
+const UNTENSIONED_STRAIN: f64 = 1e-3;
+
 /// Relative change of length of an element whose horizontal force is off by `error`, but never by
 /// more than the strain of its tension: a wild first guess must not slacken or overstretch it.
 pub(super) fn length_change(error: f64, flexibility: f64, strain: f64) -> f64 {
-    (error * flexibility).clamp(-strain, strain)
+    let most = if strain > 0.0 {
+        strain
+    } else {
+        UNTENSIONED_STRAIN
+    };
+    (error * flexibility).clamp(-most, most)
 }
 
 /// One Newton step on the free degrees of freedom.
