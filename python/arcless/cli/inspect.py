@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 def library(json: JsonOption = False) -> None:
-    """List the shipped lines, pantographs and scenarios."""
+    """List the shipped lines, pantographs and scenarios, and the wires that a line may name."""
     from arcless import model
 
     entries = model.library()

@@ -24,6 +24,9 @@ COPPER_EXPANSION = 17e-6
 class TensionedWire(Part):
     """What all wires of a line have in common."""
 
+    catalogue: str | None = Field(
+        default=None, description="Wire of the shipped catalogue; it gives what is not given here."
+    )
     mass: Annotated[float, Unit("kg/m", above=0)] = Field(description="Mass per metre.")
     axial_stiffness: Annotated[float, Unit("N", above=0)] = Field(description="Axial stiffness EA.")
     bending_stiffness: Annotated[float, Unit("N m2", minimum=0)] = Field(

@@ -32,6 +32,11 @@ class Provenance(Part):
     note: str | None = Field(default=None, description="Why assumed, how computed, what is odd.")
     given: str = Field(default="", description="The value as it was written.")
 
+    @property
+    def source_keys(self) -> list[str]:
+        """The keys of sources that are named."""
+        return [key for part in (self.source or "").split(",") if (key := part.strip())]
+
 
 class Document(Part):
     """Base of the three file formats: a name, a description, sources and provenance."""
@@ -80,7 +85,7 @@ class Document(Part):
     @model_validator(mode="after")
     def _check_sources(self) -> "Document":
         for path, entry in self.provenance.items():
-            for key in filter(None, (part.strip() for part in (entry.source or "").split(","))):
+            for key in entry.source_keys:
                 if key not in self.sources:
                     raise ModelError(
                         "unknown source",

@@ -1,9 +1,10 @@
-"""The shipped lines, pantographs and scenarios."""
+"""The shipped lines, pantographs, scenarios and wires."""
 
 from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
+from arcless.model.catalogue import catalogue
 from arcless.model.reader import parse, read_text
 
 FOLDER = Path(__file__).resolve().parent.parent / "models"
@@ -25,11 +26,21 @@ def shipped(kind: str) -> dict[str, Path]:
 
 
 def library() -> list[LibraryEntry]:
-    """Return every shipped model: lines, then pantographs, then scenarios."""
+    """Return every shipped model: lines, pantographs, scenarios, and the wires lines may name."""
     entries = []
     for kind in ("line", "pantograph", "scenario"):
         for name, path in shipped(kind).items():
             data, _ = parse(read_text(path, str(path)), str(path))
-            source = "; ".join(f"{key}: {text}" for key, text in data["sources"].items())
-            entries.append(LibraryEntry(kind, name, data["description"], source))
+            entries.append(LibraryEntry(kind, name, data["description"], _cited(data["sources"])))
+    book = catalogue()
+    for name, wire in book.wires.items():
+        origins = (book.origin_of(f"wires.{name}.{field}") for field in type(wire).model_fields)
+        keys = {key for origin in origins if origin for key in origin.source_keys}
+        cited = {key: text for key, text in book.sources.items() if key in keys}
+        source = _cited(cited) or "from memory or assumed; the report gives each value's mark"
+        entries.append(LibraryEntry("wire", name, wire.description, source))
     return entries
+
+
+def _cited(sources: dict[str, str]) -> str:
+    return "; ".join(f"{key}: {text}" for key, text in sources.items())

@@ -2,11 +2,12 @@
 
 from itertools import accumulate, pairwise
 from math import sqrt
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 from pydantic import Field, model_validator
 
 from arcless.errors import ModelError
+from arcless.model.catalogue import with_catalogue
 from arcless.model.components import (
     AuxiliaryWire,
     DropperType,
@@ -207,6 +208,11 @@ class Line(Document):
         description="Spans from the start of the line to its end.", min_length=1
     )
     design: DesignSpace = Field(default_factory=DesignSpace, description="Values for assessment.")
+
+    @classmethod
+    def prepare(cls, data: dict[str, Any]) -> dict[str, Any]:
+        """Return the data with the wires that are named instead of written out."""
+        return with_catalogue(cls, data)
 
     @model_validator(mode="after")
     def _check_spans(self) -> "Line":

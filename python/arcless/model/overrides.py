@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from arcless.errors import ModelError
+from arcless.model.catalogue import GIVES
 from arcless.model.documents import written
 from arcless.model.fields import nearest
 from arcless.model.load import build, load_line, load_pantograph
@@ -28,6 +29,7 @@ _EXCLUSIVE = {
     "time": ("position", "file"),
     "position": ("time", "file"),
     "displacement": ("file",),
+    "catalogue": GIVES,
 }
 
 

@@ -4,6 +4,7 @@ from typing import Any
 
 from pydantic.json_schema import models_json_schema
 
+from arcless.model.catalogue import GIVES
 from arcless.model.documents import Provenance
 from arcless.model.fields import wrapped_schema
 from arcless.model.line import Line
@@ -36,6 +37,8 @@ def json_schema() -> dict[str, Any]:
             if field.pop("table", None) is not None:
                 rows = {key: field.pop(key) for key in ("type", "items", "maxItems")}
                 field["anyOf"] = [{"type": "string", "description": "CSV file"}, rows]
+        if "catalogue" in definition.get("properties", {}):
+            _accept_named_wire(definition)
     scheme = definitions["Solver"]["properties"]["scheme"]
     names = sorted(scheme["discriminator"]["mapping"])
     choices = {key: scheme.pop(key) for key in ("discriminator", "oneOf")}
@@ -49,6 +52,13 @@ def json_schema() -> dict[str, Any]:
         "oneOf": [references[(model, "validation")] for model in models],
         "$defs": definitions,
     }
+
+
+def _accept_named_wire(definition: dict[str, Any]) -> None:
+    """Ask a wire for its own values, or for the name of a wire that has them."""
+    own = [name for name in definition["required"] if name in GIVES]
+    definition["required"] = [name for name in definition["required"] if name not in GIVES]
+    definition["anyOf"] = [{"required": own}, {"required": ["catalogue"]}]
 
 
 def _accept_provenance(properties: dict[str, Any]) -> None:
