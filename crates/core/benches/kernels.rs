@@ -78,6 +78,7 @@ fn two_thousand_steps(bencher: Bencher, ledger: bool) {
         speeds: vec![speed; 2001],
         distances: vec![0.0],
         friction: 0.0,
+        loads: Vec::new(),
     };
     let plan = RecordPlan {
         contact_every: 1,

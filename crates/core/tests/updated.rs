@@ -39,6 +39,7 @@ fn travel(start: f64, speed: f64, h: f64, steps: usize, friction: f64) -> Travel
         speeds: vec![speed; steps + 1],
         distances: vec![0.0],
         friction,
+        loads: Vec::new(),
     }
 }
 

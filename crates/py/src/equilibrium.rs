@@ -87,6 +87,17 @@ impl Equilibrium {
         found.map(Self).map_err(|e| convert(py, &e))
     }
 
+    /// Forces on nodes (node, component, N) of a force in N/m along each wire element or segment.
+    fn nodal_forces(
+        &self,
+        py: Python<'_>,
+        load: PyReadonlyArray2<'_, f64>,
+    ) -> PyResult<Vec<(usize, usize, f64)>> {
+        let load = structure::triples(&load)?;
+        let found = either!(&self.0, s => s.geometry.nodal_forces(&load));
+        found.map_err(|e| convert(py, &e))
+    }
+
     /// Shape, lengths and forces as arrays.
     fn arrays<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         either!(&self.0, s => s.arrays(py))

@@ -4,6 +4,7 @@ use crate::error::convert;
 use arcless_core::CoreError;
 use arcless_core::dynamics::given::{Given, Ground, History};
 use arcless_core::dynamics::ledger::Entries;
+use arcless_core::dynamics::loads::Load;
 use arcless_core::dynamics::record::{Record, RecordPlan};
 use arcless_core::dynamics::rider::Rider;
 use arcless_core::dynamics::run::Travel;
@@ -62,6 +63,10 @@ type GivenData = (
     Option<(Vec<f64>, Vec<f64>, Vec<f64>)>,
 );
 
+/// Forces on the line: node, component and force for the size 1 of each part of the pattern; its
+/// size at every instant.
+type LoadData = (Vec<(usize, usize, f64)>, Vec<f64>);
+
 /// Direction that opens the stop, gap in m, stiffness in N/m.
 type StopData = (Vec<f64>, f64, f64);
 
@@ -114,6 +119,7 @@ impl Prepared {
         positions: Vec<f64>,
         speeds: Vec<f64>,
         friction: f64,
+        loads: Vec<LoadData>,
         plan: &Bound<'py, PyDict>,
         observe: &Bound<'py, PyAny>,
     ) -> PyResult<Bound<'py, PyDict>> {
@@ -123,6 +129,10 @@ impl Prepared {
             speeds,
             distances,
             friction,
+            loads: loads
+                .into_iter()
+                .map(|(pattern, sizes)| Load { pattern, sizes })
+                .collect(),
         };
         let plan = read_plan(plan)?;
         let observer = observe.clone().unbind();
@@ -193,7 +203,7 @@ fn arrays<'py>(py: Python<'py>, r: &Record) -> PyResult<Bound<'py, PyDict>> {
         out.set_item(name, values.to_pyarray(py))?;
     }
     type Entry = (&'static str, fn(&Entries) -> f64);
-    let entries: [Entry; 14] = [
+    let entries: [Entry; 15] = [
         ("kinetic", |e| e.kinetic),
         ("elastic", |e| e.elastic),
         ("contact", |e| e.contact),
@@ -207,6 +217,7 @@ fn arrays<'py>(py: Python<'py>, r: &Record) -> PyResult<Bound<'py, PyDict>> {
         ("work_uplift", |e| e.work_uplift),
         ("work_traction", |e| e.work_traction),
         ("work_friction", |e| e.work_friction),
+        ("work_loads", |e| e.work_loads),
         ("residual", Entries::residual),
     ];
     let energy = PyDict::new(py);

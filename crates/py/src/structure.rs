@@ -52,7 +52,7 @@ fn each<T>(t: &Table, make: impl Fn(&[usize], &[f64]) -> T) -> Vec<T> {
         .collect()
 }
 
-fn triples(array: &PyReadonlyArray2<'_, f64>) -> PyResult<Vec<[f64; 3]>> {
+pub fn triples(array: &PyReadonlyArray2<'_, f64>) -> PyResult<Vec<[f64; 3]>> {
     let view = array.as_array();
     if view.ncols() != 3 {
         return Err(PyValueError::new_err(

@@ -18,6 +18,7 @@
 //! from the state itself whenever the ledger is settled.
 
 use super::contact::Unilateral;
+use super::loads::Loads;
 use super::path::Place;
 use super::rider::RiderState;
 use super::rider_energy::RiderWork;
@@ -53,6 +54,8 @@ pub struct Entries {
     pub work_traction: f64,
     /// Work of friction along the wire.
     pub work_friction: f64,
+    /// Work of the loads given on the line.
+    pub work_loads: f64,
 }
 
 impl Entries {
@@ -72,12 +75,14 @@ impl Entries {
             - self.work_uplift
             - self.work_traction
             - self.work_friction
+            - self.work_loads
     }
 
     /// Energy turned over: the scale a residual is compared with.
     #[must_use]
     pub fn turnover(&self) -> f64 {
         let supplied = self.work_uplift.abs() + self.work_traction.abs() + self.work_friction.abs();
+        let supplied = supplied + self.work_loads.abs();
         supplied.max(self.kinetic.abs() + self.elastic.abs() + self.riders.abs())
     }
 }
@@ -165,6 +170,8 @@ pub struct StepForces<'a> {
     pub unilateral: &'a Unilateral,
     /// Friction force along the wire at each contact, N.
     pub friction: &'a [f64],
+    /// Loads on the line at the time of balance.
+    pub(super) loads: &'a Loads<'a>,
     /// Height strips count from, m.
     pub datum: f64,
 }
@@ -273,6 +280,7 @@ impl<const D: usize> Ledger<D> {
         self.book_links(p, state, f.unilateral);
         self.book_riders(riders);
         self.book_contacts(p, state, riders, f);
+        self.entries.work_loads += f.loads.work(&state.delta);
     }
 
     /// Stored energies of the state itself, ½ vᵀM v and ½ uᵀK u, and what the scheme has dissipated:

@@ -8,6 +8,7 @@ pub mod given;
 pub mod ledger;
 pub mod line;
 pub mod links;
+pub mod loads;
 pub mod path;
 pub mod record;
 pub mod rider;

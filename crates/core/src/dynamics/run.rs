@@ -2,6 +2,7 @@
 
 use super::contact::Unilateral;
 use super::ledger::{Ledger, StepForces};
+use super::loads::{self, Load, Loads};
 use super::path::{Path, Place};
 use super::record::{Record, RecordPlan};
 use super::rider::{Rider, RiderState};
@@ -22,6 +23,8 @@ pub struct Travel {
     pub distances: Vec<f64>,
     /// Coefficient of friction along the wire.
     pub friction: f64,
+    /// Forces on the line, given at the same instants.
+    pub loads: Vec<Load>,
 }
 
 /// Steps between two calls of the observer: often enough to stop within a fraction of a second.
@@ -44,6 +47,7 @@ pub(super) struct Run<'a, const DIM: usize, const D: usize> {
     points: Vec<Place>,
     pub(super) gaps: Vec<f64>,
     friction: Vec<f64>,
+    loads: Loads<'a>,
     record: Record,
 }
 
@@ -61,6 +65,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         observe: &mut dyn FnMut(usize) -> bool,
     ) -> Result<Record, CoreError> {
         check(riders, travel, plan, self.updating.is_some())?;
+        loads::check::<D>(&travel.loads, self.line.nodes(), travel.positions.len())?;
         let mut run = Run::start(self, riders, travel, plan)?;
         let mut ledger = plan
             .ledger
@@ -166,6 +171,7 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
             state: p.at_rest(still.u),
             gaps: vec![0.0; riders.len()],
             friction: vec![0.0; riders.len()],
+            loads: Loads::new(&travel.loads),
             at_start: places.clone(),
             at_balance: places.clone(),
             at_end: places,
@@ -199,8 +205,11 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
             *t = self.travel.friction * n;
         }
         // Motion without contact forces.
+        self.loads.begin(step, old);
         let (p, places, friction) = (&*self.p, &self.at_balance, &self.friction);
+        let loads = &self.loads;
         p.free_increment(&mut self.state, |f| {
+            loads.add_to(f);
             for (place, &t) in places.iter().zip(friction).filter(|(_, t)| **t != 0.0) {
                 p.path.add_force(place, t, 0, f);
             }
@@ -396,6 +405,7 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
             ends: [&self.at_start, &self.at_end],
             unilateral: &self.unilateral,
             friction: &self.friction,
+            loads: &self.loads,
             datum: self.datum,
         };
         ledger.after(p, &self.state, &self.riders, &forces);

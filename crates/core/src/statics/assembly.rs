@@ -128,24 +128,6 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         }
     }
 
-    /// Steady loads along the wires, ∫ Sₖ q ds; half of it on each end of a segment.
-    fn add_wire_loads(&self, residual: &mut Shape<D>) {
-        let s = &self.structure;
-        let (on_wires, on_segments) = s.wire_loads.split_at(s.wires.len().min(s.wire_loads.len()));
-        for (wire, load) in s.wires.iter().zip(on_wires) {
-            let l = wire.section.rest_length;
-            let shares = [0.5 * l, l * l / 12.0, 0.5 * l, -l * l / 12.0];
-            for ((node, slot), share) in wire.places().into_iter().zip(shares) {
-                (0..DIM).for_each(|c| residual[node][slot * DIM + c] -= share * load[c]);
-            }
-        }
-        for (segment, load) in s.segments.iter().zip(on_segments) {
-            for node in segment.nodes {
-                (0..DIM).for_each(|c| residual[node][c] -= 0.5 * segment.rest_length * load[c]);
-            }
-        }
-    }
-
     /// Add the forces of links, struts and springs to the residual.
     pub fn add_supports(&self, shape: &Shape<D>, law: LinkLaw, residual: &mut Shape<D>) {
         let s = &self.structure;

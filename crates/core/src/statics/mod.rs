@@ -2,12 +2,14 @@
 //!
 //! * [`design`](design::design): positions are given, unstretched lengths are found;
 //! * [`service`](service::settle): unstretched lengths are given, positions are found;
-//! * [`alteration`]: what is changed after the design, before the line is in service.
+//! * [`alteration`]: what is changed after the design, before the line is in service;
+//! * `loads`: forces along the wires, steady or given over time.
 
 pub mod alteration;
 pub mod assembly;
 mod chain;
 pub mod design;
+mod loads;
 pub mod service;
 
 pub use alteration::Alteration;

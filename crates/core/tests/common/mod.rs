@@ -316,6 +316,7 @@ pub fn travel(start: f64, end: f64, speed: f64, h: f64) -> Travel {
         speeds: vec![speed; steps + 1],
         distances: vec![0.0],
         friction: 0.0,
+        loads: Vec::new(),
     }
 }
 

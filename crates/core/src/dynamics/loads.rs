@@ -1,0 +1,91 @@
+//! Forces on the line that are given for the whole run.
+//!
+//!   f(t) = Σ sᵢ(t) pᵢ
+//!
+//! A pattern p of forces on nodes stays, its size s has a value for the start and one after each
+//! step; at the time of balance the scheme weighs old and new as it does everywhere. The work of a
+//! step is Δu·f at that time, so it closes the ledger as the balance itself does.
+
+use crate::error::CoreError;
+
+/// Forces on nodes over time: a pattern, and how much of it.
+#[derive(Debug, Clone, Default)]
+pub struct Load {
+    /// Node, component of its coordinates, force for the size 1.
+    pub pattern: Vec<(usize, usize, f64)>,
+    /// Size at the start and after each step.
+    pub sizes: Vec<f64>,
+}
+
+/// Check patterns for nodes of `D` coordinates, and that there is a size for each instant.
+///
+/// # Errors
+/// [`CoreError::Input`].
+pub(super) fn check<const D: usize>(
+    loads: &[Load],
+    nodes: usize,
+    instants: usize,
+) -> Result<(), CoreError> {
+    let sound = |load: &Load| {
+        let inside =
+            |&(node, c, share): &(usize, usize, f64)| node < nodes && c < D && share.is_finite();
+        load.sizes.len() == instants
+            && load.sizes.iter().all(|size| size.is_finite())
+            && load.pattern.iter().all(inside)
+    };
+    match loads.iter().position(|load| !sound(load)) {
+        None => Ok(()),
+        Some(index) => {
+            let reason = format!("load {index}: not one size for each instant, or not finite");
+            let array = "loads";
+            Err(CoreError::Input { array, reason })
+        }
+    }
+}
+
+/// The sizes of all loads at the time of balance of the present step.
+#[derive(Debug, Clone)]
+pub(super) struct Loads<'a> {
+    given: &'a [Load],
+    sizes: Vec<f64>,
+}
+
+impl<'a> Loads<'a> {
+    pub(super) fn new(given: &'a [Load]) -> Self {
+        let sizes = vec![0.0; given.len()];
+        Self { given, sizes }
+    }
+
+    /// Read the sizes of a step; `old` is the weight of its start in the balance.
+    pub(super) fn begin(&mut self, step: usize, old: f64) {
+        for (size, load) in self.sizes.iter_mut().zip(self.given) {
+            *size = (1.0 - old) * load.sizes[step + 1] + old * load.sizes[step];
+        }
+    }
+
+    /// Add the forces; a load of size zero adds nothing, not even to a negative zero.
+    pub(super) fn add_to<const D: usize>(&self, f: &mut [[f64; D]]) {
+        for (load, size) in self.acting() {
+            for &(node, c, share) in &load.pattern {
+                f[node][c] += size * share;
+            }
+        }
+    }
+
+    /// Work of a step on the increment of the line, J.
+    pub(super) fn work<const D: usize>(&self, delta: &[[f64; D]]) -> f64 {
+        let of = |(load, size): (&Load, f64)| {
+            let moved = load
+                .pattern
+                .iter()
+                .map(|&(node, c, share)| share * delta[node][c]);
+            size * moved.sum::<f64>()
+        };
+        self.acting().map(of).sum()
+    }
+
+    fn acting(&self) -> impl Iterator<Item = (&'a Load, f64)> + '_ {
+        let pairs = self.given.iter().zip(self.sizes.iter().copied());
+        pairs.filter(|(_, size)| *size != 0.0)
+    }
+}
