@@ -41,7 +41,7 @@ def measure(name: str, energy: str) -> list[str]:
     setup = time.perf_counter() - began
     travel = motion.motion(scenario)
     given = riders.given_motions(scenario, travel)
-    job = Job(scenario, found, prepared, travel, given, lambda _step: True)
+    job = Job(scenario, found, prepared, travel, given, [], lambda _step: True)
     forces = [placement.start_force or 0.0 for placement in scenario.pantographs]
     times, raw = [], {}
     for _ in range(REPEATS):

@@ -72,7 +72,7 @@ def test_two_far_apart_run_like_one() -> None:
         first = (travel.positions + distances[-1]).tolist()
         riders, speeds = [rider] * len(distances), travel.speeds.tolist()
         raw = prepared.run(
-            riders, distances, first, speeds, 0.0, {**plan, "ledger": False}, lambda _: True
+            riders, distances, first, speeds, 0.0, [], {**plan, "ledger": False}, lambda _: True
         )
         return raw["force"].reshape(-1, len(distances))[:, -1]
 

@@ -100,7 +100,9 @@ pub fn build(
             released: i[1] != 0,
         }),
         loads: each(&table(parts, "loads", [2, 1])?, |i, f| (i[0], i[1], f[0])),
-        wire_loads: Vec::new(),
+        wire_loads: each(&table(parts, "wire_loads", [0, 3])?, |_, f| {
+            [f[0], f[1], f[2]]
+        }),
         gravity,
     })
 }

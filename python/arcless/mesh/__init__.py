@@ -1,6 +1,6 @@
 """Model → arrays: nodes, elements and the names behind their numbers."""
 
-from arcless.mesh.alteration import alteration, without
+from arcless.mesh.alteration import alteration, diameters, without
 from arcless.mesh.build import build_mesh
 from arcless.mesh.types import (
     PLANAR,
@@ -20,5 +20,6 @@ __all__ = [
     "SupportPlace",
     "alteration",
     "build_mesh",
+    "diameters",
     "without",
 ]

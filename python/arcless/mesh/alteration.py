@@ -39,15 +39,13 @@ def alteration(mesh: Mesh, line: Line, built: AsBuilt) -> dict[str, Any]:
     is_contact[mesh.path] = True
     ends = mesh.positions[nodes[:, :2], 0]
     mass_loss, axial, bending = _worn(ends, is_contact, built)
-    longer, coats, load = np.ones(len(nodes)), np.zeros(len(nodes)), np.zeros((len(nodes), 3))
+    longer, coats = np.ones(len(nodes)), np.zeros(len(nodes))
     for name, rows in mesh.wire_rows.items():
         wire: TensionedWire | None = getattr(line, name)
         if wire is None:
             continue
-        coat = getattr(built.ice, name)
         longer[rows] += built.temperature_difference * wire.thermal_expansion
-        coats[rows] = coat
-        load[rows, 1:] = built.wind.force(built.ice.diameter(wire.diameter or 0.0, coat))
+        coats[rows] = getattr(built.ice, name)
     # A wire that grows longer does not grow heavier.
     bare = floats[:, MASS[kind]] * (1.0 - mass_loss) / longer
     return {
@@ -55,9 +53,29 @@ def alteration(mesh: Mesh, line: Line, built: AsBuilt) -> dict[str, Any]:
         "axial_factor": axial.tolist(),
         "bending_factor": (bending if kind == "wires" else _of_bends(mesh, bending)).tolist(),
         "mass": (bare + coats).tolist(),
-        "load": load,
+        "load": _loads(mesh, line, built),
         **_of_links(mesh, line, built),
     }
+
+
+def diameters(mesh: Mesh, line: Line, built: AsBuilt) -> Floats:
+    """Return the diameter in m that each wire or segment turns to the wind, ice included."""
+    kind = "wires" if len(mesh.parts["wires"][0]) else "segments"
+    found = np.zeros(len(mesh.parts[kind][0]))
+    for name, rows in mesh.wire_rows.items():
+        wire: TensionedWire | None = getattr(line, name)
+        if wire is not None:
+            found[rows] = built.ice.diameter(wire.diameter or 0.0, getattr(built.ice, name))
+    return found
+
+
+def _loads(mesh: Mesh, line: Line, built: AsBuilt) -> Floats:
+    """Return the force per metre of rest length on each wire or segment (n × 3) in N/m."""
+    thickness = diameters(mesh, line, built)
+    load = np.zeros((len(thickness), 3))
+    for diameter in np.unique(thickness):
+        load[thickness == diameter, 1:] = built.wind.force(float(diameter))
+    return load
 
 
 def without(mesh: Mesh, removed: list[int]) -> Mesh:

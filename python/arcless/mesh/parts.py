@@ -19,6 +19,7 @@ COLUMNS = {
     "fixed": (2, 0),
     "ends": (2, 1),
     "loads": (2, 1),
+    "wire_loads": (0, 3),
 }
 
 GIVEN, HELD, UNLOADED = 0, 1, 2

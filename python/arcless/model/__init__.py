@@ -14,6 +14,7 @@ from arcless.model.components import (
     Wire,
 )
 from arcless.model.documents import MARKS, Provenance
+from arcless.model.gusts import Gusts
 from arcless.model.library import LibraryEntry, library
 from arcless.model.line import DesignSpace, Geometry, Line, SpanDroppers, SpanRun, SpanType
 from arcless.model.load import load, load_any, load_line, load_pantograph
@@ -43,6 +44,7 @@ __all__ = [
     "DropperType",
     "GeneralisedAlpha",
     "Geometry",
+    "Gusts",
     "HilberHughesTaylor",
     "Ice",
     "LibraryEntry",

@@ -10,6 +10,7 @@ from pydantic import BeforeValidator, Field, WithJsonSchema, model_validator
 
 from arcless.errors import ModelError
 from arcless.model.fields import Part, Unit
+from arcless.model.gusts import Gusts
 from arcless.units import WRONG_VALUE, show
 
 MAX_DROPPERS = 100_000
@@ -142,13 +143,18 @@ class AsBuilt(Part):
     )
     ice: Ice = Field(default_factory=Ice, description="Ice on the wires.")
     wind: Wind = Field(default_factory=Wind, description="Steady wind across the track.")
+    gusts: Gusts | None = Field(
+        default=None,
+        description="Wind over time during the run: lists, or a CSV file relative to this one.",
+        json_schema_extra={"table": True},
+    )
     contact_wire_wear: tuple[Wear, ...] = Field(
         default=(), description="Worn stretches of the contact wire.", max_length=10_000
     )
 
     @property
     def is_empty(self) -> bool:
-        """True when nothing differs from the design."""
+        """True when nothing differs from the design at rest; gusts come with the run."""
         return not (
             self.temperature_difference
             or self.dropper_length_errors

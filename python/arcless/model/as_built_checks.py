@@ -8,19 +8,27 @@ from arcless.model.line import POSITION_TOLERANCE
 from arcless.units import accepted
 
 if TYPE_CHECKING:
+    from arcless.model.gusts import Gusts
     from arcless.model.scenario import Scenario
+
+# As in the other checks of a scenario: the end of a run is the way over the speed.
+ROUNDING = 1e-9
 
 WIRES = ("contact_wire", "messenger_wire", "stitch_wire", "auxiliary_wire")
 
 
 def check_as_built(scenario: "Scenario") -> None:
     """Raise `ModelError` for the first thing that does not fit."""
+    if scenario.as_built.wind.speed:
+        _check_wind(scenario, ("wind", "speed"), f"{scenario.as_built.wind.speed:g} m/s")
+    if scenario.as_built.gusts is not None:
+        _check_wind(scenario, ("gusts",), "gusts")
+        _check_gusts(scenario, scenario.as_built.gusts)
     if scenario.as_built.is_empty:
         return
     _check_droppers(scenario)
     _check_wear(scenario)
     _check_ice(scenario)
-    _check_wind(scenario)
 
 
 def _check_droppers(scenario: "Scenario") -> None:
@@ -74,17 +82,32 @@ def _check_ice(scenario: "Scenario") -> None:
             )
 
 
-def _check_wind(scenario: "Scenario") -> None:
-    if not scenario.as_built.wind.speed:
-        return
+def _check_gusts(scenario: "Scenario", gusts: "Gusts") -> None:
+    """Refuse readings that begin after or end before the run."""
+    end = scenario.duration
+    slack = ROUNDING * max(1.0, end)
+    for place, rows in gusts.stations().items():
+        first, last = gusts.time[rows[0]], gusts.time[rows[-1]]
+        if first > slack or last < end - slack:
+            where = "" if gusts.position is None else f" at {place:g} m"
+            raise ModelError(
+                f"the gusts{where} do not cover the run",
+                got=f"{first:g} to {last:g} s",
+                expected=f"at least 0 to {end:g} s",
+                hint="shorten travel, or give more readings",
+                field=("as_built", "gusts", "time"),
+            )
+
+
+def _check_wind(scenario: "Scenario", field: tuple[str, ...], got: str) -> None:
     line, dimension = scenario.line, scenario.solver.dimension
     if dimension == "planar" or (dimension == "auto" and not line.is_spatial):
         raise ModelError(
             "wind on a planar line",
-            got=f"{scenario.as_built.wind.speed:g} m/s with solver.dimension {dimension}",
+            got=f"{got} with solver.dimension {dimension}",
             expected="a spatial line",
             hint="a planar line cannot move across the track: set solver.dimension to spatial",
-            field=("as_built", "wind", "speed"),
+            field=("as_built", *field),
         )
     for name in WIRES:
         wire = getattr(line, name)
@@ -92,5 +115,5 @@ def _check_wind(scenario: "Scenario") -> None:
             raise ModelError(
                 "wind on a wire without diameter",
                 expected=f"line.{name}.diameter: {accepted('m')}",
-                field=("as_built", "wind", "speed"),
+                field=("as_built", *field),
             )

@@ -136,7 +136,7 @@ def _check_roofs(scenario: "Scenario") -> None:
         if roof.time is None:
             first, last = start - placement.distance, end - placement.distance
         else:
-            first, last = 0.0, _duration(scenario)
+            first, last = 0.0, scenario.duration
         unit = "s" if roof.time is not None else "m"
         slack = ROUNDING * max(1.0, last)
         if roof.points[0] > first + slack or roof.points[-1] < last - slack:
@@ -147,15 +147,6 @@ def _check_roofs(scenario: "Scenario") -> None:
                 hint="shorten travel, or give more points",
                 field=("pantographs", index, "roof_motion", roof.over),
             )
-
-
-def _duration(scenario: "Scenario") -> float:
-    """Time in s that a run takes at most."""
-    start, end = scenario.travel_range()
-    if scenario.speed is not None:
-        return (end - start) / scenario.speed
-    assert scenario.speed_profile is not None
-    return scenario.speed_profile.time[-1]
 
 
 def _check_section(scenario: "Scenario") -> None:
@@ -252,7 +243,7 @@ def _check_energy(scenario: "Scenario") -> None:
 
 
 def _check_steps(scenario: "Scenario") -> None:
-    duration = _duration(scenario)
+    duration = scenario.duration
     step = scenario.time_step_s
     if duration / step > MAX_STEPS:
         raise ModelError(

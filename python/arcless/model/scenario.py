@@ -190,6 +190,15 @@ class Scenario(Document):
         assert self.speed_profile is not None
         return max(self.speed_profile.speed)
 
+    @property
+    def duration(self) -> float:
+        """Time in s that a run takes at most."""
+        start, end = self.travel_range()
+        if self.speed is not None:
+            return (end - start) / self.speed
+        assert self.speed_profile is not None
+        return self.speed_profile.time[-1]
+
     def travel_range(self) -> tuple[float, float]:
         """Return start and end of the first pantograph's travel in m.
 

@@ -35,7 +35,8 @@ def json_schema() -> dict[str, Any]:
             if field.pop("reference", None) is not None:
                 field["anyOf"] = [{"type": "string"}, {"$ref": field.pop("$ref")}]
             if field.pop("table", None) is not None:
-                rows = {key: field.pop(key) for key in ("type", "items", "maxItems")}
+                keys = [key for key in ("type", "items", "maxItems", "anyOf") if key in field]
+                rows = {key: field.pop(key) for key in keys}
                 field["anyOf"] = [{"type": "string", "description": "CSV file"}, rows]
         if "catalogue" in definition.get("properties", {}):
             _accept_named_wire(definition)

@@ -62,8 +62,13 @@ class Table:
 
 
 DROPPER_ERRORS = Table({"span": None, "dropper": None, "length_error": "m"})
-# Fields of the section as_built that may name a file, each row of which is an entry.
+GUSTS = Table(
+    {"time": "s", "position": "m", "speed": "m/s", "vertical": "m/s"},
+    optional=("position", "vertical"),
+)
+# Fields of the section as_built that may name a file: each row is an entry, or each column a list.
 LISTS = {"dropper_length_errors": DROPPER_ERRORS}
+COLUMNS = {"gusts": GUSTS}
 
 
 def with_tables(data: object, origin: Origin) -> object:
@@ -79,21 +84,22 @@ def with_tables(data: object, origin: Origin) -> object:
     if not isinstance(data, Mapping):
         return data
     found = dict(data)
-    for field, table in LISTS.items():
+    for field in (*LISTS, *COLUMNS):
         given = data.get(field)
         if isinstance(given, Mapping) and isinstance(given.get("value"), str):
-            found[field] = {**given, "value": _rows(given["value"], field, table, origin)}
+            found[field] = {**given, "value": _referred(given["value"], field, origin)}
         elif isinstance(given, str):
-            found[field] = _rows(given, field, table, origin)
+            found[field] = _referred(given, field, origin)
     return found
 
 
-def _rows(name: str, field: str, table: Table, origin: Origin) -> list[dict[str, Any]]:
+def _referred(name: str, field: str, origin: Origin) -> object:
     with origin.referring(("as_built", field)):
-        columns = read_table(origin.folder / name, table)
-    return [
-        dict(zip(columns, values, strict=True)) for values in zip(*columns.values(), strict=True)
-    ]
+        if field in COLUMNS:
+            return read_table(origin.folder / name, COLUMNS[field])
+        columns = read_table(origin.folder / name, LISTS[field])
+    rows = zip(*columns.values(), strict=True)
+    return [dict(zip(columns, values, strict=True)) for values in rows]
 
 
 def read_table(path: FilePath, table: Table) -> dict[str, list[int | float]]:

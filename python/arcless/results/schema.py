@@ -97,6 +97,7 @@ VARIABLES: dict[str, Variable] = {
     "energy_work_uplift": Variable(_LINE, "J", "work of the uplift forces and of the roof"),
     "energy_work_traction": Variable(_LINE, "J", "work that moves the contact along the wire"),
     "energy_work_friction": Variable(_LINE, "J", "work of the friction along the wire"),
+    "energy_work_wind": Variable(_LINE, "J", "work of the gusts on the wires"),
     "energy_residual": Variable(_LINE, "J", "what the energy ledger does not account for"),
     "dropper_force_min": Variable(("dropper",), "N", "lowest dropper force, every step"),
     "dropper_force_max": Variable(("dropper",), "N", "highest dropper force, every step"),

@@ -16,6 +16,7 @@ ENERGY_NAMES = {
     "dissipated_links": "dissipated_droppers",
     "dissipated_springs": "dissipated_supports",
     "dissipated_riders": "dissipated_pantograph",
+    "work_loads": "work_wind",
 }
 
 
@@ -48,6 +49,8 @@ def dynamic_variables(
     out["dropper_force_max"] = raw["link_max"][links]
     out["support_uplift_max"] = raw["uplift_max"]
     kept = {name: values for name, values in raw["energy"].items() if len(values)}
+    if scenario.as_built.gusts is None:
+        kept.pop("work_loads", None)
     for name, values in kept.items():
         out[f"energy_{ENERGY_NAMES.get(name, name)}"] = values
     return out

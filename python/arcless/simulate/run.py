@@ -10,7 +10,7 @@ import numpy as np
 from arcless import _core
 from arcless.model import Scenario, scenario_warnings
 from arcless.results import Result, dataset_from
-from arcless.simulate import equilibrium, motion, record, riders
+from arcless.simulate import equilibrium, gusts, motion, record, riders
 from arcless.simulate.failure import replayable, stepping
 from arcless.simulate.mean_force import find_forces
 
@@ -24,9 +24,9 @@ class Job:
 
     Attributes
     ----------
-    scenario, found, prepared, travel, given
+    scenario, found, prepared, travel, given, loads
         The scenario, its equilibrium, the factorised line, the travel, what is given over time for
-        each pantograph.
+        each pantograph, and for the line.
     observe
         Called with the number of steps done; tells whether to go on.
     """
@@ -36,6 +36,7 @@ class Job:
     prepared: _core.Prepared
     travel: motion.Motion
     given: list[riders.GivenData]
+    loads: list[gusts.LoadData]
     observe: Callable[[int], bool]
 
     def step(self, forces: list[float], *, full: bool) -> dict[str, Any]:
@@ -63,6 +64,7 @@ class Job:
                 self.travel.positions.tolist(),
                 self.travel.speeds.tolist(),
                 self.scenario.contact.friction_coefficient,
+                self.loads,
                 plan,
                 self.observe,
             )
@@ -99,7 +101,8 @@ def run(
     travel = motion.motion(scenario)
     given = riders.given_motions(scenario, travel)
     observe = _observer(travel.steps, "stepping", tell, cancel)
-    job = Job(scenario, found, prepared, travel, given, observe)
+    loads = gusts.line_loads(found, scenario, travel)
+    job = Job(scenario, found, prepared, travel, given, loads, observe)
     searching = replace(
         job, observe=_observer(travel.steps, "finding the static force", tell, cancel)
     )

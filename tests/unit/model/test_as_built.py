@@ -162,12 +162,17 @@ def test_a_coat_of_ice_is_as_thick_as_its_mass_says() -> None:
 def test_the_example_of_the_guide_loads(tmp_path: Path) -> None:
     page = (Path(__file__).parents[3] / "docs/guide/as-built.md").read_text("utf-8")
     blocks = re.findall(r"```(?:yaml|csv)\n# ([a-z]+\.(?:yaml|csv))(.*?)```", page, re.DOTALL)
-    assert [name for name, _ in blocks] == ["winter.yaml", "measured.csv"]
+    assert [name for name, _ in blocks] == ["winter.yaml", "measured.csv", "gusts.csv"]
     for name, text in blocks:
         (tmp_path / name).write_text(f"# {text}", encoding="utf-8")
     built = load(tmp_path / "winter.yaml").as_built
     assert [e.length_error for e in built.dropper_length_errors] == [0.012, -0.0045]
     assert built.missing_droppers == ("span 10 dropper 5",)
+    wires = {f"line.{name}_wire.diameter": "12 mm" for name in ("contact", "messenger")}
+    changes = {**wires, "as_built.gusts": str(tmp_path / "gusts.csv")}
+    gusts = load("ac-simple-3d-275").with_(**changes).as_built.gusts
+    assert gusts is not None
+    assert list(gusts.stations()) == [400, 700]
 
 
 def test_the_shipped_scenarios_are_as_designed() -> None:

@@ -20,7 +20,7 @@ pub struct Alteration {
     pub bending_factor: Vec<f64>,
     /// Mass per metre of rest length of each element, kg/m, in place of the former one.
     pub mass: Vec<f64>,
-    /// Steady force per metre of rest length on each element, N/m.
+    /// Steady force per metre of rest length on each element, N/m, in place of the former one.
     pub load: Vec<[f64; 3]>,
     /// Factor on the rest length of each link.
     pub link_factor: Vec<f64>,
@@ -89,7 +89,12 @@ impl Alteration {
         for &gone in self.removed.iter().rev() {
             s.links.remove(gone);
         }
-        s.wire_loads = self.load.iter().map(|q| q.map(|c| share * c)).collect();
+        if s.wire_loads.is_empty() {
+            s.wire_loads = vec![[0.0; 3]; self.load.len()];
+        }
+        for (load, new) in s.wire_loads.iter_mut().zip(&self.load) {
+            (0..3).for_each(|c| load[c] += share * (new[c] - load[c]));
+        }
         s
     }
 }
