@@ -173,3 +173,21 @@ def test_json_never_holds_nan() -> None:
     with pytest.raises(ValueError, match="Out of range"):
         json_text({"value": float("nan")})
     assert json.loads(json_text({"value": None})) == {"value": None}
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("line.svg", ("line.svg", "not a .html file", "--plot")),
+        ("line", ("not a .html file", "without an ending")),
+        ("none/line.html", ("none/line.html", "no folder", "a folder that exists")),
+        ("folder.html", ("folder.html", "a folder")),
+    ],
+)
+def test_a_drawing_that_cannot_be_written_is_refused_before_computing(
+    arcless: Arcless, short: Path, tmp_path: Path, name: str, words: tuple[str, ...]
+) -> None:
+    (tmp_path / "folder.html").mkdir()
+    before = sorted(tmp_path.rglob("*"))
+    assert_refused(arcless("statics", short, "--plot", tmp_path / name), *words)
+    assert sorted(tmp_path.rglob("*")) == before

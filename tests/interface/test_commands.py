@@ -148,6 +148,16 @@ def test_statics_prints_tables_and_json(arcless: Arcless, short: Path, tmp_path:
     assert "wave speed" in printed.stdout
 
 
+def test_statics_draws_the_line(arcless: Arcless, short: Path, tmp_path: Path) -> None:
+    drawing = tmp_path / "line.html"
+    done = arcless("statics", short, "--plot", drawing)
+    assert done.exit_code == 0
+    assert f"wrote {drawing}" in done.stdout
+    assert "Side view" in drawing.read_text("utf-8")
+    plain = arcless("statics", short, "--plot", drawing, "--json")
+    assert strict_json(plain.stdout)["line"]  # nothing but JSON on standard output
+
+
 def test_run_writes_three_files(finished: Path) -> None:
     names = sorted(path.name for path in finished.iterdir())
     assert names == ["assessment.json", "report.html", "result.nc"]

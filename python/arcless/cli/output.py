@@ -7,6 +7,27 @@ from types import TracebackType
 from typing import Self
 
 from arcless.errors import OutputError
+from arcless.units import show
+
+
+def check_place(file: Path, suffix: str, option: str) -> None:
+    """Refuse a file that could not be written after the computing, before it."""
+    if file.suffix.lower() != suffix:
+        raise OutputError(
+            f"not a {suffix} file",
+            where=str(file),
+            got=show(file.suffix) if file.suffix else "a name without an ending",
+            expected=f"a name that ends in {suffix}",
+            hint=f"this is the only form that `{option}` writes; a browser can print it",
+        )
+    folder = file.parent
+    if not folder.is_dir() or file.is_dir():
+        raise OutputError(
+            "the file cannot be written",
+            where=str(file),
+            got="a folder" if file.is_dir() else f"no folder {folder}",
+            expected="a file in a folder that exists",
+        )
 
 
 class OutputFolder:

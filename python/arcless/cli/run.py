@@ -9,7 +9,7 @@ import typer
 from arcless.cli import console
 from arcless.cli.background import compute
 from arcless.cli.guard import FAILED
-from arcless.cli.output import OutputFolder
+from arcless.cli.output import OutputFolder, check_place
 from arcless.cli.scenario import (
     JsonOption,
     QuietOption,
@@ -23,10 +23,20 @@ from arcless.cli.scenario import (
 if TYPE_CHECKING:
     from arcless.model import Scenario
     from arcless.results import Result
+    from arcless.simulate import StaticsResult
 
 FolderOption = Annotated[
     Path | None,
     typer.Option("--out", metavar="DIR", help="Folder for the results.", show_default=False),
+]
+PlotOption = Annotated[
+    Path | None,
+    typer.Option(
+        "--plot",
+        metavar="FILE.html",
+        help="Draw the line at rest from the side and from above, with its elasticity.",
+        show_default=False,
+    ),
 ]
 
 
@@ -76,25 +86,36 @@ def statics(
     *,
     set_: SetOption = None,
     out: FolderOption = None,
+    plot: PlotOption = None,
     json: JsonOption = False,
     quiet: QuietOption = False,
 ) -> None:
     """Find the initial configuration of a line.
 
     Prints dropper lengths and forces of one span, sag, elasticity, wave speed and natural
-    frequencies; --json has all spans. With --out, statics.json is written into that folder.
+    frequencies; --json has all spans. With --out, statics.json is written into that folder; with
+    --plot, side view, plan view and elasticity are drawn. Speed and pantographs have no part here.
     """
     from arcless.cli import statics_tables
 
     chosen = load(scenario, changes=set_, quiet=quiet)
     written: list[Path] = []
+    if plot is not None:
+        check_place(plot, ".html", "--plot")
     if out is None:
-        found = _find_statics(chosen, quiet=quiet)
+        result = _find_statics(chosen, quiet=quiet)
     else:
         with OutputFolder(out) as folder:
-            found = _find_statics(chosen, quiet=quiet)
-            folder.file("statics.json").write_text(console.json_text(found), "utf-8")
+            result = _find_statics(chosen, quiet=quiet)
+            text = console.json_text(result.to_dict())
+            folder.file("statics.json").write_text(text, "utf-8")
             written = folder.publish()
+    found = result.to_dict()
+    if plot is not None:
+        from arcless.report import rest
+
+        rest.write(result, plot)
+        written.append(plot)
     if json:
         console.data(console.json_text(found))
     else:
@@ -119,11 +140,11 @@ def _simulate(scenario: "Scenario", *, quiet: bool) -> "Result":
         return compute(lambda: simulate.run(scenario, progress=progress))
 
 
-def _find_statics(scenario: "Scenario", *, quiet: bool) -> dict[str, Any]:
+def _find_statics(scenario: "Scenario", *, quiet: bool) -> "StaticsResult":
     from arcless import simulate
 
     with console.progress(quiet=quiet) as progress:
-        return compute(lambda: simulate.statics(scenario, progress=progress).to_dict())
+        return compute(lambda: simulate.statics(scenario, progress=progress))
 
 
 def _reference_rows(scenario: "Scenario", assessment: dict[str, Any]) -> list[dict[str, Any]]:
