@@ -206,6 +206,22 @@ def test_what_is_missing_is_null_and_noted() -> None:
     assert any("max_uplift_at_support_mm" in note for note in found.notes)
 
 
+@pytest.mark.parametrize("kinematics", ["linearised", "updated"])
+def test_advice_on_the_energy_ledger_is_advice_that_the_model_accepts(kinematics: str) -> None:
+    changes = {"solver__kinematics": kinematics}
+    dataset = synthetic_dataset(
+        scenario=scenario_data(**changes), attrs={"energy_residual_relative": None}
+    )
+    [note] = [note for note in assess(dataset).notes if "energy ledger" in note]
+    # With updated kinematics the model refuses `output.energy: always`.
+    accepted = True
+    try:
+        scenario_data(**changes, output__energy="always")
+    except ModelError:
+        accepted = False
+    assert ("`output.energy: always`" in note) is accepted
+
+
 def test_a_coarse_record_is_noted() -> None:
     [note] = assess(synthetic_dataset(step_s=0.01)).notes
     assert "100 Hz" in note
