@@ -1,6 +1,6 @@
 """Line and solver settings → mesh."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 import numpy as np
 
@@ -16,7 +16,7 @@ from arcless.model.line import Line
 from arcless.model.settings import Solver
 
 
-def build_mesh(line: Line, solver: Solver) -> Mesh:
+def build_mesh(line: Line, solver: Solver, measured: Mapping[float, float] | None = None) -> Mesh:
     """Divide a line into elements.
 
     Parameters
@@ -25,6 +25,8 @@ def build_mesh(line: Line, solver: Solver) -> Mesh:
         The overhead line.
     solver
         Gives the longest elements, the dimension and gravity.
+    measured
+        Heights of the contact wire in m at places along the track, in place of those drawn.
 
     Raises
     ------
@@ -32,7 +34,7 @@ def build_mesh(line: Line, solver: Solver) -> Mesh:
         A planar calculation is asked for a line that has stagger or hinged steady arms.
     """
     kit = Kit(line, solver, _dimension(line, solver))
-    places = [wires.stations(line, system) for system in wire_systems(line)]
+    places = [wires.stations(line, system) for system in wire_systems(line, measured or {})]
     systems, nodes = make_chains(line, solver, places)
     wired: list[Wired] = []
     supports: list[SupportPlace] = []

@@ -54,7 +54,9 @@ class Holding:
             return None
         if arm.vertical_stiffness > 0.0:
             spring = (arm.vertical_stiffness, arm.vertical_damping, 0.0)
-            self.parts.add("springs", (node, self.kit.up, UNLOADED), spring)
+            # It holds the wire at a measured height, and else carries nothing at rest.
+            mode = HELD if self.system.measured else UNLOADED
+            self.parts.add("springs", (node, self.kit.up, mode), spring)
         self.parts.add_mass(node, arm.mass, 0.0)
         if self.kit.spatial:
             # An arm known only by its vertical stiffness holds the stagger rigidly.

@@ -70,7 +70,8 @@ class Guess:
     def _held(self, wire: str, x: Floats) -> Floats:
         """Straight between the heights known at its droppers and its ends."""
         ends = (self.places.supports[0], self.places.supports[-1])
-        known = {x: float(self._nominal(wire, x)) for x in ends}
+        measured = self.places.system.measured if wire == CONTACT else {}
+        known = {x: float(self._nominal(wire, x)) for x in ends} | dict(measured)
         own = [h for h in self.places.hangings if h.lower == wire]
         for upper in {h.upper for h in own}:
             hung = [h for h in own if h.upper == upper]
@@ -78,6 +79,8 @@ class Guess:
             for h, top in zip(hung, tops, strict=True):
                 drawn = h.presag is not None
                 nominal = float(self._nominal(wire, h.x))
+                if h.x in measured:
+                    continue
                 known[h.x] = nominal - (h.presag or 0.0) if drawn else float(top) - (h.length or 0)
         ordered = sorted(known)
         return np.interp(x, ordered, [known[place] for place in ordered])

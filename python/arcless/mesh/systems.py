@@ -1,5 +1,6 @@
 """Wire systems: what a line is meshed from, each with its own two anchors."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from arcless.model.line import Line, SpanType
@@ -17,6 +18,7 @@ class WireSystem:
     supports : where its supports stand, one more than it has spans; the outer two are anchors
     contact_heights, messenger_heights : of the wires at the supports, by design
     contact_stagger, messenger_stagger, auxiliary_stagger : lateral positions there
+    measured : heights of the contact wire at places along the track, in place of those drawn
     """
 
     label: str
@@ -28,17 +30,18 @@ class WireSystem:
     contact_stagger: list[float]
     messenger_stagger: list[float]
     auxiliary_stagger: list[float]
+    measured: Mapping[float, float]
 
     def named(self, what: str) -> str:
         """Return the name of a part of this system."""
         return f"{self.label} {what}" if self.label else what
 
 
-def wire_systems(line: Line) -> list[WireSystem]:
+def wire_systems(line: Line, measured: Mapping[float, float]) -> list[WireSystem]:
     """Return the wire systems of a line in the order of the track."""
     geometry, supports = line.geometry, line.support_positions()
     auxiliary = geometry.stagger_auxiliary_wire or geometry.stagger_contact_wire
-    height = geometry.contact_wire_height
+    heights = line.contact_wire_heights()
 
     def repeated(pattern: tuple[float, ...]) -> list[float]:
         return [pattern[i % len(pattern)] for i in range(len(supports))]
@@ -49,10 +52,11 @@ def wire_systems(line: Line) -> list[WireSystem]:
             first=1,
             spans=line.span_list(),
             supports=supports,
-            contact_heights=[height] * len(supports),
-            messenger_heights=[height + geometry.encumbrance] * len(supports),
+            contact_heights=heights,
+            messenger_heights=[height + geometry.encumbrance for height in heights],
             contact_stagger=repeated(geometry.stagger_contact_wire),
             messenger_stagger=repeated(geometry.stagger_messenger_wire),
             auxiliary_stagger=repeated(auxiliary),
+            measured=measured,
         )
     ]

@@ -3,6 +3,7 @@
 from itertools import pairwise
 from math import atan, hypot, log1p, pi
 
+from arcless.model.heights import gradient_warnings
 from arcless.model.scenario import Scenario
 from arcless.model.settings import ONE_ELEMENT
 
@@ -27,6 +28,8 @@ LOUD_DAMPING = 0.02
 # parabola), and the wave as long as the distance between droppers travels (π/n)²/6 too slowly
 # (ω = 2c/a sin(ka/2)): with eight, 1.6 % and 2.6 %.
 FEWEST_ELEMENTS = {"hermite": 2, "lumped": 8}
+# A tenth of the static forces of pantographs, 60 to 120 N.
+LOST_FORCE = 10.0
 IN_WORDS = {2: "two", 8: "eight"}
 
 
@@ -47,6 +50,7 @@ def scenario_warnings(scenario: Scenario) -> list[str]:
         *_about_speed(scenario),
         *_about_section(scenario),
         *_about_line(scenario),
+        *_about_heights(scenario),
         *_about_contact(scenario),
         *_about_scheme(scenario),
         *_about_solver(scenario),
@@ -99,6 +103,24 @@ def _about_line(scenario: Scenario) -> list[str]:
     if line.steady_arm.kind == "arm" and not any(line.geometry.stagger_contact_wire):
         return ["line.geometry.stagger_contact_wire: without stagger the steady arms carry nothing"]
     return []
+
+
+def _about_heights(scenario: Scenario) -> list[str]:
+    line = scenario.line
+    if not line.geometry.height_changes:
+        return []
+    found, start = gradient_warnings(line, scenario.top_speed), line.geometry.contact_wire_height
+    largest = max((abs(height - start) for height in line.contact_wire_heights()), default=0.0)
+    for placement in scenario.pantographs:
+        masses = placement.model.masses
+        lost = largest * ((masses[0].stiffness or 0.0) if masses else 0.0)
+        if lost > LOST_FORCE:
+            found.append(
+                f"pantographs: the base spring of {placement.name} changes its force by"
+                f" {lost:.0f} N over a change of height of {largest:.3g} m; a lifting device keeps"
+                " it: give the first mass a stiffness of 0"
+            )
+    return found
 
 
 def _about_contact(scenario: Scenario) -> list[str]:

@@ -11,6 +11,7 @@ from pydantic import BeforeValidator, Field, WithJsonSchema, model_validator
 from arcless.errors import ModelError
 from arcless.model.fields import Part, Unit
 from arcless.model.gusts import Gusts
+from arcless.model.measured import MAX_HEIGHTS, MeasuredHeight
 from arcless.units import WRONG_VALUE, show
 
 MAX_DROPPERS = 100_000
@@ -138,6 +139,13 @@ class AsBuilt(Part):
         max_length=MAX_DROPPERS,
         json_schema_extra={"table": True},
     )
+    measured_heights: tuple[MeasuredHeight, ...] = Field(
+        default=(),
+        description="Of the contact wire at every dropper and support, in place of those drawn: a"
+        " list, or a CSV file relative to this one.",
+        max_length=MAX_HEIGHTS,
+        json_schema_extra={"table": True},
+    )
     missing_droppers: tuple[DropperName, ...] = Field(
         default=(), description="Droppers that are missing or broken.", max_length=MAX_DROPPERS
     )
@@ -154,7 +162,10 @@ class AsBuilt(Part):
 
     @property
     def is_empty(self) -> bool:
-        """True when nothing differs from the design at rest; gusts come with the run."""
+        """True when nothing differs from the design at rest; gusts come with the run.
+
+        Measured heights are no change after the design: they take the place of the drawn ones.
+        """
         return not (
             self.temperature_difference
             or self.dropper_length_errors

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 from arcless.errors import ModelError
 from arcless.model.as_built import dropper_name
 from arcless.model.line import POSITION_TOLERANCE
+from arcless.model.measured import check_measured
 from arcless.units import accepted
 
 if TYPE_CHECKING:
@@ -24,6 +25,8 @@ def check_as_built(scenario: "Scenario") -> None:
     if scenario.as_built.gusts is not None:
         _check_wind(scenario, ("gusts",), "gusts")
         _check_gusts(scenario, scenario.as_built.gusts)
+    if scenario.as_built.measured_heights:
+        check_measured(scenario.line, scenario.as_built.measured_heights)
     if scenario.as_built.is_empty:
         return
     _check_droppers(scenario)

@@ -18,6 +18,7 @@ from arcless.model.components import (
 )
 from arcless.model.documents import Document
 from arcless.model.fields import Lengths, Part, Unit, nearest
+from arcless.model.heights import HeightChange, check_heights, heights_at
 from arcless.model.line_checks import check_wires
 from arcless.units import WRONG_VALUE, show
 
@@ -40,7 +41,12 @@ class Geometry(Part):
     """Heights and staggers at the supports."""
 
     contact_wire_height: Annotated[float, Unit("m", above=0, maximum=20)] = Field(
-        description="Height of the contact wire above rail at the supports."
+        description="Height of the contact wire above rail at the supports, from the first one on."
+    )
+    height_changes: tuple[HeightChange, ...] = Field(
+        default=(),
+        description="Stretches on which that height changes, and all wires with it.",
+        max_length=MAX_PATTERN,
     )
     encumbrance: Annotated[float, Unit("m", above=0, maximum=10)] = Field(
         description="Messenger wire above contact wire at the supports (system height)."
@@ -237,6 +243,7 @@ class Line(Document):
                 field=("spans",),
             )
         check_wires(self)
+        check_heights(self)
         return self
 
     def _check_presag(self, name: str, span: SpanType) -> None:
@@ -268,6 +275,11 @@ class Line(Document):
     def support_positions(self) -> list[float]:
         """Return the positions of the supports in m, one more than there are spans."""
         return list(accumulate((span.length for span in self.span_list()), initial=0.0))
+
+    def contact_wire_heights(self) -> list[float]:
+        """Return the nominal heights of the contact wire at the supports in m."""
+        own = self.geometry
+        return heights_at(own.contact_wire_height, own.height_changes, self.support_positions())
 
     @property
     def total_length(self) -> float:

@@ -67,7 +67,10 @@ GUSTS = Table(
     optional=("position", "vertical"),
 )
 # Fields of the section as_built that may name a file: each row is an entry, or each column a list.
-LISTS = {"dropper_length_errors": DROPPER_ERRORS}
+LISTS = {
+    "dropper_length_errors": DROPPER_ERRORS,
+    "measured_heights": Table({"position": "m", "height": "m"}),
+}
 COLUMNS = {"gusts": GUSTS}
 
 

@@ -1,6 +1,6 @@
 """Mesh → static equilibrium, with errors in the words of the line."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
@@ -12,12 +12,15 @@ from arcless import _core
 from arcless.errors import ArclessError, EquilibriumError
 from arcless.mesh import SPATIAL, Mesh, alteration, build_mesh, without
 from arcless.model import Scenario
+from arcless.model.measured import matched
 
 Floats = NDArray[np.float64]
 
 # Half a metre resolves the elasticity between droppers, which are some metres apart. In m.
 ELASTICITY_SPACING = 0.5
 FREQUENCIES = 20
+# Measured heights this near to a dropper are worth looking at when it would have to push. In m.
+NEIGHBOURS = 50.0
 
 
 @dataclass(frozen=True)
@@ -92,8 +95,10 @@ def find(scenario: Scenario) -> Equilibrium:
     EquilibriumError
         There is no equilibrium, or it was not found.
     """
-    mesh = build_mesh(scenario.line, scenario.solver)
-    with named(mesh):
+    given = scenario.as_built.measured_heights
+    heights = matched(scenario.line, given) if given else {}
+    mesh = build_mesh(scenario.line, scenario.solver, heights)
+    with _designed(mesh, heights):
         core = _core.Equilibrium(
             mesh.dimension, mesh.positions, mesh.slopes, mesh.parts, mesh.gravity, design=True
         )
@@ -119,6 +124,24 @@ def _as_built(
     with named(mesh):
         core = core.altered(changes)
     return without(mesh, changes["removed"]), core
+
+
+@contextmanager
+def _designed(mesh: Mesh, heights: Mapping[float, float]) -> Iterator[None]:
+    """As `named`; say, too, which heights were measured where no dropper length fits them."""
+    try:
+        yield
+    except _core.NativeError as error:
+        kind, message, details = error.args
+        found = translate(mesh, kind, message, details)
+        if heights and kind == "pushing":
+            x = next(d.x for d in mesh.droppers if d.link == details["link"])
+            near = [place for place in sorted(heights) if abs(place - x) < NEIGHBOURS]
+            at = near.index(min(near, key=lambda place: abs(place - x)))
+            beside = near[max(at - 1, 0) : at + 2]
+            read = ", ".join(f"{heights[place]:.4g} m at {place:g} m" for place in beside)
+            found.hint = f"measured were {read}: the wire cannot hang like that; look at these"
+        raise found from error
 
 
 @contextmanager
