@@ -11,6 +11,7 @@ import pytest
 import arcless
 from arcless.errors import ModelError
 from arcless.model import AsBuilt, Ice, Scenario, Wind, load
+from arcless.model.tables import LISTS, read_table
 
 Refused = Callable[..., str]
 GOOD = "span, dropper, length_error mm\n# read on site\n3, 2, 12.1\n\n4, 1, -5\n"
@@ -162,12 +163,16 @@ def test_a_coat_of_ice_is_as_thick_as_its_mass_says() -> None:
 def test_the_example_of_the_guide_loads(tmp_path: Path) -> None:
     page = (Path(__file__).parents[3] / "docs/guide/as-built.md").read_text("utf-8")
     blocks = re.findall(r"```(?:yaml|csv)\n# ([a-z]+\.(?:yaml|csv))(.*?)```", page, re.DOTALL)
-    assert [name for name, _ in blocks] == ["winter.yaml", "measured.csv", "gusts.csv"]
+    assert [name for name, _ in blocks] == [
+        "winter.yaml", "measured.csv", "survey.csv", "gusts.csv",
+    ]  # fmt: skip
     for name, text in blocks:
         (tmp_path / name).write_text(f"# {text}", encoding="utf-8")
     built = load(tmp_path / "winter.yaml").as_built
     assert [e.length_error for e in built.dropper_length_errors] == [0.012, -0.0045]
     assert built.missing_droppers == ("span 10 dropper 5",)
+    survey = read_table(tmp_path / "survey.csv", LISTS["measured_heights"])
+    assert survey == {"position": [0, 4.5, 10.25], "height": [5.301, 5.299, 5.302]}
     wires = {f"line.{name}_wire.diameter": "12 mm" for name in ("contact", "messenger")}
     changes = {**wires, "as_built.gusts": str(tmp_path / "gusts.csv")}
     gusts = load("ac-simple-3d-275").with_(**changes).as_built.gusts
