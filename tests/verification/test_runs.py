@@ -63,7 +63,7 @@ def test_two_far_apart_run_like_one() -> None:
     scenario = arcless.load("en50318-ac-simple-320").with_(**changes)
     found = equilibrium.find(scenario)
     numbers = motion.scheme_numbers(scenario.solver.scheme)
-    prepared = found.core.prepare(found.mesh.path, numbers, 2e-3, 50e3, False)
+    prepared = found.core.prepare(found.mesh.lanes, numbers, 2e-3, 50e3, False)
     travel = motion.motion(scenario)
     rider = riders.rider(scenario.pantographs[0].model, 170.0)
     plan = {"contact_every": 1, "line_every": 100, "links": False, "nodes": [], "points": []}

@@ -105,12 +105,12 @@ fn standing_riders_stay_as_they_started() {
         way.distances = vec![0.0, 37.0];
         let forces = [150.0, 80.0];
         let r = run(&p, &forces.map(three_masses), &way, &everything());
-        let places = [130.0, 93.0].map(|x| p.path.locate(x, 0).expect("on the wire"));
-        let still = Still::new(&p.line, &p.path)
+        let places = [130.0, 93.0].map(|x| p.lanes[0].locate(x, 0).expect("on the wire"));
+        let still = Still::new(&p.line)
             .and_then(|mut s| s.solve(&places, &forces))
             .expect("an equilibrium");
         for (j, force) in forces.iter().enumerate() {
-            let height = places[j].height + p.path.displacement(&places[j], &still.u, 1);
+            let height = places[j].height + places[j].displacement(&still.u, 1);
             for row in 0..r.time.len() {
                 // Rounding of K u over the stiffness of the scheme, which 200 steps may add up.
                 assert!((r.force[2 * row + j] - force).abs() < 1e-6);

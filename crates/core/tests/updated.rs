@@ -6,7 +6,8 @@ mod common;
 use arcless_core::CoreError;
 use arcless_core::dynamics::given::Given;
 use arcless_core::dynamics::line::Line;
-use arcless_core::dynamics::path::{Path, Place};
+use arcless_core::dynamics::path::Path;
+use arcless_core::dynamics::place::Place;
 use arcless_core::dynamics::record::{Record, RecordPlan};
 use arcless_core::dynamics::rider::Rider;
 use arcless_core::dynamics::run::Travel;
@@ -50,8 +51,8 @@ fn updated<const DIM: usize, const D: usize>(
     contact: f64,
 ) -> Prepared<DIM, D> {
     let (geometry, shape) = settled::<DIM, D>(structure.clone());
-    let path = Path::new(&geometry, &shape, path).expect("the wire is a path");
-    Prepared::updated(&geometry, &shape, path, scheme, h, contact).expect("regular")
+    let lanes = Path::lanes(&geometry, &shape, &[path.clone()]).expect("the wire is a path");
+    Prepared::updated(&geometry, &shape, lanes, scheme, h, contact).expect("regular")
 }
 
 fn linearised<const DIM: usize, const D: usize>(
@@ -162,14 +163,14 @@ impl Literal {
         let (mut shape, mut loaded) = (rest.clone(), geometry.clone());
         for _ in 0..30 {
             let place = path.locate(start, 0).expect("on the wire");
-            let shares = path.shares::<2>(&place, 1);
+            let shares = place.shares::<2>(1);
             loaded.structure.loads = shares.map(|(n, c, s)| (n, c, s * force)).collect();
             shape = loaded.settle(&shape).expect("an equilibrium");
             path.follow(&difference(&shape, &rest));
         }
         let place = path.locate(start, 0).expect("on the wire");
         let u = difference(&shape, &rest);
-        let z = path.displacement(&place, &u, 1);
+        let z = place.displacement(&u, 1);
         let (own, preload) = rider.equilibrium(force, z, speed).expect("a balance");
         let mut u_1: Vec<f64> = free.iter().map(|&(n, c)| u[n][c]).collect();
         u_1.extend(own);
@@ -223,17 +224,17 @@ impl Literal {
         let k = Self::dense(&self.free, &tangent, &self.rider.stiffness);
         self.step.reform(&k).expect("positive definite");
         self.path.follow(&u);
-        let place: Place = self.path.locate(x, 0).expect("on the wire");
+        let place: Place<2> = self.path.locate(x, 0).expect("on the wire");
         let mut map = vec![0.0; self.size()];
         let mut load = self.load(&k, &shape);
         let drag = friction(coefficient, &[force_1])[0];
         for (i, dof) in self.free.iter().enumerate() {
-            for (node, c, share) in self.path.shares::<2>(&place, 1) {
+            for (node, c, share) in place.shares::<2>(1) {
                 if *dof == (node, c) {
                     map[i] += share;
                 }
             }
-            for (node, c, share) in self.path.shares::<2>(&place, 0) {
+            for (node, c, share) in place.shares::<2>(0) {
                 if *dof == (node, c) {
                     load[i] += share * drag;
                 }

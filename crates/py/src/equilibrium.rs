@@ -103,30 +103,31 @@ impl Equilibrium {
         either!(&self.0, s => s.arrays(py))
     }
 
-    /// Elasticity in m/N at coordinates `x` along the wire elements `path`, for a force in N.
+    /// Elasticity in m/N at coordinates `x`, for a force in N on the wires of `lanes`: wire elements
+    /// in the order of the track, one list for each lane.
     fn elasticity(
         &self,
         py: Python<'_>,
-        path: Vec<usize>,
+        lanes: Vec<Vec<usize>>,
         x: Vec<f64>,
         force: f64,
     ) -> PyResult<Vec<f64>> {
-        let found = py.detach(|| either!(&self.0, s => s.elasticity(&path, &x, force)));
+        let found = py.detach(|| either!(&self.0, s => s.elasticity(&lanes, &x, force)));
         found.map_err(|e| convert(py, &e))
     }
 
     /// Lowest natural frequencies in Hz.
-    fn frequencies(&self, py: Python<'_>, path: Vec<usize>, count: usize) -> PyResult<Vec<f64>> {
-        let found = py.detach(|| either!(&self.0, s => s.frequencies(&path, count)));
+    fn frequencies(&self, py: Python<'_>, count: usize) -> PyResult<Vec<f64>> {
+        let found = py.detach(|| either!(&self.0, s => s.frequencies(count)));
         found.map_err(|e| convert(py, &e))
     }
 
-    /// Factorise for stepping: scheme as name and parameters, step in s, contact stiffness in N/m
+    /// Factorise for stepping: wire elements of each lane in the order of the track, scheme as name and parameters, step in s, contact stiffness in N/m
     /// (infinite when rigid), updated or linearised kinematics.
     fn prepare(
         &self,
         py: Python<'_>,
-        path: Vec<usize>,
+        lanes: Vec<Vec<usize>>,
         scheme: (String, Vec<f64>),
         step: f64,
         contact_stiffness: f64,
@@ -139,10 +140,12 @@ impl Equilibrium {
             updated,
         };
         let found = py.detach(|| match &self.0 {
-            Any::Planar(s) => s.prepare(&path, &stepping).map(prepared::Any::Planar),
-            Any::Spatial(s) => s.prepare(&path, &stepping).map(prepared::Any::Spatial),
-            Any::PlanarChain(s) => s.prepare(&path, &stepping).map(prepared::Any::PlanarChain),
-            Any::SpatialChain(s) => s.prepare(&path, &stepping).map(prepared::Any::SpatialChain),
+            Any::Planar(s) => s.prepare(&lanes, &stepping).map(prepared::Any::Planar),
+            Any::Spatial(s) => s.prepare(&lanes, &stepping).map(prepared::Any::Spatial),
+            Any::PlanarChain(s) => s.prepare(&lanes, &stepping).map(prepared::Any::PlanarChain),
+            Any::SpatialChain(s) => s
+                .prepare(&lanes, &stepping)
+                .map(prepared::Any::SpatialChain),
         });
         found.map(Prepared).map_err(|e| convert(py, &e))
     }
@@ -191,18 +194,23 @@ impl<const DIM: usize, const D: usize> Solved<DIM, D> {
         Line::new(&self.geometry, self.shape.clone())
     }
 
-    fn path(&self, wires: &[usize]) -> Result<Path<DIM>, CoreError> {
-        Path::new(&self.geometry, &self.shape, wires)
+    fn lanes(&self, lanes: &[Vec<usize>]) -> Result<Vec<Path<DIM>>, CoreError> {
+        Path::lanes(&self.geometry, &self.shape, lanes)
     }
 
-    fn elasticity(&self, path: &[usize], x: &[f64], force: f64) -> Result<Vec<f64>, CoreError> {
-        let (line, path) = (self.line(), self.path(path)?);
-        Still::new(&line, &path)?.elasticity(x, force)
+    fn elasticity(
+        &self,
+        lanes: &[Vec<usize>],
+        x: &[f64],
+        force: f64,
+    ) -> Result<Vec<f64>, CoreError> {
+        let (line, lanes) = (self.line(), self.lanes(lanes)?);
+        Still::new(&line)?.elasticity(&lanes, x, force)
     }
 
-    fn frequencies(&self, path: &[usize], count: usize) -> Result<Vec<f64>, CoreError> {
-        let (line, path) = (self.line(), self.path(path)?);
-        let still = Still::new(&line, &path)?;
+    fn frequencies(&self, count: usize) -> Result<Vec<f64>, CoreError> {
+        let line = self.line();
+        let still = Still::new(&line)?;
         let free = |node: usize, c: usize| line.free[node][c];
         let steps = LANCZOS_STEPS * count;
         Ok(lanczos::lowest_frequencies(
@@ -217,15 +225,15 @@ impl<const DIM: usize, const D: usize> Solved<DIM, D> {
 
     fn prepare(
         &self,
-        path: &[usize],
+        lanes: &[Vec<usize>],
         with: &Stepping,
     ) -> Result<stepper::Prepared<DIM, D>, CoreError> {
-        let (path, h, contact) = (self.path(path)?, with.step, with.contact_stiffness);
+        let (lanes, h, contact) = (self.lanes(lanes)?, with.step, with.contact_stiffness);
         if with.updated {
             let (geometry, shape) = (&self.geometry, &self.shape);
-            return stepper::Prepared::updated(geometry, shape, path, with.scheme, h, contact);
+            return stepper::Prepared::updated(geometry, shape, lanes, with.scheme, h, contact);
         }
-        stepper::Prepared::new(self.line(), path, with.scheme, h, contact)
+        stepper::Prepared::new(self.line(), lanes, with.scheme, h, contact)
     }
 
     fn arrays<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {

@@ -36,7 +36,7 @@ def alteration(mesh: Mesh, line: Line, built: AsBuilt) -> dict[str, Any]:
     kind = "wires" if len(mesh.parts["wires"][0]) else "segments"
     nodes, floats = mesh.parts[kind]
     is_contact = np.zeros(len(nodes), dtype=bool)
-    is_contact[mesh.path] = True
+    is_contact[mesh.contact_rows] = True
     ends = mesh.positions[nodes[:, :2], 0]
     mass_loss, axial, bending = _worn(ends, is_contact, built)
     longer, coats = np.ones(len(nodes)), np.zeros(len(nodes))

@@ -59,7 +59,7 @@ def _mesh(
         slopes=_in_space(kit, nodes.slopes),
         parts=kit.parts.arrays(),
         gravity=kit.solver.gravity,
-        path=_joined(own.rows["contact_wire"] for own in wired),
+        lanes=[_joined(own.rows["contact_wire"] for own in wired)],
         wire_rows=rows,
         contact_nodes=_joined(chain.nodes for chain in contacts),
         messenger_nodes=_joined(chains.messenger.nodes for chains in systems),

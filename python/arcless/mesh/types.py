@@ -82,8 +82,10 @@ class Mesh:
     ======== ========================================== =========================================
 
     A mesh has wires (wire model hermite), or segments and bends (lumped): then its slopes are zero
-    and nothing reads them. `path` holds the rows of the contact wire in the table of wires or
-    segments, from left to right; `wire_rows` those of each wire by its field of the line.
+    and nothing reads them. `lanes` holds the rows, in the table of wires or segments, of the wires
+    that a collector may run on: a list for each lane, in the order of the track; a lane is one wire
+    or several one behind the other with gaps. `wire_rows` holds those of each wire by its field of
+    the line.
     """
 
     dimension: int
@@ -91,7 +93,7 @@ class Mesh:
     slopes: Floats
     parts: dict[str, Part]
     gravity: float
-    path: list[int]
+    lanes: list[list[int]]
     contact_nodes: list[int]
     messenger_nodes: list[int]
     droppers: list[DropperPlace]
@@ -99,3 +101,8 @@ class Mesh:
     wire_rows: dict[str, list[int]]
     auxiliary_nodes: list[int] = field(default_factory=list)
     stitches: list[StitchPlace] = field(default_factory=list)
+
+    @property
+    def contact_rows(self) -> list[int]:
+        """Rows of all lanes in the table of wires or segments."""
+        return [row for lane in self.lanes for row in lane]

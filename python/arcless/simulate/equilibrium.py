@@ -47,23 +47,23 @@ class Equilibrium:
     def elasticity(self, x: Floats, force: float = 0.0) -> Floats:
         """Elasticity in m/N at positions x in m, for a force in N (0: the limit of a small one)."""
         with named(self.mesh):
-            return np.array(self.core.elasticity(self.mesh.path, x.tolist(), force))
+            return np.array(self.core.elasticity(self.mesh.lanes, x.tolist(), force))
 
     def frequencies(self, count: int = FREQUENCIES) -> Floats:
         """Lowest natural frequencies in Hz, ascending."""
         with named(self.mesh):
-            return np.array(self.core.frequencies(self.mesh.path, count))
+            return np.array(self.core.frequencies(count))
 
     def wave_speed(self) -> float:
         """Lowest wave speed along the contact wire in m/s: √(tension / mass per metre)."""
-        tension = self.arrays["wire_tension"][self.mesh.path]
-        return float(np.sqrt(np.min(tension / self.arrays["wire_mass"][self.mesh.path])))
+        tension = self.arrays["wire_tension"][self.mesh.contact_rows]
+        return float(np.sqrt(np.min(tension / self.arrays["wire_mass"][self.mesh.contact_rows])))
 
     def mean_tensions(self) -> tuple[float, float]:
         """Mean tension of the contact and of the messenger wire over the whole line, in N."""
         tension = self.arrays["wire_tension"]
         is_contact = np.zeros(len(tension), dtype=bool)
-        is_contact[self.mesh.path] = True
+        is_contact[self.mesh.contact_rows] = True
         return float(tension[is_contact].mean()), float(tension[~is_contact].mean())
 
     def end_travel(self) -> tuple[float, float]:

@@ -124,7 +124,7 @@ def run(
 def prepare(found: equilibrium.Equilibrium, scenario: Scenario) -> _core.Prepared:
     """Factorise a line for the steps of a scenario."""
     return found.core.prepare(
-        found.mesh.path,
+        found.mesh.lanes,
         motion.scheme_numbers(scenario.solver.scheme),
         scenario.time_step_s,
         motion.contact_stiffness(scenario),

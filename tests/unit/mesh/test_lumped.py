@@ -44,8 +44,8 @@ def test_stations_and_division_are_those_of_cubic_elements_without_hinge_nodes(m
 def test_the_path_is_the_contact_wire_from_left_to_right(mesh: Make) -> None:
     made = mesh(SOLVER)
     integers, floats = made.parts["segments"]
-    assert [tuple(row) for row in integers[made.path]] == list(pairwise(made.contact_nodes))
-    assert set(floats[made.path][:, 2]) == {1.35}
+    assert [tuple(row) for row in integers[made.contact_rows]] == list(pairwise(made.contact_nodes))
+    assert set(floats[made.contact_rows][:, 2]) == {1.35}
     assert len(integers) == len(made.contact_nodes) + len(made.messenger_nodes) - 2
 
 

@@ -61,10 +61,10 @@ def test_division_is_even_and_never_finer_than_needed() -> None:
 def test_the_path_is_the_contact_wire_from_left_to_right(mesh: Make) -> None:
     made = mesh()
     integers, floats = made.parts["wires"]
-    along = integers[made.path]
+    along = integers[made.contact_rows]
     assert along[:, 0].tolist() == made.contact_nodes[:-1]
     assert along[:, 1].tolist() == made.contact_nodes[1:]
-    assert set(floats[made.path][:, 3]) == {1.35}
+    assert set(floats[made.contact_rows][:, 3]) == {1.35}
     assert len(integers) == len(made.contact_nodes) + len(made.messenger_nodes) - 2
 
 

@@ -162,8 +162,8 @@ def test_a_worn_wire_is_lighter_and_faster(short: Short) -> None:
 def test_wear_counts_by_the_share_of_an_element(short: Short) -> None:
     worn = [{"from": 100.0, "to": 100.5, "fraction": 0.4}]
     found = equilibrium.find(short(**{"as_built.contact_wire_wear": worn}))
-    mass = found.arrays["wire_mass"][found.mesh.path]
-    lost = (1.35 - mass) * found.arrays["wire_rest_length"][found.mesh.path]
+    mass = found.arrays["wire_mass"][found.mesh.contact_rows]
+    lost = (1.35 - mass) * found.arrays["wire_rest_length"][found.mesh.contact_rows]
     # 0.5 m of 0.4 · 1.35 kg/m, counted along the wire as it lies stretched.
     assert lost.sum() == pytest.approx(0.27, rel=2e-3)
     assert np.count_nonzero(lost > 1e-9) == 1

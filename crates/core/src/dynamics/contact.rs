@@ -15,7 +15,7 @@
 //! −dᵀA_p⁻¹e in both directions, and to no link. The block stays symmetric and positive definite.
 
 use super::line::Line;
-use super::path::{Path, Place, slots};
+use super::place::{Place, slots};
 use super::rider::RiderState;
 use super::stepper::Prepared;
 use crate::lcp::{LcpFailure, LcpSolver, LcpStats};
@@ -93,7 +93,7 @@ impl Unilateral {
     pub fn solve<const DIM: usize, const D: usize>(
         &mut self,
         p: &Prepared<DIM, D>,
-        places: &[Place],
+        places: &[Place<DIM>],
         riders: &mut [RiderState],
         gap_free: &[f64],
         tension_free: &[f64],
@@ -173,11 +173,10 @@ impl Unilateral {
 impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
     /// Field of a unit contact force at `place`, read at a node.
     #[inline(always)]
-    fn contact_field(&self, place: &Place, node: usize) -> [f64; D] {
+    fn contact_field(&self, place: &Place<DIM>, node: usize) -> [f64; D] {
         let mut field = [0.0; D];
-        let slots = slots::<DIM, D>();
-        for (k, weight) in place.weights[..2 * slots].iter().enumerate() {
-            let value = self.columns.at(slots * place.element + k, node);
+        for (column, weight) in place.columns::<D>().zip(&place.weights) {
+            let value = self.columns.at(column, node);
             for c in 0..D {
                 field[c] += weight * value[c];
             }
@@ -185,12 +184,11 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         field
     }
 
-    fn contact_on_contact(&self, source: &Place, target: &Place) -> f64 {
-        let path: &Path<DIM> = &self.path;
+    fn contact_on_contact(&self, source: &Place<DIM>, target: &Place<DIM>) -> f64 {
         let slots = slots::<DIM, D>();
         let mut sum = 0.0;
         for side in 0..2 {
-            let field = self.contact_field(source, path.nodes[target.element + side]);
+            let field = self.contact_field(source, target.nodes[side]);
             let share =
                 |slot: usize| target.weights[slots * side + slot] * field[slot * DIM + DIM - 1];
             sum += (0..slots).map(share).sum::<f64>();
@@ -198,7 +196,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         sum
     }
 
-    fn contact_on_link(&self, source: &Place, link: usize) -> f64 {
+    fn contact_on_link(&self, source: &Place<DIM>, link: usize) -> f64 {
         let line: &Line<DIM, D> = &self.line;
         let l = &line.links[link];
         let upper = self.contact_field(source, l.nodes[0]);
@@ -218,10 +216,10 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
             .sum()
     }
 
-    /// Number of the column A⁻¹g of a link, after the columns of all path nodes.
+    /// Number of the column A⁻¹g of a link, after the columns of the nodes of all lanes.
     #[inline(always)]
     #[must_use]
     pub fn link_column(&self, link: usize) -> usize {
-        slots::<DIM, D>() * self.path.nodes.len() + link
+        self.lane_columns + link
     }
 }

@@ -19,7 +19,7 @@
 
 use super::contact::Unilateral;
 use super::loads::Loads;
-use super::path::Place;
+use super::place::Place;
 use super::rider::RiderState;
 use super::rider_energy::RiderWork;
 use super::stepper::{LineState, Prepared};
@@ -161,11 +161,11 @@ impl<const DIM: usize, const D: usize> Kernel for StepWork<'_, DIM, D> {
 
 /// What the ledger needs to know of one step, beyond the states before and after.
 #[derive(Debug)]
-pub struct StepForces<'a> {
+pub struct StepForces<'a, const DIM: usize> {
     /// Contacts at the time of balance.
-    pub places: &'a [Place],
+    pub places: &'a [Place<DIM>],
     /// Contacts before and after the step.
-    pub ends: [&'a [Place]; 2],
+    pub ends: [&'a [Place<DIM>]; 2],
     /// Forces and corrections found.
     pub unilateral: &'a Unilateral,
     /// Friction force along the wire at each contact, N.
@@ -183,7 +183,7 @@ impl<const D: usize> Ledger<D> {
         p: &Prepared<DIM, D>,
         state: &LineState<D>,
         riders: &[RiderState],
-        places: &[Place],
+        places: &[Place<DIM>],
         datum: f64,
     ) -> Self {
         let zero = vec![[0.0; D]; state.u.len()];
@@ -274,7 +274,7 @@ impl<const D: usize> Ledger<D> {
         p: &Prepared<DIM, D>,
         state: &LineState<D>,
         riders: &[RiderState],
-        f: &StepForces<'_>,
+        f: &StepForces<'_, DIM>,
     ) {
         self.book_springs(p, state);
         self.book_links(p, state, f.unilateral);
@@ -352,30 +352,29 @@ impl<const D: usize> Ledger<D> {
         p: &Prepared<DIM, D>,
         state: &LineState<D>,
         riders: &[RiderState],
-        f: &StepForces<'_>,
+        f: &StepForces<'_, DIM>,
     ) {
         let up = DIM - 1;
         let [before, after] = f.ends;
         for (j, place) in f.places.iter().enumerate() {
             let force = f.unilateral.force[j];
-            let on_line = force * p.path.displacement(place, &state.delta, up);
+            let on_line = force * place.displacement(&state.delta, up);
             let on_rider = -force * riders[j].strip(&riders[j].delta);
             // Height of the wire under the contact, before and after the step.
-            let height = |q: &Place, back: f64| {
-                q.height + p.path.displacement(q, &state.u, up)
-                    - back * p.path.displacement(q, &state.delta, up)
+            let height = |q: &Place<DIM>, back: f64| {
+                q.height + q.displacement(&state.u, up) - back * q.displacement(&state.delta, up)
             };
             let rise = height(&after[j], 0.0) - height(&before[j], 1.0);
             // Of the contact that moves while the wire does, the scheme keeps a share (½ − α_f).
-            let moved = p.path.displacement(&after[j], &state.delta, up)
-                - p.path.displacement(&before[j], &state.delta, up);
+            let moved =
+                after[j].displacement(&state.delta, up) - before[j].displacement(&state.delta, up);
             let by_scheme = (0.5 - p.coefficients.old) * force * moved;
             self.scheme_elastic -= by_scheme;
             // What is not motion of the wire is the contact moving along its slope. Where the
             // wire rises ahead it pushes the strip on: the rider gains, traction is negative.
             self.entries.work_traction += on_line - by_scheme - force * rise;
             self.entries.switching -= force * rise + on_rider;
-            let along = p.path.displacement(place, &state.delta, 0);
+            let along = place.displacement(&state.delta, 0);
             self.entries.work_friction += f.friction[j] * along;
         }
         let energy = contact_energy(p, state, riders, after, f.datum);
@@ -389,15 +388,15 @@ fn contact_energy<const DIM: usize, const D: usize>(
     p: &Prepared<DIM, D>,
     state: &LineState<D>,
     riders: &[RiderState],
-    places: &[Place],
+    places: &[Place<DIM>],
     datum: f64,
 ) -> f64 {
     let stops: f64 = riders.iter().map(RiderState::stop_energy).sum();
     if p.contact_flexibility == 0.0 {
         return stops;
     }
-    let overlap = |(place, rider): (&Place, &RiderState)| {
-        let wire = place.height + p.path.displacement(place, &state.u, DIM - 1);
+    let overlap = |(place, rider): (&Place<DIM>, &RiderState)| {
+        let wire = place.height + place.displacement(&state.u, DIM - 1);
         (datum + rider.strip(&rider.u) - wire).max(0.0)
     };
     let squares = places.iter().zip(riders).map(|pair| overlap(pair).powi(2));

@@ -10,6 +10,7 @@ pub mod line;
 pub mod links;
 pub mod loads;
 pub mod path;
+pub mod place;
 pub mod record;
 pub mod rider;
 pub mod rider_energy;

@@ -1,24 +1,27 @@
-//! The wire a contact runs along: which element it is on, and where in it.
+//! The lanes that contacts run along: which element a place is on, and where in it.
+//!
+//! A lane is one wire, or several one behind the other with gaps between them. Several lanes lie
+//! side by side, or take over from one another where they overlap along the track.
 
+use super::place::{Place, slots};
 use crate::element::hermite;
 use crate::error::CoreError;
 use crate::statics::assembly::{Geometry, Shape};
 
-/// Vectors of a node, each of which takes a share of a force on the wire: its position, and its
-/// slope where it has one.
-#[must_use]
-pub const fn slots<const DIM: usize, const D: usize>() -> usize {
-    D / DIM
-}
-
-/// Elements of one wire in the order of the track, in their static shape.
+/// Elements of a lane in the order of the track, in their static shape.
 #[derive(Debug, Clone)]
 pub struct Path<const DIM: usize> {
     elements: Vec<PathElement<DIM>>,
     /// The same elements where they have moved to, with updated kinematics; else empty.
     moved: Vec<PathElement<DIM>>,
-    /// Nodes along the path, one more than there are elements.
+    /// Nodes of each element.
+    ends: Vec<[usize; 2]>,
+    /// Wire of each element, counted along the lane.
+    wires: Vec<usize>,
+    /// Nodes along the lane, wire by wire: each wire has one more than it has elements.
     pub nodes: Vec<usize>,
+    /// Number of nodes in the lanes before this one.
+    before: usize,
 }
 
 #[derive(Debug, Clone)]
@@ -30,19 +33,6 @@ enum PathElement<const DIM: usize> {
     },
     /// Segment of a chain, between its two ends.
     Chord([[f64; DIM]; 2]),
-}
-
-/// A place on the path: where a contact acts, and on which degrees of freedom.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct Place {
-    /// Element of the path; its nodes are `path.nodes[element]` and the next one.
-    pub element: usize,
-    /// Shape functions: with S [`slots`], number k belongs to slot k % S of node k / S of the two.
-    pub weights: [f64; 4],
-    /// Static height, m.
-    pub height: f64,
-    /// Static lateral position, m (zero when planar).
-    pub lateral: f64,
 }
 
 /// Newton steps that invert x(ξ); the wire is nearly straight, three reach rounding.
@@ -130,46 +120,82 @@ fn element<const DIM: usize, const D: usize>(
 
 fn refuse(reason: &str) -> CoreError {
     CoreError::Input {
-        array: "path",
+        array: "lanes",
         reason: reason.into(),
     }
 }
 
 impl<const DIM: usize> Path<DIM> {
-    /// Path over the given wire elements (segments of a chain), which must follow each other along
-    /// the track.
+    /// One path for each list of wire elements (segments of a chain).
     ///
     /// # Errors
-    /// [`CoreError::Input`] when they do not.
+    /// Those of [`Path::new`]; also [`CoreError::Input`] without lanes, or when an element is in two.
+    pub fn lanes<const D: usize>(
+        geometry: &Geometry<DIM, D>,
+        shape: &Shape<D>,
+        lanes: &[Vec<usize>],
+    ) -> Result<Vec<Self>, CoreError> {
+        let mut numbers = lanes.concat();
+        numbers.sort_unstable();
+        if lanes.is_empty() || numbers.windows(2).any(|pair| pair[0] == pair[1]) {
+            return Err(refuse("none, or an element that is in two places"));
+        }
+        let mut before = 0;
+        let lanes = lanes.iter().map(|wires| {
+            let path = Self::new(geometry, shape, wires)?;
+            let path = Self { before, ..path };
+            before += path.nodes.len();
+            Ok(path)
+        });
+        lanes.collect()
+    }
+
+    /// A lane over the given wire elements (segments of a chain) in the order of the track. An
+    /// element that shares no node with the one before begins a new wire, which must not overlap it.
+    ///
+    /// # Errors
+    /// [`CoreError::Input`] when they do not lie one behind the other.
     pub fn new<const D: usize>(
         geometry: &Geometry<DIM, D>,
         shape: &Shape<D>,
         wires: &[usize],
     ) -> Result<Self, CoreError> {
-        let mut nodes: Vec<usize> = Vec::with_capacity(wires.len() + 1);
-        let mut elements = Vec::with_capacity(wires.len());
-        for &number in wires {
-            let (element, ends) = element(geometry, shape, number)?;
-            if nodes.is_empty() {
-                nodes.push(ends[0]);
-            } else if nodes.last() != Some(&ends[0]) {
-                return Err(refuse("elements do not follow each other"));
-            }
-            let (first, last) = element.range();
-            if last <= first {
-                return Err(refuse("the wire runs backwards"));
-            }
-            nodes.push(ends[1]);
-            elements.push(element);
-        }
-        if elements.is_empty() {
+        if wires.is_empty() {
             return Err(refuse("no elements"));
         }
-        Ok(Self {
-            elements,
+        let mut lane = Self {
+            elements: Vec::with_capacity(wires.len()),
             moved: Vec::new(),
-            nodes,
-        })
+            ends: Vec::with_capacity(wires.len()),
+            wires: Vec::with_capacity(wires.len()),
+            nodes: Vec::with_capacity(wires.len() + 1),
+            before: 0,
+        };
+        for &number in wires {
+            let (element, ends) = element(geometry, shape, number)?;
+            lane.push(element, ends)?;
+        }
+        Ok(lane)
+    }
+
+    fn push(&mut self, element: PathElement<DIM>, ends: [usize; 2]) -> Result<(), CoreError> {
+        let (first, last) = element.range();
+        if last <= first {
+            return Err(refuse("the wire runs backwards"));
+        }
+        let mut wire = self.wires.last().copied().unwrap_or(0);
+        if self.nodes.last() != Some(&ends[0]) {
+            if self.elements.last().is_some_and(|e| e.range().1 > first) {
+                return Err(refuse("the wires of a lane overlap along the track"));
+            }
+            wire += usize::from(!self.elements.is_empty());
+            self.nodes.push(ends[0]);
+        }
+        self.nodes.push(ends[1]);
+        self.elements.push(element);
+        self.ends.push(ends);
+        self.wires.push(wire);
+        Ok(())
     }
 
     /// First and last coordinate along the track, m.
@@ -184,7 +210,7 @@ impl<const DIM: usize> Path<DIM> {
     pub fn follow<const D: usize>(&mut self, u: &[[f64; D]]) -> bool {
         self.moved.clone_from(&self.elements);
         let mut runs_forwards = true;
-        for (element, nodes) in self.moved.iter_mut().zip(self.nodes.windows(2)) {
+        for (element, nodes) in self.moved.iter_mut().zip(&self.ends) {
             element.displace([&u[nodes[0]], &u[nodes[1]]]);
             let (first, last) = element.range();
             runs_forwards &= first < last;
@@ -192,15 +218,19 @@ impl<const DIM: usize> Path<DIM> {
         runs_forwards
     }
 
-    /// Place at coordinate `x` along the track; `None` beyond the ends. `near` is the element
-    /// where the search starts (contacts move little from step to step).
-    #[must_use]
-    pub fn locate(&self, x: f64, near: usize) -> Option<Place> {
-        let present = if self.moved.is_empty() {
+    fn present(&self) -> &[PathElement<DIM>] {
+        if self.moved.is_empty() {
             &self.elements
         } else {
             &self.moved
-        };
+        }
+    }
+
+    /// Place at coordinate `x` along the track; `None` beyond the ends and in gaps. `near` is the
+    /// element where the search starts (contacts move little from step to step).
+    #[must_use]
+    pub fn locate(&self, x: f64, near: usize) -> Option<Place<DIM>> {
+        let present = self.present();
         let (first, last) = (present[0].range().0, present[present.len() - 1].range().1);
         if !(first..=last).contains(&x) {
             return None;
@@ -212,56 +242,24 @@ impl<const DIM: usize> Path<DIM> {
         while k + 1 < present.len() && x > present[k].range().1 {
             k += 1;
         }
+        // Beyond the last element on the left of x there may be a gap.
+        (x >= present[k].range().0).then(|| self.place(k, x))
+    }
+
+    /// Place on element `k` at coordinate `x`, which lies on it.
+    fn place(&self, k: usize, x: f64) -> Place<DIM> {
+        let present = self.present();
+        let last = present[present.len() - 1].range().1;
         let weights = present[k].weights(x, 4.0 * f64::EPSILON * last.abs());
         // The static point with these weights: displacements are added by whoever asks for them.
         let r = self.elements[k].point(&weights);
-        let lateral = if DIM == 3 { r[1] } else { 0.0 };
-        Some(Place {
+        Place {
             element: k,
+            nodes: self.ends[k],
+            number: self.before + k + self.wires[k],
             weights,
             height: r[DIM - 1],
-            lateral,
-        })
-    }
-
-    /// Component `c` of a displacement field at a place.
-    #[inline(always)]
-    #[must_use]
-    pub fn displacement<const D: usize>(&self, place: &Place, x: &[[f64; D]], c: usize) -> f64 {
-        let (a, b) = (
-            &x[self.nodes[place.element]],
-            &x[self.nodes[place.element + 1]],
-        );
-        let w = &place.weights;
-        if slots::<DIM, D>() == 1 {
-            return w[0] * a[c] + w[1] * b[c];
-        }
-        w[0] * a[c] + w[1] * a[DIM + c] + w[2] * b[c] + w[3] * b[DIM + c]
-    }
-
-    /// Degrees of freedom that share component `c` of a force at a place: node, component, share.
-    pub fn shares<const D: usize>(
-        &self,
-        place: &Place,
-        c: usize,
-    ) -> impl Iterator<Item = (usize, usize, f64)> {
-        let (slots, first, weights) = (slots::<DIM, D>(), place.element, place.weights);
-        (0..2 * slots).map(move |k| {
-            let node = self.nodes[first + k / slots];
-            (node, k % slots * DIM + c, weights[k])
-        })
-    }
-
-    /// Add a force on component `c` at a place.
-    pub fn add_force<const D: usize>(
-        &self,
-        place: &Place,
-        force: f64,
-        c: usize,
-        f: &mut [[f64; D]],
-    ) {
-        for (node, component, share) in self.shares::<D>(place, c) {
-            f[node][component] += share * force;
+            lateral: if DIM == 3 { r[1] } else { 0.0 },
         }
     }
 }

@@ -3,11 +3,13 @@
 use super::contact::Unilateral;
 use super::ledger::{Ledger, StepForces};
 use super::loads::{self, Load, Loads};
-use super::path::{Path, Place};
+use super::path::Path;
+use super::place::Place;
 use super::record::{Record, RecordPlan};
 use super::rider::{Rider, RiderState};
 use super::stepper::{LineState, Prepared};
 use super::still::Still;
+use super::updated::follow;
 use crate::error::CoreError;
 use crate::lcp::LcpStats;
 use std::borrow::Cow;
@@ -41,10 +43,10 @@ pub(super) struct Run<'a, const DIM: usize, const D: usize> {
     start_u: Vec<Vec<f64>>,
     pub(super) unilateral: Unilateral,
     datum: f64,
-    at_end: Vec<Place>,
-    at_start: Vec<Place>,
-    pub(super) at_balance: Vec<Place>,
-    points: Vec<Place>,
+    at_end: Vec<Place<DIM>>,
+    at_start: Vec<Place<DIM>>,
+    pub(super) at_balance: Vec<Place<DIM>>,
+    points: Vec<Place<DIM>>,
     pub(super) gaps: Vec<f64>,
     friction: Vec<f64>,
     loads: Loads<'a>,
@@ -64,7 +66,13 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         plan: &RecordPlan,
         observe: &mut dyn FnMut(usize) -> bool,
     ) -> Result<Record, CoreError> {
-        check(riders, travel, plan, self.updating.is_some())?;
+        check(
+            riders,
+            travel,
+            plan,
+            self.updating.is_some(),
+            self.lanes.len(),
+        )?;
         loads::check::<D>(&travel.loads, self.line.nodes(), travel.positions.len())?;
         let mut run = Run::start(self, riders, travel, plan)?;
         let mut ledger = plan
@@ -88,6 +96,7 @@ fn check(
     travel: &Travel,
     plan: &RecordPlan,
     updates: bool,
+    lanes: usize,
 ) -> Result<(), CoreError> {
     let refuse = |array, reason: &str| {
         Err(CoreError::Input {
@@ -111,6 +120,9 @@ fn check(
     if plan.ledger && updates {
         return refuse("plan", "an energy ledger with updated kinematics");
     }
+    if lanes > 1 {
+        return refuse("lanes", "riders run along one lane");
+    }
     if plan.contact_every == 0 || plan.line_every == 0 {
         return refuse("plan", "a recording interval of zero steps");
     }
@@ -118,7 +130,7 @@ fn check(
 }
 
 /// Places at coordinates along the track, m.
-fn locate_all<const DIM: usize>(path: &Path<DIM>, x: &[f64]) -> Result<Vec<Place>, CoreError> {
+fn locate_all<const DIM: usize>(path: &Path<DIM>, x: &[f64]) -> Result<Vec<Place<DIM>>, CoreError> {
     let locate = |(contact, &position): (usize, &f64)| {
         let place = path.locate(position, 0);
         place.ok_or(CoreError::OffWire {
@@ -141,24 +153,24 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
         let start = |distance: &f64| travel.positions[0] - distance;
         let contacts: Vec<f64> = travel.distances.iter().map(start).collect();
         let forces: Vec<f64> = riders.iter().map(|r| r.start_force).collect();
-        let points = locate_all(&p.path, &plan.points)?;
+        let points = locate_all(&p.lanes[0], &plan.points)?;
         let (p, still) = match &p.updating {
             None => {
-                let places = locate_all(&p.path, &contacts)?;
-                let still = Still::new(&p.line, &p.path)?.solve(&places, &forces)?;
+                let places = locate_all(&p.lanes[0], &contacts)?;
+                let still = Still::new(&p.line)?.solve(&places, &forces)?;
                 (Cow::Borrowed(p), still)
             }
             Some(now) => {
                 let still = p.settle(now, &contacts, &forces)?;
                 let mut own = p.clone();
-                own.path.follow(&still.u);
+                follow(&mut own.lanes, &still.u);
                 (Cow::Owned(own), still)
             }
         };
-        let places = locate_all(&p.path, &contacts)?;
+        let places = locate_all(&p.lanes[0], &contacts)?;
         let datum = places[0].height;
         let states = riders.iter().zip(&places).map(|(rider, place)| {
-            let wire = place.height + p.path.displacement(place, &still.u, DIM - 1);
+            let wire = place.height + place.displacement(&still.u, DIM - 1);
             let z = wire - datum + rider.start_force * p.contact_flexibility;
             RiderState::new(rider.clone(), &p.coefficients, z, travel.speeds[0])
         });
@@ -211,7 +223,7 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
         p.free_increment(&mut self.state, |f| {
             loads.add_to(f);
             for (place, &t) in places.iter().zip(friction).filter(|(_, t)| **t != 0.0) {
-                p.path.add_force(place, t, 0, f);
+                place.add_force(t, 0, f);
             }
             if p.updating.is_none() {
                 p.line.add_rest_corrections(f);
@@ -237,7 +249,7 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
         for (j, distance) in self.travel.distances.iter().enumerate() {
             let near = self.at_start[j].element;
             let locate = |position: f64| {
-                let place = self.p.path.locate(position, near);
+                let place = self.p.lanes[0].locate(position, near);
                 place.ok_or(CoreError::OffWire {
                     contact: j,
                     position,
@@ -254,8 +266,8 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
     fn wire_height(&self, j: usize) -> f64 {
         let (p, place) = (&*self.p, &self.at_balance[j]);
         place.height
-            + p.path.displacement(place, &self.state.u, DIM - 1)
-            + p.coefficients.stiffness * p.path.displacement(place, &self.state.delta, DIM - 1)
+            + place.displacement(&self.state.u, DIM - 1)
+            + p.coefficients.stiffness * place.displacement(&self.state.delta, DIM - 1)
     }
 
     /// Lateral position of the wire at the time of balance; zero when planar.
@@ -265,8 +277,8 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
             return 0.0;
         }
         place.lateral
-            + p.path.displacement(place, &self.state.u, 1)
-            + p.coefficients.stiffness * p.path.displacement(place, &self.state.delta, 1)
+            + place.displacement(&self.state.u, 1)
+            + p.coefficients.stiffness * place.displacement(&self.state.delta, 1)
     }
 
     /// Gaps that the motion without contact forces would open (or, negative, close).
@@ -367,10 +379,9 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
         }
         let keep = self.p.coefficients.stiffness;
         for place in &self.points {
-            let path = &self.p.path;
             let moved = |c: usize| {
-                path.displacement(place, &self.state.u, c)
-                    + keep * path.displacement(place, &self.state.delta, c)
+                place.displacement(&self.state.u, c)
+                    + keep * place.displacement(&self.state.delta, c)
             };
             self.record.point_uplift.push(moved(DIM - 1));
             self.record.point_along.push(moved(0));

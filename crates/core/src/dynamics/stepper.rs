@@ -14,7 +14,8 @@ use super::columns::Columns;
 use super::contact::Unilateral;
 use super::line::Line;
 use super::links::LinkMotion;
-use super::path::{Path, Place, slots};
+use super::path::Path;
+use super::place::{Place, slots};
 use super::updated::Updating;
 use crate::error::CoreError;
 use crate::linalg::{BlockLdl, Kernel, widest};
@@ -25,14 +26,17 @@ use crate::scheme::{Coefficients, Scheme};
 pub struct Prepared<const DIM: usize, const D: usize> {
     /// Linearised structure.
     pub line: Line<DIM, D>,
-    /// Wire the contacts run along.
-    pub path: Path<DIM>,
+    /// Wires the contacts run along.
+    pub lanes: Vec<Path<DIM>>,
     /// Step length, s.
     pub h: f64,
     /// Numbers of the scheme.
     pub coefficients: Coefficients,
-    /// Influence columns: one for each slot of each path node (force, couple), then one for each link.
+    /// Influence columns: lane by lane one for each slot (force, couple) of each node, then one for
+    /// each link.
     pub columns: Columns<D>,
+    /// Columns of the lanes.
+    pub(super) lane_columns: usize,
     /// κ of each link, N/m.
     pub link_stiffness: Vec<f64>,
     /// 1/(a k_c), m/N; zero for rigid contact.
@@ -94,17 +98,17 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
     /// [`CoreError::Input`] or [`CoreError::Singular`].
     pub fn new(
         line: Line<DIM, D>,
-        path: Path<DIM>,
+        lanes: Vec<Path<DIM>>,
         scheme: Scheme,
         h: f64,
         contact_stiffness: f64,
     ) -> Result<Self, CoreError> {
-        Self::assemble(line, path, scheme, h, contact_stiffness, None)
+        Self::assemble(line, lanes, scheme, h, contact_stiffness, None)
     }
 
     pub(super) fn assemble(
         line: Line<DIM, D>,
-        path: Path<DIM>,
+        lanes: Vec<Path<DIM>>,
         scheme: Scheme,
         h: f64,
         contact_stiffness: f64,
@@ -131,7 +135,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         let alpha = line.common.alpha;
         let combine =
             |k: usize| old_a[k] + alpha * old_v[k] - (c.mass + c.damping * alpha) / kappa * s[k];
-        let columns = Columns::new(slots::<DIM, D>() * path.nodes.len() + line.links.len());
+        let lane_columns = slots::<DIM, D>() * lanes.iter().map(|l| l.nodes.len()).sum::<usize>();
         let fixed = line.free.iter().enumerate().flat_map(|(node, free)| {
             (0..D)
                 .filter(|&k| !free[k])
@@ -149,11 +153,12 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
                 .collect(),
             contact_compliance: 1.0 / (contact_stiffness * c.stiffness),
             contact_flexibility: 1.0 / contact_stiffness,
+            columns: Columns::new(lane_columns + line.links.len()),
+            lane_columns,
             line,
-            path,
+            lanes,
             h,
             coefficients: c,
-            columns,
             factor,
             updating,
         };
@@ -166,16 +171,16 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         Ok(prepared)
     }
 
-    /// Right-hand side of a column. First come those of all path nodes (unit force in the vertical,
-    /// and unit couple where they have slopes), then those of all links.
+    /// Right-hand side of a column. First come those of the nodes of all lanes (unit force in the
+    /// vertical, and unit couple where they have slopes), then those of all links.
     pub(super) fn unit_load(&self, number: usize) -> Vec<[f64; D]> {
         let slots = slots::<DIM, D>();
         let mut load = vec![[0.0; D]; self.line.nodes()];
-        if let Some(&node) = self.path.nodes.get(number / slots) {
+        let mut nodes = self.lanes.iter().flat_map(|lane| &lane.nodes);
+        if let Some(&node) = nodes.nth(number / slots) {
             load[node][number % slots * DIM + DIM - 1] = 1.0;
         } else {
-            let link = number - slots * self.path.nodes.len();
-            self.line.links[link].add_to(1.0, &mut load);
+            self.line.links[number - self.lane_columns].add_to(1.0, &mut load);
         }
         self.line.mask(&mut load);
         load
@@ -267,9 +272,8 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         &self,
         state: &mut LineState<D>,
         unilateral: &mut Unilateral,
-        places: &[Place],
+        places: &[Place<DIM>],
     ) {
-        let slots = slots::<DIM, D>();
         let mut moved = self.line.nodes()..0;
         let mut add = |column: usize, factor: f64| {
             let nodes = self.columns.add(column, factor, &mut state.delta);
@@ -278,8 +282,8 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         for (j, place) in places.iter().enumerate() {
             let change = unilateral.force[j] - unilateral.applied_force[j];
             unilateral.applied_force[j] = unilateral.force[j];
-            for (k, weight) in place.weights[..2 * slots].iter().enumerate() {
-                add(slots * place.element + k, weight * change);
+            for (column, weight) in place.columns::<D>().zip(&place.weights) {
+                add(column, weight * change);
             }
         }
         for &link in &unilateral.links {

@@ -6,7 +6,8 @@
 //! steps, with H = 1/k − GᵀK⁻¹G.
 
 use super::line::Line;
-use super::path::{Path, Place};
+use super::path::Path;
+use super::place::Place;
 use crate::error::CoreError;
 use crate::lcp::LcpSolver;
 use crate::linalg::BlockLdl;
@@ -16,7 +17,6 @@ use std::collections::BTreeMap;
 #[derive(Debug)]
 pub struct Still<'a, const DIM: usize, const D: usize> {
     line: &'a Line<DIM, D>,
-    path: &'a Path<DIM>,
     /// Factor of K with every link linear: the corrections r are on the right-hand side.
     factor: BlockLdl<D>,
     /// Factor of the stiffness at rest, without the links that are slack there; `None` when there
@@ -41,7 +41,7 @@ impl<'a, const DIM: usize, const D: usize> Still<'a, DIM, D> {
     ///
     /// # Errors
     /// [`CoreError::Singular`] when the line is loose.
-    pub fn new(line: &'a Line<DIM, D>, path: &'a Path<DIM>) -> Result<Self, CoreError> {
+    pub fn new(line: &'a Line<DIM, D>) -> Result<Self, CoreError> {
         let factor = BlockLdl::new(&line.combine(0.0, 0.0, 1.0))?;
         let at_rest = line
             .stiffness_at_rest()
@@ -51,7 +51,6 @@ impl<'a, const DIM: usize, const D: usize> Still<'a, DIM, D> {
         let solver = LcpSolver::new();
         Ok(Self {
             line,
-            path,
             factor,
             at_rest,
             pulls: BTreeMap::new(),
@@ -66,15 +65,19 @@ impl<'a, const DIM: usize, const D: usize> Still<'a, DIM, D> {
         self.at_rest.as_ref().unwrap_or(&self.factor)
     }
 
-    /// Displacement under vertical forces (N, upwards) at places of the path.
+    /// Displacement under vertical forces (N, upwards) at places.
     ///
     /// # Errors
     /// [`CoreError::Lcp`] or [`CoreError::SlackSet`], as of step 0.
-    pub fn solve(&mut self, places: &[Place], forces: &[f64]) -> Result<StillState<D>, CoreError> {
+    pub fn solve(
+        &mut self,
+        places: &[Place<DIM>],
+        forces: &[f64],
+    ) -> Result<StillState<D>, CoreError> {
         let links = &self.line.links;
         let mut free = vec![[0.0; D]; self.line.nodes()];
         for (place, &force) in places.iter().zip(forces) {
-            self.path.add_force(place, force, DIM - 1, &mut free);
+            place.add_force(force, DIM - 1, &mut free);
         }
         links
             .iter()
@@ -165,13 +168,18 @@ impl<'a, const DIM: usize, const D: usize> Still<'a, DIM, D> {
     ///
     /// # Errors
     /// [`CoreError::OffWire`] or those of [`Still::solve`].
-    pub fn elasticity(&mut self, x: &[f64], force: f64) -> Result<Vec<f64>, CoreError> {
+    pub fn elasticity(
+        &mut self,
+        lanes: &[Path<DIM>],
+        x: &[f64],
+        force: f64,
+    ) -> Result<Vec<f64>, CoreError> {
         let mut hint = 0;
         let rest = self.solve(&[], &[])?;
         x.iter()
             .enumerate()
             .map(|(i, &position)| {
-                let place = self.path.locate(position, hint);
+                let place = lanes[0].locate(position, hint);
                 let place = place.ok_or(CoreError::OffWire {
                     contact: i,
                     position,
@@ -180,16 +188,16 @@ impl<'a, const DIM: usize, const D: usize> Still<'a, DIM, D> {
                 hint = place.element;
                 if force > 0.0 {
                     let state = self.solve(&[place], &[force])?;
-                    let rise = self.path.displacement(&place, &state.u, DIM - 1)
-                        - self.path.displacement(&place, &rest.u, DIM - 1);
+                    let rise = place.displacement(&state.u, DIM - 1)
+                        - place.displacement(&rest.u, DIM - 1);
                     return Ok(rise / force);
                 }
                 let mut u = vec![[0.0; D]; self.line.nodes()];
-                self.path.add_force(&place, 1.0, DIM - 1, &mut u);
+                place.add_force(1.0, DIM - 1, &mut u);
                 self.line.mask(&mut u);
                 let factor = self.at_rest.as_ref().unwrap_or(&self.factor);
                 factor.solve(&mut u, &mut self.scratch);
-                Ok(self.path.displacement(&place, &u, DIM - 1))
+                Ok(place.displacement(&u, DIM - 1))
             })
             .collect()
     }

@@ -11,7 +11,8 @@
 //! direction, contacts their place on the moved wire, and C = α M + β K follows K.
 
 use super::line::Line;
-use super::path::{Path, Place, slots};
+use super::path::Path;
+use super::place::Place;
 use super::stepper::{LineState, Prepared};
 use super::still::StillState;
 use crate::error::CoreError;
@@ -48,7 +49,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
     pub fn updated(
         geometry: &Geometry<DIM, D>,
         shape: &Shape<D>,
-        path: Path<DIM>,
+        lanes: Vec<Path<DIM>>,
         scheme: Scheme,
         h: f64,
         contact_stiffness: f64,
@@ -68,7 +69,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
             matrix: constant.clone(),
             constant,
         };
-        Self::assemble(line, path, scheme, h, contact_stiffness, Some(updating))
+        Self::assemble(line, lanes, scheme, h, contact_stiffness, Some(updating))
     }
 
     /// Form coordinates, forces, stiffness and links at the present position; nothing to do with
@@ -84,7 +85,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         let Some(now) = &mut self.updating else {
             return Ok(());
         };
-        if !self.path.follow(&state.u) {
+        if !follow(&mut self.lanes, &state.u) {
             return Err(CoreError::Folded { step });
         }
         for ((r, rest), u) in now.shape.iter_mut().zip(&now.rest).zip(&state.u) {
@@ -109,10 +110,9 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
 
     /// Compute the influence columns that contacts at `places` and the given links need, unless they
     /// are there already.
-    pub(super) fn provide(&mut self, places: &[Place], links: &[usize]) {
-        let slots = slots::<DIM, D>();
+    pub(super) fn provide(&mut self, places: &[Place<DIM>], links: &[usize]) {
         for place in places {
-            for number in slots * place.element..slots * (place.element + 2) {
+            for number in place.columns::<D>() {
                 self.provide_column(number);
             }
         }
@@ -139,7 +139,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         contacts: &[f64],
         forces: &[f64],
     ) -> Result<StillState<D>, CoreError> {
-        let mut path = self.path.clone();
+        let mut lanes = self.lanes.clone();
         let mut geometry = now.geometry.clone();
         let given = geometry.structure.loads.len();
         let mut shape = now.rest.clone();
@@ -147,12 +147,12 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         for _ in 0..MOST_APPROXIMATIONS {
             geometry.structure.loads.truncate(given);
             for (contact, (&position, force)) in contacts.iter().zip(forces).enumerate() {
-                let place = path.locate(position, 0).ok_or(CoreError::OffWire {
+                let place = lanes[0].locate(position, 0).ok_or(CoreError::OffWire {
                     contact,
                     position,
                     step: 0,
                 })?;
-                let shares = path.shares::<D>(&place, DIM - 1);
+                let shares = place.shares::<D>(DIM - 1);
                 let loads = shares.map(|(node, c, share)| (node, c, share * force));
                 geometry.structure.loads.extend(loads);
             }
@@ -165,7 +165,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
                     u[c] = new;
                 }
             }
-            if !path.follow(&u) {
+            if !follow(&mut lanes, &u) {
                 return Err(CoreError::Folded { step: 0 });
             }
             // Settling leaves a shape that balances as it is.
@@ -186,6 +186,19 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
             tolerance: geometry.force_rounding(),
         })
     }
+}
+
+/// Find places on the displaced wires from now on; tells whether all run along the track.
+pub(super) fn follow<const DIM: usize, const D: usize>(
+    lanes: &mut [Path<DIM>],
+    u: &[[f64; D]],
+) -> bool {
+    // Every lane follows, also behind one that folds.
+    let mut runs_forwards = true;
+    for lane in lanes {
+        runs_forwards &= lane.follow(u);
+    }
+    runs_forwards
 }
 
 /// What cancels the compression of links that are slack in a shape, N.

@@ -224,8 +224,8 @@ pub fn prepare_any<const DIM: usize, const D: usize>(
     let start = geometry.design().expect("the design converges");
     change(&mut geometry.structure);
     let shape = geometry.settle(&start).expect("the equilibrium converges");
-    let path = Path::new(&geometry, &shape, &path).expect("the wire is a path");
-    Prepared::new(Line::new(&geometry, shape), path, scheme, h, contact).expect("regular")
+    let lanes = Path::lanes(&geometry, &shape, &[path]).expect("the wire is a path");
+    Prepared::new(Line::new(&geometry, shape), lanes, scheme, h, contact).expect("regular")
 }
 
 /// One horizontal wire between fixed ends: nodes from left to right, all elements on the path.
