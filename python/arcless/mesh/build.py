@@ -10,6 +10,7 @@ from arcless.mesh.chains import Chains, Nodes, make_chains
 from arcless.mesh.holding import Holding
 from arcless.mesh.kit import Kit
 from arcless.mesh.systems import wire_systems
+from arcless.mesh.track import add_curves
 from arcless.mesh.types import PLANAR, SPATIAL, Floats, Mesh, SupportPlace
 from arcless.mesh.wiring import Wired, Wiring
 from arcless.model.line import Line
@@ -41,6 +42,7 @@ def build_mesh(line: Line, solver: Solver, measured: Mapping[float, float] | Non
     for own, chains in zip(places, systems, strict=True):
         wired.append(Wiring(kit, own, chains).build())
         supports += Holding(kit, own, chains).build()
+    add_curves(kit, nodes.positions)
     return _mesh(kit, nodes, systems, wired, supports)
 
 
@@ -88,7 +90,7 @@ def _dimension(line: Line, solver: Solver) -> int:
         raise MeshError(
             "solver.dimension",
             got="planar",
-            expected="auto or spatial for a line with stagger or hinged steady arms",
-            hint="a planar line has no stagger and a steady arm of kind spring",
+            expected="auto or spatial for a line with stagger, curves or hinged steady arms",
+            hint="a planar line is straight, without stagger, with steady arms of kind spring",
         )
     return PLANAR if solver.dimension == "planar" else SPATIAL

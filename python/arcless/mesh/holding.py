@@ -64,8 +64,11 @@ class Holding:
         return None
 
     def _pull_side(self, index: int) -> float:
-        """Side the arm pulls to: outwards of the bend that the stagger makes, in tension."""
+        """Side the arm pulls to: outwards of the bend that stagger and curve make, in tension."""
         before, here, after = self.system.contact_stagger[index - 1 : index + 2]
         x0, x1, x2 = self.system.supports[index - 1 : index + 2]
         bend = (here - before) / (x1 - x0) - (after - here) / (x2 - x1)
+        track, height = self.line.track, self.line.geometry.contact_wire_height
+        if track.curves:
+            bend -= track.mean_direction(x1, x2, height) - track.mean_direction(x0, x1, height)
         return -1.0 if bend < 0.0 else 1.0

@@ -32,6 +32,7 @@ from arcless.model.settings import (
     SpeedProfile,
     Trapezoidal,
 )
+from arcless.model.track import Curve, Track
 
 __all__ = [
     "MARKS",
@@ -39,6 +40,7 @@ __all__ = [
     "AsBuilt",
     "AuxiliaryWire",
     "Contact",
+    "Curve",
     "DesignSpace",
     "DropperLengthError",
     "DropperType",
@@ -67,6 +69,7 @@ __all__ = [
     "SteadyArmBar",
     "SteadyArmSpring",
     "StitchWire",
+    "Track",
     "Trapezoidal",
     "Travel",
     "Wear",

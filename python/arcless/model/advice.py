@@ -6,6 +6,7 @@ from math import atan, hypot, log1p, pi
 from arcless.model.heights import gradient_warnings
 from arcless.model.scenario import Scenario
 from arcless.model.settings import ONE_ELEMENT
+from arcless.model.track_checks import deviation_warnings
 
 # EN 50119:2009, 5.2.4: speed at most 70 % of the wave speed of the contact wire.
 WAVE_SPEED_SHARE = 0.70
@@ -50,7 +51,7 @@ def scenario_warnings(scenario: Scenario) -> list[str]:
         *_about_speed(scenario),
         *_about_section(scenario),
         *_about_line(scenario),
-        *_about_heights(scenario),
+        *_about_track(scenario),
         *_about_contact(scenario),
         *_about_scheme(scenario),
         *_about_solver(scenario),
@@ -105,11 +106,12 @@ def _about_line(scenario: Scenario) -> list[str]:
     return []
 
 
-def _about_heights(scenario: Scenario) -> list[str]:
-    line = scenario.line
+def _about_track(scenario: Scenario) -> list[str]:
+    line, found = scenario.line, deviation_warnings(scenario.line)
     if not line.geometry.height_changes:
-        return []
-    found, start = gradient_warnings(line, scenario.top_speed), line.geometry.contact_wire_height
+        return found
+    found += gradient_warnings(line, scenario.top_speed)
+    start = line.geometry.contact_wire_height
     largest = max((abs(height - start) for height in line.contact_wire_heights()), default=0.0)
     for placement in scenario.pantographs:
         masses = placement.model.masses

@@ -20,6 +20,8 @@ from arcless.model.documents import Document
 from arcless.model.fields import Lengths, Part, Unit, nearest
 from arcless.model.heights import HeightChange, check_heights, heights_at
 from arcless.model.line_checks import check_wires
+from arcless.model.track import Track
+from arcless.model.track_checks import check_track
 from arcless.units import WRONG_VALUE, show
 
 MAX_SPANS = 5000
@@ -213,6 +215,7 @@ class Line(Document):
     spans: tuple[SpanRun, ...] = Field(
         description="Spans from the start of the line to its end.", min_length=1
     )
+    track: Track = Field(default_factory=Track, description="Curves; straight without them.")
     design: DesignSpace = Field(default_factory=DesignSpace, description="Values for assessment.")
 
     @classmethod
@@ -244,6 +247,7 @@ class Line(Document):
             )
         check_wires(self)
         check_heights(self)
+        check_track(self)
         return self
 
     def _check_presag(self, name: str, span: SpanType) -> None:
@@ -288,11 +292,12 @@ class Line(Document):
 
     @property
     def is_spatial(self) -> bool:
-        """True when stagger or a steady arm makes the line three-dimensional."""
+        """True when stagger, curves or a steady arm make the line three-dimensional."""
         geometry = self.geometry
         staggers = geometry.stagger_contact_wire + geometry.stagger_messenger_wire
         staggers += geometry.stagger_auxiliary_wire or ()
-        return self.steady_arm.kind == "arm" or any(stagger != 0 for stagger in staggers)
+        is_bent = self.steady_arm.kind == "arm" or bool(self.track.curves)
+        return is_bent or any(stagger != 0 for stagger in staggers)
 
     @property
     def wave_speed(self) -> float:

@@ -19,6 +19,9 @@ Floats = NDArray[np.float64]
 # Half a metre resolves the elasticity between droppers, which are some metres apart. In m.
 ELASTICITY_SPACING = 0.5
 FREQUENCIES = 20
+# Curves: bounds on the rounds, two or three are normal, and the change that no longer matters, N/m.
+MOST_ROUNDS = 8
+SAME_LOAD = 1e-4
 # Measured heights this near to a dropper are worth looking at when it would have to push. In m.
 NEIGHBOURS = 50.0
 
@@ -102,6 +105,8 @@ def find(scenario: Scenario) -> Equilibrium:
         core = _core.Equilibrium(
             mesh.dimension, mesh.positions, mesh.slopes, mesh.parts, mesh.gravity, design=True
         )
+    if scenario.line.track.curves:
+        _check_arms(mesh, core.arrays()["strut_tension"])
     if not scenario.as_built.is_empty:
         mesh, core = _as_built(scenario, mesh, core)
     return Equilibrium(mesh, core, core.arrays())
@@ -122,8 +127,30 @@ def _as_built(
                 expected="a designed length that is longer than the error takes away",
             )
     with named(mesh):
-        core = core.altered(changes)
-    return without(mesh, changes["removed"]), core
+        altered = core.altered(changes)
+        # In curves the load goes with the tension, which the changes may have changed.
+        for _ in range(MOST_ROUNDS if scenario.line.track.curves else 0):
+            before, tension = changes["load"], altered.arrays()["wire_tension"]
+            changes = alteration(mesh, scenario.line, scenario.as_built, tension)
+            if np.abs(changes["load"] - before).max() < SAME_LOAD:
+                break
+            altered = core.altered(changes)
+    return without(mesh, changes["removed"]), altered
+
+
+def _check_arms(mesh: Mesh, tension: Floats) -> None:
+    """Refuse a designed line in a curve that a steady arm would have to push aside."""
+    for support in mesh.supports:
+        force = 0.0 if support.steady_arm is None else float(tension[support.steady_arm])
+        if force < 0.0:
+            raise EquilibriumError(
+                f"the steady arm at {support.name} would have to push",
+                where=f"{support.x:.2f} m",
+                got=f"a force of {force:.1f} N",
+                expected="a tension",
+                hint="stagger and curve nearly cancel there, and droppers decide: change the"
+                " stagger of this support",
+            )
 
 
 @contextmanager
