@@ -11,12 +11,14 @@ if TYPE_CHECKING:
 
 def blocks(name: str, found: dict[str, Any]) -> "Iterator[RenderableType]":
     """Yield the tables of a static result: the middle span, then the line's own numbers."""
-    supports = found["supports"]
-    span = max(1, len(supports) // 2)
-    yield _droppers(found["droppers"], span, len(supports) - 1)
-    yield _supports(supports[span - 1 : span + 1])
-    chosen = {support["name"] for support in supports[span - 1 : span + 1]}
-    stitches = [stitch for stitch in found["stitch_wires"] if stitch["support"] in chosen]
+    places = sorted({support["x_m"] for support in found["supports"]})
+    span = found["middle_span"]
+    ends = places[span - 1 : span + 1]
+    chosen = [support for support in found["supports"] if support["x_m"] in ends]
+    yield _droppers(found["droppers"], span, len(places) - 1)
+    yield _supports(chosen)
+    names = {support["name"] for support in chosen}
+    stitches = [stitch for stitch in found["stitch_wires"] if stitch["support"] in names]
     if stitches:
         yield _stitches(stitches)
     yield _summary(name, found)

@@ -9,6 +9,7 @@ from arcless.mesh.types import (
     Mesh,
     StitchPlace,
     SupportPlace,
+    SystemNodes,
 )
 
 __all__ = [
@@ -18,6 +19,7 @@ __all__ = [
     "Mesh",
     "StitchPlace",
     "SupportPlace",
+    "SystemNodes",
     "alteration",
     "build_mesh",
     "diameters",

@@ -24,8 +24,9 @@ from numpy.typing import NDArray
 
 from arcless.mesh.track import curve_loads
 from arcless.mesh.types import Floats, Mesh
-from arcless.model.as_built import AsBuilt, dropper_name
+from arcless.model.as_built import AsBuilt
 from arcless.model.components import TensionedWire
+from arcless.model.dropper_names import DropperName, droppers_called, parse_name
 from arcless.model.line import Line
 
 # Column of the mass per metre.
@@ -155,10 +156,14 @@ def _of_links(mesh: Mesh, line: Line, built: AsBuilt) -> dict[str, Any]:
         is_hanger = line.hanger is not None and dropper.wires[0] == "auxiliary wire"
         kind = line.hanger if is_hanger and line.hanger is not None else line.dropper
         factor[dropper.link] += built.temperature_difference * kind.thermal_expansion
+
+    def row(name: DropperName) -> int:
+        return rows[str(droppers_called(line, name)[0])]
+
     for error in built.dropper_length_errors:
-        offset[rows[dropper_name(error.span, error.dropper)]] = error.length_error
+        offset[row(error.name)] = error.length_error
     return {
         "link_factor": factor.tolist(),
         "link_offset": offset.tolist(),
-        "removed": sorted(rows[name] for name in built.missing_droppers),
+        "removed": sorted(row(parse_name(name)) for name in built.missing_droppers),
     }

@@ -1,6 +1,6 @@
 """Line and solver settings → mesh."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 
 import numpy as np
 
@@ -9,9 +9,9 @@ from arcless.mesh import wires
 from arcless.mesh.chains import Chains, Nodes, make_chains
 from arcless.mesh.holding import Holding
 from arcless.mesh.kit import Kit
-from arcless.mesh.systems import wire_systems
+from arcless.mesh.systems import WireSystem, wire_systems
 from arcless.mesh.track import add_curves
-from arcless.mesh.types import PLANAR, SPATIAL, Floats, Mesh, SupportPlace
+from arcless.mesh.types import PLANAR, SPATIAL, Floats, Mesh, SupportPlace, SystemNodes
 from arcless.mesh.wiring import Wired, Wiring
 from arcless.model.line import Line
 from arcless.model.settings import Solver
@@ -36,44 +36,52 @@ def build_mesh(line: Line, solver: Solver, measured: Mapping[float, float] | Non
     """
     kit = Kit(line, solver, _dimension(line, solver))
     places = [wires.stations(line, system) for system in wire_systems(line, measured or {})]
-    systems, nodes = make_chains(line, solver, places)
+    chains, nodes = make_chains(line, solver, places)
     wired: list[Wired] = []
     supports: list[SupportPlace] = []
-    for own, chains in zip(places, systems, strict=True):
-        wired.append(Wiring(kit, own, chains).build())
-        supports += Holding(kit, own, chains).build()
+    systems: list[SystemNodes] = []
+    for own, made in zip(places, chains, strict=True):
+        wired.append(Wiring(kit, own, made).build())
+        supports += Holding(kit, own, made).build()
+        systems.append(_nodes(own.system, made, wired[-1]))
     add_curves(kit, nodes.positions)
     return _mesh(kit, nodes, systems, wired, supports)
 
 
 def _mesh(
-    kit: Kit, nodes: Nodes, systems: list[Chains], wired: list[Wired], supports: list[SupportPlace]
+    kit: Kit, nodes: Nodes, systems: list[SystemNodes], wired: list[Wired], held: list[SupportPlace]
 ) -> Mesh:
-    contacts = [chain for chains in systems for chain in chains.contacts]
-    auxiliaries = [chains.auxiliary for chains in systems if chains.auxiliary is not None]
     rows: dict[str, list[int]] = {}
-    for own in wired:
+    # Neighbours overlap, so they are on different lanes; the next but one begins behind the end.
+    side_by_side = len(wired[0].contacts)
+    lanes: list[list[int]] = [[] for _ in range(side_by_side * min(len(wired), 2))]
+    for index, own in enumerate(wired):
         for wire, added in own.rows.items():
             rows.setdefault(wire, []).extend(added)
+        for which, contact in enumerate(own.contacts):
+            lanes[index % 2 * side_by_side + which].extend(contact)
     return Mesh(
         dimension=kit.dimension,
         positions=_in_space(kit, nodes.positions),
         slopes=_in_space(kit, nodes.slopes),
         parts=kit.parts.arrays(),
         gravity=kit.solver.gravity,
-        lanes=[_joined(own.rows["contact_wire"] for own in wired)],
+        lanes=lanes,
         wire_rows=rows,
-        contact_nodes=_joined(chain.nodes for chain in contacts),
-        messenger_nodes=_joined(chains.messenger.nodes for chains in systems),
         droppers=[dropper for own in wired for dropper in own.droppers],
-        supports=supports,
-        auxiliary_nodes=_joined(chain.nodes for chain in auxiliaries),
-        stitches=[stitch for own in wired for stitch in own.stitches],
+        supports=held,
+        systems=systems,
     )
 
 
-def _joined(pieces: Iterable[list[int]]) -> list[int]:
-    return [number for piece in pieces for number in piece]
+def _nodes(system: WireSystem, chains: Chains, wired: Wired) -> SystemNodes:
+    return SystemNodes(
+        label=system.label,
+        contact={name: chain.nodes for name, chain in chains.contacts.items()},
+        messenger=chains.messenger.nodes,
+        auxiliary=[] if chains.auxiliary is None else chains.auxiliary.nodes,
+        stitches=wired.stitches,
+    )
 
 
 def _in_space(kit: Kit, vectors: Floats) -> Floats:

@@ -5,9 +5,9 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from arcless.mesh import wires
+from arcless.mesh.names import AUXILIARY, MESSENGER, STITCH
 from arcless.mesh.shapes import Guess
 from arcless.mesh.types import Floats
-from arcless.mesh.wires import AUXILIARY, CONTACT, MESSENGER, STITCH
 from arcless.model.components import TensionedWire
 from arcless.model.line import Line
 from arcless.model.settings import Solver
@@ -58,7 +58,7 @@ class Chain:
 class Chains:
     """All wires of a system; contact wires side by side are several chains."""
 
-    contacts: list[Chain]
+    contacts: dict[str, Chain]
     messenger: Chain
     auxiliary: Chain | None
     stitches: list[Chain]
@@ -68,14 +68,17 @@ class Chains:
         if wire == STITCH:
             clamps = self.messenger.clamps
             return self.stitches[int(np.searchsorted([left for left, _ in clamps], x)) - 1]
-        found = {CONTACT: self.contacts[0], MESSENGER: self.messenger, AUXILIARY: self.auxiliary}
-        chain = found[wire]
+        chain = {**self.contacts, MESSENGER: self.messenger, AUXILIARY: self.auxiliary}[wire]
         assert chain is not None
         return chain
 
     def all(self) -> list[Chain]:
         """Return all chains."""
-        return [*filter(None, (self.messenger, self.auxiliary)), *self.contacts, *self.stitches]
+        return [
+            *filter(None, (self.messenger, self.auxiliary)),
+            *self.contacts.values(),
+            *self.stitches,
+        ]
 
 
 @dataclass(frozen=True)
@@ -102,16 +105,18 @@ class _Division:
         self.guess = Guess(line, places, solver.gravity)
 
     def chains(self) -> Chains:
+        contacts = {name: self.contact(name) for name in self.system.contact_wires}
         messenger = self.messenger()
-        return Chains([self.contact()], messenger, self.auxiliary(), self.stitches(messenger))
+        return Chains(contacts, messenger, self.auxiliary(), self.stitches(messenger))
 
     def points(self, wire: str, x: Floats, stagger: list[float]) -> Floats:
         y = np.interp(x, self.places.supports, stagger)
         return np.column_stack([x, y, self.guess.of(wire, x)])
 
-    def contact(self) -> Chain:
-        x = wires.divide(self.places.along(CONTACT), self.solver.contact_wire_element)
-        return Chain(self.points(CONTACT, x, self.system.contact_stagger), self.line.contact_wire)
+    def contact(self, name: str) -> Chain:
+        x = wires.divide(self.places.along(name), self.solver.contact_wire_element)
+        stagger = self.system.stagger_of(name)
+        return Chain(self.points(name, x, stagger), self.line.contact_wire)
 
     def messenger(self) -> Chain:
         line, places = self.line, self.places
@@ -193,7 +198,7 @@ def _fill(pool: _Pool, chains: Chains, *, lumped: bool) -> None:
         messenger.leaving = dict(zip(messenger.hinges, far, strict=True))
     for stitch in chains.stitches:
         _number_stitch(pool, stitch, messenger, lumped=lumped)
-    for chain in (*filter(None, (chains.auxiliary,)), *chains.contacts):
+    for chain in (*filter(None, (chains.auxiliary,)), *chains.contacts.values()):
         chain.nodes = pool.add(chain.points, _slopes(chain, lumped=lumped))
 
 

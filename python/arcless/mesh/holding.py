@@ -2,6 +2,7 @@
 
 from arcless.mesh.chains import Chains
 from arcless.mesh.kit import Kit
+from arcless.mesh.names import CONTACT
 from arcless.mesh.parts import HELD, UNLOADED
 from arcless.mesh.types import SupportPlace
 from arcless.mesh.wires import Stations
@@ -21,17 +22,22 @@ class Holding:
         last = len(system.supports) - 1
         found = []
         for index, x in enumerate(system.supports):
-            node = chains.contacts[0].at(x)
-            spring = arm = None
-            if 0 < index < last:
-                spring = self._hold_messenger(chains.messenger.at(x))
-                arm = self._hold_contact_wire(node, index)
-                if chains.auxiliary is not None and self.kit.spatial:
-                    # A pull-off keeps its lateral position; it hangs on droppers alone.
-                    self.parts.add("fixed", (chains.auxiliary.at(x), 1))
-            name = system.named(f"support {system.first + index}")
-            found.append(SupportPlace(name, x, node, spring, arm))
+            inside = 0 < index < last
+            spring = self._hold_messenger(chains.messenger.at(x)) if inside else None
+            for name, contact in chains.contacts.items():
+                node = contact.at(x)
+                arm = self._hold_contact_wire(node, name, index) if inside else None
+                which = self._name(index, name)
+                found.append(SupportPlace(which, x, node, spring, arm))
+            if inside and chains.auxiliary is not None and self.kit.spatial:
+                # A pull-off keeps its lateral position; it hangs on droppers alone.
+                self.parts.add("fixed", (chains.auxiliary.at(x), 1))
         return found
+
+    def _name(self, index: int, contact_wire: str) -> str:
+        """Return the name of a support; two contact wires have an arm each."""
+        name = self.system.named(f"support {self.system.first + index}")
+        return name + contact_wire.removeprefix(CONTACT).replace(" ", " wire ")
 
     def _hold_messenger(self, node: int) -> int:
         support = self.line.support
@@ -46,10 +52,10 @@ class Holding:
         self.parts.add_mass(node, support.mass, 0.0)
         return row
 
-    def _hold_contact_wire(self, node: int, index: int) -> int | None:
+    def _hold_contact_wire(self, node: int, name: str, index: int) -> int | None:
         arm = self.line.steady_arm
         if isinstance(arm, SteadyArmBar):
-            return self.parts.add_steady_arm(arm, node, self._pull_side(index))
+            return self.parts.add_steady_arm(arm, node, self._pull_side(name, index))
         if isinstance(arm, NoSteadyArm):
             return None
         if arm.vertical_stiffness > 0.0:
@@ -63,9 +69,9 @@ class Holding:
             self.parts.add("fixed", (node, 1))
         return None
 
-    def _pull_side(self, index: int) -> float:
+    def _pull_side(self, name: str, index: int) -> float:
         """Side the arm pulls to: outwards of the bend that stagger and curve make, in tension."""
-        before, here, after = self.system.contact_stagger[index - 1 : index + 2]
+        before, here, after = self.system.stagger_of(name)[index - 1 : index + 2]
         x0, x1, x2 = self.system.supports[index - 1 : index + 2]
         bend = (here - before) / (x1 - x0) - (after - here) / (x2 - x1)
         track, height = self.line.track, self.line.geometry.contact_wire_height

@@ -2,8 +2,10 @@
 
 import numpy as np
 
+from arcless.mesh.curves import smooth
+from arcless.mesh.names import AUXILIARY, MESSENGER, STITCH
 from arcless.mesh.types import Floats
-from arcless.mesh.wires import AUXILIARY, CONTACT, MESSENGER, STITCH, Stations
+from arcless.mesh.wires import Stations
 from arcless.model.line import Line
 
 
@@ -23,7 +25,7 @@ class Guess:
         system = places.system
         above = 0.0 if line.auxiliary_wire is None else line.auxiliary_wire.height
         self.heights = {
-            CONTACT: system.contact_heights,
+            **dict.fromkeys(system.contact_wires, system.contact_heights),
             AUXILIARY: [height + above for height in system.contact_heights],
             MESSENGER: system.messenger_heights,
         }
@@ -37,18 +39,29 @@ class Guess:
         return self._held(wire, x)
 
     def _nominal(self, wire: str, x: float | Floats) -> Floats:
-        """Height in m of the straight lines between those at the supports."""
-        return np.asarray(np.interp(x, self.places.supports, self.heights[wire]))
+        """Height in m by design, where droppers hold the wire without pre-sag.
+
+        Straight from support to support; a wire that leaves in an overlap rises in a curve, so that
+        it is heavy enough to hang on its droppers all the way.
+        """
+        system = self.places.system
+        straight = np.interp(x, system.supports, self.heights[wire])
+        return np.asarray(straight + smooth(system.supports, system.rises, x))
+
+    def _with_below(self, mass: float) -> float:
+        """Mass in kg/m of a wire and of those that hang below it."""
+        line = self.line
+        mass += line.contact_wire.mass * len(self.places.system.contact_wires)
+        return mass if line.auxiliary_wire is None else mass + line.auxiliary_wire.mass
 
     def _messenger(self, x: Floats) -> Floats:
         """Parabolas q x (L − x) / 2T, q the weight of all wires."""
         line, supports = self.line, np.asarray(self.places.supports)
-        mass = line.messenger_wire.mass + line.contact_wire.mass
-        if line.auxiliary_wire is not None:
-            mass += line.auxiliary_wire.mass
+        mass = self._with_below(line.messenger_wire.mass)
         span = np.clip(np.searchsorted(supports, x, side="right") - 1, 0, len(supports) - 2)
         sag = self._sag(x, supports[span], supports[span + 1], mass, line.messenger_wire.tension)
-        return self._nominal(MESSENGER, x) - sag
+        straight = np.interp(x, supports, self.heights[MESSENGER])
+        return np.asarray(straight - sag)
 
     def _stitch(self, x: Floats) -> Floats:
         """Below the line between its clamps by the weight of what hangs on it."""
@@ -58,9 +71,7 @@ class Guess:
         left, right = clamps[which].T
         share = (x - left) / (right - left)
         chord = (1.0 - share) * self._messenger(left) + share * self._messenger(right)
-        mass = line.stitch_wire.mass + line.contact_wire.mass
-        if line.auxiliary_wire is not None:
-            mass += line.auxiliary_wire.mass
+        mass = self._with_below(line.stitch_wire.mass)
         return np.asarray(chord - self._sag(x, left, right, mass, line.stitch_wire.tension))
 
     def _sag(self, x: Floats, left: Floats, right: Floats, mass: float, tension: float) -> Floats:
@@ -70,7 +81,8 @@ class Guess:
     def _held(self, wire: str, x: Floats) -> Floats:
         """Straight between the heights known at its droppers and its ends."""
         ends = (self.places.supports[0], self.places.supports[-1])
-        measured = self.places.system.measured if wire == CONTACT else {}
+        system = self.places.system
+        measured = system.measured if wire in system.contact_wires else {}
         known = {x: float(self._nominal(wire, x)) for x in ends} | dict(measured)
         own = [h for h in self.places.hangings if h.lower == wire]
         for upper in {h.upper for h in own}:

@@ -1,6 +1,6 @@
 """What a mesh is: tables for the core, and the names behind their rows."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,7 +30,7 @@ class DropperPlace:
 
 @dataclass(frozen=True)
 class SupportPlace:
-    """A support: its name, where it stands (m), and what holds the wires there.
+    """A support of a contact wire: its name, where it stands (m), and what holds the wires there.
 
     `messenger_spring` and `steady_arm` are rows of the springs and struts tables, None where the
     wires are anchored (both ends of the line) or the arm is no bar.
@@ -53,6 +53,21 @@ class StitchPlace:
     support: int
     nodes: list[int]
     rows: list[int]
+
+
+@dataclass(frozen=True)
+class SystemNodes:
+    """Nodes of the wires of one tension length, each wire from anchor to anchor.
+
+    `label` is what names begin with where there are several, `contact` has one entry for each
+    contact wire by its name, `stitches` one for each support.
+    """
+
+    label: str
+    contact: dict[str, list[int]]
+    messenger: list[int]
+    auxiliary: list[int]
+    stitches: list[StitchPlace]
 
 
 @dataclass(frozen=True)
@@ -95,15 +110,37 @@ class Mesh:
     parts: dict[str, Part]
     gravity: float
     lanes: list[list[int]]
-    contact_nodes: list[int]
-    messenger_nodes: list[int]
     droppers: list[DropperPlace]
     supports: list[SupportPlace]
     wire_rows: dict[str, list[int]]
-    auxiliary_nodes: list[int] = field(default_factory=list)
-    stitches: list[StitchPlace] = field(default_factory=list)
+    systems: list[SystemNodes]
 
     @property
     def contact_rows(self) -> list[int]:
         """Rows of all lanes in the table of wires or segments."""
         return [row for lane in self.lanes for row in lane]
+
+    @property
+    def contact_wires(self) -> list[list[int]]:
+        """Nodes of each contact wire."""
+        return [nodes for system in self.systems for nodes in system.contact.values()]
+
+    @property
+    def contact_nodes(self) -> list[int]:
+        """Nodes of all contact wires, one after the other."""
+        return [node for wire in self.contact_wires for node in wire]
+
+    @property
+    def messenger_nodes(self) -> list[int]:
+        """Nodes of all messenger wires, one after the other."""
+        return [node for system in self.systems for node in system.messenger]
+
+    @property
+    def auxiliary_nodes(self) -> list[int]:
+        """Nodes of all auxiliary wires, one after the other."""
+        return [node for system in self.systems for node in system.auxiliary]
+
+    @property
+    def stitches(self) -> list[StitchPlace]:
+        """The stitch wires of all tension lengths."""
+        return [stitch for system in self.systems for stitch in system.stitches]

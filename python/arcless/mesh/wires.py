@@ -1,6 +1,6 @@
 """Division of the wires into elements, and what their ends and lengths are."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from math import ceil
@@ -10,7 +10,8 @@ import numpy as np
 from arcless.mesh.systems import WireSystem
 from arcless.mesh.types import Floats
 from arcless.model.components import DropperType, TensionedWire
-from arcless.model.line import Line, SpanDroppers
+from arcless.model.line import Line
+from arcless.model.spans import SpanDroppers
 
 # Stations closer than this are one: far below a clamp, far above rounding. In m.
 SAME_PLACE = 1e-6
@@ -70,28 +71,67 @@ class Stations:
 
 def stations(line: Line, system: WireSystem) -> Stations:
     """Collect the places of a wire system that need nodes."""
-    supports, spans = system.supports, system.spans
+    supports = system.supports
     reach = 0.5 * line.stitch_wire.length if line.stitch_wire is not None else 0.0
     clamps = [(x - reach, x + reach) for x in supports[1:-1]] if reach else []
-    lower = CONTACT if line.auxiliary_wire is None else AUXILIARY
     hangers: list[Hanging] = []
     droppers: list[Hanging] = []
-    for place, (start, span) in enumerate(zip(supports, spans, strict=False)):
-        number = system.first + place
+    for place, (start, span) in enumerate(zip(supports, system.spans, strict=False)):
         # At the anchors there is no stitch wire.
         first = reach if place > 0 else 0.0
-        last = span.length - (reach if place < len(spans) - 1 else 0.0)
-        for index, x in enumerate(span.droppers.positions):
-            upper = MESSENGER if first - SAME_PLACE <= x <= last + SAME_PLACE else STITCH
-            name = system.named(f"span {number} dropper {index + 1}")
-            how = _design(span.droppers, index)
-            droppers.append(Hanging(name, number, start + x, upper, lower, line.dropper, *how))
-        kind = line.hanger or line.dropper
-        for index, x in enumerate(span.hangers.positions if span.hangers is not None else ()):
-            name = system.named(f"span {number} hanger {index + 1}")
-            how = _design(span.holders, index)
-            hangers.append(Hanging(name, number, start + x, AUXILIARY, CONTACT, kind, *how))
+        last = span.length - (reach if place < len(system.spans) - 1 else 0.0)
+
+        def upper(x: float, first: float = first, last: float = last) -> str:
+            return MESSENGER if first - SAME_PLACE <= x <= last + SAME_PLACE else STITCH
+
+        hung = _Hung(line, system, system.first + place, start)
+        droppers += hung.from_messenger(span.droppers, upper)
+        if span.hangers is not None:
+            hangers += hung.from_auxiliary(span.hangers)
     return Stations(system, clamps, [*hangers, *droppers])
+
+
+@dataclass(frozen=True)
+class _Hung:
+    """Makes the droppers and hangers of one span, which starts at a place in m."""
+
+    line: Line
+    system: WireSystem
+    span: int
+    start: float
+
+    def from_messenger(self, own: SpanDroppers, upper: Callable[[float], str]) -> list[Hanging]:
+        line = self.line
+        return [
+            self._hanging(f"dropper {index + 1}{which}", own, index, (upper(x), lower))
+            for index, x in enumerate(own.positions)
+            for lower, which in (
+                self._contacts(index) if line.auxiliary_wire is None else [(AUXILIARY, "")]
+            )
+        ]
+
+    def from_auxiliary(self, own: SpanDroppers) -> list[Hanging]:
+        return [
+            self._hanging(f"hanger {index + 1}{which}", own, index, (AUXILIARY, lower))
+            for index in range(len(own.positions))
+            for lower, which in self._contacts(index)
+        ]
+
+    def _contacts(self, index: int) -> list[tuple[str, str]]:
+        """Return the contact wires that a dropper holds, and what tells its name from others."""
+        names, twin = list(self.system.contact_wires), self.line.twin_contact_wires
+        if twin is not None and twin.droppers == "paired":
+            return [(name, f" wire {number}") for number, name in enumerate(names, start=1)]
+        return [(names[index % len(names)], "")]
+
+    def _hanging(
+        self, name: str, own: SpanDroppers, index: int, between: tuple[str, str]
+    ) -> Hanging:
+        full = self.system.named(f"span {self.span} {name}")
+        x = self.start + own.positions[index]
+        hanger = self.line.hanger if between[0] == AUXILIARY else None
+        kind = hanger or self.line.dropper
+        return Hanging(full, self.span, x, *between, kind, *_design(own, index))
 
 
 def _design(own: SpanDroppers, index: int) -> tuple[float | None, float | None]:

@@ -15,9 +15,13 @@ from arcless.model.components import TensionedWire, Wire
 
 @dataclass(frozen=True)
 class Wired:
-    """Rows of the elements of each wire by its field of the line, and what hangs between them."""
+    """Rows of the elements of each wire by its field of the line, and what hangs between them.
+
+    `contacts` has the rows of each contact wire.
+    """
 
     rows: dict[str, list[int]]
+    contacts: list[list[int]]
     stitches: list[StitchPlace]
     droppers: list[DropperPlace]
 
@@ -32,14 +36,14 @@ class Wiring:
     def build(self) -> Wired:
         """Add everything, wires first."""
         line, chains = self.line, self.chains
-        contact = [row for c in chains.contacts for row in self._add_anchored(c, line.contact_wire)]
-        rows = {"contact_wire": contact}
+        contacts = [self._add_anchored(c, line.contact_wire) for c in chains.contacts.values()]
+        rows = {"contact_wire": [row for contact in contacts for row in contact]}
         rows["messenger_wire"] = self._add_anchored(chains.messenger, line.messenger_wire)
         stitches = self._add_stitches()
         rows["stitch_wire"] = [row for stitch in stitches for row in stitch.rows]
         if chains.auxiliary is not None and line.auxiliary_wire is not None:
             rows["auxiliary_wire"] = self._add_anchored(chains.auxiliary, line.auxiliary_wire)
-        return Wired(rows, stitches, self._add_droppers())
+        return Wired(rows, contacts, stitches, self._add_droppers())
 
     def _add_anchored(self, chain: Chain, wire: Wire) -> list[int]:
         """Add the elements of a wire and what holds its ends; return the elements' rows."""

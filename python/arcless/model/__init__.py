@@ -16,7 +16,7 @@ from arcless.model.components import (
 from arcless.model.documents import MARKS, Provenance
 from arcless.model.gusts import Gusts
 from arcless.model.library import LibraryEntry, library
-from arcless.model.line import DesignSpace, Geometry, Line, SpanDroppers, SpanRun, SpanType
+from arcless.model.line import DesignSpace, Geometry, Line
 from arcless.model.load import load, load_any, load_line, load_pantograph
 from arcless.model.overrides import parse_override
 from arcless.model.pantograph import Pantograph, PantographMass
@@ -32,6 +32,8 @@ from arcless.model.settings import (
     SpeedProfile,
     Trapezoidal,
 )
+from arcless.model.spans import SpanDroppers, SpanRun, SpanType
+from arcless.model.tension_lengths import Overlap, TensionLength
 from arcless.model.track import Curve, Track
 
 __all__ = [
@@ -54,6 +56,7 @@ __all__ = [
     "MessengerSupport",
     "Newmark",
     "Output",
+    "Overlap",
     "Pantograph",
     "PantographMass",
     "PantographPlacement",
@@ -69,6 +72,7 @@ __all__ = [
     "SteadyArmBar",
     "SteadyArmSpring",
     "StitchWire",
+    "TensionLength",
     "Track",
     "Trapezoidal",
     "Travel",

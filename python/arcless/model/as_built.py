@@ -1,7 +1,5 @@
 """How a line differs from its design: as built, and in the weather."""
 
-import re
-from collections.abc import Mapping
 from itertools import pairwise
 from math import cos, pi, sin, sqrt
 from typing import Annotated
@@ -9,34 +7,19 @@ from typing import Annotated
 from pydantic import BeforeValidator, Field, WithJsonSchema, model_validator
 
 from arcless.errors import ModelError
+from arcless.model.dropper_names import DropperName, parse_name
 from arcless.model.fields import Part, Unit
 from arcless.model.gusts import Gusts
 from arcless.model.measured import MAX_HEIGHTS, MeasuredHeight
-from arcless.units import WRONG_VALUE, show
+from arcless.units import WRONG_VALUE
 
 MAX_DROPPERS = 100_000
-_NAME = re.compile(r"\s*span\s+(\d{1,6})\s+dropper\s+(\d{1,6})\s*")
-
 Number = Annotated[int, Field(ge=1, strict=True)]
-
-
-def dropper_name(span: int, dropper: int) -> str:
-    """Return the name of a dropper, both numbers from 1: ``span 3 dropper 2``."""
-    return f"span {span} dropper {dropper}"
 
 
 def _as_name(value: object) -> str:
     """Return the name of a dropper given by its name, or as {span: 3, dropper: 2}."""
-    if isinstance(value, Mapping) and set(value) == {"span", "dropper"}:
-        value = dropper_name(value["span"], value["dropper"])
-    found = _NAME.fullmatch(value) if isinstance(value, str) else None
-    if found is None:
-        raise ModelError(
-            "not a dropper",
-            got=show(value),
-            expected=f'a name such as "{dropper_name(3, 2)}", or {{span: 3, dropper: 2}}',
-        )
-    return dropper_name(int(found[1]), int(found[2]))
+    return str(parse_name(value))
 
 
 class DropperLengthError(Part):
@@ -47,18 +30,29 @@ class DropperLengthError(Part):
     length_error: Annotated[float, Unit("m", minimum=-2, maximum=2)] = Field(
         description="Length as built minus designed length."
     )
+    tension_length: Number | None = Field(
+        default=None, description="Number of its tension length, needed in an overlap."
+    )
+    wire: Annotated[int, Field(ge=1, le=2, strict=True)] | None = Field(
+        default=None, description="Of paired droppers, number of the contact wire, 1 or 2."
+    )
+
+    @property
+    def name(self) -> DropperName:
+        """What the dropper is called."""
+        return DropperName(self.span, self.dropper, self.tension_length, self.wire)
 
 
-DropperName = Annotated[
+NamedDropper = Annotated[
     str,
     BeforeValidator(_as_name),
     WithJsonSchema(
         {
             "anyOf": [
-                {"type": "string", "pattern": r"^\s*span\s+\d+\s+dropper\s+\d+\s*$"},
+                {"type": "string", "pattern": r"\bspan\s+\d+\s+dropper\s+\d+"},
                 {
                     "type": "object",
-                    "properties": {"span": {"type": "integer"}, "dropper": {"type": "integer"}},
+                    "properties": {name: {"type": "integer"} for name in DropperName._fields},
                     "required": ["span", "dropper"],
                     "additionalProperties": False,
                 },
@@ -146,7 +140,7 @@ class AsBuilt(Part):
         max_length=MAX_HEIGHTS,
         json_schema_extra={"table": True},
     )
-    missing_droppers: tuple[DropperName, ...] = Field(
+    missing_droppers: tuple[NamedDropper, ...] = Field(
         default=(), description="Droppers that are missing or broken.", max_length=MAX_DROPPERS
     )
     ice: Ice = Field(default_factory=Ice, description="Ice on the wires.")
@@ -180,7 +174,7 @@ class AsBuilt(Part):
 
     @model_validator(mode="after")
     def _check_once(self) -> "AsBuilt":
-        names = [dropper_name(e.span, e.dropper) for e in self.dropper_length_errors]
+        names = [str(error.name) for error in self.dropper_length_errors]
         for field, given in (
             ("dropper_length_errors", names),
             ("missing_droppers", list(self.missing_droppers)),

@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING
 
 from arcless.errors import ModelError
-from arcless.model.as_built import dropper_name
+from arcless.model.dropper_names import DropperName, droppers_called, parse_name
 from arcless.model.line import POSITION_TOLERANCE
 from arcless.model.measured import check_measured
 from arcless.units import accepted
@@ -35,29 +35,49 @@ def check_as_built(scenario: "Scenario") -> None:
 
 
 def _check_droppers(scenario: "Scenario") -> None:
-    built = scenario.as_built
-    counts = [len(span.droppers.positions) for span in scenario.line.span_list()]
-    for index, error in enumerate(built.dropper_length_errors):
-        _check_dropper(error.span, error.dropper, counts, ("dropper_length_errors", index))
-    for index, name in enumerate(built.missing_droppers):
-        _, span, _, dropper = name.split()
-        _check_dropper(int(span), int(dropper), counts, ("missing_droppers", index))
+    built, known = scenario.as_built, set[DropperName]()
+    given = [
+        *(
+            (e.name, ("dropper_length_errors", i))
+            for i, e in enumerate(built.dropper_length_errors)
+        ),
+        *((parse_name(n), ("missing_droppers", i)) for i, n in enumerate(built.missing_droppers)),
+    ]
+    for name, where in given:
+        field = ("as_built", *where)
+        found = droppers_called(scenario.line, name)
+        if not found:
+            raise _unknown(scenario, name, field)
+        if len(found) > 1:
+            raise ModelError(
+                "a name that fits several droppers",
+                got=str(name),
+                expected=" or ".join(str(one) for one in found),
+                field=field,
+            )
+        if found[0] in known:
+            raise ModelError(
+                "dropper given twice",
+                got=f"{name}, which is {found[0]}",
+                expected="each dropper once",
+                field=field,
+            )
+        known.add(found[0])
 
 
-def _check_dropper(
-    span: int, dropper: int, counts: list[int], field: tuple[str | int, ...]
-) -> None:
-    near = min(max(span, 1), len(counts))
-    count = counts[near - 1]
-    if near == span and 1 <= dropper <= count:
-        return
-    close = f"did you mean {dropper_name(near, min(max(dropper, 1), count))}? " if count else ""
-    raise ModelError(
+def _unknown(scenario: "Scenario", name: DropperName, field: tuple[str | int, ...]) -> ModelError:
+    spans = scenario.line.span_list()
+    near = min(max(name.span, 1), len(spans))
+    count = len(spans[near - 1].droppers.positions)
+    close = DropperName(near, min(max(name.dropper, 1), count))
+    there = droppers_called(scenario.line, close)
+    hint = f"did you mean {' or '.join(str(one) for one in there)}? " if there else ""
+    return ModelError(
         "unknown dropper",
-        got=dropper_name(span, dropper),
-        expected=f"a dropper of the line's {len(counts)} spans",
-        hint=f"{close}span {near} has {count} droppers",
-        field=("as_built", *field),
+        got=str(name),
+        expected=f"a dropper of the line's {len(spans)} spans",
+        hint=f"{hint}span {near} has {count} droppers",
+        field=field,
     )
 
 

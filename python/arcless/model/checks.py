@@ -196,9 +196,14 @@ def _check_inside(
 
 
 def _check_elements(scenario: "Scenario") -> None:
-    solver, length = scenario.solver, scenario.line.total_length
-    wires_above = 1 if scenario.line.auxiliary_wire is None else 2
-    elements = length / solver.contact_wire_element
+    solver, line = scenario.solver, scenario.line
+    places = line.support_positions()
+    length = sum(
+        places[one.to_span] - places[one.from_span - 1] for one in line.tension_length_list()
+    )
+    wires_above = 1 if line.auxiliary_wire is None else 2
+    wires_below = 1 if line.twin_contact_wires is None else 2
+    elements = wires_below * length / solver.contact_wire_element
     elements += wires_above * length / solver.messenger_wire_element
     if elements > MAX_ELEMENTS:
         raise ModelError(

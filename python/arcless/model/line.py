@@ -1,6 +1,6 @@
 """An overhead line as engineers describe it: geometry, spans, and their components."""
 
-from itertools import accumulate, pairwise
+from itertools import accumulate
 from math import sqrt
 from typing import Annotated, Any, Literal
 
@@ -17,20 +17,20 @@ from arcless.model.components import (
     Wire,
 )
 from arcless.model.documents import Document
-from arcless.model.fields import Lengths, Part, Unit, nearest
+from arcless.model.fields import Part, Unit, nearest
 from arcless.model.heights import HeightChange, check_heights, heights_at
 from arcless.model.line_checks import check_wires
+from arcless.model.spans import MAX_SPANS, SpanRun, SpanType
+from arcless.model.tension_length_checks import check_tension_lengths
+from arcless.model.tension_lengths import Overlap, TensionLength
 from arcless.model.track import Track
 from arcless.model.track_checks import check_track
+from arcless.model.twin_wires import TwinContactWires
 from arcless.units import WRONG_VALUE, show
 
-MAX_SPANS = 5000
-MAX_DROPPERS_PER_SPAN = 200
 MAX_PATTERN = 1000
 # Positions typed with few digits may lie this far outside the line's exact length. In m.
 POSITION_TOLERANCE = 1e-6
-# A dropper nearer to a support than this stands at the support. In m.
-AT_SUPPORT = 1e-6
 
 
 Staggers = Annotated[
@@ -64,116 +64,6 @@ class Geometry(Part):
     )
 
 
-class SpanDroppers(Part):
-    """Droppers (hangers) of a span: design by pre-sag, or as built by lengths."""
-
-    positions: Annotated[Lengths, Field(max_length=MAX_DROPPERS_PER_SPAN)] = Field(
-        description="Distance of each dropper from the left support of the span."
-    )
-    presag: Lengths | None = Field(
-        default=None,
-        description="The wire held, below its nominal height at each dropper; zeros without it.",
-    )
-    lengths: Lengths | None = Field(
-        default=None, description="Unstretched distance between the clamps of each dropper."
-    )
-
-    @property
-    def design_presag(self) -> tuple[float, ...]:
-        """Pre-sag at each dropper in m; zeros when neither presag nor lengths is given."""
-        return self.presag if self.presag is not None else (0.0,) * len(self.positions)
-
-    @model_validator(mode="after")
-    def _check_lists(self) -> "SpanDroppers":
-        if self.presag is not None and self.lengths is not None:
-            raise ModelError(
-                "both presag and lengths given",
-                expected="presag (design) or lengths (as built)",
-                field=("lengths",),
-            )
-        count = len(self.positions)
-        for name in ("presag", "lengths"):
-            values = getattr(self, name)
-            if values is not None and len(values) != count:
-                raise ModelError(
-                    "wrong number of values",
-                    got=f"{len(values)} values",
-                    expected=f"{count}, one for each of positions",
-                    field=(name,),
-                )
-        for index, (left, right) in enumerate(pairwise(self.positions), start=1):
-            if right <= left:
-                raise ModelError(
-                    "droppers out of order",
-                    got=f"{right:g} m after {left:g} m",
-                    expected="positions that increase along the span",
-                    field=("positions", index),
-                )
-        for index, length in enumerate(self.lengths or ()):
-            if length <= 0:
-                raise ModelError(
-                    WRONG_VALUE,
-                    got=f"{length:g} m",
-                    expected="a dropper length above 0 m",
-                    field=("lengths", index),
-                )
-        return self
-
-
-class SpanType(Part):
-    """A span: its length and its droppers."""
-
-    length: Annotated[float, Unit("m", above=0, maximum=500)] = Field(
-        description="Distance between the two supports."
-    )
-    droppers: SpanDroppers = Field(description="Droppers of the span.")
-    hangers: SpanDroppers | None = Field(
-        default=None, description="From the auxiliary to the contact wire; only with that wire."
-    )
-
-    @property
-    def holders(self) -> SpanDroppers:
-        """What the contact wire hangs on: hangers where there is an auxiliary wire."""
-        return self.hangers or self.droppers
-
-    @model_validator(mode="after")
-    def _check_inside(self) -> "SpanType":
-        self._check_positions("droppers", self.droppers)
-        if self.hangers is not None:
-            self._check_positions("hangers", self.hangers)
-        return self
-
-    def _check_positions(self, name: str, droppers: SpanDroppers) -> None:
-        for index, x in enumerate(droppers.positions):
-            field = (name, "positions", index)
-            if min(abs(x), abs(x - self.length)) < AT_SUPPORT and name == "droppers":
-                side = "left" if abs(x) < AT_SUPPORT else "right"
-                raise ModelError(
-                    "dropper (hanger) at a support",
-                    got=f"{x:g} m, the place of the {side} support",
-                    expected=f"a position between the supports at 0 and {self.length:g} m",
-                    hint="at a support the messenger wire is held, a dropper has no part there",
-                    field=field,
-                )
-            if not 0 < x < self.length:
-                raise ModelError(
-                    f"{name[:-1]} outside its span",
-                    got=f"{x:g} m",
-                    expected=f"a position between 0 and {self.length:g} m, the span's length",
-                    hint="positions count from the left support of the span",
-                    field=field,
-                )
-
-
-class SpanRun(Part):
-    """A number of equal spans in a row."""
-
-    type: str = Field(description="Name of a span type.")
-    count: int = Field(
-        default=1, ge=1, le=MAX_SPANS, strict=True, description="Number of such spans in a row."
-    )
-
-
 class DesignSpace(Part):
     """What the line was designed for; used by the assessment only."""
 
@@ -191,7 +81,7 @@ class DesignSpace(Part):
 
 
 class Line(Document):
-    """An overhead line: one tension length made of spans."""
+    """An overhead line: spans, and the wires over them in one or several tension lengths."""
 
     format: Literal["arcless-line/1"] = Field(
         default="arcless-line/1", description="Format, version."
@@ -210,10 +100,21 @@ class Line(Document):
     hanger: DropperType | None = Field(
         default=None, description="Hangers of a compound line; without it, as the droppers."
     )
+    twin_contact_wires: TwinContactWires | None = Field(
+        default=None, description="A second contact wire beside the first, which it equals."
+    )
     geometry: Geometry = Field(description="Heights and staggers.")
     span_types: dict[str, SpanType] = Field(description="Span types by name.", min_length=1)
     spans: tuple[SpanRun, ...] = Field(
         description="Spans from the start of the line to its end.", min_length=1
+    )
+    tension_lengths: Annotated[tuple[TensionLength, ...], Field(min_length=1)] | None = Field(
+        default=None,
+        description="Spans of each tension length; neighbours share those of their overlap."
+        " Without it, one over all spans.",
+    )
+    overlap: Overlap | None = Field(
+        default=None, description="Overlaps; needed where there are several tension lengths."
     )
     track: Track = Field(default_factory=Track, description="Curves; straight without them.")
     design: DesignSpace = Field(default_factory=DesignSpace, description="Values for assessment.")
@@ -245,6 +146,7 @@ class Line(Document):
                 expected=f"at most {MAX_SPANS} in all",
                 field=("spans",),
             )
+        check_tension_lengths(self)
         check_wires(self)
         check_heights(self)
         check_track(self)
@@ -285,10 +187,26 @@ class Line(Document):
         own = self.geometry
         return heights_at(own.contact_wire_height, own.height_changes, self.support_positions())
 
+    def tension_length_list(self) -> list[TensionLength]:
+        """Return the tension lengths in order; one over all spans where none are given."""
+        whole = TensionLength(from_span=1, to_span=len(self.span_list()))
+        return [whole] if self.tension_lengths is None else list(self.tension_lengths)
+
     @property
     def total_length(self) -> float:
         """Length of the line in m."""
         return self.support_positions()[-1]
+
+    @property
+    def has_overlaps(self) -> bool:
+        """True when there are several tension lengths."""
+        return len(self.tension_length_list()) > 1
+
+    @property
+    def has_paired_droppers(self) -> bool:
+        """True when two droppers hang from each position, one on either contact wire."""
+        twin = self.twin_contact_wires
+        return twin is not None and twin.droppers == "paired" and self.auxiliary_wire is None
 
     @property
     def is_spatial(self) -> bool:
@@ -296,6 +214,9 @@ class Line(Document):
         geometry = self.geometry
         staggers = geometry.stagger_contact_wire + geometry.stagger_messenger_wire
         staggers += geometry.stagger_auxiliary_wire or ()
+        if self.overlap is not None:
+            lists = (self.overlap.stagger_in, self.overlap.stagger_out)
+            staggers += (self.overlap.apart, *(side for sides in lists for side in sides or ()))
         is_bent = self.steady_arm.kind == "arm" or bool(self.track.curves)
         return is_bent or any(stagger != 0 for stagger in staggers)
 

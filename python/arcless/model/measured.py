@@ -78,6 +78,14 @@ def matched(line: "Line", given: Sequence[MeasuredHeight]) -> dict[float, float]
 
 def check_measured(line: "Line", given: Sequence[MeasuredHeight]) -> None:
     """Raise `ModelError` for measured heights that do not fit a line."""
+    if line.has_overlaps:
+        raise ModelError(
+            "measured heights of a line with several tension lengths",
+            got=f"{len(given)} heights",
+            expected="a line with one tension length",
+            hint="in an overlap two wires hang at one place; leave tension_lengths out",
+            field=FIELD,
+        )
     for name, span in line.span_types.items():
         if span.holders.lengths is not None:
             raise ModelError(

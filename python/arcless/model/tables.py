@@ -61,7 +61,10 @@ class Table:
         return missing
 
 
-DROPPER_ERRORS = Table({"span": None, "dropper": None, "length_error": "m"})
+DROPPER_ERRORS = Table(
+    {"tension_length": None, "span": None, "dropper": None, "wire": None, "length_error": "m"},
+    optional=("tension_length", "wire"),
+)
 GUSTS = Table(
     {"time": "s", "position": "m", "speed": "m/s", "vertical": "m/s"},
     optional=("position", "vertical"),

@@ -56,6 +56,12 @@ DIMENSIONS: dict[str, Dimension] = {
 _CONTACT = ("time", "pantograph")
 _LINE = ("line_time",)
 
+
+def _wire_number(wire: str) -> Variable:
+    meaning = "number of its wire, from 1; only where there are several"
+    return Variable((f"{wire}_wire_node",), "1", meaning, integer=True)
+
+
 VARIABLES: dict[str, Variable] = {
     "contact_force": Variable(_CONTACT, "N", "contact force", required=True),
     "contact_gap": Variable(
@@ -116,15 +122,39 @@ VARIABLES: dict[str, Variable] = {
     "contact_wire_node_x": Variable(("contact_wire_node",), "m", "along the track, at rest"),
     "contact_wire_node_y": Variable(("contact_wire_node",), "m", "across the track, at rest"),
     "contact_wire_node_z": Variable(("contact_wire_node",), "m", "height above rail, at rest"),
+    "contact_wire_node_wire": Variable(
+        ("contact_wire_node",),
+        "1",
+        "which contact wire it is of, from 1; only where there are several",
+        integer=True,
+    ),
     "messenger_wire_node_x": Variable(("messenger_wire_node",), "m", "along the track, at rest"),
     "messenger_wire_node_y": Variable(("messenger_wire_node",), "m", "across the track, at rest"),
     "messenger_wire_node_z": Variable(("messenger_wire_node",), "m", "height above rail, at rest"),
+    "messenger_wire_node_wire": Variable(
+        ("messenger_wire_node",),
+        "1",
+        "tension length, from 1; only where there are several",
+        integer=True,
+    ),
     "auxiliary_wire_node_x": Variable(("auxiliary_wire_node",), "m", "along the track, at rest"),
     "auxiliary_wire_node_y": Variable(("auxiliary_wire_node",), "m", "across the track, at rest"),
     "auxiliary_wire_node_z": Variable(("auxiliary_wire_node",), "m", "height above rail, at rest"),
+    "auxiliary_wire_node_wire": Variable(
+        ("auxiliary_wire_node",),
+        "1",
+        "tension length, from 1; only where there are several",
+        integer=True,
+    ),
     "stitch_wire_node_x": Variable(("stitch_wire_node",), "m", "along the track, at rest"),
     "stitch_wire_node_y": Variable(("stitch_wire_node",), "m", "across the track, at rest"),
     "stitch_wire_node_z": Variable(("stitch_wire_node",), "m", "height above rail, at rest"),
+    "stitch_wire_node_wire": Variable(
+        ("stitch_wire_node",),
+        "1",
+        "tension length, from 1; only where there are several",
+        integer=True,
+    ),
     "stitch_wire_node_support": Variable(
         ("stitch_wire_node",), "1", "support of the stitch wire, from 1", integer=True
     ),

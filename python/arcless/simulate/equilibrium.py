@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -70,16 +71,35 @@ class Equilibrium:
         return float(tension[is_contact].mean()), float(tension[~is_contact].mean())
 
     def end_travel(self) -> tuple[float, float]:
-        """Way of the far ends of contact and messenger wire since the design, in m."""
-        nodes = [self.mesh.contact_nodes[-1], self.mesh.messenger_nodes[-1]]
-        contact, messenger = self.positions[nodes, 0] - self.mesh.positions[nodes, 0]
-        return float(contact), float(messenger)
+        """Way of the far ends of contact and messenger wire since the design, in m.
+
+        Of several tension lengths, that of the one that moved furthest.
+        """
+        wires = (self.mesh.contact_wires, [system.messenger for system in self.mesh.systems])
+        contact, messenger = (self._travel([wire[-1] for wire in kind]) for kind in wires)
+        return contact, messenger
+
+    def _travel(self, nodes: list[int]) -> float:
+        ways = self.positions[nodes, 0] - self.mesh.positions[nodes, 0]
+        return float(max(ways, key=abs))
+
+    def support_places(self) -> list[float]:
+        """Positions of the supports in m, each once."""
+        return sorted({support.x for support in self.mesh.supports})
 
     def middle_span(self) -> tuple[float, float]:
-        """Supports of the span in the middle of the line, in m."""
-        spans = len(self.mesh.supports) - 1
-        left = (spans - 1) // 2
-        return self.mesh.supports[left].x, self.mesh.supports[left + 1].x
+        """Supports in m of the span in the middle, or of the next to it that is in no overlap."""
+        spans = list(pairwise(self.support_places()))
+        middle = (len(spans) - 1) // 2
+        by_distance = sorted(range(len(spans)), key=lambda index: abs(index - middle))
+        alone = (index for index in by_distance if not self._overlaps(*spans[index]))
+        return spans[next(alone, middle)]
+
+    def _overlaps(self, left: float, right: float) -> bool:
+        """Whether wires of two tension lengths run between two places."""
+        x, middle = self.mesh.positions[:, 0], 0.5 * (left + right)
+        ends = [(x[own.messenger[0]], x[own.messenger[-1]]) for own in self.mesh.systems]
+        return sum(bool(first < middle < last) for first, last in ends) > 1
 
     def elasticity_positions(self) -> Floats:
         """Positions in m along the middle span at which the elasticity is reported."""
@@ -184,14 +204,18 @@ def named(mesh: Mesh) -> Iterator[None]:
 def place_of(mesh: Mesh, node: int) -> str:
     """Say in words where a node is."""
     x = mesh.positions[node, 0]
-    wire = "messenger wire"
-    if node in set(mesh.contact_nodes):
-        wire = "contact wire"
-    elif node in set(mesh.auxiliary_nodes):
-        wire = "auxiliary wire"
-    elif any(node in stitch.nodes[1:-1] for stitch in mesh.stitches):
-        wire = "stitch wire"
-    return f"{wire} at {x:.2f} m"
+    for system in mesh.systems:
+        wires = {
+            **system.contact,
+            "auxiliary wire": system.auxiliary,
+            "messenger wire": system.messenger,
+            "stitch wire": [n for stitch in system.stitches for n in stitch.nodes[1:-1]],
+        }
+        for wire, nodes in wires.items():
+            if node in nodes:
+                of = f" of {system.label}" if system.label else ""
+                return f"{wire}{of} at {x:.2f} m"
+    return f"messenger wire at {x:.2f} m"
 
 
 def translate(mesh: Mesh, kind: str, message: str, details: dict[str, Any]) -> ArclessError:

@@ -85,22 +85,31 @@ def static_variables(found: Equilibrium, elasticity: Floats) -> dict[str, Any]:
         "steady_arm_force_static": _rows(found.arrays["strut_tension"], arms),
         "elasticity": elasticity,
     }
-    stitched = [node for stitch in mesh.stitches for node in stitch.nodes]
-    if stitched:
+    if mesh.stitches:
         counts = [len(stitch.nodes) for stitch in mesh.stitches]
         numbers = [stitch.support for stitch in mesh.stitches]
         out["stitch_wire_node_support"] = np.repeat(numbers, counts)
-    for wire, nodes in (
-        ("contact", mesh.contact_nodes),
-        ("messenger", mesh.messenger_nodes),
-        ("auxiliary", mesh.auxiliary_nodes),
-        ("stitch", stitched),
-    ):
+    for wire, pieces in _wires(found).items():
+        nodes = [node for piece in pieces for node in piece]
         if not nodes:
             continue
+        if len(pieces) > 1:
+            lengths = [len(piece) for piece in pieces]
+            out[f"{wire}_wire_node_wire"] = np.repeat(np.arange(1, len(pieces) + 1), lengths)
         for axis, component in zip("xyz", points[nodes].T, strict=True):
             out[f"{wire}_wire_node_{axis}"] = component
     return out
+
+
+def _wires(found: Equilibrium) -> dict[str, list[list[int]]]:
+    """Return the nodes of each wire by its kind; stitch wires by their tension length."""
+    systems = found.mesh.systems
+    return {
+        "contact": found.mesh.contact_wires,
+        "messenger": [system.messenger for system in systems],
+        "auxiliary": [system.auxiliary for system in systems],
+        "stitch": [[n for one in system.stitches for n in one.nodes] for system in systems],
+    }
 
 
 def _rows(values: Floats, rows: list[int | None]) -> list[float]:

@@ -69,7 +69,7 @@ class StaticsResult:
         arrays, points = self.equilibrium.arrays, self.equilibrium.positions
         return [
             {
-                "support": f"support {stitch.support}",
+                "support": f"{system.label} support {stitch.support}".lstrip(),
                 "from_m": float(points[stitch.nodes[0], 0]),
                 "to_m": float(points[stitch.nodes[-1], 0]),
                 "clamp_heights_m": [float(points[n, 2]) for n in stitch.nodes[:: len(stitch.rows)]],
@@ -77,8 +77,15 @@ class StaticsResult:
                 "unstretched_length_m": float(arrays["wire_rest_length"][stitch.rows].sum()),
                 "tension_N": float(arrays["wire_tension"][stitch.rows].max()),
             }
-            for stitch in self.equilibrium.mesh.stitches
+            for system in self.equilibrium.mesh.systems
+            for stitch in system.stitches
         ]
+
+    @property
+    def middle_span(self) -> int:
+        """Number of the span, from 1, of which elasticity and sag are told."""
+        found = self.equilibrium
+        return 1 + found.support_places().index(found.middle_span()[0])
 
     @property
     def elasticity_nonuniformity(self) -> float:
@@ -125,6 +132,7 @@ class StaticsResult:
         return {
             "scenario": self.scenario.name,
             "line": self.scenario.line.name,
+            "middle_span": self.middle_span,
             "droppers": self.droppers,
             "supports": self.supports,
             "stitch_wires": self.stitch_wires,

@@ -1,0 +1,6 @@
+"""What the wires are called."""
+
+CONTACT, MESSENGER = "contact wire", "messenger wire"
+STITCH, AUXILIARY = "stitch wire", "auxiliary wire"
+# Two of them side by side.
+TWINS = ("contact wire 1", "contact wire 2")
