@@ -48,6 +48,18 @@ pub enum CoreError {
         /// Its (negative) tension, N.
         force: f64,
     },
+    /// A table ends before a rider is in equilibrium at the start.
+    #[error("table {table} of rider {rider} ends at {end} m, the start is at {place} m")]
+    BeyondTable {
+        /// Index of the rider.
+        rider: usize,
+        /// Index of the table among its laws.
+        table: usize,
+        /// Displacement in equilibrium if the table went on, m.
+        place: f64,
+        /// Where it ends, m.
+        end: f64,
+    },
     /// A number became infinite or not a number.
     #[error("not a finite number in {what} at step {step}")]
     NotFinite {
@@ -102,4 +114,14 @@ pub enum CoreError {
         /// Steps done.
         step: usize,
     },
+}
+
+impl CoreError {
+    /// The same error with the number of the rider that it is about.
+    pub(crate) fn of_rider(mut self, number: usize) -> Self {
+        if let Self::BeyondTable { rider, .. } = &mut self {
+            *rider = number;
+        }
+        self
+    }
 }

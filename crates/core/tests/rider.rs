@@ -24,6 +24,7 @@ fn two_masses() -> Rider {
         start_force: 0.0,
         given: Given::default(),
         stops: Vec::new(),
+        laws: Vec::new(),
     }
 }
 

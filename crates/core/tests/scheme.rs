@@ -21,6 +21,7 @@ fn oscillator(zeta: f64) -> Rider {
         start_force: 0.0,
         given: Given::default(),
         stops: Vec::new(),
+        laws: Vec::new(),
     }
 }
 

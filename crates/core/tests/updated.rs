@@ -91,6 +91,7 @@ fn two_masses(force: f64) -> Rider {
         start_force: force,
         given: Given::default(),
         stops: Vec::new(),
+        laws: Vec::new(),
     }
 }
 

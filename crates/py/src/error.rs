@@ -56,6 +56,18 @@ fn details<'py>(
             d.set_item("force", force)?;
             "pushing"
         }
+        CoreError::BeyondTable {
+            rider,
+            table,
+            place,
+            end,
+        } => {
+            d.set_item("rider", rider)?;
+            d.set_item("table", table)?;
+            d.set_item("place", place)?;
+            d.set_item("end", end)?;
+            "beyond_table"
+        }
         CoreError::NotFinite { step, .. } => {
             d.set_item("step", step)?;
             "not_finite"

@@ -3,6 +3,8 @@
 use crate::error::convert;
 use arcless_core::CoreError;
 use arcless_core::dynamics::given::{Given, Ground, History};
+use arcless_core::dynamics::kink::Motion;
+use arcless_core::dynamics::law::Law;
 use arcless_core::dynamics::ledger::Entries;
 use arcless_core::dynamics::loads::Load;
 use arcless_core::dynamics::record::{Record, RecordPlan};
@@ -43,7 +45,7 @@ macro_rules! either {
 pub struct Prepared(pub Any);
 
 /// One rider as it comes from Python: mass, damping, stiffness matrices by rows; strip, preload,
-/// lift vectors; contact force at the start; what is given; stops.
+/// lift vectors; contact force at the start; what is given; stops; springs and dampers with tables.
 type RiderData = (
     Vec<f64>,
     Vec<f64>,
@@ -54,6 +56,7 @@ type RiderData = (
     f64,
     GivenData,
     Vec<StopData>,
+    Vec<LawData>,
 );
 
 /// Forces (direction, N at every instant), and the ground: displacement that goes with it, its
@@ -69,6 +72,9 @@ type LoadData = (Vec<(usize, usize, f64)>, Vec<f64>);
 
 /// Direction that opens the stop, gap in m, stiffness in N/m.
 type StopData = (Vec<f64>, f64, f64);
+
+/// Direction of a spring or damper, whether it is a damper, points (m or m/s, N).
+type LawData = (Vec<f64>, bool, Vec<[f64; 2]>);
 
 fn given((forces, ground): GivenData) -> Given {
     let history = |(direction, values)| History { direction, values };
@@ -90,11 +96,24 @@ fn stop((direction, gap, stiffness): StopData) -> Stop {
     }
 }
 
+fn law((direction, is_damper, points): LawData) -> Law {
+    Law {
+        direction,
+        motion: if is_damper {
+            Motion::Rate
+        } else {
+            Motion::Place
+        },
+        points,
+    }
+}
+
 fn rider(data: RiderData) -> Rider {
-    let (mass, damping, stiffness, strip, preload, lift, start_force, outside, stops) = data;
+    let (mass, damping, stiffness, strip, preload, lift, start_force, outside, stops, laws) = data;
     Rider {
         given: given(outside),
         stops: stops.into_iter().map(stop).collect(),
+        laws: laws.into_iter().map(law).collect(),
         mass,
         damping,
         stiffness,
@@ -179,7 +198,7 @@ fn read_plan(plan: &Bound<'_, PyDict>) -> PyResult<RecordPlan> {
 
 fn arrays<'py>(py: Python<'py>, r: &Record) -> PyResult<Bound<'py, PyDict>> {
     let out = PyDict::new(py);
-    let series: [(&str, &[f64]); 18] = [
+    let series: [(&str, &[f64]); 19] = [
         ("time", &r.time),
         ("force", &r.force),
         ("gap", &r.gap),
@@ -198,6 +217,7 @@ fn arrays<'py>(py: Python<'py>, r: &Record) -> PyResult<Bound<'py, PyDict>> {
         ("link_max", &r.link_max),
         ("uplift_max", &r.uplift_max),
         ("stop_max", &r.stop_max),
+        ("law_ranges", &r.law_ranges),
     ];
     for (name, values) in series {
         out.set_item(name, values.to_pyarray(py))?;

@@ -10,6 +10,8 @@ from arcless.units import show
 
 if TYPE_CHECKING:
     from arcless.model.fields import Path
+    from arcless.model.force_tables import LiftTable
+    from arcless.model.pantograph import Pantograph
     from arcless.model.scenario import Scenario
 
 # One run keeps its whole record in memory; this many steps at 1 ms are nearly three hours.
@@ -112,18 +114,28 @@ def _check_lift(scenario: "Scenario") -> None:
     if profile is not None:
         slowest = min(profile.speed)
     for index, placement in enumerate(scenario.pantographs):
-        for number, mass in enumerate(placement.model.masses):
-            if mass.lift is None:
-                continue
-            first, last = mass.lift.speed[0], mass.lift.speed[-1]
+        for field, table in _lift_tables(placement.model):
+            first, last = table.speed[0], table.speed[-1]
             if slowest < first * (1 - ROUNDING) or fastest > last * (1 + ROUNDING):
                 raise ModelError(
                     "the table does not reach over the speeds travelled",
                     got=f"{first:g} to {last:g} m/s",
                     expected=f"at least {slowest:g} to {fastest:g} m/s",
                     hint="nothing is assumed beyond a table's ends",
-                    field=("pantographs", index, "model", "masses", number, "lift", "speed"),
+                    field=("pantographs", index, "model", *field, "speed"),
                 )
+
+
+def _lift_tables(pantograph: "Pantograph") -> "list[tuple[Path, LiftTable]]":
+    found: list[tuple[Path, LiftTable]] = [
+        (("masses", number, "lift"), mass.lift)
+        for number, mass in enumerate(pantograph.masses)
+        if mass.lift is not None
+    ]
+    if pantograph.matrices is not None:
+        tables = enumerate(pantograph.matrices.lift_tables)
+        found += [(("matrices", "lift_tables", number), table) for number, table in tables]
+    return found
 
 
 def _check_roofs(scenario: "Scenario") -> None:

@@ -12,6 +12,7 @@ from arcless.errors import ModelError
 from arcless.model.documents import dotted
 from arcless.model.explain import explain
 from arcless.model.fields import Path
+from arcless.model.force_tables import with_force_tables
 from arcless.model.library import shipped
 from arcless.model.line import Line
 from arcless.model.pantograph import Pantograph
@@ -120,6 +121,8 @@ def _build(
     _check_format(data, kind, origin, prefix)
     if kind == "scenario":
         data = _resolve(data, origin)
+    elif kind == "pantograph":
+        data = with_force_tables(data, origin, prefix)
     try:
         return _MODELS[kind].model_validate(data)
     except ValidationError as error:

@@ -7,6 +7,8 @@ from pydantic import Field, model_validator
 
 from arcless.errors import ModelError
 from arcless.model.fields import Part, Unit
+from arcless.model.force_tables import LiftTable
+from arcless.model.joint import Joint
 
 MAX_COORDINATES = 20
 # Measured or reduced matrices are written with rounded digits; this share of the largest entry is
@@ -16,6 +18,32 @@ ROUNDED = 1e-9
 RAISED = 1e-6
 
 Vector = tuple[Annotated[float, Unit("1")], ...]
+
+
+class MatrixJoint(Joint):
+    """Stops, tables and friction along a motion of a pantograph given by matrices."""
+
+    between: Vector = Field(
+        description="Motion that they look at: elongation for a unit of each coordinate."
+    )
+
+    @model_validator(mode="after")
+    def _check_something(self) -> "MatrixJoint":
+        parts = (self.stops, self.stiffness_table, self.damping_table, self.friction)
+        if all(part is None for part in parts):
+            expected = "stops, stiffness_table, damping_table or friction"
+            raise ModelError("nothing given", expected=expected, field=("between",))
+        return self
+
+
+class MatrixLift(LiftTable):
+    """A table of lift on a pantograph given by matrices."""
+
+    on: Vector = Field(description="Work of a unit of the force on a unit of each coordinate.")
+
+    def raising(self, rigid: tuple[float, ...], speed: float) -> float:
+        """Return the share that raises the whole pantograph, in N at a speed in m/s."""
+        return sum(r * g for r, g in zip(rigid, self.on, strict=True)) * self.at(speed)
 
 
 class PantographMatrices(Part):
@@ -44,6 +72,14 @@ class PantographMatrices(Part):
         default=None,
         description="Coordinates of the whole pantograph raised by 1 m; 1 each without.",
     )
+    lift_tables: tuple[MatrixLift, ...] = Field(
+        default=(), description="Lift over speed.", max_length=MAX_COORDINATES
+    )
+    joints: tuple[MatrixJoint, ...] = Field(
+        default=(),
+        description="Stops, tables and friction beside the matrices.",
+        max_length=MAX_COORDINATES,
+    )
 
     @model_validator(mode="after")
     def _check(self) -> "PantographMatrices":
@@ -54,6 +90,7 @@ class PantographMatrices(Part):
             vector = getattr(self, name)
             if vector is not None and len(vector) != size:
                 raise _wrong_size(f"{len(vector)} values", f"{size}, one for each row", (name,))
+        self._check_directions(size)
         for name in ("strip", "preload"):
             if not any(getattr(self, name)):
                 raise ModelError("acts nowhere", got="zeros", expected="a value", field=(name,))
@@ -67,6 +104,15 @@ class PantographMatrices(Part):
                 field=("strip" if self.raised is None else "raised",),
             )
         return self
+
+    def _check_directions(self, size: int) -> None:
+        joints = [(("joints", i, "between"), j.between) for i, j in enumerate(self.joints)]
+        lifts = [(("lift_tables", i, "on"), table.on) for i, table in enumerate(self.lift_tables)]
+        for field, vector in (*joints, *lifts):
+            if len(vector) != size:
+                raise _wrong_size(f"{len(vector)} values", f"{size}, one for each row", field)
+            if not any(vector):
+                raise ModelError("acts nowhere", got="zeros", expected="a value", field=field)
 
     @property
     def rigid(self) -> tuple[float, ...]:

@@ -11,7 +11,9 @@ from arcless import _core
 from arcless.errors import ArclessError, ContactError, EquilibriumError
 from arcless.mesh import Mesh
 from arcless.model import Scenario
+from arcless.model.scenario import PantographPlacement
 from arcless.simulate.equilibrium import translate
+from arcless.simulate.joints import laws
 
 # A run starts in statics, and with updated kinematics the tangent is factorised in every step.
 STATIC = ("equilibrium", "singular", "unstable")
@@ -42,13 +44,16 @@ def replayable(scenario: Scenario) -> Iterator[None]:
 
 
 @contextmanager
-def stepping(mesh: Mesh, pantographs: Sequence[str]) -> Iterator[None]:
+def stepping(mesh: Mesh, placements: Sequence[PantographPlacement]) -> Iterator[None]:
     """Turn errors of the stepping loop into errors that name step, time and link."""
     try:
         yield
     except _core.NativeError as error:
         kind, message, details = error.args
-        raise _translate(mesh, pantographs, kind, message, details) from error
+        if kind == "beyond_table":
+            raise _beyond_table(placements, details) from error
+        names = [placement.name for placement in placements]
+        raise _translate(mesh, names, kind, message, details) from error
 
 
 def _translate(
@@ -72,12 +77,26 @@ def _translate(
     return ContactError(message)
 
 
+def _beyond_table(
+    placements: Sequence[PantographPlacement], details: dict[str, Any]
+) -> EquilibriumError:
+    number = details["rider"]
+    law = laws(placements[number].model)[details["table"]]
+    return EquilibriumError(
+        f"a table of pantograph {placements[number].name} ends before the static force is reached",
+        where=f"pantographs.{number}.model.{law.field}.elongation",
+        got=f"{details['end']:g} m",
+        expected=f"a table that reaches {details['place']:.4g} m",
+        hint="lengthen the table, or lower the static force",
+    )
+
+
 def _unsolved(mesh: Mesh, pantographs: Sequence[str], details: dict[str, Any]) -> ContactError:
     droppers = {dropper.link: dropper.name for dropper in mesh.droppers}
     links = [f"pantograph {pantographs[j]}" for j in details["contacts"]]
     links += [droppers[i] for i in details["links"]]
     for name, count in zip(pantographs, details["stops"], strict=False):
-        links += [f"stop {k} of pantograph {name}" for k in range(1, count + 1)]
+        links += [f"stop or kink {k} of pantograph {name}" for k in range(1, count + 1)]
     problem = {
         "kind": "lcp",
         "step": details["step"],

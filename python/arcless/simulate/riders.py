@@ -1,6 +1,4 @@
-"""Pantograph → rider of the core: matrices, where forces act, what is given over time, stops."""
-
-from math import inf
+"""Pantograph → rider of the core: matrices, where forces act, what is given over time."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,15 +7,25 @@ from arcless.model import Scenario
 from arcless.model.pantograph import Pantograph, PantographMass
 from arcless.model.roof import RoofMotion
 from arcless.model.scenario import PantographPlacement
+from arcless.simulate import joints
+from arcless.simulate.joints import elongation, unit_vector
 from arcless.simulate.motion import Motion
 
 Floats = NDArray[np.float64]
 Numbers = list[float]
 # Forces as direction and N at every instant; the ground as what goes with it, m, and m/s.
 GivenData = tuple[list[tuple[Numbers, Numbers]], tuple[Numbers, Numbers, Numbers] | None]
-StopData = tuple[Numbers, float, float]
 RiderData = tuple[
-    Numbers, Numbers, Numbers, Numbers, Numbers, Numbers, float, GivenData, list[StopData]
+    Numbers,
+    Numbers,
+    Numbers,
+    Numbers,
+    Numbers,
+    Numbers,
+    float,
+    GivenData,
+    list[joints.StopData],
+    list[joints.LawData],
 ]
 NOTHING: GivenData = ([], None)
 
@@ -45,12 +53,14 @@ def rider(pantograph: Pantograph, start_force: float, given: GivenData = NOTHING
         matrices = _chain(pantograph.masses)
         size = len(pantograph.masses)
         vectors = (
-            _unit(size, size - 1),
-            _unit(size, 0),
+            unit_vector(size, size - 1),
+            unit_vector(size, 0),
             [p.aerodynamic for p in pantograph.masses],
         )
     mass, damping, stiffness = (m.ravel().tolist() for m in matrices)
-    return (mass, damping, stiffness, *vectors, start_force, given, stops(pantograph))
+    laws = [law.data for law in joints.laws(pantograph)]
+    stops = joints.stops(pantograph)
+    return (mass, damping, stiffness, *vectors, start_force, given, stops, laws)
 
 
 def _chain(masses: tuple[PantographMass, ...]) -> list[Floats]:
@@ -61,39 +71,10 @@ def _chain(masses: tuple[PantographMass, ...]) -> list[Floats]:
     size = len(masses)
     stiffness, damping = np.zeros((size, size)), np.zeros((size, size))
     for i, part in enumerate(masses):
-        joint = np.array(_joint(size, i))
-        stiffness += part.stiffness * np.outer(joint, joint)
-        damping += part.damping * np.outer(joint, joint)
+        joint = np.array(elongation(size, i))
+        stiffness += (part.stiffness or 0.0) * np.outer(joint, joint)
+        damping += (part.damping or 0.0) * np.outer(joint, joint)
     return [np.diag([part.mass for part in masses]), damping, stiffness]
-
-
-def _unit(size: int, i: int) -> Numbers:
-    return [float(k == i) for k in range(size)]
-
-
-def _joint(size: int, i: int) -> Numbers:
-    """Elongation of what is between mass i and the one below, or the base."""
-    joint = _unit(size, i)
-    if i > 0:
-        joint[i - 1] = -1.0
-    return joint
-
-
-def stops(pantograph: Pantograph) -> list[StopData]:
-    """Return the bump stops of a chain: the motion that opens each, gap in m, stiffness in N/m."""
-    found: list[StopData] = []
-    size = len(pantograph.masses)
-    for i, part in enumerate(pantograph.masses):
-        if part.stops is None:
-            continue
-        given = part.stops.stiffness
-        stiffness = inf if isinstance(given, str) else given
-        joint = _joint(size, i)
-        if part.stops.below is not None:
-            found.append((joint, part.stops.below, stiffness))
-        if part.stops.above is not None:
-            found.append(([-value for value in joint], part.stops.above, stiffness))
-    return found
 
 
 def given_motions(scenario: Scenario, travel: Motion) -> list[GivenData]:
@@ -103,13 +84,16 @@ def given_motions(scenario: Scenario, travel: Motion) -> list[GivenData]:
 
 def _given(placement: PantographPlacement, travel: Motion) -> GivenData:
     pantograph = placement.model
-    forces = [
-        (
-            _unit(len(pantograph.masses), i),
-            np.interp(travel.speeds, part.lift.speed, part.lift.force).tolist(),
-        )
+    tables = [
+        (unit_vector(len(pantograph.masses), i), part.lift)
         for i, part in enumerate(pantograph.masses)
         if part.lift is not None
+    ]
+    if pantograph.matrices is not None:
+        tables += [(list(table.on), table) for table in pantograph.matrices.lift_tables]
+    forces = [
+        (direction, np.interp(travel.speeds, table.speed, table.force).tolist())
+        for direction, table in tables
     ]
     if placement.roof_motion is None:
         return forces, None

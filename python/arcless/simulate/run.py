@@ -10,7 +10,7 @@ import numpy as np
 from arcless import _core
 from arcless.model import Scenario, scenario_warnings
 from arcless.results import Result, dataset_from
-from arcless.simulate import equilibrium, gusts, motion, record, riders
+from arcless.simulate import equilibrium, gusts, joints, motion, record, riders
 from arcless.simulate.failure import replayable, stepping
 from arcless.simulate.mean_force import find_forces
 
@@ -57,7 +57,7 @@ class Job:
             riders.rider(p.model, force + p.model.lift_at(speed), given)
             for p, force, given in zip(placements, forces, self.given, strict=True)
         ]
-        with stepping(mesh, [p.name for p in placements]):
+        with stepping(mesh, placements):
             return self.prepared.run(
                 ridden,
                 [p.distance for p in placements],
@@ -160,7 +160,7 @@ def _attributes(
     stops = {
         placement.name: force
         for placement, force in zip(scenario.pantographs, raw["stop_max"].tolist(), strict=True)
-        if riders.stops(placement.model)
+        if joints.stops(placement.model)
     }
     return {
         "arcless_version": _core.__version__,
@@ -180,7 +180,10 @@ def _attributes(
         "lcp_pivots_per_step": list(raw["pivot_counts"]),
         "static_force_found": dict(zip(names, np.round(forces, 6).tolist(), strict=True)),
         **({"stop_force_max": stops} if stops else {}),
-        "warnings": scenario_warnings(scenario),
+        "warnings": [
+            *scenario_warnings(scenario),
+            *joints.tables_left(scenario.pantographs, raw["law_ranges"].tolist()),
+        ],
         "command": f"arcless run {scenario.name}",
     }
 

@@ -88,6 +88,7 @@ def test_the_models_of_the_pantograph_guide_load(tmp_path: Path) -> None:
     names = [name for name, _ in blocks]
     assert names == [
         "four.yaml", "reduced.yaml", "lifted.yaml", "shaken.yaml", "roof.csv", "stopped.yaml",
+        "progressive.yaml", "dry.yaml", "general.yaml",
     ]  # fmt: skip
     for name, text in blocks:
         (tmp_path / name).write_text(text, encoding="utf-8")

@@ -11,7 +11,7 @@ import pytest
 from arcless.errors import ModelError
 from arcless.model import Scenario, load_pantograph
 from arcless.results import Result
-from arcless.simulate import motion, riders
+from arcless.simulate import joints, motion, riders
 
 Run = Callable[..., Result]
 Short = Callable[..., Scenario]
@@ -198,7 +198,7 @@ def test_stops_open_by_the_motion_between_a_mass_and_what_is_below(placement: Da
     limits = {"below": 0.01, "above": 0.02, "stiffness": 1e6}
     model = lifted(placement, stops=limits)
     model["masses"][0] = {**model["masses"][0], "stops": {"below": 0.3, "stiffness": "rigid"}}
-    assert riders.stops(load_pantograph(model)) == [
+    assert joints.stops(load_pantograph(model)) == [
         ([1.0, 0.0], 0.3, inf),
         ([-1.0, 1.0], 0.01, 1e6),
         ([1.0, -1.0], 0.02, 1e6),

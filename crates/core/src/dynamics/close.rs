@@ -1,5 +1,6 @@
 //! The end of a step: everything unilateral at once.
 
+use super::rider::RiderState;
 use super::run::Run;
 use crate::error::CoreError;
 use crate::lcp::LcpStats;
@@ -8,7 +9,8 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
     /// Solve the complementarity problem of the step and complete the increments with its forces.
     ///
     /// Only links that would push enter; a link that starts to push because of the solution
-    /// enters then, so the answer is that of the problem with all links.
+    /// enters then, so the answer is that of the problem with all links. A [law](super::law) on
+    /// whose other side the solution lies turns, and the problem is solved anew.
     ///
     /// # Errors
     /// [`CoreError::Lcp`] or [`CoreError::SlackSet`].
@@ -18,8 +20,7 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
         self.unilateral
             .collect(|i| links[i].unilateral && tension[i] < 0.0);
         let mut total = LcpStats::default();
-        // Every round adds at least one link, so there are at most as many rounds as links.
-        for _ in 0..=self.p.line.links.len() {
+        for _ in 0..self.most_rounds() {
             self.provide_columns();
             let tension_free = &self.state.links.tension_free;
             let stats = self.unilateral.solve(
@@ -34,7 +35,7 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
                 time,
                 contacts: (0..self.at_balance.len()).collect(),
                 links: self.unilateral.links.clone(),
-                stops: self.riders.iter().map(|r| r.stops.len()).collect(),
+                stops: self.riders.iter().map(|r| r.entered().count()).collect(),
                 failure,
             })?;
             total.pivots += stats.pivots;
@@ -47,12 +48,32 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
             if !self.unilateral.extend(pushes) {
                 for (rider, &force) in self.riders.iter_mut().zip(&self.unilateral.force) {
                     rider.add_contact(force);
-                    rider.add_stops();
+                    rider.add_kinks();
                 }
-                return Ok(total);
+                if !self.turn() {
+                    return Ok(total);
+                }
             }
         }
         Err(CoreError::SlackSet { step, time })
+    }
+
+    /// Every round adds at least one link or turns a law; between two links the laws take every
+    /// arrangement of their sides once at most.
+    fn most_rounds(&self) -> usize {
+        let laws = self.riders.iter().map(|r| r.laws.len()).sum::<usize>();
+        let sides = 1_usize.checked_shl(laws as u32).unwrap_or(usize::MAX);
+        (self.p.line.links.len() + 1).saturating_mul(sides)
+    }
+
+    /// Let the first law on the wrong side turn, and take the increments of the riders back.
+    fn turn(&mut self) -> bool {
+        let c = self.p.coefficients;
+        let turned = self.riders.iter_mut().any(|rider| rider.turn(&c));
+        if turned {
+            self.riders.iter_mut().for_each(RiderState::take_back);
+        }
+        turned
     }
 
     /// With updated kinematics, influence columns are computed where they are needed.

@@ -13,13 +13,13 @@
 //! Stop s of a rider: force σ ≥ 0 against opening s + σ/k_s ≥ 0. It moves its rider alone, so divided
 //! by a it joins the contacts: dᵀA_p⁻¹d + 1/(a k_s), coupled to the contact of the same rider by
 //! −dᵀA_p⁻¹e in both directions, and to no link. The block stays symmetric and positive definite.
+//! So does a hardening [kink](super::kink) of a spring or damper; a softening one joins the links.
 
 use super::line::Line;
 use super::place::{Place, slots};
 use super::rider::RiderState;
 use super::stepper::Prepared;
 use crate::lcp::{LcpFailure, LcpSolver, LcpStats};
-use crate::scheme::Coefficients;
 
 /// Unknowns and workspace of the complementarity problem; nothing is allocated during a run
 /// once the vectors have grown.
@@ -99,7 +99,7 @@ impl Unilateral {
         tension_free: &[f64],
     ) -> Result<LcpStats, Box<LcpFailure>> {
         let (m, first_stop) = (places.len(), places.len() + self.links.len());
-        let n = first_stop + riders.iter().map(|r| r.stops.len()).sum::<usize>();
+        let n = first_stop + riders.iter().map(|r| r.entered().count()).sum::<usize>();
         self.h.resize(n * n, 0.0);
         for v in [&mut self.w, &mut self.x, &mut self.y] {
             v.resize(n, 0.0);
@@ -126,7 +126,7 @@ impl Unilateral {
             self.w[m + k] = tension_free[link] / p.link_stiffness[link];
             self.warm[m + k] = self.correction[link] > 0.0;
         }
-        self.enter_stops(riders, first_stop, &p.coefficients);
+        self.enter_kinks(riders, first_stop);
         let stats = self
             .solver
             .solve(&self.h, &self.w, &mut self.x, &mut self.y, &self.warm);
@@ -138,15 +138,15 @@ impl Unilateral {
         for (k, &link) in self.links.iter().enumerate() {
             self.correction[link] = self.x[m + k];
         }
-        let stops = riders.iter_mut().flat_map(|rider| &mut rider.stops);
-        for (stop, &force) in stops.zip(&self.x[first_stop..]) {
-            stop.force = force;
+        let kinks = riders.iter_mut().flat_map(RiderState::entered_mut);
+        for (kink, &force) in kinks.zip(&self.x[first_stop..]) {
+            kink.force = force;
         }
         Ok(stats)
     }
 
-    /// Rows and columns of the stops, behind those of contacts and links.
-    fn enter_stops(&mut self, riders: &[RiderState], first: usize, c: &Coefficients) {
+    /// Rows and columns of stops and other kinks, behind those of contacts and links.
+    fn enter_kinks(&mut self, riders: &[RiderState], first: usize) {
         let n = self.w.len();
         for row in first..n {
             self.h[row * n..(row + 1) * n].fill(0.0);
@@ -154,18 +154,18 @@ impl Unilateral {
         }
         let mut base = first;
         for (j, rider) in riders.iter().enumerate() {
-            for (k, stop) in rider.stops.iter().enumerate() {
+            for (k, kink) in rider.entered().enumerate() {
                 let row = base + k;
-                let coupling = -rider.strip(&stop.column);
+                let coupling = -rider.strip(&kink.column);
                 self.h[row * n + j] = coupling;
-                self.h[j * n + row] = coupling;
-                for (l, other) in rider.stops.iter().enumerate() {
-                    self.h[row * n + base + l] = stop.response(other, k == l, c);
+                self.h[j * n + row] = coupling * kink.sign;
+                for (l, other) in rider.entered().enumerate() {
+                    self.h[row * n + base + l] = kink.response(other, k == l);
                 }
-                self.w[row] = stop.free / c.stiffness;
-                self.warm[row] = stop.force > 0.0;
+                self.w[row] = kink.free / kink.factor;
+                self.warm[row] = kink.force > 0.0;
             }
-            base += rider.stops.len();
+            base += rider.entered().count();
         }
     }
 }

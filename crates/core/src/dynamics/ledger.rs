@@ -11,6 +11,7 @@
 //!
 //! * contact:  switching = work of the moving contact − ΔE_contact − work done on line and rider
 //! * stop:     as for a contact; what a moving ground takes of its force is work of the ground
+//! * kink:     as for a stop, of a spring; of a damper nothing is stored and all is dissipated
 //! * link:     switching = −(change of stored energy and of dissipation by going slack) − work of r
 //!
 //! The residual is what does not add up. It is independent of the solver: energies come from
@@ -103,6 +104,10 @@ pub struct Ledger<const D: usize> {
     start_slack: f64,
     slack_energy: f64,
     rider_work: Vec<RiderWork>,
+    /// Energy of the riders since the start but for what tables add, and that.
+    rider_energy: f64,
+    law_energy: f64,
+    start_laws: f64,
 }
 
 fn dot<const D: usize>(x: &[[f64; D]], y: &[[f64; D]]) -> f64 {
@@ -200,6 +205,9 @@ impl<const D: usize> Ledger<D> {
             start_slack: slack_energy(p, state),
             slack_energy: slack_energy(p, state),
             rider_work: Vec::with_capacity(riders.len()),
+            rider_energy: 0.0,
+            law_energy: 0.0,
+            start_laws: riders.iter().map(RiderState::law_energy).sum(),
         };
         ledger.start_linear = 0.5 * p.line.stiffness.quadratic(&state.u);
         ledger.start.contact = contact_energy(p, state, riders, places, datum);
@@ -341,10 +349,14 @@ impl<const D: usize> Ledger<D> {
             self.entries.work_uplift += work.uplift;
             self.entries.dissipated_riders += work.dissipated;
             self.scheme_riders += work.stored;
-            self.entries.switching -= work.stops;
+            self.entries.switching -= work.springs;
         }
-        self.scheme_riders -= energy - self.entries.riders;
-        self.entries.riders = energy;
+        self.scheme_riders -= energy - self.rider_energy;
+        self.rider_energy = energy;
+        let laws = riders.iter().map(RiderState::law_energy).sum::<f64>() - self.start_laws;
+        self.entries.switching -= laws - self.law_energy;
+        self.law_energy = laws;
+        self.entries.riders = energy + laws;
     }
 
     fn book_contacts<const DIM: usize>(

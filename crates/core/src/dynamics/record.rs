@@ -63,6 +63,8 @@ pub struct Record {
     pub uplift_max: Vec<f64>,
     /// Largest force of any stop of each rider over all steps, N.
     pub stop_max: Vec<f64>,
+    /// Smallest and largest motion of each law of each rider over all steps, m or m/s.
+    pub law_ranges: Vec<f64>,
     /// Largest number of slack links in any step.
     pub slack_max: usize,
     /// Exchanges of the complementarity solver, all steps.

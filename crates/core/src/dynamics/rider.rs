@@ -1,16 +1,20 @@
-//! A linear mechanical system that travels along the wire and presses against it.
+//! A mechanical system that travels along the wire and presses against it.
 //!
 //!   m ü + c u̇ + k u = b p + g V(t)² + f(t) − e λ + Σ d σ
 //!
 //! f is what is [given](super::given) (the ground may move as well), σ the forces of its
-//! [stops](super::stop). `e` picks the height of the contact strip, `b` where the constant preload p acts, `g` the
+//! [stops](super::stop) and of the [kinks](super::kink) of springs and dampers given by
+//! [tables](super::law). `e` picks the height of the contact strip, `b` where the constant preload p acts, `g` the
 //! forces proportional to the square of speed. Heights are measured from the height of the wire
 //! where the run starts. The preload follows from the contact force asked for at the start, in
 //! static equilibrium there; a spring between the first mass and the vehicle is thereby at rest
 //! at the working height.
 
 use super::given::{Drive, Given};
-use super::stop::{Stop, StopState, check_independent};
+use super::kink::Kink;
+use super::law::{Law, LawState, add_slopes, check_steps};
+use super::rest;
+use super::stop::{Stop, check_independent};
 use crate::error::CoreError;
 use crate::linalg::dense;
 use crate::scheme::Coefficients;
@@ -36,6 +40,8 @@ pub struct Rider {
     pub given: Given,
     /// One-sided stops.
     pub stops: Vec<Stop>,
+    /// Springs and dampers with a table, beside those in the matrices.
+    pub laws: Vec<Law>,
 }
 
 impl Rider {
@@ -59,7 +65,9 @@ impl Rider {
             .iter()
             .chain(&vectors)
             .all(|m| m.iter().all(|v| v.is_finite()));
-        let extras = self.given.is_sound(n) && self.stops.iter().all(|s| s.is_sound(n));
+        let extras = self.given.is_sound(n)
+            && self.stops.iter().all(|s| s.is_sound(n))
+            && self.laws.iter().all(|l| l.is_sound(n));
         if n == 0 || !sized || !finite || !extras || !self.start_force.is_finite() {
             let reason = "sizes disagree or a number is not finite".into();
             return Err(CoreError::Input {
@@ -74,37 +82,21 @@ impl Rider {
     /// preload from  k u − b p = g V² + f − e λ,  eᵀ u = z, with f as given for the start.
     ///
     /// # Errors
-    /// [`CoreError::Input`] when the chain has no such equilibrium.
+    /// [`CoreError::Input`] when the chain has no such equilibrium, [`CoreError::BeyondTable`].
     pub fn equilibrium(
         &self,
         force: f64,
         z: f64,
         speed: f64,
     ) -> Result<(Vec<f64>, f64), CoreError> {
-        let n = self.size();
-        let m = n + 1;
-        let mut a = vec![0.0; m * m];
-        let mut rhs = vec![0.0; m];
-        let given = self.given.at_start(&self.stiffness, n);
-        for i in 0..n {
-            for j in 0..n {
-                a[i * m + j] = self.stiffness[i * n + j];
-            }
-            a[i * m + n] = -self.preload[i];
-            a[n * m + i] = self.strip[i];
-            rhs[i] = self.lift[i] * speed * speed + given[i] - self.strip[i] * force;
-        }
-        rhs[n] = z;
-        if !dense::solve_in_place(&mut a, &mut rhs) {
-            let reason = "the preload cannot balance the contact force".into();
-            return Err(CoreError::Input {
-                array: "riders",
-                reason,
-            });
-        }
-        let preload = rhs[n];
-        rhs.truncate(n);
-        Ok((rhs, preload))
+        rest::settle(self, force, z, speed)
+    }
+
+    /// Forces on the coordinates at the start, but for preload and contact.
+    pub(super) fn at_start(&self, speed: f64) -> Vec<f64> {
+        let given = self.given.at_start(&self.stiffness, self.size());
+        let lift = self.lift.iter().zip(given);
+        lift.map(|(g, given)| g * speed * speed + given).collect()
     }
 }
 
@@ -126,9 +118,12 @@ pub struct RiderState {
     pub a: Vec<f64>,
     /// Increment of the current step without contact force, then with it.
     pub delta: Vec<f64>,
-    /// Its stops.
-    pub stops: Vec<StopState>,
+    /// Its stops, then the kinks of its laws.
+    pub(super) kinks: Vec<Kink>,
+    pub(super) laws: Vec<LawState>,
     pub(super) drive: Drive,
+    /// The increment without contact forces and kinks.
+    free: Vec<f64>,
     rhs: Vec<f64>,
 }
 
@@ -137,10 +132,11 @@ impl RiderState {
     ///
     /// # Errors
     /// [`CoreError::Input`] when there is no equilibrium or a mass is missing.
-    pub fn new(rider: Rider, c: &Coefficients, z: f64, speed: f64) -> Result<Self, CoreError> {
+    pub fn new(mut rider: Rider, c: &Coefficients, z: f64, speed: f64) -> Result<Self, CoreError> {
         rider.check()?;
         let n = rider.size();
         let (u, preload) = rider.equilibrium(rider.start_force, z, speed)?;
+        add_slopes(&rider.laws, &mut rider.stiffness, &mut rider.damping);
         let a: Vec<f64> = (0..n * n)
             .map(|i| {
                 c.mass * rider.mass[i]
@@ -155,21 +151,20 @@ impl RiderState {
         let column = multiply(&inverse, &rider.strip);
         let zero = vec![0.0; n];
         let drive = Drive::new(&rider.given, &rider.stiffness, &rider.damping, n);
-        let stop = |s: &Stop| {
-            let response = multiply(&inverse, &s.direction);
-            let ground = inner(&s.direction, &drive.carried) * drive.now;
-            StopState::new(
-                s,
-                response,
-                &drive.carried,
-                inner(&s.direction, &u) - ground,
-            )
-        };
-        let stops: Vec<StopState> = rider.stops.iter().map(stop).collect();
-        check_independent(&stops, c)?;
+        check_steps(&rider.laws, &a, c)?;
+        let ground = (drive.carried.as_slice(), drive.now);
+        let stops = rider.stops.iter();
+        let mut kinks: Vec<Kink> = stops.map(|s| s.kink(c, &inverse, ground, &u)).collect();
+        check_independent(&kinks)?;
+        for (number, law) in rider.laws.iter().enumerate() {
+            kinks.extend(law.kinks(number, c, &inverse, &drive.carried));
+        }
+        let laws = rider.laws.iter().map(|l| LawState::new(l, &drive.carried));
         Ok(Self {
-            stops,
+            laws: laws.collect(),
+            kinks,
             drive,
+            free: zero.clone(),
             inverse,
             column,
             preload,
@@ -203,16 +198,15 @@ impl RiderState {
             self.rhs[i] = f;
         }
         self.drive.add_to(&mut self.rhs);
+        for law in self.laws.iter().filter(|l| l.intercept != 0.0) {
+            let pulled = self.rhs.iter_mut().zip(&law.gauge.direction);
+            pulled.for_each(|(f, g)| *f -= law.intercept * g);
+        }
         for i in 0..n {
             self.delta[i] = (0..n).map(|j| self.inverse[i * n + j] * self.rhs[j]).sum();
         }
-        let Drive { now, balance, .. } = self.drive;
-        for stop in &mut self.stops {
-            let moved = inner(&stop.direction, &self.delta);
-            // The ground stands at z of the balance, the rider at u + (1 − α_f) Δu.
-            let ground = stop.carried * (balance[0] - now);
-            stop.free = stop.opening(&self.u, now) + c.stiffness * moved - ground;
-        }
+        self.free.copy_from_slice(&self.delta);
+        self.open_kinks(c);
     }
 
     /// Read what is given in a step. Call before [`RiderState::free_increment`].
@@ -227,13 +221,9 @@ impl RiderState {
         }
     }
 
-    /// Add the response to the forces of the stops.
-    pub fn add_stops(&mut self) {
-        for stop in &self.stops {
-            for (d, c) in self.delta.iter_mut().zip(&stop.column) {
-                *d += stop.force * c;
-            }
-        }
+    /// Forget what was added since [`RiderState::free_increment`].
+    pub fn take_back(&mut self) {
+        self.delta.copy_from_slice(&self.free);
     }
 
     /// Take the step.

@@ -1,5 +1,10 @@
 //! Energy of a rider and the work done on it in a step.
+//!
+//! A spring given by a table stores ∫ f dq: ½ k q² of its steepest slope with k (in K), the constant force of
+//! its steepest line, and ± ½ Δ p² of each kink passed by p. A damper dissipates f(q̇_f) Δq, which for
+//! the trapezoidal rule is h f(q̇_f) q̇_f ≥ 0.
 
+use super::kink::{Gauge, Kink, Motion};
 use super::rider::{RiderState, inner, multiply};
 use crate::scheme::Coefficients;
 
@@ -12,8 +17,8 @@ pub struct RiderWork {
     pub dissipated: f64,
     /// Against inertia and springs: what is stored, and what the scheme takes.
     pub stored: f64,
-    /// Of the stops on the rider relative to its ground.
-    pub stops: f64,
+    /// Of stops, and of what tables add to the springs, on the rider relative to its ground.
+    pub springs: f64,
 }
 
 impl RiderState {
@@ -29,8 +34,26 @@ impl RiderState {
     /// Energy in the stops, J.
     #[must_use]
     pub fn stop_energy(&self) -> f64 {
-        let stops = self.stops.iter();
+        let stops = self.kinks.iter().filter(|k| k.law.is_none());
         stops.map(|s| s.energy(&self.u, self.drive.now)).sum()
+    }
+
+    /// What tables add to the energy of the springs, J.
+    #[must_use]
+    pub fn law_energy(&self) -> f64 {
+        let is_spring = |k: &&Kink| k.law.is_some() && k.gauge.motion == Motion::Place;
+        let kinks = self.kinks.iter().filter(is_spring);
+        let lines = self.laws.iter();
+        kinks
+            .map(|k| k.energy(&self.u, self.drive.now))
+            .chain(lines.map(|l| l.energy(&self.u, self.drive.now)))
+            .sum()
+    }
+
+    /// Forces of stops, kinks and steepest lines on the rider, each with its direction, N.
+    fn pushes(&self) -> impl Iterator<Item = (&Gauge, f64)> {
+        let kinks = self.entered().map(|k| (&k.gauge, k.push()));
+        kinks.chain(self.laws.iter().map(|l| (&l.gauge, -l.intercept)))
     }
 
     /// Work done in the step, by the completed increment. Call before [`RiderState::advance`].
@@ -55,16 +78,20 @@ impl RiderState {
             |i: usize| r.preload[i] * self.preload + r.lift[i] * speed * speed + drive.force[i];
         let supplied: f64 = (0..n).map(|i| force(i) * self.delta[i]).sum();
         // The ground bears the reaction of springs, dampers and stops.
-        let pushed = self.stops.iter().map(|s| s.force * s.carried).sum::<f64>();
+        let pushed = self.pushes().map(|(g, force)| force * g.carried);
+        let pushed = pushed.sum::<f64>();
         let borne = inner(&drive.carried, &springs) + inner(&drive.carried, &damping) - pushed;
-        let on_stops = self.stops.iter();
+        let done = |motion: Motion| -> f64 {
+            let pushes = self.pushes().filter(|(g, _)| g.motion == motion);
+            pushes
+                .map(|(g, force)| force * inner(&g.direction, &moved))
+                .sum()
+        };
         RiderWork {
             uplift: supplied - rise * borne,
-            dissipated: inner(&moved, &damping),
+            dissipated: inner(&moved, &damping) - done(Motion::Rate),
             stored: inner(&self.delta, &multiply(&r.mass, &inertia)) + inner(&moved, &springs),
-            stops: on_stops
-                .map(|s| s.force * inner(&s.direction, &moved))
-                .sum(),
+            springs: done(Motion::Place),
         }
     }
 

@@ -87,6 +87,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
             }
             run.step(step, ledger.as_mut())?;
         }
+        run.record.law_ranges = run.riders.iter().flat_map(RiderState::law_ranges).collect();
         Ok(run.record)
     }
 }
@@ -169,11 +170,16 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
         };
         let places = locate_all(&p.lanes[0], &contacts)?;
         let datum = places[0].height;
-        let states = riders.iter().zip(&places).map(|(rider, place)| {
-            let wire = place.height + place.displacement(&still.u, DIM - 1);
-            let z = wire - datum + rider.start_force * p.contact_flexibility;
-            RiderState::new(rider.clone(), &p.coefficients, z, travel.speeds[0])
-        });
+        let states = riders
+            .iter()
+            .zip(&places)
+            .enumerate()
+            .map(|(j, (rider, place))| {
+                let wire = place.height + place.displacement(&still.u, DIM - 1);
+                let z = wire - datum + rider.start_force * p.contact_flexibility;
+                let state = RiderState::new(rider.clone(), &p.coefficients, z, travel.speeds[0]);
+                state.map_err(|error| error.of_rider(j))
+            });
         let states = states.collect::<Result<Vec<_>, _>>()?;
         let links = p.line.links.len();
         Ok(Self {
@@ -335,7 +341,10 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
             self.record.uplift_max[k] = self.record.uplift_max[k].max(self.node_uplift(node));
         }
         for (largest, rider) in self.record.stop_max.iter_mut().zip(&self.riders) {
-            *largest = rider.stops.iter().fold(*largest, |m, s| m.max(s.force));
+            *largest = largest.max(rider.stop_force());
+        }
+        for rider in &mut self.riders {
+            rider.watch_laws(&self.p.coefficients);
         }
         if step.is_multiple_of(self.plan.contact_every) {
             self.record_contacts(time, speed, position);

@@ -53,6 +53,27 @@ pub fn inverse(a: &[f64], n: usize) -> Option<Vec<f64>> {
     Some(inverse)
 }
 
+/// Whether a symmetric matrix is positive definite to working precision: Cholesky's pivots, each
+/// above the rounding of what was subtracted from it.
+#[must_use]
+pub fn is_positive(a: &[f64], n: usize) -> bool {
+    let mut lower = vec![0.0; n * n];
+    for i in 0..n {
+        for j in 0..=i {
+            let known: f64 = (0..j).map(|k| lower[i * n + k] * lower[j * n + k]).sum();
+            let rest = a[i * n + j] - known;
+            if i != j {
+                lower[i * n + j] = rest / lower[j * n + j];
+            } else if rest > 4.0 * n as f64 * f64::EPSILON * (a[i * n + i].abs() + known) {
+                lower[i * n + i] = rest.sqrt();
+            } else {
+                return false;
+            }
+        }
+    }
+    true
+}
+
 /// Eigenvalues (ascending) of a symmetric tridiagonal matrix by bisection with Sturm counts.
 /// Source: Golub & Van Loan, Matrix Computations, section 8.4.
 #[must_use]

@@ -198,6 +198,7 @@ pub fn three_masses(force: f64) -> Rider {
         start_force: force,
         given: Given::default(),
         stops: Vec::new(),
+        laws: Vec::new(),
     }
 }
 
@@ -305,6 +306,7 @@ pub fn free_mass(mass: f64, force: f64) -> Rider {
         start_force: force,
         given: Given::default(),
         stops: Vec::new(),
+        laws: Vec::new(),
     }
 }
 

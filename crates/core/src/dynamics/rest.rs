@@ -1,0 +1,149 @@
+//! Static equilibrium of a rider under its contact force, with springs given by tables.
+//!
+//!   k u + Σ g f(gᵀ(u − r z₀)) − b p = g V² + f − e λ,   eᵀ u = z
+//!
+//! On given pieces of the tables this is one linear system, and the equilibrium is exact but for
+//! rounding. The first table that is not on its piece moves on by one, and the system is solved
+//! again. As in a step ([law](super::law)) the pieces passed are never met again while the later
+//! tables keep theirs, so it ends.
+
+use super::kink::Motion;
+use super::law::{Law, add_outer};
+use super::rider::{Rider, inner};
+use crate::error::CoreError;
+use crate::linalg::dense;
+
+/// How far beyond the end of its piece a displacement may lie, as a share of the size of the table:
+/// rounding of the linear system.
+const ROUNDING: f64 = 1e-12;
+/// Slope that replaces a level piece on the way to others, as a share of the steepest.
+const LEVEL: f64 = 1e-9;
+/// Pieces of all tables together are some dozens; more solutions than this and they run in a circle.
+const MOST_SOLUTIONS: usize = 100_000;
+
+/// Displacements and preload, see [`Rider::equilibrium`].
+pub(super) fn settle(
+    rider: &Rider,
+    force: f64,
+    z: f64,
+    speed: f64,
+) -> Result<(Vec<f64>, f64), CoreError> {
+    let laws = rider.laws.iter().enumerate();
+    let springs: Vec<(usize, &Law)> = laws.filter(|(_, l)| l.motion == Motion::Place).collect();
+    let mut pieces: Vec<usize> = springs.iter().map(|(_, law)| law.steepest()).collect();
+    let ground = rider.given.ground.as_ref();
+    let carried = |law: &Law| {
+        let of = |g: &super::given::Ground| inner(&law.direction, &g.carried) * g.displacement[0];
+        ground.map_or(0.0, of)
+    };
+    for _ in 0..MOST_SOLUTIONS {
+        let balance = |floor: f64| {
+            let (mut stiffness, mut given) = (rider.stiffness.clone(), rider.at_start(speed));
+            for ((_, law), &piece) in springs.iter().zip(&pieces) {
+                let slope = law.slope(piece).max(floor * law.slope(law.steepest()));
+                let [x, f] = law.points[piece];
+                add_outer(slope, &law.direction, &mut stiffness);
+                let pull = slope * (x + carried(law)) - f;
+                let pulled = given.iter_mut().zip(&law.direction);
+                pulled.for_each(|(sum, g)| *sum += pull * g);
+            }
+            solve(rider, stiffness, given, force, z)
+        };
+        let exact = balance(0.0);
+        let is_loose = exact.is_none();
+        let found = exact.or_else(|| balance(LEVEL));
+        let (u, preload) = found.ok_or_else(unbalanced)?;
+        let at: Vec<f64> = springs
+            .iter()
+            .map(|(_, law)| inner(&law.direction, &u) - carried(law))
+            .collect();
+        let springs_at = springs.iter().zip(&at);
+        if springs_at
+            .clone()
+            .zip(&mut pieces)
+            .any(|(((_, law), q), piece)| move_on(law, piece, *q))
+        {
+            continue;
+        }
+        for ((number, law), q) in springs_at {
+            check_end(*number, law, *q)?;
+        }
+        return if is_loose {
+            Err(unbalanced())
+        } else {
+            Ok((u, preload))
+        };
+    }
+    Err(unbalanced())
+}
+
+/// Rounding of a displacement, for a table.
+fn slack(law: &Law) -> f64 {
+    ROUNDING
+        * law.points[0][0]
+            .abs()
+            .max(law.points[law.pieces()][0].abs())
+}
+
+/// Move to the next piece when a displacement lies there; tells whether it does.
+fn move_on(law: &Law, piece: &mut usize, q: f64) -> bool {
+    let [left, right] = [law.points[*piece][0], law.points[*piece + 1][0]];
+    if q < left - slack(law) && *piece > 0 {
+        *piece -= 1;
+        return true;
+    }
+    if q > right + slack(law) && *piece + 1 < law.pieces() {
+        *piece += 1;
+        return true;
+    }
+    false
+}
+
+/// Refuse a start beyond the end of a table.
+fn check_end(table: usize, law: &Law, q: f64) -> Result<(), CoreError> {
+    let [first, last] = [law.points[0][0], law.points[law.pieces()][0]];
+    let end = if q < first { first } else { last };
+    if q >= first - slack(law) && q <= last + slack(law) {
+        return Ok(());
+    }
+    Err(CoreError::BeyondTable {
+        rider: 0,
+        table,
+        place: q,
+        end,
+    })
+}
+
+/// The linear system of displacements and preload.
+fn solve(
+    rider: &Rider,
+    stiffness: Vec<f64>,
+    given: Vec<f64>,
+    force: f64,
+    z: f64,
+) -> Option<(Vec<f64>, f64)> {
+    let n = rider.size();
+    let m = n + 1;
+    let mut a = vec![0.0; m * m];
+    let mut rhs = given;
+    for i in 0..n {
+        a[i * m..i * m + n].copy_from_slice(&stiffness[i * n..(i + 1) * n]);
+        a[i * m + n] = -rider.preload[i];
+        a[n * m + i] = rider.strip[i];
+        rhs[i] -= rider.strip[i] * force;
+    }
+    rhs.push(z);
+    if !dense::solve_in_place(&mut a, &mut rhs) {
+        return None;
+    }
+    let preload = rhs[n];
+    rhs.truncate(n);
+    Some((rhs, preload))
+}
+
+fn unbalanced() -> CoreError {
+    CoreError::Input {
+        array: "riders",
+        reason: "the preload cannot balance the contact force".into(),
+    }
+}
