@@ -1,6 +1,8 @@
 """Curves in a line file: what they are, what is refused, and what deserves a word."""
 
+import re
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -8,6 +10,7 @@ import pytest
 
 from arcless.errors import ModelError
 from arcless.model import load, load_line, scenario_warnings
+from arcless.model.reader import parse
 from arcless.model.track import Curve, Track
 
 Data = dict[str, Any]
@@ -117,3 +120,14 @@ def test_a_curve_needs_arms(data: Data, refused: Callable[..., str]) -> None:
 def test_a_line_in_a_curve_is_spatial(data: Data) -> None:
     assert load(bent(data, CURVE)).line.is_spatial
     assert not load(data).line.is_spatial
+
+
+def test_the_example_of_the_guide_loads() -> None:
+    page = (Path(__file__).parents[3] / "docs/guide/track.md").read_text("utf-8")
+    text = re.findall(r"```yaml\n(geometry:.*?)```", page, re.DOTALL)[0]
+    given, _ = parse(text, "track.md")
+    changes = {f"line.geometry.{name}": value for name, value in given["geometry"].items()}
+    base = load("ac-simple-3d-275").with_(speed="160 km/h")
+    scenario = base.with_(**changes, **{"line.track": given["track"]})
+    assert len(scenario.line.geometry.stagger_contact_wire) == len(scenario.line.span_list()) + 1
+    assert not [t for t in scenario_warnings(scenario) if "geometry" in t or "track" in t]
