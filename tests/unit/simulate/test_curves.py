@@ -7,9 +7,11 @@ import numpy as np
 import pytest
 
 from arcless.errors import EquilibriumError, MeshError
-from arcless.model import Scenario
+from arcless.model import Scenario, load
 from arcless.results import Result
 from arcless.simulate import equilibrium
+from tests.support.line_types import compound_data, scenario_data, stitched_data
+from tests.support.overlaps import overlap_data
 
 Short = Callable[..., Scenario]
 Run = Callable[..., Result]
@@ -87,6 +89,54 @@ def test_with_its_transitions_a_curve_turns_by_what_the_arms_hold(short: Short) 
     assert held.sum() == pytest.approx(tension * (130 - 40) / RADIUS, rel=3e-3)
     flat = equilibrium.find(short(**curved({**curve, "cant": 0.0})))
     assert np.abs(held - arms(flat)).max() > 0.02 * held.max(), "the axis swings on the ramps"
+
+
+def on_arc(found: equilibrium.Equilibrium, nodes: list[int]) -> None:
+    """κ x (L − x)/2 in every span. The contact wire rounds its kinks at the supports by 4δ/L of the
+    offset L²/8R, see above, with δ = 0.2 to 0.4 m, and droppers pull the other wires there with it.
+    """
+    length = found.mesh.supports[1].x
+    x = np.mod(found.positions[nodes, 0], length)
+    arc = x * (length - x) / (2 * RADIUS)
+    np.testing.assert_allclose(found.positions[nodes, 1], arc, rtol=0, atol=3e-2 * arc.max())
+
+
+def test_every_wire_of_a_compound_line_lies_on_the_same_arc() -> None:
+    bent = compound_data(track={"curves": [EVERYWHERE]}, steady_arm=ARM)
+    found = equilibrium.find(load(scenario_data(bent)))
+    for nodes in (
+        found.mesh.contact_nodes,
+        found.mesh.messenger_nodes,
+        found.mesh.auxiliary_nodes,
+    ):
+        on_arc(found, nodes)
+
+
+def test_a_stitch_wire_cuts_the_corner_of_its_support() -> None:
+    bent = stitched_data(track={"curves": [EVERYWHERE]}, steady_arm=ARM)
+    found = equilibrium.find(load(scenario_data(bent)))
+    on_arc(found, found.mesh.contact_nodes)
+    # Droppers lean to the stitch wire, which is 0.2 m to the inside: 3 % more than T L/R.
+    np.testing.assert_allclose(arms(found)[1:-1], -15e3 * 60.0 / RADIUS, rtol=5e-2)
+    stitch = found.mesh.stitches[2]
+    y = found.positions[stitch.nodes, 1]
+    # From clamp to clamp it runs past the support, at which the messenger wire is held at y = 0, on
+    # an arc of its own: κ 18²/8 = 34 mm, less or more as the droppers on it lean.
+    assert y.min() == pytest.approx(y[0], abs=1e-9)
+    assert 0.5 * 0.034 < y.max() - y[0] < 2.0 * 0.034
+
+
+def test_twin_wires_and_overlaps_bend_with_the_track() -> None:
+    line = overlap_data(track={"curves": [EVERYWHERE]}, steady_arm=ARM)
+    found = equilibrium.find(load(scenario_data(line)))
+    straight = equilibrium.find(load(scenario_data(overlap_data(steady_arm=ARM))))
+    mesh = found.mesh
+    x = mesh.positions[mesh.contact_nodes, 0]
+    moved = found.positions[mesh.contact_nodes, 1] - straight.positions[mesh.contact_nodes, 1]
+    length = mesh.supports[1].x - mesh.supports[0].x
+    along = np.mod(x, length)
+    arc = along * (length - along) / (2 * RADIUS)
+    np.testing.assert_allclose(moved, arc, rtol=0, atol=5e-2 * arc.max())
 
 
 def test_left_and_right_are_mirror_images(short: Short) -> None:
