@@ -1,18 +1,44 @@
-"""The core knows nodes, elements, masses, springs, links and contacts, and none of the field's words.
+"""The core knows nodes, elements, masses, springs, links and contacts; no word of the field.
 
 Every type of line is made of the same few parts; a word of the field in the core would be the
-first sign of a special case. Titles of cited papers may hold such words: lines that cite are left out.
+first sign of a special case. Titles of cited papers may hold such words: lines that cite are left
+out.
 """
 
 import re
 from pathlib import Path
 
 CORE = Path(__file__).parents[2] / "crates" / "core" / "src"
-WORDS = (
-    "aerial trolley bridle messenger dropper hanger stitch catenary compound auxiliary pantograph"
-    " registration steady.?arm conductor.?rail section.?insulator midpoint tension.?length"
-    " encumbrance stagger presag pre-sag railway railroad train mast bogie balance.?weight tensioner"
-).split()
+WORDS = [
+    "aerial",
+    "trolley",
+    "bridle",
+    "messenger",
+    "dropper",
+    "hanger",
+    "stitch",
+    "catenary",
+    "compound",
+    "auxiliary",
+    "pantograph",
+    "registration",
+    "steady.?arm",
+    "conductor.?rail",
+    "section.?insulator",
+    "midpoint",
+    "tension.?length",
+    "encumbrance",
+    "stagger",
+    "presag",
+    "pre-sag",
+    "railway",
+    "railroad",
+    "train",
+    "mast",
+    "bogie",
+    "balance.?weight",
+    "tensioner",
+]
 CITED = ("Source", "(in Russian)", "et al", "& ", "Eng. Struct.")
 
 
