@@ -37,7 +37,7 @@ def stitched_data(**changes: Any) -> dict[str, Any]:
         },
         "spans": [{"type": "span", "count": 6}],
     }
-    return _changed(data, changes)
+    return changed(data, changes)
 
 
 def compound_data(**changes: Any) -> dict[str, Any]:
@@ -52,7 +52,7 @@ def compound_data(**changes: Any) -> dict[str, Any]:
         "droppers": {"positions": [5, 15, 25, 35, 45]},
         "hangers": {"positions": [2.5, 7.5, 12.5, 17.5, 22.5, 27.5, 32.5, 37.5, 42.5, 47.5]},
     }
-    return _changed(data, changes)
+    return changed(data, changes)
 
 
 def scenario_data(line: dict[str, Any], **changes: Any) -> dict[str, Any]:
@@ -65,10 +65,11 @@ def scenario_data(line: dict[str, Any], **changes: Any) -> dict[str, Any]:
         "travel": {"start": 70.0, "end": 190.0},
         "analysis": {"from": 100.0, "to": 180.0},
     }
-    return _changed(data, changes)
+    return changed(data, changes)
 
 
-def _changed(data: dict[str, Any], changes: dict[str, Any]) -> dict[str, Any]:
+def changed(data: dict[str, Any], changes: dict[str, Any]) -> dict[str, Any]:
+    """Change data by paths with dots written as ``__``; None takes a field away."""
     for path, value in changes.items():
         *groups, last = path.split("__")
         place: Any = data

@@ -168,6 +168,11 @@ def _line_numbers(dataset: "xarray.Dataset", section: Section) -> dict[str, Any]
     }
 
 
+def _wave_speed_use(speed: float, wire: Mapping[str, Any]) -> float | None:
+    """Return speed over wave speed; None of a rail without tension, which has no wave speed."""
+    return speed / math.sqrt(wire["tension"] / wire["mass"]) if wire["tension"] else None
+
+
 def _criteria_facts(scenario: Mapping[str, Any], speed: Any, uplift_mm: float | None) -> Facts:
     line = scenario["line"]
     design, wire = line["design"], line["contact_wire"]
@@ -175,7 +180,7 @@ def _criteria_facts(scenario: Mapping[str, Any], speed: Any, uplift_mm: float | 
     return Facts(
         supply=design["supply"],
         speed_km_h=3.6 * float(np.mean(speed)),
-        wave_speed_use=float(np.max(speed)) / math.sqrt(wire["tension"] / wire["mass"]),
+        wave_speed_use=_wave_speed_use(float(np.max(speed)), wire),
         uplift_mm=uplift_mm,
         uplift_space_mm=None if space is None else 1e3 * space,
         uplift_limited=design["uplift_limited"],

@@ -15,12 +15,16 @@ def blocks(name: str, found: dict[str, Any]) -> "Iterator[RenderableType]":
     span = found["middle_span"]
     ends = places[span - 1 : span + 1]
     chosen = [support for support in found["supports"] if support["x_m"] in ends]
-    yield _droppers(found["droppers"], span, len(places) - 1)
+    if found["droppers"]:
+        yield _droppers(found["droppers"], span, len(places) - 1)
     yield _supports(chosen)
     names = {support["name"] for support in chosen}
     stitches = [stitch for stitch in found["stitch_wires"] if stitch["support"] in names]
     if stitches:
-        yield _stitches(stitches)
+        yield _clamped("Stitch wires there", "lowest point / m", "lowest_m", stitches)
+    bridles = [bridle for bridle in found["bridles"] if bridle["support"] in names]
+    if bridles:
+        yield _clamped("Bridles there", "hang at / m", "hangs_at_m", bridles)
     yield _summary(name, found)
 
 
@@ -43,15 +47,15 @@ def _droppers(droppers: list[dict[str, Any]], span: int, spans: int) -> "Rendera
     return made
 
 
-def _stitches(stitches: list[dict[str, Any]]) -> "RenderableType":
-    columns = ("from / m", "to / m", "lowest point / m", "unstretched length / m", "tension / N")
-    made = table("Stitch wires there", "support", *columns, numbers=columns)
-    for stitch in stitches:
+def _clamped(title: str, words: str, key: str, found: list[dict[str, Any]]) -> "RenderableType":
+    columns = ("from / m", "to / m", words, "unstretched length / m", "tension / N")
+    made = table(title, "support", *columns, numbers=columns)
+    for stitch in found:
         made.add_row(
             stitch["support"],
             number(stitch["from_m"], 2),
             number(stitch["to_m"], 2),
-            number(stitch["lowest_m"], 4),
+            number(stitch[key], 4),
             number(stitch["unstretched_length_m"], 4),
             number(stitch["tension_N"], 1),
         )
@@ -59,14 +63,16 @@ def _stitches(stitches: list[dict[str, Any]]) -> "RenderableType":
 
 
 def _supports(supports: list[dict[str, Any]]) -> "RenderableType":
-    columns = ("x / m", "height of contact wire / m", "messenger force / N", "steady-arm force / N")
+    held = "messenger" if "messenger_force_N" in supports[0] else "contact_support"
+    words = f"{held.replace('_', '-')} force / N"
+    columns = ("x / m", "height of contact wire / m", words, "steady-arm force / N")
     made = table("Supports of that span", "support", *columns, numbers=columns)
     for support in supports:
         made.add_row(
             support["name"],
             number(support["x_m"], 2),
             number(support["contact_wire_height_m"], 4),
-            number(support["messenger_force_N"], 1),
+            number(support[f"{held}_force_N"], 1),
             number(support["steady_arm_force_N"], 1),
         )
     return made

@@ -155,6 +155,7 @@ def _of_links(mesh: Mesh, line: Line, built: AsBuilt) -> dict[str, Any]:
     for dropper in mesh.droppers:
         is_hanger = line.hanger is not None and dropper.wires[0] == "auxiliary wire"
         kind = line.hanger if is_hanger and line.hanger is not None else line.dropper
+        assert kind is not None
         factor[dropper.link] += built.temperature_difference * kind.thermal_expansion
 
     def row(name: DropperName) -> int:

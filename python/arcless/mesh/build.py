@@ -78,9 +78,10 @@ def _nodes(system: WireSystem, chains: Chains, wired: Wired) -> SystemNodes:
     return SystemNodes(
         label=system.label,
         contact={name: chain.nodes for name, chain in chains.contacts.items()},
-        messenger=chains.messenger.nodes,
+        messenger=[] if chains.messenger is None else chains.messenger.nodes,
         auxiliary=[] if chains.auxiliary is None else chains.auxiliary.nodes,
         stitches=wired.stitches,
+        bridles=wired.bridles,
     )
 
 

@@ -5,11 +5,13 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from arcless.mesh import wires
-from arcless.mesh.names import AUXILIARY, MESSENGER, STITCH
+from arcless.mesh.names import AUXILIARY, BRIDLE, MESSENGER, STITCH
+from arcless.mesh.on_wires import inserted, inserts
 from arcless.mesh.shapes import Guess
 from arcless.mesh.types import Floats
 from arcless.model.components import TensionedWire
 from arcless.model.line import Line
+from arcless.model.on_wires import Insert
 from arcless.model.settings import Solver
 
 
@@ -20,7 +22,8 @@ class Chain:
     Attributes
     ----------
     wire : what it is made of
-    relieved : the same with the tension that stitch wires leave it, between their clamps
+    relieved : the same with the tension that stitch wires (bridles) leave it, between their clamps
+    inserts : pieces that are made of something else
     hinges : rows of the nodes at which the wire turns freely
     leaving, arriving : rows of nodes whose slope is held by another node, for the element behind
         and for the one before, and that node's number
@@ -30,6 +33,7 @@ class Chain:
     wire: TensionedWire
     relieved: TensionedWire | None = None
     clamps: list[tuple[float, float]] = field(default_factory=list)
+    inserts: list[Insert] = field(default_factory=list)
     hinges: list[int] = field(default_factory=list)
     nodes: list[int] = field(default_factory=list)
     leaving: dict[int, int] = field(default_factory=dict)
@@ -45,9 +49,17 @@ class Chain:
 
     def sections(self) -> list[TensionedWire]:
         """Return the wire of each element, with its tension."""
-        if self.relieved is None:
-            return [self.wire] * (len(self.points) - 1)
         middles = 0.5 * (self.points[1:, 0] + self.points[:-1, 0])
+        found = self._tensioned(middles)
+        for insert in self.inserts:
+            first, last = insert.ends
+            for row in np.flatnonzero((first < middles) & (middles < last)):
+                found[row] = inserted(found[row], insert)
+        return found
+
+    def _tensioned(self, middles: Floats) -> list[TensionedWire]:
+        if self.relieved is None:
+            return [self.wire] * len(middles)
         left, right = np.asarray(self.clamps).T
         which = np.clip(np.searchsorted(left, middles) - 1, 0, len(left) - 1)
         between = (left[which] < middles) & (middles < right[which])
@@ -59,15 +71,16 @@ class Chains:
     """All wires of a system; contact wires side by side are several chains."""
 
     contacts: dict[str, Chain]
-    messenger: Chain
+    messenger: Chain | None
     auxiliary: Chain | None
     stitches: list[Chain]
+    bridles: list[Chain]
 
     def of(self, wire: str, x: float) -> Chain:
         """Return the chain of a wire; of stitch wires, the one at a place."""
-        if wire == STITCH:
-            clamps = self.messenger.clamps
-            return self.stitches[int(np.searchsorted([left for left, _ in clamps], x)) - 1]
+        if wire in {STITCH, BRIDLE}:
+            pieces = self.stitches if wire == STITCH else self.bridles
+            return pieces[int(np.searchsorted([piece.points[0, 0] for piece in pieces], x)) - 1]
         chain = {**self.contacts, MESSENGER: self.messenger, AUXILIARY: self.auxiliary}[wire]
         assert chain is not None
         return chain
@@ -78,6 +91,7 @@ class Chains:
             *filter(None, (self.messenger, self.auxiliary)),
             *self.contacts.values(),
             *self.stitches,
+            *self.bridles,
         ]
 
 
@@ -107,7 +121,9 @@ class _Division:
     def chains(self) -> Chains:
         contacts = {name: self.contact(name) for name in self.system.contact_wires}
         messenger = self.messenger()
-        return Chains(contacts, messenger, self.auxiliary(), self.stitches(messenger))
+        stitches = [] if messenger is None else self.stitches(messenger)
+        bridles = [piece for contact in contacts.values() for piece in self.bridles(contact)]
+        return Chains(contacts, messenger, self.auxiliary(), stitches, bridles)
 
     def points(self, wire: str, x: Floats, stagger: list[float]) -> Floats:
         y = np.interp(x, self.places.supports, stagger)
@@ -115,21 +131,28 @@ class _Division:
 
     def contact(self, name: str) -> Chain:
         x = wires.divide(self.places.along(name), self.solver.contact_wire_element)
-        stagger = self.system.stagger_of(name)
-        return Chain(self.points(name, x, stagger), self.line.contact_wire)
+        wire, bridle = self.line.contact_wire, self.line.bridle
+        points = self.points(name, x, self.system.stagger_of(name))
+        own = inserts(self.line, self.system, name)
+        chain = Chain(points, wire, clamps=self.places.bridles, inserts=own)
+        if bridle is not None:
+            chain.relieved = _relieved(wire, bridle)
+        return chain
 
-    def messenger(self) -> Chain:
+    def messenger(self) -> Chain | None:
         line, places = self.line, self.places
+        if line.messenger_wire is None:
+            return None
         x = wires.divide(places.along(MESSENGER), self.solver.messenger_wire_element)
         points = self.points(MESSENGER, x, self.system.messenger_stagger)
-        chain = Chain(points, line.messenger_wire, clamps=places.clamps)
+        own = inserts(line, self.system, MESSENGER)
+        chain = Chain(points, line.messenger_wire, clamps=places.clamps, inserts=own)
         # The saddle of a support follows the wire, which bends there without lifting: no moment is
         # carried. A slope continuous over the support would need elements shorter than √(EI/T).
         turning = [*places.supports[1:-1], *(x for pair in places.clamps for x in pair)]
         chain.hinges = sorted(chain.row(x) for x in turning)
         if line.stitch_wire is not None:
-            left = line.messenger_wire.tension - line.stitch_wire.tension
-            chain.relieved = line.messenger_wire.model_copy(update={"tension": left})
+            chain.relieved = _relieved(line.messenger_wire, line.stitch_wire)
         return chain
 
     def auxiliary(self) -> Chain | None:
@@ -137,7 +160,8 @@ class _Division:
         if wire is None:
             return None
         x = wires.divide(self.places.along(AUXILIARY), self.solver.messenger_wire_element)
-        return Chain(self.points(AUXILIARY, x, self.system.auxiliary_stagger), wire)
+        own = inserts(self.line, self.system, AUXILIARY)
+        return Chain(self.points(AUXILIARY, x, self.system.auxiliary_stagger), wire, inserts=own)
 
     def stitches(self, messenger: Chain) -> list[Chain]:
         wire, found = self.line.stitch_wire, []
@@ -154,6 +178,26 @@ class _Division:
             stitch.hinges = [stitch.row(x) for x in own[1:-1]]
             found.append(stitch)
         return found
+
+    def bridles(self, contact: Chain) -> list[Chain]:
+        """Hung in the middle, where they turn as in a saddle; ends on the contact wire."""
+        wire, found = self.line.bridle, []
+        if wire is None:
+            return []
+        for support, (first, last) in zip(
+            self.places.supports[1:-1], self.places.bridles, strict=True
+        ):
+            x = wires.divide([first, support, last], self.solver.messenger_wire_element)
+            made = self.points(BRIDLE, x, self.system.contact_stagger)
+            made[[0, -1]] = contact.points[[contact.row(first), contact.row(last)]]
+            bridle = Chain(made, wire)
+            bridle.hinges = [bridle.row(support)]
+            found.append(bridle)
+        return found
+
+
+def _relieved(wire: TensionedWire, by: TensionedWire) -> TensionedWire:
+    return wire.model_copy(update={"tension": wire.tension - by.tension})
 
 
 class _Pool:
@@ -189,23 +233,30 @@ def _number(systems: list[Chains], *, lumped: bool) -> Nodes:
 
 def _fill(pool: _Pool, chains: Chains, *, lumped: bool) -> None:
     """Add the nodes of one system to the pool."""
-    messenger = chains.messenger
+    if chains.messenger is not None:
+        _fill_messenger(pool, chains.messenger, chains.stitches, lumped=lumped)
+    for chain in (*filter(None, (chains.auxiliary,)), *chains.contacts.values()):
+        chain.nodes = pool.add(chain.points, _slopes(chain, lumped=lumped))
+    for bridle in chains.bridles:
+        (contact,) = chains.contacts.values()
+        _number_stitch(pool, bridle, contact, lumped=lumped)
+
+
+def _fill_messenger(pool: _Pool, messenger: Chain, stitches: list[Chain], *, lumped: bool) -> None:
     tangents = _slopes(messenger, lumped=lumped)
     messenger.nodes = pool.add(messenger.points, tangents)
     if not lumped:
         # A chain of point masses has no slopes to be told apart at a hinge.
         far = pool.add(messenger.points[messenger.hinges], tangents[messenger.hinges])
         messenger.leaving = dict(zip(messenger.hinges, far, strict=True))
-    for stitch in chains.stitches:
+    for stitch in stitches:
         _number_stitch(pool, stitch, messenger, lumped=lumped)
-    for chain in (*filter(None, (chains.auxiliary,)), *chains.contacts.values()):
-        chain.nodes = pool.add(chain.points, _slopes(chain, lumped=lumped))
 
 
-def _number_stitch(pool: _Pool, stitch: Chain, messenger: Chain, *, lumped: bool) -> None:
-    """Its ends are nodes of the messenger wire, at which it turns freely, as at its droppers."""
+def _number_stitch(pool: _Pool, stitch: Chain, carrier: Chain, *, lumped: bool) -> None:
+    """Its ends are nodes of another wire, at which it turns freely, as at its droppers."""
     tangents, last = _slopes(stitch, lumped=lumped), len(stitch.points) - 1
-    ends = [messenger.at(float(x)) for x in stitch.points[[0, -1], 0]]
+    ends = [carrier.at(float(x)) for x in stitch.points[[0, -1], 0]]
     stitch.nodes = [ends[0], *pool.add(stitch.points[1:-1], tangents[1:-1]), ends[1]]
     if not lumped:
         turning = [0, *stitch.hinges, last]

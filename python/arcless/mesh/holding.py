@@ -2,7 +2,7 @@
 
 from arcless.mesh.chains import Chains
 from arcless.mesh.kit import Kit
-from arcless.mesh.names import CONTACT
+from arcless.mesh.names import BRIDLE, CONTACT
 from arcless.mesh.parts import HELD, UNLOADED
 from arcless.mesh.types import SupportPlace
 from arcless.mesh.wires import Stations
@@ -23,11 +23,16 @@ class Holding:
         found = []
         for index, x in enumerate(system.supports):
             inside = 0 < index < last
-            spring = self._hold_messenger(chains.messenger.at(x)) if inside else None
+            messenger = chains.messenger
+            spring = self._hold_messenger(messenger.at(x)) if inside and messenger else None
             for name, contact in chains.contacts.items():
                 node = contact.at(x)
                 arm = self._hold_contact_wire(node, name, index) if inside else None
                 which = self._name(index, name)
+                if inside and messenger is None:
+                    spring = self._hold_alone(
+                        chains.of(BRIDLE, x).at(x) if chains.bridles else node
+                    )
                 found.append(SupportPlace(which, x, node, spring, arm))
             if inside and chains.auxiliary is not None and self.kit.spatial:
                 # A pull-off keeps its lateral position; it hangs on droppers alone.
@@ -39,8 +44,21 @@ class Holding:
         name = self.system.named(f"support {self.system.first + index}")
         return name + contact_wire.removeprefix(CONTACT).replace(" ", " wire ")
 
+    def _hold_alone(self, node: int) -> int:
+        """Hold a contact wire without messenger wire, or its bridle, at a support."""
+        support = self.line.contact_support
+        assert support is not None
+        vertical = (support.vertical_stiffness, support.vertical_damping, 0.0)
+        row = self.parts.add("springs", (node, self.kit.up, HELD), vertical)
+        if self.kit.spatial:
+            lateral = support.lateral_stiffness or support.vertical_stiffness
+            self.parts.add("springs", (node, 1, HELD), (lateral, 0.0, 0.0))
+        self.parts.add_mass(node, support.mass, 0.0)
+        return row
+
     def _hold_messenger(self, node: int) -> int:
         support = self.line.support
+        assert support is not None
         vertical = (support.vertical_stiffness, support.vertical_damping, 0.0)
         row = self.parts.add("springs", (node, self.kit.up, HELD), vertical)
         if self.kit.spatial:

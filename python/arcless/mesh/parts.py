@@ -69,10 +69,15 @@ class Parts:
         floats = (rest_length, wire.axial_stiffness, wire.mass, *damping, wire.tension)
         return self.add("segments", nodes, floats)
 
-    def add_bend(self, wire: TensionedWire, before: int, behind: int) -> None:
-        """Let a wire resist bending between two segments, if it does at all."""
-        if wire.bending_stiffness > 0.0:
-            self.add("bends", (before, behind), (wire.bending_stiffness, wire.damping.beta))
+    def add_bend(self, one: TensionedWire, other: TensionedWire, before: int, behind: int) -> None:
+        """Let a wire resist bending between two segments, if both do.
+
+        Half of the flexibility lies in either segment.
+        """
+        stiff, soft = one.bending_stiffness, other.bending_stiffness
+        if min(stiff, soft) > 0.0:
+            both = stiff if stiff == soft else 2.0 / (1.0 / stiff + 1.0 / soft)
+            self.add("bends", (before, behind), (both, one.damping.beta))
 
     def add_dropper(
         self, kind: DropperType, upper: int, lower: int, distance: float, length: float | None

@@ -2,8 +2,9 @@
 
 import numpy as np
 
+from arcless.mesh.bridles import rise
 from arcless.mesh.curves import smooth
-from arcless.mesh.names import AUXILIARY, MESSENGER, STITCH
+from arcless.mesh.names import AUXILIARY, BRIDLE, MESSENGER, STITCH
 from arcless.mesh.types import Floats
 from arcless.mesh.wires import Stations
 from arcless.model.line import Line
@@ -31,11 +32,15 @@ class Guess:
         }
 
     def of(self, wire: str, x: Floats) -> Floats:
-        """Height of a wire at positions x; of a stitch wire, between the clamps of each."""
+        """Height of a wire at positions x; of stitch wires and bridles, between their clamps."""
         if wire == MESSENGER:
             return self._messenger(x)
         if wire == STITCH:
             return self._stitch(x)
+        if wire == BRIDLE:
+            return self._bridle(x)
+        if self.line.messenger_wire is None:
+            return self._alone(x)
         return self._held(wire, x)
 
     def _nominal(self, wire: str, x: float | Floats) -> Floats:
@@ -57,6 +62,7 @@ class Guess:
     def _messenger(self, x: Floats) -> Floats:
         """Parabolas q x (L − x) / 2T, q the weight of all wires."""
         line, supports = self.line, np.asarray(self.places.supports)
+        assert line.messenger_wire is not None
         mass = self._with_below(line.messenger_wire.mass)
         span = np.clip(np.searchsorted(supports, x, side="right") - 1, 0, len(supports) - 2)
         sag = self._sag(x, supports[span], supports[span + 1], mass, line.messenger_wire.tension)
@@ -77,6 +83,34 @@ class Guess:
     def _sag(self, x: Floats, left: Floats, right: Floats, mass: float, tension: float) -> Floats:
         load = mass * self.gravity
         return np.asarray(load * (x - left) * (right - x) / (2.0 * tension))
+
+    def _alone(self, x: Floats) -> Floats:
+        """Of a contact wire without messenger wire: parabolas between the points that hold it."""
+        line, system = self.line, self.places.system
+        supports, tension = system.supports, line.contact_wire.tension
+        clamps = [place for pair in self.places.bridles for place in pair]
+        held = np.array([supports[0], *(clamps or supports[1:-1]), supports[-1]])
+        # A clamp is as high as its support.
+        counts = [1, *[2 if clamps else 1] * (len(supports) - 2), 1]
+        heights = np.repeat(system.held_heights, counts)
+        piece = np.clip(np.searchsorted(held, x, side="right") - 1, 0, len(held) - 2)
+        straight = np.interp(x, held, heights)
+        if tension == 0.0:
+            return np.asarray(straight)
+        sag = self._sag(x, held[piece], held[piece + 1], line.contact_wire.mass, tension)
+        return np.asarray(straight - sag)
+
+    def _bridle(self, x: Floats) -> Floats:
+        """Straight from each clamp to where the bridle hangs."""
+        line, system = self.line, self.places.system
+        known: dict[float, float] = {}
+        assert line.bridle is not None
+        for index, (first, last) in enumerate(self.places.bridles, start=1):
+            height = system.held_heights[index]
+            above = rise(line, line.bridle, system, index, self.gravity)
+            known |= {first: height, system.supports[index]: height + above, last: height}
+        ordered = sorted(known)
+        return np.interp(x, ordered, [known[place] for place in ordered])
 
     def _held(self, wire: str, x: Floats) -> Floats:
         """Straight between the heights known at its droppers and its ends."""

@@ -41,6 +41,11 @@ class WireSystem:
     measured: Mapping[float, float]
     contact_wires: dict[str, float]
 
+    @property
+    def held_heights(self) -> list[float]:
+        """Heights in m of the contact wire at the supports, in an overlap with its rise."""
+        return [own + rise for own, rise in zip(self.contact_heights, self.rises, strict=True)]
+
     def stagger_of(self, contact_wire: str) -> list[float]:
         """Return the lateral positions of one of the contact wires at the supports, in m."""
         aside = self.contact_wires[contact_wire]
@@ -87,7 +92,7 @@ def _system(
         supports=[supports[place] for place in places],
         contact_heights=heights,
         messenger_heights=[
-            height + geometry.encumbrance + rise
+            height + (geometry.encumbrance or 0.0) + rise
             for height, rise in zip(heights, rises, strict=True)
         ],
         rises=rises,

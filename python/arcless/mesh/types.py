@@ -32,8 +32,9 @@ class DropperPlace:
 class SupportPlace:
     """A support of a contact wire: its name, where it stands (m), and what holds the wires there.
 
-    `messenger_spring` and `steady_arm` are rows of the springs and struts tables, None where the
-    wires are anchored (both ends of the line) or the arm is no bar.
+    `messenger_spring` (without a messenger wire what holds the contact wire or its bridle) and
+    `steady_arm` are rows of the springs and struts tables, None where the wires are anchored (both
+    ends of the line) or the arm is no bar.
     """
 
     name: str
@@ -45,7 +46,7 @@ class SupportPlace:
 
 @dataclass(frozen=True)
 class StitchPlace:
-    """A stitch wire: the number of its support (from 1) and its nodes from clamp to clamp.
+    """A stitch wire or bridle: number of its support (from 1), nodes from clamp to clamp.
 
     `rows` are its elements in the table of wires or segments.
     """
@@ -60,7 +61,8 @@ class SystemNodes:
     """Nodes of the wires of one tension length, each wire from anchor to anchor.
 
     `label` is what names begin with where there are several, `contact` has one entry for each
-    contact wire by its name, `stitches` one for each support.
+    contact wire by its name, `stitches` and `bridles` one for each inner support. What a line does
+    not have is empty.
     """
 
     label: str
@@ -68,6 +70,7 @@ class SystemNodes:
     messenger: list[int]
     auxiliary: list[int]
     stitches: list[StitchPlace]
+    bridles: list[StitchPlace]
 
 
 @dataclass(frozen=True)
@@ -139,6 +142,11 @@ class Mesh:
     def auxiliary_nodes(self) -> list[int]:
         """Nodes of all auxiliary wires, one after the other."""
         return [node for system in self.systems for node in system.auxiliary]
+
+    @property
+    def bridles(self) -> list[StitchPlace]:
+        """The bridles of all tension lengths."""
+        return [bridle for system in self.systems for bridle in system.bridles]
 
     @property
     def stitches(self) -> list[StitchPlace]:

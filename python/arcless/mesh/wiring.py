@@ -9,8 +9,12 @@ import numpy as np
 from arcless.mesh import wires
 from arcless.mesh.chains import Chain, Chains
 from arcless.mesh.kit import Kit
+from arcless.mesh.on_wires import masses
+from arcless.mesh.parts import UNLOADED
 from arcless.mesh.types import DropperPlace, Floats, StitchPlace
-from arcless.model.components import TensionedWire, Wire
+from arcless.model.components import StitchWire, TensionedWire, Wire
+from arcless.model.line_parts import Bridle
+from arcless.model.midpoint import MidpointAnchor
 
 
 @dataclass(frozen=True)
@@ -23,6 +27,7 @@ class Wired:
     rows: dict[str, list[int]]
     contacts: list[list[int]]
     stitches: list[StitchPlace]
+    bridles: list[StitchPlace]
     droppers: list[DropperPlace]
 
 
@@ -38,12 +43,18 @@ class Wiring:
         line, chains = self.line, self.chains
         contacts = [self._add_anchored(c, line.contact_wire) for c in chains.contacts.values()]
         rows = {"contact_wire": [row for contact in contacts for row in contact]}
-        rows["messenger_wire"] = self._add_anchored(chains.messenger, line.messenger_wire)
-        stitches = self._add_stitches()
+        stitches: list[StitchPlace] = []
+        if chains.messenger is not None and line.messenger_wire is not None:
+            rows["messenger_wire"] = self._add_anchored(chains.messenger, line.messenger_wire)
+            stitches = self._add_clamped(chains.stitches, chains.messenger, line.stitch_wire)
         rows["stitch_wire"] = [row for stitch in stitches for row in stitch.rows]
+        (contact, *_) = chains.contacts.values()
+        bridles = self._add_clamped(chains.bridles, contact, line.bridle)
+        rows["bridle"] = [row for bridle in bridles for row in bridle.rows]
         if chains.auxiliary is not None and line.auxiliary_wire is not None:
             rows["auxiliary_wire"] = self._add_anchored(chains.auxiliary, line.auxiliary_wire)
-        return Wired(rows, contacts, stitches, self._add_droppers())
+        self._add_masses()
+        return Wired(rows, contacts, stitches, bridles, self._add_droppers())
 
     def _add_anchored(self, chain: Chain, wire: Wire) -> list[int]:
         """Add the elements of a wire and what holds its ends; return the elements' rows."""
@@ -51,22 +62,45 @@ class Wiring:
         for component in range(self.kit.dimension):
             self.parts.add("fixed", (chain.nodes[0], component))
             self.parts.add("fixed", (chain.nodes[-1], component))
-        released = int(wire.ends == "constant_force")
-        self.parts.add("ends", (chain.nodes[-1], released), (wire.tension,))
+        self._add_end(chain.nodes[-1], wire, wire.tension)
+        if self.line.midpoint_anchor is not None:
+            self._add_end(chain.nodes[0], wire, -wire.tension)
+            held = chain.at(self._midpoint(self.line.midpoint_anchor))
+            stiffness = (self.line.midpoint_anchor.stiffness, 0.0, 0.0)
+            self.parts.add("springs", (held, 0, UNLOADED), stiffness)
         return rows
 
-    def _add_stitches(self) -> list[StitchPlace]:
-        """Add the stitch wires and their clamps on the messenger wire."""
-        found, messenger = [], self.chains.messenger
+    def _add_end(self, node: int, wire: Wire, force: float) -> None:
+        """Add what tensions an end: an anchor, a constant force, or that and a spring about it."""
+        self.parts.add("ends", (node, int(wire.ends != "fixed")), (force,))
+        if wire.end_stiffness is not None:
+            self.parts.add("springs", (node, 0, UNLOADED), (wire.end_stiffness, 0.0, 0.0))
+
+    def _midpoint(self, anchor: MidpointAnchor) -> float:
+        """Return where the wires are held along the track, in m."""
+        system = self.places.system
+        if anchor.support is not None:
+            return system.supports[anchor.support - system.first]
+        return system.supports[len(system.supports) // 2]
+
+    def _add_clamped(
+        self, chains: list[Chain], carrier: Chain, wire: StitchWire | Bridle | None
+    ) -> list[StitchPlace]:
+        """Add stitch wires (bridles) and their clamps on the wire that they are clamped to."""
+        found = []
         # The first support is an anchor.
-        for number, chain in enumerate(self.chains.stitches, start=self.places.system.first + 1):
+        for number, chain in enumerate(chains, start=self.places.system.first + 1):
             rows = self._add_wire(chain)
-            assert self.line.stitch_wire is not None
+            assert wire is not None
             for node in (chain.nodes[0], chain.nodes[-1]):
-                alpha = messenger.wire.damping.alpha
-                self.parts.add_mass(node, self.line.stitch_wire.clamp_mass, alpha)
+                self.parts.add_mass(node, wire.clamp_mass, carrier.wire.damping.alpha)
             found.append(StitchPlace(number, chain.nodes, rows))
         return found
+
+    def _add_masses(self) -> None:
+        for wire, x, mass in masses(self.line, self.places.system):
+            chain = self.chains.of(wire, x)
+            self.parts.add_mass(chain.at(x), mass, chain.wire.damping.alpha)
 
     def _add_wire(self, chain: Chain) -> list[int]:
         return self._add_segments(chain) if self.kit.lumped else self._add_elements(chain)
@@ -91,17 +125,15 @@ class Wiring:
         hinges = set(chain.hinges)
         for node, (before, behind) in enumerate(pairwise(rows), start=1):
             if node not in hinges:
-                self.parts.add_bend(chain.wire, before, behind)
+                self.parts.add_bend(sections[node - 1], sections[node], before, behind)
         return rows
 
     @staticmethod
     def _unstretched(
         chain: Chain, sections: list[TensionedWire], law: Callable[[TensionedWire], float]
     ) -> Floats:
-        if chain.relieved is None:
-            return wires.chord_lengths(chain.points, law(chain.wire))
-        full, left = law(chain.wire), law(chain.relieved)
-        by_element = [left if section is chain.relieved else full for section in sections]
+        stretches = {id(section): law(section) for section in sections}
+        by_element = [stretches[id(section)] for section in sections]
         return wires.chord_lengths(chain.points, np.array(by_element))
 
     def _add_droppers(self) -> list[DropperPlace]:

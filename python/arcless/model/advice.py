@@ -60,6 +60,8 @@ def scenario_warnings(scenario: Scenario) -> list[str]:
 
 def _about_speed(scenario: Scenario) -> list[str]:
     speed, wave = scenario.top_speed, scenario.line.wave_speed
+    if wave is None:
+        return []
     share = f"{speed * KMH:.0f} km/h is {speed / wave:.0%} of the wave speed {wave * KMH:.0f} km/h"
     if speed >= wave:
         return [

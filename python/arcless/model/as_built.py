@@ -77,6 +77,9 @@ class Ice(Part):
     auxiliary_wire: Annotated[float, Unit("kg/m", minimum=0, maximum=50)] = Field(
         default=0.0, description="Ice on the auxiliary wire."
     )
+    bridle: Annotated[float, Unit("kg/m", minimum=0, maximum=50)] = Field(
+        default=0.0, description="Ice on the bridles."
+    )
     density: Annotated[float, Unit("kg/m3", minimum=50, maximum=1000)] = Field(
         default=900.0, description="Density of the ice: how thick it is in the wind."
     )
@@ -167,6 +170,7 @@ class AsBuilt(Part):
             or self.ice.contact_wire
             or self.ice.messenger_wire
             or self.ice.stitch_wire
+            or self.ice.bridle
             or self.ice.auxiliary_wire
             or self.wind.speed
             or self.contact_wire_wear

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 # As in the other checks of a scenario: the end of a run is the way over the speed.
 ROUNDING = 1e-9
 
-WIRES = ("contact_wire", "messenger_wire", "stitch_wire", "auxiliary_wire")
+WIRES = ("contact_wire", "messenger_wire", "stitch_wire", "auxiliary_wire", "bridle")
 
 
 def check_as_built(scenario: "Scenario") -> None:

@@ -213,7 +213,7 @@ def _check_elements(scenario: "Scenario") -> None:
     length = sum(
         places[one.to_span] - places[one.from_span - 1] for one in line.tension_length_list()
     )
-    wires_above = 1 if line.auxiliary_wire is None else 2
+    wires_above = sum(wire is not None for wire in (line.messenger_wire, line.auxiliary_wire))
     wires_below = 1 if line.twin_contact_wires is None else 2
     elements = wires_below * length / solver.contact_wire_element
     elements += wires_above * length / solver.messenger_wire_element

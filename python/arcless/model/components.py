@@ -3,8 +3,9 @@
 from math import pi
 from typing import Annotated, Literal
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
+from arcless.errors import ModelError
 from arcless.model.fields import Part, Unit
 
 
@@ -46,10 +47,30 @@ class TensionedWire(Part):
 class Wire(TensionedWire):
     """A contact or messenger wire under tension."""
 
-    ends: Literal["fixed", "constant_force"] = Field(
+    ends: Literal["fixed", "constant_force", "spring"] = Field(
         default="fixed",
-        description="Ends anchored, or held by a device of constant force.",
+        description="Ends anchored, or held by a device of constant force or a spring.",
     )
+    end_stiffness: Annotated[float, Unit("N/m", above=0)] | None = Field(
+        default=None, description="Stiffness of a tensioning spring; only with ends: spring."
+    )
+
+    @model_validator(mode="after")
+    def _check_ends(self) -> "Wire":
+        if self.ends == "spring" and self.end_stiffness is None:
+            raise ModelError(
+                "missing field",
+                expected=self._expected("end_stiffness"),
+                field=("end_stiffness",),
+            )
+        if self.ends != "spring" and self.end_stiffness is not None:
+            raise ModelError(
+                "stiffness of a spring that is not there",
+                got=f"end_stiffness with ends: {self.ends}",
+                expected="ends: spring, or no end_stiffness",
+                field=("end_stiffness",),
+            )
+        return self
 
 
 class StitchWire(TensionedWire):

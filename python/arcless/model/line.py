@@ -12,6 +12,7 @@ from arcless.model.components import (
     AuxiliaryWire,
     DropperType,
     MessengerSupport,
+    NoSteadyArm,
     SteadyArm,
     StitchWire,
     Wire,
@@ -20,7 +21,12 @@ from arcless.model.documents import Document
 from arcless.model.fields import Part, Unit, nearest
 from arcless.model.heights import HeightChange, check_heights, heights_at
 from arcless.model.line_checks import check_wires
+from arcless.model.line_parts import Bridle, ContactSupport, ContactWire
+from arcless.model.midpoint import MidpointAnchor, check_midpoint
+from arcless.model.on_wire_checks import TOLERANCE, check_on_wires
+from arcless.model.on_wires import MAX_PARTS, Insert, LumpedMass
 from arcless.model.spans import MAX_SPANS, SpanRun, SpanType
+from arcless.model.suspension_checks import check_suspension
 from arcless.model.tension_length_checks import check_tension_lengths
 from arcless.model.tension_lengths import Overlap, TensionLength
 from arcless.model.track import Track
@@ -50,8 +56,9 @@ class Geometry(Part):
         description="Stretches on which that height changes, and all wires with it.",
         max_length=MAX_PATTERN,
     )
-    encumbrance: Annotated[float, Unit("m", above=0, maximum=10)] = Field(
-        description="Messenger wire above contact wire at the supports (system height)."
+    encumbrance: Annotated[float, Unit("m", above=0, maximum=10)] | None = Field(
+        default=None,
+        description="Messenger wire above contact wire at the supports (system height).",
     )
     stagger_contact_wire: Staggers = Field(
         default=(0.0,), description="Stagger at successive supports; the pattern repeats."
@@ -86,11 +93,24 @@ class Line(Document):
     format: Literal["arcless-line/1"] = Field(
         default="arcless-line/1", description="Format, version."
     )
-    contact_wire: Wire = Field(description="Contact wire.")
-    messenger_wire: Wire = Field(description="Messenger wire.")
-    dropper: DropperType = Field(description="Droppers.")
-    support: MessengerSupport = Field(description="Supports of the messenger wire.")
-    steady_arm: SteadyArm = Field(description="Steady arm: kind spring, arm or none.")
+    contact_wire: ContactWire = Field(description="Contact wire, or conductor rail.")
+    messenger_wire: Wire | None = Field(
+        default=None, description="Messenger wire; without it, a trolley wire or conductor rail."
+    )
+    dropper: DropperType | None = Field(default=None, description="Droppers.")
+    support: MessengerSupport | None = Field(
+        default=None, description="Supports of the messenger wire."
+    )
+    steady_arm: SteadyArm = Field(
+        default_factory=lambda: NoSteadyArm(kind="none"),
+        description="Steady arm: kind spring, arm or none.",
+    )
+    contact_support: ContactSupport | None = Field(
+        default=None, description="Supports of a contact wire without messenger wire."
+    )
+    bridle: Bridle | None = Field(
+        default=None, description="Bridles between these supports and the contact wire."
+    )
     stitch_wire: StitchWire | None = Field(
         default=None, description="Stitch wires at the inner supports of a stitched line."
     )
@@ -102,6 +122,15 @@ class Line(Document):
     )
     twin_contact_wires: TwinContactWires | None = Field(
         default=None, description="A second contact wire beside the first, which it equals."
+    )
+    midpoint_anchor: MidpointAnchor | None = Field(
+        default=None, description="Holds the wires along the track; both their ends then move."
+    )
+    point_masses: Annotated[tuple[LumpedMass, ...], Field(max_length=MAX_PARTS)] = Field(
+        default=(), description="Masses on wires."
+    )
+    inserts: Annotated[tuple[Insert, ...], Field(max_length=MAX_PARTS)] = Field(
+        default=(), description="Pieces of a wire made of something else, as section insulators."
     )
     geometry: Geometry = Field(description="Heights and staggers.")
     span_types: dict[str, SpanType] = Field(description="Span types by name.", min_length=1)
@@ -135,6 +164,7 @@ class Line(Document):
                     hint=nearest(run.type, list(self.span_types)),
                     field=("spans", index, "type"),
                 )
+        check_suspension(self)
         for name, span in self.span_types.items():
             self._check_presag(name, span)
         self._check_stagger()
@@ -150,9 +180,13 @@ class Line(Document):
         check_wires(self)
         check_heights(self)
         check_track(self)
+        check_on_wires(self)
+        check_midpoint(self)
         return self
 
     def _check_presag(self, name: str, span: SpanType) -> None:
+        if self.geometry.encumbrance is None:
+            return
         holders = "droppers" if span.hangers is None else "hangers"
         for index, presag in enumerate(span.holders.presag or ()):
             if not abs(presag) < self.geometry.encumbrance:
@@ -166,7 +200,7 @@ class Line(Document):
 
     def _check_stagger(self) -> None:
         for index, stagger in enumerate(self.geometry.stagger_contact_wire):
-            if self.steady_arm.kind == "none" and stagger != 0:
+            if not self.holds_stagger and stagger != 0:
                 raise ModelError(
                     "nothing holds the stagger",
                     got=f"{stagger:g} m with a steady arm of kind none",
@@ -192,6 +226,20 @@ class Line(Document):
         whole = TensionLength(from_span=1, to_span=len(self.span_list()))
         return [whole] if self.tension_lengths is None else list(self.tension_lengths)
 
+    def tension_lengths_over(self, first: float, last: float) -> list[int]:
+        """Return the numbers, from 1, of the tension lengths whose wires cover a stretch in m."""
+        supports = self.support_positions()
+        return [
+            number
+            for number, one in enumerate(self.tension_length_list(), start=1)
+            if supports[one.from_span - 1] - TOLERANCE <= first
+            and last <= supports[one.to_span] + TOLERANCE
+        ]
+
+    def tension_length_of(self, part: LumpedMass | Insert, first: float, last: float) -> int:
+        """Return the number of the tension length that a part on a wire belongs to."""
+        return part.tension_length or self.tension_lengths_over(first, last)[0]
+
     @property
     def total_length(self) -> float:
         """Length of the line in m."""
@@ -209,6 +257,12 @@ class Line(Document):
         return twin is not None and twin.droppers == "paired" and self.auxiliary_wire is None
 
     @property
+    def holds_stagger(self) -> bool:
+        """True when something holds the contact wire across the track at the supports."""
+        held = self.contact_support is not None and self.bridle is None
+        return held or self.steady_arm.kind != "none"
+
+    @property
     def is_spatial(self) -> bool:
         """True when stagger, curves or a steady arm make the line three-dimensional."""
         geometry = self.geometry
@@ -221,6 +275,11 @@ class Line(Document):
         return is_bent or any(stagger != 0 for stagger in staggers)
 
     @property
-    def wave_speed(self) -> float:
-        """Wave speed of the contact wire, √(tension / mass per metre), in m/s."""
+    def wave_speed(self) -> float | None:
+        """Wave speed of the contact wire, √(tension / mass per metre), in m/s; None without it.
+
+        Waves of a beam have no speed of their own: short ones run faster than long ones.
+        """
+        if self.contact_wire.tension == 0:
+            return None
         return sqrt(self.contact_wire.tension / self.contact_wire.mass)

@@ -19,6 +19,7 @@ def check_wires(line: "Line") -> None:
 
 
 def _check_stitch(line: "Line", stitch: "StitchWire") -> None:
+    assert line.messenger_wire is not None
     messenger, spans = line.messenger_wire.tension, line.span_list()
     if stitch.tension >= messenger:
         raise ModelError(
@@ -66,6 +67,7 @@ def _check_stitch_droppers(line: "Line", stitch: "StitchWire") -> None:
 
 def _check_auxiliary(line: "Line", wire: "AuxiliaryWire") -> None:
     encumbrance = line.geometry.encumbrance
+    assert encumbrance is not None
     if wire.height >= encumbrance:
         raise ModelError(
             "auxiliary wire not between contact and messenger wire",

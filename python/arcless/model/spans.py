@@ -77,7 +77,9 @@ class SpanType(Part):
     length: Annotated[float, Unit("m", above=0, maximum=500)] = Field(
         description="Distance between the two supports."
     )
-    droppers: SpanDroppers = Field(description="Droppers of the span.")
+    droppers: SpanDroppers = Field(
+        default_factory=lambda: SpanDroppers(positions=()), description="Droppers of the span."
+    )
     hangers: SpanDroppers | None = Field(
         default=None, description="From the auxiliary to the contact wire; only with that wire."
     )

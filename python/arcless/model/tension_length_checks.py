@@ -116,7 +116,7 @@ def _check_overlap(line: "Line") -> None:
         )
     _check_raise(overlap, found)
     _check_sides(overlap, found)
-    if line.steady_arm.kind == "none" and (overlap.apart or overlap.stagger_in is not None):
+    if not line.holds_stagger and (overlap.apart or overlap.stagger_in is not None):
         raise ModelError(
             "nothing holds the wires apart",
             got=f"{overlap.apart:g} m with a steady arm of kind none",

@@ -47,7 +47,7 @@ def check_track(line: "Line") -> None:
     """Raise `ModelError` for a curve in which the wire cannot be held over the track."""
     if not line.track.curves:
         return
-    if line.steady_arm.kind == "none":
+    if not line.holds_stagger:
         raise ModelError(
             "nothing holds the contact wire in a curve",
             got="a steady arm of kind none",

@@ -21,6 +21,7 @@ WIRES = (
     ("messenger_wire", "messenger wire", 7),
     ("auxiliary_wire", "auxiliary wire", 2),
     ("stitch_wire", "stitch wires", 1),
+    ("bridle", "bridles", 1),
 )
 
 

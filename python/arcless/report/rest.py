@@ -26,7 +26,13 @@ ALONG, ACROSS, UP = 0, 1, 2
 DRAWN = 3000.0
 # Width and height in pixels of the inside of the side view on a usual screen.
 FRAME_WIDTH, FRAME_HEIGHT = 1000.0, 250.0
-SHADES = {"contact_wire": 0, "messenger_wire": 7, "auxiliary_wire": 2, "stitch_wire": 1}
+SHADES = {
+    "contact_wire": 0,
+    "messenger_wire": 7,
+    "auxiliary_wire": 2,
+    "stitch_wire": 1,
+    "bridle": 1,
+}
 
 
 def write(found: "StaticsResult", path: str | Path) -> None:
@@ -78,7 +84,8 @@ def facts(found: "StaticsResult") -> list[tuple[str, str]]:
     pairs.append(("Sag in the middle span", f"{1e3 * found.contact_wire_sag_m:.1f} mm"))
     pairs.append(("Elasticity", f"{e.min():.3f} to {e.max():.3f} mm/N"))
     pairs.append(("Non-uniformity", f"{100 * found.elasticity_nonuniformity:.1f} %"))
-    pairs.append(("Wave speed", f"{3.6 * found.wave_speed:.0f} km/h"))
+    if found.wave_speed is not None:
+        pairs.append(("Wave speed", f"{3.6 * found.wave_speed:.0f} km/h"))
     return pairs
 
 

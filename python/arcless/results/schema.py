@@ -49,6 +49,7 @@ DIMENSIONS: dict[str, Dimension] = {
     "messenger_wire_node": Dimension("count", "1", "node of the messenger wire"),
     "auxiliary_wire_node": Dimension("count", "1", "node of the auxiliary wire"),
     "stitch_wire_node": Dimension("count", "1", "node of the stitch wires, one after the other"),
+    "bridle_node": Dimension("count", "1", "node of the bridles, one after the other"),
     "elasticity_x": Dimension("number", "m", "position at which the elasticity was found"),
     "mode": Dimension("count", "1", "natural mode of the line at rest"),
 }
@@ -117,7 +118,7 @@ VARIABLES: dict[str, Variable] = {
     ),
     "dropper_force_static": Variable(("dropper",), "N", "dropper force at rest"),
     "support_x": Variable(("support",), "m", "position of the support along the track"),
-    "support_force_static": Variable(("support",), "N", "vertical force on the messenger support"),
+    "support_force_static": Variable(("support",), "N", "vertical force on the support"),
     "steady_arm_force_static": Variable(("support",), "N", "force of the steady arm at rest"),
     "contact_wire_node_x": Variable(("contact_wire_node",), "m", "along the track, at rest"),
     "contact_wire_node_y": Variable(("contact_wire_node",), "m", "across the track, at rest"),
@@ -157,6 +158,18 @@ VARIABLES: dict[str, Variable] = {
     ),
     "stitch_wire_node_support": Variable(
         ("stitch_wire_node",), "1", "support of the stitch wire, from 1", integer=True
+    ),
+    "bridle_node_x": Variable(("bridle_node",), "m", "along the track, at rest"),
+    "bridle_node_y": Variable(("bridle_node",), "m", "across the track, at rest"),
+    "bridle_node_z": Variable(("bridle_node",), "m", "height above rail, at rest"),
+    "bridle_node_wire": Variable(
+        ("bridle_node",),
+        "1",
+        "tension length, from 1; only where there are several",
+        integer=True,
+    ),
+    "bridle_node_support": Variable(
+        ("bridle_node",), "1", "support of the bridle, from 1", integer=True
     ),
     "elasticity": Variable(("elasticity_x",), "m/N", "static elasticity of the contact wire"),
     "natural_frequency": Variable(("mode",), "Hz", "natural frequency of the line at rest"),

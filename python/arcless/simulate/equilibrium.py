@@ -63,21 +63,22 @@ class Equilibrium:
         tension = self.arrays["wire_tension"][self.mesh.contact_rows]
         return float(np.sqrt(np.min(tension / self.arrays["wire_mass"][self.mesh.contact_rows])))
 
-    def mean_tensions(self) -> tuple[float, float]:
+    def mean_tensions(self) -> tuple[float, float | None]:
         """Mean tension of the contact and of the messenger wire over the whole line, in N."""
         tension = self.arrays["wire_tension"]
         is_contact = np.zeros(len(tension), dtype=bool)
         is_contact[self.mesh.contact_rows] = True
-        return float(tension[is_contact].mean()), float(tension[~is_contact].mean())
+        contact = float(tension[is_contact].mean())
+        return contact, float(tension[~is_contact].mean()) if self.mesh.messenger_nodes else None
 
-    def end_travel(self) -> tuple[float, float]:
+    def end_travel(self) -> tuple[float, float | None]:
         """Way of the far ends of contact and messenger wire since the design, in m.
 
         Of several tension lengths, that of the one that moved furthest.
         """
-        wires = (self.mesh.contact_wires, [system.messenger for system in self.mesh.systems])
-        contact, messenger = (self._travel([wire[-1] for wire in kind]) for kind in wires)
-        return contact, messenger
+        contact = self._travel([wire[-1] for wire in self.mesh.contact_wires])
+        messengers = [system.messenger[-1] for system in self.mesh.systems if system.messenger]
+        return contact, self._travel(messengers) if messengers else None
 
     def _travel(self, nodes: list[int]) -> float:
         ways = self.positions[nodes, 0] - self.mesh.positions[nodes, 0]
@@ -98,7 +99,8 @@ class Equilibrium:
     def _overlaps(self, left: float, right: float) -> bool:
         """Whether wires of two tension lengths run between two places."""
         x, middle = self.mesh.positions[:, 0], 0.5 * (left + right)
-        ends = [(x[own.messenger[0]], x[own.messenger[-1]]) for own in self.mesh.systems]
+        wires = [next(iter(own.contact.values())) for own in self.mesh.systems]
+        ends = [(x[wire[0]], x[wire[-1]]) for wire in wires]
         return sum(bool(first < middle < last) for first, last in ends) > 1
 
     def elasticity_positions(self) -> Floats:
@@ -210,6 +212,7 @@ def place_of(mesh: Mesh, node: int) -> str:
             "auxiliary wire": system.auxiliary,
             "messenger wire": system.messenger,
             "stitch wire": [n for stitch in system.stitches for n in stitch.nodes[1:-1]],
+            "bridle": [n for bridle in system.bridles for n in bridle.nodes[1:-1]],
         }
         for wire, nodes in wires.items():
             if node in nodes:

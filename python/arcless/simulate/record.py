@@ -89,15 +89,18 @@ def static_variables(found: Equilibrium, elasticity: Floats) -> dict[str, Any]:
         counts = [len(stitch.nodes) for stitch in mesh.stitches]
         numbers = [stitch.support for stitch in mesh.stitches]
         out["stitch_wire_node_support"] = np.repeat(numbers, counts)
+    if mesh.bridles:
+        counts = [len(bridle.nodes) for bridle in mesh.bridles]
+        out["bridle_node_support"] = np.repeat([b.support for b in mesh.bridles], counts)
     for wire, pieces in _wires(found).items():
         nodes = [node for piece in pieces for node in piece]
         if not nodes:
             continue
         if len(pieces) > 1:
             lengths = [len(piece) for piece in pieces]
-            out[f"{wire}_wire_node_wire"] = np.repeat(np.arange(1, len(pieces) + 1), lengths)
+            out[f"{wire}_node_wire"] = np.repeat(np.arange(1, len(pieces) + 1), lengths)
         for axis, component in zip("xyz", points[nodes].T, strict=True):
-            out[f"{wire}_wire_node_{axis}"] = component
+            out[f"{wire}_node_{axis}"] = component
     return out
 
 
@@ -105,10 +108,11 @@ def _wires(found: Equilibrium) -> dict[str, list[list[int]]]:
     """Return the nodes of each wire by its kind; stitch wires by their tension length."""
     systems = found.mesh.systems
     return {
-        "contact": found.mesh.contact_wires,
-        "messenger": [system.messenger for system in systems],
-        "auxiliary": [system.auxiliary for system in systems],
-        "stitch": [[n for one in system.stitches for n in one.nodes] for system in systems],
+        "contact_wire": found.mesh.contact_wires,
+        "messenger_wire": [system.messenger for system in systems],
+        "auxiliary_wire": [system.auxiliary for system in systems],
+        "stitch_wire": [[n for one in system.stitches for n in one.nodes] for system in systems],
+        "bridle": [[n for one in system.bridles for n in one.nodes] for system in systems],
     }
 
 

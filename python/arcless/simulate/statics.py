@@ -1,11 +1,12 @@
 """The initial configuration of a line."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
+from arcless.mesh import StitchPlace
 from arcless.model import Scenario
 from arcless.simulate import equilibrium
 from arcless.simulate.failure import replayable
@@ -50,13 +51,15 @@ class StaticsResult:
 
     @property
     def supports(self) -> list[dict[str, Any]]:
-        """Supports: name, x_m, vertical force on the messenger support, force in the steady arm."""
+        """Supports: name, x_m, vertical force on the support, force in the steady arm."""
         arrays = self.equilibrium.arrays
+        alone = self.scenario.line.messenger_wire is None
+        held = "contact_support_force_N" if alone else "messenger_force_N"
         return [
             {
                 "name": support.name,
                 "x_m": support.x,
-                "messenger_force_N": _entry(arrays["spring_force"], support.messenger_spring),
+                held: _entry(arrays["spring_force"], support.messenger_spring),
                 "steady_arm_force_N": _entry(arrays["strut_tension"], support.steady_arm),
                 "contact_wire_height_m": float(self.equilibrium.positions[support.contact_node, 2]),
             }
@@ -66,20 +69,42 @@ class StaticsResult:
     @property
     def stitch_wires(self) -> list[dict[str, Any]]:
         """Stitch wires: support, clamps, height of clamps and lowest point, length, tension."""
-        arrays, points = self.equilibrium.arrays, self.equilibrium.positions
+        points, systems = self.equilibrium.positions, self.equilibrium.mesh.systems
         return [
-            {
-                "support": f"{system.label} support {stitch.support}".lstrip(),
-                "from_m": float(points[stitch.nodes[0], 0]),
-                "to_m": float(points[stitch.nodes[-1], 0]),
-                "clamp_heights_m": [float(points[n, 2]) for n in stitch.nodes[:: len(stitch.rows)]],
-                "lowest_m": float(points[stitch.nodes, 2].min()),
-                "unstretched_length_m": float(arrays["wire_rest_length"][stitch.rows].sum()),
-                "tension_N": float(arrays["wire_tension"][stitch.rows].max()),
-            }
-            for system in self.equilibrium.mesh.systems
-            for stitch in system.stitches
+            {**one, "lowest_m": float(points[stitch.nodes, 2].min())}
+            for system in systems
+            for stitch, one in self._clamped(system.label, system.stitches)
         ]
+
+    @property
+    def bridles(self) -> list[dict[str, Any]]:
+        """Bridles: support, clamps, height of clamps and of the hanging point, length, tension."""
+        points, systems = self.equilibrium.positions, self.equilibrium.mesh.systems
+        return [
+            {**one, "hangs_at_m": float(points[bridle.nodes, 2].max())}
+            for system in systems
+            for bridle, one in self._clamped(system.label, system.bridles)
+        ]
+
+    def _clamped(
+        self, label: str, pieces: list[StitchPlace]
+    ) -> Iterator[tuple[StitchPlace, dict[str, Any]]]:
+        """Describe wires that are clamped to another one at both ends."""
+        arrays, points = self.equilibrium.arrays, self.equilibrium.positions
+        for stitch in pieces:
+            yield (
+                stitch,
+                {
+                    "support": f"{label} support {stitch.support}".lstrip(),
+                    "from_m": float(points[stitch.nodes[0], 0]),
+                    "to_m": float(points[stitch.nodes[-1], 0]),
+                    "clamp_heights_m": [
+                        float(points[n, 2]) for n in stitch.nodes[:: len(stitch.rows)]
+                    ],
+                    "unstretched_length_m": float(arrays["wire_rest_length"][stitch.rows].sum()),
+                    "tension_N": float(arrays["wire_tension"][stitch.rows].max()),
+                },
+            )
 
     @property
     def middle_span(self) -> int:
@@ -102,10 +127,11 @@ class StaticsResult:
         return float(np.ptp(inside[:, 2]))
 
     @property
-    def wave_speed(self) -> float:
+    def wave_speed(self) -> float | None:
         """Wave speed of the contact wire in m/s: of the design, or the lowest as built."""
-        if self.scenario.as_built.is_empty:
-            return self.scenario.line.wave_speed
+        design = self.scenario.line.wave_speed
+        if self.scenario.as_built.is_empty or design is None:
+            return design
         return self.equilibrium.wave_speed()
 
     @property
@@ -116,11 +142,14 @@ class StaticsResult:
         contact, messenger = self.equilibrium.mean_tensions()
         contact_end, messenger_end = self.equilibrium.end_travel()
         points = self.equilibrium.positions[self.equilibrium.mesh.contact_nodes]
+        above = {
+            "messenger_wire_tension_N": messenger,
+            "messenger_wire_end_travel_m": messenger_end,
+        }
         return {
             "contact_wire_tension_N": contact,
-            "messenger_wire_tension_N": messenger,
             "contact_wire_end_travel_m": contact_end,
-            "messenger_wire_end_travel_m": messenger_end,
+            **{name: value for name, value in above.items() if value is not None},
             "contact_wire_lowest_m": float(points[:, 2].min()),
             "contact_wire_highest_m": float(points[:, 2].max()),
             "contact_wire_across_most_m": float(points[:, 1].max()),
@@ -136,6 +165,7 @@ class StaticsResult:
             "droppers": self.droppers,
             "supports": self.supports,
             "stitch_wires": self.stitch_wires,
+            "bridles": self.bridles,
             "elasticity": [
                 {"x_m": x, "mm_per_N": 1e3 * e}
                 for x, e in zip(self.elasticity_x_m, self.elasticity_m_per_N, strict=True)

@@ -29,8 +29,8 @@ Refused = Callable[..., str]
         (
             "tension: 22 kN",
             "tension: 0",
-            "line.yaml:7: contact_wire.tension: got 0, expected a force (N, kN, daN, MN),"
-            " above 0 N",
+            "line.yaml:7: contact_wire.tension: got 0 N, expected a force (N, kN, daN, MN),"
+            " above 0 N; hint: only a conductor rail (kind: conductor_rail) is without tension",
         ),
         (
             "tension: 22 kN",
@@ -40,14 +40,14 @@ Refused = Callable[..., str]
         (
             "  tension: 22 kN\n",
             "",
-            "line.yaml:3: contact_wire.tension: missing field: expected Tension: a force (N, kN,"
-            " daN, MN), above 0 N",
+            "line.yaml:3: contact_wire.tension: missing field: expected Tension; 0 only in a"
+            " rail: a force (N, kN, daN, MN), at least 0 N",
         ),
         (
             "tension: 22 kN",
             "tensoin: 22 kN",
             'line.yaml:7: contact_wire.tensoin: unknown field: got "tensoin", expected a field of'
-            " a contact or messenger wire under tension; hint: did you mean tension?",
+            " a contact wire under tension, or a conductor rail; hint: did you mean tension?",
         ),
         (
             "mass: 1.35 kg/m",
