@@ -22,6 +22,8 @@ MARKS: dict[str, str] = {
     "assumed": "chosen for this model; the note says why",
 }
 MAX_DEPTH = 40
+# Of a table with thousands of rows, a note of where it comes from needs no copy.
+MAX_WRITTEN = 2000
 
 
 class Provenance(Part):
@@ -137,9 +139,14 @@ def dotted(path: Path) -> str:
 
 
 def written(value: object) -> str:
-    """Return a value as it stood in the file, in one line."""
+    """Return a value as it stood in the file, in one line; of long lists and tables the start."""
+    text = _in_line(value)
+    return text if len(text) <= MAX_WRITTEN else f"{text[:MAX_WRITTEN]}…"
+
+
+def _in_line(value: object) -> str:
     if isinstance(value, (list, tuple)):
-        return f"[{', '.join(written(item) for item in value)}]"
+        return f"[{', '.join(_in_line(item) for item in value)}]"
     if isinstance(value, Mapping):
-        return f"{{{', '.join(f'{key}: {written(item)}' for key, item in value.items())}}}"
+        return f"{{{', '.join(f'{key}: {_in_line(item)}' for key, item in value.items())}}}"
     return str(value)

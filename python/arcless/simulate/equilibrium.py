@@ -12,8 +12,9 @@ from numpy.typing import NDArray
 from arcless import _core
 from arcless.errors import ArclessError, EquilibriumError
 from arcless.mesh import SPATIAL, Mesh, alteration, build_mesh, without
-from arcless.model import Scenario
+from arcless.model import Line, Scenario
 from arcless.model.measured import matched
+from arcless.simulate.designing import check_arms, why_pushing
 
 Floats = NDArray[np.float64]
 
@@ -23,8 +24,6 @@ FREQUENCIES = 20
 # Curves: bounds on the rounds, two or three are normal, and the change that no longer matters, N/m.
 MOST_ROUNDS = 8
 SAME_LOAD = 1e-4
-# Measured heights this near to a dropper are worth looking at when it would have to push. In m.
-NEIGHBOURS = 50.0
 
 
 @dataclass(frozen=True)
@@ -123,12 +122,12 @@ def find(scenario: Scenario) -> Equilibrium:
     given = scenario.as_built.measured_heights
     heights = matched(scenario.line, given) if given else {}
     mesh = build_mesh(scenario.line, scenario.solver, heights)
-    with _designed(mesh, heights):
+    with _designed(mesh, scenario.line, heights):
         core = _core.Equilibrium(
             mesh.dimension, mesh.positions, mesh.slopes, mesh.parts, mesh.gravity, design=True
         )
     if scenario.line.track.curves:
-        _check_arms(mesh, core.arrays()["strut_tension"])
+        check_arms(mesh, core.arrays()["strut_tension"])
     if not scenario.as_built.is_empty:
         mesh, core = _as_built(scenario, mesh, core)
     return Equilibrium(mesh, core, core.arrays())
@@ -160,36 +159,16 @@ def _as_built(
     return without(mesh, changes["removed"]), altered
 
 
-def _check_arms(mesh: Mesh, tension: Floats) -> None:
-    """Refuse a designed line in a curve that a steady arm would have to push aside."""
-    for support in mesh.supports:
-        force = 0.0 if support.steady_arm is None else float(tension[support.steady_arm])
-        if force < 0.0:
-            raise EquilibriumError(
-                f"the steady arm at {support.name} would have to push",
-                where=f"{support.x:.2f} m",
-                got=f"a force of {force:.1f} N",
-                expected="a tension",
-                hint="stagger and curve nearly cancel there, and droppers decide: change the"
-                " stagger of this support",
-            )
-
-
 @contextmanager
-def _designed(mesh: Mesh, heights: Mapping[float, float]) -> Iterator[None]:
-    """As `named`; say, too, which heights were measured where no dropper length fits them."""
+def _designed(mesh: Mesh, line: Line, heights: Mapping[float, float]) -> Iterator[None]:
+    """As `named`; look further for why a dropper would have to push."""
     try:
         yield
     except _core.NativeError as error:
         kind, message, details = error.args
         found = translate(mesh, kind, message, details)
-        if heights and kind == "pushing":
-            x = next(d.x for d in mesh.droppers if d.link == details["link"])
-            near = [place for place in sorted(heights) if abs(place - x) < NEIGHBOURS]
-            at = near.index(min(near, key=lambda place: abs(place - x)))
-            beside = near[max(at - 1, 0) : at + 2]
-            read = ", ".join(f"{heights[place]:.4g} m at {place:g} m" for place in beside)
-            found.hint = f"measured were {read}: the wire cannot hang like that; look at these"
+        if kind == "pushing":
+            found.hint = why_pushing(mesh, line, heights, details["link"]) or found.hint
         raise found from error
 
 

@@ -51,6 +51,10 @@ def test_a_file_may_say_where_it_comes_from(files: Path) -> None:
     scenario = load(blown(files, "  gusts: {value: gusts.csv, mark: assumed, note: sonic}\n"))
     assert scenario.as_built.gusts is not None
     assert scenario.provenance["as_built.gusts"].note == "sonic"
+    rows = "".join(f"{t}, {5 + t % 3}\n" for t in range(2000))
+    (files / "gusts.csv").write_text(f"time s, speed m/s\n{rows}", encoding="utf-8")
+    given = load(files / "scenario.yaml").provenance["as_built.gusts"].given
+    assert given.startswith("{time: [0.0, 1.0,") and len(given) < 3000
 
 
 @pytest.mark.parametrize(

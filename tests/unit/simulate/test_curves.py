@@ -203,3 +203,16 @@ def test_an_arm_that_would_push_is_named(short: Short) -> None:
     }
     with pytest.raises(EquilibriumError, match="steady arm at support 3 would have to push"):
         equilibrium.find(short(**changes))
+
+
+def test_a_steep_arm_that_lifts_the_wire_in_a_curve_is_named(short: Short) -> None:
+    """T L/R = 22 kN · 50/450 = 2.4 kN, of which tan 8° lifts: more than hangs there."""
+    tight = {**EVERYWHERE, "radius": 450}
+    with pytest.raises(EquilibriumError, match="would have to push") as caught:
+        equilibrium.find(short(**curved(tight, stagger=(-0.3,))))
+    message = str(caught.value)
+    assert "the steady arm at support 2 pulls with some 2444 N" in message
+    assert "lifts the wire by 344 N: try a flatter arm" in message
+    flat = curved(tight, stagger=(-0.3,))
+    flat["line.steady_arm"] = {**ARM, "slope": 0}
+    assert (equilibrium.find(short(**flat)).of_droppers("link_tension") > 0).all()
