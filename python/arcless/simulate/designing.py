@@ -21,7 +21,7 @@ def why_pushing(mesh: Mesh, line: Line, heights: Mapping[float, float], link: in
         near = [place for place in sorted(heights) if abs(place - x) < NEIGHBOURS]
         at = near.index(min(near, key=lambda place: abs(place - x)))
         read = [f"{heights[place]:.4g} m at {place:g} m" for place in near[max(at - 1, 0) : at + 2]]
-        return f"measured were {', '.join(read)}: the wire cannot hang like that; look at these heights"
+        return f"measured were {', '.join(read)}: the wire cannot hang like that; look at these"
     arm, track = line.steady_arm, line.track
     if not track.curves or not isinstance(arm, SteadyArmBar):
         return None
