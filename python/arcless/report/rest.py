@@ -77,8 +77,8 @@ def facts(found: "StaticsResult") -> list[tuple[str, str]]:
     """Return what the page says in numbers."""
     e = 1e3 * np.array(found.elasticity_m_per_N)
     lengths = [dropper["length_m"] for dropper in found.droppers]
-    supports = found.equilibrium.mesh.supports
-    pairs = [("Line", f"{len(supports) - 1} spans, {supports[-1].x - supports[0].x:.0f} m")]
+    places = found.equilibrium.support_places()
+    pairs = [("Line", f"{len(places) - 1} spans, {places[-1] - places[0]:.0f} m")]
     if lengths:
         pairs.append(("Droppers", f"{len(lengths)}, {min(lengths):.3f} to {max(lengths):.3f} m"))
     pairs.append(("Sag in the middle span", f"{1e3 * found.contact_wire_sag_m:.1f} mm"))

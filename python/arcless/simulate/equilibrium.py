@@ -21,6 +21,9 @@ Floats = NDArray[np.float64]
 # Half a metre resolves the elasticity between droppers, which are some metres apart. In m.
 ELASTICITY_SPACING = 0.5
 FREQUENCIES = 20
+# A strip lifts the lowest wire by 100 N times 0.2 to 0.5 mm/N, and so reaches wires that hang this
+# much higher. In m.
+REACH = 0.02
 # Curves: bounds on the rounds, two or three are normal, and the change that no longer matters, N/m.
 MOST_ROUNDS = 8
 SAME_LOAD = 1e-4
@@ -48,9 +51,38 @@ class Equilibrium:
         return self.arrays[name][rows]
 
     def elasticity(self, x: Floats, force: float = 0.0) -> Floats:
-        """Elasticity in m/N at positions x in m, for a force in N (0: the limit of a small one)."""
-        with named(self.mesh):
-            return np.array(self.core.elasticity(self.mesh.lanes, x.tolist(), force))
+        """Elasticity in m/N at positions x in m, for a force in N (0: the limit of a small one).
+
+        Of wires side by side, that with all of them lifted together which hang at one height.
+        """
+        found = np.zeros(len(x))
+        within = self._within_reach(x)
+        for lanes in np.unique(within, axis=0):
+            here = np.flatnonzero((within == lanes).all(axis=1))
+            touched = [lane for lane, is_in in zip(self.mesh.lanes, lanes, strict=True) if is_in]
+            with named(self.mesh):
+                found[here] = self.core.elasticity(touched, x[here].tolist(), force)
+        return found
+
+    def _within_reach(self, x: Floats) -> NDArray[np.bool_]:
+        """Tell for each position and lane whether a strip below touches its wire."""
+        lanes = [self._heights(lane, x) for lane in self.mesh.lanes]
+        heights = np.column_stack([np.where(np.isnan(z), np.inf, z) for z in lanes])
+        lowest = heights.min(axis=1, keepdims=True)
+        within: NDArray[np.bool_] = heights <= lowest + REACH
+        # Nothing is touched beyond the ends: whoever asks for that is told so by the core.
+        within[~np.isfinite(lowest[:, 0]), 0] = True
+        return within
+
+    def _heights(self, lane: list[int], x: Floats) -> Floats:
+        """Height in m at positions of the wires of a lane, NaN where there is none."""
+        kind = "wires" if len(self.mesh.parts["wires"][0]) else "segments"
+        nodes = self.mesh.parts[kind][0][lane, :2]
+        ends = self.positions[nodes]
+        row = np.clip(np.searchsorted(ends[:, 1, 0], x), 0, len(lane) - 1)
+        (left, _, low), (right, _, high) = ends[row, 0].T, ends[row, 1].T
+        share = (x - left) / (right - left)
+        return np.where((left <= x) & (x <= right), low + share * (high - low), np.nan)
 
     def frequencies(self, count: int = FREQUENCIES) -> Floats:
         """Lowest natural frequencies in Hz, ascending."""

@@ -4,6 +4,7 @@
 mod close;
 pub mod columns;
 pub mod contact;
+mod elasticity;
 pub mod given;
 pub mod kink;
 pub mod law;

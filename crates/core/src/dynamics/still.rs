@@ -1,4 +1,4 @@
-//! The linearised line at rest under vertical forces: starting state and elasticity.
+//! The linearised line at rest under vertical forces: starting state; see `elasticity` for the lift.
 //!
 //!   K u = C p − G (r − r₀),   T = T₀ + k gᵀu + r ≥ 0,   r ≥ 0,   T r = 0
 //!
@@ -6,7 +6,6 @@
 //! steps, with H = 1/k − GᵀK⁻¹G.
 
 use super::line::Line;
-use super::path::Path;
 use super::place::Place;
 use crate::error::CoreError;
 use crate::lcp::LcpSolver;
@@ -163,42 +162,14 @@ impl<'a, const DIM: usize, const D: usize> Still<'a, DIM, D> {
         }
     }
 
-    /// Elasticity e = u/p in m/N at coordinates `x`, for a force `p` in N; with p = 0 the limit
-    /// of a small force, which neither slackens a link nor takes up the slack of one.
-    ///
-    /// # Errors
-    /// [`CoreError::OffWire`] or those of [`Still::solve`].
-    pub fn elasticity(
-        &mut self,
-        lanes: &[Path<DIM>],
-        x: &[f64],
-        force: f64,
-    ) -> Result<Vec<f64>, CoreError> {
-        let mut hint = 0;
-        let rest = self.solve(&[], &[])?;
-        x.iter()
-            .enumerate()
-            .map(|(i, &position)| {
-                let place = lanes[0].locate(position, hint);
-                let place = place.ok_or(CoreError::OffWire {
-                    contact: i,
-                    position,
-                    step: 0,
-                })?;
-                hint = place.element;
-                if force > 0.0 {
-                    let state = self.solve(&[place], &[force])?;
-                    let rise = place.displacement(&state.u, DIM - 1)
-                        - place.displacement(&rest.u, DIM - 1);
-                    return Ok(rise / force);
-                }
-                let mut u = vec![[0.0; D]; self.line.nodes()];
-                place.add_force(1.0, DIM - 1, &mut u);
-                self.line.mask(&mut u);
-                let factor = self.at_rest.as_ref().unwrap_or(&self.factor);
-                factor.solve(&mut u, &mut self.scratch);
-                Ok(place.displacement(&u, DIM - 1))
-            })
-            .collect()
+    /// Displacement under a unit vertical force at a place, for small motion about the state at
+    /// rest: links slack there take no part.
+    pub(super) fn lifted(&mut self, place: &Place<DIM>) -> Vec<[f64; D]> {
+        let mut u = vec![[0.0; D]; self.line.nodes()];
+        place.add_force(1.0, DIM - 1, &mut u);
+        self.line.mask(&mut u);
+        let factor = self.at_rest.as_ref().unwrap_or(&self.factor);
+        factor.solve(&mut u, &mut self.scratch);
+        u
     }
 }

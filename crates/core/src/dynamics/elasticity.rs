@@ -1,0 +1,142 @@
+//! Elasticity of a line at rest, of one wire or of several that are lifted together.
+//!
+//!   W f = e 1,   1ᵀf = 1,   so   e = 1/(1ᵀW⁻¹1)
+//!
+//! with W the lift of the wires under unit forces on them.
+
+use super::path::Path;
+use super::place::Place;
+use super::still::{Still, StillState};
+use crate::error::CoreError;
+use crate::linalg::dense;
+
+/// Lifts of several wires that differ by less than this share are the same.
+const ALIKE: f64 = 1e-9;
+/// Share of the force over which W is found: lifts are linear but for links that become slack.
+const NEARBY: f64 = 1e-4;
+/// Each round fixes which links are slack; a few do.
+const ROUNDS: usize = 60;
+
+impl<const DIM: usize, const D: usize> Still<'_, DIM, D> {
+    /// Elasticity e = u/p in m/N at coordinates `x`, for a force `p` in N that lifts all wires there
+    /// together; with p = 0 the limit of a small force, which neither slackens a link nor takes up
+    /// the slack of one.
+    ///
+    /// # Errors
+    /// [`CoreError::OffWire`] or those of [`Still::solve`].
+    pub fn elasticity(
+        &mut self,
+        lanes: &[Path<DIM>],
+        x: &[f64],
+        force: f64,
+    ) -> Result<Vec<f64>, CoreError> {
+        let mut hints = vec![0; lanes.len()];
+        let rest = self.solve(&[], &[])?;
+        x.iter()
+            .enumerate()
+            .map(|(i, &position)| {
+                let mut places = Vec::with_capacity(lanes.len());
+                for (lane, hint) in lanes.iter().zip(&mut hints) {
+                    if let Some(place) = lane.locate(position, *hint) {
+                        *hint = place.element;
+                        places.push(place);
+                    }
+                }
+                match places[..] {
+                    [] => Err(CoreError::OffWire {
+                        contact: i,
+                        position,
+                        step: 0,
+                    }),
+                    [place] if force > 0.0 => Ok(self.rises(&[place], &[force], &rest)?[0] / force),
+                    _ if force > 0.0 => self.together(&places, force, &rest),
+                    _ => {
+                        let w = self.lifts(&places);
+                        if places.len() == 1 {
+                            return Ok(w[0]);
+                        }
+                        Ok(shares(&w, places.len()).1)
+                    }
+                }
+            })
+            .collect()
+    }
+
+    /// Lift of each wire under a unit force on each: W, row by row.
+    fn lifts(&mut self, places: &[Place<DIM>]) -> Vec<f64> {
+        let n = places.len();
+        let mut w = vec![0.0; n * n];
+        for (j, place) in places.iter().enumerate() {
+            let u = self.lifted(place);
+            for (i, other) in places.iter().enumerate() {
+                w[i * n + j] = other.displacement(&u, DIM - 1);
+            }
+        }
+        w
+    }
+
+    fn rises(
+        &mut self,
+        places: &[Place<DIM>],
+        forces: &[f64],
+        rest: &StillState<D>,
+    ) -> Result<Vec<f64>, CoreError> {
+        let state = self.solve(places, forces)?;
+        let rise = |place: &Place<DIM>| {
+            place.displacement(&state.u, DIM - 1) - place.displacement(&rest.u, DIM - 1)
+        };
+        Ok(places.iter().map(rise).collect())
+    }
+
+    /// Common rise per force of several wires: Newton's method on how the force is shared.
+    fn together(
+        &mut self,
+        places: &[Place<DIM>],
+        force: f64,
+        rest: &StillState<D>,
+    ) -> Result<f64, CoreError> {
+        let n = places.len();
+        let mut forces: Vec<f64> = shares(&self.lifts(places), n).0;
+        forces.iter_mut().for_each(|f| *f *= force);
+        for round in 0..ROUNDS {
+            let rises = self.rises(places, &forces, rest)?;
+            // Which links are slack changes from round to round, and W with it.
+            let mut w = vec![0.0; n * n];
+            for j in 0..n {
+                let mut more = forces.clone();
+                more[j] += NEARBY * force;
+                let moved = self.rises(places, &more, rest)?;
+                for i in 0..n {
+                    w[i * n + j] = (moved[i] - rises[i]) / (NEARBY * force);
+                }
+            }
+            let (share, _) = shares(&w, n);
+            let mean = inner(&share, &rises);
+            let mut change: Vec<f64> = rises.iter().map(|rise| mean - rise).collect();
+            if change.iter().all(|c| c.abs() <= ALIKE * mean.abs()) {
+                return Ok(mean / force);
+            }
+            let solvable = dense::solve_in_place(&mut w, &mut change);
+            debug_assert!(solvable, "wires with a lift of their own");
+            // Full steps may go to and fro between two sets of slack links.
+            let step = if round < ROUNDS / 4 { 1.0 } else { 0.5 };
+            let pairs = forces.iter_mut().zip(&change);
+            pairs.for_each(|(f, change)| *f += step * change);
+        }
+        Err(CoreError::SlackSet { step: 0, time: 0.0 })
+    }
+}
+
+/// Shares of a unit force with which all wires rise alike, and that rise.
+fn shares(w: &[f64], n: usize) -> (Vec<f64>, f64) {
+    let (mut a, mut f) = (w.to_vec(), vec![1.0; n]);
+    let solvable = dense::solve_in_place(&mut a, &mut f);
+    debug_assert!(solvable, "wires with a lift of their own");
+    let sum: f64 = f.iter().sum();
+    f.iter_mut().for_each(|f| *f /= sum);
+    (f, 1.0 / sum)
+}
+
+fn inner(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
