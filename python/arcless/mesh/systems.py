@@ -44,7 +44,9 @@ class WireSystem:
     @property
     def held_heights(self) -> list[float]:
         """Heights in m of the contact wire at the supports, in an overlap with its rise."""
-        return [own + rise for own, rise in zip(self.contact_heights, self.rises, strict=True)]
+        drawn = [own + rise for own, rise in zip(self.contact_heights, self.rises, strict=True)]
+        pairs = zip(self.supports, drawn, strict=True)
+        return [self.measured.get(place, height) for place, height in pairs]
 
     def stagger_of(self, contact_wire: str) -> list[float]:
         """Return the lateral positions of one of the contact wires at the supports, in m."""

@@ -86,6 +86,14 @@ def check_measured(line: "Line", given: Sequence[MeasuredHeight]) -> None:
             hint="in an overlap two wires hang at one place; leave tension_lengths out",
             field=FIELD,
         )
+    if line.bridle is not None:
+        raise ModelError(
+            "measured heights of a line with bridles",
+            got=f"{len(given)} heights",
+            expected="a line whose supports or droppers hold the contact wire itself",
+            hint="bridles have no lengths to be found from heights",
+            field=FIELD,
+        )
     for name, span in line.span_types.items():
         if span.holders.lengths is not None:
             raise ModelError(

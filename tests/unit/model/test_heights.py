@@ -12,6 +12,8 @@ from arcless.errors import ModelError
 from arcless.model import Scenario, load, load_line, scenario_warnings
 from arcless.model.heights import allowed_gradient
 from arcless.model.measured import measured_places
+from tests.support.line_types import scenario_data
+from tests.support.overlaps import overlap_data
 
 Data = dict[str, Any]
 
@@ -160,3 +162,17 @@ def test_given_lengths_and_measured_heights_exclude_each_other(
     line.write_text(line.read_text("utf-8").replace(positions, given), encoding="utf-8")
     with pytest.raises(ModelError, match="both dropper lengths and measured heights given"):
         load(path)
+
+
+def test_bridles_have_no_lengths_to_be_found() -> None:
+    scenario = load("trolley-bridles-60")
+    rows = [{"position": x, "height": 5.5} for x in measured_places(scenario.line)]
+    with pytest.raises(ModelError, match="measured heights of a line with bridles"):
+        scenario.with_(**{"as_built.measured_heights": rows})
+
+
+def test_measured_heights_of_an_overlap_would_be_those_of_two_wires() -> None:
+    scenario = load(scenario_data(overlap_data()))
+    rows = [{"position": x, "height": 5.3} for x in measured_places(scenario.line)]
+    with pytest.raises(ModelError, match="measured heights of a line with several tension"):
+        scenario.with_(**{"as_built.measured_heights": rows})

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from arcless.errors import EquilibriumError
-from arcless.model import Scenario
+from arcless.model import Scenario, load
 from arcless.model.measured import measured_places
 from arcless.results import Result
 from arcless.simulate import equilibrium
@@ -66,6 +66,18 @@ def test_the_wire_hangs_at_the_measured_heights(short: Short, wire_model: str) -
         contact_heights(found)[at], list(heights.values()), rtol=0, atol=1e-8
     )
     assert (found.of_droppers("link_tension") > 0).all()
+
+
+def test_a_rail_lies_at_its_measured_heights() -> None:
+    """Its supports hold it; there are no droppers."""
+    scenario = load("conductor-rail-1-120")
+    places = measured_places(scenario.line)
+    rows = [{"position": x, "height": 5 + 1e-3 * (i % 3)} for i, x in enumerate(places)]
+    found = equilibrium.find(scenario.with_(**{HEIGHTS: rows}))
+    x = found.positions[found.mesh.contact_nodes, 0]
+    at = [int(np.argmin(np.abs(x - place))) for place in places]
+    exact = [row["height"] for row in rows]
+    np.testing.assert_allclose(contact_heights(found)[at], exact, rtol=0, atol=1e-8)
 
 
 def test_a_survey_of_the_design_finds_the_design(short: Short) -> None:
