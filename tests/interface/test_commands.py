@@ -242,3 +242,15 @@ def test_replay_of_an_unsolvable_problem_fails(arcless: Arcless, tmp_path: Path)
     assert done.exit_code == 1
     assert "status: not solved" in done.stdout
     assert done.stderr.startswith("error:")
+
+
+@pytest.mark.parametrize("kind", ["line", "pantograph", "scenario", "wire"])
+def test_library_lists_one_kind(arcless: Arcless, kind: str) -> None:
+    entries = strict_json(arcless("library", kind, "--json").stdout)
+    assert entries and {entry["kind"] for entry in entries} == {kind}
+
+
+def test_a_line_where_a_scenario_is_wanted_is_told_apart(arcless: Arcless) -> None:
+    done = arcless("statics", "norway-s25")
+    assert done.exit_code == 2
+    assert "norway-s25 is a shipped line; did you mean norway-s25-250?" in done.stderr

@@ -1,6 +1,6 @@
 """`arcless library`, `arcless check` and `arcless schema`: model files without computing."""
 
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
@@ -11,11 +11,22 @@ if TYPE_CHECKING:
     from arcless.model import Line, Pantograph, Scenario
 
 
-def library(json: JsonOption = False) -> None:
-    """List the shipped lines, pantographs and scenarios, and the wires that a line may name."""
+def library(
+    kind: Annotated[
+        Literal["line", "pantograph", "scenario", "wire", "all"],
+        typer.Argument(help="What to list."),
+    ] = "all",
+    *,
+    json: JsonOption = False,
+) -> None:
+    """List the shipped models and where their numbers are from.
+
+    A scenario can be run by its name. A scenario file may name a line and pantographs, and a line
+    file may name wires of the catalogue.
+    """
     from arcless import model
 
-    entries = model.library()
+    entries = [entry for entry in model.library() if kind in (entry.kind, "all")]
     if json:
         console.data(console.json_text([entry._asdict() for entry in entries]))
         return
@@ -23,10 +34,10 @@ def library(json: JsonOption = False) -> None:
 
     from arcless.cli.tables import table
 
-    for kind in dict.fromkeys(entry.kind for entry in entries):
-        made = table(f"Shipped {kind}s", "name", "description and sources", lines=True)
+    for shown in dict.fromkeys(entry.kind for entry in entries):
+        made = table(f"Shipped {shown}s", "name", "description and sources", lines=True)
         for entry in entries:
-            if entry.kind == kind:
+            if entry.kind == shown:
                 sources = Text(f"\n{entry.source}", style="dim")
                 made.add_row(entry.name, Text(entry.title) + sources)
         console.show(made)
@@ -42,7 +53,7 @@ def check(
         ),
     ],
 ) -> None:
-    """Validate a model file.
+    """Check a model file without computing.
 
     Says what is wrong, in which line and field, what was given and what is expected. Exit code 2
     means that something is wrong. Warnings, such as a speed above the wave speed, are no errors.

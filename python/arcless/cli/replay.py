@@ -36,7 +36,7 @@ def replay(
         ),
     ],
 ) -> None:
-    """Solve the saved problem of a failed step again.
+    """Solve the problem of a failed time step again, from the file that the run named.
 
     The problem is the complementarity problem of contacts and droppers, y = Hx + w.
 

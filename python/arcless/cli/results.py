@@ -24,13 +24,17 @@ def assess(
     result: ResultArgument,
     *,
     start: Annotated[
-        str | None, typer.Option("--from", metavar="LENGTH", help='Section from, "550 m".')
+        str | None,
+        typer.Option("--from", metavar="LENGTH", help='Where the section begins, such as "550 m".'),
     ] = None,
     end: Annotated[
-        str | None, typer.Option("--to", metavar="LENGTH", help='Section to, "1100 m".')
+        str | None, typer.Option("--to", metavar="LENGTH", help='Where it ends, such as "1100 m".')
     ] = None,
     low_pass: Annotated[
-        str | None, typer.Option("--low-pass", metavar="FREQUENCY", help='Filter, "20 Hz".')
+        str | None,
+        typer.Option(
+            "--low-pass", metavar="FREQUENCY", help='Cut-off of the filter, such as "20 Hz".'
+        ),
     ] = None,
     out: Annotated[
         Path | None,
@@ -39,9 +43,10 @@ def assess(
     json: JsonOption = False,
     quiet: QuietOption = False,
 ) -> None:
-    """Assess a saved run again.
+    """Assess a saved run again, over another section or with another filter.
 
-    The section and the filter are those of the scenario unless others are given.
+    Nothing is simulated: the statistics and criteria are formed anew from result.nc. The section
+    and the low-pass filter are those of the scenario unless others are given.
     Exit code 1 means that a criterion is not met.
     """
     from arcless.assess import assess as assess_dataset

@@ -52,7 +52,7 @@ def run(
     ] = False,
     quiet: QuietOption = False,
 ) -> None:
-    """Run statics, dynamics and assessment of a scenario.
+    """Simulate a scenario: line at rest, run, assessment, report.
 
     Writes result.nc, assessment.json and report.html into a folder, runs/NAME unless --out names
     another, and prints the numbers with the criteria and, for a shipped reference case, the
@@ -90,7 +90,7 @@ def statics(
     json: JsonOption = False,
     quiet: QuietOption = False,
 ) -> None:
-    """Find the initial configuration of a line.
+    """Find the line at rest, without a run.
 
     Prints dropper lengths and forces of one span, sag, elasticity, wave speed and natural
     frequencies; --json has all spans. With --out, statics.json is written into that folder; with

@@ -12,7 +12,12 @@ if TYPE_CHECKING:
     from arcless.model import Scenario
 
 ScenarioArgument = Annotated[
-    str, typer.Argument(metavar="SCENARIO", help="A shipped name or a file.", show_default=False)
+    str,
+    typer.Argument(
+        metavar="SCENARIO",
+        help="The name of a shipped scenario, or a scenario file.",
+        show_default=False,
+    ),
 ]
 SpeedOption = Annotated[
     str | None,
@@ -23,7 +28,7 @@ SetOption = Annotated[
     typer.Option(
         "--set",
         metavar="FIELD=VALUE",
-        help='Another value for any field, such as "solver.time_step=2 ms" or '
+        help='Another value for any field, such as "line.contact_wire.tension=24 kN" or '
         '"pantographs.0.mean_force=150 N". May be repeated.',
     ),
 ]

@@ -222,12 +222,20 @@ def _locate(source: str | os.PathLike[str], kind: Kind, origin: Origin) -> FileP
         path = origin.folder / source
         is_path = path.suffix in _SUFFIXES or os.sep in source or "/" in source
         if not is_path and not is_file(path):
-            close = get_close_matches(source, known, n=1)
             raise ModelError(
                 f"unknown {kind}",
                 got=show(source),
                 expected=f"a shipped name or a file ({', '.join(sorted(_SUFFIXES))})",
-                hint=f"did you mean {close[0]}?" if close else f"shipped: {', '.join(known)}",
+                hint=_hint(source, kind),
             )
         return path
     return FilePath(source)
+
+
+def _hint(name: str, kind: Kind) -> str:
+    """Return what may be meant by a name that no shipped model of a kind has."""
+    known = shipped(kind)
+    close = get_close_matches(name, known, n=1)
+    meant = f"did you mean {close[0]}?" if close else f"shipped: {', '.join(known)}"
+    others = [other for other in _MODELS if other != kind and name in shipped(other)]
+    return f"{name} is a shipped {others[0]}; {meant}" if others else meant
