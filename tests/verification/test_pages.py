@@ -66,7 +66,16 @@ def test_sensitivity_is_current(run_once: RunOnce, title: str, changes: dict[str
 
 
 @pytest.mark.parametrize(
-    "page", ["en50318-2002", "ac-simple", "convergence", "convergence-published", "energy", "praks"]
+    "page",
+    [
+        "en50318-2002",
+        "ac-simple",
+        "convergence",
+        "convergence-published",
+        "energy",
+        "praks",
+        "lines",
+    ],
 )
 def test_pages_say_how_they_were_made(page: str) -> None:
     text = (PAGES / f"{page}.md").read_text(encoding="utf-8")
