@@ -37,10 +37,10 @@ def library() -> list[LibraryEntry]:
         origins = (book.origin_of(f"wires.{name}.{field}") for field in type(wire).model_fields)
         keys = {key for origin in origins if origin for key in origin.source_keys}
         cited = {key: text for key, text in book.sources.items() if key in keys}
-        source = _cited(cited) or "from memory or assumed; the report gives each value's mark"
-        entries.append(LibraryEntry("wire", name, wire.description, source))
+        entries.append(LibraryEntry("wire", name, wire.description, _cited(cited)))
     return entries
 
 
 def _cited(sources: dict[str, str]) -> str:
-    return "; ".join(f"{key}: {text}" for key, text in sources.items())
+    cited = "; ".join(f"{key}: {text}" for key, text in sources.items())
+    return cited or "no source: from memory or assumed, which the mark of each value says"
