@@ -17,7 +17,9 @@ Source: equilibrium of a string in plane polar coordinates; Kießling, Puschmann
 Lines for Electric Railways, gives T/R and L²/8R (mark C, the book was not read for this).
 """
 
-from itertools import pairwise
+from bisect import bisect_right
+from functools import cached_property
+from itertools import accumulate, pairwise
 from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
@@ -79,6 +81,11 @@ class Curve(Part):
             )
         return self
 
+    @property
+    def sign(self) -> float:
+        """1 to the left, −1 to the right."""
+        return 1.0 if self.side == "left" else -1.0
+
     def turned(self, x: float) -> float:
         """Angle in rad by which the track has turned at a position in m, positive for any side."""
         along, length, ramp = x - self.from_, self.to - self.from_, self.transition
@@ -124,12 +131,22 @@ class Track(Part):
 
     def direction(self, x: float, height: float) -> float:
         """Direction θ in rad of the pantograph's axis at a height in m, positive to the left."""
-        angle = 0.0
-        for curve in self.curves:
-            sign = 1.0 if curve.side == "left" else -1.0
-            swing = height * curve.twist(x) / self.rail_distance
-            angle += sign * (curve.turned(x) + swing)
-        return angle
+        passed = bisect_right(self.curves, x, key=lambda curve: curve.from_)
+        if not passed:
+            return 0.0
+        curve = self.curves[passed - 1]
+        swing = height * curve.twist(x) / self.rail_distance
+        return self.turned_before[passed - 1] + curve.sign * (curve.turned(x) + swing)
+
+    @cached_property
+    def turned_before(self) -> list[float]:
+        """Angle in rad, positive to the left, by which the track has turned before each curve."""
+        turns = (curve.sign * curve.turned(curve.to) for curve in self.curves)
+        return list(accumulate(turns, initial=0.0))
+
+    def bends(self, left: float, right: float) -> bool:
+        """Whether there is a curve somewhere between two positions in m."""
+        return any(curve.from_ < right and curve.to > left for curve in self.curves)
 
     def mean_direction(self, left: float, right: float, height: float) -> float:
         """Mean of θ in rad between two positions in m."""

@@ -31,9 +31,9 @@ def farthest(line: "Line") -> Aside | None:
     supports, pattern = line.support_positions(), line.geometry.stagger_contact_wire
     height, worst = line.geometry.contact_wire_height, None
     for index, (left, right) in enumerate(pairwise(supports)):
-        offsets = line.track.offsets(left, right, height)
-        if not any(offsets):
+        if not line.track.bends(left, right):
             continue
+        offsets = line.track.offsets(left, right, height)
         first, last = (pattern[k % len(pattern)] for k in (index, index + 1))
         for place, offset in enumerate(offsets):
             share = place / (len(offsets) - 1)

@@ -59,6 +59,17 @@ def test_cant_swings_the_axis_towards_the_inside() -> None:
     assert [right.direction(v, height) for v in x] == [-with_cant.direction(v, height) for v in x]
 
 
+def test_curves_add_up_along_the_track() -> None:
+    """A reverse curve: 60 m less ramps of 20 m at 400 m to the left, then as much to the right."""
+    one = {"from": 0, "to": 60, "radius": 400, "side": "left", "transition": 20}
+    both = Track.model_validate({"curves": [one, {**one, "from": 60, "to": 140, "side": "right"}]})
+    assert both.direction(-5, 5.3) == 0.0
+    assert both.direction(60, 5.3) == pytest.approx(40 / 400, rel=1e-12)
+    assert both.direction(500, 5.3) == pytest.approx(40 / 400 - 60 / 400, rel=1e-12)
+    assert both.bends(130, 200) and not both.bends(140, 200)
+    assert Track.model_validate(both.model_dump(by_alias=True)) == both
+
+
 def test_a_span_lies_aside_as_its_track_turns() -> None:
     circle = Track.model_validate(
         {"curves": [{"from": 0, "to": 500, "radius": 500, "side": "left"}]}
