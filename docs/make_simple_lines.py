@@ -109,7 +109,7 @@ def rails(file: Path) -> None:
         above.plot(wire[:, 0] - left, 1e3 * (wire[:, 2] - 4.4), label=label, **style)
         x = np.array(one.elasticity_x_m) - left
         below.plot(x, 1e6 * np.array(one.elasticity_m_per_N), **style)
-    above.set(xlim=(-12.0, 20.0), ylabel="below the supports, mm")
+    above.set(xlim=(-12.0, 20.0), ylim=(-7.0, 1.0), ylabel="below the supports, mm")
     above.legend(loc="lower center", ncols=3, frameon=False, bbox_to_anchor=(0.5, 1.0))
     below.set(xlim=(-12.0, 20.0), xlabel="distance from a support, m", ylabel="elasticity, µm/N")
     save(figure, file)

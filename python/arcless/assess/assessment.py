@@ -100,7 +100,7 @@ def assess(
     line = _line_numbers(dataset, limits)
     speed = dataset["speed"].values[record.inside[:, 0]]
     notes = section_notes(dataset, limits, record, split_Hz)
-    notes += [_absent(name, facts["scenario"]) for name, value in line.items() if value is None]
+    notes += _absences(line, facts["scenario"])
     judged_by = _criteria_facts(facts["scenario"], speed, line["max_uplift_at_support_mm"])
     own = ("steps", "setup_time_s", "wall_time_s", "real_time_factor")
     return Assessment(
@@ -116,6 +116,13 @@ def assess(
         **line,
         **{name: facts[name] for name in own},
     )
+
+
+def _absences(line: Mapping[str, Any], scenario: Mapping[str, Any]) -> list[str]:
+    """Return what is missing from a record; a line without a messenger wire has no droppers."""
+    alone = scenario["line"].get("messenger_wire") is None
+    missing = [name for name, value in line.items() if value is None]
+    return [_absent(n, scenario) for n in missing if not (alone and n == "min_dropper_force_N")]
 
 
 def _absent(name: str, scenario: Mapping[str, Any]) -> str:

@@ -6,9 +6,11 @@ import numpy as np
 
 from arcless.errors import MeshError
 from arcless.mesh import wires
-from arcless.mesh.chains import Chains, Nodes, make_chains
+from arcless.mesh.chain import Chains
+from arcless.mesh.chains import make_chains
 from arcless.mesh.holding import Holding
 from arcless.mesh.kit import Kit
+from arcless.mesh.numbering import Nodes
 from arcless.mesh.systems import WireSystem, wire_systems
 from arcless.mesh.track import add_curves
 from arcless.mesh.types import PLANAR, SPATIAL, Floats, Mesh, SupportPlace, SystemNodes

@@ -1,6 +1,6 @@
 """What holds the wires of a system at its supports → rows of the tables."""
 
-from arcless.mesh.chains import Chains
+from arcless.mesh.chain import Chains
 from arcless.mesh.kit import Kit
 from arcless.mesh.names import BRIDLE, CONTACT
 from arcless.mesh.parts import HELD, UNLOADED

@@ -7,7 +7,7 @@ from itertools import pairwise
 import numpy as np
 
 from arcless.mesh import wires
-from arcless.mesh.chains import Chain, Chains
+from arcless.mesh.chain import Chain, Chains
 from arcless.mesh.kit import Kit
 from arcless.mesh.on_wires import masses
 from arcless.mesh.parts import UNLOADED

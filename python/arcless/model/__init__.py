@@ -14,9 +14,10 @@ from arcless.model.components import (
     Wire,
 )
 from arcless.model.documents import MARKS, Provenance
+from arcless.model.geometry import DesignSpace, Geometry
 from arcless.model.gusts import Gusts
 from arcless.model.library import LibraryEntry, library
-from arcless.model.line import DesignSpace, Geometry, Line
+from arcless.model.line import Line
 from arcless.model.load import load, load_any, load_line, load_pantograph
 from arcless.model.overrides import parse_override
 from arcless.model.pantograph import Pantograph, PantographMass

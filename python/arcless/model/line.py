@@ -18,8 +18,9 @@ from arcless.model.components import (
     Wire,
 )
 from arcless.model.documents import Document
-from arcless.model.fields import Part, Unit, nearest
-from arcless.model.heights import HeightChange, check_heights, heights_at
+from arcless.model.fields import nearest
+from arcless.model.geometry import DesignSpace, Geometry
+from arcless.model.heights import check_heights, heights_at
 from arcless.model.line_checks import check_wires
 from arcless.model.line_parts import Bridle, ContactSupport, ContactWire
 from arcless.model.midpoint import MidpointAnchor, check_midpoint
@@ -34,57 +35,8 @@ from arcless.model.track_checks import check_track
 from arcless.model.twin_wires import TwinContactWires
 from arcless.units import WRONG_VALUE, show
 
-MAX_PATTERN = 1000
 # Positions typed with few digits may lie this far outside the line's exact length. In m.
 POSITION_TOLERANCE = 1e-6
-
-
-Staggers = Annotated[
-    tuple[Annotated[float, Unit("m", minimum=-1, maximum=1)], ...],
-    Field(min_length=1, max_length=MAX_PATTERN),
-]
-
-
-class Geometry(Part):
-    """Heights and staggers at the supports."""
-
-    contact_wire_height: Annotated[float, Unit("m", above=0, maximum=20)] = Field(
-        description="Height of the contact wire above rail at the supports, from the first one on."
-    )
-    height_changes: tuple[HeightChange, ...] = Field(
-        default=(),
-        description="Stretches on which that height changes, and all wires with it.",
-        max_length=MAX_PATTERN,
-    )
-    encumbrance: Annotated[float, Unit("m", above=0, maximum=10)] | None = Field(
-        default=None,
-        description="Messenger wire above contact wire at the supports (system height).",
-    )
-    stagger_contact_wire: Staggers = Field(
-        default=(0.0,), description="Stagger at successive supports; the pattern repeats."
-    )
-    stagger_messenger_wire: Staggers = Field(
-        default=(0.0,), description="Lateral position of the messenger wire; the pattern repeats."
-    )
-    stagger_auxiliary_wire: Staggers | None = Field(
-        default=None, description="Of the auxiliary wire; without it, as the contact wire."
-    )
-
-
-class DesignSpace(Part):
-    """What the line was designed for; used by the assessment only."""
-
-    uplift_space: Annotated[float, Unit("m", above=0, maximum=2)] | None = Field(
-        default=None, description="Free space above the steady arm at rest."
-    )
-    uplift_limited: bool = Field(
-        default=False,
-        strict=True,
-        description="True when a stop limits the steady arm's uplift.",
-    )
-    supply: Literal["AC 25 kV", "AC 15 kV", "DC 3 kV", "DC 1.5 kV"] = Field(
-        default="AC 25 kV", description="Electrical supply; selects the force limits."
-    )
 
 
 class Line(Document):

@@ -36,6 +36,11 @@ class Scene:
         return [str(name) for name in self.dataset["pantograph"].values]
 
     @cached_property
+    def has_droppers(self) -> bool:
+        """Whether the line has droppers."""
+        return self.dataset.sizes.get("dropper", 0) > 0
+
+    @cached_property
     def rigid_contact(self) -> bool:
         """Whether strip and wire touch without a compliance between them."""
         law: str = json.loads(self.dataset.attrs["scenario"])["contact"]["law"]

@@ -75,12 +75,15 @@ def fact_pairs(scene: Scene) -> list[tuple[str, str]]:
     a = scene.assessment
     begin, end = a.section_m
     residual = a.energy_residual_relative
+    droppers = [
+        ("lowest dropper force", f"{number(a.min_dropper_force_N)} N"),
+        ("most droppers slack at once", number(a.slack_droppers_max, 0)),
+    ]
     return [
         ("speed", f"{number(3.6 * a.speed_m_s)} km/h"),
         ("section assessed", f"{begin:.0f} to {end:.0f} m"),
         ("highest uplift at a support", f"{number(a.max_uplift_at_support_mm)} mm"),
-        ("lowest dropper force", f"{number(a.min_dropper_force_N)} N"),
-        ("most droppers slack at once", number(a.slack_droppers_max, 0)),
+        *(droppers if scene.has_droppers else []),
         ("energy residual, relative", "–" if residual is None else f"{residual:.1e}"),
         ("time steps", f"{a.steps:,}".replace(",", " ")),
         ("time-stepping loop", f"{number(a.wall_time_s, 2)} s"),
