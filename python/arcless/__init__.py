@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from arcless.errors import (
         ArclessError,
         ContactError,
+        ControlError,
         EquilibriumError,
         MeshError,
         ModelError,
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
     )
     from arcless.model import Scenario, library, load, load_line, load_pantograph
     from arcless.results import Result, open
+    from arcless.simulate.control import ControlInput
     from arcless.simulate.run import run
     from arcless.simulate.statics import statics
 
@@ -34,6 +36,8 @@ if TYPE_CHECKING:
 __all__ = [
     "ArclessError",
     "ContactError",
+    "ControlError",
+    "ControlInput",
     "EquilibriumError",
     "MeshError",
     "ModelError",
@@ -62,7 +66,7 @@ __all__ = [
 _MODULES = {"assess", "errors", "lcp", "model", "report", "results", "simulate", "validate"}
 _MODEL = {"Scenario", "library", "load", "load_line", "load_pantograph"}
 _RESULTS = {"Result", "open"}
-_SIMULATE = {"run", "statics"}
+_SIMULATE = {"ControlInput", "run", "statics"}
 
 
 def __getattr__(name: str) -> Any:

@@ -109,6 +109,10 @@ class ContactError(ArclessError):
     """The complementarity problem of a time step could not be solved."""
 
 
+class ControlError(ArclessError):
+    """The controller of a pantograph is missing, or failed."""
+
+
 class ResultFormatError(ArclessError):
     """A file is not a result that this version can read."""
 

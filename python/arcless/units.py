@@ -44,6 +44,7 @@ KINDS: dict[str, Kind] = {
     "K": Kind("a temperature difference", {"K": 1}),
     "kg/m3": Kind("a density", {"kg/m3": 1}),
     "N/(m/s)2": Kind("an aerodynamic coefficient", {"N/(m/s)2": 1, "N/(km/h)2": 1 / _KMH**2}),
+    "N/s": Kind("a rate of force", {"N/s": 1, "kN/s": 1000}),
     "1": Kind("a number without unit", {"": 1}),
 }
 

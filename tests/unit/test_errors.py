@@ -8,6 +8,7 @@ from arcless import errors
 from arcless.errors import (
     ArclessError,
     ContactError,
+    ControlError,
     EquilibriumError,
     MeshError,
     ModelError,
@@ -46,6 +47,11 @@ EXAMPLES = [
     (
         ContactError("not solved", where="step 812, t = 0.812 s, span 3 dropper 5"),
         "step 812, t = 0.812 s, span 3 dropper 5: not solved",
+        1,
+    ),
+    (
+        ControlError("the controller failed", where="pantograph P1, t = 0.5 s", got="KeyError: 1"),
+        "pantograph P1, t = 0.5 s: the controller failed: got KeyError: 1",
         1,
     ),
     (

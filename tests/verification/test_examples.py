@@ -21,6 +21,7 @@ def load(name: str) -> ModuleType:
 
 def test_every_example_is_tested() -> None:
     assert {path.stem for path in EXAMPLES.glob("*.py")} == {
+        "controlled",
         "dropped_beam",  # tests/unit/test_published.py
         "one_run",
         "own_line",
@@ -66,3 +67,15 @@ def test_tension_coupling(tmp_path: Path, capsys: pytest.CaptureFixture[str]) ->
         values = [float(value) for value in re.findall(r"[\d.]+", shown)]
         # Rounding of another processor, and of the last digit printed.
         assert [float(value) for value in row] == pytest.approx(values, rel=0.02, abs=1e-3)
+
+
+def test_controlled(capsys: pytest.CaptureFixture[str]) -> None:
+    found = load("controlled").main([0, 40])
+    assert found["PID, 0 ms late"] < found["not controlled"] < found["PID, 40 ms late"]
+    page = (EXAMPLES.parent / "docs/guide/control.md").read_text(encoding="utf-8")
+    for line in capsys.readouterr().out.splitlines()[1:]:
+        name, numbers = line[:28].strip(), [float(value) for value in line[28:].split()]
+        shown = next(text for text in page.splitlines() if text.startswith(f"| {name} |"))
+        values = [float(value) for value in shown.split("|")[2:5]]
+        # Rounding of another processor, where droppers slacken a step earlier or later.
+        assert numbers == pytest.approx(values, abs=0.3), name

@@ -60,6 +60,20 @@ pub enum CoreError {
         /// Where it ends, m.
         end: f64,
     },
+    /// The force of an actuator was asked for and not given.
+    #[error("no force for rider {rider} in step {step} (t = {time:.6} s): {reason}")]
+    Control {
+        /// Index of the rider.
+        rider: usize,
+        /// Step number.
+        step: usize,
+        /// Time, s.
+        time: f64,
+        /// Position of the rider, m.
+        position: f64,
+        /// Why.
+        reason: String,
+    },
     /// A number became infinite or not a number.
     #[error("not a finite number in {what} at step {step}")]
     NotFinite {

@@ -25,6 +25,7 @@ fn two_masses() -> Rider {
         given: Given::default(),
         stops: Vec::new(),
         laws: Vec::new(),
+        actuator: None,
     }
 }
 

@@ -22,6 +22,7 @@ fn oscillator(zeta: f64) -> Rider {
         given: Given::default(),
         stops: Vec::new(),
         laws: Vec::new(),
+        actuator: None,
     }
 }
 

@@ -92,6 +92,7 @@ fn two_masses(force: f64) -> Rider {
         given: Given::default(),
         stops: Vec::new(),
         laws: Vec::new(),
+        actuator: None,
     }
 }
 

@@ -68,6 +68,20 @@ fn details<'py>(
             d.set_item("end", end)?;
             "beyond_table"
         }
+        CoreError::Control {
+            rider,
+            step,
+            time,
+            position,
+            reason,
+        } => {
+            d.set_item("rider", rider)?;
+            d.set_item("step", step)?;
+            d.set_item("time", time)?;
+            d.set_item("position", position)?;
+            d.set_item("reason", reason)?;
+            "control"
+        }
         CoreError::NotFinite { step, .. } => {
             d.set_item("step", step)?;
             "not_finite"

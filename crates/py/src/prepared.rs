@@ -2,6 +2,7 @@
 
 use crate::error::convert;
 use arcless_core::CoreError;
+use arcless_core::dynamics::actuator::{Actuator, Sample};
 use arcless_core::dynamics::given::{Given, Ground, History};
 use arcless_core::dynamics::kink::Motion;
 use arcless_core::dynamics::law::Law;
@@ -45,7 +46,7 @@ macro_rules! either {
 pub struct Prepared(pub Any);
 
 /// One rider as it comes from Python: mass, damping, stiffness matrices by rows; strip, preload,
-/// lift vectors; contact force at the start; what is given; stops; springs and dampers with tables.
+/// lift vectors; contact force at the start; what is given; stops; springs and dampers with tables; actuator.
 type RiderData = (
     Vec<f64>,
     Vec<f64>,
@@ -57,7 +58,11 @@ type RiderData = (
     GivenData,
     Vec<StopData>,
     Vec<LawData>,
+    Option<ActuatorData>,
 );
+
+/// Direction, steps from sample to sample, steps of delay, and who is asked.
+type ActuatorData = (Vec<f64>, usize, usize, Py<PyAny>);
 
 /// Forces (direction, N at every instant), and the ground: displacement that goes with it, its
 /// own in m and its rate in m/s at every instant.
@@ -108,9 +113,33 @@ fn law((direction, is_damper, points): LawData) -> Law {
     }
 }
 
-fn rider(data: RiderData) -> Rider {
-    let (mass, damping, stiffness, strip, preload, lift, start_force, outside, stops, laws) = data;
-    Rider {
+/// The rider, and who is asked for the force of its actuator.
+fn rider(data: RiderData) -> (Rider, Option<Py<PyAny>>) {
+    let (
+        mass,
+        damping,
+        stiffness,
+        strip,
+        preload,
+        lift,
+        start_force,
+        outside,
+        stops,
+        laws,
+        given_by,
+    ) = data;
+    let (actuator, asked) = match given_by {
+        None => (None, None),
+        Some((direction, every, delay, asked)) => {
+            let actuator = Actuator {
+                direction,
+                every,
+                delay,
+            };
+            (Some(actuator), Some(asked))
+        }
+    };
+    let rider = Rider {
         given: given(outside),
         stops: stops.into_iter().map(stop).collect(),
         laws: laws.into_iter().map(law).collect(),
@@ -121,7 +150,31 @@ fn rider(data: RiderData) -> Rider {
         preload,
         lift,
         start_force,
-    }
+        actuator,
+    };
+    (rider, asked)
+}
+
+/// The answer of a controller to a sample, N.
+fn answer(controller: Option<&Py<PyAny>>, sample: &Sample) -> PyResult<f64> {
+    Python::attach(|py| {
+        let Some(controller) = controller else {
+            return Ok(0.0);
+        };
+        let answer = controller.call1(
+            py,
+            (
+                sample.number,
+                sample.time,
+                sample.position,
+                sample.speed,
+                sample.force,
+                sample.displacements.clone(),
+                sample.velocities.clone(),
+            ),
+        );
+        answer?.extract::<f64>(py)
+    })
 }
 
 #[pymethods]
@@ -142,7 +195,8 @@ impl Prepared {
         plan: &Bound<'py, PyDict>,
         observe: &Bound<'py, PyAny>,
     ) -> PyResult<Bound<'py, PyDict>> {
-        let riders: Vec<Rider> = riders.into_iter().map(rider).collect();
+        let (riders, controllers): (Vec<Rider>, Vec<Option<Py<PyAny>>>) =
+            riders.into_iter().map(rider).unzip();
         let travel = Travel {
             positions,
             speeds,
@@ -155,7 +209,7 @@ impl Prepared {
         };
         let plan = read_plan(plan)?;
         let observer = observe.clone().unbind();
-        let mut raised: Option<PyErr> = None;
+        let (mut raised, mut failed): (Option<PyErr>, Option<PyErr>) = (None, None);
         let outcome = py.detach(|| {
             let mut go_on = |step: usize| {
                 Python::attach(|py| {
@@ -169,10 +223,19 @@ impl Prepared {
                     })
                 })
             };
-            either!(&self.0, p => p.run(&riders, &travel, &plan, &mut go_on))
+            let mut ask = |rider: usize, sample: &Sample| {
+                answer(controllers[rider].as_ref(), sample).map_err(|error| {
+                    let reason = error.to_string();
+                    failed = Some(error);
+                    reason
+                })
+            };
+            either!(&self.0, p => p.run_controlled(&riders, &travel, &plan, &mut go_on, &mut ask))
         });
-        match (outcome, raised) {
-            (Err(CoreError::Cancelled { .. }), Some(error)) => Err(error),
+        match (outcome, raised.or(failed)) {
+            (Err(CoreError::Cancelled { .. } | CoreError::Control { .. }), Some(error)) => {
+                Err(error)
+            }
             (Err(error), _) => Err(convert(py, &error)),
             (Ok(record), _) => arrays(py, &record),
         }
@@ -198,7 +261,7 @@ fn read_plan(plan: &Bound<'_, PyDict>) -> PyResult<RecordPlan> {
 
 fn arrays<'py>(py: Python<'py>, r: &Record) -> PyResult<Bound<'py, PyDict>> {
     let out = PyDict::new(py);
-    let series: [(&str, &[f64]); 19] = [
+    let series: [(&str, &[f64]); 20] = [
         ("time", &r.time),
         ("force", &r.force),
         ("gap", &r.gap),
@@ -218,12 +281,13 @@ fn arrays<'py>(py: Python<'py>, r: &Record) -> PyResult<Bound<'py, PyDict>> {
         ("uplift_max", &r.uplift_max),
         ("stop_max", &r.stop_max),
         ("law_ranges", &r.law_ranges),
+        ("control", &r.control),
     ];
     for (name, values) in series {
         out.set_item(name, values.to_pyarray(py))?;
     }
     type Entry = (&'static str, fn(&Entries) -> f64);
-    let entries: [Entry; 15] = [
+    let entries: [Entry; 16] = [
         ("kinetic", |e| e.kinetic),
         ("elastic", |e| e.elastic),
         ("contact", |e| e.contact),
@@ -235,6 +299,7 @@ fn arrays<'py>(py: Python<'py>, r: &Record) -> PyResult<Bound<'py, PyDict>> {
         ("dissipated_scheme", |e| e.dissipated_scheme),
         ("switching", |e| e.switching),
         ("work_uplift", |e| e.work_uplift),
+        ("work_control", |e| e.work_control),
         ("work_traction", |e| e.work_traction),
         ("work_friction", |e| e.work_friction),
         ("work_loads", |e| e.work_loads),

@@ -9,6 +9,7 @@ from typing import Any, Literal, TypeVar
 from pydantic import ValidationError
 
 from arcless.errors import ModelError
+from arcless.model.controller import with_function
 from arcless.model.documents import dotted
 from arcless.model.explain import explain
 from arcless.model.fields import Path
@@ -186,6 +187,9 @@ def _placement(item: Mapping[str, Any], origin: Origin, path: Path) -> dict[str,
     if "model" in item:
         model = item["model"]
         resolved["model"] = _reference(model, "pantograph", origin, (*path, "model"))
+    controller = item.get("controller")
+    if isinstance(controller, Mapping):
+        resolved["controller"] = with_function(controller, origin, (*path, "controller"))
     motion = item.get("roof_motion")
     if isinstance(motion, Mapping):
         resolved["roof_motion"] = with_points(dict(motion), origin, (*path, "roof_motion"))

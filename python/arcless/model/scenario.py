@@ -8,6 +8,7 @@ from arcless.errors import ModelError
 from arcless.model.as_built import AsBuilt
 from arcless.model.as_built_checks import check_as_built
 from arcless.model.checks import check_scenario
+from arcless.model.controller import Controller, check_controllers
 from arcless.model.documents import Document
 from arcless.model.fields import Part, Unit
 from arcless.model.line import Line
@@ -38,6 +39,9 @@ class PantographPlacement(Part):
     )
     roof_motion: RoofMotion | None = Field(
         default=None, description="Vertical motion of the roof below; the roof is still without."
+    )
+    controller: Controller | None = Field(
+        default=None, description="A force decided on during the run; none without."
     )
 
     @model_validator(mode="after")
@@ -170,6 +174,7 @@ class Scenario(Document):
     @model_validator(mode="after")
     def _check(self) -> "Scenario":
         check_scenario(self)
+        check_controllers(self)
         check_as_built(self)
         return self
 

@@ -75,6 +75,7 @@ VARIABLES: dict[str, Variable] = {
     "position": Variable(
         _CONTACT, "m", "position of the pantograph along the track", required=True
     ),
+    "control_force": Variable(_CONTACT, "N", "controlled force on the pantograph, upwards"),
     "speed": Variable(("time",), "m/s", "speed of the train", required=True),
     "mass_displacement": Variable(
         ("time", "pantograph", "mass"),
@@ -102,6 +103,7 @@ VARIABLES: dict[str, Variable] = {
         _LINE, "J", "energy lost where a contact or a dropper closes or opens within a step"
     ),
     "energy_work_uplift": Variable(_LINE, "J", "work of the uplift forces and of the roof"),
+    "energy_work_control": Variable(_LINE, "J", "work of the controlled forces"),
     "energy_work_traction": Variable(_LINE, "J", "work that moves the contact along the wire"),
     "energy_work_friction": Variable(_LINE, "J", "work of the friction along the wire"),
     "energy_work_wind": Variable(_LINE, "J", "work of the gusts on the wires"),
@@ -196,6 +198,9 @@ ATTRIBUTES: dict[str, Attribute] = {
     "static_force_found": Attribute("json", "static force of each pantograph in N"),
     "stop_force_max": Attribute(
         "json", "highest force on a bump stop of each pantograph that has any, in N"
+    ),
+    "controllers": Attribute(
+        "json", "controllers given from Python, by the name of their pantograph"
     ),
     "warnings": Attribute("json", "warnings of the run, as sentences"),
     "command": Attribute("text", "command that runs this scenario again"),

@@ -21,7 +21,7 @@ ENERGY_NAMES = {
 
 
 def dynamic_variables(
-    raw: dict[str, Any], found: Equilibrium, scenario: Scenario
+    raw: dict[str, Any], found: Equilibrium, scenario: Scenario, *, controlled: bool = False
 ) -> dict[str, Floats]:
     """Return the time series and extremes of a run, shaped as the result wants them."""
     count = len(scenario.pantographs)
@@ -33,6 +33,8 @@ def dynamic_variables(
         "position": raw["position"],
     }
     out = {name: values.reshape(-1, count) for name, values in per_contact.items()}
+    if controlled:
+        out["control_force"] = raw["control"].reshape(-1, count)
     out["speed"] = raw["speed"]
     out["mass_displacement"] = _masses(raw["masses"], [p.model.size for p in scenario.pantographs])
     rows = len(raw["line_time"])
@@ -51,6 +53,8 @@ def dynamic_variables(
     kept = {name: values for name, values in raw["energy"].items() if len(values)}
     if scenario.as_built.gusts is None:
         kept.pop("work_loads", None)
+    if not controlled:
+        kept.pop("work_control", None)
     for name, values in kept.items():
         out[f"energy_{ENERGY_NAMES.get(name, name)}"] = values
     return out

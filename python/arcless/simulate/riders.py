@@ -8,6 +8,7 @@ from arcless.model.pantograph import Pantograph, PantographMass
 from arcless.model.roof import RoofMotion
 from arcless.model.scenario import PantographPlacement
 from arcless.simulate import joints
+from arcless.simulate.control import ActuatorData
 from arcless.simulate.joints import elongation, unit_vector
 from arcless.simulate.motion import Motion
 
@@ -26,11 +27,17 @@ RiderData = tuple[
     GivenData,
     list[joints.StopData],
     list[joints.LawData],
+    ActuatorData | None,
 ]
 NOTHING: GivenData = ([], None)
 
 
-def rider(pantograph: Pantograph, start_force: float, given: GivenData = NOTHING) -> RiderData:
+def rider(
+    pantograph: Pantograph,
+    start_force: float,
+    given: GivenData = NOTHING,
+    actuator: ActuatorData | None = None,
+) -> RiderData:
     """Return a pantograph as the core takes it.
 
     Parameters
@@ -41,6 +48,8 @@ def rider(pantograph: Pantograph, start_force: float, given: GivenData = NOTHING
         Contact force at the start in N.
     given
         What is given over time, see `given_motion`.
+    actuator
+        A force decided on during the run.
     """
     if pantograph.matrices is not None:
         parts = pantograph.matrices
@@ -60,7 +69,7 @@ def rider(pantograph: Pantograph, start_force: float, given: GivenData = NOTHING
     mass, damping, stiffness = (m.ravel().tolist() for m in matrices)
     laws = [law.data for law in joints.laws(pantograph)]
     stops = joints.stops(pantograph)
-    return (mass, damping, stiffness, *vectors, start_force, given, stops, laws)
+    return (mass, damping, stiffness, *vectors, start_force, given, stops, laws, actuator)
 
 
 def _chain(masses: tuple[PantographMass, ...]) -> list[Floats]:

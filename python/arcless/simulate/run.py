@@ -1,7 +1,7 @@
 """A whole run, from scenario to result."""
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -11,6 +11,7 @@ from arcless import _core
 from arcless.model import Scenario, scenario_warnings
 from arcless.results import Result, dataset_from
 from arcless.simulate import equilibrium, gusts, joints, motion, record, riders
+from arcless.simulate.control import ControlFunction, Controllers
 from arcless.simulate.failure import replayable, stepping
 from arcless.simulate.mean_force import find_forces
 
@@ -24,9 +25,9 @@ class Job:
 
     Attributes
     ----------
-    scenario, found, prepared, travel, given, loads
+    scenario, found, prepared, travel, given, loads, controllers
         The scenario, its equilibrium, the factorised line, the travel, what is given over time for
-        each pantograph, and for the line.
+        each pantograph, and for the line, who decides on forces.
     observe
         Called with the number of steps done; tells whether to go on.
     """
@@ -37,6 +38,7 @@ class Job:
     travel: motion.Motion
     given: list[riders.GivenData]
     loads: list[gusts.LoadData]
+    controllers: Controllers
     observe: Callable[[int], bool]
 
     def step(self, forces: list[float], *, full: bool) -> dict[str, Any]:
@@ -54,8 +56,10 @@ class Job:
         }
         speed = float(self.travel.speeds[0])
         ridden = [
-            riders.rider(p.model, force + p.model.lift_at(speed), given)
-            for p, force, given in zip(placements, forces, self.given, strict=True)
+            riders.rider(p.model, force + p.model.lift_at(speed), given, actuator)
+            for p, force, given, actuator in zip(
+                placements, forces, self.given, self.controllers.actuators(), strict=True
+            )
         ]
         with stepping(mesh, placements):
             return self.prepared.run(
@@ -71,7 +75,11 @@ class Job:
 
 
 def run(
-    scenario: Scenario, *, progress: Progress | None = None, cancel: Cancel | None = None
+    scenario: Scenario,
+    *,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+    controllers: Mapping[str, ControlFunction | type] | None = None,
 ) -> Result:
     """Run a scenario: statics, dynamics, record.
 
@@ -83,12 +91,19 @@ def run(
         Called now and then with the fraction done and what is being done.
     cancel
         Asked now and then; the run ends with KeyboardInterrupt when it returns True.
+    controllers
+        By the name of a pantograph, who decides on its controlled force: a function of a
+        `ControlInput` that returns N, or a class of such, of which each run gets an instance. In
+        place of `pid` and `function` of the scenario's controller; without one it is asked at
+        every step. A search for the static force runs several times, each with a copy.
 
     Raises
     ------
-    MeshError, EquilibriumError, ContactError
-        The line cannot be divided, has no equilibrium, or a step cannot be solved.
+    MeshError, EquilibriumError, ContactError, ControlError
+        The line cannot be divided, has no equilibrium, a step cannot be solved, or a controller
+        failed.
     """
+    decided = Controllers(scenario, controllers)
     tell = progress or (lambda _fraction, _text: None)
     started = time.perf_counter()
     tell(0.0, "static equilibrium")
@@ -102,7 +117,7 @@ def run(
     given = riders.given_motions(scenario, travel)
     observe = _observer(travel.steps, "stepping", tell, cancel)
     loads = gusts.line_loads(found, scenario, travel)
-    job = Job(scenario, found, prepared, travel, given, loads, observe)
+    job = Job(scenario, found, prepared, travel, given, loads, decided, observe)
     searching = replace(
         job, observe=_observer(travel.steps, "finding the static force", tell, cancel)
     )
@@ -113,7 +128,7 @@ def run(
     wall = time.perf_counter() - began
     tell(1.0, "done")
     dataset = dataset_from(
-        record.dynamic_variables(raw, found, scenario),
+        record.dynamic_variables(raw, found, scenario, controlled=decided.any),
         record.names(raw, found, scenario, x),
         record.static_variables(found, elasticity),
         _attributes(job, raw, forces, setup=setup, wall=wall),
@@ -180,6 +195,7 @@ def _attributes(
         "lcp_pivots_per_step": list(raw["pivot_counts"]),
         "static_force_found": dict(zip(names, np.round(forces, 6).tolist(), strict=True)),
         **({"stop_force_max": stops} if stops else {}),
+        **job.controllers.attribute(),
         "warnings": [
             *scenario_warnings(scenario),
             *joints.tables_left(scenario.pantographs, raw["law_ranges"].tolist()),

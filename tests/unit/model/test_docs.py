@@ -82,6 +82,18 @@ def _models() -> list[Any]:
     return found
 
 
+def test_the_scenario_of_the_guide_to_control_loads(tmp_path: Path) -> None:
+    page = (ROOT / "docs/guide/control.md").read_text(encoding="utf-8")
+    ((name, text),) = re.findall(r"```yaml\n# (\S+)\n(.*?)```", page, re.DOTALL)
+    (tmp_path / name).write_text(text, encoding="utf-8")
+    scenario = load_any(tmp_path / name)
+    assert isinstance(scenario, Scenario)
+    controller = scenario.pantographs[0].controller
+    assert controller is not None
+    assert controller.pid is not None
+    assert (controller.rate_limit, controller.pid.derivative) == (5000.0, 0.05)
+
+
 def test_the_models_of_the_pantograph_guide_load(tmp_path: Path) -> None:
     page = (ROOT / "docs/guide/pantographs.md").read_text(encoding="utf-8")
     blocks = re.findall(r"```(?:yaml|csv)\n# (\S+)\n(.*?)```", page, re.DOTALL)

@@ -103,6 +103,7 @@ fn random_rider(random: &mut Random) -> Rider {
             }),
         },
         stops: Vec::new(),
+        actuator: None,
     }
 }
 

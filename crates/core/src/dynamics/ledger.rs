@@ -51,6 +51,8 @@ pub struct Entries {
     pub switching: f64,
     /// Work of preload, lift and given forces on the riders, and of the ground that moves them.
     pub work_uplift: f64,
+    /// Work of the actuators of the riders.
+    pub work_control: f64,
     /// Work of the traction that moves the contact along the sloping wire.
     pub work_traction: f64,
     /// Work of friction along the wire.
@@ -74,6 +76,7 @@ impl Entries {
             + self.dissipated_scheme
             + self.switching
             - self.work_uplift
+            - self.work_control
             - self.work_traction
             - self.work_friction
             - self.work_loads
@@ -83,7 +86,7 @@ impl Entries {
     #[must_use]
     pub fn turnover(&self) -> f64 {
         let supplied = self.work_uplift.abs() + self.work_traction.abs() + self.work_friction.abs();
-        let supplied = supplied + self.work_loads.abs();
+        let supplied = supplied + self.work_loads.abs() + self.work_control.abs();
         supplied.max(self.kinetic.abs() + self.elastic.abs() + self.riders.abs())
     }
 }
@@ -347,6 +350,7 @@ impl<const D: usize> Ledger<D> {
         let energy = riders.iter().map(RiderState::energy).sum::<f64>() - self.start.riders;
         for work in &self.rider_work {
             self.entries.work_uplift += work.uplift;
+            self.entries.work_control += work.control;
             self.entries.dissipated_riders += work.dissipated;
             self.scheme_riders += work.stored;
             self.entries.switching -= work.springs;

@@ -1,9 +1,11 @@
 //! Motion about the static equilibrium: constant M, C, K; everything unilateral in one linear
 //! complementarity problem per step.
 
+pub mod actuator;
 mod close;
 pub mod columns;
 pub mod contact;
+mod control;
 mod elasticity;
 pub mod given;
 pub mod kink;

@@ -39,6 +39,8 @@ pub struct Record {
     pub position: Vec<f64>,
     /// Speed, m/s: one value per row.
     pub speed: Vec<f64>,
+    /// Force of the actuator of each rider, N; zero without.
+    pub control: Vec<f64>,
     /// Displacement of all masses of all riders since the start, m.
     pub masses: Vec<f64>,
     /// Times of the line rows, s.

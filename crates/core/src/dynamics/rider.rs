@@ -1,8 +1,9 @@
 //! A mechanical system that travels along the wire and presses against it.
 //!
-//!   m ü + c u̇ + k u = b p + g V(t)² + f(t) − e λ + Σ d σ
+//!   m ü + c u̇ + k u = b p + g V(t)² + f(t) + a q − e λ + Σ d σ
 //!
-//! f is what is [given](super::given) (the ground may move as well), σ the forces of its
+//! f is what is [given](super::given) (the ground may move as well), q the force of its
+//! [actuator](super::actuator), σ the forces of its
 //! [stops](super::stop) and of the [kinks](super::kink) of springs and dampers given by
 //! [tables](super::law). `e` picks the height of the contact strip, `b` where the constant preload p acts, `g` the
 //! forces proportional to the square of speed. Heights are measured from the height of the wire
@@ -10,6 +11,7 @@
 //! static equilibrium there; a spring between the first mass and the vehicle is thereby at rest
 //! at the working height.
 
+use super::actuator::{Actuator, ActuatorState};
 use super::given::{Drive, Given};
 use super::kink::Kink;
 use super::law::{Law, LawState, add_slopes, check_steps};
@@ -42,6 +44,8 @@ pub struct Rider {
     pub stops: Vec<Stop>,
     /// Springs and dampers with a table, beside those in the matrices.
     pub laws: Vec<Law>,
+    /// A force decided on during the run.
+    pub actuator: Option<Actuator>,
 }
 
 impl Rider {
@@ -67,7 +71,8 @@ impl Rider {
             .all(|m| m.iter().all(|v| v.is_finite()));
         let extras = self.given.is_sound(n)
             && self.stops.iter().all(|s| s.is_sound(n))
-            && self.laws.iter().all(|l| l.is_sound(n));
+            && self.laws.iter().all(|l| l.is_sound(n))
+            && self.actuator.iter().all(|a| a.is_sound(n));
         if n == 0 || !sized || !finite || !extras || !self.start_force.is_finite() {
             let reason = "sizes disagree or a number is not finite".into();
             return Err(CoreError::Input {
@@ -121,6 +126,7 @@ pub struct RiderState {
     /// Its stops, then the kinks of its laws.
     pub(super) kinks: Vec<Kink>,
     pub(super) laws: Vec<LawState>,
+    pub(super) actuator: ActuatorState,
     pub(super) drive: Drive,
     /// The increment without contact forces and kinks.
     free: Vec<f64>,
@@ -163,6 +169,7 @@ impl RiderState {
         Ok(Self {
             laws: laws.collect(),
             kinks,
+            actuator: ActuatorState::default(),
             drive,
             free: zero.clone(),
             inverse,
@@ -202,11 +209,24 @@ impl RiderState {
             let pulled = self.rhs.iter_mut().zip(&law.gauge.direction);
             pulled.for_each(|(f, g)| *f -= law.intercept * g);
         }
+        let mut rhs = std::mem::take(&mut self.rhs);
+        if let Some((direction, force)) = self.controlled() {
+            let pushed = rhs.iter_mut().zip(direction);
+            pushed.for_each(|(f, d)| *f += force * d);
+        }
+        self.rhs = rhs;
         for i in 0..n {
             self.delta[i] = (0..n).map(|j| self.inverse[i * n + j] * self.rhs[j]).sum();
         }
         self.free.copy_from_slice(&self.delta);
         self.open_kinks(c);
+    }
+
+    /// The controlled force with its direction, when there is one that is not zero.
+    pub(super) fn controlled(&self) -> Option<(&[f64], f64)> {
+        let actuator = self.rider.actuator.as_ref()?;
+        let force = self.actuator.force;
+        (force != 0.0).then_some((&actuator.direction, force))
     }
 
     /// Read what is given in a step. Call before [`RiderState::free_increment`].

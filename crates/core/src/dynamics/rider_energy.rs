@@ -13,6 +13,8 @@ use crate::scheme::Coefficients;
 pub struct RiderWork {
     /// Of preload, lift, given forces and the moving ground.
     pub uplift: f64,
+    /// Of the actuator.
+    pub control: f64,
     /// Against the dampers.
     pub dissipated: f64,
     /// Against inertia and springs: what is stored, and what the scheme takes.
@@ -89,6 +91,9 @@ impl RiderState {
         };
         RiderWork {
             uplift: supplied - rise * borne,
+            control: self
+                .controlled()
+                .map_or(0.0, |(d, force)| force * inner(d, &self.delta)),
             dissipated: inner(&moved, &damping) - done(Motion::Rate),
             stored: inner(&self.delta, &multiply(&r.mass, &inertia)) + inner(&moved, &springs),
             springs: done(Motion::Place),

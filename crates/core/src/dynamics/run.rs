@@ -1,5 +1,6 @@
 //! A whole run: start in equilibrium, step, record.
 
+use super::actuator::{Ask, Sample};
 use super::contact::Unilateral;
 use super::ledger::{Ledger, StepForces};
 use super::loads::{self, Load, Loads};
@@ -36,11 +37,11 @@ const OBSERVE_EVERY: usize = 256;
 pub(super) struct Run<'a, const DIM: usize, const D: usize> {
     /// A copy of its own with updated kinematics, where every step changes it.
     pub(super) p: Cow<'a, Prepared<DIM, D>>,
-    travel: &'a Travel,
+    pub(super) travel: &'a Travel,
     plan: &'a RecordPlan,
     pub(super) state: LineState<D>,
     pub(super) riders: Vec<RiderState>,
-    start_u: Vec<Vec<f64>>,
+    pub(super) start_u: Vec<Vec<f64>>,
     pub(super) unilateral: Unilateral,
     datum: f64,
     at_end: Vec<Place<DIM>>,
@@ -66,6 +67,22 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         plan: &RecordPlan,
         observe: &mut dyn FnMut(usize) -> bool,
     ) -> Result<Record, CoreError> {
+        let mut nobody = |_: usize, _: &Sample| Err("nobody controls it".into());
+        self.run_controlled(riders, travel, plan, observe, &mut nobody)
+    }
+
+    /// The same, with someone to ask for the forces of actuators.
+    ///
+    /// # Errors
+    /// Any [`CoreError`] that a step can raise, [`CoreError::Control`] among them.
+    pub fn run_controlled(
+        &self,
+        riders: &[Rider],
+        travel: &Travel,
+        plan: &RecordPlan,
+        observe: &mut dyn FnMut(usize) -> bool,
+        ask: Ask<'_>,
+    ) -> Result<Record, CoreError> {
         check(
             riders,
             travel,
@@ -85,6 +102,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
                 }
                 run.check_finite(step)?;
             }
+            run.control(step, ask)?;
             run.step(step, ledger.as_mut())?;
         }
         run.record.law_ranges = run.riders.iter().flat_map(RiderState::law_ranges).collect();
@@ -368,6 +386,7 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
             r.lateral.push(lateral);
             r.position.push(position - self.travel.distances[j]);
             let rider = &self.riders[j];
+            r.control.push(rider.actuator.force);
             for ((u, d), start) in rider.u.iter().zip(&rider.delta).zip(&self.start_u[j]) {
                 r.masses.push(u + keep * d - start);
             }

@@ -199,6 +199,7 @@ pub fn three_masses(force: f64) -> Rider {
         given: Given::default(),
         stops: Vec::new(),
         laws: Vec::new(),
+        actuator: None,
     }
 }
 
@@ -307,6 +308,7 @@ pub fn free_mass(mass: f64, force: f64) -> Rider {
         given: Given::default(),
         stops: Vec::new(),
         laws: Vec::new(),
+        actuator: None,
     }
 }
 

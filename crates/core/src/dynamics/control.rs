@@ -1,0 +1,51 @@
+//! Samples of a run: what is measured, and the force that is answered.
+
+use super::actuator::{Ask, Sample};
+use super::run::Run;
+use crate::error::CoreError;
+
+impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
+    /// Before a step: ask for the forces of all actuators that are due for a sample.
+    ///
+    /// # Errors
+    /// [`CoreError::Control`].
+    pub(super) fn control(&mut self, step: usize, ask: Ask<'_>) -> Result<(), CoreError> {
+        for j in 0..self.riders.len() {
+            let Some(actuator) = self.riders[j].rider.actuator.clone() else {
+                continue;
+            };
+            let mut state = std::mem::take(&mut self.riders[j].actuator);
+            let answered = state.begin(&actuator, step, |number| {
+                let sample = self.sample(j, step, number);
+                let answer = ask(j, &sample).and_then(|force| {
+                    let finite = force.is_finite().then_some(force);
+                    finite.ok_or_else(|| format!("the force is {force}"))
+                });
+                answer.map_err(|reason| CoreError::Control {
+                    rider: j,
+                    step,
+                    time: sample.time,
+                    position: sample.position,
+                    reason,
+                })
+            });
+            self.riders[j].actuator = state;
+            answered?;
+        }
+        Ok(())
+    }
+
+    fn sample(&self, j: usize, step: usize, number: usize) -> Sample {
+        let rider = &self.riders[j];
+        let moved = rider.u.iter().zip(&self.start_u[j]);
+        Sample {
+            number,
+            time: step as f64 * self.p.h,
+            position: self.travel.positions[step] - self.travel.distances[j],
+            speed: self.travel.speeds[step],
+            force: self.unilateral.force[j],
+            displacements: moved.map(|(u, start)| u - start).collect(),
+            velocities: rider.v.clone(),
+        }
+    }
+}
