@@ -10,6 +10,7 @@ import time
 
 from arcless.model import load
 from arcless.simulate import equilibrium, motion, riders
+from arcless.simulate.control import Controllers
 from arcless.simulate.run import Job, prepare
 
 REPEATS = 5
@@ -41,7 +42,8 @@ def measure(name: str, energy: str) -> list[str]:
     setup = time.perf_counter() - began
     travel = motion.motion(scenario)
     given = riders.given_motions(scenario, travel)
-    job = Job(scenario, found, prepared, travel, given, [], lambda _step: True)
+    nobody = Controllers(scenario)
+    job = Job(scenario, found, prepared, travel, given, [], nobody, lambda _step: True)
     forces = [placement.start_force or 0.0 for placement in scenario.pantographs]
     times, raw = [], {}
     for _ in range(REPEATS):
