@@ -1,6 +1,8 @@
 """Trolley wires, bridles and conductor rails against closed forms."""
 
+import re
 from math import cos, pi, sqrt
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -13,12 +15,13 @@ from arcless.simulate import StaticsResult
 from tests.support.line_types import scenario_data
 from tests.support.simple_lines import bridle_data, rail_data, trolley_data
 
+GUIDE = Path(__file__).parents[2] / "docs" / "guide" / "simple-lines.md"
 FINE = {"solver__contact_wire_element": 0.5, "solver__messenger_wire_element": 0.5}
 STAGGER = {"geometry__stagger_contact_wire": [0.2, -0.2]}
 GRAVITY = 9.81
 
 
-def at_rest(line: dict[str, Any], **changes: Any) -> StaticsResult:
+def rest_of(line: dict[str, Any], **changes: Any) -> StaticsResult:
     return arcless.statics(load(scenario_data(line, **changes)))
 
 
@@ -29,7 +32,7 @@ def test_a_trolley_wire_sags_as_a_string_that_turns_at_its_supports(model: str) 
     There the slope w L/2T begins as 1 − exp(−s/ℓ), ℓ² = EI/T: less by w L ℓ/2T, but for w ℓ²/T. The
     wire is longer than its weight was measured on by T/EA.
     """
-    found = at_rest(trolley_data(), **FINE, solver__wire_model=model)
+    found = rest_of(trolley_data(), **FINE, solver__wire_model=model)
     weight, span, tension, bending = 1.1 * GRAVITY, 40.0, 12e3, 130.0
     length = sqrt(bending / tension)
     sag = weight / tension * (span**2 / 8 - span * length / 2 + length**2)
@@ -49,7 +52,7 @@ def test_elasticity_of_a_trolley_wire() -> None:
     """L/4T in the middle, less 3ℓ/4T: bending takes ℓ/2T at the force and ℓ/8T at either side of
     both supports, which give 1/2k together. At a support 1/(k + 2T/L).
     """
-    found = at_rest(trolley_data(), **FINE)
+    found = rest_of(trolley_data(), **FINE)
     span, tension, stiffness = 40.0, 12e3, 5e5
     length = sqrt(130.0 / tension)
     middle = (span - 3 * length) / (4 * tension) + 1 / (2 * stiffness)
@@ -65,7 +68,7 @@ def test_tension_between_fixed_ends_follows_the_temperature(difference: float) -
     that are all alike. Source: Kiessling et al., equation 5.57, as quoted in Bane NOR TRV.
     """
     line = trolley_data(contact_wire__ends="fixed", contact_wire__bending_stiffness=0.0)
-    found = at_rest(line, **FINE, as_built__temperature_difference=difference)
+    found = rest_of(line, **FINE, as_built__temperature_difference=difference)
     load_, axial, before = 1.1 * GRAVITY * 40.0, 14e6, 12e3
     sag = axial * load_**2 / 24
     roots = np.roots([1, -before + sag / before**2 + axial * 17e-6 * difference, 0, -sag])
@@ -78,7 +81,7 @@ def test_tension_between_fixed_ends_follows_the_temperature(difference: float) -
 
 
 def test_clamps_of_bridles_are_at_the_height_of_the_wire() -> None:
-    found = at_rest(bridle_data(), **FINE)
+    found = rest_of(bridle_data(), **FINE)
     assert [b["support"] for b in found.bridles] == [f"support {n}" for n in range(2, 11)]
     heights = np.array([bridle["clamp_heights_m"] for bridle in found.bridles]) - 5.5
     # Alike on both sides: off by the second order of the slopes, 0.12²/2 of a rise of 0.6 m.
@@ -95,7 +98,7 @@ def test_clamps_of_bridles_are_at_the_height_of_the_wire() -> None:
 @pytest.mark.parametrize("stagger", [{}, STAGGER], ids=["straight", "staggered"])
 def test_forces_balance_at_the_clamps_of_a_bridle(stagger: dict[str, Any]) -> None:
     limp = bridle_data(contact_wire__bending_stiffness=0.0, **stagger)
-    found = at_rest(limp, solver__wire_model="lumped").equilibrium
+    found = rest_of(limp, solver__wire_model="lumped").equilibrium
     mesh, points = found.mesh, found.positions
     nodes, floats = mesh.parts["segments"]
     tension, rest = found.arrays["wire_tension"], found.arrays["wire_rest_length"]
@@ -113,7 +116,7 @@ def test_forces_balance_at_the_clamps_of_a_bridle(stagger: dict[str, Any]) -> No
 
 
 def test_bridles_soften_the_supports() -> None:
-    plain, bridled = at_rest(trolley_data()), at_rest(bridle_data())
+    plain, bridled = rest_of(trolley_data()), rest_of(bridle_data())
     assert min(bridled.elasticity_m_per_N) > 50 * min(plain.elasticity_m_per_N)
     assert bridled.elasticity_nonuniformity < 0.7 < plain.elasticity_nonuniformity
 
@@ -121,7 +124,7 @@ def test_bridles_soften_the_supports() -> None:
 @pytest.mark.parametrize("model", ["hermite", "lumped"])
 def test_a_rail_sags_as_a_continuous_beam(model: str) -> None:
     """w L⁴/384 EI in every span far from the ends, and no tension from anywhere."""
-    found = at_rest(rail_data(), **FINE, solver__wire_model=model)
+    found = rest_of(rail_data(), **FINE, solver__wire_model=model)
     sag = 8.0 * GRAVITY * 8.0**4 / (384 * 2e5)
     # Differences for derivatives: clamped beam of N = 16 segments, (1 + 8/N²) of its sag.
     sag *= {"hermite": 1.0, "lumped": 1.0 + 8.0 / 16**2}[model]
@@ -138,7 +141,7 @@ def test_a_rail_under_a_force_is_a_beam_on_many_supports() -> None:
     The spans beyond turn back as 2√3 EI/L (three-moment equation, neighbours by −(2 − √3)), the
     span itself as 2 EI/L; the clamped moment is P L/8: θ = P L²/(16 (1 + √3) EI).
     """
-    found = at_rest(rail_data(), **FINE)
+    found = rest_of(rail_data(), **FINE)
     e = found.elasticity_m_per_N
     beam = 8.0**3 / 2e5 * (1 / 192 + 1 / (64 * (1 + sqrt(3))))
     # The sag adds an arch of 1e-2: with it the force is off by its square.
@@ -148,7 +151,7 @@ def test_a_rail_under_a_force_is_a_beam_on_many_supports() -> None:
 def test_a_rail_on_springs_follows_the_three_moment_equation() -> None:
     """Settling supports: M₋ + 4M + M₊ = 6EI/L² (z₋ − 2z + z₊) + load term, k z = jump of shear."""
     count, span, bending, stiffness = 30, 8.0, 2e5, 6e4
-    found = at_rest(rail_data(contact_support__vertical_stiffness=stiffness), **FINE)
+    found = rest_of(rail_data(contact_support__vertical_stiffness=stiffness), **FINE)
     e = found.elasticity_m_per_N
     assert e[len(e) // 2] == pytest.approx(
         middle_of_beam_on_springs(count, span, bending, stiffness), rel=1e-3
@@ -180,10 +183,44 @@ def middle_of_beam_on_springs(count: int, span: float, bending: float, k: float)
 
 def test_first_frequency_of_a_rail_on_supports() -> None:
     """All spans swing against their neighbours, each as a hinged beam: π/2L² √(EI/m)."""
-    found = at_rest(rail_data(), **FINE)
+    found = rest_of(rail_data(), **FINE)
     first = pi / (2 * 8.0**2) * sqrt(2e5 / 8.0)
     # Supports of 1e10 N/m; the sag's arch stiffens it by less.
     assert found.natural_frequencies_Hz[0] == pytest.approx(first, rel=1e-3)
+
+
+def test_a_heated_rail_between_fixed_ends_carries_the_euler_load_of_its_spans() -> None:
+    """π² EI/L²: neighbours bend to opposite sides, each as a hinged bar."""
+    fixed = rail_data(contact_wire__ends="fixed", contact_wire__thermal_expansion=23e-6)
+    found = rest_of(fixed, as_built__temperature_difference=30.0)
+    assert found.as_built is not None
+    euler = pi**2 * 2e5 / 8.0**2
+    # From below, as far as the sag, which bends all spans alike, is small beside the buckles; held
+    # straight it would carry EA α Δθ, three times as much.
+    assert found.as_built["contact_wire_tension_N"] == pytest.approx(-euler, rel=1e-2)
+
+
+def printed(name: str) -> list[float]:
+    """Return the numbers of a row of the guide's tables."""
+    (row,) = re.findall(rf"\| {re.escape(name)} \| (.*) \|", GUIDE.read_text(encoding="utf-8"))
+    return [float(value) for value in row.split(" | ")]
+
+
+def test_the_guide_prints_what_is_found(at_rest: Any) -> None:
+    plain = {"line.bridle": None, "line.steady_arm": {"kind": "none"}}
+    wires = [at_rest("trolley-bridles-60", plain), at_rest("trolley-bridles-60")]
+    rails = [at_rest(f"conductor-rail-{number}-120") for number in (1, 2, 3)]
+    rows = [
+        ("sag, mm", [1e3 * f.contact_wire_sag_m for f in wires], 0.51),
+        ("highest elasticity, mm/N", [1e3 * max(f.elasticity_m_per_N) for f in wires], 0.0051),
+        ("lowest elasticity, mm/N", [1e3 * min(f.elasticity_m_per_N) for f in wires], 0.0051),
+        ("sag in the middle span, mm", [1e3 * f.contact_wire_sag_m for f in rails], 0.051),
+        ("highest elasticity, µm/N", [1e6 * max(f.elasticity_m_per_N) for f in rails], 0.051),
+        ("lowest elasticity, µm/N", [1e6 * min(f.elasticity_m_per_N) for f in rails], 0.0051),
+        ("first natural frequency, Hz", [f.natural_frequencies_Hz[0] for f in rails], 0.0051),
+    ]
+    for name, values, last_digit in rows:
+        np.testing.assert_allclose(printed(name), values, atol=last_digit)
 
 
 @pytest.mark.parametrize("model", ["hermite", "lumped"])
