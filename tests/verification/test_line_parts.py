@@ -170,6 +170,9 @@ def test_without_an_anchor_the_left_end_stays() -> None:
     # The wire is 5e-4 longer than the track, and stretched by 9e-4.
     assert warm.as_built["contact_wire_end_travel_m"] == pytest.approx(way, rel=2e-3)
     assert held.as_built["contact_wire_end_travel_m"] == pytest.approx(way / 2, rel=2e-3)
+    assert held.as_built["contact_wire_start_travel_m"] == pytest.approx(-way / 2, rel=2e-3)
+    assert "contact_wire_start_travel_m" not in warm.as_built
+    assert "messenger_wire_start_travel_m" not in held.as_built
 
 
 def test_the_anchor_stands_at_the_support_that_is_named() -> None:

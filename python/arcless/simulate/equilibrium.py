@@ -102,13 +102,13 @@ class Equilibrium:
         contact = float(tension[is_contact].mean())
         return contact, float(tension[~is_contact].mean()) if self.mesh.messenger_nodes else None
 
-    def end_travel(self) -> tuple[float, float | None]:
-        """Way of the far ends of contact and messenger wire since the design, in m.
+    def end_travel(self, end: int = -1) -> tuple[float, float | None]:
+        """Way of the far ends (with 0, the near ones) of contact and messenger wire in m.
 
         Of several tension lengths, that of the one that moved furthest.
         """
-        contact = self._travel([wire[-1] for wire in self.mesh.contact_wires])
-        messengers = [system.messenger[-1] for system in self.mesh.systems if system.messenger]
+        contact = self._travel([wire[end] for wire in self.mesh.contact_wires])
+        messengers = [system.messenger[end] for system in self.mesh.systems if system.messenger]
         return contact, self._travel(messengers) if messengers else None
 
     def _travel(self, nodes: list[int]) -> float:

@@ -142,9 +142,13 @@ class StaticsResult:
         contact, messenger = self.equilibrium.mean_tensions()
         contact_end, messenger_end = self.equilibrium.end_travel()
         points = self.equilibrium.positions[self.equilibrium.mesh.contact_nodes]
+        both = self.scenario.line.midpoint_anchor is not None
+        starts = self.equilibrium.end_travel(0) if both else (None, None)
         above = {
             "messenger_wire_tension_N": messenger,
             "messenger_wire_end_travel_m": messenger_end,
+            "contact_wire_start_travel_m": starts[0],
+            "messenger_wire_start_travel_m": starts[1],
         }
         return {
             "contact_wire_tension_N": contact,
