@@ -122,9 +122,14 @@ class StaticsResult:
     def contact_wire_sag_m(self) -> float:
         """Highest minus lowest point of the contact wire in the middle span."""
         left, right = self.equilibrium.middle_span()
-        points = self.equilibrium.positions[self.equilibrium.mesh.contact_nodes]
-        inside = points[(points[:, 0] >= left - 1e-6) & (points[:, 0] <= right + 1e-6)]
-        return float(np.ptp(inside[:, 2]))
+        sags = []
+        for nodes in self.equilibrium.mesh.contact_wires:
+            points = self.equilibrium.positions[nodes]
+            inside = points[(points[:, 0] >= left - 1e-6) & (points[:, 0] <= right + 1e-6)]
+            # A wire that only begins or ends there, raised to its anchor, does not run through.
+            if len(inside) > 1:
+                sags.append(float(np.ptp(inside[:, 2])))
+        return max(sags)
 
     @property
     def wave_speed(self) -> float | None:

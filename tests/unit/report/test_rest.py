@@ -12,7 +12,7 @@ from arcless.model import load
 from arcless.report import rest
 from arcless.simulate import StaticsResult, statics
 from tests.support.line_types import compound_data, scenario_data, stitched_data
-from tests.support.overlaps import overlap_data
+from tests.support.overlaps import overlap_data, plain_data
 
 STAGGERED = {"stagger_contact_wire": [0.2, -0.2], "contact_wire_height": 5.3, "encumbrance": 1.4}
 ARM = {"kind": "arm", "length": 1.2, "slope": 0.1}
@@ -127,3 +127,12 @@ def test_a_file_that_cannot_be_written_leaves_nothing(tmp_path: Path) -> None:
     with pytest.raises(OutputError, match="cannot be written"):
         rest.write(found, tmp_path / "none" / "line.html")
     assert list(tmp_path.iterdir()) == []
+
+
+def test_sag_is_that_of_the_wire_that_runs_through_the_span() -> None:
+    """At the border of an overlap the neighbour's wire hangs half a metre higher at its anchor."""
+    plain, overlap = (
+        statics(load(scenario_data(data))) for data in (plain_data(11), overlap_data())
+    )
+    # The same span and droppers: the weight between two droppers over the tension.
+    assert overlap.contact_wire_sag_m == pytest.approx(plain.contact_wire_sag_m, rel=0.02)
