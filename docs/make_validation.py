@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from validation import converging, praks, shipped, spacing
+from validation import converging, library, praks, shipped, spacing
 from validation.runs import run, table
 from validation.variants import (
     WIRES,
@@ -250,6 +250,7 @@ TABLES: dict[str, dict[str, Callable[[], str]]] = {
     "energy": {"ledger": energy_table},
     "praks": praks.TABLES,
     "lines": shipped.TABLES | spacing.TABLES,
+    "library": library.TABLES,
 }
 
 

@@ -75,6 +75,7 @@ def test_sensitivity_is_current(run_once: RunOnce, title: str, changes: dict[str
         "energy",
         "praks",
         "lines",
+        "library",
     ],
 )
 def test_pages_say_how_they_were_made(page: str) -> None:

@@ -8,6 +8,8 @@ from types import ModuleType
 import numpy as np
 import pytest
 
+from arcless.model.library import shipped as known
+
 DOCS = Path(__file__).parents[2] / "docs"
 STITCHED = (
     "norway-s20a", "norway-s25", "norway-s35", "germany-re-200", "germany-re-330",
@@ -35,9 +37,9 @@ def spacing() -> Iterator[ModuleType]:
     yield from from_docs("spacing")
 
 
-def printed(name: str) -> list[list[str]]:
-    """Cells of a table of the page, without its head."""
-    page = (DOCS / "validation/lines.md").read_text(encoding="utf-8")
+def printed(name: str, file: str = "lines") -> list[list[str]]:
+    """Cells of a table of a page, without its head."""
+    page = (DOCS / f"validation/{file}.md").read_text(encoding="utf-8")
     table = page.partition(f"<!-- table: {name} -->")[2].partition("<!-- end -->")[0]
     rows = [line for line in table.splitlines() if line.startswith("|")]
     return [[cell.strip() for cell in row.strip("|").split("|")] for row in rows[2:]]
@@ -61,10 +63,10 @@ def test_stitching_evens_out_the_elasticity(shipped: ModuleType, line: str) -> N
 
 
 def test_mean_elasticities_are_near_what_is_remembered(shipped: ModuleType) -> None:
-    for line, _, known, _, _ in shipped.ELASTICITIES:
+    for line, _, remembered, _, _ in shipped.ELASTICITIES:
         mean = 1e3 * np.mean(shipped.at_rest(line).elasticity_m_per_N)
         # Remembered to a digit or two, for other layouts of droppers: 10 %.
-        assert mean == pytest.approx(np.mean(known), rel=0.10), line
+        assert mean == pytest.approx(np.mean(remembered), rel=0.10), line
         row = next(row for row in printed("elasticity") if row[0] == line)
         assert float(row[7]) == pytest.approx(mean, abs=0.011)
 
@@ -125,3 +127,19 @@ def test_published_spacings_are_no_general_rule() -> None:
         worst = min(rows["90 m"][case], rows["150 m"][case])
         best = max(rows["200 m"][case], rows["210 m"][case])
         assert worst < best
+
+
+def test_the_library_page_lists_models_as_they_are(shipped: ModuleType) -> None:
+    rows = {row[0]: row for row in printed("lines", "library")}
+    models = {row[0]: row for row in printed("pantographs", "library")}
+    assert set(rows) <= set(known("line")) and set(models) <= set(known("pantograph"))
+    assert len(rows) >= 14 and len(models) >= 10
+    for name in ("norway-s25", "shinkansen-heavy-compound", "conductor-rail-1"):
+        found = shipped.at_rest(name)
+        e = 1e3 * np.array(found.elasticity_m_per_N)
+        assert float(rows[name][6]) == pytest.approx(e[0], rel=0.01)  # three digits
+        assert float(rows[name][7]) == pytest.approx(e[len(e) // 2], rel=0.01)
+        marks = [entry.mark for entry in found.scenario.line.provenance.values()]
+        # Read or computed from what was read; second-hand; from memory; assumed.
+        groups = ({"A", "D"}, {"B"}, {"C", "C*"}, {"assumed"})
+        assert rows[name][8:] == [str(sum(m in group for m in marks)) for group in groups]
