@@ -95,11 +95,11 @@ pub enum CoreError {
         step: usize,
         /// Time, s.
         time: f64,
-        /// Moving contacts in the problem, by index.
-        contacts: Vec<usize>,
+        /// Contacts in the problem: rider, strip, lane.
+        contacts: Vec<[usize; 3]>,
         /// Links in the problem, by index, after the contacts.
         links: Vec<usize>,
-        /// Number of stops of each contact's rider; they stand behind the links.
+        /// Number of stops of each rider; they stand behind the links.
         stops: Vec<usize>,
         /// The problem itself and why it failed.
         failure: Box<LcpFailure>,
@@ -112,13 +112,30 @@ pub enum CoreError {
         /// Time, s.
         time: f64,
     },
-    /// A moving contact left the wire it runs along.
-    #[error("contact {contact} left the wire at {position:.3} m in step {step}")]
+    /// A strip of a rider stands where no lane has wire.
+    #[error("rider {rider} left the wire at {position:.3} m in step {step}")]
     OffWire {
-        /// Index of the contact.
-        contact: usize,
+        /// Index of the rider.
+        rider: usize,
         /// Position along the track, m.
         position: f64,
+        /// Step number.
+        step: usize,
+    },
+    /// All wires lie beyond the ends of a rider's strips.
+    #[error(
+        "the wire leaves rider {rider} sideways at {position:.3} m in step {step}: {lateral:.3} m off \
+         the middle of a strip that reaches {half_width:.3} m"
+    )]
+    OutOfReach {
+        /// Index of the rider.
+        rider: usize,
+        /// Position of the strip along the track, m.
+        position: f64,
+        /// Lateral place of the wire least far out, m.
+        lateral: f64,
+        /// Half width of the strip, m.
+        half_width: f64,
         /// Step number.
         step: usize,
     },

@@ -7,6 +7,7 @@ use arcless_core::dynamics::record::Record;
 use arcless_core::dynamics::rider::{Rider, RiderState};
 use arcless_core::dynamics::run::Travel;
 use arcless_core::dynamics::stop::Stop;
+use arcless_core::dynamics::strip::Strip;
 use arcless_core::scheme::Scheme;
 use common::{difference, everything, free_mass, run, three_masses, travel};
 use std::f64::consts::PI;
@@ -18,7 +19,7 @@ fn two_masses() -> Rider {
         mass: vec![15.0, 0.0, 0.0, 7.2],
         damping: vec![c[0] + c[1], -c[1], -c[1], c[1]],
         stiffness: vec![k[0] + k[1], -k[1], -k[1], k[1]],
-        strip: vec![0.0, 1.0],
+        strips: vec![Strip::plain(vec![0.0, 1.0])],
         preload: vec![1.0, 0.0],
         lift: vec![0.0; 2],
         start_force: 0.0,

@@ -5,6 +5,7 @@ mod common;
 use arcless_core::CoreError;
 use arcless_core::dynamics::given::Given;
 use arcless_core::dynamics::rider::{Rider, RiderState};
+use arcless_core::dynamics::strip::Strip;
 use arcless_core::scheme::{AlphaScheme, Scheme};
 use std::f64::consts::TAU;
 
@@ -15,7 +16,7 @@ fn oscillator(zeta: f64) -> Rider {
         mass: vec![1.0],
         damping: vec![2.0 * zeta * omega],
         stiffness: vec![omega * omega],
-        strip: vec![1.0],
+        strips: vec![Strip::plain(vec![1.0])],
         preload: vec![1.0],
         lift: vec![0.0],
         start_force: 0.0,

@@ -12,6 +12,7 @@ use arcless_core::dynamics::record::{Record, RecordPlan};
 use arcless_core::dynamics::rider::Rider;
 use arcless_core::dynamics::run::Travel;
 use arcless_core::dynamics::stepper::Prepared;
+use arcless_core::dynamics::strip::Strip;
 use arcless_core::linalg::SymmetricBlocks;
 use arcless_core::published::{Known, Matrix, PublishedStep, friction};
 use arcless_core::scheme::Scheme;
@@ -85,7 +86,7 @@ fn two_masses(force: f64) -> Rider {
         mass: vec![45.0, 0.0, 0.0, 16.0],
         damping: vec![0.0; 4],
         stiffness: vec![7e3, -6e3, -6e3, 6e3],
-        strip: vec![0.0, 1.0],
+        strips: vec![Strip::plain(vec![0.0, 1.0])],
         preload: vec![1.0, 0.0],
         lift: vec![0.0; 2],
         start_force: force,

@@ -114,14 +114,28 @@ fn details<'py>(
             "slack_set"
         }
         CoreError::OffWire {
-            contact,
+            rider,
             position,
             step,
         } => {
-            d.set_item("contact", contact)?;
+            d.set_item("rider", rider)?;
             d.set_item("position", position)?;
             d.set_item("step", step)?;
             "off_wire"
+        }
+        CoreError::OutOfReach {
+            rider,
+            position,
+            lateral,
+            half_width,
+            step,
+        } => {
+            d.set_item("rider", rider)?;
+            d.set_item("position", position)?;
+            d.set_item("lateral", lateral)?;
+            d.set_item("half_width", half_width)?;
+            d.set_item("step", step)?;
+            "out_of_reach"
         }
         CoreError::Cancelled { step } => {
             d.set_item("step", step)?;

@@ -13,6 +13,7 @@ use arcless_core::dynamics::rider::Rider;
 use arcless_core::dynamics::run::Travel;
 use arcless_core::dynamics::stepper;
 use arcless_core::dynamics::stop::Stop;
+use arcless_core::dynamics::strip::Strip;
 use numpy::ToPyArray;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -45,13 +46,13 @@ macro_rules! either {
 #[pyclass(frozen)]
 pub struct Prepared(pub Any);
 
-/// One rider as it comes from Python: mass, damping, stiffness matrices by rows; strip, preload,
-/// lift vectors; contact force at the start; what is given; stops; springs and dampers with tables; actuator.
+/// One rider as it comes from Python: mass, damping, stiffness matrices by rows; strips; preload, lift
+/// vectors; contact force at the start; what is given; stops; springs and dampers with tables; actuator.
 type RiderData = (
     Vec<f64>,
     Vec<f64>,
     Vec<f64>,
-    Vec<f64>,
+    Vec<StripData>,
     Vec<f64>,
     Vec<f64>,
     f64,
@@ -63,6 +64,10 @@ type RiderData = (
 
 /// Direction, steps from sample to sample, steps of delay, and who is asked.
 type ActuatorData = (Vec<f64>, usize, usize, Py<PyAny>);
+
+/// Offset behind the reference point and half width in m; lateral places in m, and a vector for each
+/// whose product with the displacements is the height there.
+type StripData = (f64, f64, Vec<f64>, Vec<Vec<f64>>);
 
 /// Forces (direction, N at every instant), and the ground: displacement that goes with it, its
 /// own in m and its rate in m/s at every instant.
@@ -93,6 +98,15 @@ fn given((forces, ground): GivenData) -> Given {
     }
 }
 
+fn strip((offset, half_width, knots, vectors): StripData) -> Strip {
+    Strip {
+        offset,
+        half_width,
+        knots,
+        vectors,
+    }
+}
+
 fn stop((direction, gap, stiffness): StopData) -> Stop {
     Stop {
         direction,
@@ -119,7 +133,7 @@ fn rider(data: RiderData) -> (Rider, Option<Py<PyAny>>) {
         mass,
         damping,
         stiffness,
-        strip,
+        strips,
         preload,
         lift,
         start_force,
@@ -146,7 +160,7 @@ fn rider(data: RiderData) -> (Rider, Option<Py<PyAny>>) {
         mass,
         damping,
         stiffness,
-        strip,
+        strips: strips.into_iter().map(strip).collect(),
         preload,
         lift,
         start_force,
@@ -305,6 +319,7 @@ fn arrays<'py>(py: Python<'py>, r: &Record) -> PyResult<Bound<'py, PyDict>> {
         ("work_loads", |e| e.work_loads),
         ("residual", Entries::residual),
     ];
+    out.set_item("contacts", &r.contacts)?;
     let energy = PyDict::new(py);
     for (name, read) in entries {
         let values: Vec<f64> = r.energy.iter().map(read).collect();

@@ -150,6 +150,8 @@ def _check_finite(
     bad = ~np.isfinite(array)
     if variable.padded:
         bad &= ~np.all(np.isnan(array), axis=0)
+    if variable.absent:
+        bad &= ~np.isnan(array)
     if not bad.any():
         return
     first = np.unravel_index(int(np.argmax(bad)), array.shape)

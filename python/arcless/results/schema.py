@@ -26,6 +26,8 @@ class Variable:
     integer: bool = False
     padded: bool = False
     """Whole columns may be NaN (a pantograph with fewer masses than another)."""
+    absent: bool = False
+    """Single values may be NaN (a contact that has no wire in reach)."""
 
 
 @dataclass(frozen=True)
@@ -41,6 +43,7 @@ DIMENSIONS: dict[str, Dimension] = {
     "time": Dimension("number", "s", "time since the start of the run, contact channels"),
     "line_time": Dimension("number", "s", "time since the start of the run, line channels"),
     "pantograph": Dimension("name", "1", "pantograph name, first in the direction of travel first"),
+    "contact": Dimension("name", "1", "strip of a pantograph on a lane of contact wires"),
     "mass": Dimension("count", "1", "mass of a pantograph, from 1 at the base to the head"),
     "dropper": Dimension("name", "1", "dropper name"),
     "support": Dimension("name", "1", "support name"),
@@ -72,6 +75,19 @@ VARIABLES: dict[str, Variable] = {
         _CONTACT, "m", "height of the contact wire above rail at the pantograph", required=True
     ),
     "contact_lateral": Variable(_CONTACT, "m", "lateral position of the contact wire at the strip"),
+    "wire_contact_force": Variable(("time", "contact"), "N", "force of a single contact"),
+    "wire_contact_gap": Variable(
+        ("time", "contact"),
+        "m",
+        "gap of a single contact, NaN with no wire in reach",
+        absent=True,
+    ),
+    "wire_contact_lateral": Variable(
+        ("time", "contact"),
+        "m",
+        "lateral position of the wire at a single contact, NaN without a wire",
+        absent=True,
+    ),
     "position": Variable(
         _CONTACT, "m", "position of the pantograph along the track", required=True
     ),

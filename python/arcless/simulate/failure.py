@@ -12,6 +12,7 @@ from arcless.errors import ArclessError, ContactError, EquilibriumError
 from arcless.mesh import Mesh
 from arcless.model import Scenario
 from arcless.model.scenario import PantographPlacement
+from arcless.simulate.contacts import label
 from arcless.simulate.equilibrium import translate
 from arcless.simulate.joints import laws
 
@@ -63,10 +64,19 @@ def _translate(
         return _unsolved(mesh, pantographs, details)
     if kind == "off_wire":
         return ContactError(
-            f"pantograph {pantographs[details['contact']]} left the wire",
+            f"pantograph {pantographs[details['rider']]} left the wire",
             where=f"step {details['step']}",
             got=f"{details['position']:.2f} m",
             hint="shorten travel, or lengthen the line",
+        )
+    if kind == "out_of_reach":
+        name = pantographs[details["rider"]]
+        return ContactError(
+            f"the contact wire leaves the collector of pantograph {name} sideways",
+            where=f"{details['position']:.2f} m, step {details['step']}",
+            got=f"{abs(details['lateral']):.3f} m off the middle",
+            expected=f"at most the half width of the collector, {details['half_width']:.3f} m",
+            hint="a collector shorter than the stagger: check both, and the wind",
         )
     if kind in STEPS:
         what, hint = STEPS[kind]
@@ -93,7 +103,7 @@ def _beyond_table(
 
 def _unsolved(mesh: Mesh, pantographs: Sequence[str], details: dict[str, Any]) -> ContactError:
     droppers = {dropper.link: dropper.name for dropper in mesh.droppers}
-    links = [f"pantograph {pantographs[j]}" for j in details["contacts"]]
+    links = _contacts(details["contacts"], pantographs)
     links += [droppers[i] for i in details["links"]]
     for name, count in zip(pantographs, details["stops"], strict=False):
         links += [f"stop or kink {k} of pantograph {name}" for k in range(1, count + 1)]
@@ -113,6 +123,14 @@ def _unsolved(mesh: Mesh, pantographs: Sequence[str], details: dict[str, Any]) -
         got=details["reason"],
         hint=f"replay it with `arcless replay {path}`",
     )
+
+
+def _contacts(numbers: Sequence[Sequence[int]], pantographs: Sequence[str]) -> list[str]:
+    """Name the contacts of a step; strip and wire only where a pantograph has several."""
+    riders = [rider for rider, _, _ in numbers]
+    if len(set(riders)) == len(riders):
+        return [f"pantograph {pantographs[rider]}" for rider in riders]
+    return [f"pantograph {label(each, pantographs)}" for each in numbers]
 
 
 def _save(prefix: str, text: str) -> Path:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from arcless.assess.filter import low_pass, sample_rate_Hz
 from arcless.errors import ContactError
+from arcless.simulate.contacts import total_force
 
 if TYPE_CHECKING:
     from arcless.simulate.run import Job
@@ -71,7 +72,7 @@ def _means(job: "Job", forces: NDArray[np.float64]) -> NDArray[np.float64]:
     """Mean contact force of each pantograph in its section, as the assessment defines it, in N."""
     raw = job.step([float(force) for force in forces], full=False)
     count = len(forces)
-    force = raw["force"].reshape(-1, count)
+    force = total_force(raw, count)
     position = raw["position"].reshape(-1, count)
     filtered = low_pass(force, sample_rate_Hz(raw["time"]), job.scenario.analysis.low_pass)
     start, end = job.scenario.analysis_range()

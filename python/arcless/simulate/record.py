@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arcless.model import Scenario
+from arcless.simulate import contacts
 from arcless.simulate.equilibrium import Equilibrium
 
 Floats = NDArray[np.float64]
@@ -25,14 +26,8 @@ def dynamic_variables(
 ) -> dict[str, Floats]:
     """Return the time series and extremes of a run, shaped as the result wants them."""
     count = len(scenario.pantographs)
-    per_contact = {
-        "contact_force": raw["force"],
-        "contact_gap": raw["gap"],
-        "contact_height": raw["height"],
-        "contact_lateral": raw["lateral"],
-        "position": raw["position"],
-    }
-    out = {name: values.reshape(-1, count) for name, values in per_contact.items()}
+    out = contacts.channels(raw, count)
+    out["position"] = raw["position"].reshape(-1, count)
     if controlled:
         out["control_force"] = raw["control"].reshape(-1, count)
     out["speed"] = raw["speed"]
@@ -134,6 +129,9 @@ def names(raw: dict[str, Any], found: Equilibrium, scenario: Scenario, x: Floats
         "support": [support.name for support in found.mesh.supports],
         "elasticity_x": x,
     }
+    named = contacts.labels(raw, labels["pantograph"])
+    if named:
+        labels["contact"] = named
     if scenario.output.points:
         labels["point"] = [f"{point:g} m" for point in scenario.output.points]
     return labels

@@ -1,5 +1,7 @@
 """Pantograph → rider of the core: matrices, where forces act, what is given over time."""
 
+from math import inf
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -16,11 +18,13 @@ Floats = NDArray[np.float64]
 Numbers = list[float]
 # Forces as direction and N at every instant; the ground as what goes with it, m, and m/s.
 GivenData = tuple[list[tuple[Numbers, Numbers]], tuple[Numbers, Numbers, Numbers] | None]
+# Offset behind the reference point and half width, m; lateral places, m, and a vector for each.
+StripData = tuple[float, float, Numbers, list[Numbers]]
 RiderData = tuple[
     Numbers,
     Numbers,
     Numbers,
-    Numbers,
+    list[StripData],
     Numbers,
     Numbers,
     float,
@@ -57,19 +61,20 @@ def rider(
         # What is symmetric as written but for rounding is made so; the rest keeps its bits.
         matrices = [(m + m.T) / 2.0 for m in matrices]
         lift = parts.lift or (0.0,) * len(parts.strip)
-        vectors = (list(parts.strip), list(parts.preload), list(lift))
+        strip, vectors = list(parts.strip), (list(parts.preload), list(lift))
     else:
         matrices = _chain(pantograph.masses)
         size = len(pantograph.masses)
+        strip = unit_vector(size, size - 1)
         vectors = (
-            unit_vector(size, size - 1),
             unit_vector(size, 0),
             [p.aerodynamic for p in pantograph.masses],
         )
     mass, damping, stiffness = (m.ravel().tolist() for m in matrices)
     laws = [law.data for law in joints.laws(pantograph)]
     stops = joints.stops(pantograph)
-    return (mass, damping, stiffness, *vectors, start_force, given, stops, laws, actuator)
+    strips: list[StripData] = [(0.0, inf, [0.0], [strip])]
+    return (mass, damping, stiffness, strips, *vectors, start_force, given, stops, laws, actuator)
 
 
 def _chain(masses: tuple[PantographMass, ...]) -> list[Floats]:

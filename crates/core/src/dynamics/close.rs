@@ -25,7 +25,7 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
             let tension_free = &self.state.links.tension_free;
             let stats = self.unilateral.solve(
                 &self.p,
-                &self.at_balance,
+                &self.contacts,
                 &mut self.riders,
                 &self.gaps,
                 tension_free,
@@ -33,7 +33,7 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
             let stats = stats.map_err(|failure| CoreError::Lcp {
                 step,
                 time,
-                contacts: (0..self.at_balance.len()).collect(),
+                contacts: self.contacts.active().map(|c| c.of).collect(),
                 links: self.unilateral.links.clone(),
                 stops: self.riders.iter().map(|r| r.entered().count()).collect(),
                 failure,
@@ -42,14 +42,16 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
             total.fallback_used |= stats.fallback_used;
             total.residual = total.residual.max(stats.residual);
             self.p
-                .respond(&mut self.state, &mut self.unilateral, &self.at_balance);
+                .respond(&mut self.state, &mut self.unilateral, &self.contacts);
             let (links, tension) = (&self.p.line.links, &self.state.links.tension);
             let pushes = |i: usize| links[i].unilateral && tension[i] < 0.0;
             if !self.unilateral.extend(pushes) {
-                for (rider, &force) in self.riders.iter_mut().zip(&self.unilateral.force) {
-                    rider.add_contact(force);
-                    rider.add_kinks();
+                for (contact, force) in self.contacts.all.iter().zip(&self.unilateral.force) {
+                    if contact.meets {
+                        self.riders[contact.rider()].add_contact(*force, &contact.column);
+                    }
                 }
+                self.riders.iter_mut().for_each(RiderState::add_kinks);
                 if !self.turn() {
                     return Ok(total);
                 }
@@ -80,7 +82,7 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
     fn provide_columns(&mut self) {
         if self.p.updating.is_some() {
             let links = &self.unilateral.links;
-            self.p.to_mut().provide(&self.at_balance, links);
+            self.p.to_mut().provide(&self.contacts, links);
         }
     }
 }

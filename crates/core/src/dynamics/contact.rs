@@ -1,23 +1,22 @@
 //! The complementarity problem of one step: contacts, slack links and stops together.
 //!
-//! Contact j: force λ ≥ 0 against gap d + λ/k_c ≥ 0 (k_c infinite when rigid).
+//! Contact j (a strip on a lane): force λ ≥ 0 against gap d + λ/k_c ≥ 0 (k_c infinite when rigid).
 //! Link i:    correction r ≥ 0 against tension T ≥ 0; r cancels what the linear link would push.
 //! Both laws hold at the time of balance. With Δu = Δu₀ + A⁻¹(C λ − G r),
 //!
 //!   [ d/a ]   [ CᵀA⁻¹C + eᵀA_p⁻¹e + 1/(a k_c)   −CᵀA⁻¹G        ] [ λ ]   [ d₀/a ]
 //!   [ T/κ ] = [ GᵀA⁻¹C                           1/κ − GᵀA⁻¹G   ] [ r ] + [ T₀/κ ]
 //!
-//! a = 1 − α_f, κ = a k + (a γ / β h) c of the link. Dividing by a and κ makes the diagonal blocks
+//! eᵀA_p⁻¹e couples the contacts of one rider. a = 1 − α_f, κ = a k + (a γ / β h) c of the link. Dividing by a and κ makes the diagonal blocks
 //! symmetric and the coupling skew, so the matrix is positive definite and the solution unique.
 //!
 //! Stop s of a rider: force σ ≥ 0 against opening s + σ/k_s ≥ 0. It moves its rider alone, so divided
-//! by a it joins the contacts: dᵀA_p⁻¹d + 1/(a k_s), coupled to the contact of the same rider by
-//! −dᵀA_p⁻¹e in both directions, and to no link. The block stays symmetric and positive definite.
+//! by a it joins the contacts: dᵀA_p⁻¹d + 1/(a k_s), coupled to the contacts of the same rider
+//! by −dᵀA_p⁻¹e in both directions, and to no link. The block stays symmetric and positive definite.
 //! So does a hardening [kink](super::kink) of a spring or damper; a softening one joins the links.
 
-use super::line::Line;
-use super::place::{Place, slots};
-use super::rider::RiderState;
+use super::contacts::Contacts;
+use super::rider::{RiderState, inner};
 use super::stepper::Prepared;
 use crate::lcp::{LcpFailure, LcpSolver, LcpStats};
 
@@ -25,9 +24,9 @@ use crate::lcp::{LcpFailure, LcpSolver, LcpStats};
 /// once the vectors have grown.
 #[derive(Debug, Default)]
 pub struct Unilateral {
-    /// Contact forces λ, N.
+    /// Contact forces λ, N; zero where a contact does not take part.
     pub force: Vec<f64>,
-    /// Gaps d + λ/k_c, m: zero when closed.
+    /// Gaps d + λ/k_c, m: zero when closed, infinite where a contact does not take part.
     pub gap: Vec<f64>,
     /// Corrections r of all links, N.
     pub correction: Vec<f64>,
@@ -49,15 +48,22 @@ pub struct Unilateral {
 impl Unilateral {
     /// For the given numbers of contacts and links, with the corrections at the start.
     #[must_use]
-    pub fn new(force: Vec<f64>, correction: Vec<f64>) -> Self {
+    pub fn new(contacts: usize, correction: Vec<f64>) -> Self {
         Self {
-            gap: vec![0.0; force.len()],
-            applied_force: vec![0.0; force.len()],
+            gap: vec![f64::INFINITY; contacts],
+            applied_force: vec![0.0; contacts],
             applied_correction: vec![0.0; correction.len()],
             is_in: vec![false; correction.len()],
-            force,
+            force: vec![0.0; contacts],
             correction,
             ..Self::default()
+        }
+    }
+
+    /// Forget the contacts that do not take part.
+    pub fn choose<const DIM: usize>(&mut self, contacts: &Contacts<DIM>) {
+        for (i, _) in contacts.all.iter().enumerate().filter(|(_, c)| !c.meets) {
+            (self.force[i], self.gap[i]) = (0.0, f64::INFINITY);
         }
     }
 
@@ -93,31 +99,20 @@ impl Unilateral {
     pub fn solve<const DIM: usize, const D: usize>(
         &mut self,
         p: &Prepared<DIM, D>,
-        places: &[Place<DIM>],
+        contacts: &Contacts<DIM>,
         riders: &mut [RiderState],
         gap_free: &[f64],
         tension_free: &[f64],
     ) -> Result<LcpStats, Box<LcpFailure>> {
-        let (m, first_stop) = (places.len(), places.len() + self.links.len());
+        let m = contacts.active.len();
+        let first_stop = m + self.links.len();
         let n = first_stop + riders.iter().map(|r| r.entered().count()).sum::<usize>();
         self.h.resize(n * n, 0.0);
         for v in [&mut self.w, &mut self.x, &mut self.y] {
             v.resize(n, 0.0);
         }
         self.warm.resize(n, false);
-        for (j, place) in places.iter().enumerate() {
-            for (i, other) in places.iter().enumerate() {
-                self.h[i * n + j] = p.contact_on_contact(place, other);
-            }
-            self.h[j * n + j] += riders[j].strip(&riders[j].column) + p.contact_compliance;
-            for (k, &link) in self.links.iter().enumerate() {
-                let coupling = p.contact_on_link(place, link);
-                self.h[(m + k) * n + j] = coupling;
-                self.h[j * n + m + k] = -coupling;
-            }
-            self.w[j] = gap_free[j] / p.coefficients.stiffness;
-            self.warm[j] = self.force[j] > 0.0;
-        }
+        self.enter_contacts(p, contacts, gap_free);
         for (k, &link) in self.links.iter().enumerate() {
             for (l, &other) in self.links.iter().enumerate() {
                 self.h[(m + k) * n + m + l] = -p.link_on_link(other, link);
@@ -126,14 +121,14 @@ impl Unilateral {
             self.w[m + k] = tension_free[link] / p.link_stiffness[link];
             self.warm[m + k] = self.correction[link] > 0.0;
         }
-        self.enter_kinks(riders, first_stop);
+        self.enter_kinks(contacts, riders, first_stop);
         let stats = self
             .solver
             .solve(&self.h, &self.w, &mut self.x, &mut self.y, &self.warm);
         let stats = stats.map_err(Box::new)?;
-        self.force.copy_from_slice(&self.x[..m]);
-        for j in 0..m {
-            self.gap[j] = self.y[j] * p.coefficients.stiffness;
+        for (j, &i) in contacts.active.iter().enumerate() {
+            self.force[i] = self.x[j];
+            self.gap[i] = self.y[j] * p.coefficients.stiffness;
         }
         for (k, &link) in self.links.iter().enumerate() {
             self.correction[link] = self.x[m + k];
@@ -145,20 +140,57 @@ impl Unilateral {
         Ok(stats)
     }
 
+    /// Rows and columns of the contacts, and their coupling to the links.
+    fn enter_contacts<const DIM: usize, const D: usize>(
+        &mut self,
+        p: &Prepared<DIM, D>,
+        contacts: &Contacts<DIM>,
+        gap_free: &[f64],
+    ) {
+        let (n, m) = (self.w.len(), contacts.active.len());
+        for (j, contact) in contacts.active().enumerate() {
+            for (i, other) in contacts.active().enumerate() {
+                let mut response = p.contact_on_contact(&contact.place, &other.place);
+                if other.rider() == contact.rider() {
+                    let compliance = f64::from(u8::from(i == j)) * p.contact_compliance;
+                    response += inner(&other.vector, &contact.column) + compliance;
+                }
+                self.h[i * n + j] = response;
+            }
+            for (k, &link) in self.links.iter().enumerate() {
+                let coupling = p.contact_on_link(&contact.place, link);
+                self.h[(m + k) * n + j] = coupling;
+                self.h[j * n + m + k] = -coupling;
+            }
+        }
+        for (j, &i) in contacts.active.iter().enumerate() {
+            self.w[j] = gap_free[i] / p.coefficients.stiffness;
+            self.warm[j] = self.force[i] > 0.0;
+        }
+    }
+
     /// Rows and columns of stops and other kinks, behind those of contacts and links.
-    fn enter_kinks(&mut self, riders: &[RiderState], first: usize) {
+    fn enter_kinks<const DIM: usize>(
+        &mut self,
+        contacts: &Contacts<DIM>,
+        riders: &[RiderState],
+        first: usize,
+    ) {
         let n = self.w.len();
         for row in first..n {
             self.h[row * n..(row + 1) * n].fill(0.0);
             (0..first).for_each(|i| self.h[i * n + row] = 0.0);
         }
         let mut base = first;
-        for (j, rider) in riders.iter().enumerate() {
+        for (number, rider) in riders.iter().enumerate() {
             for (k, kink) in rider.entered().enumerate() {
                 let row = base + k;
-                let coupling = -rider.strip(&kink.column);
-                self.h[row * n + j] = coupling;
-                self.h[j * n + row] = coupling * kink.sign;
+                let own = contacts.active().enumerate();
+                for (j, contact) in own.filter(|(_, c)| c.rider() == number) {
+                    let coupling = -inner(&contact.vector, &kink.column);
+                    self.h[row * n + j] = coupling;
+                    self.h[j * n + row] = coupling * kink.sign;
+                }
                 for (l, other) in rider.entered().enumerate() {
                     self.h[row * n + base + l] = kink.response(other, k == l);
                 }
@@ -167,59 +199,5 @@ impl Unilateral {
             }
             base += rider.entered().count();
         }
-    }
-}
-
-impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
-    /// Field of a unit contact force at `place`, read at a node.
-    #[inline(always)]
-    fn contact_field(&self, place: &Place<DIM>, node: usize) -> [f64; D] {
-        let mut field = [0.0; D];
-        for (column, weight) in place.columns::<D>().zip(&place.weights) {
-            let value = self.columns.at(column, node);
-            for c in 0..D {
-                field[c] += weight * value[c];
-            }
-        }
-        field
-    }
-
-    fn contact_on_contact(&self, source: &Place<DIM>, target: &Place<DIM>) -> f64 {
-        let slots = slots::<DIM, D>();
-        let mut sum = 0.0;
-        for side in 0..2 {
-            let field = self.contact_field(source, target.nodes[side]);
-            let share =
-                |slot: usize| target.weights[slots * side + slot] * field[slot * DIM + DIM - 1];
-            sum += (0..slots).map(share).sum::<f64>();
-        }
-        sum
-    }
-
-    fn contact_on_link(&self, source: &Place<DIM>, link: usize) -> f64 {
-        let line: &Line<DIM, D> = &self.line;
-        let l = &line.links[link];
-        let upper = self.contact_field(source, l.nodes[0]);
-        let lower = self.contact_field(source, l.nodes[1]);
-        (0..DIM)
-            .map(|c| l.direction[c] * (lower[c] - upper[c]))
-            .sum()
-    }
-
-    fn link_on_link(&self, source: usize, target: usize) -> f64 {
-        let l = &self.line.links[target];
-        let column = self.link_column(source);
-        let upper = self.columns.at(column, l.nodes[0]);
-        let lower = self.columns.at(column, l.nodes[1]);
-        (0..DIM)
-            .map(|c| l.direction[c] * (lower[c] - upper[c]))
-            .sum()
-    }
-
-    /// Number of the column A⁻¹g of a link, after the columns of the nodes of all lanes.
-    #[inline(always)]
-    #[must_use]
-    pub fn link_column(&self, link: usize) -> usize {
-        self.lane_columns + link
     }
 }

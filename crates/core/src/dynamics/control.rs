@@ -35,6 +35,13 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
         Ok(())
     }
 
+    /// Sum over the contacts of a rider, N.
+    fn rider_force(&self, j: usize) -> f64 {
+        let forces = self.contacts.all.iter().zip(&self.unilateral.force);
+        let own = forces.filter(|(contact, _)| contact.rider() == j);
+        own.map(|(_, force)| force).sum()
+    }
+
     fn sample(&self, j: usize, step: usize, number: usize) -> Sample {
         let rider = &self.riders[j];
         let moved = rider.u.iter().zip(&self.start_u[j]);
@@ -43,7 +50,7 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
             time: step as f64 * self.p.h,
             position: self.travel.positions[step] - self.travel.distances[j],
             speed: self.travel.speeds[step],
-            force: self.unilateral.force[j],
+            force: self.rider_force(j),
             displacements: moved.map(|(u, start)| u - start).collect(),
             velocities: rider.v.clone(),
         }

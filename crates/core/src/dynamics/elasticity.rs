@@ -44,7 +44,7 @@ impl<const DIM: usize, const D: usize> Still<'_, DIM, D> {
                 }
                 match places[..] {
                     [] => Err(CoreError::OffWire {
-                        contact: i,
+                        rider: i,
                         position,
                         step: 0,
                     }),

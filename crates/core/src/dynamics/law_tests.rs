@@ -4,6 +4,7 @@ use super::given::{Given, Ground, History};
 use super::kink::{Gauge, Motion};
 use super::law::{Law, Side};
 use super::rider::{Rider, RiderState, inner};
+use super::strip::Strip;
 use crate::error::CoreError;
 use crate::lcp::LcpSolver;
 use crate::linalg::dense;
@@ -87,7 +88,7 @@ fn random_rider(random: &mut Random) -> Rider {
         mass,
         damping: random.matrix(n, 1, 50.0),
         stiffness,
-        strip: random.vector(n),
+        strips: vec![Strip::plain(random.vector(n))],
         preload: random.vector(n),
         lift: vec![0.0; n],
         start_force: 0.0,
@@ -284,7 +285,8 @@ fn both_sides_of_a_steep_friction_together_are_no_p_matrix() {
     let mut rider = random_rider(&mut Random(3));
     rider.mass = vec![5.0];
     (rider.damping, rider.stiffness) = (vec![0.0], vec![0.0]);
-    (rider.strip, rider.preload, rider.lift) = (vec![1.0], vec![1.0], vec![0.0]);
+    rider.strips = vec![Strip::plain(vec![1.0])];
+    (rider.preload, rider.lift) = (vec![1.0], vec![0.0]);
     rider.given = Given::default();
     let points = vec![[-2.0, -20.0], [-1e-3, -20.0], [1e-3, 20.0], [2.0, 20.0]];
     rider.laws = vec![Law {
@@ -309,7 +311,8 @@ fn a_table_that_softens_twice_needs_short_steps() {
     let mut rider = random_rider(&mut Random(3));
     rider.mass = vec![1.0];
     (rider.damping, rider.stiffness) = (vec![0.0], vec![10.0]);
-    (rider.strip, rider.preload, rider.lift) = (vec![1.0], vec![1.0], vec![0.0]);
+    rider.strips = vec![Strip::plain(vec![1.0])];
+    (rider.preload, rider.lift) = (vec![1.0], vec![0.0]);
     rider.given = Given::default();
     let points = [
         [-1.0, -1e4],

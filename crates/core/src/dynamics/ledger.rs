@@ -9,7 +9,8 @@
 //! dissipation. What a unilateral law loses because it opens or closes between two instants
 //! (including the impact of a rigid contact) is the `switching` entry:
 //!
-//! * contact:  switching = work of the moving contact − ΔE_contact − work done on line and rider
+//! * contact:  switching = work of the moving contact − ΔE_contact − work done on line and rider,
+//!   where a contact that appears or goes at the end of a wire brings or takes its E_contact
 //! * stop:     as for a contact; what a moving ground takes of its force is work of the ground
 //! * kink:     as for a stop, of a spring; of a damper nothing is stored and all is dissipated
 //! * link:     switching = −(change of stored energy and of dissipation by going slack) − work of r
@@ -19,89 +20,26 @@
 //! from the state itself whenever the ledger is settled.
 
 use super::contact::Unilateral;
+use super::contact_energy::contact_energy;
+use super::contacts::Contacts;
+pub use super::entries::Entries;
 use super::loads::Loads;
-use super::place::Place;
 use super::rider::RiderState;
 use super::rider_energy::RiderWork;
 use super::stepper::{LineState, Prepared};
 use crate::linalg::{Kernel, widest};
-
-/// Entries in J, summed since the start of the run (stored energies: their change).
-#[derive(Debug, Clone, Copy, Default)]
-pub struct Entries {
-    /// Kinetic energy of the line.
-    pub kinetic: f64,
-    /// Elastic energy of the line about its equilibrium (gravity and prestress included).
-    pub elastic: f64,
-    /// Energy in the contact compliances, and in the stops of the riders.
-    pub contact: f64,
-    /// Kinetic and elastic energy of the riders.
-    pub riders: f64,
-    /// Dissipated in wires and struts.
-    pub dissipated_line: f64,
-    /// Dissipated in links.
-    pub dissipated_links: f64,
-    /// Dissipated in springs to ground.
-    pub dissipated_springs: f64,
-    /// Dissipated in riders.
-    pub dissipated_riders: f64,
-    /// Taken out (or put in, when negative) by the time-stepping scheme.
-    pub dissipated_scheme: f64,
-    /// Lost when contacts and links open or close, impacts included.
-    pub switching: f64,
-    /// Work of preload, lift and given forces on the riders, and of the ground that moves them.
-    pub work_uplift: f64,
-    /// Work of the actuators of the riders.
-    pub work_control: f64,
-    /// Work of the traction that moves the contact along the sloping wire.
-    pub work_traction: f64,
-    /// Work of friction along the wire.
-    pub work_friction: f64,
-    /// Work of the loads given on the line.
-    pub work_loads: f64,
-}
-
-impl Entries {
-    /// Stored + dissipated + lost − supplied: zero but for rounding.
-    #[must_use]
-    pub fn residual(&self) -> f64 {
-        self.kinetic
-            + self.elastic
-            + self.contact
-            + self.riders
-            + self.dissipated_line
-            + self.dissipated_links
-            + self.dissipated_springs
-            + self.dissipated_riders
-            + self.dissipated_scheme
-            + self.switching
-            - self.work_uplift
-            - self.work_control
-            - self.work_traction
-            - self.work_friction
-            - self.work_loads
-    }
-
-    /// Energy turned over: the scale a residual is compared with.
-    #[must_use]
-    pub fn turnover(&self) -> f64 {
-        let supplied = self.work_uplift.abs() + self.work_traction.abs() + self.work_friction.abs();
-        let supplied = supplied + self.work_loads.abs() + self.work_control.abs();
-        supplied.max(self.kinetic.abs() + self.elastic.abs() + self.riders.abs())
-    }
-}
 
 /// Running ledger and its work space.
 #[derive(Debug)]
 pub struct Ledger<const D: usize> {
     /// Entries so far.
     pub entries: Entries,
-    start: Entries,
+    pub(super) start: Entries,
     rate: Vec<[f64; D]>,
     work: Vec<[f64; D]>,
     link_work: Vec<f64>,
     inertia: f64,
-    scheme_elastic: f64,
+    pub(super) scheme_elastic: f64,
     scheme_riders: f64,
     start_linear: f64,
     start_slack: f64,
@@ -170,10 +108,8 @@ impl<const DIM: usize, const D: usize> Kernel for StepWork<'_, DIM, D> {
 /// What the ledger needs to know of one step, beyond the states before and after.
 #[derive(Debug)]
 pub struct StepForces<'a, const DIM: usize> {
-    /// Contacts at the time of balance.
-    pub places: &'a [Place<DIM>],
-    /// Contacts before and after the step.
-    pub ends: [&'a [Place<DIM>]; 2],
+    /// Contacts.
+    pub contacts: &'a Contacts<DIM>,
     /// Forces and corrections found.
     pub unilateral: &'a Unilateral,
     /// Friction force along the wire at each contact, N.
@@ -191,7 +127,7 @@ impl<const D: usize> Ledger<D> {
         p: &Prepared<DIM, D>,
         state: &LineState<D>,
         riders: &[RiderState],
-        places: &[Place<DIM>],
+        contacts: &Contacts<DIM>,
         datum: f64,
     ) -> Self {
         let zero = vec![[0.0; D]; state.u.len()];
@@ -213,7 +149,7 @@ impl<const D: usize> Ledger<D> {
             start_laws: riders.iter().map(RiderState::law_energy).sum(),
         };
         ledger.start_linear = 0.5 * p.line.stiffness.quadratic(&state.u);
-        ledger.start.contact = contact_energy(p, state, riders, places, datum);
+        ledger.start.contact = contact_energy(p, state, riders, contacts, datum);
         ledger.start.riders = riders.iter().map(RiderState::energy).sum();
         ledger
     }
@@ -362,61 +298,6 @@ impl<const D: usize> Ledger<D> {
         self.law_energy = laws;
         self.entries.riders = energy + laws;
     }
-
-    fn book_contacts<const DIM: usize>(
-        &mut self,
-        p: &Prepared<DIM, D>,
-        state: &LineState<D>,
-        riders: &[RiderState],
-        f: &StepForces<'_, DIM>,
-    ) {
-        let up = DIM - 1;
-        let [before, after] = f.ends;
-        for (j, place) in f.places.iter().enumerate() {
-            let force = f.unilateral.force[j];
-            let on_line = force * place.displacement(&state.delta, up);
-            let on_rider = -force * riders[j].strip(&riders[j].delta);
-            // Height of the wire under the contact, before and after the step.
-            let height = |q: &Place<DIM>, back: f64| {
-                q.height + q.displacement(&state.u, up) - back * q.displacement(&state.delta, up)
-            };
-            let rise = height(&after[j], 0.0) - height(&before[j], 1.0);
-            // Of the contact that moves while the wire does, the scheme keeps a share (½ − α_f).
-            let moved =
-                after[j].displacement(&state.delta, up) - before[j].displacement(&state.delta, up);
-            let by_scheme = (0.5 - p.coefficients.old) * force * moved;
-            self.scheme_elastic -= by_scheme;
-            // What is not motion of the wire is the contact moving along its slope. Where the
-            // wire rises ahead it pushes the strip on: the rider gains, traction is negative.
-            self.entries.work_traction += on_line - by_scheme - force * rise;
-            self.entries.switching -= force * rise + on_rider;
-            let along = place.displacement(&state.delta, 0);
-            self.entries.work_friction += f.friction[j] * along;
-        }
-        let energy = contact_energy(p, state, riders, after, f.datum);
-        self.entries.switching -= energy - self.start.contact - self.entries.contact;
-        self.entries.contact = energy - self.start.contact;
-    }
-}
-
-/// Energy ½ p²/k_c of the contact compliances, p the overlap of strip and wire, and of the stops.
-fn contact_energy<const DIM: usize, const D: usize>(
-    p: &Prepared<DIM, D>,
-    state: &LineState<D>,
-    riders: &[RiderState],
-    places: &[Place<DIM>],
-    datum: f64,
-) -> f64 {
-    let stops: f64 = riders.iter().map(RiderState::stop_energy).sum();
-    if p.contact_flexibility == 0.0 {
-        return stops;
-    }
-    let overlap = |(place, rider): (&Place<DIM>, &RiderState)| {
-        let wire = place.height + place.displacement(&state.u, DIM - 1);
-        (datum + rider.strip(&rider.u) - wire).max(0.0)
-    };
-    let squares = places.iter().zip(riders).map(|pair| overlap(pair).powi(2));
-    0.5 / p.contact_flexibility * squares.sum::<f64>() + stops
 }
 
 /// Energy that slack links do not store although K counts it. With T = T₀ + k e of the linear link:

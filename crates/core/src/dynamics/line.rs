@@ -244,10 +244,16 @@ impl<const DIM: usize, const D: usize> Line<DIM, D> {
     /// no such link.
     #[must_use]
     pub fn stiffness_at_rest(&self) -> Option<SymmetricBlocks<D>> {
-        let is_slack = |l: &&LinearLink<DIM>| l.unilateral && l.rest_tension < 0.0;
-        self.links.iter().find(is_slack)?;
+        let is_slack = |i: usize| self.links[i].rest_correction() > 0.0;
+        let any = (0..self.links.len()).any(is_slack);
+        any.then(|| self.stiffness_without(is_slack))
+    }
+
+    /// K without the links that are slack, fixed components removed.
+    #[must_use]
+    pub fn stiffness_without(&self, is_slack: impl Fn(usize) -> bool) -> SymmetricBlocks<D> {
         let mut k = self.stiffness.clone();
-        for link in self.links.iter().filter(is_slack) {
+        for (_, link) in self.links.iter().enumerate().filter(|(i, _)| is_slack(*i)) {
             let n = &link.direction;
             let mut block = [[0.0; DIM]; DIM];
             for p in 0..DIM {
@@ -258,7 +264,7 @@ impl<const DIM: usize, const D: usize> Line<DIM, D> {
             Geometry::<DIM, D>::add_between(&mut k, link.nodes, &block);
         }
         k.keep_free(&self.free);
-        Some(k)
+        k
     }
 
     /// `y += (C − α M − β K) x`, the part of the damping that is not common to all.

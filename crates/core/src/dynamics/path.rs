@@ -246,6 +246,28 @@ impl<const DIM: usize> Path<DIM> {
         (x >= present[k].range().0).then(|| self.place(k, x))
     }
 
+    /// Place at coordinate `x` on the wire of element `near`, at its end when that is nearer.
+    #[must_use]
+    pub(super) fn on_wire(&self, x: f64, near: usize) -> Place<DIM> {
+        let present = self.present();
+        let mut k = near.min(present.len() - 1);
+        while k > 0 && self.wires[k - 1] == self.wires[k] && x < present[k].range().0 {
+            k -= 1;
+        }
+        let is_last = |k: usize| self.wires.get(k + 1) != Some(&self.wires[k]);
+        while !is_last(k) && x > present[k].range().1 {
+            k += 1;
+        }
+        let (first, last) = present[k].range();
+        self.place(k, x.clamp(first, last))
+    }
+
+    /// Whether two places are on the same wire.
+    #[must_use]
+    pub(super) fn is_one_wire(&self, a: &Place<DIM>, b: &Place<DIM>) -> bool {
+        self.wires[a.element] == self.wires[b.element]
+    }
+
     /// Place on element `k` at coordinate `x`, which lies on it.
     fn place(&self, k: usize, x: f64) -> Place<DIM> {
         let present = self.present();

@@ -8,7 +8,7 @@ pub const fn slots<const DIM: usize, const D: usize>() -> usize {
 }
 
 /// A place on a lane. It needs no lane to read a field there or to put a force on the wire.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 pub struct Place<const DIM: usize> {
     /// Element of the lane.
     pub element: usize,

@@ -27,15 +27,17 @@ pub struct RecordPlan {
 pub struct Record {
     /// Times of the contact rows, s.
     pub time: Vec<f64>,
-    /// Contact force, N: one column per rider; so the next four.
+    /// Contacts: rider, strip and lane of each.
+    pub contacts: Vec<[usize; 3]>,
+    /// Contact force, N: one column per contact; so the next three.
     pub force: Vec<f64>,
-    /// Gap, m.
+    /// Gap, m; infinite where a contact has no wire in reach.
     pub gap: Vec<f64>,
-    /// Height of the wire at the contact, m.
+    /// Height of the wire at the contact, m; NaN where the lane has none.
     pub height: Vec<f64>,
-    /// Lateral position of the wire at the contact, m; zero when planar.
+    /// Lateral position of the wire at the contact, m; zero when planar, NaN where the lane has none.
     pub lateral: Vec<f64>,
-    /// Position along the track, m.
+    /// Position along the track, m: one column per rider.
     pub position: Vec<f64>,
     /// Speed, m/s: one value per row.
     pub speed: Vec<f64>,

@@ -1,6 +1,8 @@
-//! Static equilibrium of a rider under its contact force, with springs given by tables.
+//! Static equilibrium of a rider under its contact forces, with springs given by tables.
 //!
-//!   k u + Σ g f(gᵀ(u − r z₀)) − b p = g V² + f − e λ,   eᵀ u = z
+//!   k u + Σ g f(gᵀ(u − r z₀)) − b p = g V² + f − Σ e λ,   sᵀ u = z
+//!
+//! s is e where there is one contact.
 //!
 //! On given pieces of the tables this is one linear system, and the equilibrium is exact but for
 //! rounding. The first table that is not on its piece moves on by one, and the system is solved
@@ -21,13 +23,35 @@ const LEVEL: f64 = 1e-9;
 /// Pieces of all tables together are some dozens; more solutions than this and they run in a circle.
 const MOST_SOLUTIONS: usize = 100_000;
 
-/// Displacements and preload, see [`Rider::equilibrium`].
+/// A rider in equilibrium.
+pub(super) struct Rest {
+    pub(super) u: Vec<f64>,
+    pub(super) preload: f64,
+    /// K with the slopes of the tables.
+    stiffness: Vec<f64>,
+}
+
+impl Rest {
+    /// Change of the displacements for more force, N, on the coordinates, and sᵀu changed by `z`.
+    pub(super) fn respond(
+        &self,
+        rider: &Rider,
+        force: Vec<f64>,
+        s: &[f64],
+        z: f64,
+    ) -> Result<Vec<f64>, CoreError> {
+        let found = solve(rider, &self.stiffness, force, (s, z));
+        found.map(|(u, _)| u).ok_or_else(unbalanced)
+    }
+}
+
+/// Displacements and preload under the forces `load` = Σ e λ, with `level` = (s, z).
 pub(super) fn settle(
     rider: &Rider,
-    force: f64,
-    z: f64,
+    load: &[f64],
+    level: (&[f64], f64),
     speed: f64,
-) -> Result<(Vec<f64>, f64), CoreError> {
+) -> Result<Rest, CoreError> {
     let laws = rider.laws.iter().enumerate();
     let springs: Vec<(usize, &Law)> = laws.filter(|(_, l)| l.motion == Motion::Place).collect();
     let mut pieces: Vec<usize> = springs.iter().map(|(_, law)| law.steepest()).collect();
@@ -47,15 +71,22 @@ pub(super) fn settle(
                 let pulled = given.iter_mut().zip(&law.direction);
                 pulled.for_each(|(sum, g)| *sum += pull * g);
             }
-            solve(rider, stiffness, given, force, z)
+            let pushed = given.iter_mut().zip(load);
+            pushed.for_each(|(sum, load)| *sum -= load);
+            let found = solve(rider, &stiffness, given, level);
+            found.map(|(u, preload)| Rest {
+                u,
+                preload,
+                stiffness,
+            })
         };
         let exact = balance(0.0);
         let is_loose = exact.is_none();
         let found = exact.or_else(|| balance(LEVEL));
-        let (u, preload) = found.ok_or_else(unbalanced)?;
+        let found = found.ok_or_else(unbalanced)?;
         let at: Vec<f64> = springs
             .iter()
-            .map(|(_, law)| inner(&law.direction, &u) - carried(law))
+            .map(|(_, law)| inner(&law.direction, &found.u) - carried(law))
             .collect();
         let springs_at = springs.iter().zip(&at);
         if springs_at
@@ -71,7 +102,7 @@ pub(super) fn settle(
         return if is_loose {
             Err(unbalanced())
         } else {
-            Ok((u, preload))
+            Ok(found)
         };
     }
     Err(unbalanced())
@@ -117,10 +148,9 @@ fn check_end(table: usize, law: &Law, q: f64) -> Result<(), CoreError> {
 /// The linear system of displacements and preload.
 fn solve(
     rider: &Rider,
-    stiffness: Vec<f64>,
+    stiffness: &[f64],
     given: Vec<f64>,
-    force: f64,
-    z: f64,
+    (s, z): (&[f64], f64),
 ) -> Option<(Vec<f64>, f64)> {
     let n = rider.size();
     let m = n + 1;
@@ -129,8 +159,7 @@ fn solve(
     for i in 0..n {
         a[i * m..i * m + n].copy_from_slice(&stiffness[i * n..(i + 1) * n]);
         a[i * m + n] = -rider.preload[i];
-        a[n * m + i] = rider.strip[i];
-        rhs[i] -= rider.strip[i] * force;
+        a[n * m + i] = s[i];
     }
     rhs.push(z);
     if !dense::solve_in_place(&mut a, &mut rhs) {

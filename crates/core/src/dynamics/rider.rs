@@ -1,11 +1,11 @@
 //! A mechanical system that travels along the wire and presses against it.
 //!
-//!   m ü + c u̇ + k u = b p + g V(t)² + f(t) + a q − e λ + Σ d σ
+//!   m ü + c u̇ + k u = b p + g V(t)² + f(t) + a q − Σ e λ + Σ d σ
 //!
 //! f is what is [given](super::given) (the ground may move as well), q the force of its
 //! [actuator](super::actuator), σ the forces of its
 //! [stops](super::stop) and of the [kinks](super::kink) of springs and dampers given by
-//! [tables](super::law). `e` picks the height of the contact strip, `b` where the constant preload p acts, `g` the
+//! [tables](super::law). `e` picks the height of a [strip](super::strip), `b` where the constant preload p acts, `g` the
 //! forces proportional to the square of speed. Heights are measured from the height of the wire
 //! where the run starts. The preload follows from the contact force asked for at the start, in
 //! static equilibrium there; a spring between the first mass and the vehicle is thereby at rest
@@ -17,6 +17,7 @@ use super::kink::Kink;
 use super::law::{Law, LawState, add_slopes, check_steps};
 use super::rest;
 use super::stop::{Stop, check_independent};
+use super::strip::{self, Strip};
 use crate::error::CoreError;
 use crate::linalg::dense;
 use crate::scheme::Coefficients;
@@ -30,13 +31,13 @@ pub struct Rider {
     pub damping: Vec<f64>,
     /// Stiffness matrix, N/m.
     pub stiffness: Vec<f64>,
-    /// Strip height = eᵀ u.
-    pub strip: Vec<f64>,
+    /// What touches the wires, first in the direction of travel first.
+    pub strips: Vec<Strip>,
     /// Direction of the preload.
     pub preload: Vec<f64>,
     /// Force per squared speed, N/(m/s)².
     pub lift: Vec<f64>,
-    /// Contact force at the start, N, at the speed of the start.
+    /// Contact force at the start, N, at the speed of the start: the sum over its contacts.
     pub start_force: f64,
     /// Forces and motion of the ground, given for the whole run.
     pub given: Given,
@@ -52,7 +53,7 @@ impl Rider {
     /// Number of degrees of freedom.
     #[must_use]
     pub fn size(&self) -> usize {
-        self.strip.len()
+        self.preload.len()
     }
 
     /// Check sizes and numbers.
@@ -62,7 +63,7 @@ impl Rider {
     pub fn check(&self) -> Result<(), CoreError> {
         let n = self.size();
         let matrices = [&self.mass, &self.damping, &self.stiffness];
-        let vectors = [&self.strip, &self.preload, &self.lift];
+        let vectors = [&self.preload, &self.lift];
         let sized =
             matrices.iter().all(|m| m.len() == n * n) && vectors.iter().all(|v| v.len() == n);
         let finite = matrices
@@ -80,11 +81,11 @@ impl Rider {
                 reason,
             });
         }
-        Ok(())
+        strip::check(&self.strips, n)
     }
 
-    /// Static equilibrium under contact force λ with the strip at height `z`: displacements and
-    /// preload from  k u − b p = g V² + f − e λ,  eᵀ u = z, with f as given for the start.
+    /// Static equilibrium under a force λ on its first strip, which is at height `z`: displacements
+    /// and preload from  k u − b p = g V² + f − e λ,  eᵀ u = z, with f as given for the start.
     ///
     /// # Errors
     /// [`CoreError::Input`] when the chain has no such equilibrium, [`CoreError::BeyondTable`].
@@ -94,7 +95,9 @@ impl Rider {
         z: f64,
         speed: f64,
     ) -> Result<(Vec<f64>, f64), CoreError> {
-        rest::settle(self, force, z, speed)
+        let e = &self.strips[0].vectors[0];
+        let found = rest::settle(self, &times(force, e), (e, z), speed)?;
+        Ok((found.u, found.preload))
     }
 
     /// Forces on the coordinates at the start, but for preload and contact.
@@ -111,8 +114,6 @@ pub struct RiderState {
     /// What it is.
     pub rider: Rider,
     inverse: Vec<f64>,
-    /// A⁻¹ e, the response of the increment to a unit pull on the strip.
-    pub column: Vec<f64>,
     /// Constant preload, N.
     pub preload: f64,
     /// Displacement, m.
@@ -134,14 +135,26 @@ pub struct RiderState {
 }
 
 impl RiderState {
-    /// Prepare a rider that stands in equilibrium with its strip at height `z`.
+    /// Prepare a rider that stands in equilibrium with its first strip at height `z`.
     ///
     /// # Errors
     /// [`CoreError::Input`] when there is no equilibrium or a mass is missing.
-    pub fn new(mut rider: Rider, c: &Coefficients, z: f64, speed: f64) -> Result<Self, CoreError> {
+    pub fn new(rider: Rider, c: &Coefficients, z: f64, speed: f64) -> Result<Self, CoreError> {
         rider.check()?;
+        let stand = rider.equilibrium(rider.start_force, z, speed)?;
+        Self::standing(rider, c, stand)
+    }
+
+    /// Prepare a rider that stands in equilibrium with the given displacements and preload.
+    ///
+    /// # Errors
+    /// [`CoreError::Input`] when a mass is missing, or stops or tables cannot be stepped.
+    pub fn standing(
+        mut rider: Rider,
+        c: &Coefficients,
+        (u, preload): (Vec<f64>, f64),
+    ) -> Result<Self, CoreError> {
         let n = rider.size();
-        let (u, preload) = rider.equilibrium(rider.start_force, z, speed)?;
         add_slopes(&rider.laws, &mut rider.stiffness, &mut rider.damping);
         let a: Vec<f64> = (0..n * n)
             .map(|i| {
@@ -154,7 +167,6 @@ impl RiderState {
             array: "riders",
             reason: "a mass without inertia or stiffness".into(),
         })?;
-        let column = multiply(&inverse, &rider.strip);
         let zero = vec![0.0; n];
         let drive = Drive::new(&rider.given, &rider.stiffness, &rider.damping, n);
         check_steps(&rider.laws, &a, c)?;
@@ -173,7 +185,6 @@ impl RiderState {
             drive,
             free: zero.clone(),
             inverse,
-            column,
             preload,
             u,
             v: zero.clone(),
@@ -184,10 +195,10 @@ impl RiderState {
         })
     }
 
-    /// Strip height of a field of the rider.
+    /// A⁻¹ e, the response of the increment to a unit pull along `e`.
     #[must_use]
-    pub fn strip(&self, x: &[f64]) -> f64 {
-        self.rider.strip.iter().zip(x).map(|(e, x)| e * x).sum()
+    pub fn response(&self, e: &[f64]) -> Vec<f64> {
+        multiply(&self.inverse, e)
     }
 
     /// Increment Δu without contact force, for the speed at the time of balance.
@@ -234,9 +245,9 @@ impl RiderState {
         self.drive.begin(&self.rider.given, step, c.old);
     }
 
-    /// Add the response to a contact force λ (which pushes the strip down).
-    pub fn add_contact(&mut self, force: f64) {
-        for (d, c) in self.delta.iter_mut().zip(&self.column) {
+    /// Add the response to a contact force λ, which pushes the strip down; `column` is A⁻¹ e.
+    pub fn add_contact(&mut self, force: f64, column: &[f64]) {
+        for (d, c) in self.delta.iter_mut().zip(column) {
             *d -= force * c;
         }
     }
@@ -262,6 +273,12 @@ impl RiderState {
 #[must_use]
 pub fn inner(x: &[f64], y: &[f64]) -> f64 {
     x.iter().zip(y).map(|(a, b)| a * b).sum()
+}
+
+/// A multiple of a vector.
+#[must_use]
+pub fn times(factor: f64, x: &[f64]) -> Vec<f64> {
+    x.iter().map(|x| x * factor).collect()
 }
 
 /// Product of a square matrix and a vector.

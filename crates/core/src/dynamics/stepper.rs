@@ -12,10 +12,11 @@
 
 use super::columns::Columns;
 use super::contact::Unilateral;
+use super::contacts::Contacts;
 use super::line::Line;
 use super::links::LinkMotion;
 use super::path::Path;
-use super::place::{Place, slots};
+use super::place::slots;
 use super::updated::Updating;
 use crate::error::CoreError;
 use crate::linalg::{BlockLdl, Kernel, widest};
@@ -272,14 +273,15 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         &self,
         state: &mut LineState<D>,
         unilateral: &mut Unilateral,
-        places: &[Place<DIM>],
+        contacts: &Contacts<DIM>,
     ) {
         let mut moved = self.line.nodes()..0;
         let mut add = |column: usize, factor: f64| {
             let nodes = self.columns.add(column, factor, &mut state.delta);
             moved = moved.start.min(nodes.start)..moved.end.max(nodes.end);
         };
-        for (j, place) in places.iter().enumerate() {
+        for &j in &contacts.active {
+            let place = &contacts.all[j].place;
             let change = unilateral.force[j] - unilateral.applied_force[j];
             unilateral.applied_force[j] = unilateral.force[j];
             for (column, weight) in place.columns::<D>().zip(&place.weights) {

@@ -1,4 +1,5 @@
-//! The linearised line at rest under vertical forces: starting state; see `elasticity` for the lift.
+//! The linearised line at rest under vertical forces: starting state and compliance; see `elasticity`
+//! for the lift.
 //!
 //!   K u = C p − G (r − r₀),   T = T₀ + k gᵀu + r ≥ 0,   r ≥ 0,   T r = 0
 //!
@@ -15,7 +16,7 @@ use std::collections::BTreeMap;
 /// Static solver of a linearised line.
 #[derive(Debug)]
 pub struct Still<'a, const DIM: usize, const D: usize> {
-    line: &'a Line<DIM, D>,
+    pub(super) line: &'a Line<DIM, D>,
     /// Factor of K with every link linear: the corrections r are on the right-hand side.
     factor: BlockLdl<D>,
     /// Factor of the stiffness at rest, without the links that are slack there; `None` when there
@@ -172,4 +173,24 @@ impl<'a, const DIM: usize, const D: usize> Still<'a, DIM, D> {
         factor.solve(&mut u, &mut self.scratch);
         u
     }
+}
+
+/// What a unit force at place k raises place i by, m/N; row by row.
+pub(super) fn compliance<const DIM: usize, const D: usize>(
+    line: &Line<DIM, D>,
+    factor: &BlockLdl<D>,
+    places: &[Place<DIM>],
+) -> Vec<f64> {
+    let n = places.len();
+    let (mut found, mut scratch) = (vec![0.0; n * n], vec![[0.0; D]; line.nodes()]);
+    for (k, source) in places.iter().enumerate() {
+        let mut u = vec![[0.0; D]; line.nodes()];
+        source.add_force(1.0, DIM - 1, &mut u);
+        line.mask(&mut u);
+        factor.solve(&mut u, &mut scratch);
+        for (i, target) in places.iter().enumerate() {
+            found[i * n + k] = target.displacement(&u, DIM - 1);
+        }
+    }
+    found
 }

@@ -10,9 +10,9 @@
 //! to step, so what the tangent misses in one step is put right in the next. Links keep their own
 //! direction, contacts their place on the moved wire, and C = α M + β K follows K.
 
+use super::contacts::Contacts;
 use super::line::Line;
 use super::path::Path;
-use super::place::Place;
 use super::stepper::{LineState, Prepared};
 use super::still::StillState;
 use crate::error::CoreError;
@@ -72,6 +72,13 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         Self::assemble(line, lanes, scheme, h, contact_stiffness, Some(updating))
     }
 
+    /// The same on lanes that have moved.
+    pub(super) fn on(&self, lanes: Vec<Path<DIM>>) -> Self {
+        let mut own = self.clone();
+        own.lanes = lanes;
+        own
+    }
+
     /// Form coordinates, forces, stiffness and links at the present position; nothing to do with
     /// linearised kinematics.
     ///
@@ -108,11 +115,11 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         Ok(())
     }
 
-    /// Compute the influence columns that contacts at `places` and the given links need, unless they
+    /// Compute the influence columns that contacts and the given links need, unless they
     /// are there already.
-    pub(super) fn provide(&mut self, places: &[Place<DIM>], links: &[usize]) {
-        for place in places {
-            for number in place.columns::<D>() {
+    pub(super) fn provide(&mut self, contacts: &Contacts<DIM>, links: &[usize]) {
+        for contact in contacts.active() {
+            for number in contact.place.columns::<D>() {
                 self.provide_column(number);
             }
         }
@@ -128,7 +135,8 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         }
     }
 
-    /// Equilibrium under vertical contact forces, by successive approximations: the forces move the
+    /// Equilibrium under vertical forces of the active contacts, the first rider at `position`, by
+    /// successive approximations: the forces move the
     /// wire along the track, and so the places where they act.
     ///
     /// # Errors
@@ -136,7 +144,8 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
     pub(super) fn settle(
         &self,
         now: &Updating<DIM, D>,
-        contacts: &[f64],
+        contacts: &Contacts<DIM>,
+        position: f64,
         forces: &[f64],
     ) -> Result<StillState<D>, CoreError> {
         let mut lanes = self.lanes.clone();
@@ -146,9 +155,11 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         let mut u = vec![[0.0; D]; shape.len()];
         for _ in 0..MOST_APPROXIMATIONS {
             geometry.structure.loads.truncate(given);
-            for (contact, (&position, force)) in contacts.iter().zip(forces).enumerate() {
-                let place = lanes[0].locate(position, 0).ok_or(CoreError::OffWire {
-                    contact,
+            for (contact, force) in contacts.active().zip(forces) {
+                let (rider, lane) = (contact.rider(), &lanes[contact.of[2]]);
+                let position = contact.along(position);
+                let place = lane.locate(position, 0).ok_or(CoreError::OffWire {
+                    rider,
                     position,
                     step: 0,
                 })?;

@@ -11,6 +11,7 @@ use arcless_core::dynamics::record::{Record, RecordPlan};
 use arcless_core::dynamics::rider::Rider;
 use arcless_core::dynamics::run::Travel;
 use arcless_core::dynamics::stepper::Prepared;
+use arcless_core::dynamics::strip::Strip;
 use arcless_core::element::hermite::Section;
 use arcless_core::scheme::Scheme;
 use arcless_core::statics::Geometry;
@@ -192,7 +193,7 @@ pub fn three_masses(force: f64) -> Rider {
         mass: vec![6.0, 0.0, 0.0, 0.0, 9.0, 0.0, 0.0, 0.0, 7.5],
         damping: chain(c),
         stiffness: chain(k),
-        strip: vec![0.0, 0.0, 1.0],
+        strips: vec![Strip::plain(vec![0.0, 0.0, 1.0])],
         preload: vec![1.0, 0.0, 0.0],
         lift: vec![0.0; 3],
         start_force: force,
@@ -301,7 +302,7 @@ pub fn free_mass(mass: f64, force: f64) -> Rider {
         mass: vec![mass],
         damping: vec![0.0],
         stiffness: vec![0.0],
-        strip: vec![1.0],
+        strips: vec![Strip::plain(vec![1.0])],
         preload: vec![1.0],
         lift: vec![0.0],
         start_force: force,

@@ -1,0 +1,265 @@
+//! The contacts of a run: every strip of every rider on every lane.
+//!
+//! A contact takes part in a step when its lane has wire at the place of the strip at the time of
+//! balance, and that wire lies within the half width of the strip. The lateral place of the wire, and
+//! with it e(y) of the [strip](super::strip), is taken at the start of the step.
+
+use super::path::Path;
+use super::place::Place;
+use super::rider::{Rider, RiderState, inner};
+use super::strip::Strip;
+use crate::error::CoreError;
+
+/// A strip of a rider on a lane.
+#[derive(Debug, Clone)]
+pub struct Contact<const DIM: usize> {
+    /// Rider, strip of it, and lane, by their numbers.
+    pub(super) of: [usize; 3],
+    /// Distance of the rider behind the first, and of the strip behind its reference point, m.
+    behind: [f64; 2],
+    /// Whether it takes part in the present step.
+    pub(super) meets: bool,
+    /// Whether it did not in the step before.
+    is_new: bool,
+    /// Whether the lane has wire at the strip; only then `place` is of this step.
+    pub(super) has_wire: bool,
+    /// Where it acts, at the time of balance.
+    pub(super) place: Place<DIM>,
+    /// The same before and after the step.
+    pub(super) ends: [Place<DIM>; 2],
+    /// Lateral place of the wire at the start of the step, m.
+    lateral: f64,
+    /// e(y).
+    pub(super) vector: Vec<f64>,
+    /// A⁻¹ e, the response of the rider's increment to a unit pull on the strip.
+    pub(super) column: Vec<f64>,
+    /// A⁻¹ e at each knot.
+    columns: Vec<Vec<f64>>,
+    /// How far the strip rises under the wire as that slides sideways, m: (e − e of the step before)ᵀu.
+    pub(super) slid: f64,
+}
+
+impl<const DIM: usize> Contact<DIM> {
+    /// Number of its rider.
+    pub(super) fn rider(&self) -> usize {
+        self.of[0]
+    }
+
+    fn strip<'a>(&self, riders: &'a [Rider]) -> &'a Strip {
+        &riders[self.of[0]].strips[self.of[1]]
+    }
+
+    /// Coordinate along the track when the first rider is at `position`, m.
+    pub(super) fn along(&self, position: f64) -> f64 {
+        position - self.behind[0] - self.behind[1]
+    }
+
+    /// Lateral place of the wire before the step.
+    fn aside<const D: usize>(&self, u: &[[f64; D]]) -> f64 {
+        if DIM < 3 {
+            return 0.0;
+        }
+        self.place.lateral + self.place.displacement(u, 1)
+    }
+}
+
+/// All contacts: rider by rider, strip by strip, lane by lane.
+#[derive(Debug, Clone)]
+pub struct Contacts<const DIM: usize> {
+    pub(super) all: Vec<Contact<DIM>>,
+    /// Those that take part in the present step.
+    pub(super) active: Vec<usize>,
+    lanes: usize,
+}
+
+impl<const DIM: usize> Contacts<DIM> {
+    /// Contacts of `riders`, which follow the first at `distances`, at the start of a run.
+    ///
+    /// # Errors
+    /// Those of [`Contacts::find`].
+    pub(super) fn new<const D: usize>(
+        riders: &[Rider],
+        distances: &[f64],
+        lanes: &[Path<DIM>],
+        position: f64,
+        u: &[[f64; D]],
+    ) -> Result<Self, CoreError> {
+        let mut all = Vec::new();
+        for (j, (rider, &distance)) in riders.iter().zip(distances).enumerate() {
+            for (s, strip) in rider.strips.iter().enumerate() {
+                all.extend((0..lanes.len()).map(|lane| Contact {
+                    of: [j, s, lane],
+                    behind: [distance, strip.offset],
+                    meets: false,
+                    is_new: true,
+                    has_wire: false,
+                    place: Place::default(),
+                    ends: [Place::default(); 2],
+                    lateral: 0.0,
+                    vector: strip.vectors[0].clone(),
+                    column: Vec::new(),
+                    columns: Vec::new(),
+                    slid: 0.0,
+                }));
+            }
+        }
+        let mut contacts = Self {
+            active: Vec::with_capacity(all.len()),
+            all,
+            lanes: lanes.len(),
+        };
+        contacts.find(riders, lanes, u, [position; 3], 0)?;
+        for contact in &mut contacts.all {
+            let strip = &riders[contact.of[0]].strips[contact.of[1]];
+            strip.read(&strip.vectors, contact.lateral, &mut contact.vector);
+        }
+        Ok(contacts)
+    }
+
+    /// Take down the responses of the riders to their strips.
+    pub(super) fn respond(&mut self, riders: &[RiderState]) {
+        for contact in &mut self.all {
+            let rider = &riders[contact.of[0]];
+            let strip = &rider.rider.strips[contact.of[1]];
+            let columns = strip.vectors.iter().map(|e| rider.response(e));
+            contact.columns = columns.collect();
+            contact.column = contact.columns[0].clone();
+            strip.read(&contact.columns, contact.lateral, &mut contact.column);
+        }
+    }
+
+    /// Find the places of the active contacts anew, before the first step.
+    pub(super) fn follow(&mut self, lanes: &[Path<DIM>], position: f64) {
+        for &i in &self.active {
+            let contact = &mut self.all[i];
+            let lane = &lanes[contact.of[2]];
+            contact.place = lane.on_wire(contact.along(position), contact.place.element);
+            contact.ends = [contact.place; 2];
+        }
+    }
+
+    /// Those that take part.
+    pub(super) fn active(&self) -> impl Iterator<Item = &Contact<DIM>> {
+        self.active.iter().map(|&i| &self.all[i])
+    }
+
+    /// Contacts of a step in which the first rider stands at the given positions: at its start, at the
+    /// time of balance, at its end.
+    ///
+    /// # Errors
+    /// [`CoreError::OffWire`], [`CoreError::OutOfReach`].
+    pub(super) fn find<const D: usize>(
+        &mut self,
+        riders: &[Rider],
+        lanes: &[Path<DIM>],
+        u: &[[f64; D]],
+        positions: [f64; 3],
+        step: usize,
+    ) -> Result<(), CoreError> {
+        self.active.clear();
+        for (i, contact) in self.all.iter_mut().enumerate() {
+            contact.seek(contact.strip(riders), &lanes[contact.of[2]], u, positions);
+            if contact.meets {
+                self.active.push(i);
+            }
+        }
+        self.check(riders, lanes, positions, step)
+    }
+
+    /// Take e(y) of the contacts whose wire lies elsewhere on the strip than a step ago.
+    pub(super) fn slide(&mut self, riders: &[RiderState]) {
+        for &i in &self.active {
+            let contact = &mut self.all[i];
+            let rider = &riders[contact.of[0]];
+            let strip = &rider.rider.strips[contact.of[1]];
+            contact.slid = 0.0;
+            if strip.knots.len() > 1 {
+                let before = inner(&contact.vector, &rider.u);
+                strip.read(&strip.vectors, contact.lateral, &mut contact.vector);
+                strip.read(&contact.columns, contact.lateral, &mut contact.column);
+                if !contact.is_new {
+                    contact.slid = inner(&contact.vector, &rider.u) - before;
+                }
+            }
+        }
+    }
+
+    /// Every strip has wire before and behind the step, every rider a contact.
+    fn check(
+        &self,
+        riders: &[Rider],
+        lanes: &[Path<DIM>],
+        [_, _, end]: [f64; 3],
+        step: usize,
+    ) -> Result<(), CoreError> {
+        for of_strip in self.all.chunks(self.lanes) {
+            let position = of_strip[0].along(end);
+            let is_on = |c: &Contact<DIM>| {
+                let near = c.ends[1].element;
+                c.meets || lanes[c.of[2]].locate(position, near).is_some()
+            };
+            if !of_strip.iter().any(|c| c.has_wire) || !of_strip.iter().any(is_on) {
+                return Err(CoreError::OffWire {
+                    rider: of_strip[0].rider(),
+                    position,
+                    step,
+                });
+            }
+        }
+        for (j, rider) in riders.iter().enumerate() {
+            let mut own = self.all.iter().filter(|c| c.rider() == j);
+            if own.clone().any(|c| c.meets) {
+                continue;
+            }
+            // The wire that is least far out.
+            let out = |c: &&Contact<DIM>| c.lateral.abs() - rider.strips[c.of[1]].half_width;
+            let least = own.clone().filter(|c| c.has_wire);
+            let least = least.min_by(|a, b| out(a).total_cmp(&out(b)));
+            if let Some(contact) = least.or_else(|| own.next()) {
+                return Err(CoreError::OutOfReach {
+                    rider: j,
+                    position: contact.along(end),
+                    lateral: contact.lateral,
+                    half_width: rider.strips[contact.of[1]].half_width,
+                    step,
+                });
+            }
+        }
+        Ok(())
+    }
+}
+
+impl<const DIM: usize> Contact<DIM> {
+    /// Its places in a step, and whether it takes part.
+    fn seek<const D: usize>(
+        &mut self,
+        strip: &Strip,
+        lane: &Path<DIM>,
+        u: &[[f64; D]],
+        [start, balance, end]: [f64; 3],
+    ) {
+        self.is_new = !std::mem::take(&mut self.meets);
+        let near = self.ends[1].element;
+        let found = lane.locate(self.along(balance), near);
+        self.has_wire = found.is_some();
+        let Some(place) = found else {
+            return;
+        };
+        self.place = place;
+        if strip.looks_aside() {
+            self.lateral = self.aside(u);
+        }
+        self.meets = self.lateral.abs() <= strip.half_width;
+        if self.is_new {
+            self.ends[1] = lane.on_wire(self.along(start), place.element);
+        }
+        self.ends[0] = self.ends[1];
+        if self.meets {
+            self.ends[1] = match lane.locate(self.along(end), near) {
+                Some(end) if lane.is_one_wire(&end, &place) => end,
+                // The wire ends within the step.
+                _ => lane.on_wire(self.along(end), place.element),
+            };
+        }
+    }
+}

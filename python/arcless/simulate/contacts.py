@@ -1,0 +1,70 @@
+"""Contacts of the core → channels of the pantographs, and of each contact where there are several.
+
+A contact is a strip of a pantograph on a lane of the line. What a pantograph has several of is
+brought to one value: the sum of the forces; the smallest gap; height and lateral position at the
+contact with the largest force, or with the smallest gap where all are open.
+"""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+
+
+def total_force(raw: dict[str, Any], pantographs: int) -> Floats:
+    """Return the contact force (time, pantograph) in N."""
+    force, riders = _columns(raw, "force"), _riders(raw)
+    if len(riders) == pantographs:
+        return force
+    return np.column_stack([force[:, riders == j].sum(axis=1) for j in range(pantographs)])
+
+
+def channels(raw: dict[str, Any], pantographs: int) -> dict[str, Floats]:
+    """Return the contact variables of the result; single contacts only where one has several."""
+    riders = _riders(raw)
+    each = {name: _columns(raw, name) for name in ("force", "gap", "height", "lateral")}
+    if len(riders) == pantographs:
+        return {f"contact_{name}": values for name, values in each.items()}
+    rows = np.arange(len(each["force"]))
+    out = {"contact_force": total_force(raw, pantographs)}
+    read: dict[str, list[Floats]] = {"gap": [], "height": [], "lateral": []}
+    for j in range(pantographs):
+        own = {name: values[:, riders == j] for name, values in each.items()}
+        # A contact that has no wire in reach has an infinite gap, and is never the one.
+        chosen = np.where(
+            (own["force"] > 0.0).any(axis=1),
+            np.argmax(own["force"], axis=1),
+            np.argmin(own["gap"], axis=1),
+        )
+        read["gap"].append(own["gap"].min(axis=1))
+        for name in ("height", "lateral"):
+            read[name].append(own[name][rows, chosen])
+    out |= {f"contact_{name}": np.column_stack(columns) for name, columns in read.items()}
+    out["wire_contact_force"] = each["force"]
+    out["wire_contact_gap"] = np.where(np.isinf(each["gap"]), np.nan, each["gap"])
+    out["wire_contact_lateral"] = each["lateral"]
+    return out
+
+
+def label(numbers: Sequence[int], pantographs: Sequence[str]) -> str:
+    """Name a contact, given pantograph, strip and lane from 0: P1 strip 1 wire 2."""
+    rider, strip, lane = numbers
+    return f"{pantographs[rider]} strip {strip + 1} wire {lane + 1}"
+
+
+def labels(raw: dict[str, Any], pantographs: Sequence[str]) -> list[str]:
+    """Return the names of the contacts; none where every pantograph has one."""
+    if len(raw["contacts"]) == len(pantographs):
+        return []
+    return [label(numbers, pantographs) for numbers in raw["contacts"]]
+
+
+def _columns(raw: dict[str, Any], name: str) -> Floats:
+    return np.asarray(raw[name]).reshape(-1, len(raw["contacts"]))
+
+
+def _riders(raw: dict[str, Any]) -> NDArray[np.int64]:
+    return np.array([rider for rider, _, _ in raw["contacts"]], dtype=np.int64)
