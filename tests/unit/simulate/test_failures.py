@@ -86,8 +86,14 @@ def test_statics_errors_in_words(short: Short, kind: str, details: dict, words: 
     [
         (
             "off_wire",
-            {"contact": 0, "step": 7, "position": 301.25},
+            {"rider": 0, "step": 7, "position": 301.25},
             "front left the wire",
+        ),
+        (
+            "out_of_reach",
+            {"rider": 0, "step": 7, "position": 301.25, "lateral": -0.41, "half_width": 0.4},
+            r"301.25 m, step 7: the contact wire leaves the collector of pantograph front sideways: "
+            r"got 0.410 m off the middle, expected at most the half width of the collector, 0.400 m",
         ),
         ("slack_set", {"step": 7, "time": 0.014}, "step 7, t = 0.014 s: the set of"),
         ("folded", {"step": 7}, "step 7: the motion grew beyond all bounds: the contact wire"),
@@ -114,7 +120,7 @@ def test_an_unsolved_problem_names_its_links_and_is_saved(short: Short, temporar
     details = {
         "step": 12,
         "time": 0.024,
-        "contacts": [0],
+        "contacts": [[0, 0, 0]],
         "links": [3],
         "stops": [1],
         "h": [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0],
@@ -135,6 +141,18 @@ def test_an_unsolved_problem_names_its_links_and_is_saved(short: Short, temporar
     ]
     assert (saved["H"], saved["w"]) == (details["h"], details["w"])
     assert str(path) in text
+
+
+def test_contacts_of_one_pantograph_are_told_apart() -> None:
+    names = ["front", "rear"]
+    assert failure._contacts([[0, 0, 0], [1, 0, 0]], names) == [
+        "pantograph front",
+        "pantograph rear",
+    ]
+    assert failure._contacts([[1, 0, 0], [1, 1, 0]], names) == [
+        "pantograph rear strip 1 wire 1",
+        "pantograph rear strip 2 wire 1",
+    ]
 
 
 def test_a_mean_force_that_cannot_be_reached(short: Short, monkeypatch: pytest.MonkeyPatch) -> None:

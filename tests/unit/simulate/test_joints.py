@@ -65,7 +65,7 @@ def test_joints_beside_matrices_are_those_of_a_chain(run: Run, placement: Data) 
     lift = {"speed": [0.0, 60.0], "force": [0.0, 30.0]}
     chain["masses"][0] = {**chain["masses"][0], "lift": lift}
     bare = head(placement, damping=0.0)
-    mass, damping, stiffness, strip, preload, *_ = riders.rider(
+    mass, damping, stiffness, strips, preload, *_ = riders.rider(
         arcless.model.load_pantograph(bare), 0.0
     )
     square = {
@@ -76,7 +76,7 @@ def test_joints_beside_matrices_are_those_of_a_chain(run: Run, placement: Data) 
         "name": "general",
         "matrices": {
             **square,
-            "strip": strip,
+            "strip": strips[0][3][0],
             "preload": preload,
             "joints": [{"between": [-1, 1], **joint}],
             "lift_tables": [{"on": [1, 0], **lift}],

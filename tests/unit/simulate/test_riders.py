@@ -29,7 +29,8 @@ def force(result: Result) -> np.ndarray:
 
 def as_matrices(model: Data) -> Data:
     """The same pantograph, its matrices formed as a chain forms them."""
-    mass, damping, stiffness, strip, preload, lift, *_ = riders.rider(load_pantograph(model), 0.0)
+    mass, damping, stiffness, strips, preload, lift, *_ = riders.rider(load_pantograph(model), 0.0)
+    ((_, _, _, (strip,)),) = strips
     size = len(strip)
     square = {
         name: np.reshape(flat, (size, size)).tolist()

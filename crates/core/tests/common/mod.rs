@@ -2,6 +2,7 @@
 #![allow(dead_code)] // every test file uses a part
 
 pub mod chain;
+pub mod lanes;
 pub mod space;
 
 use arcless_core::dynamics::given::Given;
