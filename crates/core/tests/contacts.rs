@@ -74,40 +74,6 @@ fn two_equal_wires_are_one_of_twice_everything() {
     assert!(difference(&sum, &other.force) > 1e-4);
 }
 
-/// A string of tension T gives W = x (ℓ − x)/(T ℓ). The second wire lies d higher: it is touched from
-/// F = d/W, and then z = (F W + d)/2.
-#[test]
-fn elasticity_of_two_wires_at_different_heights() {
-    let (x, d) = (24.0, 0.05);
-    let both = [At::level(0.0, 0.0), At::level(0.0, d)];
-    let p = lined(strings(&STRING, &both), scheme(), CONTACT);
-    let mut still = Still::new(&p.line).expect("a firm line");
-    let mut elasticity = |force: f64| {
-        let e = still.elasticity(&p.lanes, &[x], force);
-        e.expect("on the wire")[0]
-    };
-    let one = x * (60.0 - x) / (22e3 * 60.0);
-    // Slopes are continuous at nodes: the kink under the force is rounded off over an element of sixty.
-    let free = elasticity(0.0);
-    assert!((free / one - 1.0).abs() < 1e-2, "{free} {one}");
-    // Given that, what is left is rounding of the solve.
-    let near = |e: f64, known: f64| (e / known - 1.0).abs() < 1e-9;
-    let touch = d / free;
-    assert!(near(elasticity(0.9 * touch), free));
-    for force in [1.1 * touch, 3.0 * touch] {
-        let known = 0.5 * (force * free + d) / force;
-        let found = elasticity(force);
-        assert!(near(found, known), "{found} {known}");
-    }
-    // At one height they rise together.
-    let p = lined(strings(&STRING, &[both[0], both[0]]), scheme(), CONTACT);
-    let mut still = Still::new(&p.line).expect("a firm line");
-    for force in [0.0, 100.0] {
-        let e = still.elasticity(&p.lanes, &[x], force);
-        assert!(near(e.expect("on the wire")[0], 0.5 * free));
-    }
-}
-
 /// One wire rises from 0 m to 60 m, another comes down through it from 30 m to 90 m.
 fn overlap() -> Prepared<3, 6> {
     let falls = At {
