@@ -92,8 +92,9 @@ def test_statics_errors_in_words(short: Short, kind: str, details: dict, words: 
         (
             "out_of_reach",
             {"rider": 0, "step": 7, "position": 301.25, "lateral": -0.41, "half_width": 0.4},
-            r"301.25 m, step 7: the contact wire leaves the collector of pantograph front sideways: "
-            r"got 0.410 m off the middle, expected at most the half width of the collector, 0.400 m",
+            r"301.25 m, step 7: the contact wire leaves the collector of pantograph front "
+            r"sideways: got 0.410 m off the middle, expected at most the half width of the "
+            r"collector, 0.400 m",
         ),
         ("slack_set", {"step": 7, "time": 0.014}, "step 7, t = 0.014 s: the set of"),
         ("folded", {"step": 7}, "step 7: the motion grew beyond all bounds: the contact wire"),
