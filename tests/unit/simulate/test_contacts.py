@@ -60,7 +60,7 @@ def built(gap: float) -> None:
 
 
 def test_only_nan_may_stand_for_a_missing_wire() -> None:
-    with pytest.raises(ResultFormatError, match="wire_contact_gap at time 1.0, contact b"):
+    with pytest.raises(ResultFormatError, match=r"wire_contact_gap at time 1\.0, contact b"):
         built(np.inf)
     # With NaN it gets as far as the attributes, of which there are none here.
     with pytest.raises(ResultFormatError, match="attributes"):
