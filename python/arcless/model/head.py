@@ -149,6 +149,11 @@ class CollectorHead(Part):
         """Number of coordinates of one strip."""
         return 1 + (self.roll is not None) + len(self.modes)
 
+    @property
+    def raised(self) -> tuple[float, ...]:
+        """Coordinates of all strips raised by 1 m: heights, not angles and modes."""
+        return (1.0, *(0.0,) * (self.strip_size - 1)) * self.strips
+
     def offsets(self) -> tuple[float, ...]:
         """Return how far each strip runs behind the middle of the pantograph, m; first in front."""
         spacing = self.strip_spacing or 0.0

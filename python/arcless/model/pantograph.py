@@ -8,6 +8,7 @@ from arcless.errors import ModelError
 from arcless.model.documents import Document
 from arcless.model.fields import Unit
 from arcless.model.force_tables import LiftTable
+from arcless.model.head import CollectorHead
 from arcless.model.joint import Joint
 from arcless.model.matrices import MAX_COORDINATES, PantographMatrices
 
@@ -64,6 +65,9 @@ class Pantograph(Document):
     matrices: PantographMatrices | None = Field(
         default=None, description="General linear pantograph; excludes masses."
     )
+    head: CollectorHead | None = Field(
+        default=None, description="Strips on the last mass; without it, the last mass is the strip."
+    )
     static_force: Annotated[float, Unit("N", above=0, maximum=2000)] | None = Field(
         default=None, description="Static force, used when a scenario gives no force."
     )
@@ -85,12 +89,43 @@ class Pantograph(Document):
                 expected="masses, from base to head, or matrices",
                 field=("masses",),
             )
+        if self.head is not None and not self.masses:
+            raise ModelError(
+                "a head on matrices",
+                expected="masses below the head, or matrices that contain it",
+                field=("head",),
+            )
         return self
 
     @property
     def size(self) -> int:
-        """Number of masses, or of coordinates when it is given by matrices."""
-        return len(self.masses) if self.matrices is None else len(self.matrices.strip)
+        """Number of coordinates: masses and those of the strips, or what the matrices have."""
+        if self.matrices is not None:
+            return len(self.matrices.strip)
+        return len(self.masses) + (0 if self.head is None else self.head.size)
+
+    @property
+    def raised(self) -> tuple[float, ...]:
+        """Coordinates of the whole pantograph raised by 1 m."""
+        if self.matrices is not None:
+            return self.matrices.rigid
+        strips = () if self.head is None else self.head.raised
+        return (1.0,) * len(self.masses) + strips
+
+    @property
+    def heights(self) -> list[int]:
+        """Coordinates that are displacements of a mass: not roll angles, not modes of strips."""
+        if self.matrices is not None:
+            return list(range(self.size))
+        return [i for i, value in enumerate(self.raised) if value]
+
+    @property
+    def rolls(self) -> list[int]:
+        """Coordinates that are the roll angles of strips."""
+        if self.head is None or self.head.roll is None:
+            return []
+        first = len(self.masses) + 1
+        return [first + number * self.head.strip_size for number in range(self.head.strips)]
 
     def lift_at(self, speed: float) -> float:
         """Return the share of the contact force in N that the air carries at a speed in m/s."""
@@ -100,4 +135,7 @@ class Pantograph(Document):
             )
             return self.matrices.lift_over_squared_speed * speed**2 + tables
         tables = sum(part.lift.at(speed) for part in self.masses if part.lift is not None)
-        return sum(part.aerodynamic for part in self.masses) * speed**2 + tables
+        squared = sum(part.aerodynamic for part in self.masses)
+        if self.head is not None:
+            squared += self.head.strips * self.head.aerodynamic
+        return squared * speed**2 + tables

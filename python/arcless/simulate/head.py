@@ -20,7 +20,8 @@ from numpy.typing import NDArray
 from arcless.model.head import CollectorHead
 
 Floats = NDArray[np.float64]
-# Offset behind the middle m, half length m, knots m, height at each knot for a unit of each coordinate.
+# Offset behind the middle m, half length m, knots m, and for each knot the height there for a unit
+# of each coordinate.
 StripData = tuple[float, float, list[float], list[list[float]]]
 
 # Knots per strip for mode shapes: the straight pieces between them miss a cubic spline of a first

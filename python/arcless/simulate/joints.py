@@ -54,7 +54,7 @@ def elongation(size: int, i: int) -> Numbers:
 
 def joints(pantograph: Pantograph) -> Iterator[tuple[str, Numbers, Joint]]:
     """Yield where each joint stands in the pantograph, its elongation, and itself."""
-    size = len(pantograph.masses)
+    size = pantograph.size
     for i, mass in enumerate(pantograph.masses):
         yield f"masses.{i}", elongation(size, i), mass
     if pantograph.matrices is not None:

@@ -31,7 +31,15 @@ def dynamic_variables(
     if controlled:
         out["control_force"] = raw["control"].reshape(-1, count)
     out["speed"] = raw["speed"]
-    out["mass_displacement"] = _masses(raw["masses"], [p.model.size for p in scenario.pantographs])
+    models = [placement.model for placement in scenario.pantographs]
+    moved = _of_each(raw["masses"], [model.size for model in models])
+    out["mass_displacement"] = _padded(
+        [own[:, model.heights] for own, model in zip(moved, models, strict=True)]
+    )
+    if any(model.rolls for model in models):
+        out["strip_roll"] = _padded(
+            [own[:, model.rolls] for own, model in zip(moved, models, strict=True)]
+        )
     rows = len(raw["line_time"])
     links = [dropper.link for dropper in found.mesh.droppers]
     if scenario.output.droppers:
@@ -55,14 +63,18 @@ def dynamic_variables(
     return out
 
 
-def _masses(flat: Floats, sizes: list[int]) -> Floats:
-    """Return (time, pantograph, mass), NaN where a pantograph has fewer masses than another."""
+def _of_each(flat: Floats, sizes: list[int]) -> list[Floats]:
+    """Return (time, coordinate) of each pantograph."""
     rows = flat.reshape(-1, sum(sizes))
-    padded = np.full((len(rows), len(sizes), max(sizes)), np.nan)
-    first = 0
-    for index, size in enumerate(sizes):
-        padded[:, index, :size] = rows[:, first : first + size]
-        first += size
+    return np.split(rows, np.cumsum(sizes)[:-1], axis=1)
+
+
+def _padded(parts: list[Floats]) -> Floats:
+    """Return (time, pantograph, number), NaN where a pantograph has fewer than another."""
+    most = max(part.shape[1] for part in parts)
+    padded = np.full((len(parts[0]), len(parts), most), np.nan)
+    for index, part in enumerate(parts):
+        padded[:, index, : part.shape[1]] = part
     return padded
 
 

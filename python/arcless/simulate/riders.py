@@ -1,16 +1,18 @@
 """Pantograph → rider of the core: matrices, where forces act, what is given over time."""
 
+from collections.abc import Sequence
 from math import inf
 
 import numpy as np
 from numpy.typing import NDArray
 
 from arcless.model import Scenario
-from arcless.model.pantograph import Pantograph, PantographMass
+from arcless.model.pantograph import Pantograph
 from arcless.model.roof import RoofMotion
 from arcless.model.scenario import PantographPlacement
 from arcless.simulate import joints
 from arcless.simulate.control import ActuatorData
+from arcless.simulate.head import StripData, add_head
 from arcless.simulate.joints import elongation, unit_vector
 from arcless.simulate.motion import Motion
 
@@ -18,8 +20,6 @@ Floats = NDArray[np.float64]
 Numbers = list[float]
 # Forces as direction and N at every instant; the ground as what goes with it, m, and m/s.
 GivenData = tuple[list[tuple[Numbers, Numbers]], tuple[Numbers, Numbers, Numbers] | None]
-# Offset behind the reference point and half width, m; lateral places, m, and a vector for each.
-StripData = tuple[float, float, Numbers, list[Numbers]]
 RiderData = tuple[
     Numbers,
     Numbers,
@@ -60,35 +60,42 @@ def rider(
         matrices = [np.array(m) for m in (parts.mass, parts.damping, parts.stiffness)]
         # What is symmetric as written but for rounding is made so; the rest keeps its bits.
         matrices = [(m + m.T) / 2.0 for m in matrices]
-        lift = parts.lift or (0.0,) * len(parts.strip)
-        strip, vectors = list(parts.strip), (list(parts.preload), list(lift))
+        lift = list(parts.lift or (0.0,) * len(parts.strip))
+        strips, preload = [plain(parts.strip)], list(parts.preload)
     else:
-        matrices = _chain(pantograph.masses)
-        size = len(pantograph.masses)
-        strip = unit_vector(size, size - 1)
-        vectors = (
-            unit_vector(size, 0),
-            [p.aerodynamic for p in pantograph.masses],
-        )
+        matrices, lift, strips = _chain(pantograph)
+        preload = unit_vector(pantograph.size, 0)
     mass, damping, stiffness = (m.ravel().tolist() for m in matrices)
     laws = [law.data for law in joints.laws(pantograph)]
     stops = joints.stops(pantograph)
-    strips: list[StripData] = [(0.0, inf, [0.0], [strip])]
-    return (mass, damping, stiffness, strips, *vectors, start_force, given, stops, laws, actuator)
+    forces = (strips, preload, lift, start_force)
+    return (mass, damping, stiffness, *forces, given, stops, laws, actuator)
 
 
-def _chain(masses: tuple[PantographMass, ...]) -> list[Floats]:
-    """Return M = diag(m), C and K; spring i joins mass i to the one below, the first to the base.
+def plain(vector: Sequence[float]) -> StripData:
+    """Return a strip that is the same everywhere and reaches every wire."""
+    return (0.0, inf, [0.0], [list(vector)])
 
-    The preload acts on the first mass, the strip is the last.
+
+def _chain(pantograph: Pantograph) -> tuple[list[Floats], list[float], list[StripData]]:
+    """Return M, C and K; the aerodynamic coefficients; the strips.
+
+    Spring i joins mass i to the one below, the first to the base. The strip is the last mass, where
+    no head stands on it.
     """
-    size = len(masses)
+    masses, size = pantograph.masses, pantograph.size
+    mass = np.diag([part.mass for part in masses] + [0.0] * (size - len(masses)))
     stiffness, damping = np.zeros((size, size)), np.zeros((size, size))
     for i, part in enumerate(masses):
         joint = np.array(elongation(size, i))
         stiffness += (part.stiffness or 0.0) * np.outer(joint, joint)
         damping += (part.damping or 0.0) * np.outer(joint, joint)
-    return [np.diag([part.mass for part in masses]), damping, stiffness]
+    lift = np.array([part.aerodynamic for part in masses] + [0.0] * (size - len(masses)))
+    if pantograph.head is None:
+        return [mass, damping, stiffness], lift.tolist(), [plain(unit_vector(size, size - 1))]
+    head = add_head(pantograph.head, len(masses))
+    matrices = [mass + head.mass, damping + head.damping, stiffness + head.stiffness]
+    return matrices, (lift + head.lift).tolist(), head.strips
 
 
 def given_motions(scenario: Scenario, travel: Motion) -> list[GivenData]:
@@ -99,7 +106,7 @@ def given_motions(scenario: Scenario, travel: Motion) -> list[GivenData]:
 def _given(placement: PantographPlacement, travel: Motion) -> GivenData:
     pantograph = placement.model
     tables = [
-        (unit_vector(len(pantograph.masses), i), part.lift)
+        (unit_vector(pantograph.size, i), part.lift)
         for i, part in enumerate(pantograph.masses)
         if part.lift is not None
     ]
@@ -111,9 +118,8 @@ def _given(placement: PantographPlacement, travel: Motion) -> GivenData:
     ]
     if placement.roof_motion is None:
         return forces, None
-    rigid = (1.0,) * pantograph.size if pantograph.matrices is None else pantograph.matrices.rigid
     height, rate = roof(placement.roof_motion, travel, placement.distance)
-    return forces, (list(rigid), height.tolist(), rate.tolist())
+    return forces, (list(pantograph.raised), height.tolist(), rate.tolist())
 
 
 def roof(motion: RoofMotion, travel: Motion, distance: float) -> tuple[Floats, Floats]:
