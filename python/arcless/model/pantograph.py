@@ -68,6 +68,10 @@ class Pantograph(Document):
     head: CollectorHead | None = Field(
         default=None, description="Strips on the last mass; without it, the last mass is the strip."
     )
+    half_length: Annotated[float, Unit("m", above=0, maximum=2)] | None = Field(
+        default=None,
+        description="Half of the length over which the strip can touch a wire; none: no limit.",
+    )
     static_force: Annotated[float, Unit("N", above=0, maximum=2000)] | None = Field(
         default=None, description="Static force, used when a scenario gives no force."
     )
@@ -94,6 +98,12 @@ class Pantograph(Document):
                 "a head on matrices",
                 expected="masses below the head, or matrices that contain it",
                 field=("head",),
+            )
+        if self.head is not None and self.half_length is not None:
+            raise ModelError(
+                "half_length given twice",
+                expected="that of the head alone",
+                field=("half_length",),
             )
         return self
 

@@ -61,7 +61,7 @@ def rider(
         # What is symmetric as written but for rounding is made so; the rest keeps its bits.
         matrices = [(m + m.T) / 2.0 for m in matrices]
         lift = list(parts.lift or (0.0,) * len(parts.strip))
-        strips, preload = [plain(parts.strip)], list(parts.preload)
+        strips, preload = [plain(parts.strip, pantograph.half_length)], list(parts.preload)
     else:
         matrices, lift, strips = _chain(pantograph)
         preload = unit_vector(pantograph.size, 0)
@@ -72,9 +72,9 @@ def rider(
     return (mass, damping, stiffness, *forces, given, stops, laws, actuator)
 
 
-def plain(vector: Sequence[float]) -> StripData:
-    """Return a strip that is the same everywhere and reaches every wire."""
-    return (0.0, inf, [0.0], [list(vector)])
+def plain(vector: Sequence[float], half_length: float | None) -> StripData:
+    """Return a strip that is the same everywhere; without a length it reaches every wire."""
+    return (0.0, half_length or inf, [0.0], [list(vector)])
 
 
 def _chain(pantograph: Pantograph) -> tuple[list[Floats], list[float], list[StripData]]:
@@ -92,7 +92,8 @@ def _chain(pantograph: Pantograph) -> tuple[list[Floats], list[float], list[Stri
         damping += (part.damping or 0.0) * np.outer(joint, joint)
     lift = np.array([part.aerodynamic for part in masses] + [0.0] * (size - len(masses)))
     if pantograph.head is None:
-        return [mass, damping, stiffness], lift.tolist(), [plain(unit_vector(size, size - 1))]
+        strip = plain(unit_vector(size, size - 1), pantograph.half_length)
+        return [mass, damping, stiffness], lift.tolist(), [strip]
     head = add_head(pantograph.head, len(masses))
     matrices = [mass + head.mass, damping + head.damping, stiffness + head.stiffness]
     return matrices, (lift + head.lift).tolist(), head.strips

@@ -100,3 +100,7 @@ def test_a_head_needs_masses_below_it() -> None:
         "preload": [1],
     }
     assert "head: a head on matrices" in refusal(data)
+
+
+def test_a_head_has_its_own_length() -> None:
+    assert "half_length: half_length given twice" in refusal({**with_head(), "half_length": 0.8})

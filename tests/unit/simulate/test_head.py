@@ -164,10 +164,17 @@ def test_what_the_strips_do_is_in_the_energy_ledger(run: Run) -> None:
     assert result.dataset.attrs["energy_residual_relative"] < 1e-9
 
 
-def test_a_wire_beyond_the_strip_is_said_with_the_place(short: Short) -> None:
+@pytest.mark.parametrize(
+    "model",
+    [
+        pantograph(strips=1, half_length=0.15),
+        {"name": "plain", "masses": [MASS], "half_length": 0.15},
+    ],
+)
+def test_a_wire_beyond_the_strip_is_said_with_the_place(short: Short, model: Data) -> None:
     import arcless
 
-    scenario = short(**{MODEL: pantograph(strips=1, half_length=0.15)}, **aside(0.2))
+    scenario = short(**{MODEL: model}, **aside(0.2))
     with pytest.raises(ContactError) as caught:
         arcless.run(scenario)
     for part in ("50.00 m", "pantograph P1", "got 0.200 m off", "0.150 m"):
