@@ -4,6 +4,7 @@ from itertools import pairwise
 from math import atan, hypot, log1p, pi
 
 from arcless.model.heights import gradient_warnings
+from arcless.model.line import Line
 from arcless.model.scenario import Scenario
 from arcless.model.settings import ONE_ELEMENT
 from arcless.model.track_checks import deviation_warnings
@@ -205,13 +206,7 @@ def _about_solver(scenario: Scenario) -> list[str]:
             f"solver.time_step: the pantograph moves {way:.2g} m in a step, more than half an"
             f" element of the contact wire ({solver.contact_wire_element:g} m)"
         )
-    gap = min(
-        (
-            right - left
-            for span in scenario.line.span_types.values()
-            for left, right in pairwise((0.0, *span.holders.positions, span.length))
-        ),
-    )
+    gap = _shortest_gap(scenario.line)
     fewest = FEWEST_ELEMENTS[solver.wire_model]
     if solver.contact_wire_element > gap / fewest:
         found.append(
@@ -219,3 +214,15 @@ def _about_solver(scenario: Scenario) -> list[str]:
             f" {IN_WORDS[fewest]} elements in the shortest distance between droppers ({gap:.3g} m)"
         )
     return found
+
+
+def _shortest_gap(line: Line) -> float:
+    """Return the shortest distance in m between droppers of one contact wire, or to a support."""
+    twin = line.twin_contact_wires
+    wires = 2 if twin is not None and twin.droppers == "alternating" else 1
+    return min(
+        right - left
+        for span in line.span_types.values()
+        for first in range(wires)
+        for left, right in pairwise((0.0, *span.holders.positions[first::wires], span.length))
+    )
