@@ -111,7 +111,8 @@ fn the_balance_closes_with_an_actuator() {
 #[test]
 fn no_force_is_an_error_that_says_when() {
     let scheme = Scheme::generalised_alpha(0.9);
-    let answers: [fn(&Sample) -> Result<f64, String>; 2] = [
+    type Answer = fn(&Sample) -> Result<f64, String>;
+    let answers: [Answer; 2] = [
         |s| {
             if s.number < 7 {
                 Ok(1.0)

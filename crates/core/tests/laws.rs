@@ -9,6 +9,7 @@ use arcless_core::dynamics::law::Law;
 use arcless_core::dynamics::record::Record;
 use arcless_core::dynamics::rider::Rider;
 use arcless_core::dynamics::stop::Stop;
+use arcless_core::dynamics::strip::Strip;
 use arcless_core::scheme::Scheme;
 use common::{difference, everything, free_mass, run, three_masses, travel};
 use std::f64::consts::PI;
@@ -231,7 +232,8 @@ fn swinging(scheme: Scheme, h: f64, speed: f64, pull: f64, end: f64) -> (Record,
     rider.mass = vec![1.0, 0.0, 0.0, MASS];
     rider.damping = vec![0.0; 4];
     rider.stiffness = vec![0.0, 0.0, 0.0, SPRING];
-    (rider.strip, rider.preload, rider.lift) = (vec![1.0, 0.0], vec![1.0, 0.0], vec![0.0; 2]);
+    rider.strips = vec![Strip::plain(vec![1.0, 0.0])];
+    (rider.preload, rider.lift) = (vec![1.0, 0.0], vec![0.0; 2]);
     rider.laws.push(friction(&[0.0, 1.0], FRICTION, speed));
     let pulls = |x: &f64| if *x > 100.0 { pull } else { 0.0 };
     rider.given.forces.push(History {

@@ -243,7 +243,7 @@ impl Literal {
                 }
             }
         }
-        for (i, e) in self.rider.strip.iter().enumerate() {
+        for (i, e) in self.rider.strips[0].vectors[0].iter().enumerate() {
             map[n + i] = -e;
         }
         let map = Matrix::new("map", self.size(), 1, map).expect("finite");

@@ -6,25 +6,21 @@ import numpy as np
 
 from arcless.report.reduce import envelope, every
 from arcless.report.scene import Scene
-from arcless.report.style import (
-    GREY,
-    LIGHT,
-    SECTION_FILL,
-    add_hover,
-    add_legend,
-    colour,
-    figure,
-    models,
-    plain,
-    single,
+from arcless.report.style import GREY, add_hover, add_legend, colour, models, plain, single
+from arcless.report.track import (
+    MARKS,
+    RAW_POINTS,
+    SMOOTH_POINTS,
+    hover,
+    series,
+    source,
+    support_entry,
+    track_figure,
 )
 
-X_LABEL = "position along the track, m"
 X_LABEL_FRONT = "position of the first pantograph, m"
 
-# Points in the file, shared by the pantographs: bounds the size whatever the run's length.
-RAW_POINTS, SMOOTH_POINTS = 6000, 3000
-MARKS, TRACES, TRACE_POINTS = 1000, 24, 400
+TRACES, TRACE_POINTS = 24, 400
 
 # How much of a place's channel is drawn: from the train ahead of it to the last one gone.
 BEFORE_M, AFTER_M = 100.0, 200.0
@@ -34,11 +30,11 @@ CHANNELS = {"support": "support_uplift", "dropper": "dropper_force"}
 def force(scene: Scene) -> Any:
     """Draw the contact force, unfiltered and filtered, with supports and droppers marked."""
     title = f"Contact force after the {scene.assessment.low_pass_Hz:g} Hz low-pass, and unfiltered"
-    fig = _track_figure(scene, title, "contact force, N", height=360)
+    fig = track_figure(scene, title, "contact force, N", height=360)
     entries, filtered, unfiltered = [], [], []
     for i, name in enumerate(scene.pantographs):
-        raw = _series(scene, i, scene.record.force[:, i], RAW_POINTS)
-        smooth = _series(scene, i, scene.record.bands.total[:, i], SMOOTH_POINTS)
+        raw = series(scene, i, scene.record.force[:, i], RAW_POINTS)
+        smooth = series(scene, i, scene.record.bands.total[:, i], SMOOTH_POINTS)
         style = {"source": raw, "color": colour(i), "line_width": 0.8, "line_alpha": 0.5}
         thin = fig.line("x", "y", **style)
         thick = fig.line("x", "y", source=smooth, color=colour(i), line_width=1.6, name=plain(name))
@@ -52,9 +48,9 @@ def force(scene: Scene) -> Any:
             x=x, y=np.zeros_like(x), marker="dash", angle=np.pi / 2, size=8, color=GREY
         )
         entries.append(("dropper", [ticks]))
-    entries += _support_entry(scene, fig)
+    entries += support_entry(scene, fig)
     add_legend(fig, entries)
-    _hover(fig, filtered, "force", "0.0 N")
+    hover(fig, filtered, "force", "0.0 N")
     return fig
 
 
@@ -63,23 +59,23 @@ def gap(scene: Scene) -> Any | None:
     values = scene.values("contact_gap")
     if not (scene.rigid_contact or np.any(scene.record.force <= 0.0)):
         return None
-    fig = _track_figure(scene, "Gap between collector strip and contact wire", "gap, mm")
+    fig = track_figure(scene, "Gap between collector strip and contact wire", "gap, mm")
     entries, lines = [], []
     for i, name in enumerate(scene.pantographs):
-        path = _series(scene, i, 1e3 * values[:, i], RAW_POINTS)
+        path = series(scene, i, 1e3 * values[:, i], RAW_POINTS)
         line = fig.line("x", "y", source=path, color=colour(i), line_width=1.2, name=plain(name))
         entries.append((name, [line]))
         lines.append(line)
     largest = float(1e3 * values.max(initial=0.0))
     fig.y_range = models().Range1d(0.0, 1.1 * largest or 1.0)
-    add_legend(fig, [*entries, *_support_entry(scene, fig)])
-    _hover(fig, lines, "gap", "0.000 mm")
+    add_legend(fig, [*entries, *support_entry(scene, fig)])
+    hover(fig, lines, "gap", "0.000 mm")
     return fig
 
 
 def height(scene: Scene) -> Any:
     """Draw the height of the contact point over the height of the wire at rest."""
-    fig = _track_figure(scene, "Height of the contact point", "height above rail, m")
+    fig = track_figure(scene, "Height of the contact point", "height above rail, m")
     entries, hovered = [], []
     if scene.has("contact_wire_node_x", "contact_wire_node_z"):
         z = scene.values("contact_wire_node_z")
@@ -88,13 +84,13 @@ def height(scene: Scene) -> Any:
         rest = fig.line(single(x), single(z[kept]), color=GREY, line_width=1)
         entries.append(("contact wire at rest", [rest]))
     for i, name in enumerate(scene.pantographs):
-        path = _series(scene, i, scene.dataset["contact_height"].values[:, i], SMOOTH_POINTS)
+        path = series(scene, i, scene.dataset["contact_height"].values[:, i], SMOOTH_POINTS)
         line = fig.line("x", "y", source=path, color=colour(i), line_width=1.4, name=plain(name))
         entries.append((name, [line]))
         hovered.append(line)
     fig.yaxis.formatter = models().NumeralTickFormatter(format="0.00")
-    add_legend(fig, [*entries, *_support_entry(scene, fig)])
-    _hover(fig, hovered, "height", "0.000 m")
+    add_legend(fig, [*entries, *support_entry(scene, fig)])
+    hover(fig, hovered, "height", "0.000 m")
     return fig
 
 
@@ -102,7 +98,7 @@ def uplift(scene: Scene) -> Any | None:
     """Draw the uplift at supports: the section's during the passage, and the peak of each."""
     if not scene.has("support_x", "support_uplift_max"):
         return None
-    fig = _track_figure(scene, "Uplift of the contact wire at supports", "uplift, mm")
+    fig = track_figure(scene, "Uplift of the contact wire at supports", "uplift, mm")
     fig.xaxis.axis_label = f"{X_LABEL_FRONT} (peaks: of the support)"
     inside = scene.inside(scene.values("support_x"))
     chosen = inside[every(inside.size, TRACES)]
@@ -111,9 +107,9 @@ def uplift(scene: Scene) -> Any | None:
     x, peak = scene.values("support_x"), 1e3 * scene.values("support_uplift_max")
     kept = every(x.size, MARKS)
     data = {"x": single(x[kept]), "y": single(peak[kept]), "name": _names(scene, "support", kept)}
-    dots = fig.scatter("x", "y", source=_source(data), size=6, color=colour(0))
+    dots = fig.scatter("x", "y", source=source(data), size=6, color=colour(0))
     add_hover(fig, [dots], [("", "@name"), ("highest uplift", "@y{0.0} mm")])
-    add_legend(fig, [*entries, ("peak at each support", [dots]), *_support_entry(scene, fig)])
+    add_legend(fig, [*entries, ("peak at each support", [dots]), *support_entry(scene, fig)])
     return fig
 
 
@@ -121,23 +117,23 @@ def droppers(scene: Scene) -> Any | None:
     """Draw the range of every dropper's force, and its force at rest."""
     if not scene.has("dropper_x", "dropper_force_min", "dropper_force_max"):
         return None
-    fig = _track_figure(scene, "Range of the dropper forces", "dropper force, N")
+    fig = track_figure(scene, "Range of the dropper forces", "dropper force, N")
     kept = every(scene.values("dropper_x").size, MARKS)
     columns = {"x": "dropper_x", "low": "dropper_force_min", "high": "dropper_force_max"}
     if scene.has("dropper_force_static"):
         columns["rest"] = "dropper_force_static"
     data = {key: single(scene.values(name)[kept]) for key, name in columns.items()}
-    source = _source({**data, "name": _names(scene, "dropper", kept)})
-    bars = fig.segment("x", "low", "x", "high", source=source, line_width=3, color=colour(0))
+    data_source = source({**data, "name": _names(scene, "dropper", kept)})
+    bars = fig.segment("x", "low", "x", "high", source=data_source, line_width=3, color=colour(0))
     bars.glyph.line_alpha = 0.45
     entries = [("lowest to highest", [bars])]
     tips = [("", "@name"), ("lowest", "@low{0.0} N"), ("highest", "@high{0.0} N")]
     if "rest" in data:
-        rest = fig.scatter("x", "rest", source=source, size=5, color=colour(1))
+        rest = fig.scatter("x", "rest", source=data_source, size=5, color=colour(1))
         entries.append(("at rest", [rest]))
         tips.append(("at rest", "@rest{0.0} N"))
     add_hover(fig, [bars], tips)
-    add_legend(fig, [*entries, *_support_entry(scene, fig)])
+    add_legend(fig, [*entries, *support_entry(scene, fig)])
     return fig
 
 
@@ -149,35 +145,12 @@ def dropper_passages(scene: Scene) -> Any | None:
     middle = int(np.argmin(np.abs(scene.values("dropper_x") - np.mean(scene.assessment.section_m))))
     chosen = np.flatnonzero(span == span[middle])[:TRACES]
     title = f"Dropper forces in span {int(span[middle])}"
-    fig = _track_figure(scene, title, "dropper force, N")
+    fig = track_figure(scene, title, "dropper force, N")
     fig.xaxis.axis_label = X_LABEL_FRONT
     tip = ("force", "$snap_y{0.0} N")
     _passages(scene, fig, "dropper", chosen, scale=1.0, tip=tip)
-    _support_entry(scene, fig)
+    support_entry(scene, fig)
     return fig
-
-
-def _track_figure(scene: Scene, title: str, y_label: str, *, height: int = 290) -> Any:
-    fig = figure(title, X_LABEL, y_label, height=height, x_range=scene.track)
-    begin, end = scene.assessment.section_m
-    fig.add_layout(
-        models().BoxAnnotation(
-            left=begin, right=end, fill_color=SECTION_FILL, fill_alpha=0.05, level="image"
-        )
-    )
-    return fig
-
-
-def _series(scene: Scene, pantograph: int, values: Any, points: int) -> Any:
-    kept = envelope(values, max(200, points // len(scene.pantographs)))
-    position = scene.dataset["position"].values[:, pantograph]
-    return _source(
-        {
-            "x": single(position[kept]),
-            "y": single(values[kept]),
-            "t": single(scene.values("time")[kept]),
-        }
-    )
 
 
 def _passages(
@@ -188,7 +161,7 @@ def _passages(
     if not scene.has(channel):
         return []
     pieces = [_passage(scene, scene.dataset[channel].values[:, i], x[i]) for i in chosen]
-    source = _source(
+    data_source = source(
         {
             "x": [single(scene.line_position[kept]) for kept, _ in pieces],
             "y": [single(scale * values) for _, values in pieces],
@@ -196,7 +169,7 @@ def _passages(
             "colour": [colour(n) for n in range(len(pieces))],
         }
     )
-    lines = fig.multi_line("x", "y", source=source, line_width=1.2, color="colour")
+    lines = fig.multi_line("x", "y", source=data_source, line_width=1.2, color="colour")
     add_hover(fig, [lines], [("", "@name"), tip], line_policy="interp")
     return [("passage of the train", [lines])]
 
@@ -209,28 +182,5 @@ def _passage(scene: Scene, values: Any, x: float) -> tuple[Any, Any]:
     return kept, values[kept]
 
 
-def _support_entry(scene: Scene, fig: Any) -> list[tuple[str, list[Any]]]:
-    x = scene.values("support_x")
-    if not x.size:
-        return []
-    lines = fig.vspan(
-        x=single(x[every(x.size, MARKS)]), line_color=LIGHT, line_dash="dashed", line_width=1
-    )
-    lines.level = "underlay"
-    return [("support", [lines])]
-
-
 def _names(scene: Scene, dimension: str, kept: Any) -> list[str]:
     return [plain(str(name)) for name in scene.values(dimension)[kept]]
-
-
-def _hover(fig: Any, renderers: list[Any], word: str, form: str) -> None:
-    value, unit = form.split(" ")
-    tips = [("", "$name"), (word, f"@y{{{value}}} {unit}")]
-    tips += [("position", "@x{0.0} m"), ("time", "@t{0.000} s")]
-    mode = "vline" if len(renderers) == 1 else "mouse"
-    add_hover(fig, renderers, tips, mode=mode, line_policy="nearest")
-
-
-def _source(columns: dict[str, Any]) -> Any:
-    return models().ColumnDataSource(columns)

@@ -82,7 +82,7 @@ def _frequencies(scene: Scene, fig: Any) -> list[tuple[str, list[Any]]]:
     marks = [(f"{bands[0]:g} and {bands[1]:g} Hz", bands, "dashed", GREY)]
     supports = scene.values("support_x")
     if supports.size > 1:
-        passing = a.speed_m_s / float(np.median(np.diff(supports)))
+        passing = a.speed_m_s / float(np.median(np.diff(np.unique(supports))))
         marks.append((f"span passing, {passing:.2f} Hz", [passing], "dotted", colour(7)))
     entries = []
     for label, places, dash, shade in marks:

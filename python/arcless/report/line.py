@@ -5,10 +5,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from arcless.report.along import MARKS, X_LABEL
 from arcless.report.reduce import envelope, every
 from arcless.report.scene import Scene
 from arcless.report.style import COLOURS, GREY, LIGHT, add_hover, add_legend, colour, figure, single
+from arcless.report.track import MARKS, X_LABEL
 
 Floats = NDArray[np.float64]
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from arcless.assess import Assessment
 from arcless.model import MARKS
-from arcless.report import along, distribution, line, tables
+from arcless.report import along, contacts, distribution, line, tables
 from arcless.report.model_data import groups, marks_used
 from arcless.report.scene import Scene
 from arcless.report.template import render
@@ -22,6 +22,7 @@ MAX_WARNINGS = 50
 # Place on the page → figure; a figure that the record has no data for is None.
 FIGURES = {
     "force": along.force,
+    "shares": contacts.shares,
     "gap": along.gap,
     "height": along.height,
     "uplift": along.uplift,

@@ -11,9 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arcless.mesh import PLANAR
-from arcless.report.along import X_LABEL
 from arcless.report.style import GREY, INK, LIGHT, add_hover, add_legend, colour, figure, models
 from arcless.report.template import render
+from arcless.report.track import X_LABEL
 from arcless.results.files import write_bytes
 
 if TYPE_CHECKING:

@@ -1,0 +1,37 @@
+"""How the wires and strips of a pantograph share its force."""
+
+from typing import Any
+
+from arcless.assess.filter import low_pass, sample_rate_Hz
+from arcless.report.scene import Scene
+from arcless.report.style import add_legend, colour, plain
+from arcless.report.track import SMOOTH_POINTS, hover, series, support_entry, track_figure
+
+
+def shares(scene: Scene) -> Any | None:
+    """Draw the filtered force of each contact, where a pantograph has several."""
+    if not scene.has("wire_contact_force"):
+        return None
+    limit = scene.assessment.low_pass_Hz
+    title = f"Force of each wire on each strip after the {limit:g} Hz low-pass"
+    fig = track_figure(scene, title, "contact force, N")
+    names = [str(name) for name in scene.values("contact")]
+    forces = low_pass(
+        scene.values("wire_contact_force"), sample_rate_Hz(scene.values("time")), limit
+    )
+    points = SMOOTH_POINTS * len(scene.pantographs) // max(1, len(names))
+    entries, lines = [], []
+    for i, name in enumerate(names):
+        path = series(scene, _pantograph(scene, name), forces[:, i], points)
+        line = fig.line("x", "y", source=path, color=colour(i), line_width=1.4, name=plain(name))
+        entries.append((name, [line]))
+        lines.append(line)
+    add_legend(fig, [*entries, *support_entry(scene, fig)])
+    hover(fig, lines, "force", "0.0 N")
+    return fig
+
+
+def _pantograph(scene: Scene, contact: str) -> int:
+    """Return the number of the pantograph that a contact is named after."""
+    owners = [i for i, name in enumerate(scene.pantographs) if contact.startswith(f"{name} strip ")]
+    return max(owners, key=lambda i: len(scene.pantographs[i]))
