@@ -8,7 +8,7 @@ import pytest
 import arcless
 from arcless.model import load
 from arcless.results import Result
-from tests.support.line_types import scenario_data
+from tests.support.line_types import compound_data, scenario_data, stitched_data
 from tests.support.overlaps import overlap_data
 
 # A pantograph without arm: its base is pushed by the static force alone.
@@ -102,3 +102,31 @@ def test_an_overlap_moved_by_a_span_moves_the_result_by_a_span() -> None:
         np.testing.assert_allclose(other[name], one[name], atol=1e-5 * FORCE)
     force = one["wire_contact_force"].values
     assert (force > 0.0).any(axis=0).all()
+
+
+ARMS = {"kind": "arm", "length": 1.0, "slope": 0.1}
+KINDS = {
+    "twin": overlap_data(twin_contact_wires={"separation": 0.04}),
+    "stitched": overlap_data(stitch_wire=stitched_data()["stitch_wire"]),
+    "arms": overlap_data(steady_arm=ARMS, geometry__stagger_contact_wire=[0.2, -0.2]),
+    "compound": overlap_data(
+        **{name: compound_data()[name] for name in ("auxiliary_wire", "hanger", "span_types")},
+        overlap__raise=[0.3, 0.04],
+    ),
+}
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_every_kind_of_line_hands_over(kind: str) -> None:
+    length = KINDS[kind]["span_types"]["span"]["length"]
+    data = ride(KINDS[kind], 3.5 * length, 7.5 * length).dataset
+    total, wires = data["contact_force"].values[:, 0], data["wire_contact_force"].values
+    assert total.min() > 0.0
+    assert data["contact_gap"].values.max() == 0.0
+    # Twice as many wires in an overlap as beside it, and all of them take their turn.
+    side_by_side = 2 if kind == "twin" else 1
+    assert wires.shape[1] == 2 * side_by_side
+    assert (wires > 0.0).any(axis=0).all()
+    assert not wires[0, side_by_side:].any()
+    assert not wires[-1, :side_by_side].any()
+    np.testing.assert_allclose(wires.sum(axis=1), total, atol=1e-9 * FORCE)
