@@ -14,7 +14,7 @@ class Joints(Part):
     """Joints of a conductor rail, each a point mass."""
 
     mass: Annotated[float, Unit("kg", above=0)] = Field(description="Mass of each joint.")
-    spacing: Annotated[float, Unit("m", above=0, maximum=500)] = Field(
+    spacing: Annotated[float, Unit("m", minimum=1, maximum=500)] = Field(
         description="Distance from joint to joint."
     )
     first: Annotated[float, Unit("m", minimum=0)] | None = Field(

@@ -17,6 +17,7 @@ ABOVE = {
     "hanger": "hangers",
     "twin_contact_wires": "twin contact wires",
 }
+STANDARD_GRAVITY = 9.81
 TROLLEY = "without a messenger wire the contact wire hangs on contact_support alone"
 
 
@@ -120,6 +121,7 @@ def _check_bridle(line: "Line", bridle: "Bridle") -> None:
             hint="between the clamps the contact wire keeps the difference",
             field=("bridle", "tension"),
         )
+    _check_steepness(line, bridle)
     if len(spans) == 1:
         raise ModelError(
             "no support for a bridle",
@@ -136,4 +138,18 @@ def _check_bridle(line: "Line", bridle: "Bridle") -> None:
             expected=f"less than {shortest:g} m, the shortest span",
             hint="half of it reaches into each span, where that of the next support begins",
             field=("bridle", "length"),
+        )
+
+
+def _check_steepness(line: "Line", bridle: "Bridle") -> None:
+    """Refuse a bridle steeper than 45°: R/T_b, with half of the longest span on each clamp."""
+    longest = max(span.length for span in line.span_list())
+    weight = STANDARD_GRAVITY * 0.5 * line.contact_wire.mass * longest
+    if bridle.tension < weight:
+        raise ModelError(
+            "bridle too loose",
+            got=f"{bridle.tension:g} N, with {weight:.3g} N of contact wire on each clamp",
+            expected=f"at least {weight:.3g} N",
+            hint="with less it stands steeper than 45 degrees above its clamps",
+            field=("bridle", "tension"),
         )

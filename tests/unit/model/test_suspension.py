@@ -114,6 +114,12 @@ def test_half_a_suspension(changes: dict[str, Any], message: str) -> None:
             " contact wire keeps the difference",
         ),
         (
+            {"bridle__tension": 200.0},
+            "bridle.tension: bridle too loose: got 200 N, with 216 N of contact wire on each clamp,"
+            " expected at least 216 N; hint: with less it stands steeper than 45 degrees above its"
+            " clamps",
+        ),
+        (
             {"bridle__length": 40.0},
             "bridle.length: bridle longer than a span: got 40 m, expected less than 40 m, the"
             " shortest span; hint: half of it reaches into each span, where that of the next"
