@@ -95,6 +95,20 @@ def test_clamps_of_bridles_are_at_the_height_of_the_wire() -> None:
     assert found.bridles[4]["hangs_at_m"] == pytest.approx(5.5 + rise, abs=1e-6)
 
 
+@pytest.mark.parametrize(
+    "changes",
+    [{"bridle__tension": 1e3}, {"bridle__tension": 11.5e3}, {"bridle__length": 30.0}],
+    ids=["loose", "nearly all of the tension", "long"],
+)
+def test_unusual_bridles_are_found_from_a_cold_start(changes: dict[str, Any]) -> None:
+    found = rest_of(bridle_data(**changes))
+    heights = np.array([bridle["clamp_heights_m"] for bridle in found.bridles[2:-2]]) - 5.5
+    rises = np.array([bridle["hangs_at_m"] for bridle in found.bridles[2:-2]]) - 5.5
+    # The second order of the slopes, of a rise of up to 1.9 m.
+    slope = rises.max() / (0.5 * changes.get("bridle__length", 10.0))
+    assert abs(heights).max() < max(1e-3, 0.5 * slope**2 * rises.max())
+
+
 @pytest.mark.parametrize("stagger", [{}, STAGGER], ids=["straight", "staggered"])
 def test_forces_balance_at_the_clamps_of_a_bridle(stagger: dict[str, Any]) -> None:
     limp = bridle_data(contact_wire__bending_stiffness=0.0, **stagger)

@@ -142,14 +142,14 @@ def _check_bridle(line: "Line", bridle: "Bridle") -> None:
 
 
 def _check_steepness(line: "Line", bridle: "Bridle") -> None:
-    """Refuse a bridle steeper than 45°: R/T_b, with half of the longest span on each clamp."""
+    """Refuse a bridle steeper than 1 in 2: R/T_b, with half of the longest span on each clamp."""
     longest = max(span.length for span in line.span_list())
     weight = STANDARD_GRAVITY * 0.5 * line.contact_wire.mass * longest
-    if bridle.tension < weight:
+    if bridle.tension < 2 * weight:
         raise ModelError(
             "bridle too loose",
             got=f"{bridle.tension:g} N, with {weight:.3g} N of contact wire on each clamp",
-            expected=f"at least {weight:.3g} N",
-            hint="with less it stands steeper than 45 degrees above its clamps",
+            expected=f"at least {2 * weight:.3g} N",
+            hint="with less it rises by more than one metre in two from its clamps",
             field=("bridle", "tension"),
         )

@@ -116,8 +116,8 @@ def test_half_a_suspension(changes: dict[str, Any], message: str) -> None:
         (
             {"bridle__tension": 200.0},
             "bridle.tension: bridle too loose: got 200 N, with 216 N of contact wire on each clamp,"
-            " expected at least 216 N; hint: with less it stands steeper than 45 degrees above its"
-            " clamps",
+            " expected at least 432 N; hint: with less it rises by more than one metre in two from"
+            " its clamps",
         ),
         (
             {"bridle__length": 40.0},

@@ -1,7 +1,7 @@
 //! What chains of point masses add to the forces and tangents of a structure.
 
 use super::assembly::{Geometry, Shape, add_pair};
-use super::design::length_change;
+use super::design::{Pace, length_change};
 use crate::element::bar::BarState;
 use crate::element::chain::BendElement;
 use crate::linalg::SymmetricBlocks;
@@ -107,7 +107,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
 
     /// Correct segment lengths towards their horizontal tension, as the design calculation does with
     /// Hermite elements; returns the largest error found before the correction, N.
-    pub(super) fn retension_chains(&mut self, shape: &Shape<D>, relaxation: f64) -> f64 {
+    pub(super) fn retension_chains(&mut self, shape: &Shape<D>, pace: &mut Pace) -> f64 {
         let mut worst: f64 = 0.0;
         let horizontal = self.horizontal_forces(shape);
         let mut bending = vec![0.0_f64; horizontal.len()];
@@ -117,10 +117,13 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
             }
         }
         let found = horizontal.into_iter().zip(bending);
-        for (segment, (force, bending)) in self.structure.segments.iter_mut().zip(found) {
+        let wires = self.structure.wires.len();
+        let segments = self.structure.segments.iter_mut().enumerate();
+        for ((k, segment), (force, bending)) in segments.zip(found) {
             let (tension, axial) = (segment.design_tension, segment.axial_stiffness);
             let error = force - tension;
             let flexibility = flexibility(&Self::segment_state(shape, segment), segment, bending);
+            let relaxation = pace.of(wires + k, error);
             let change = relaxation * length_change(error, flexibility, tension / axial);
             segment.rest_length *= 1.0 + change;
             worst = worst.max(error.abs());

@@ -25,9 +25,62 @@ use crate::structure::{SpringMode, Wire};
 /// Bound on the iterations; lines need about 10, spatial ones about 20.
 const MOST_ITERATIONS: usize = 200;
 
+/// The same where each element finds its own pace.
+const MOST_ITERATIONS_APART: usize = 500;
+
 /// Smaller and smaller corrections, tried when full ones do not converge: wires that sag far, or
 /// that hardly stretch.
 const RELAXATIONS: [f64; 2] = [0.4, 0.15];
+
+/// How fast the lengths are corrected: all alike, or each element at its own pace. Where a stiffer
+/// neighbour holds a steep element, its slope does not follow the force, and the full correction is
+/// too large by up to EA z′²/T.
+pub(super) struct Pace {
+    relaxation: f64,
+    /// Factor and last error of each element; empty where all are alike.
+    own: Vec<(f64, f64)>,
+}
+
+impl Pace {
+    fn alike(relaxation: f64) -> Self {
+        let own = Vec::new();
+        Self { relaxation, own }
+    }
+
+    fn apart(elements: usize) -> Self {
+        let (relaxation, own) = (1.0, vec![(1.0, 0.0); elements]);
+        Self { relaxation, own }
+    }
+
+    fn most_iterations(&self) -> usize {
+        if self.own.is_empty() {
+            MOST_ITERATIONS
+        } else {
+            MOST_ITERATIONS_APART
+        }
+    }
+
+    /// Factor on the correction of an element: what would have left no error last time (secant), but
+    /// changed by no more than a half or twice, and never above one.
+    pub(super) fn of(&mut self, element: usize, error: f64) -> f64 {
+        let Some((factor, last)) = self.own.get_mut(element) else {
+            return self.relaxation;
+        };
+        let gain = if *last == 0.0 {
+            1.0
+        } else {
+            1.0 - error / *last
+        };
+        let change = if gain > 0.5 {
+            (1.0 / gain).max(0.5)
+        } else {
+            2.0
+        };
+        *factor = (change * *factor).min(1.0);
+        *last = error;
+        *factor
+    }
+}
 
 impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
     /// Find the unstretched lengths and complete the structure with them; returns the shape.
@@ -37,22 +90,24 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
     /// a tension-only link would have to push.
     pub fn design(&mut self) -> Result<Shape<D>, CoreError> {
         let given = self.structure.clone();
-        let mut found = self.design_with(1.0);
-        for relaxation in RELAXATIONS {
+        let mut found = self.design_with(Pace::alike(1.0));
+        let elements = given.wires.len() + given.segments.len();
+        let slower = RELAXATIONS.map(Pace::alike);
+        for pace in slower.into_iter().chain([Pace::apart(elements)]) {
             let lost = matches!(
                 found,
                 Err(CoreError::NoEquilibrium { .. } | CoreError::Singular { .. })
             );
             if lost {
                 self.structure = given.clone();
-                found = self.design_with(relaxation);
+                found = self.design_with(pace);
             }
         }
         found
     }
 
-    /// One attempt, with every length correction multiplied by `relaxation`.
-    fn design_with(&mut self, relaxation: f64) -> Result<Shape<D>, CoreError> {
+    /// One attempt, with every length correction multiplied by the factor of its pace.
+    fn design_with(&mut self, mut pace: Pace) -> Result<Shape<D>, CoreError> {
         let free = self.design_mask();
         let mut shape = self.initial_shape();
         let mut residual = vec![[0.0; D]; self.nodes()];
@@ -60,8 +115,9 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         let mut k = self.empty_matrix();
         let tolerance = self.force_rounding();
         let mut worst = (f64::INFINITY, 0);
-        for _ in 0..MOST_ITERATIONS {
-            let slack = self.retension(&mut shape, relaxation);
+        let iterations = pace.most_iterations();
+        for _ in 0..iterations {
+            let slack = self.retension(&mut shape, &mut pace);
             let held = self.design_residual(&shape, &mut residual, &mut tensions);
             worst = largest(&residual, &free);
             if !worst.0.is_finite() {
@@ -75,7 +131,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
             step(&mut k, &free, &residual, &mut shape)?;
         }
         Err(CoreError::NoEquilibrium {
-            iterations: MOST_ITERATIONS,
+            iterations,
             residual: worst.0,
             node: worst.1,
             tolerance,
@@ -104,10 +160,10 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
     /// Correct element lengths towards their horizontal tension; returns the largest error found
     /// before the correction, N. The slopes follow their elements (r′ ∝ 1/L between held nodes),
     /// or every other iteration would only repair them.
-    fn retension(&mut self, shape: &mut Shape<D>, relaxation: f64) -> f64 {
+    fn retension(&mut self, shape: &mut Shape<D>, pace: &mut Pace) -> f64 {
         let mut worst: f64 = 0.0;
         let mut changes = vec![(0.0, 0.0); shape.len()];
-        for wire in &mut self.structure.wires {
+        for (k, wire) in self.structure.wires.iter_mut().enumerate() {
             let mut force = [[0.0; DIM]; 4];
             hermite::add_force(&wire.section, &Self::coordinates(shape, wire), &mut force);
             let error = force[2][0] - wire.design_tension;
@@ -118,6 +174,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
             } else {
                 1.0 / axial
             };
+            let relaxation = pace.of(k, error);
             let change = relaxation * length_change(error, flexibility, tension / axial);
             wire.section.rest_length *= 1.0 + change;
             worst = worst.max(error.abs());
@@ -131,7 +188,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
                 .iter_mut()
                 .for_each(|slope| *slope /= 1.0 + sum / count);
         }
-        worst.max(self.retension_chains(shape, relaxation))
+        worst.max(self.retension_chains(shape, pace))
     }
 
     /// Mean of y′² + z′² over an element, by Simpson's rule.
