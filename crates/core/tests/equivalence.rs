@@ -209,7 +209,7 @@ fn planar_line_is_the_spatial_one_without_stagger() {
         .design()
         .and_then(|shape| g.settle(&shape))
         .expect("an equilibrium");
-    let places = Path::lanes(&g, &shape, &std::slice::from_ref(&path)).expect("a path");
+    let places = Path::lanes(&g, &shape, std::slice::from_ref(&path)).expect("a path");
     let spatial =
         Prepared::new(Line::new(&g, shape), places, scheme(), STEP, CONTACT).expect("regular");
     let planar = common::prepare((s, path), |_| (), scheme(), STEP, CONTACT);

@@ -52,7 +52,8 @@ fn updated<const DIM: usize, const D: usize>(
     contact: f64,
 ) -> Prepared<DIM, D> {
     let (geometry, shape) = settled::<DIM, D>(structure.clone());
-    let lanes = Path::lanes(&geometry, &shape, &[path.clone()]).expect("the wire is a path");
+    let lanes =
+        Path::lanes(&geometry, &shape, std::slice::from_ref(path)).expect("the wire is a path");
     Prepared::updated(&geometry, &shape, lanes, scheme, h, contact).expect("regular")
 }
 
