@@ -1,0 +1,102 @@
+//! An element of a lane: its place along the track, and the shape functions there.
+
+use super::path::refuse;
+use super::place::slots;
+use crate::element::hermite;
+use crate::error::CoreError;
+use crate::statics::assembly::{Geometry, Shape};
+
+/// An element in its static shape, or where it has moved to.
+#[derive(Debug, Clone)]
+pub(super) enum PathElement<const DIM: usize> {
+    /// Hermite element.
+    Curve {
+        rest_length: f64,
+        coordinates: hermite::Coordinates<DIM>,
+    },
+    /// Segment of a chain, between its two ends.
+    Chord([[f64; DIM]; 2]),
+}
+
+/// Newton steps that invert x(ξ); the wire is nearly straight, three reach rounding.
+const MOST_INVERSIONS: usize = 20;
+
+impl<const DIM: usize> PathElement<DIM> {
+    /// Coordinates of both ends along the track, m.
+    pub(super) fn range(&self) -> (f64, f64) {
+        match self {
+            Self::Curve { coordinates: e, .. } => (e[0][0], e[2][0]),
+            Self::Chord(ends) => (ends[0][0], ends[1][0]),
+        }
+    }
+
+    /// Shape functions at coordinate `x` along the track, to the given accuracy in m.
+    pub(super) fn weights(&self, x: f64, accuracy: f64) -> [f64; 4] {
+        let (x0, x1) = self.range();
+        let mut xi = (x - x0) / (x1 - x0);
+        let Self::Curve {
+            rest_length: l,
+            coordinates: e,
+        } = self
+        else {
+            return [1.0 - xi, xi, 0.0, 0.0];
+        };
+        for _ in 0..MOST_INVERSIONS {
+            let error = hermite::interpolate(&hermite::shape(xi, *l), e)[0] - x;
+            let slope = hermite::interpolate(&hermite::shape_slope(xi, *l), e)[0] * l;
+            xi -= error / slope;
+            if error.abs() <= accuracy {
+                break;
+            }
+        }
+        hermite::shape(xi.clamp(0.0, 1.0), *l)
+    }
+
+    /// Move both ends (position, and slope where there is one) by the displacements of their nodes.
+    pub(super) fn displace<const D: usize>(&mut self, ends: [&[f64; D]; 2]) {
+        for (side, end) in ends.into_iter().enumerate() {
+            for c in 0..DIM {
+                match self {
+                    Self::Curve { coordinates: e, .. } => {
+                        e[2 * side][c] += end[c];
+                        e[2 * side + 1][c] += end[DIM + c];
+                    }
+                    Self::Chord(points) => points[side][c] += end[c],
+                }
+            }
+        }
+    }
+
+    /// Static position for given shape functions.
+    pub(super) fn point(&self, weights: &[f64; 4]) -> [f64; DIM] {
+        match self {
+            Self::Curve { coordinates, .. } => hermite::interpolate(weights, coordinates),
+            Self::Chord([a, b]) => std::array::from_fn(|c| weights[0] * a[c] + weights[1] * b[c]),
+        }
+    }
+}
+
+/// Element `number` of the wires, in the model that `D` stands for, and its nodes.
+pub(super) fn element<const DIM: usize, const D: usize>(
+    geometry: &Geometry<DIM, D>,
+    shape: &Shape<D>,
+    number: usize,
+) -> Result<(PathElement<DIM>, [usize; 2]), CoreError> {
+    let s = &geometry.structure;
+    if slots::<DIM, D>() == 1 {
+        let segment = s.segments.get(number);
+        let nodes = segment.ok_or_else(|| refuse("unknown element"))?.nodes;
+        let ends = nodes.map(|n| Geometry::<DIM, D>::position(shape, n));
+        return Ok((PathElement::Chord(ends), nodes));
+    }
+    let wire = s.wires.get(number);
+    let wire = wire.ok_or_else(|| refuse("unknown element"))?;
+    if !wire.runs_through() {
+        return Err(refuse("the wire is hinged"));
+    }
+    let curve = PathElement::Curve {
+        rest_length: wire.section.rest_length,
+        coordinates: Geometry::<DIM, D>::coordinates(shape, wire),
+    };
+    Ok((curve, wire.nodes))
+}
