@@ -17,6 +17,7 @@ from arcless.report.track import (
     support_entry,
     track_figure,
 )
+from arcless.report.wires import wire_points
 
 X_LABEL_FRONT = "position of the first pantograph, m"
 
@@ -78,10 +79,8 @@ def height(scene: Scene) -> Any:
     fig = track_figure(scene, "Height of the contact point", "height above rail, m")
     entries, hovered = [], []
     if scene.has("contact_wire_node_x", "contact_wire_node_z"):
-        z = scene.values("contact_wire_node_z")
-        kept = envelope(z, SMOOTH_POINTS)
-        x = scene.values("contact_wire_node_x")[kept]
-        rest = fig.line(single(x), single(z[kept]), color=GREY, line_width=1)
+        x, z = wire_points(scene, "contact_wire", "z", SMOOTH_POINTS)
+        rest = fig.line(single(x), single(z), color=GREY, line_width=1)
         entries.append(("contact wire at rest", [rest]))
     for i, name in enumerate(scene.pantographs):
         path = series(scene, i, scene.dataset["contact_height"].values[:, i], SMOOTH_POINTS)

@@ -9,11 +9,11 @@ from arcless.report.reduce import envelope, every
 from arcless.report.scene import Scene
 from arcless.report.style import COLOURS, GREY, LIGHT, add_hover, add_legend, colour, figure, single
 from arcless.report.track import MARKS, X_LABEL
+from arcless.report.wires import wire_points
 
 Floats = NDArray[np.float64]
 
-# Of all wires of a kind together, and at least of each.
-NODE_POINTS, WIRE_POINTS = 1500, 40
+NODE_POINTS = 1500
 ENERGY_ROWS = 500
 
 WIRES = (
@@ -95,8 +95,7 @@ def _view(scene: Scene, title: str, axis: str, y_label: str, height: int) -> Any
     for wire, label, shade in WIRES:
         if not scene.has(f"{wire}_node_x", f"{wire}_node_{axis}"):
             continue
-        values, x = scene.values(f"{wire}_node_{axis}"), scene.values(f"{wire}_node_x")
-        x, values = _apart(_owners(scene, wire), x, values)
+        x, values = wire_points(scene, wire, axis, NODE_POINTS)
         drawn = fig.line(single(x), single(values), color=colour(shade), line_width=1.5)
         add_hover(fig, [drawn], [(label, "@y{0.000} m"), ("position", "@x{0.0} m")])
         entries.append((label, [drawn]))
@@ -107,24 +106,3 @@ def _view(scene: Scene, title: str, axis: str, y_label: str, height: int) -> Any
         entries.append(("support", [lines]))
     add_legend(fig, entries)
     return fig
-
-
-def _owners(scene: Scene, wire: str) -> Floats:
-    """Return a number for each node that tells the wires of one kind from each other."""
-    told = [scene.values(f"{wire}_node_{which}") for which in ("wire", "support")]
-    known = [values for values in told if values.size]
-    if not known:
-        return np.zeros(scene.values(f"{wire}_node_x").size)
-    return np.asarray(np.unique(np.stack(known), axis=1, return_inverse=True)[1].ravel())
-
-
-def _apart(owner: Floats, x: Floats, values: Floats) -> tuple[Floats, Floats]:
-    """Put a gap between several wires; leave out points, and wires, when there are too many."""
-    owners = np.unique(owner)
-    pieces = [np.flatnonzero(owner == one) for one in owners[every(owners.size, MARKS)]]
-    points = max(WIRE_POINTS, NODE_POINTS // len(pieces))
-    kept = [piece[envelope(values[piece], points)] for piece in pieces]
-    if len(kept) == 1:
-        return x[kept[0]], values[kept[0]]
-    joined = [[np.append(data[piece], np.nan) for piece in kept] for data in (x, values)]
-    return np.concatenate(joined[0]), np.concatenate(joined[1])

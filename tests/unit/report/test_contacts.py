@@ -1,9 +1,9 @@
-"""The figure of single contacts: there when a pantograph has several, each with its force."""
+"""Figures of lines with several contact wires, and of pantographs with several contacts."""
 
 import numpy as np
 
 from arcless.assess import assess
-from arcless.report import contacts
+from arcless.report import along, contacts
 from arcless.report.scene import Scene
 from tests.support.synthetic import synthetic_dataset
 
@@ -26,3 +26,17 @@ def test_each_contact_has_its_line() -> None:
     # A low-pass leaves what is constant, to the single precision of a figure.
     for label, share in zip(labels, (80.0, 40.0), strict=True):
         np.testing.assert_allclose(drawn[label], share, rtol=1e-6)
+
+
+def test_no_line_joins_the_end_of_one_contact_wire_to_the_next() -> None:
+    dataset = synthetic_dataset()
+    nodes = dataset.sizes["contact_wire_node"]
+    number = np.where(np.arange(nodes) < nodes // 2, 1, 2)
+    dataset["contact_wire_node_wire"] = (("contact_wire_node",), number)
+    figure = along.height(Scene(dataset, assess(dataset)))
+    rest = figure.renderers[0].data_source.data
+    gaps = np.isnan(rest["y"])
+    # One behind each of the two wires, and every node is there.
+    assert gaps.sum() == 2
+    assert gaps.size == nodes + 2
+    assert gaps[nodes // 2]
