@@ -10,8 +10,6 @@ use arcless_core::dynamics::rider::Rider;
 use arcless_core::scheme::Scheme;
 use common::{difference, everything, three_masses, travel};
 
-type Answer = fn(&Sample) -> Result<f64, String>;
-
 fn controlled(
     rider: Rider,
     scheme: Scheme,
