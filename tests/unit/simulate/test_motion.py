@@ -77,13 +77,15 @@ def test_a_travel_shorter_than_a_step_is_refused(short: Short) -> None:
 
 def test_rider_matrices_of_a_chain() -> None:
     pantograph = load_pantograph("ac-simple")
-    mass, damping, stiffness, strip, preload, lift, force, *_ = riders.rider(pantograph, 160.0)
+    mass, damping, stiffness, strips, preload, lift, force, *_ = riders.rider(pantograph, 160.0)
     np.testing.assert_array_equal(np.reshape(mass, (3, 3)), np.diag([6.0, 9.0, 7.5]))
     expected = [[160 + 15500, -15500, 0], [-15500, 15500 + 7000, -7000], [0, -7000, 7000]]
     np.testing.assert_array_equal(np.reshape(stiffness, (3, 3)), expected)
     expected = [[100.1, -0.1, 0], [-0.1, 45.1, -45], [0, -45, 45]]
     np.testing.assert_allclose(np.reshape(damping, (3, 3)), expected)
-    assert (strip, preload, lift) == ([0, 0, 1], [1, 0, 0], [0, 0, 0])
+    # One strip: in the middle, of any length, everywhere at the height of the last mass.
+    assert strips == [(0.0, inf, [0.0], [[0, 0, 1]])]
+    assert (preload, lift) == ([1, 0, 0], [0, 0, 0])
     assert force == 160.0
 
 
