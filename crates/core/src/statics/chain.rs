@@ -1,7 +1,7 @@
 //! What chains of point masses add to the forces and tangents of a structure.
 
 use super::assembly::{Geometry, Shape, add_pair};
-use super::design::{Pace, length_change};
+use super::pace::{Pace, length_change};
 use crate::element::bar::BarState;
 use crate::element::chain::BendElement;
 use crate::linalg::SymmetricBlocks;

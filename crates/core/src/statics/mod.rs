@@ -10,6 +10,7 @@ pub mod assembly;
 mod chain;
 pub mod design;
 mod loads;
+mod pace;
 pub mod service;
 
 pub use alteration::Alteration;
