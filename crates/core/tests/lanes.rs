@@ -4,17 +4,7 @@ mod common;
 
 use arcless_core::dynamics::path::Path;
 use arcless_core::statics::Geometry;
-use common::Single;
-
-const STRING: Single = Single {
-    length: 60.0,
-    elements: 60,
-    mass: 1.35,
-    axial: 15e6,
-    bending: 0.0,
-    tension: 22e3,
-    gravity: 0.0,
-};
+use common::lanes::STRING;
 
 /// Lanes over the elements of a wire, 1 m each.
 fn lanes(lists: &[Vec<usize>]) -> Result<Vec<Path<2>>, String> {

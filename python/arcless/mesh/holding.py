@@ -6,7 +6,8 @@ from arcless.mesh.names import BRIDLE, CONTACT
 from arcless.mesh.parts import HELD, UNLOADED
 from arcless.mesh.types import SupportPlace
 from arcless.mesh.wires import Stations
-from arcless.model.components import NoSteadyArm, SteadyArmBar
+from arcless.model.components import MessengerSupport, NoSteadyArm, SteadyArmBar
+from arcless.model.line_parts import ContactSupport
 
 
 class Holding:
@@ -46,27 +47,25 @@ class Holding:
 
     def _hold_alone(self, node: int) -> int:
         """Hold a contact wire without messenger wire, or its bridle, at a support."""
-        support = self.line.contact_support
-        assert support is not None
-        vertical = (support.vertical_stiffness, support.vertical_damping, 0.0)
-        row = self.parts.add("springs", (node, self.kit.up, HELD), vertical)
-        if self.kit.spatial:
-            lateral = support.lateral_stiffness or support.vertical_stiffness
-            self.parts.add("springs", (node, 1, HELD), (lateral, 0.0, 0.0))
-        self.parts.add_mass(node, support.mass, 0.0)
-        return row
+        assert self.line.contact_support is not None
+        return self._hold(node, self.line.contact_support)
 
     def _hold_messenger(self, node: int) -> int:
         support = self.line.support
         assert support is not None
+        row = self._hold(node, support)
+        if support.longitudinal_stiffness > 0.0:
+            stiffness = (support.longitudinal_stiffness, 0.0, 0.0)
+            self.parts.add("springs", (node, 0, UNLOADED), stiffness)
+        return row
+
+    def _hold(self, node: int, support: ContactSupport | MessengerSupport) -> int:
+        """Hold a node up, and across in space; return the row of the vertical spring."""
         vertical = (support.vertical_stiffness, support.vertical_damping, 0.0)
         row = self.parts.add("springs", (node, self.kit.up, HELD), vertical)
         if self.kit.spatial:
             lateral = support.lateral_stiffness or support.vertical_stiffness
             self.parts.add("springs", (node, 1, HELD), (lateral, 0.0, 0.0))
-        if support.longitudinal_stiffness > 0.0:
-            stiffness = (support.longitudinal_stiffness, 0.0, 0.0)
-            self.parts.add("springs", (node, 0, UNLOADED), stiffness)
         self.parts.add_mass(node, support.mass, 0.0)
         return row
 

@@ -1,6 +1,5 @@
 """How a line differs from its design: as built, and in the weather."""
 
-from itertools import pairwise
 from math import cos, pi, sin, sqrt
 from typing import Annotated
 
@@ -10,6 +9,7 @@ from arcless.errors import ModelError
 from arcless.model.dropper_names import DropperName, parse_name
 from arcless.model.fields import Part, Unit
 from arcless.model.gusts import Gusts
+from arcless.model.lists import check_behind
 from arcless.model.measured import MAX_HEIGHTS, MeasuredHeight
 from arcless.units import WRONG_VALUE
 
@@ -214,13 +214,5 @@ class AsBuilt(Part):
                     expected=f"a position behind from, {worn.from_:g} m",
                     field=("contact_wire_wear", index, "to"),
                 )
-        for index, (before, behind) in enumerate(pairwise(self.contact_wire_wear), start=1):
-            if behind.from_ < before.to:
-                raise ModelError(
-                    "stretches overlap or are out of order",
-                    got=f"a start at {behind.from_:g} m before the end of the last one,"
-                    f" {before.to:g} m",
-                    expected="stretches along the track, one behind the other",
-                    field=("contact_wire_wear", index, "from"),
-                )
+        check_behind(self.contact_wire_wear, "stretches", ("contact_wire_wear",))
         return self

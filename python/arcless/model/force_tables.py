@@ -8,6 +8,7 @@ from pydantic import Field, model_validator
 
 from arcless.errors import ModelError
 from arcless.model.fields import Part, Path, Unit
+from arcless.model.lists import check_count
 from arcless.model.reader import Origin
 from arcless.model.settings import MAX_SPEED
 from arcless.model.tables import Table, read_table
@@ -101,7 +102,7 @@ class LiftTable(Part):
 
     @model_validator(mode="after")
     def _check_lists(self) -> "LiftTable":
-        _check_lengths(self.speed, self.force, "speed")
+        check_count(self.force, len(self.speed), "speed", ("force",))
         for index, (slower, faster) in enumerate(pairwise(self.speed), start=1):
             if faster <= slower:
                 raise ModelError(
@@ -121,16 +122,6 @@ class LiftTable(Part):
         return (1.0 - share) * self.force[k] + share * self.force[k + 1]
 
 
-def _check_lengths(places: tuple[float, ...], forces: tuple[float, ...], name: str) -> None:
-    if len(forces) != len(places):
-        raise ModelError(
-            "wrong number of values",
-            got=f"{len(forces)} values",
-            expected=f"{len(places)}, one for each of {name}",
-            field=("force",),
-        )
-
-
 def _check_points(
     places: tuple[float, ...], forces: tuple[float, ...], name: str, unit: str
 ) -> None:
@@ -141,7 +132,7 @@ def _check_points(
             expected=f"at least {LEAST_POINTS} of {name} and force, or a file",
             field=(name,),
         )
-    _check_lengths(places, forces, name)
+    check_count(forces, len(places), name, ("force",))
     for index, (before, after) in enumerate(pairwise(places), start=1):
         if after <= before:
             raise ModelError(

@@ -7,6 +7,7 @@ from pydantic import Field, model_validator
 
 from arcless.errors import ModelError
 from arcless.model.fields import Part, Unit
+from arcless.model.lists import check_count
 
 MAX_ROWS = 100_000
 FEWEST = 2
@@ -36,16 +37,8 @@ class Gusts(Part):
 
     @model_validator(mode="after")
     def _check_lists(self) -> "Gusts":
-        count = len(self.time)
         for name in ("position", "speed", "vertical"):
-            values = getattr(self, name)
-            if values is not None and len(values) != count:
-                raise ModelError(
-                    "wrong number of values",
-                    got=f"{len(values)} values",
-                    expected=f"{count}, one for each of time",
-                    field=(name,),
-                )
+            check_count(getattr(self, name), len(self.time), "time", (name,))
         for place, rows in self.stations().items():
             where = "" if self.position is None else f" at {place:g} m"
             if len(rows) < FEWEST:

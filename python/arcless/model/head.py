@@ -7,6 +7,7 @@ from pydantic import Field, model_validator
 
 from arcless.errors import ModelError
 from arcless.model.fields import Part, Unit
+from arcless.model.lists import check_count
 
 MAX_STRIPS = 4
 MAX_MODES = 8
@@ -124,19 +125,14 @@ class CollectorHead(Part):
                 field=("shape_positions",),
             )
         for index, mode in enumerate(self.modes):
-            if len(mode.shape) != len(places):
-                raise ModelError(
-                    "wrong number of values",
-                    got=f"{len(mode.shape)} values",
-                    expected=f"{len(places)}, one for each of shape_positions",
-                    field=("modes", index, "shape"),
-                )
+            field = ("modes", index, "shape")
+            check_count(mode.shape, len(places), "shape_positions", field)
             if not any(mode.shape):
                 raise ModelError(
                     "a mode without a shape",
                     got="zeros",
                     expected="a value",
-                    field=("modes", index, "shape"),
+                    field=field,
                 )
 
     @property

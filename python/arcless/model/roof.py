@@ -8,6 +8,7 @@ from pydantic import Field, model_validator
 
 from arcless.errors import ModelError
 from arcless.model.fields import Part, Path, Unit
+from arcless.model.lists import check_count
 from arcless.model.reader import Origin
 from arcless.model.tables import Table, read_table
 
@@ -50,13 +51,7 @@ class RoofMotion(Part):
             raise ModelError(
                 "too few points", got=f"{len(self.points)}", expected="at least 2", field=(name,)
             )
-        if len(self.displacement) != len(self.points):
-            raise ModelError(
-                "wrong number of values",
-                got=f"{len(self.displacement)} values",
-                expected=f"{len(self.points)}, one for each of {name}",
-                field=("displacement",),
-            )
+        check_count(self.displacement, len(self.points), name, ("displacement",))
         unit = POINTS.columns[name]
         for index, (earlier, later) in enumerate(pairwise(self.points), start=1):
             if later <= earlier:

@@ -7,6 +7,7 @@ from pydantic import Field, model_validator
 
 from arcless.errors import ModelError
 from arcless.model.fields import Lengths, Part, Unit
+from arcless.model.lists import check_count
 from arcless.units import WRONG_VALUE
 
 # 1080 km/h: above any train, and a speed in km/h written without its unit is often above it.
@@ -28,13 +29,7 @@ class SpeedProfile(Part):
 
     @model_validator(mode="after")
     def _check_lists(self) -> "SpeedProfile":
-        if len(self.speed) != len(self.time):
-            raise ModelError(
-                "wrong number of values",
-                got=f"{len(self.speed)} values",
-                expected=f"{len(self.time)}, one for each of time",
-                field=("speed",),
-            )
+        check_count(self.speed, len(self.time), "time", ("speed",))
         if self.time[0] != 0:
             raise ModelError(
                 WRONG_VALUE,

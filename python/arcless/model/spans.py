@@ -7,6 +7,7 @@ from pydantic import Field, model_validator
 
 from arcless.errors import ModelError
 from arcless.model.fields import Lengths, Part, Unit
+from arcless.model.lists import check_count
 from arcless.units import WRONG_VALUE
 
 MAX_SPANS = 5000
@@ -42,16 +43,8 @@ class SpanDroppers(Part):
                 expected="presag (design) or lengths (as built)",
                 field=("lengths",),
             )
-        count = len(self.positions)
         for name in ("presag", "lengths"):
-            values = getattr(self, name)
-            if values is not None and len(values) != count:
-                raise ModelError(
-                    "wrong number of values",
-                    got=f"{len(values)} values",
-                    expected=f"{count}, one for each of positions",
-                    field=(name,),
-                )
+            check_count(getattr(self, name), len(self.positions), "positions", (name,))
         for index, (left, right) in enumerate(pairwise(self.positions), start=1):
             if right <= left:
                 raise ModelError(

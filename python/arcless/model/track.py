@@ -19,13 +19,14 @@ Lines for Electric Railways, gives T/R and L²/8R (mark C, the book was not read
 
 from bisect import bisect_right
 from functools import cached_property
-from itertools import accumulate, pairwise
+from itertools import accumulate
 from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
 from arcless.errors import ModelError
 from arcless.model.fields import Part, Unit
+from arcless.model.lists import check_behind
 
 MAX_CURVES = 1000
 # Points at which directions are averaged over a span: to 10⁻⁴ of the angle it turns by.
@@ -118,15 +119,7 @@ class Track(Part):
 
     @model_validator(mode="after")
     def _check_order(self) -> "Track":
-        for index, (before, behind) in enumerate(pairwise(self.curves), start=1):
-            if behind.from_ < before.to:
-                raise ModelError(
-                    "curves overlap or are out of order",
-                    got=f"a start at {behind.from_:g} m before the end of the last one,"
-                    f" {before.to:g} m",
-                    expected="curves along the track, one behind the other",
-                    field=("curves", index, "from"),
-                )
+        check_behind(self.curves, "curves", ("curves",))
         return self
 
     def direction(self, x: float, height: float) -> float:
