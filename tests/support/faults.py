@@ -1,0 +1,89 @@
+"""Deliberate faults: context managers that spoil what goes to the core, one thing at a time."""
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any
+from unittest.mock import patch
+
+import numpy as np
+
+from arcless.simulate import equilibrium
+
+# Float columns of the tables in `arcless.mesh.types.Mesh`.
+COLUMNS = {
+    "wires": ("length", "EA", "EI", "mass", "alpha", "beta", "tension"),
+    "segments": ("length", "EA", "mass", "alpha", "beta", "tension"),
+    "bends": ("EI", "beta"),
+    "links": ("length", "stiffness", "damping", "alpha", "beta", "mass"),
+    "springs": ("stiffness", "damping", "rest"),
+    "masses": ("mass", "alpha"),
+    "ends": ("force",),
+    "loads": ("force",),
+}
+Spoil = Callable[[dict[str, Any]], None]
+
+
+@contextmanager
+def spoiled(spoil: Spoil) -> Iterator[None]:
+    """Let `spoil` change the arguments of every `_core.Equilibrium`: `parts`, `gravity`, ….
+
+    Raises
+    ------
+    RuntimeError
+        No structure was built meanwhile: the fault was never put in.
+    """
+    core = equilibrium._core
+    built = []
+
+    def build(
+        dim: int, positions: Any, slopes: Any, parts: Any, gravity: float, design: bool
+    ) -> Any:
+        copied = {kind: (rows.copy(), floats.copy()) for kind, (rows, floats) in parts.items()}
+        arguments = {
+            "positions": positions.copy(), "slopes": slopes.copy(), "parts": copied,
+            "gravity": gravity,
+        }  # fmt: skip
+        spoil(arguments)
+        built.append(dim)
+        return core.Equilibrium(dim, **arguments, design=design)
+
+    class Spoiled:
+        Equilibrium = staticmethod(build)
+
+        def __getattr__(self, name: str) -> Any:
+            return getattr(core, name)
+
+    try:
+        with patch.object(equilibrium, "_core", Spoiled()):
+            yield
+    finally:
+        if not built:  # a failure that has nothing to do with the fault is no notice
+            raise RuntimeError("the fault was never put in")
+
+
+@contextmanager
+def scaled(
+    kind: str, column: str, factor: float, rows: slice | list[int] = slice(None)
+) -> Iterator[None]:
+    """Multiply a column of a table of parts, in all rows or in some."""
+
+    def spoil(arguments: dict[str, Any]) -> None:
+        table = arguments["parts"][kind][1]
+        before = table[rows, COLUMNS[kind].index(column)].copy()
+        table[rows, COLUMNS[kind].index(column)] *= factor
+        assert np.any(table[rows, COLUMNS[kind].index(column)] != before), "nothing to spoil"
+
+    with spoiled(spoil):
+        yield
+
+
+@contextmanager
+def gravity(factor: float) -> Iterator[None]:
+    """Multiply gravity: -1 turns it round."""
+
+    def spoil(arguments: dict[str, Any]) -> None:
+        assert arguments["gravity"] != 0.0, "nothing to spoil"
+        arguments["gravity"] *= factor
+
+    with spoiled(spoil):
+        yield

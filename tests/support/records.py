@@ -1,0 +1,138 @@
+"""Records of the evidence: compared with what a test measures, or written anew (`--publish`)."""
+
+from pathlib import Path
+from types import ModuleType
+from typing import TypeVar
+
+import arcless
+from arcless.validate.evidence import Measured, Noticed, Topic
+from tests.support.figures import draw
+
+Recorded = TypeVar("Recorded", Measured, Noticed)
+ROOT = Path(__file__).parents[2]
+RECORDS = ROOT / "python" / "arcless" / "validate" / "recorded"
+# Another processor or library may round differently. What moves by more than this share of its
+# tolerance is not the value that the pages show.
+DRIFT = 0.1
+# What moves by less than this share is only rounding: the record stays.
+STEADY = 0.01
+AGAIN = "run `make evidence`, or this file with --publish, and look at what changed"
+
+
+def place(file: Path) -> tuple[str, str]:
+    """Group and topic of a test file in a folder of tests/verification or tests/faults."""
+    return file.parent.name, file.stem.removeprefix("test_")
+
+
+def path_of(group: str, name: str) -> Path:
+    return RECORDS / group / f"{name}.json"
+
+
+def load(group: str, name: str) -> Topic:
+    """Read a record; an empty one if there is none yet."""
+    file = path_of(group, name)
+    if not file.is_file():
+        return Topic(group, name)
+    return Topic.from_json(file.read_text(encoding="utf-8"))
+
+
+def publish_rows(
+    file: Path, module: ModuleType, test: str, rows: list[Measured], figures: list[dict[str, str]]
+) -> None:
+    """Replace what the record has of a test, and what it has of tests that are gone."""
+    topic = load(*place(file))
+    topic.title, _, text = (module.__doc__ or "").strip().partition("\n")
+    topic.title, topic.text = topic.title.rstrip("."), text.strip()
+    topic.version = arcless.__version__
+    names = {figure["name"] for figure in figures}
+    topic.rows = _replaced(topic.rows, test, _steady(rows, topic.rows), module)
+    topic.figures = [f for f in topic.figures if f["name"] not in names]
+    topic.figures += [
+        {key: figure[key] for key in ("name", "title")}
+        | {"file": draw(f"{topic.group}-{topic.name}-{figure['name']}", figure)}
+        for figure in figures
+    ]
+    _write(topic)
+
+
+def publish_faults(file: Path, module: ModuleType, test: str, faults: list[Noticed]) -> None:
+    """Replace what the record has of a test of faults."""
+    topic = load(*place(file))
+    before = {(fault.test, fault.fault, fault.row): fault for fault in topic.faults}
+    kept = [before.get((fault.test, fault.fault, fault.row), fault) for fault in faults]
+    topic.faults = _replaced(topic.faults, test, kept, module)
+    _write(topic)
+
+
+def compare_rows(file: Path, test: str, rows: list[Measured]) -> None:
+    """Fail if a test measures something else than what its record says."""
+    known = {row.what: row for row in load(*place(file)).rows if row.test == test}
+    assert {row.what for row in rows} == set(known), f"not as recorded: {AGAIN}"
+    for row in rows:
+        _compare(row, known[row.what])
+
+
+def compare_faults(file: Path, test: str, faults: list[Noticed]) -> None:
+    known = [(f.fault, f.row) for f in load(*place(file)).faults if f.test == test]
+    assert [(f.fault, f.row) for f in faults] == known, f"not as recorded: {AGAIN}"
+
+
+def _compare(now: Measured, then: Measured) -> None:
+    changes = _changes(now, then, DRIFT)
+    assert not changes, f"{now.what}: {'; '.join(changes)}: {AGAIN}"
+
+
+def _changes(now: Measured, then: Measured, share: float) -> list[str]:
+    """Say what differs by more than a share of the tolerance."""
+    changes = [
+        f"{name} changed"
+        for name in ("unit", "reason", "mark", "verdict", "test", "slow")
+        if getattr(now, name) != getattr(then, name)
+    ]
+    room = share * _tolerance(then)
+    for name in ("value", "reference", "low", "high"):
+        one, other = getattr(now, name), getattr(then, name)
+        differs = (one is None) != (other is None)
+        if differs or (one is not None and not abs(one - other) <= room):
+            changes.append(f"{name} {one!r}, was {other!r}")
+    return changes
+
+
+def _tolerance(row: Measured) -> float:
+    if row.low is not None and row.high is not None:
+        return (row.high - row.low) / 2.0
+    bound = row.high if row.high is not None else row.low
+    return abs(bound or 0.0)
+
+
+def _steady(rows: list[Measured], known: list[Measured]) -> list[Measured]:
+    """Keep the record of what only rounding moved, so that writing again changes no file."""
+    before = {row.what: row for row in known}
+    return [
+        before[row.what]
+        if row.what in before and not _changes(row, before[row.what], STEADY)
+        else row
+        for row in rows
+    ]
+
+
+def _replaced(
+    known: list[Recorded], test: str, found: list[Recorded], module: ModuleType
+) -> list[Recorded]:
+    kept = [row for row in known if row.test != test and hasattr(module, _function(row.test))]
+    lines = {
+        row.test: getattr(module, _function(row.test)).__code__.co_firstlineno
+        for row in [*kept, *found]
+    }
+    # Sorting is stable: several rows of one test stay in their order.
+    return sorted([*kept, *found], key=lambda row: (lines[row.test], row.test))
+
+
+def _function(test: str) -> str:
+    return test.partition("[")[0]
+
+
+def _write(topic: Topic) -> None:
+    file = path_of(topic.group, topic.name)
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_text(topic.to_json(), encoding="utf-8")

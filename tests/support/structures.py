@@ -1,0 +1,36 @@
+"""Small structures made by hand: arrays of a mesh, brought to rest by the core."""
+
+from typing import Any
+
+import numpy as np
+
+from arcless.mesh import Mesh
+from arcless.mesh.parts import Parts
+from arcless.simulate import equilibrium
+
+
+def mesh_of(
+    dimension: int, positions: Any, slopes: Any, parts: Parts, lane: list[int], *,
+    gravity: float = 0.0,
+) -> Mesh:  # fmt: skip
+    """Make a mesh of parts: nodes (n × 3: along, across, up) in m, their slopes; gravity, m/s²."""
+    return Mesh(
+        dimension=dimension,
+        positions=np.asarray(positions, dtype=np.float64),
+        slopes=np.asarray(slopes, dtype=np.float64),
+        parts=parts.arrays(),
+        gravity=gravity,
+        lanes=[lane],
+        droppers=[],
+        supports=[],
+        wire_rows={},
+        systems=[],
+    )
+
+
+def at_rest(mesh: Mesh, *, design: bool = False) -> equilibrium.Equilibrium:
+    """Find the equilibrium; through the module that deliberate faults spoil."""
+    core = equilibrium._core.Equilibrium(
+        mesh.dimension, mesh.positions, mesh.slopes, mesh.parts, mesh.gravity, design=design
+    )
+    return equilibrium.Equilibrium(mesh, core, core.arrays())
