@@ -7,7 +7,7 @@ import pytest
 
 from arcless.validate.evidence import Noticed
 from tests.support import records
-from tests.support.evidence import Evidence, Outside
+from tests.support.evidence import Evidence, OutsideError
 
 Check = Callable[..., None]
 
@@ -53,7 +53,7 @@ def noticed(request: pytest.FixtureRequest) -> Iterator[Callable[..., None]]:
             fixtures["evidence"] = Evidence()
         try:
             check(**fixtures)
-        except Outside as error:
+        except OutsideError as error:
             row = error.row
             found.append(Noticed(fault, row.what, f"{row.value:.4g}; {row.allowed}", test, slow))
         except AssertionError as error:

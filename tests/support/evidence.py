@@ -13,7 +13,7 @@ from arcless.validate.reference import VERIFIED
 LEAST_SIZES = 3
 
 
-class Outside(AssertionError):
+class OutsideError(AssertionError):
     """A value is not where it must be."""
 
     def __init__(self, row: Measured) -> None:
@@ -50,8 +50,10 @@ class Evidence:
             allowed = f"± {tolerance:.3g} {_shown(unit)}".rstrip()
         if not tolerance > 0.0:
             raise ValueError(f"{what}: a tolerance of nothing; use `same` for equal bits")
-        bounds = reference - tolerance, reference + tolerance
-        self._judge(what, value, unit, reference, bounds, allowed, reason, mark)
+        self._judge(
+            what, value, unit, reference=reference, low=reference - tolerance,
+            high=reference + tolerance, allowed=allowed, reason=reason, mark=mark,
+        )  # fmt: skip
 
     def below(
         self, what: str, value: float, limit: float, *, unit: str, reason: str, mark: str = ""
@@ -60,7 +62,9 @@ class Evidence:
         if value < 0.0:
             raise ValueError(f"{what}: {value} is negative; take its size first")
         allowed = f"≤ {limit:.3g} {_shown(unit)}".rstrip()
-        self._judge(what, value, unit, None, (None, limit), allowed, reason, mark)
+        self._judge(
+            what, value, unit, low=None, high=limit, allowed=allowed, reason=reason, mark=mark
+        )
 
     def within(
         self, what: str, value: float, low: float, high: float, *, unit: str, reason: str,
@@ -68,14 +72,18 @@ class Evidence:
     ) -> None:  # fmt: skip
         """Hold a value against two bounds."""
         allowed = f"{low:.6g} to {high:.6g} {_shown(unit)}".rstrip()
-        self._judge(what, value, unit, None, (low, high), allowed, reason, mark)
+        self._judge(
+            what, value, unit, low=low, high=high, allowed=allowed, reason=reason, mark=mark
+        )
 
     def same(self, what: str, *, compared: int, differing: int, reason: str) -> None:
         """Demand that of the numbers compared none differs in any bit."""
         if not compared > 0:
             raise AssertionError(f"{what}: nothing was compared")
         text = f"of {compared} numbers"
-        self._judge(what, differing, text, None, (None, 0.0), "no bit differs", reason, "")
+        self._judge(
+            what, differing, text, low=None, high=0.0, allowed="no bit differs", reason=reason
+        )
 
     def order(
         self, what: str, sizes: Sequence[float], errors: Sequence[float], expected: float, *,
@@ -95,10 +103,11 @@ class Evidence:
             [float(size), float(error), *([local[i - 1]] if i else [])]
             for i, (size, error) in enumerate(zip(sizes, errors, strict=True))
         ]
-        bounds = expected - tolerance, expected + tolerance
-        allowed = f"{expected:g} ± {tolerance:g}"
-        kind = f"order in {unit}"
-        self._judge(what, slope, kind, expected, bounds, allowed, reason, "", table)
+        self._judge(
+            what, slope, f"order in {unit}", reference=expected, low=expected - tolerance,
+            high=expected + tolerance, allowed=f"{expected:g} ± {tolerance:g}", reason=reason,
+            table=table,
+        )  # fmt: skip
 
     def published(
         self, what: str, value: float, low: float | None, high: float | None, *, unit: str,
@@ -132,24 +141,20 @@ class Evidence:
              "log_x": log_x, "log_y": log_y}
         )  # fmt: skip
 
-    def _judge(
-        self, what: str, value: float, unit: str, reference: float | None,
-        bounds: tuple[float | None, float | None], allowed: str, reason: str, mark: str,
-        table: list[list[float]] | None = None,
-    ) -> None:  # fmt: skip
-        if not reason.strip():
+    def _judge(self, what: str, value: float, unit: str, **rest: Any) -> None:
+        if not rest["reason"].strip():
             raise ValueError(f"{what}: a tolerance needs its reason")
         if any(row.what == what for row in self.rows):
             raise ValueError(f"{what}: recorded twice")
-        value = float(value)
-        low, high = bounds
+        value, low, high = float(value), rest["low"], rest["high"]
+        # NaN is inside of nothing.
         inside = (low is None or value >= low) and (high is None or value <= high)
-        row = Measured(
-            what, unit, value, reference, low, high, allowed, reason, mark,
-            INSIDE if inside else OUTSIDE, self.test, self.slow, table or [],
-        )  # fmt: skip
-        if not inside:  # NaN is not inside either
-            raise Outside(row)
+        inside = inside and isfinite(value)
+        verdict = INSIDE if inside else OUTSIDE
+        fields = {"reference": None, "mark": ""} | rest
+        row = Measured(what, unit, value, verdict=verdict, test=self.test, slow=self.slow, **fields)
+        if not inside:
+            raise OutsideError(row)
         self.rows.append(row)
 
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from copy import deepcopy
 from typing import Any
 from unittest.mock import patch
 
@@ -35,17 +36,12 @@ def spoiled(spoil: Spoil) -> Iterator[None]:
     core = equilibrium._core
     built = []
 
-    def build(
-        dim: int, positions: Any, slopes: Any, parts: Any, gravity: float, design: bool
-    ) -> Any:
-        copied = {kind: (rows.copy(), floats.copy()) for kind, (rows, floats) in parts.items()}
-        arguments = {
-            "positions": positions.copy(), "slopes": slopes.copy(), "parts": copied,
-            "gravity": gravity,
-        }  # fmt: skip
-        spoil(arguments)
+    def build(dim: int, *arguments: Any, design: bool) -> Any:
+        named = dict(zip(("positions", "slopes", "parts", "gravity"), arguments, strict=True))
+        named = deepcopy(named)  # a mesh is used again
+        spoil(named)
         built.append(dim)
-        return core.Equilibrium(dim, **arguments, design=design)
+        return core.Equilibrium(dim, **named, design=design)
 
     class Spoiled:
         Equilibrium = staticmethod(build)
