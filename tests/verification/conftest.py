@@ -7,20 +7,19 @@ import pytest
 
 import arcless
 from arcless.results import Result
+from tests.support.once import RunsOnce, folder_of_session
 
 Run = Callable[..., Result]
 
 
 @pytest.fixture(scope="session")
-def run_once() -> Run:
+def run_once(tmp_path_factory: pytest.TempPathFactory) -> Run:
     """Run a shipped scenario with changes by dotted path; the same question is answered once."""
-    known: dict[tuple[str, str], Result] = {}
+    runs = RunsOnce(folder_of_session(tmp_path_factory))
 
     def run(name: str, changes: dict[str, Any] | None = None) -> Result:
-        key = name, repr(sorted((changes or {}).items()))
-        if key not in known:
-            known[key] = arcless.run(arcless.load(name).with_(**(changes or {})))
-        return known[key]
+        key = repr((name, sorted((changes or {}).items())))
+        return runs.answer(key, lambda: arcless.run(arcless.load(name).with_(**(changes or {}))))
 
     return run
 
