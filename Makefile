@@ -4,7 +4,7 @@
 SHELL := /bin/sh
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help build demo test lint bench wheel clean check-python check-rust
+.PHONY: help build demo test evidence lint bench wheel clean check-python check-rust
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -39,6 +39,10 @@ demo: build ## run the reference case AC simple at 320 km/h; write its report
 test: build ## run every test: the Rust core, then the Python package
 	cargo test
 	$(BIN)/python -m pytest $(ON_ALL_CORES)
+
+evidence: build ## run every check, the slow ones too, and write the pages of docs/validation
+	$(BIN)/python -m pytest -m "" --publish tests/verification tests/faults
+	$(BIN)/python docs/make_evidence.py
 
 lint: build ## check format, lints and types, and that no lock file or local path is tracked
 	cargo fmt --all --check

@@ -1,5 +1,8 @@
 """Records of the evidence: compared with what a test measures, or written anew (`--publish`)."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
+from fcntl import LOCK_EX, flock
 from pathlib import Path
 from types import ModuleType
 from typing import TypeVar
@@ -40,7 +43,13 @@ def publish_rows(
     file: Path, module: ModuleType, test: str, rows: list[Measured], figures: list[dict[str, str]]
 ) -> None:
     """Replace what the record has of a test, and what it has of tests that are gone."""
-    topic = load(*place(file))
+    with _own(file) as topic:
+        _take_rows(topic, module, test, rows, figures)
+
+
+def _take_rows(
+    topic: Topic, module: ModuleType, test: str, rows: list[Measured], figures: list[dict[str, str]]
+) -> None:
     topic.title, _, text = (module.__doc__ or "").strip().partition("\n")
     topic.title, topic.text = topic.title.rstrip("."), text.strip()
     topic.version = arcless.__version__
@@ -52,16 +61,18 @@ def publish_rows(
         | {"file": draw(f"{topic.group}-{topic.name}-{figure['name']}", figure)}
         for figure in figures
     ]
-    _write(topic)
 
 
 def publish_faults(file: Path, module: ModuleType, test: str, faults: list[Noticed]) -> None:
     """Replace what the record has of a test of faults."""
-    topic = load(*place(file))
+    with _own(file) as topic:
+        _take_faults(topic, module, test, faults)
+
+
+def _take_faults(topic: Topic, module: ModuleType, test: str, faults: list[Noticed]) -> None:
     before = {(fault.test, fault.fault, fault.row): fault for fault in topic.faults}
     kept = [before.get((fault.test, fault.fault, fault.row), fault) for fault in faults]
     topic.faults = _replaced(topic.faults, test, kept, module)
-    _write(topic)
 
 
 def compare_rows(file: Path, test: str, rows: list[Measured]) -> None:
@@ -132,7 +143,14 @@ def _function(test: str) -> str:
     return test.partition("[")[0]
 
 
-def _write(topic: Topic) -> None:
-    file = path_of(topic.group, topic.name)
-    file.parent.mkdir(parents=True, exist_ok=True)
-    file.write_text(topic.to_json(), encoding="utf-8")
+@contextmanager
+def _own(file: Path) -> Iterator[Topic]:
+    """Read the record of a test file and write it back; one process at a time does that."""
+    group, name = place(file)
+    path = path_of(group, name)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with (path.parent / ".lock").open("w") as lock:
+        flock(lock, LOCK_EX)
+        topic = load(group, name)
+        yield topic
+        path.write_text(topic.to_json(), encoding="utf-8")

@@ -9,7 +9,7 @@ from rich.table import Table
 from rich.text import Text
 
 if TYPE_CHECKING:
-    from arcless.validate import Row
+    from arcless.validate import Row, Topic
 
 # key of the assessment, label, unit, digits after the point
 _STATISTICS = (
@@ -120,6 +120,29 @@ def comparisons(rows: "Sequence[Row]") -> Table:
             *_published(row, True),
         )
         case = row.case
+    return made
+
+
+def evidence(topics: "Sequence[Topic]") -> Table:
+    """Set out the recorded evidence, a line for each topic."""
+    from arcless.validate.evidence import GROUPS
+
+    counts = ("values", "inside", "most used of a tolerance", "faults noticed")
+    made = table("Evidence recorded by the tests", "group", "topic", *counts, numbers=counts)
+    group = None
+    for topic in topics:
+        if group not in (None, topic.group):
+            made.add_section()
+        used = "" if topic.most_used is None else f"{100 * topic.most_used:.0f} %"
+        made.add_row(
+            GROUPS[topic.group] if topic.group != group else "",
+            topic.title,
+            str(len(topic.rows)),
+            str(topic.inside),
+            used,
+            str(len(topic.faults)),
+        )
+        group = topic.group
     return made
 
 

@@ -2,7 +2,7 @@
 
 import dataclasses
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
@@ -10,6 +10,9 @@ from arcless.cli import console
 from arcless.cli.background import compute
 from arcless.cli.guard import FAILED
 from arcless.cli.scenario import JsonOption, QuietOption
+
+if TYPE_CHECKING:
+    from arcless.validate import Topic
 
 
 def validate(
@@ -36,14 +39,20 @@ def validate(
     Exit code 1 means that a value is outside of a range, or a conclusion does not hold, that was
     read in a source (mark A). Values outside of ranges that are only remembered (mark C*) are
     shown as such and do not count.
+
+    `all` also lists the evidence that the tests of this version recorded: closed forms, orders of
+    convergence, conservation, other programs. It is not computed again here; `make evidence` in the
+    source does that, and docs/validation has every value with its tolerance and its reason.
     """
     from arcless import validate as cases
 
     with console.progress(quiet=quiet) as progress:
         rows = compute(lambda: cases.run(suite, progress, report=report))
     violated = sum(row.violates for row in rows)
+    topics = cases.recorded() if suite == "all" else []
     if json:
-        console.data(console.json_text([dataclasses.asdict(row) for row in rows]))
+        noted = [row for topic in topics for row in topic.as_rows()]
+        console.data(console.json_text([dataclasses.asdict(row) for row in [*rows, *noted]]))
     else:
         from arcless.cli import tables
 
@@ -54,7 +63,22 @@ def validate(
             *tables.remarks(rows),
             *(f"Source of the conclusions: {source}.\n" for source in sources),
             f"{verified - violated} of {verified} values are inside the verified ranges.\n",
+            *(_evidence(topics) if topics else []),
             *([f"wrote {report}"] if report else []),
         )
     if violated:
         raise typer.Exit(FAILED)
+
+
+def _evidence(topics: list["Topic"]) -> list[Any]:
+    from arcless.cli import tables
+
+    versions = " and ".join(sorted({topic.version for topic in topics}))
+    values = sum(len(topic.rows) for topic in topics)
+    inside = sum(topic.inside for topic in topics)
+    return [
+        tables.evidence(topics),
+        f"{inside} of {values} recorded values are inside, recorded by the tests of version "
+        f"{versions} and not\ncomputed again here. docs/validation has each with its reference, "
+        "its tolerance and its reason.\n",
+    ]

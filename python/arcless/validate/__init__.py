@@ -1,6 +1,7 @@
 """Reference cases: runs held against published ranges, and against published conclusions."""
 
 from arcless.validate.cases import SUITES, case_of, compare, run
+from arcless.validate.evidence import Topic, recorded
 from arcless.validate.reference import CASES, VERIFIED, Case, Range
 from arcless.validate.rows import Row
 from arcless.validate.seed import SOURCE as SEED_SOURCE
@@ -13,7 +14,9 @@ __all__ = [
     "Case",
     "Range",
     "Row",
+    "Topic",
     "case_of",
     "compare",
+    "recorded",
     "run",
 ]

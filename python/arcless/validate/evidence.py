@@ -12,6 +12,8 @@ from importlib import resources
 from importlib.resources.abc import Traversable
 from typing import Any
 
+from arcless.validate.rows import Row
+
 GROUPS = {
     "closed_forms": "Closed forms",
     "orders": "Orders of convergence",
@@ -93,6 +95,29 @@ class Topic:
     rows: list[Measured] = field(default_factory=list)
     faults: list[Noticed] = field(default_factory=list)
     figures: list[dict[str, str]] = field(default_factory=list)
+
+    @property
+    def inside(self) -> int:
+        """Number of values that are where they must be."""
+        return sum(row.verdict == INSIDE for row in self.rows)
+
+    @property
+    def most_used(self) -> float | None:
+        """Largest share of a tolerance, of the values inside of theirs; None without any."""
+        shares = [row.share for row in self.rows if row.verdict == INSIDE]
+        return max((share for share in shares if share is not None), default=None)
+
+    def as_rows(self) -> list[Row]:
+        """Return the values in the form of the reference cases."""
+        return [
+            Row(
+                case=f"{GROUPS[self.group]}: {self.title}", key=row.test, quantity=row.what,
+                unit=row.unit, value=row.value, digits=-1, low=row.low, high=row.high,
+                limit=row.allowed, mark=row.mark, verdict=row.verdict,
+                note=f"recorded by the tests of version {self.version}", checked=row.reason,
+            )
+            for row in self.rows
+        ]  # fmt: skip
 
     def to_json(self) -> str:
         """Return the text of the record."""

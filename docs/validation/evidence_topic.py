@@ -1,0 +1,92 @@
+"""A page of evidence: topics of one group, each with its values, its pictures, its faults."""
+
+from validation.runs import table
+
+from arcless.validate.evidence import GROUPS, Measured, Noticed, Topic
+
+GROUP_TEXTS = {
+    "closed_forms": """The program against formulas: each section has the equation, its source, how
+the program was asked, and what it answered.""",
+    "orders": """How fast errors fall when elements and time steps are halved, against what theory
+says of each wire model and each scheme.""",
+    "conservation": """What must stay the same: energy, and the result when the line is mirrored,
+moved, scaled, run in two halves, or beside others.""",
+    "peers": """The same models in programs that others wrote. These tests need the packages of
+`make peers`; without them they are skipped, and the values below are from when they last ran.""",
+    "references": """Runs of shipped lines against what is published about them. Marks: A, read in
+the source named; B, C, C\\*: second hand or from memory, hence unverified.""",
+}
+HEAD = """Written by the tests (`make evidence`). *Used* is the part of the tolerance that the value
+uses up. Values marked † are measured by `make evidence` only, all others in every `make test`,
+which compares them with this page.
+"""
+
+
+def page(group: str, topics: list[Topic]) -> str:
+    """Return the text of the page of a group."""
+    sections = [_section(topic) for topic in topics]
+    head = f"# {GROUPS[group]}\n\n{GROUP_TEXTS[group]}\n\n{HEAD}"
+    return "\n".join([head, *sections])
+
+
+def _section(topic: Topic) -> str:
+    file = f"tests/verification/{topic.group}/test_{topic.name}.py"
+    parts = [f"## {topic.title}", topic.text]
+    parts += [
+        f"![{figure['title']}](../images/validation/{figure['file']})" for figure in topic.figures
+    ]
+    parts.append(_values(topic.rows))
+    parts += [_order(row) for row in topic.rows if row.table]
+    if topic.faults:
+        parts.append("Broken on purpose, and noticed:")
+        parts.append(_faults(topic.faults))
+    parts.append(f"[`{file}`](../../{file})")
+    return "\n\n".join(part for part in parts if part) + "\n"
+
+
+def _values(rows: list[Measured]) -> str:
+    marked = any(row.mark for row in rows)
+    head = ["value", "measured", "reference", "allowed", "used", "verdict", "why this tolerance"]
+    if marked:
+        head[-1] = "why this tolerance, or source"
+        head.append("mark")
+    return table(head, [[*_cells(row), *([row.mark] if marked else [])] for row in rows])
+
+
+def _cells(row: Measured) -> list[str]:
+    unit = "" if row.unit == "1" else f" {row.unit}"
+    verdict = row.verdict if row.verdict == "inside" else f"**{row.verdict}**"
+    return [
+        escaped(row.what) + (" †" if row.slow else ""),
+        f"{row.value:.5g}{unit}",
+        "" if row.reference is None else f"{row.reference:.5g}",
+        escaped(row.allowed),
+        "" if row.share is None or row.verdict != "inside" else f"{100 * row.share:.0f} %",
+        verdict,
+        escaped(row.reason),
+    ]
+
+
+def _order(row: Measured) -> str:
+    unit = row.unit.removeprefix("order in ")
+    lines = [
+        [f"{size:.5g}", f"{error:.3g}", *(f"{order:.2f}" for order in local or [])]
+        + [""] * (not local)
+        for size, error, *local in row.table
+    ]
+    return f"{row.what}:\n\n" + table([unit, "error", "local order"], lines)
+
+
+def _faults(faults: list[Noticed]) -> str:
+    return table(
+        ["broken", "noticed by", "found there; allowed"],
+        [
+            [escaped(f.fault) + (" †" if f.slow else ""), escaped(f.row), escaped(f.found)]
+            for f in faults
+        ],
+    )
+
+
+def escaped(text: str) -> str:
+    """Return a text that stays in its cell."""
+    return " ".join(text.replace("|", "\\|").split())

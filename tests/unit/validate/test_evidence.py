@@ -1,0 +1,140 @@
+"""The language of evidence, and its records."""
+
+import math
+from pathlib import Path
+
+import pytest
+
+from arcless.validate.evidence import Measured, Topic, recorded
+from tests.support import records
+from tests.support.evidence import Evidence, OutsideError
+
+WHY = "a reason"
+
+
+def test_values_inside_are_recorded_with_their_bounds() -> None:
+    found = Evidence("test_x")
+    found.close("speed", 100.1, 100.0, unit="m/s", relative=0.01, reason=WHY)
+    found.below("residual", 1e-10, 1e-9, unit="1", reason=WHY)
+    found.within("share", 0.4, 0.0, 1.0, unit="1", reason=WHY)
+    found.same("bits", compared=7, differing=0, reason=WHY)
+    speed, residual, share, bits = found.rows
+    assert (speed.low, speed.high) == pytest.approx((99.0, 101.0))
+    assert speed.share == pytest.approx(0.1)
+    assert residual.share == pytest.approx(0.1)
+    assert share.share == pytest.approx(0.2)
+    assert bits.share is None
+    assert {row.verdict for row in found.rows} == {"inside"}
+
+
+@pytest.mark.parametrize("value", [98.9, 101.1, math.nan, math.inf])
+def test_values_outside_fail(value: float) -> None:
+    with pytest.raises(OutsideError, match="speed"):
+        Evidence().close("speed", value, 100.0, unit="m/s", relative=0.01, reason=WHY)
+
+
+def test_nothing_passes_without_being_compared() -> None:
+    with pytest.raises(AssertionError, match="nothing was compared"):
+        Evidence().same("bits", compared=0, differing=0, reason=WHY)
+    with pytest.raises(OutsideError):
+        Evidence().same("bits", compared=5, differing=1, reason=WHY)
+
+
+@pytest.mark.parametrize(
+    "tolerances", [{}, {"relative": 0.1, "absolute": 0.1}, {"absolute": 0.0}, {"relative": 0.0}]
+)
+def test_a_value_has_one_tolerance_above_zero(tolerances: dict[str, float]) -> None:
+    with pytest.raises(ValueError, match="tolerance"):
+        Evidence().close("speed", 1.0, 1.0, unit="m/s", reason=WHY, **tolerances)
+
+
+def test_a_tolerance_has_a_reason_and_a_name_of_its_own() -> None:
+    found = Evidence()
+    with pytest.raises(ValueError, match="reason"):
+        found.below("residual", 0.0, 1.0, unit="1", reason=" ")
+    found.below("residual", 0.0, 1.0, unit="1", reason=WHY)
+    with pytest.raises(ValueError, match="twice"):
+        found.below("residual", 0.0, 1.0, unit="1", reason=WHY)
+    with pytest.raises(ValueError, match="negative"):
+        found.below("difference", -1.0, 1.0, unit="1", reason=WHY)
+
+
+def test_an_order_needs_three_sizes_and_is_the_slope() -> None:
+    found = Evidence()
+    sizes = [1.0, 0.5, 0.25]
+    found.order("second", sizes, [3 * s**2 for s in sizes], 2, tolerance=0.1, reason=WHY, unit="m")
+    assert found.rows[0].value == pytest.approx(2.0)
+    assert found.rows[0].table[2] == pytest.approx([0.25, 3 / 16, 2.0])
+    with pytest.raises(ValueError, match="3 sizes"):
+        found.order("short", [1, 2], [1, 2], 1, tolerance=0.1, reason=WHY, unit="m")
+    with pytest.raises(AssertionError, match="logarithm"):
+        found.order("exact", sizes, [1.0, 0.1, 0.0], 2, tolerance=0.1, reason=WHY, unit="m")
+    with pytest.raises(OutsideError):
+        found.order("first", sizes, sizes, 2, tolerance=0.1, reason=WHY, unit="m")
+
+
+def test_a_published_range_gives_a_verdict() -> None:
+    found = Evidence()
+    for what, value, mark in (("a", 60.0, "A"), ("b", 40.0, "A"), ("c", 40.0, "C*")):
+        found.published(what, value, 50.0, 75.0, unit="N", mark=mark, source="somewhere")
+    assert [row.verdict for row in found.rows] == ["inside", "outside", "outside (unverified)"]
+
+
+def measured(**changes: object) -> Measured:
+    base = {
+        "what": "speed", "unit": "m/s", "value": 10.0, "reference": 10.0, "low": 9.0, "high": 11.0,
+        "allowed": "± 1 m/s", "reason": WHY, "mark": "", "verdict": "inside", "test": "test_x",
+    }  # fmt: skip
+    return Measured(**base | changes)
+
+
+@pytest.fixture
+def record(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
+    """Keep records in a folder of this test, with one of `measured`."""
+    monkeypatch.setattr(records, "RECORDS", tmp_path)
+    file = Path("tests/verification/closed_forms/test_speed.py")
+    topic = Topic("closed_forms", "speed", "Speed", "c = 1", "0.1.0", [measured()])
+    records.path_of("closed_forms", "speed").parent.mkdir()
+    records.path_of("closed_forms", "speed").write_text(topic.to_json(), encoding="utf-8")
+    return file
+
+
+def test_a_record_equals_what_was_measured(record: Path) -> None:
+    records.compare_rows(record, "test_x", [measured(value=10.09)])  # under a tenth of 1 m/s
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {"value": 10.2}, {"value": math.nan}, {"reference": 10.2}, {"reason": "another"},
+        {"high": 12.0}, {"high": None}, {"verdict": "outside"}, {"what": "other"},
+    ],
+)  # fmt: skip
+def test_a_record_that_differs_is_noticed(record: Path, changes: dict[str, object]) -> None:
+    with pytest.raises(AssertionError, match="make evidence"):
+        records.compare_rows(record, "test_x", [measured(**changes)])
+
+
+def test_rows_that_are_missing_or_new_are_noticed(record: Path) -> None:
+    for rows in ([], [measured(), measured(what="more")]):
+        with pytest.raises(AssertionError, match="not as recorded"):
+            records.compare_rows(record, "test_x", rows)
+
+
+def test_records_are_of_this_version_and_have_their_tests() -> None:
+    import arcless
+
+    topics = recorded()
+    assert topics
+    for topic in topics:
+        file = records.ROOT / "tests" / "verification" / topic.group / f"test_{topic.name}.py"
+        text = file.read_text(encoding="utf-8")
+        assert topic.title and topic.text, f"{file}: the docstring is what the page says"
+        assert topic.rows and topic.version == arcless.__version__
+        partner = records.ROOT / "tests" / "faults" / topic.group / file.name
+        for test in {row.test.partition("[")[0] for row in topic.rows}:
+            assert f"def {test}(" in text, f"{file}: {test} is gone: run `make evidence`"
+        assert topic.faults, f"{partner} shows no fault that {file} notices"
+        own = partner.read_text(encoding="utf-8")
+        for test in {fault.test.partition("[")[0] for fault in topic.faults}:
+            assert f"def {test}(" in own, f"{partner}: {test} is gone: run `make evidence`"
