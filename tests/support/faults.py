@@ -21,7 +21,8 @@ COLUMNS = {
     "ends": ("force",),
     "loads": ("force",),
 }
-Spoil = Callable[[dict[str, Any]], None]
+# False where there was nothing to spoil.
+Spoil = Callable[[dict[str, Any]], bool | None]
 
 
 @contextmanager
@@ -31,16 +32,16 @@ def spoiled(spoil: Spoil) -> Iterator[None]:
     Raises
     ------
     RuntimeError
-        No structure was built meanwhile: the fault was never put in.
+        Nothing was spoiled meanwhile: the fault was never put in.
     """
     core = equilibrium._core
-    built = []
+    built: list[int] = []
 
     def build(dim: int, *arguments: Any, design: bool) -> Any:
         named = dict(zip(("positions", "slopes", "parts", "gravity"), arguments, strict=True))
         named = deepcopy(named)  # a mesh is used again
-        spoil(named)
-        built.append(dim)
+        if spoil(named) is not False:
+            built.append(dim)
         return core.Equilibrium(dim, **named, design=design)
 
     class Spoiled:
@@ -63,11 +64,11 @@ def scaled(
 ) -> Iterator[None]:
     """Multiply a column of a table of parts, in all rows or in some."""
 
-    def spoil(arguments: dict[str, Any]) -> None:
+    def spoil(arguments: dict[str, Any]) -> bool:
         table = arguments["parts"][kind][1]
         before = table[rows, COLUMNS[kind].index(column)].copy()
         table[rows, COLUMNS[kind].index(column)] *= factor
-        assert np.any(table[rows, COLUMNS[kind].index(column)] != before), "nothing to spoil"
+        return bool(np.any(table[rows, COLUMNS[kind].index(column)] != before))
 
     with spoiled(spoil):
         yield
@@ -77,9 +78,9 @@ def scaled(
 def gravity(factor: float) -> Iterator[None]:
     """Multiply gravity: -1 turns it round."""
 
-    def spoil(arguments: dict[str, Any]) -> None:
-        assert arguments["gravity"] != 0.0, "nothing to spoil"
+    def spoil(arguments: dict[str, Any]) -> bool:
         arguments["gravity"] *= factor
+        return bool(arguments["gravity"] != 0.0)
 
     with spoiled(spoil):
         yield

@@ -1,0 +1,133 @@
+"""Smallest models that a run is made of: a wall, an oscillator, riders by their matrices."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from math import inf
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from arcless.mesh import PLANAR, Mesh
+from arcless.mesh.parts import GIVEN, Parts
+from arcless.simulate.riders import RiderData, plain
+from tests.support.schemes import Member
+from tests.support.structures import at_rest, mesh_of
+
+Floats = NDArray[np.float64]
+Loads = list[tuple[list[tuple[int, int, float]], list[float]]]
+
+
+@dataclass
+class Asked:
+    """What is asked of a run.
+
+    Attributes
+    ----------
+    scheme, h
+        Scheme, and step in s.
+    positions
+        Of the first rider at the start and after each step, m; see `stand`.
+    contact_stiffness
+        In N/m.
+    nodes, points
+        Nodes, and places in m, whose uplift is recorded.
+    loads
+        Patterns (node, component, N) with a size at each instant.
+    ledger
+        Whether the energy ledger is kept.
+    """
+
+    scheme: Member
+    h: float
+    positions: Floats
+    contact_stiffness: float = inf
+    nodes: Sequence[int] = ()
+    points: Sequence[float] = ()
+    loads: Loads = field(default_factory=list)
+    ledger: bool = False
+
+
+def stand(x: float, steps: int) -> Floats:
+    """Stand at a place."""
+    return np.full(steps + 1, x)
+
+
+def run(mesh: Mesh, rider: RiderData, asked: Asked, *, design: bool = False) -> dict[str, Any]:
+    """Return what the core records of a run with one rider, every step of it."""
+    core = at_rest(mesh, design=design).core
+    scheme = (asked.scheme.name, list(asked.scheme.numbers))
+    prepared = core.prepare(mesh.lanes, scheme, asked.h, asked.contact_stiffness, False)
+    plan = {
+        "contact_every": 1,
+        "line_every": 1,
+        "links": False,
+        "nodes": list(asked.nodes),
+        "points": list(asked.points),
+        "ledger": asked.ledger,
+    }
+    speeds = np.gradient(asked.positions, asked.h).tolist()
+    travel = ([0.0], asked.positions.tolist(), speeds, 0.0)
+    return prepared.run([rider], *travel, asked.loads, plan, lambda _step: True)
+
+
+def rider(
+    mass: Floats,
+    damping: Floats,
+    stiffness: Floats,
+    *,
+    strip: Sequence[float],
+    force: float = 0.0,
+    given: Sequence[tuple[Sequence[float], Floats]] = (),
+) -> RiderData:
+    """Return a rider whose preload acts where its strip is; `given` are forces over time."""
+    rows = [np.asarray(m, dtype=np.float64).ravel().tolist() for m in (mass, damping, stiffness)]
+    outside = [(list(map(float, direction)), values.tolist()) for direction, values in given]
+    ends = ([plain(strip, None)], list(strip), [0.0] * len(strip), force)
+    return (rows[0], rows[1], rows[2], *ends, (outside, None), [], [], None)
+
+
+def free_mass(mass: float, force: float, given: Floats) -> RiderData:
+    """Return a mass under a constant force and a given one, in N."""
+    nothing = np.zeros((1, 1))
+    one = np.full((1, 1), mass)
+    return rider(one, nothing, nothing, strip=[1.0], force=force, given=[([1.0], given)])
+
+
+def wall(x: Sequence[float] = (-1.0, 1.0), heights: Sequence[float] = (0.0, 0.0)) -> Mesh:
+    """Return straight pieces of wire between points that nothing moves."""
+    parts, points = Parts(), np.column_stack([x, np.zeros(len(x)), heights])
+    lengths = np.linalg.norm(np.diff(points, axis=0), axis=1)
+    rows = [
+        parts.add("segments", (i, i + 1), (length, 1e6, 1.0, 0.0, 0.0, 1.0))
+        for i, length in enumerate(lengths.tolist())
+    ]
+    hold(parts, range(len(points)))
+    return planar(points, parts, rows)
+
+
+def oscillator(mass: float, damping: float, stiffness: float) -> Mesh:
+    """Return a node between two slack strings with a spring and damper below it: node 2.
+
+    The strings weigh 1 g each, which is taken off the mass. The lane is a wall in front.
+    """
+    parts, segment = Parts(), (1.0, 1e3, 1e-3, 0.0, 0.0, 0.0)
+    rows = [parts.add("segments", (i, i + 1), segment) for i in range(3)]
+    hold(parts, (0, 1, 3))
+    parts.add("fixed", (2, 0))
+    parts.add("masses", (2,), (mass - 1e-3, 0.0))
+    parts.add("springs", (2, 1, GIVEN), (stiffness, damping, 0.0))
+    return planar(np.array([[float(i), 0.0, 0.0] for i in range(4)]), parts, rows[:1])
+
+
+def hold(parts: Parts, nodes: Sequence[int]) -> None:
+    """Fix nodes of a planar structure."""
+    for node in nodes:
+        parts.add("fixed", (node, 0))
+        parts.add("fixed", (node, 1))
+
+
+def planar(points: Floats, parts: Parts, lane: list[int]) -> Mesh:
+    """Make a planar mesh; points are along, across, up."""
+    ordered = points[:, [0, 2, 1]]
+    return mesh_of(PLANAR, ordered, np.zeros_like(ordered), parts, lane)
