@@ -1,0 +1,105 @@
+"""Runs on a hand-built line: strips that press on its first wire, forces on its nodes."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from arcless.model.pantograph import Pantograph
+from arcless.simulate import riders
+from arcless.simulate.equilibrium import Equilibrium
+from arcless.simulate.gusts import LoadData
+
+Floats = NDArray[np.float64]
+
+TRAPEZOIDAL: tuple[str, list[float]] = ("trapezoidal", [])
+# A wire accelerates with some 10 m/s², so the inertia of this strip is 1e-5 N. In kg.
+WEIGHTLESS = 1e-6
+
+
+@dataclass(frozen=True)
+class Pressed:
+    """What a run leaves: times in s at the balance of each step, the rest at these times.
+
+    Attributes
+    ----------
+    height : of the wire at the strip, m
+    force : of the contact, N
+    nodes, points : uplift of nodes and places asked for (time × number), m
+    links : tension of each link (time × number), N
+    """
+
+    time: Floats
+    height: Floats
+    force: Floats
+    nodes: Floats
+    points: Floats
+    links: Floats
+
+
+def mass(kilograms: float, stiffness: float = 0.0, damping: float = 0.0) -> Pantograph:
+    """Return a pantograph of one mass, kg, with a spring and a damper to the ground."""
+    one = {"mass": kilograms, "stiffness": stiffness, "damping": damping}
+    return Pantograph.model_validate({"name": "one mass", "masses": [one]})
+
+
+def press(
+    line: Equilibrium,
+    start_force: float,
+    positions: Floats,
+    speed: float,
+    step: float,
+    *,
+    added: Floats | None = None,
+    strip: Pantograph | None = None,
+    nodes: Sequence[int] = (),
+    points: Sequence[float] = (),
+    loads: Sequence[LoadData] = (),
+) -> Pressed:
+    """Let a strip press on the wire, from equilibrium under `start_force` N.
+
+    Parameters
+    ----------
+    line
+        As found by `Straight.find`.
+    positions, speed
+        Of the strip at the start and after each step, m and m/s.
+    added
+        What its force changes by, at the same instants, N.
+    strip
+        A pantograph; without one, a force.
+    loads
+        Forces on nodes at the same instants.
+    """
+    pantograph = strip or mass(WEIGHTLESS)
+    given = riders.NOTHING if added is None else ([([1.0], added.tolist())], None)
+    plan = {
+        "contact_every": 1,
+        "line_every": 1,
+        "links": True,
+        "nodes": list(nodes),
+        "points": list(points),
+        "ledger": False,
+    }
+    prepared = line.core.prepare(line.mesh.lanes, TRAPEZOIDAL, step, np.inf, False)
+    raw = prepared.run(
+        [riders.rider(pantograph, start_force, given)],
+        [0.0],
+        positions.tolist(),
+        [speed] * len(positions),
+        0.0,
+        list(loads),
+        plan,
+        lambda _step: True,
+    )
+    rows = len(raw["line_time"])
+    assert rows == len(positions) - 1
+    return Pressed(
+        raw["time"],
+        raw["height"],
+        raw["force"],
+        raw["uplift"].reshape(rows, -1),
+        raw["point_uplift"].reshape(rows, -1),
+        raw["link_force"].reshape(rows, -1),
+    )

@@ -1,0 +1,158 @@
+"""Straight wires without weight, built by hand: the smallest meshes on which waves run.
+
+All wires have nodes at the same places along the track; the first one is the lane.
+"""
+
+from collections.abc import Sequence
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from arcless.mesh import PLANAR, Mesh, wires
+from arcless.mesh.parts import GIVEN, Parts
+from arcless.model.components import DropperType, Wire
+from arcless.simulate import equilibrium
+from arcless.simulate.equilibrium import Equilibrium
+
+Floats = NDArray[np.float64]
+
+ALONG, UP = 0, 1
+# Springs and dampers are one part, and its stiffness must not be zero. In N/m.
+NEARLY_NONE = 1e-9
+
+
+def wire(tension: float, mass: float, bending: float = 0.0, axial: float = 1e9) -> Wire:
+    """Return a wire: N, kg per metre without tension, N·m², N."""
+    stiffness = {"axial_stiffness": axial, "bending_stiffness": bending}
+    return Wire.model_validate({"tension": tension, "mass": mass, **stiffness})
+
+
+def stations(start: float, end: float, coarse: float, fine: dict[float, float]) -> Floats:
+    """Places of nodes, m: elements no longer than `coarse`, and finer ones near given places.
+
+    `fine` has the longest element, m, at each place, m; from there they grow by a fifth.
+    """
+    places = sorted({start, end, *fine})
+    pieces = [
+        _graded(left, right, fine.get(left, coarse), fine.get(right, coarse), coarse)
+        for left, right in pairwise(places)
+    ]
+    return np.concatenate([[start], *(piece[1:] for piece in pieces)])
+
+
+def _graded(left: float, right: float, at_left: float, at_right: float, coarse: float) -> Floats:
+    """Divide a piece; at a distance d from an end an element is as long as the one there plus d/5."""
+    x = [left]
+    while x[-1] < right:
+        here = min(coarse, at_left + 0.2 * (x[-1] - left), at_right + 0.2 * (right - x[-1]))
+        x.append(x[-1] + here)
+    scaled = left + (np.array(x) - left) * (right - left) / (x[-1] - left)
+    scaled[-1] = right
+    return scaled
+
+
+class Straight:
+    """Wires side by side, and what is fastened to their nodes.
+
+    Parameters
+    ----------
+    x : places of the nodes along the track, m
+    kinds : the wires
+    heights : their heights, m; without them all are at 0
+    lumped : chains of point masses in place of cubic elements
+    loose : the ends are held along the track only, not in height
+    """
+
+    def __init__(
+        self,
+        x: Floats,
+        *kinds: Wire,
+        heights: Sequence[float] = (0.0,),
+        lumped: bool = False,
+        loose: bool = False,
+    ) -> None:
+        self.x, self.kinds, self.heights = x, kinds, heights
+        self.parts, self.lumped = Parts(), lumped
+        self.rows = [self._lay(which, kind) for which, kind in enumerate(kinds)]
+        for which, kind in enumerate(kinds):
+            for end in (0, len(x) - 1):
+                number = end * len(kinds) + which
+                self.parts.add("fixed", (number, ALONG))
+                if not loose:
+                    self.parts.add("fixed", (number, UP))
+            self.parts.add("ends", (number, 0), (kind.tension,))
+
+    def _lay(self, which: int, kind: Wire) -> list[int]:
+        numbers = [i * len(self.kinds) + which for i in range(len(self.x))]
+        lengths = np.diff(self.x)
+        if not self.lumped:
+            rest = lengths / wires.stretch(kind)
+            return [
+                self.parts.add_wire(kind, ends, ends, length)
+                for ends, length in zip(pairwise(numbers), rest.tolist(), strict=True)
+            ]
+        rest = lengths / wires.chain_stretch(kind)
+        rows = [
+            self.parts.add_segment(kind, ends, length)
+            for ends, length in zip(pairwise(numbers), rest.tolist(), strict=True)
+        ]
+        for before, behind in pairwise(rows):
+            self.parts.add_bend(kind, kind, before, behind)
+        return rows
+
+    def node(self, x: float, which: int = 0) -> int:
+        """Node of a wire at a place, which must be one of the stations."""
+        index = int(np.argmin(abs(self.x - x)))
+        assert abs(self.x[index] - x) < 1e-9, f"no node at {x} m"
+        return index * len(self.kinds) + which
+
+    def add_mass(self, x: float, mass: float, which: int = 0) -> None:
+        """Fasten a mass, kg."""
+        self.parts.add_mass(self.node(x, which), mass, 0.0)
+
+    def add_spring(
+        self, x: float, stiffness: float = NEARLY_NONE, damping: float = 0.0, which: int = 0
+    ) -> None:
+        """Fasten a spring to the ground, N/m, with a damper beside it, N·s/m."""
+        rest = self.heights[which]
+        self.parts.add("springs", (self.node(x, which), UP, GIVEN), (stiffness, damping, rest))
+
+    def add_dropper(self, x: float, kind: DropperType, pull: float = 0.0) -> int:
+        """Hang the first wire on the second; return its row.
+
+        `pull` is the force in N in the dropper, which loads on both wires balance.
+        """
+        upper, lower = self.node(x, 1), self.node(x, 0)
+        if pull:
+            self.parts.add("loads", (lower, UP), (-pull,))
+            self.parts.add("loads", (upper, UP), (pull,))
+        apart = self.heights[1] - self.heights[0]
+        return self.parts.add_dropper(kind, upper, lower, apart, apart - pull / kind.stiffness)
+
+    def find(self) -> Equilibrium:
+        """Find the equilibrium, as the program does it for a line."""
+        count, several = len(self.x), len(self.kinds)
+        positions = np.zeros((count * several, 3))
+        positions[:, ALONG] = np.repeat(self.x, several)
+        positions[:, UP] = np.tile(self.heights, count)
+        slopes = np.zeros_like(positions)
+        if not self.lumped:
+            slopes[:, ALONG] = np.tile([wires.stretch(kind) for kind in self.kinds], count)
+        mesh = Mesh(
+            dimension=PLANAR,
+            positions=positions,
+            slopes=slopes,
+            parts=self.parts.arrays(),
+            gravity=0.0,
+            lanes=[self.rows[0]],
+            droppers=[],
+            supports=[],
+            wire_rows={"contact_wire": self.rows[0]},
+            systems=[],
+        )
+        # By way of the module, where deliberate faults are put in.
+        core = equilibrium._core.Equilibrium(
+            mesh.dimension, mesh.positions, mesh.slopes, mesh.parts, mesh.gravity, design=True
+        )
+        return Equilibrium(mesh, core, core.arrays())
