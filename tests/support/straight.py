@@ -42,7 +42,7 @@ def stations(start: float, end: float, coarse: float, fine: dict[float, float]) 
 
 
 def _graded(left: float, right: float, at_left: float, at_right: float, coarse: float) -> Floats:
-    """Divide a piece; at a distance d from an end an element is as long as the one there plus d/5."""
+    """Divide a piece: at d from an end, an element is as long as the one there plus d/5."""
     x = [left]
     while x[-1] < right:
         here = min(coarse, at_left + 0.2 * (x[-1] - left), at_right + 0.2 * (right - x[-1]))
