@@ -84,3 +84,24 @@ def gravity(factor: float) -> Iterator[None]:
 
     with spoiled(spoil):
         yield
+
+
+@contextmanager
+def misbuilt(change: str, spoil: Callable[[Any], Any]) -> Iterator[None]:
+    """Spoil one of the changes that make a designed line one as built (`mesh.alteration`)."""
+    known = equilibrium.alteration
+    changed = []
+
+    def alteration(*arguments: Any) -> dict[str, Any]:
+        changes = known(*arguments)
+        before = np.array(changes[change])
+        changes[change] = np.asarray(spoil(before.copy()))
+        changed.append(np.any(changes[change] != before))
+        if change != "load":
+            changes[change] = changes[change].tolist()
+        return changes
+
+    with patch.object(equilibrium, "alteration", alteration):
+        yield
+    if not any(changed):
+        raise RuntimeError("the fault was never put in")

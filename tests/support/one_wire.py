@@ -13,15 +13,17 @@ GRAVITY = 9.81
 WEIGHT = MASS * GRAVITY
 
 
-def one_wire(line: dict[str, Any] | None = None, **solver: Any) -> equilibrium.Equilibrium:
+def one_wire(
+    line: dict[str, Any] | None = None, as_built: dict[str, Any] | None = None, **solver: Any
+) -> equilibrium.Equilibrium:
     """Bring a trolley wire without bending stiffness to rest over a span of 60 m.
 
     Parameters
     ----------
     line
         Changes of the line by path, dots written as ``__``.
-    solver
-        The same of the scenario, of its solver without ``solver__``.
+    as_built, solver
+        What the scenario says of these.
     """
     changes = {"span_types__span__length": SPAN, **(line or {})}
     span = changes["span_types__span__length"]
@@ -34,7 +36,7 @@ def one_wire(line: dict[str, Any] | None = None, **solver: Any) -> equilibrium.E
             **changes,
         }
     )
-    named = {k if "__" in k else f"solver__{k}": value for k, value in solver.items()}
-    travel = {"travel": {"start": 0.2 * span, "end": 0.8 * span}, "speed": 5.0}
-    analysis = {"analysis": {"from": 0.4 * span, "to": 0.6 * span}}
-    return equilibrium.find(load(scenario_data(data, **travel, **analysis, **named)))
+    scenario = scenario_data(data, speed=5.0, solver=solver, as_built=as_built or {})
+    scenario["travel"] = {"start": 0.2 * span, "end": 0.8 * span}
+    scenario["analysis"] = {"from": 0.4 * span, "to": 0.6 * span}
+    return equilibrium.find(load(scenario))

@@ -8,9 +8,8 @@ height,
     z = − (σ/EA) (V − wσ/2) − (H/w) [√(1 + (V/H)²) − √(1 + ((V − wσ)/H)²)]
 
 and the unstretched length L₀ follows from x(L₀) = L. Source: Irvine, Cable Structures (1981), here
-second hand and derived again. The integrals behind it are taken by Gauss's rule, which does any law
-of stretching; the first row holds it against these formulas. For a taut wire the curve is the
-parabola with
+second hand and derived again. The integrals behind it are taken by Gauss's rule, for any law of
+stretching; the first row holds it against these formulas. A taut wire is a parabola with
 
     sag = w L²/8T
 
@@ -34,8 +33,7 @@ from tests.support.one_wire import AXIAL, HEIGHT, SPAN, TENSION, WEIGHT, one_wir
 
 SLACK = 1.5e3
 ELEMENT = 1.0
-# How far a wire turns along one element.
-TURN = WEIGHT * ELEMENT / SLACK
+TURN = WEIGHT * ELEMENT / SLACK  # of a wire along one element, in rad
 
 
 def hung(tension: float, model: str = "hermite", rise: float = 0.0) -> tuple[Any, Any, Any]:
