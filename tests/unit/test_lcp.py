@@ -85,6 +85,7 @@ def test_fallback_is_reported() -> None:
     """The circulant P-matrix of the core's tests; x = 1/4 solves (1 + 3) x = 1."""
     H = [[1, 3, 0], [0, 1, 3], [3, 0, 1]]
     x, _, info = lcp.solve(H, [-1, -1, -1], symmetric=False)
+    # The last bits of a 3 × 3 solve.
     np.testing.assert_allclose(x, 0.25, rtol=1e-15)
     assert info.fallback_used
 

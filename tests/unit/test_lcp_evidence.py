@@ -111,6 +111,8 @@ def judge(problem: Problem, other: np.ndarray, digits: float) -> lcp.LcpInfo:
     assert (y >= 0).all()
     assert (np.minimum(x, y) == 0).all()
     size = 1 + np.abs(w).max()
+    # `digits` is the accuracy of the other solver; gaps scale with w, forces with the condition of
+    # H.
     np.testing.assert_allclose(y, np.maximum(H @ other + w, 0), rtol=0, atol=digits * size)
     assert energy(problem, x) == pytest.approx(energy(problem, other), rel=digits, abs=1e-12)
     worth = digits * np.linalg.cond(H) * (1 + np.abs(other).max())
@@ -147,6 +149,7 @@ def test_contacts_at_one_place_share_a_determined_force() -> None:
     """H of rank one but for 1e-11: the sum of the forces and the gaps keep their digits."""
     H = np.ones((3, 3)) + 1e-11 * np.eye(3)
     x, y, _ = lcp.solve(H, [-2.0, -2.0, 1.0])
+    # The sum is 2/(1 + 1e-11/2), and free of the 1e-5 that round-off makes of the single forces.
     assert x.sum() == pytest.approx(2.0, rel=1e-10)
     np.testing.assert_allclose(y, [0, 0, 3], atol=1e-10)
 

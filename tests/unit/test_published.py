@@ -31,8 +31,10 @@ def test_numerical_damping_is_that_of_backward_differences() -> None:
     omega_tau = 2 * np.pi * 20 * 1e-3
     i = np.arange(1, 201)
     exact = (1 + omega_tau**2) ** (-i / 2) * np.cos(i * np.arctan(omega_tau))
+    # 200 steps, each with the round-off of 1 over (ωτ)² = 0.016: 1e-12, ten times that for a sum.
     np.testing.assert_allclose(run_free(spring(), 1.0, 1.0, 200), exact, rtol=0, atol=1e-11)
     decay, angle = 0.5 * np.log1p(omega_tau**2), np.arctan(omega_tau)
+    # As many digits as the percentage is given with.
     assert decay / np.hypot(decay, angle) == pytest.approx(0.06254, abs=5e-6)
 
 
@@ -56,6 +58,7 @@ def test_step_is_the_problem_solved() -> None:
     np.testing.assert_array_equal(step.force, x)
     np.testing.assert_array_equal(step.gap, y)
     assert step.info == info
+    # Round-off of numbers below 1; forces are these over τ²/M, four digits less.
     np.testing.assert_allclose(C.T @ step.u + d0, step.gap, rtol=0, atol=1e-15)
     np.testing.assert_allclose(A @ step.u + p_hat, C @ step.force, rtol=0, atol=1e-11)
     assert (system.size, system.time_step) == (n, tau)
@@ -70,6 +73,7 @@ def test_increments_give_the_same_step() -> None:
     system = lcp.PublishedStep(M, C_d, K, 0.02)
     whole = system.step(u_1, u_2, p, C, d0)
     increment = system.step(np.zeros(5), u_2 - u_1, p - K @ u_1, C, d0 + C.T @ u_1)
+    # Round-off of a 5 × 5 solve with numbers below 1.
     np.testing.assert_allclose(u_1 + increment.u, whole.u, rtol=0, atol=1e-14)
     # Forces are displacements of 1e-2 over τ²/M: four digits less.
     np.testing.assert_allclose(increment.force, whole.force, rtol=0, atol=1e-10)
@@ -121,6 +125,7 @@ def test_friction_pulls_along() -> None:
     for i in range(20):
         load = [0.0, -9.81 * mass] + tangent @ lcp.friction(0.3, force)
         step = block.step(u_1, u_2, load, C, [0.0])
+        # Round-off of u below 1 divided by τ.
         assert (step.u - u_1)[0] / tau == pytest.approx(0.3 * 9.81 * i * tau, abs=1e-12)
         u_1, u_2, force = step.u, u_1, step.force
 

@@ -106,6 +106,7 @@ def test_a_round_speed_survives_the_way_through_metres_per_second(km_h: float) -
 def test_mean_force_law(supply: str, km_h: float, limit: float) -> None:
     facts = replace(FACTS, supply=supply, speed_km_h=km_h)
     found = verdict("mean_force", facts, mean_force_N=100.0)
+    # Limits are printed with one decimal.
     assert found.limit == pytest.approx(limit, abs=0.05)
     over = found.limit + MEAN_FORCE_TOLERANCE_N
     assert verdict("mean_force", facts, mean_force_N=over).passed

@@ -29,6 +29,7 @@ def force_with(*gaps: tuple[int, int], samples: int = 1000) -> np.ndarray:
 )
 def test_share_and_longest(gaps, percent: float, longest: float) -> None:
     force = force_with(*gaps)
+    # Counts times a step: round-off.
     assert contact_loss_percent(force) == pytest.approx(percent, rel=1e-12)
     assert longest_loss_s(force, STEP) == pytest.approx(longest, rel=1e-12)
 

@@ -125,6 +125,7 @@ def test_stitch_wires_hang_at_the_inner_supports_of_each_tension_length() -> Non
 def test_a_curve_through_points_is_level_where_they_are_and_does_not_swing() -> None:
     x = np.linspace(0.0, 6.0, 601)
     y = smooth(range(7), [0.5, 0.06, 0.0, 0.0, 0.0, 0.06, 0.5], x)
+    # Round-off of heights below 1 m.
     np.testing.assert_allclose(y, y[::-1], atol=1e-15)
     assert not y[200:401].any()
     assert np.all(np.diff(y[:201]) <= 0.0)
@@ -141,6 +142,7 @@ def test_twin_wires_side_by_side(dimension: str) -> None:
     ahead = [mesh.positions[nodes] for nodes in mesh.contact_wires]
     np.testing.assert_array_equal(ahead[0][:, 0], ahead[1][:, 0])
     apart = ahead[0][:, 1] - ahead[1][:, 1]
+    # Round-off of one subtraction.
     np.testing.assert_allclose(apart, 0.04 if dimension == "spatial" else 0.0, atol=1e-15)
     assert sorted(mesh.wire_rows["contact_wire"]) == sorted(mesh.contact_rows)
     assert [s.name for s in mesh.supports[:3]] == [

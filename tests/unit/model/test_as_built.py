@@ -156,6 +156,7 @@ def test_force_of_the_wind() -> None:
 
 def test_a_coat_of_ice_is_as_thick_as_its_mass_says() -> None:
     diameter = Ice(density=900).diameter(0.012, 0.5)
+    # Round-off; the square root is taken back.
     assert 900 * pi / 4 * (diameter**2 - 0.012**2) == pytest.approx(0.5, rel=1e-12)
     assert Ice().diameter(0.012, 0.0) == pytest.approx(0.012, rel=1e-12)
 

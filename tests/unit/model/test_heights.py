@@ -40,6 +40,7 @@ def test_heights_are_linear_on_a_stretch_and_level_elsewhere(data: Data) -> None
     start = scenario.line.geometry.contact_wire_height
     expected = [start, start, 0.5 * (start + 5.1), 5.1, 5.1, 5.1, 5.2]
     expected += [5.2] * (spans + 1 - len(expected))
+    # Round-off of a linear interpolation.
     np.testing.assert_allclose(scenario.line.contact_wire_heights(), expected, rtol=1e-12)
 
 

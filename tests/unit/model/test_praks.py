@@ -41,6 +41,7 @@ def test_the_published_table() -> None:
 def test_the_four_scenarios_differ_in_speed_only(speed: int) -> None:
     scenario = load(f"praks-{speed}")
     assert scenario.speed == speed / 3.6
+    # The same division, in one order or the other: the last bit.
     assert scenario.time_step_s == pytest.approx(0.25 / (speed / 3.6), rel=1e-15)
     own = {"name", "description", "speed", "provenance"}
     same = load("praks-340").to_dict()

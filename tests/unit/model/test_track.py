@@ -53,6 +53,7 @@ def test_cant_swings_the_axis_towards_the_inside() -> None:
     with_cant, without = track(), track(cant=0)
     x = np.linspace(100, 140, 400, endpoint=False) + 0.05
     swing = [with_cant.direction(v, height) - without.direction(v, height) for v in x]
+    # A mean of 400 equal numbers: round-off.
     assert np.mean(swing) * 40 == pytest.approx(0.424, rel=1e-12)
     assert with_cant.direction(200, height) == without.direction(200, height)
     right = track(side="right")
@@ -64,6 +65,7 @@ def test_curves_add_up_along_the_track() -> None:
     one = {"from": 0, "to": 60, "radius": 400, "side": "left", "transition": 20}
     both = Track.model_validate({"curves": [one, {**one, "from": 60, "to": 140, "side": "right"}]})
     assert both.direction(-5, 5.3) == 0.0
+    # Exact integrals of straight pieces: round-off.
     assert both.direction(60, 5.3) == pytest.approx(40 / 400, rel=1e-12)
     assert both.direction(500, 5.3) == pytest.approx(40 / 400 - 60 / 400, rel=1e-12)
     assert both.bends(130, 200) and not both.bends(140, 200)

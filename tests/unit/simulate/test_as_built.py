@@ -108,6 +108,7 @@ def test_free_ends_travel_and_keep_the_tension(short: Short, wire_model: str) ->
     design = equilibrium.find(short()).of_droppers("link_rest_length")
     rest = found.equilibrium.of_droppers("link_rest_length")
     if wire_model == "hermite":
+        # A product and its quotient, lengths kept with some 1e-12 m.
         np.testing.assert_allclose(rest / design, 1.0 + 17e-6 * 40.0, rtol=1e-9)
 
 
@@ -115,6 +116,8 @@ def test_ice_is_weight_and_inertia(short: Short) -> None:
     base = {**FREE_ENDS, "line.steady_arm": {"kind": "none"}}
     clear = arcless.statics(short(**base))
     iced = arcless.statics(short(**base, **{"as_built.ice.contact_wire": 0.3}))
+    # Wave speeds go with the lowest tension along the wire, which a heavier wire lowers by up to
+    # 0.1 %.
     assert iced.wave_speed == pytest.approx(clear.wave_speed * np.sqrt(1.35 / 1.65), rel=2e-3)
     loads = [tensions(found.equilibrium) for found in (iced, clear)]
     more = sum(loads[0][d] - loads[1][d] for d in loads[1] if d.startswith(("span 3", "span 4")))
@@ -143,6 +146,7 @@ def test_wind_blows_the_wires_off(short: Short, wire_model: str) -> None:
     middle = [found.mesh.contact_nodes, found.mesh.messenger_nodes]
     blown = [found.positions[nodes][:, 1].max() for nodes in middle]
     assert np.average(blown, weights=[22.0, 16.0]) == pytest.approx(expected, rel=0.05)
+    # Mirrored arithmetic gives the mirrored numbers; the rest is room for another processor.
     opposite = equilibrium.find(short(**model, **{"as_built.wind.speed": -25.0}))
     np.testing.assert_allclose(opposite.positions[:, 1], -found.positions[:, 1], atol=1e-7)
     calm = equilibrium.find(short(**model))
@@ -170,6 +174,7 @@ def test_wear_counts_by_the_share_of_an_element(short: Short) -> None:
 
 
 def test_bending_stiffness_of_a_worn_circle() -> None:
+    # A cut of 1e-9 of the area moves EI by its power 2/3.
     assert worn_bending(1e-9) == pytest.approx(1.0, abs=1e-6)
     # Half a circle about its own centre: π/8 − 8/9π, from any handbook.
     assert worn_bending(0.5) == pytest.approx((pi / 8 - 8 / (9 * pi)) / (pi / 4), rel=1e-9)

@@ -55,6 +55,7 @@ def test_samples_say_what_the_run_records(short: Short) -> None:
     recorded = data["contact_force"].values[: len(later), 0]
     np.testing.assert_array_equal([s.contact_force_N for s in later], recorded)
     moved = data["mass_displacement"].values[: len(later), 0]
+    # The same numbers: room for the round-off of 1 m, and of 1e3 m along the track.
     np.testing.assert_allclose([s.displacements_m for s in later], moved, rtol=0, atol=1e-12)
     np.testing.assert_allclose(
         [s.position_m for s in later], data["position"].values[: len(later), 0], rtol=0, atol=1e-9
@@ -144,6 +145,7 @@ class Counting:
 def test_every_run_of_a_search_has_a_new_controller(short: Short, controller: Any) -> None:
     wanted = {"pantographs.0.static_force": None, "pantographs.0.mean_force": "85 N"}
     result = arcless.run(short(**wanted), controllers={"P1": controller})
+    # The search stops within 0.02 N; five times that.
     assert result.assessment.pantographs[0].mean_force_N == pytest.approx(85.0, abs=0.1)
 
 

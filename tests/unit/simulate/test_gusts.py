@@ -54,6 +54,7 @@ def test_updated_kinematics_feel_the_same_gust(run: Run, wire_model: str) -> Non
         swings.append((gusty.dataset["contact_lateral"] - calm.dataset["contact_lateral"]).values)
     most = np.abs(swings[0]).max()
     assert most > 0.03
+    # Updated kinematics add what goes with the slope squared, here 2 % of a swing of 60 mm.
     np.testing.assert_allclose(swings[1], swings[0], rtol=0, atol=0.05 * most)
 
 
@@ -65,10 +66,12 @@ def test_pressure_is_that_of_the_wind(short: Short) -> None:
     # ½ · 1.225 · v² at 10, −5 and −20 m/s; blown to the side it comes from the other.
     strength = 0.5 * 1.225 * np.array([100.0, 25.0, 400.0])
     angle = np.deg2rad(4)
+    # Round-off of three products.
     np.testing.assert_allclose(across, np.array([1, -1, -1]) * strength * np.cos(angle), rtol=1e-12)
     np.testing.assert_allclose(up, strength * np.sin(angle), rtol=1e-12)
     both = Gusts(time=(0, 10), speed=(3, 3), vertical=(4, -4))
     across, up = gusts.pressure(both, built, [0, 1], times)
+    # Round-off.
     np.testing.assert_allclose(across[[0, 2]], 0.5 * 1.225 * 5 * 3, rtol=1e-12)
     np.testing.assert_allclose(up[[0, 2]], [0.5 * 1.225 * 20, -0.5 * 1.225 * 20], rtol=1e-12)
 

@@ -77,6 +77,7 @@ def test_a_rail_lies_at_its_measured_heights() -> None:
     x = found.positions[found.mesh.contact_nodes, 0]
     at = [int(np.argmin(np.abs(x - place))) for place in places]
     exact = [row["height"] for row in rows]
+    # The lengths were found for these heights; rounding, over 1e2 N/m.
     np.testing.assert_allclose(contact_heights(found)[at], exact, rtol=0, atol=1e-8)
 
 

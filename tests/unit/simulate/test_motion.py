@@ -41,6 +41,7 @@ def test_speed_profile_is_integrated_exactly(short: Short) -> None:
         short(speed_profile={"time": times, "speed": speeds}, analysis={"from": 55, "to": 100})
     )
     at = travel.time_step * np.arange(travel.steps + 1)
+    # The same interpolation at times that differ in the last bit.
     np.testing.assert_allclose(travel.speeds, np.interp(at, times, speeds), rtol=1e-14)
     # The trapezoidal rule is exact between knots, and knots are points of this grid.
     grid = np.unique(np.concatenate([np.linspace(0.0, 4.1, 4101), times]))

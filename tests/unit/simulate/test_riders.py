@@ -139,6 +139,7 @@ def test_the_roof_follows_a_spline_and_its_derivative(short: Short) -> None:
     scenario = short(**{ROOF: over_line})
     _, along = riders.given_motions(scenario, travel)[0]
     assert along is not None
+    # Round-off of places of 1e2 m times slopes of 1e-2, and of rates 1e3 times that.
     np.testing.assert_allclose(along[1], height, rtol=0, atol=1e-12)
     np.testing.assert_allclose(along[2], rate, rtol=0, atol=1e-9)
 
@@ -217,6 +218,7 @@ def test_four_pantographs_run(run: Run, placement: Data) -> None:
     result = run(**line, pantographs=four)
     assert list(result.dataset["pantograph"].values) == ["P1", "P2", "P3", "P4"]
     assert force(result).shape[1] == 4
+    # Round-off of places of some 1e2 m.
     position = result.dataset["position"].values
     np.testing.assert_allclose(position[:, :1] - position, [spacings] * len(position), atol=1e-9)
     assert len(result.assessment.pantographs) == 4

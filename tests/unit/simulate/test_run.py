@@ -98,6 +98,7 @@ def test_aerodynamic_force_adds_to_the_static_one(run: Run, placement: dict[str,
     masses = [placement["model"]["masses"][0], head]
     data = run(**{"pantographs.0.model.masses": masses}).dataset
     lift = 0.01 * (160 / 3.6) ** 2
+    # The first record is one step after rest, when the line has begun to move: 0.1 %.
     assert data["contact_force"].values[0, 0] == pytest.approx(80.0 + lift, rel=0.02)
 
 
@@ -140,6 +141,7 @@ def test_trailing_pantograph_may_ask_for_a_mean_force(run: Run, placement: dict[
     )
     forces = result.metadata["static_force_found"]
     assert forces["front"] == 80.0
+    # What the search for a mean force promises.
     assert result.assessment.pantographs[1].mean_force_N == pytest.approx(70.0, abs=0.02)
 
 
@@ -165,15 +167,18 @@ def test_friction_pulls_the_wire_along(run: Run) -> None:
     assert np.all(plain.dataset["energy_work_friction"] == 0)
     assert float(np.abs(rubbed.dataset["energy_work_friction"]).max()) > 0
     means = [r.assessment.pantographs[0].mean_force_N for r in (plain, rubbed)]
-    assert means[1] == pytest.approx(means[0], rel=0.02)  # friction is no vertical force
+    # Friction is no vertical force; the wire's slope, below 1e-3, makes a little of one of it.
+    assert means[1] == pytest.approx(means[0], rel=1e-3)
 
 
 def test_speed_profile_runs(run: Run) -> None:
     profile = {"time": [0.0, 1.0, 4.0], "speed": ["80 km/h", "160 km/h", "120 km/h"]}
     data = run(speed_profile=profile, analysis={"from": 60, "to": 150}).dataset
     speed = data["speed"].values
+    # The knot of the profile may lie between two records of 2 ms.
     assert speed.max() == pytest.approx(160 / 3.6, rel=1e-3)
     moved = np.diff(data["position"].values[:, 0])
+    # Knots are on the grid, so the trapezium is exact: rounding of places of 1e2 m over 0.1 m.
     np.testing.assert_allclose(moved, (speed[1:] + speed[:-1]) / 2 * 2e-3, rtol=1e-6)
 
 

@@ -53,6 +53,7 @@ def test_tensions_are_those_asked_for(short: Short) -> None:
 def test_symmetric_line_has_symmetric_forces(short: Short) -> None:
     found = arcless.statics(short())
     force = np.array([d["force_N"] for d in found.droppers])
+    # The balance is found to about 1e-8 N of forces of some ten newtons.
     np.testing.assert_allclose(force, force[::-1], rtol=1e-6)
     assert np.all(force > 0)
     support = [s["messenger_force_N"] for s in found.supports]
@@ -81,6 +82,7 @@ def test_elasticity_for_a_force_that_slackens_a_dropper_is_higher(short: Short) 
     found = arcless.statics(short()).equilibrium
     x = np.array([125.0])
     assert found.elasticity(x, 400.0)[0] > found.elasticity(x)[0]
+    # The same linear solve with nothing slack.
     assert found.elasticity(x, 1.0)[0] == pytest.approx(found.elasticity(x)[0], rel=1e-9)
 
 
@@ -92,8 +94,9 @@ def test_as_built_lengths_lower_the_wire(short: Short) -> None:
     given = [d["unstretched_length_m"] for d in built.droppers if d["span"] == 3]
     assert given == pytest.approx(longer)
     drop = design.supports[3]["contact_wire_height_m"] - built.supports[3]["contact_wire_height_m"]
-    # The inner droppers lower their wire by 20 mm; between them, at the support, by about as much.
-    assert drop == pytest.approx(0.02, abs=0.005)
+    # All droppers near the support lower their wire by 20 mm, so it follows as it is, but for what
+    # the arm's stiffness holds back.
+    assert drop == pytest.approx(0.02, abs=1e-4)
 
 
 def test_as_built_may_start_slack(short: Short) -> None:
@@ -102,6 +105,7 @@ def test_as_built_may_start_slack(short: Short) -> None:
     rest[2] += 0.3
     built = arcless.statics(short(**{"line.span_types.span.droppers.lengths": rest}))
     middle = [d["force_N"] for d in built.droppers if d["name"].endswith("dropper 3")]
+    # Slack means zero; round-off only.
     assert middle == pytest.approx([0.0] * 6, abs=1e-9)
 
 
