@@ -167,6 +167,7 @@ fn a_side_load_blows_the_wire_off_by_a_parabola() {
             "{:?}",
             at.middle
         );
+        // As above.
         let weight = WIRE.mass * GRAVITY - up;
         assert!((-at.middle[2] / parabola(weight) - 1.0).abs() < 4e-3);
     }

@@ -137,6 +137,7 @@ fn ledger_closes_where_contacts_appear_and_go() {
             let mut way = travel(30.0, 80.0, 40.0, 1e-3);
             way.friction = 0.1;
             let r = run(&p, &[three_masses(120.0)], &way, &everything());
+            // Rounding of some 1e4 sums.
             assert!(r.force.contains(&0.0) && r.energy_turnover > 1.0);
             assert!(
                 r.energy_residual < 1e-11 * r.energy_turnover,
@@ -162,6 +163,7 @@ fn a_wire_sliding_over_a_tilted_strip_does_work() {
     );
     let way = travel(5.0, 55.0, 10.0, 1e-3);
     let r = run(&p, &[tilting(100.0, 1.0, 800.0)], &way, &everything());
+    // Rounding of some 1e4 sums.
     let end = r.energy.last().expect("recorded");
     assert!(r.gap.iter().all(|&g| g == 0.0));
     assert!(r.energy_residual < 1e-11 * r.energy_turnover);

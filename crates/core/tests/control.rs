@@ -87,6 +87,7 @@ fn an_answered_force_is_a_given_force() {
         work(&answered, true) + work(&answered, false),
         work(&given, false),
     ];
+    // Rounding of work of some joules.
     assert!((both - one).abs() < 1e-9, "{both} {one}");
 }
 
@@ -102,6 +103,7 @@ fn the_balance_closes_with_an_actuator() {
             Ok(0.5 * (90.0 - s.force) - 40.0 * s.velocities[0])
         })
         .expect("it runs");
+        // Rounding of some 1e3 sums.
         let relative = r.energy_residual / r.energy_turnover;
         assert!(relative < 1e-11, "{scheme:?}: {relative:e}");
         assert!(r.energy.last().expect("a record").work_control.abs() > 0.01);
@@ -135,6 +137,7 @@ fn no_force_is_an_error_that_says_when() {
         else {
             panic!("{error}")
         };
+        // Rounding of a place of 70 m.
         assert_eq!((rider, step), (0, 14));
         assert!((position - 70.0 - 0.07 * 14.0).abs() < 1e-9);
         assert!(reason.contains(words), "{reason}");

@@ -65,6 +65,7 @@ fn frequencies_of_a_beam_under_tension() {
             tension: 1.01 * s.tension,
             ..s
         };
+        // The partner: 1 % of tension is 0.5 % of a frequency.
         assert!((found[n - 1] / exact(&fault, n) - 1.0).abs() > 4e-3);
     }
 }

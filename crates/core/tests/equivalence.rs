@@ -113,6 +113,8 @@ fn first_of_two(distance: f64, anchored: bool) -> f64 {
 /// rider changes their tension everywhere, until something anchors them in between.
 #[test]
 fn rider_far_from_the_other_is_alone() {
+    // With an anchor between them only what decays from span to span is left; without one the
+    // tension changes everywhere, by some per cent of the force.
     let (anchored, free, near) = (
         first_of_two(600.0, true),
         first_of_two(600.0, false),
@@ -195,6 +197,7 @@ fn mirrored_line_answers_a_train_that_runs_back() {
         &travel(-155.0, -65.0, SPEED, STEP),
         &everything(),
     );
+    // The partner: a hundredth of the force, where mirrored runs agree to rounding.
     assert!(
         difference(&wrong.force, &a.force) > 1e-2,
         "the partner: not mirrored"
@@ -272,6 +275,7 @@ proptest! {
         let factor = BlockLdl::new(&a).expect("regular");
         factor.solve(&mut x, &mut vec![[0.0; 4]; n]);
         prop_assert_eq!(factor.negative_pivots(), 0);
+        // Rounding of a well-conditioned matrix: it is strongly diagonal.
         let found: Vec<f64> = x.into_iter().flatten().collect();
         prop_assert!(difference(&found, &expected) < 1e-13);
     }

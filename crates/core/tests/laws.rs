@@ -93,6 +93,7 @@ fn a_straight_table_is_the_linear_spring_or_damper() {
         50e3,
     );
     assert!(difference(&plain.force, &listed.force) < SAME_RUN);
+    // Rounding of some 1e4 sums.
     assert!(listed.energy_residual < 1e-11 * listed.energy_turnover);
 }
 
@@ -279,6 +280,7 @@ fn an_oscillator_with_dry_friction_loses_four_f_over_k_a_cycle() {
 #[test]
 fn friction_turns_motion_into_heat() {
     let (r, x) = swinging(trapezoidal(), 5e-4, 1e-3, PULL, 3.0);
+    // Rounding of some 1e3 sums.
     assert!(r.energy_residual < 1e-12 * r.energy_turnover);
     let heat: Vec<f64> = r.energy.iter().map(|e| e.dissipated_riders).collect();
     assert!(heat.windows(2).all(|w| w[1] >= w[0]), "never backwards");
@@ -368,6 +370,7 @@ fn a_free_play_is_passed_on_the_way_to_the_start() {
         ]
     };
     let (u, _) = start_of(springs(&play), 90.0).expect("an equilibrium");
+    // Rounding of a place.
     assert!((u[1] - u[0] + 0.019).abs() < 1e-12, "{u:?}");
     // A spring that is level where the force would have to be.
     let level = [[-0.5, -90.0], [-0.01, -90.0], [0.0, 0.0]];
@@ -379,6 +382,7 @@ fn a_free_play_is_passed_on_the_way_to_the_start() {
             table, place, end, ..
         } => {
             assert_eq!((table, end), (0, -0.008));
+            // Rounding of a place.
             assert!((place + 0.009).abs() < 1e-12, "{place}");
         }
         other => panic!("{other}"),

@@ -50,6 +50,7 @@ proptest! {
         let (x, y, _) = solve(&p);
         let (x_all, y_all) = enumeration::solve(&p);
         prop_assert!(conditions_hold(&p, &x, &y));
+        // Condition numbers are some hundreds: 1e-13, and a thousand times that for rare seeds.
         prop_assert!(difference(&x, &x_all) < 1e-10 && difference(&y, &y_all) < 1e-10);
     }
 
@@ -60,6 +61,7 @@ proptest! {
         let (x, y, _) = solve(&p);
         let (x_all, y_all) = enumeration::solve(&p);
         prop_assert!(conditions_hold(&p, &x, &y));
+        // Not symmetric, so nothing bounds the condition number; 1e-8 still tells two solutions apart.
         prop_assert!(difference(&x, &x_all) < 1e-8 && difference(&y, &y_all) < 1e-8);
     }
 
@@ -92,6 +94,7 @@ proptest! {
         let (x, _, stats) = solve(&p);
         let walk = enumeration::energy_walk(&p, 200);
         prop_assert_eq!(stats.pivots, walk.len() - 1);
+        // As above, with condition numbers of some hundreds.
         let last = enumeration::candidate(&p, walk[walk.len() - 1]).expect("regular block");
         prop_assert!(difference(&x, &last.0) < 1e-10);
     }
@@ -103,6 +106,7 @@ proptest! {
             for set in 0..1_usize << p.n() {
                 let warm: Vec<bool> = (0..p.n()).map(|k| set >> k & 1 == 1).collect();
                 let (x_warm, y_warm, stats) = try_solve(&p, &warm).expect("a solution");
+                // As above, for the class without a bound on its condition numbers.
                 prop_assert!(difference(&x_warm, &x) < 1e-8 && difference(&y_warm, &y) < 1e-8);
                 prop_assert_eq!(stats.warm_pivots, set.count_ones() as usize);
             }
@@ -118,6 +122,7 @@ proptest! {
         let scaled = Problem { h, w: (0..n).map(|k| p.w[k] * d[k]).collect() };
         let ((x, _, stats), (x_scaled, _, stats_scaled)) = (solve(&p), solve(&scaled));
         let back: Vec<f64> = x_scaled.iter().zip(&d).map(|(x, d)| x * d).collect();
+        // Condition numbers of some hundreds; scaling with powers of ten rounds each entry once.
         prop_assert!(difference(&back, &x) < 1e-10);
         prop_assert_eq!(stats.pivots, stats_scaled.pivots);
     }
@@ -170,6 +175,7 @@ fn sweep_across_a_change_of_the_active_set() {
             .expect("a solution");
         let both = [(2.0 + s) / 3.0, (-1.0 - 2.0 * s) / 3.0];
         let expected = if s < -0.5 { both } else { [0.5, 0.0] };
+        // The last bits of numbers of order 1.
         assert!((x[0] - expected[0]).abs() < 1e-15 && (x[1] - expected[1]).abs() < 1e-15);
         assert!((y[1] - (s + 0.5).max(0.0)).abs() < 1e-15);
         warm.copy_from_slice(solver.active());

@@ -128,6 +128,7 @@ fn trapezoidal_rule_dissipates_nothing_of_its_own() {
     }
     let damped = hard_run(Scheme::generalised_alpha(0.0), CONTACT);
     let taken = last(&damped).dissipated_scheme;
+    // The partner: a scheme that damps takes far more than rounding.
     assert!(taken.abs() > 1e-3 * damped.energy_turnover, "the partner");
 }
 
@@ -176,6 +177,7 @@ fn nothing_is_lost_while_nothing_opens() {
             last(&r).switching.abs() / r.energy_turnover
         })
         .collect();
+    // What is left at the finest step goes on falling with h², as the next check says.
     assert!(lost[2] < 1e-4, "{lost:?}");
     // Theory says 2; one tenth for the terms of higher order.
     assert!(common::orders(&lost).iter().all(|&p| p > 1.9), "{lost:?}");

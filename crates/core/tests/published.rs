@@ -357,5 +357,6 @@ fn twin_contacts_are_solved() {
     };
     let step = p.step(&known).expect("the nearer of the two carries");
     assert_eq!(step.force[1], 0.0);
+    // Rounding of numbers of order 1.
     assert!((step.force[0] - 5.0).abs() < 1e-12 && (step.gap[1] - 1e-3).abs() < 1e-15);
 }

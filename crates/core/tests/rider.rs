@@ -187,6 +187,7 @@ fn a_rigid_stop_takes_the_whole_impact() {
     // The work of the fall is lost: in the impact, or in the scheme that quietens it.
     let lost = e.switching + e.dissipated_scheme;
     assert!((lost - PULL * GAP).abs() < 1e-9 * PULL * GAP, "{lost}");
+    // Rounding of work of some joules, some 1e3 sums.
     assert!(
         (e.work_uplift - PULL * GAP).abs() < 1e-9,
         "{}",
@@ -271,6 +272,7 @@ fn stops_out_of_reach_change_nothing() {
     }
     let held = run(&p, &[rider], &way, &everything());
     assert_eq!(held.stop_max, [0.0]);
+    // Stops that are never met: rounding of their place in the sums, carried on.
     assert!(difference(&held.force, &plain.force) < 1e-10);
 }
 

@@ -210,6 +210,7 @@ fn members_have_the_parameters_of_their_papers() {
         let Scheme::Alpha(s) = scheme else {
             unreachable!("members of the family only");
         };
+        // The last bit of numbers of order 1.
         for (found, number) in [s.beta, s.gamma, s.alpha_m, s.alpha_f].iter().zip(numbers) {
             assert!((found - number).abs() < 1e-15, "{scheme:?}");
         }

@@ -333,6 +333,7 @@ fn the_first_equilibrium_lasts() {
         for force in [100.0, 900.0] {
             let way = travel(52.0, 0.0, 1e-3, 60, 0.0);
             let r = run(&p, &three_masses(force), &way, vec![52.0]);
+            // The balance is found to about 1e-6 N; heights to that over 1e3 N/m.
             // Forces balance to EA ε x / L; some droppers are slack at 900 N.
             assert!(
                 r.force.iter().all(|f| (f - force).abs() < 1e-5),

@@ -138,6 +138,8 @@ mod tests {
         let force = b.force(NODES.each_ref());
         for i in 0..3 {
             for c in 0..3 {
+                // Central differences: error DIFFERENCE² of forces of order 1, and rounding over
+                // DIFFERENCE.
                 let up = b.energy(moved(NODES, i, c, DIFFERENCE).each_ref());
                 let down = b.energy(moved(NODES, i, c, -DIFFERENCE).each_ref());
                 let slope = (up - down) / (2.0 * DIFFERENCE);

@@ -233,6 +233,8 @@ mod tests {
         for k in 0..4 {
             for c in 0..3 {
                 let (mut up, mut down) = (e, e);
+                // Central differences of forces of order EA: 1e-16 of EA over DIFFERENCE, and its
+                // square.
                 up[k][c] += DIFFERENCE;
                 down[k][c] -= DIFFERENCE;
                 let slope = (energy(&SECTION, &up) - energy(&SECTION, &down)) / (2.0 * DIFFERENCE);
@@ -260,6 +262,8 @@ mod tests {
                     add_force(&section, &down, &mut fd);
                     for m in 0..4 {
                         for p in 0..3 {
+                            // As above; the matrix is symmetric by construction but for rounding of
+                            // EA.
                             let slope = (fu[m][p] - fd[m][p]) / (2.0 * DIFFERENCE);
                             assert!((slope - k[m][n][p][q]).abs() < 1e-7 * section.axial_stiffness);
                             assert!((k[m][n][p][q] - k[n][m][q][p]).abs() < 1e-9 * 15e6);

@@ -58,6 +58,7 @@ fn fallback_solves_a_p_matrix_on_which_the_energy_criterion_cycles() {
     );
     let (x, _, stats) = solve(&p);
     assert!(stats.fallback_used);
+    // The last bits of 1/4.
     assert!(difference(&x, &[0.25; 3]) < 1e-15);
 }
 

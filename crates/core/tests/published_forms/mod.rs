@@ -130,6 +130,7 @@ fn mass_on_a_rigid_floor_stays_there() {
         .position(|s| s.force[0] > 0.0)
         .expect("it reaches the floor");
     for (i, step) in steps[..hit].iter().enumerate() {
+        // Rounding of up to 1e3 steps.
         assert!((step.u[0] - fall((i + 1) as f64)).abs() < 1e-12);
     }
     assert!(
@@ -143,6 +144,7 @@ fn mass_on_a_rigid_floor_stays_there() {
             .all(|s| s.gap[0] == 0.0 && s.u[0].abs() < 1e-15)
     );
     for step in &steps[hit + 2..] {
+        // Rounding of 1 over τ².
         assert!(
             (step.force[0] - mass * GRAVITY).abs() < 1e-9,
             "the weight remains"
@@ -190,6 +192,7 @@ fn friction_is_that_of_the_force_before() {
         };
         let step = p.step(&known).expect("a solution");
         let v = velocity(&step.u, &u_1, tau);
+        // Rounding of u over τ.
         assert!((v[0] - f * GRAVITY * f64::from(i) * tau).abs() < 1e-12);
         (u_2, u_1, force) = (u_1, step.u, step.force);
     }
