@@ -20,6 +20,7 @@ COLUMNS = {
     "masses": ("mass", "alpha"),
     "ends": ("force",),
     "loads": ("force",),
+    "wire_loads": ("along", "across", "up"),
 }
 # False where there was nothing to spoil.
 Spoil = Callable[[dict[str, Any]], bool | None]

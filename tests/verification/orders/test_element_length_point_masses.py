@@ -1,0 +1,85 @@
+"""Element length, chains of point masses
+
+Straight pieces with half their mass at either end are linear elements with a lumped mass matrix, or
+second differences. Theory (derived here):
+
+    frequencies of a string  ω = (2/ℓ) √(T/μ) sin(kℓ/2) exactly: order 2, error (kℓ)²/24
+    other quantities         order 2
+    point force on a node    exact for a string: a chain has its kink where the force is
+
+References as for Element length, cubic elements, with Hooke's law `N = EA (s − 1)` of the pieces.
+The same wires, in equal pieces.
+"""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tests.support import spans
+
+DIMENSIONS = pytest.mark.parametrize("model", ["point masses, planar", "point masses, spatial"])
+COUNTS = (24, 48, 96)
+SIZES = [spans.LENGTH / count for count in COUNTS]
+NEXT = "terms of the next order on the coarsest of these meshes"
+
+
+@DIMENSIONS
+def test_frequencies(evidence: Any, model: str) -> None:
+    errors = [spans.frequency_error(model, n, bending=0.0, taut=True) for n in COUNTS]
+    halves = 1.5 * np.pi / np.array(COUNTS)  # k l / 2
+    evidence.below(
+        f"{model}: third frequency of a string against sin(kℓ/2)/(kℓ/2), worst mesh",
+        float(np.max(np.abs(errors - (1.0 - np.sin(halves) / halves)))),
+        1e-13,
+        unit="1",
+        reason="exact: rounding of 1e-16 of EA in stiffnesses of T, 500 times smaller",
+    )
+    evidence.order(
+        f"{model}: third frequency of a string",
+        SIZES,
+        errors,
+        2.0,
+        tolerance=0.02,
+        reason=NEXT,
+        unit="piece length",
+    )
+    evidence.order(
+        f"{model}: third frequency of a beam",
+        SIZES,
+        [spans.frequency_error(model, n, bending=1e5, taut=False) for n in COUNTS],
+        2.0,
+        tolerance=0.02,
+        reason=NEXT,
+        unit="piece length",
+    )
+
+
+@DIMENSIONS
+def test_statics(evidence: Any, model: str) -> None:
+    evidence.order(
+        f"{model}: sag of a heavy wire",
+        SIZES,
+        [spans.sag_error(model, n) for n in COUNTS],
+        2.0,
+        tolerance=0.02,
+        reason=NEXT,
+        unit="piece length",
+    )
+    evidence.below(
+        f"{model}: elasticity of a string, worst mesh",
+        max(spans.elasticity_error(model, n, bending=0.0) for n in COUNTS),
+        1e-12,
+        unit="1",
+        reason="exact: rounding of 1e-16 of EA in stiffnesses of T, 500 times smaller, in"
+        " sums over 96 pieces",
+    )
+    evidence.order(
+        f"{model}: elasticity of a stiff wire, √(EI/T) = 3 m",
+        SIZES,
+        [spans.elasticity_error(model, n, bending=2e5) for n in COUNTS],
+        2.0,
+        tolerance=0.15,
+        reason=NEXT,
+        unit="piece length",
+    )
