@@ -11,7 +11,7 @@ import time
 from arcless.model import load
 from arcless.simulate import equilibrium, motion, riders
 from arcless.simulate.control import Controllers
-from arcless.simulate.run import Job, prepare
+from arcless.simulate.job import Job, prepare
 
 REPEATS = 5
 CASES = (

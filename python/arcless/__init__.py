@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from arcless.model import Scenario, library, load, load_line, load_pantograph
     from arcless.results import Result, open
     from arcless.simulate.control import ControlInput
-    from arcless.simulate.run import run
+    from arcless.simulate.run import resume, run
     from arcless.simulate.statics import statics
 
     __version__: str
@@ -57,6 +57,7 @@ __all__ = [
     "open",
     "report",
     "results",
+    "resume",
     "run",
     "simulate",
     "statics",
@@ -66,7 +67,7 @@ __all__ = [
 _MODULES = {"assess", "errors", "lcp", "model", "report", "results", "simulate", "validate"}
 _MODEL = {"Scenario", "library", "load", "load_line", "load_pantograph"}
 _RESULTS = {"Result", "open"}
-_SIMULATE = {"ControlInput", "run", "statics"}
+_SIMULATE = {"ControlInput", "resume", "run", "statics"}
 
 
 def __getattr__(name: str) -> Any:

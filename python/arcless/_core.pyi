@@ -48,6 +48,8 @@ class Prepared:
         loads: list[tuple[list[tuple[int, int, float]], list[float]]],
         plan: dict[str, Any],
         observe: Callable[[int], bool],
+        state: tuple[int, dict[str, NDArray[np.float64]]] | None = None,
+        until: int | None = None,
     ) -> dict[str, Any]: ...
     def cost(self) -> tuple[int, int, int]: ...
 

@@ -63,6 +63,7 @@ COMMANDS = [
     "schema",
     "statics",
     "run",
+    "resume",
     "assess",
     "report",
     "validate",

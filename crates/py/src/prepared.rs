@@ -8,15 +8,18 @@ use arcless_core::dynamics::kink::Motion;
 use arcless_core::dynamics::law::Law;
 use arcless_core::dynamics::ledger::Entries;
 use arcless_core::dynamics::loads::Load;
+use arcless_core::dynamics::part::Part;
 use arcless_core::dynamics::record::{Record, RecordPlan};
 use arcless_core::dynamics::rider::Rider;
 use arcless_core::dynamics::run::Travel;
+use arcless_core::dynamics::state::State;
 use arcless_core::dynamics::stepper;
 use arcless_core::dynamics::stop::Stop;
 use arcless_core::dynamics::strip::Strip;
 use numpy::ToPyArray;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use std::collections::BTreeMap;
 
 /// Prepared line in two or three dimensions.
 pub enum Any {
@@ -196,7 +199,10 @@ impl Prepared {
     /// Run along `positions` (m) with `speeds` (m/s), given at every step and one more.
     ///
     /// `plan` has contact_every, line_every, links, nodes, points, ledger. `observe(step)` is
-    /// called now and then and returns whether to go on.
+    /// called now and then and returns whether to go on. `state` is the one to go on from (steps done,
+    /// numbers by name) or None, `until` the number of steps to stop after or None; the state there
+    /// is part of what is returned.
+    #[pyo3(signature = (riders, distances, positions, speeds, friction, loads, plan, observe, state=None, until=None))]
     fn run<'py>(
         &self,
         py: Python<'py>,
@@ -208,6 +214,8 @@ impl Prepared {
         loads: Vec<LoadData>,
         plan: &Bound<'py, PyDict>,
         observe: &Bound<'py, PyAny>,
+        state: Option<(usize, BTreeMap<String, Vec<f64>>)>,
+        until: Option<usize>,
     ) -> PyResult<Bound<'py, PyDict>> {
         let (riders, controllers): (Vec<Rider>, Vec<Option<Py<PyAny>>>) =
             riders.into_iter().map(rider).unzip();
@@ -222,6 +230,7 @@ impl Prepared {
                 .collect(),
         };
         let plan = read_plan(plan)?;
+        let state = state.map(|(step, numbers)| State { step, numbers });
         let observer = observe.clone().unbind();
         let (mut raised, mut failed): (Option<PyErr>, Option<PyErr>) = (None, None);
         let outcome = py.detach(|| {
@@ -244,14 +253,22 @@ impl Prepared {
                     reason
                 })
             };
-            either!(&self.0, p => p.run_controlled(&riders, &travel, &plan, &mut go_on, &mut ask))
+            let part = Part {
+                from: state.as_ref(),
+                until,
+            };
+            either!(&self.0, p => p.run_part(&riders, &travel, &plan, part, &mut go_on, &mut ask))
         });
         match (outcome, raised.or(failed)) {
             (Err(CoreError::Cancelled { .. } | CoreError::Control { .. }), Some(error)) => {
                 Err(error)
             }
             (Err(error), _) => Err(convert(py, &error)),
-            (Ok(record), _) => arrays(py, &record),
+            (Ok((record, state)), _) => {
+                let out = arrays(py, &record)?;
+                out.set_item("state", (state.step, numbers(py, &state)?))?;
+                Ok(out)
+            }
         }
     }
 
@@ -271,6 +288,14 @@ fn read_plan(plan: &Bound<'_, PyDict>) -> PyResult<RecordPlan> {
         points: get("points")?.extract()?,
         ledger: get("ledger")?.extract()?,
     })
+}
+
+fn numbers<'py>(py: Python<'py>, state: &State) -> PyResult<Bound<'py, PyDict>> {
+    let out = PyDict::new(py);
+    for (name, values) in &state.numbers {
+        out.set_item(name, values.to_pyarray(py))?;
+    }
+    Ok(out)
 }
 
 fn arrays<'py>(py: Python<'py>, r: &Record) -> PyResult<Bound<'py, PyDict>> {

@@ -4,7 +4,7 @@ from typing import Annotated
 
 import typer
 
-from arcless.cli import inspect, replay, results, run, validate
+from arcless.cli import inspect, replay, results, resume, run, validate
 from arcless.cli.console import data
 from arcless.cli.guard import GuardedGroup
 
@@ -53,6 +53,7 @@ for _command in (
     inspect.schema,
     run.statics,
     run.run,
+    resume.resume,
     results.assess,
     results.report,
     validate.validate,

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from arcless.cli import console
-from arcless.cli.run import finish
+from arcless.cli.outcome import finish
 from arcless.cli.scenario import JsonOption, QuietOption
 
 if TYPE_CHECKING:

@@ -2,13 +2,13 @@
 
 import shlex
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from arcless.cli import console
+from arcless.cli import console, outcome
 from arcless.cli.background import compute
-from arcless.cli.guard import FAILED
+from arcless.cli.outcome import NoReportOption, UntilOption
 from arcless.cli.output import OutputFolder, check_place
 from arcless.cli.scenario import (
     JsonOption,
@@ -47,16 +47,15 @@ def run(
     set_: SetOption = None,
     out: FolderOption = None,
     json: JsonOption = False,
-    no_report: Annotated[
-        bool, typer.Option("--no-report", help="Do not write report.html.")
-    ] = False,
+    until: UntilOption = None,
+    no_report: NoReportOption = False,
     quiet: QuietOption = False,
 ) -> None:
     """Simulate a scenario: line at rest, run, assessment, report.
 
     Writes result.nc, assessment.json and report.html into a folder, runs/NAME unless --out names
     another, and prints the numbers with the criteria and, for a shipped reference case, the
-    ranges published for it.
+    ranges published for it. With --until, only result.nc, for `arcless resume` to go on from.
 
     Exit code 1 means that the computation failed, and then nothing is written, or that a
     criterion is not met, and then everything is. Ranges of reference cases decide nothing here;
@@ -64,21 +63,10 @@ def run(
     """
     chosen = load(scenario, speed=speed, changes=set_, quiet=quiet)
     with OutputFolder(out or folder_of(chosen)) as folder:
-        result = _simulate(chosen, quiet=quiet)
+        result = _simulate(chosen, until, quiet=quiet)
         result.dataset.attrs["command"] = _command(scenario, speed, set_)
-        result.save(folder.file("result.nc"))
-        folder.file("assessment.json").write_text(result.assessment.to_json(), "utf-8")
-        if not no_report:
-            rows = _reference_rows(chosen, result.assessment.to_dict())
-            result.write_report(folder.file("report.html"), reference_rows=rows)
-        written = folder.publish()
-    assessment = result.assessment.to_dict()
-    if json:
-        console.data(console.json_text(assessment))
-    else:
-        _show(chosen, assessment)
-        _say_written(written)
-    finish(assessment, quiet=quiet)
+        written = outcome.write(result, folder, report=not no_report)
+    outcome.tell(result, written, json=json, quiet=quiet)
 
 
 def statics(
@@ -120,24 +108,14 @@ def statics(
         console.data(console.json_text(found))
     else:
         console.show(*statics_tables.blocks(chosen.name, found))
-        _say_written(written)
+        outcome.say_written(written)
 
 
-def finish(assessment: dict[str, Any], *, quiet: bool) -> None:
-    """Leave with exit code 1 if a criterion is not met."""
-    missed = [item["title"] for item in assessment["criteria"] if item["passed"] is False]
-    if not missed:
-        return
-    if not quiet:
-        console.note(f"exit code 1, not met: {'; '.join(dict.fromkeys(missed))}")
-    raise typer.Exit(FAILED)
-
-
-def _simulate(scenario: "Scenario", *, quiet: bool) -> "Result":
+def _simulate(scenario: "Scenario", until: str | None, *, quiet: bool) -> "Result":
     from arcless import simulate
 
     with console.progress(quiet=quiet) as progress:
-        return compute(lambda: simulate.run(scenario, progress=progress))
+        return compute(lambda: simulate.run(scenario, until=until, progress=progress))
 
 
 def _find_statics(scenario: "Scenario", *, quiet: bool) -> "StaticsResult":
@@ -147,46 +125,9 @@ def _find_statics(scenario: "Scenario", *, quiet: bool) -> "StaticsResult":
         return compute(lambda: simulate.statics(scenario, progress=progress))
 
 
-def _reference_rows(scenario: "Scenario", assessment: dict[str, Any]) -> list[dict[str, Any]]:
-    """Return published ranges for the report: of a reference case as shipped, else none."""
-    from arcless.validate import case_of, compare
-
-    case = case_of(scenario)
-    if case is None:
-        return []
-    return [
-        {
-            "quantity": f"{row.quantity}, {row.unit}",
-            "value": row.value,
-            "low": row.low,
-            "high": row.high,
-            "verdict": row.verdict,
-            "mark": row.mark,
-            "source": case.source,
-        }
-        for row in compare(case, assessment)
-    ]
-
-
-def _say_written(files: list[Path]) -> None:
-    for file in files:
-        console.data(f"wrote {file}")
-
-
 def _command(scenario: str, speed: str | None, changes: list[str] | None) -> str:
     words = ["arcless", "run", scenario]
     words += [] if speed is None else ["--speed", speed]
     for change in changes or []:
         words += ["--set", change]
     return shlex.join(words)
-
-
-def _show(scenario: "Scenario", assessment: dict[str, Any]) -> None:
-    from arcless.cli import tables
-    from arcless.validate import case_of, compare
-
-    case = case_of(scenario)
-    rows = compare(case, assessment) if case else []
-    console.show(tables.statistics(assessment, rows), tables.criteria(assessment))
-    if case:
-        console.show(f"Published ranges: {case.source}.\n")

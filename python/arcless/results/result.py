@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class Result:
-    """A finished run: its dataset, and what follows from it.
+    """A run, finished or stopped early: its dataset, and what follows from it.
 
     Attributes
     ----------
@@ -48,6 +48,11 @@ class Result:
     def metadata(self) -> dict[str, Any]:
         """The dataset's attributes as plain Python values."""
         return metadata(self.dataset)
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether the run went to its end; otherwise `arcless.resume` goes on with it."""
+        return self.metadata["state"] is None
 
     def save(self, path: str | Path) -> None:
         """Save the dataset as NetCDF, whole or not at all."""

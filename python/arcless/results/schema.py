@@ -56,6 +56,7 @@ DIMENSIONS: dict[str, Dimension] = {
     "bridle_node": Dimension("count", "1", "node of the bridles, one after the other"),
     "elasticity_x": Dimension("number", "m", "position at which the elasticity was found"),
     "mode": Dimension("count", "1", "natural mode of the line at rest"),
+    "state_number": Dimension("count", "1", "number of the state of a run that stopped early"),
 }
 
 _CONTACT = ("time", "pantograph")
@@ -198,6 +199,11 @@ VARIABLES: dict[str, Variable] = {
     ),
     "elasticity": Variable(("elasticity_x",), "m/N", "static elasticity of the contact wire"),
     "natural_frequency": Variable(("mode",), "Hz", "natural frequency of the line at rest"),
+    "state": Variable(
+        ("state_number",),
+        "1",
+        "what `arcless resume` goes on from, SI; only if the run stopped early",
+    ),
 }
 
 ATTRIBUTES: dict[str, Attribute] = {
@@ -224,6 +230,9 @@ ATTRIBUTES: dict[str, Attribute] = {
     ),
     "controllers": Attribute(
         "json", "controllers given from Python, by the name of their pantograph"
+    ),
+    "state": Attribute(
+        "json", "where the run stopped, parts of the variable `state`, and fingerprints of its run"
     ),
     "warnings": Attribute("json", "warnings of the run, as sentences"),
     "command": Attribute("text", "command that runs this scenario again"),

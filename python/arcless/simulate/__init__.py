@@ -1,7 +1,7 @@
 """The arrow: scenario → mesh → equilibrium → record → dataset. Only this package knows all."""
 
 from arcless.simulate.control import ControlInput
-from arcless.simulate.run import run
+from arcless.simulate.run import resume, run
 from arcless.simulate.statics import StaticsResult, statics
 
-__all__ = ["ControlInput", "StaticsResult", "run", "statics"]
+__all__ = ["ControlInput", "StaticsResult", "resume", "run", "statics"]

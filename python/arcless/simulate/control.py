@@ -9,11 +9,15 @@ from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
 from typing import Any
 
-from arcless.errors import ControlError
+import numpy as np
+from numpy.typing import NDArray
+
+from arcless.errors import ControlError, ResultFormatError
 from arcless.model import Scenario
-from arcless.model.controller import Controller, Pid
+from arcless.model.controller import Controller
 from arcless.model.scenario import PantographPlacement
 from arcless.simulate.joints import Numbers, unit_vector
+from arcless.simulate.pid import Limit, PidLaw
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,37 +46,6 @@ class ControlInput:
 
 
 ControlFunction = Callable[[ControlInput], float]
-Limit = Callable[[float], float]
-# Direction, steps from sample to sample, steps of delay, and who is asked.
-ActuatorData = tuple[Numbers, int, int, Callable[..., float]]
-
-
-class PidLaw:
-    """PID with a low-pass on the measurement; the integral waits while the force is at a limit."""
-
-    def __init__(self, pid: Pid, sample_time: float) -> None:
-        self._pid, self._step = pid, sample_time
-        self._share = 1.0 if pid.filter == 0 else -math.expm1(-sample_time / pid.filter)
-        self._measured: float | None = None
-        self._error: float | None = None
-        self._integral = 0.0
-
-    def __call__(self, measured: float, limit: Limit) -> float:
-        """Return the limited force in N for a measured contact force in N."""
-        pid, old = self._pid, self._measured
-        self._measured = measured if old is None else old + self._share * (measured - old)
-        error = pid.target - self._measured
-        rate = 0.0 if self._error is None else (error - self._error) / self._step
-        self._error = error
-        fixed = pid.proportional * error + pid.derivative * rate
-        integral = self._integral + pid.integral * self._step * error
-        wanted = fixed + integral
-        given = limit(wanted)
-        # Integrating on while a limit holds would have to be integrated back later.
-        if (wanted - given) * error <= 0.0:
-            self._integral = integral
-            return given
-        return limit(fixed + self._integral)
 
 
 @dataclass
@@ -83,6 +56,7 @@ class Loop:
     law: Callable[[ControlInput, Limit], float]
     controller: Controller
     force: float = 0.0
+    pid: PidLaw | None = None
 
     def __call__(self, *sample: Any) -> float:
         """Return the force in N for a sample, as the core gives it."""
@@ -93,6 +67,16 @@ class Loop:
         self.force = self.law(seen, self._limit)
         return self.force
 
+    def numbers(self) -> Numbers:
+        """Return what it remembers, but for the memory of a function."""
+        return [self.force, *(self.pid.numbers() if self.pid else [])]
+
+    def put_back(self, numbers: Numbers) -> None:
+        """Remember what `numbers` returned."""
+        self.force = numbers[0]
+        if self.pid:
+            self.pid.put_back(numbers[1:])
+
     def _limit(self, wanted: float) -> float:
         controller = self.controller
         if controller.rate_limit is not None:
@@ -101,6 +85,10 @@ class Loop:
         low, high = controller.minimum_force, controller.maximum_force
         wanted = wanted if low is None else max(wanted, low)
         return wanted if high is None else min(wanted, high)
+
+
+# Direction, steps from sample to sample, steps of delay, and who is asked.
+ActuatorData = tuple[Numbers, int, int, Loop]
 
 
 def _asked(function: Any, name: str) -> Callable[[ControlInput, Limit], float]:
@@ -196,6 +184,43 @@ class Controllers:
         """Return new controllers as the core takes them; None where there is none."""
         return [self._actuator(i, p) for i, p in enumerate(self._scenario.pantographs)]
 
+    def check_saved(self) -> None:
+        """Refuse functions: what they remember cannot be saved.
+
+        Raises
+        ------
+        ControlError
+            A pantograph is controlled by a function.
+        """
+        for index, placement in enumerate(self._scenario.pantographs):
+            controller = placement.controller
+            if placement.name in self._given or (controller and controller.function):
+                raise ControlError(
+                    "a run with a controller in Python cannot stop early and go on later",
+                    where=f"pantographs.{index}.controller",
+                    got="a function, whose memory cannot be saved",
+                    expected="`pid`, or none",
+                    hint="run it in one piece, without `until`",
+                )
+
+    def numbers(self, actuators: list[ActuatorData | None]) -> dict[str, NDArray[np.float64]]:
+        """Return what the controllers remember, by names of a state."""
+        loops = {f"controller_{i}": data[3] for i, data in enumerate(actuators) if data}
+        return {name: np.array(loop.numbers()) for name, loop in loops.items()}
+
+    def put_back(
+        self, actuators: list[ActuatorData | None], numbers: dict[str, NDArray[np.float64]]
+    ) -> None:
+        """Take what the controllers remembered out of the numbers of a state."""
+        for index, data in enumerate(actuators):
+            if data:
+                saved = numbers.pop(f"controller_{index}", np.zeros(0))
+                if len(saved) != len(data[3].numbers()):
+                    raise ResultFormatError(
+                        "the state in the result is damaged", where=f"controller of {data[3].name}"
+                    )
+                data[3].put_back(saved.tolist())
+
     def _actuator(self, index: int, placement: PantographPlacement) -> ActuatorData | None:
         step, name = self._scenario.time_step_s, placement.name
         controller = placement.controller
@@ -203,7 +228,10 @@ class Controllers:
             if name not in self._given:
                 return None
             controller = Controller(sample_time=step)
-        loop = Loop(name, self._law(index, placement, controller), controller)
+        pid = None
+        if controller.pid is not None and name not in self._given:
+            pid = PidLaw(controller.pid, controller.sample_time)
+        loop = Loop(name, self._law(index, placement, controller, pid), controller, pid=pid)
         size = placement.model.size
         if placement.model.matrices is not None:
             direction = list(placement.model.matrices.preload)
@@ -213,13 +241,16 @@ class Controllers:
         return direction, every, delay, loop
 
     def _law(
-        self, index: int, placement: PantographPlacement, controller: Controller
+        self,
+        index: int,
+        placement: PantographPlacement,
+        controller: Controller,
+        pid: PidLaw | None,
     ) -> Callable[[ControlInput, Limit], float]:
         name, field = placement.name, f"pantographs.{index}.controller"
         if name in self._given:
             return _asked(fresh(self._given[name]), name)
-        if controller.pid is not None:
-            pid = PidLaw(controller.pid, controller.sample_time)
+        if pid is not None:
             return lambda seen, limit: pid(seen.contact_force_N, limit)
         if controller.function is None:
             raise ControlError(

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from arcless import _core
-from arcless.errors import ArclessError, ContactError, EquilibriumError
+from arcless.errors import ArclessError, ContactError, EquilibriumError, ResultFormatError
 from arcless.mesh import Mesh
 from arcless.model import Scenario
 from arcless.model.scenario import PantographPlacement
@@ -78,13 +78,14 @@ def _translate(
             expected=f"at most the half width of the collector, {details['half_width']:.3f} m",
             hint="a collector shorter than the stagger: check both, and the wind",
         )
+    if (kind, details.get("array")) == ("input", "state"):
+        return ResultFormatError("the state in the result does not fit this run", got=message)
     if kind in STEPS:
         what, hint = STEPS[kind]
         time = f", t = {details['time']:.6g} s" if "time" in details else ""
         return ContactError(what, where=f"step {details['step']}{time}", hint=hint)
-    if kind in STATIC:
-        return translate(mesh, kind, message, details)
-    return ContactError(message)
+    is_static = kind in STATIC
+    return translate(mesh, kind, message, details) if is_static else ContactError(message)
 
 
 def _beyond_table(

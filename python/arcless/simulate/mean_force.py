@@ -15,7 +15,7 @@ from arcless.errors import ContactError
 from arcless.simulate.contacts import total_force
 
 if TYPE_CHECKING:
-    from arcless.simulate.run import Job
+    from arcless.simulate.job import Job
 
 # A thousandth of the scatter of any measured mean; smaller costs runs and shows nowhere. In N.
 TOLERANCE = 0.02

@@ -1,6 +1,6 @@
 """What the core returns → variables of the result."""
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -8,6 +8,9 @@ from numpy.typing import NDArray
 from arcless.model import Scenario
 from arcless.simulate import contacts
 from arcless.simulate.equilibrium import Equilibrium
+
+if TYPE_CHECKING:
+    import xarray
 
 Floats = NDArray[np.float64]
 
@@ -40,16 +43,10 @@ def dynamic_variables(
         out["strip_roll"] = _padded(
             [own[:, model.rolls] for own, model in zip(moved, models, strict=True)]
         )
-    rows = len(raw["line_time"])
     links = [dropper.link for dropper in found.mesh.droppers]
-    if scenario.output.droppers:
-        out["dropper_force"] = raw["link_force"].reshape(rows, -1)[:, links]
-    if scenario.output.supports:
-        out["support_uplift"] = raw["uplift"].reshape(rows, -1)
-    if scenario.output.points:
-        out["point_uplift"] = raw["point_uplift"].reshape(rows, -1)
-        out["point_along"] = raw["point_along"].reshape(rows, -1)
-    out["slack_droppers"] = raw["slack"]
+    # A part of a run may be too short for a row.
+    if rows := len(raw["line_time"]):
+        out |= _line_series(raw, scenario, links, rows)
     out["dropper_force_min"] = raw["link_min"][links]
     out["dropper_force_max"] = raw["link_max"][links]
     out["support_uplift_max"] = raw["uplift_max"]
@@ -61,6 +58,33 @@ def dynamic_variables(
     for name, values in kept.items():
         out[f"energy_{ENERGY_NAMES.get(name, name)}"] = values
     return out
+
+
+def _line_series(
+    raw: dict[str, Any], scenario: Scenario, links: list[int], rows: int
+) -> dict[str, Floats]:
+    out, output = {"slack_droppers": raw["slack"]}, scenario.output
+    if output.droppers:
+        out["dropper_force"] = raw["link_force"].reshape(rows, -1)[:, links]
+    if output.supports:
+        out["support_uplift"] = raw["uplift"].reshape(rows, -1)
+    if output.points:
+        out["point_uplift"] = raw["point_uplift"].reshape(rows, -1)
+        out["point_along"] = raw["point_along"].reshape(rows, -1)
+    return out
+
+
+def put_behind(
+    earlier: "xarray.Dataset", variables: dict[str, Floats], labels: dict[str, Any]
+) -> None:
+    """Put the rows of a part of a run behind those that an earlier result has."""
+    for axis in ("time", "line_time"):
+        before = earlier[axis].values if axis in earlier else np.zeros(0)
+        labels[axis] = np.concatenate([before, labels[axis]])
+    for name in earlier.data_vars:
+        if earlier[name].dims[0] in ("time", "line_time"):
+            rows = [earlier[name].values, *([variables[name]] if name in variables else [])]
+            variables[str(name)] = np.concatenate(rows)
 
 
 def _of_each(flat: Floats, sizes: list[int]) -> list[Floats]:

@@ -1,7 +1,7 @@
-"""A whole run, from scenario to result."""
+"""A whole run, from scenario to result; or a part of one, to go on from later."""
 
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -10,73 +10,16 @@ import numpy as np
 from arcless import _core
 from arcless.model import Scenario, scenario_warnings
 from arcless.results import Result, dataset_from
-from arcless.simulate import equilibrium, gusts, joints, motion, record, riders
+from arcless.simulate import joints, record, state
 from arcless.simulate.control import ControlFunction, Controllers
-from arcless.simulate.failure import replayable, stepping
+from arcless.simulate.job import Cancel, Job, Progress, lay_out, observer
 from arcless.simulate.mean_force import find_forces
-
-Progress = Callable[[float, str], None]
-Cancel = Callable[[], bool]
-
-
-@dataclass(frozen=True)
-class Job:
-    """A run that is ready to step.
-
-    Attributes
-    ----------
-    scenario, found, prepared, travel, given, loads, controllers
-        The scenario, its equilibrium, the factorised line, the travel, what is given over time for
-        each pantograph, and for the line, who decides on forces.
-    observe
-        Called with the number of steps done; tells whether to go on.
-    """
-
-    scenario: Scenario
-    found: equilibrium.Equilibrium
-    prepared: _core.Prepared
-    travel: motion.Motion
-    given: list[riders.GivenData]
-    loads: list[gusts.LoadData]
-    controllers: Controllers
-    observe: Callable[[int], bool]
-
-    def step(self, forces: list[float], *, full: bool) -> dict[str, Any]:
-        """Run all steps with the given static forces in N; `full` records everything."""
-        output = self.scenario.output
-        placements = self.scenario.pantographs
-        mesh = self.found.mesh
-        plan = {
-            "contact_every": output.contact_every,
-            "line_every": output.line_every if full else self.travel.steps + 1,
-            "links": full and output.droppers,
-            "nodes": [support.contact_node for support in mesh.supports],
-            "points": list(output.points),
-            "ledger": full and _keeps_ledger(self.scenario),
-        }
-        speed = float(self.travel.speeds[0])
-        ridden = [
-            riders.rider(p.model, force + p.model.lift_at(speed), given, actuator)
-            for p, force, given, actuator in zip(
-                placements, forces, self.given, self.controllers.actuators(), strict=True
-            )
-        ]
-        with stepping(mesh, placements):
-            return self.prepared.run(
-                ridden,
-                [p.distance for p in placements],
-                self.travel.positions.tolist(),
-                self.travel.speeds.tolist(),
-                self.scenario.contact.friction_coefficient,
-                self.loads,
-                plan,
-                self.observe,
-            )
 
 
 def run(
     scenario: Scenario,
     *,
+    until: str | float | None = None,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
     controllers: Mapping[str, ControlFunction | type] | None = None,
@@ -87,6 +30,9 @@ def run(
     ----------
     scenario
         What to run; see `arcless.load`.
+    until
+        Stop early, at a place of the first pantograph ("600 m", or a number in m) or a time
+        ("5 s"): the result then holds the state there, and `resume` goes on from it.
     progress
         Called now and then with the fraction done and what is being done.
     cancel
@@ -100,77 +46,103 @@ def run(
     Raises
     ------
     MeshError, EquilibriumError, ContactError, ControlError
-        The line cannot be divided, has no equilibrium, a step cannot be solved, or a controller
-        failed.
+        The line cannot be divided, has no equilibrium, a step cannot be solved, a controller
+        failed, or it is a function whose memory cannot be saved and the run is to stop early.
     """
     decided = Controllers(scenario, controllers)
+    if until is not None:
+        decided.check_saved()
     tell = progress or (lambda _fraction, _text: None)
     started = time.perf_counter()
-    tell(0.0, "static equilibrium")
-    with replayable(scenario):
-        found = equilibrium.find(scenario)
-    tell(0.0, "factorisation")
-    prepared = prepare(found, scenario)
-    x = found.elasticity_positions()
-    elasticity = found.elasticity(x)
-    travel = motion.motion(scenario)
-    given = riders.given_motions(scenario, travel)
-    observe = _observer(travel.steps, "stepping", tell, cancel)
-    loads = gusts.line_loads(found, scenario, travel)
-    job = Job(scenario, found, prepared, travel, given, loads, decided, observe)
-    searching = replace(
-        job, observe=_observer(travel.steps, "finding the static force", tell, cancel)
-    )
-    forces = find_forces(searching)
-    setup = time.perf_counter() - started
-    began = time.perf_counter()
-    raw = job.step(forces, full=True)
-    wall = time.perf_counter() - began
-    tell(1.0, "done")
-    dataset = dataset_from(
-        record.dynamic_variables(raw, found, scenario, controlled=decided.any),
-        record.names(raw, found, scenario, x),
-        record.static_variables(found, elasticity),
-        _attributes(job, raw, forces, setup=setup, wall=wall),
-    )
-    return Result(dataset, scenario)
+    job = lay_out(scenario, decided, tell, cancel)
+    last = state.stop_step(job.travel, until)
+    searching = observer(job.travel.steps, "finding the static force", tell, cancel)
+    forces = find_forces(replace(job, observe=searching))
+    part = _Part(job, forces, started)
+    return part.result(part.step(None, last), tell)
 
 
-def prepare(found: equilibrium.Equilibrium, scenario: Scenario) -> _core.Prepared:
-    """Factorise a line for the steps of a scenario."""
-    return found.core.prepare(
-        found.mesh.lanes,
-        motion.scheme_numbers(scenario.solver.scheme),
-        scenario.time_step_s,
-        motion.contact_stiffness(scenario),
-        scenario.solver.kinematics == "updated",
-    )
+def resume(
+    result: Result,
+    *,
+    until: str | float | None = None,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> Result:
+    """Go on with a run that stopped early; the result is that of the whole run, bit for bit.
+
+    Parameters
+    ----------
+    result
+        Of `run` or `resume` with `until`, or `arcless.open` of its file.
+    until
+        Stop early again, see `run`.
+    progress, cancel
+        See `run`.
+
+    Raises
+    ------
+    ResultFormatError
+        The result is complete, its state is damaged or of another version, or the scenario or the
+        line at rest is another one than when the run began.
+    ContactError, ControlError
+        A step cannot be solved, or a controller failed.
+    """
+    saved = state.read(result)
+    tell = progress or (lambda _fraction, _text: None)
+    started = time.perf_counter()
+    decided = Controllers(result.scenario)
+    job = lay_out(result.scenario, decided, tell, cancel)
+    state.check_identity(result, state.identity(job.scenario, job.found, job.travel))
+    last = state.stop_step(job.travel, until, after=saved.step)
+    forces = state.take_forces(saved, len(job.scenario.pantographs))
+    part = _Part(job, forces, started, result)
+    return part.result(part.step(saved, last), tell)
 
 
-def _keeps_ledger(scenario: Scenario) -> bool:
-    # The ledger costs about as much as the step itself; see docs/decisions.
-    if scenario.solver.kinematics == "updated":
-        return False
-    wanted = scenario.output.energy
-    return wanted == "always" or (wanted == "auto" and scenario.solver.scheme.name == "trapezoidal")
+@dataclass(frozen=True)
+class _Part:
+    """A part of a run, after what an earlier result has of it."""
 
+    job: Job
+    forces: list[float]
+    started: float
+    earlier: Result | None = None
 
-def _observer(
-    steps: int, text: str, tell: Progress, cancel: Cancel | None
-) -> Callable[[int], bool]:
-    def observe(step: int) -> bool:
-        if cancel is not None and cancel():
-            raise KeyboardInterrupt
-        tell(step / steps, text)
-        return True
+    def step(self, saved: state.State | None, last: int) -> dict[str, Any]:
+        """Take the steps; returns what the core does, with wall times in s."""
+        began = time.perf_counter()
+        raw = self.job.step(self.forces, full=True, state=saved, until=last)
+        raw["setup_s"], raw["wall_s"] = began - self.started, time.perf_counter() - began
+        return raw
 
-    return observe
+    def result(self, raw: dict[str, Any], tell: Progress) -> Result:
+        """Return all that was recorded so far, and the state where the run is not at its end."""
+        job, found, scenario = self.job, self.job.found, self.job.scenario
+        x = found.elasticity_positions()
+        static = record.static_variables(found, found.elasticity(x))
+        moving = record.dynamic_variables(raw, found, scenario, controlled=job.controllers.any)
+        names = record.names(raw, found, scenario, x)
+        if self.earlier is not None:
+            record.put_behind(self.earlier.dataset, moving, names)
+        attributes = _attributes(job, raw, self.forces, self.earlier)
+        if raw["steps"] < job.travel.steps:
+            numbers = {**raw["state"].numbers, state.STATIC_FORCE: np.array(self.forces)}
+            stopped = state.State(raw["steps"], numbers)
+            place = float(job.travel.positions[stopped.step])
+            of = state.identity(scenario, found, job.travel)
+            moving["state"], attributes["state"] = state.stored(stopped, place, of)
+        tell(1.0, "done")
+        return Result(dataset_from(moving, names, static, attributes), scenario)
 
 
 def _attributes(
-    job: Job, raw: dict[str, Any], forces: list[float], *, setup: float, wall: float
+    job: Job, raw: dict[str, Any], forces: list[float], earlier: Result | None
 ) -> dict[str, Any]:
-    scenario, travel = job.scenario, job.travel
+    scenario = job.scenario
+    before = {} if earlier is None else earlier.metadata
+    duration = raw["steps"] * job.travel.time_step
+    wall = raw["wall_s"] + (before.get("wall_time_s") or 0.0)
     names = [placement.name for placement in scenario.pantographs]
     stops = {
         placement.name: force
@@ -183,10 +155,10 @@ def _attributes(
         "scenario_name": scenario.name,
         "section_m": list(scenario.analysis_range()),
         "steps": raw["steps"],
-        "simulated_time_s": travel.duration,
+        "simulated_time_s": duration,
         "wall_time_s": wall,
-        "setup_time_s": setup,
-        "real_time_factor": travel.duration / wall,
+        "setup_time_s": raw["setup_s"] + (before.get("setup_time_s") or 0.0),
+        "real_time_factor": duration / wall,
         "energy_residual_relative": _relative(raw["energy_residual"], raw["energy_turnover"]),
         "slack_droppers_max": raw["slack_max"],
         "lcp_pivots_total": raw["pivots"],
@@ -200,7 +172,7 @@ def _attributes(
             *scenario_warnings(scenario),
             *joints.tables_left(scenario.pantographs, raw["law_ranges"].tolist()),
         ],
-        "command": f"arcless run {scenario.name}",
+        "command": before.get("command") or f"arcless run {scenario.name}",
     }
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from arcless.model.controller import Pid
-from arcless.simulate.control import PidLaw
+from arcless.simulate.pid import PidLaw
 
 
 def free(force: float) -> float:

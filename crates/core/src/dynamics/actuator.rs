@@ -51,7 +51,7 @@ pub type Ask<'a> = &'a mut dyn FnMut(usize, &Sample) -> Result<f64, String>;
 #[derive(Debug, Clone, Default)]
 pub(super) struct ActuatorState {
     /// Forces that were asked for and do not act yet, with the step from which they do.
-    waiting: VecDeque<(usize, f64)>,
+    pub(super) waiting: VecDeque<(usize, f64)>,
     /// Force that acts, N.
     pub(super) force: f64,
 }

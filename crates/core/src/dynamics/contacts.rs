@@ -84,10 +84,21 @@ impl<const DIM: usize> Contacts<DIM> {
         position: f64,
         u: &[[f64; D]],
     ) -> Result<Self, CoreError> {
+        let mut contacts = Self::blank(riders, distances, lanes.len());
+        contacts.find(riders, lanes, u, [position; 3], 0)?;
+        for contact in &mut contacts.all {
+            let strip = &riders[contact.of[0]].strips[contact.of[1]];
+            strip.read(&strip.vectors, contact.lateral, &mut contact.vector);
+        }
+        Ok(contacts)
+    }
+
+    /// The same, without a place.
+    pub(super) fn blank(riders: &[Rider], distances: &[f64], lanes: usize) -> Self {
         let mut all = Vec::new();
         for (j, (rider, &distance)) in riders.iter().zip(distances).enumerate() {
             for (s, strip) in rider.strips.iter().enumerate() {
-                all.extend((0..lanes.len()).map(|lane| Contact {
+                all.extend((0..lanes).map(|lane| Contact {
                     of: [j, s, lane],
                     behind: [distance, strip.offset],
                     meets: false,
@@ -103,17 +114,11 @@ impl<const DIM: usize> Contacts<DIM> {
                 }));
             }
         }
-        let mut contacts = Self {
+        Self {
             active: Vec::with_capacity(all.len()),
             all,
-            lanes: lanes.len(),
-        };
-        contacts.find(riders, lanes, u, [position; 3], 0)?;
-        for contact in &mut contacts.all {
-            let strip = &riders[contact.of[0]].strips[contact.of[1]];
-            strip.read(&strip.vectors, contact.lateral, &mut contact.vector);
+            lanes,
         }
-        Ok(contacts)
     }
 
     /// Take down the responses of the riders to their strips.
@@ -175,8 +180,7 @@ impl<const DIM: usize> Contacts<DIM> {
             contact.slid = 0.0;
             if strip.knots.len() > 1 {
                 let before = inner(&contact.vector, &rider.u);
-                strip.read(&strip.vectors, contact.lateral, &mut contact.vector);
-                strip.read(&contact.columns, contact.lateral, &mut contact.column);
+                contact.read(strip);
                 if !contact.is_new {
                     contact.slid = inner(&contact.vector, &rider.u) - before;
                 }
@@ -186,6 +190,12 @@ impl<const DIM: usize> Contacts<DIM> {
 }
 
 impl<const DIM: usize> Contact<DIM> {
+    /// Take e(y) and A⁻¹ e where the wire lies.
+    pub(super) fn read(&mut self, strip: &Strip) {
+        strip.read(&strip.vectors, self.lateral, &mut self.vector);
+        strip.read(&self.columns, self.lateral, &mut self.column);
+    }
+
     /// Its places in a step, and whether it takes part.
     fn seek<const D: usize>(
         &mut self,

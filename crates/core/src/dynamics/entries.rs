@@ -63,4 +63,25 @@ impl Entries {
         let supplied = supplied + self.work_loads.abs() + self.work_control.abs();
         supplied.max(self.kinetic.abs() + self.elastic.abs() + self.riders.abs())
     }
+
+    /// All of them, to go through.
+    pub(super) fn all_mut(&mut self) -> [&mut f64; 15] {
+        [
+            &mut self.kinetic,
+            &mut self.elastic,
+            &mut self.contact,
+            &mut self.riders,
+            &mut self.dissipated_line,
+            &mut self.dissipated_links,
+            &mut self.dissipated_springs,
+            &mut self.dissipated_riders,
+            &mut self.dissipated_scheme,
+            &mut self.switching,
+            &mut self.work_uplift,
+            &mut self.work_control,
+            &mut self.work_traction,
+            &mut self.work_friction,
+            &mut self.work_loads,
+        ]
+    }
 }

@@ -38,17 +38,17 @@ pub struct Ledger<const D: usize> {
     rate: Vec<[f64; D]>,
     work: Vec<[f64; D]>,
     link_work: Vec<f64>,
-    inertia: f64,
+    pub(super) inertia: f64,
     pub(super) scheme_elastic: f64,
-    scheme_riders: f64,
-    start_linear: f64,
-    start_slack: f64,
-    slack_energy: f64,
+    pub(super) scheme_riders: f64,
+    pub(super) start_linear: f64,
+    pub(super) start_slack: f64,
+    pub(super) slack_energy: f64,
     rider_work: Vec<RiderWork>,
     /// Energy of the riders since the start but for what tables add, and that.
-    rider_energy: f64,
-    law_energy: f64,
-    start_laws: f64,
+    pub(super) rider_energy: f64,
+    pub(super) law_energy: f64,
+    pub(super) start_laws: f64,
 }
 
 fn dot<const D: usize>(x: &[[f64; D]], y: &[[f64; D]]) -> f64 {

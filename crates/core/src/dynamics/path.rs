@@ -179,6 +179,15 @@ impl<const DIM: usize> Path<DIM> {
         let present = self.present();
         let last = present[present.len() - 1].range().1;
         let weights = present[k].weights(x, 4.0 * f64::EPSILON * last.abs());
+        self.weighted(k, weights)
+    }
+
+    /// Place on element `k` with known shape functions; `None` when there is no such element.
+    pub(super) fn at(&self, k: usize, weights: [f64; 4]) -> Option<Place<DIM>> {
+        (k < self.elements.len()).then(|| self.weighted(k, weights))
+    }
+
+    fn weighted(&self, k: usize, weights: [f64; 4]) -> Place<DIM> {
         // The static point with these weights: displacements are added by whoever asks for them.
         let r = self.elements[k].point(&weights);
         Place {

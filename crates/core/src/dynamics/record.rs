@@ -3,6 +3,7 @@
 //! All values of an instant belong to the time of balance tₙ₊₁₋α_f of the step, except energies,
 //! which belong to the end of the step.
 
+use super::contacts::Contacts;
 use super::ledger::Entries;
 
 /// What to record and how often.
@@ -87,4 +88,23 @@ pub struct Record {
     pub energy_residual: f64,
     /// Largest energy turned over, J: the scale of the residual.
     pub energy_turnover: f64,
+}
+
+impl Record {
+    /// Nothing recorded yet.
+    pub(super) fn empty<const DIM: usize>(
+        contacts: &Contacts<DIM>,
+        links: usize,
+        plan: &RecordPlan,
+        riders: usize,
+    ) -> Self {
+        Self {
+            contacts: contacts.all.iter().map(|c| c.of).collect(),
+            link_min: vec![f64::INFINITY; links],
+            link_max: vec![f64::NEG_INFINITY; links],
+            uplift_max: vec![f64::NEG_INFINITY; plan.nodes.len()],
+            stop_max: vec![0.0; riders],
+            ..Self::default()
+        }
+    }
 }

@@ -1,7 +1,7 @@
 //! Kinks of a rider in a step: those that enter, how far open they are, and the side of each law.
 
 use super::kink::{Instant, Kink};
-use super::law::LawState;
+use super::law::{LawState, Side};
 use super::rider::RiderState;
 use crate::scheme::Coefficients;
 
@@ -74,14 +74,23 @@ impl RiderState {
             return false;
         };
         let side = law.side_of(q);
+        self.enter(number, side);
+        let own = |k: &&mut Kink| k.law.is_some_and(|(of, _)| of == number);
+        self.kinks
+            .iter_mut()
+            .filter(own)
+            .for_each(|k| k.force = 0.0);
+        true
+    }
+
+    /// Let the kinks of one side of a law into the problem.
+    pub(super) fn enter(&mut self, number: usize, side: Side) {
         self.laws[number].side = side;
         for kink in &mut self.kinks {
             if let Some((_, own)) = kink.law.filter(|(of, _)| *of == number) {
                 kink.is_in = own == side;
-                kink.force = 0.0;
             }
         }
-        true
     }
 
     /// Take down how far the laws went.

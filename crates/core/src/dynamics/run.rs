@@ -4,7 +4,8 @@ use super::actuator::{Ask, Sample};
 use super::contact::Unilateral;
 use super::contacts::Contacts;
 use super::ledger::{Ledger, StepForces};
-use super::loads::{self, Load, Loads};
+use super::loads::{Load, Loads};
+use super::part::Part;
 use super::place::Place;
 use super::record::{Record, RecordPlan};
 use super::rider::{Rider, RiderState, inner};
@@ -28,7 +29,7 @@ pub struct Travel {
 }
 
 /// Steps between two calls of the observer: often enough to stop within a fraction of a second.
-const OBSERVE_EVERY: usize = 256;
+pub(super) const OBSERVE_EVERY: usize = 256;
 
 /// A run in progress.
 pub(super) struct Run<'a, const DIM: usize, const D: usize> {
@@ -80,28 +81,17 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         observe: &mut dyn FnMut(usize) -> bool,
         ask: Ask<'_>,
     ) -> Result<Record, CoreError> {
-        check(riders, travel, plan, self.updating.is_some())?;
-        loads::check::<D>(&travel.loads, self.line.nodes(), travel.positions.len())?;
-        let mut run = Run::start(self, riders, travel, plan)?;
-        let mut ledger = plan
-            .ledger
-            .then(|| Ledger::new(self, &run.state, &run.riders, &run.contacts, run.datum));
-        for step in 0..travel.positions.len() - 1 {
-            if step % OBSERVE_EVERY == 0 {
-                if !observe(step) {
-                    return Err(CoreError::Cancelled { step });
-                }
-                run.check_finite(step)?;
-            }
-            run.control(step, ask)?;
-            run.step(step, ledger.as_mut())?;
-        }
-        run.record.law_ranges = run.riders.iter().flat_map(RiderState::law_ranges).collect();
-        Ok(run.record)
+        let whole = Part::default();
+        let done = self.run_part(riders, travel, plan, whole, observe, ask);
+        done.map(|(record, _)| record)
     }
 }
 
-fn check(
+/// Check what a run is given.
+///
+/// # Errors
+/// [`CoreError::Input`].
+pub(super) fn check(
     riders: &[Rider],
     travel: &Travel,
     plan: &RecordPlan,
@@ -137,7 +127,11 @@ fn check(
 
 impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
     /// One step, readable from top to bottom.
-    fn step(&mut self, step: usize, ledger: Option<&mut Ledger<D>>) -> Result<(), CoreError> {
+    pub(super) fn step(
+        &mut self,
+        step: usize,
+        ledger: Option<&mut Ledger<D>>,
+    ) -> Result<(), CoreError> {
         if self.p.updating.is_some() {
             self.p.to_mut().reform(&mut self.state, step)?;
         }
@@ -237,7 +231,7 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
         }
     }
 
-    fn check_finite(&self, step: usize) -> Result<(), CoreError> {
+    pub(super) fn check_finite(&self, step: usize) -> Result<(), CoreError> {
         let finite = self.state.u.iter().flatten().all(|v| v.is_finite());
         if finite && self.unilateral.force.iter().all(|v| v.is_finite()) {
             return Ok(());

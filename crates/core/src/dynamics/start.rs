@@ -14,7 +14,10 @@ use crate::error::CoreError;
 use std::borrow::Cow;
 
 /// Places of the given points: on the lowest wire where there are several.
-fn points<const DIM: usize>(lanes: &[Path<DIM>], x: &[f64]) -> Result<Vec<Place<DIM>>, CoreError> {
+pub(super) fn points<const DIM: usize>(
+    lanes: &[Path<DIM>],
+    x: &[f64],
+) -> Result<Vec<Place<DIM>>, CoreError> {
     let locate = |&x: &f64| {
         let found = lanes.iter().filter_map(|lane| lane.locate(x, 0));
         let lowest = found.min_by(|a, b| a.height.total_cmp(&b.height));
@@ -56,7 +59,6 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
         for (&i, force) in contacts.active.iter().zip(forces) {
             unilateral.force[i] = force;
         }
-        let links = p.line.links.len();
         Ok(Self {
             start_u: states.iter().map(|r| r.u.clone()).collect(),
             described: riders,
@@ -66,14 +68,7 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
             gaps: vec![0.0; contacts.all.len()],
             friction: vec![0.0; contacts.all.len()],
             loads: Loads::new(&travel.loads),
-            record: Record {
-                contacts: contacts.all.iter().map(|c| c.of).collect(),
-                link_min: vec![f64::INFINITY; links],
-                link_max: vec![f64::NEG_INFINITY; links],
-                uplift_max: vec![f64::NEG_INFINITY; plan.nodes.len()],
-                stop_max: vec![0.0; riders.len()],
-                ..Record::default()
-            },
+            record: Record::empty(&contacts, p.line.links.len(), plan, riders.len()),
             p: match p.updating {
                 None => Cow::Borrowed(p),
                 Some(_) => Cow::Owned(p.on(lanes)),

@@ -301,11 +301,28 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
             .follow(&self.line.links, stiffness, &state.delta, &moved);
     }
 
+    /// What the next step starts from, for a state that was put back.
+    pub(super) fn go_on(&self, state: &mut LineState<D>) {
+        for i in 0..state.u.len() {
+            for k in 0..D {
+                let at = [state.u[i][k], state.v[i][k], state.a[i][k]];
+                let next = next(self.from_mass, self.shift, at);
+                (state.prepared[i][k], state.shift[i][k]) = next;
+            }
+        }
+    }
+
     /// Take the step: new displacement, velocity, acceleration.
     pub fn advance(&self, state: &mut LineState<D>) {
         widest(Advance { p: self, state });
         state.links.advance(&self.coefficients);
     }
+}
+
+/// Inertia and shift of the next step from displacement, velocity and acceleration.
+#[inline(always)]
+fn next([mu, mv, ma]: [f64; 3], [su, sv, sa]: [f64; 3], [u, v, a]: [f64; 3]) -> (f64, f64) {
+    (-(mu * u + mv * v + ma * a), su * u + sv * v + sa * a)
 }
 
 /// `delta = M · prepared`
@@ -342,11 +359,10 @@ impl<const DIM: usize, const D: usize> Kernel for Advance<'_, DIM, D> {
             a,
             delta,
             prepared,
-            shift,
+            shift: shifts,
             ..
         } = self.state;
-        let (c, [mu, mv, ma], [su, sv, sa]) =
-            (&self.p.coefficients, self.p.from_mass, self.p.shift);
+        let (c, from_mass, shift) = (&self.p.coefficients, self.p.from_mass, self.p.shift);
         // Every number by itself: over rows the compiler would gather four of them and transpose.
         let (u, v, a) = (
             u.as_flattened_mut(),
@@ -355,12 +371,11 @@ impl<const DIM: usize, const D: usize> Kernel for Advance<'_, DIM, D> {
         );
         let combined = prepared.as_flattened_mut().iter_mut();
         let state = u.iter_mut().zip(v).zip(a).zip(delta.as_flattened());
-        for ((((u, v), a), d), (w, s)) in state.zip(combined.zip(shift.as_flattened_mut())) {
+        for ((((u, v), a), d), (w, s)) in state.zip(combined.zip(shifts.as_flattened_mut())) {
             let new_u = *u + d;
             let (new_v, new_a) = c.advance(*d, *v, *a);
-            let inertia = -(mu * new_u + mv * new_v + ma * new_a);
-            let offset = su * new_u + sv * new_v + sa * new_a;
-            (*u, *v, *a, *w, *s) = (new_u, new_v, new_a, inertia, offset);
+            (*w, *s) = next(from_mass, shift, [new_u, new_v, new_a]);
+            (*u, *v, *a) = (new_u, new_v, new_a);
         }
     }
 }

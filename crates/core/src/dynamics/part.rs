@@ -1,0 +1,123 @@
+//! A part of a run: from its start or a saved state, to a step at which its state is taken down.
+//!
+//! Parts one after the other are the whole run, bit for bit. The series of a record are those of the
+//! part, its extremes and counts those of the run so far.
+
+use super::actuator::Ask;
+use super::contact::Unilateral;
+use super::contacts::Contacts;
+use super::ledger::Ledger;
+use super::loads::Loads;
+use super::record::{Record, RecordPlan};
+use super::rider::{Rider, RiderState};
+use super::run::{OBSERVE_EVERY, Run, Travel, check};
+use super::start::points;
+use super::state::{State, refuse};
+use super::stepper::Prepared;
+use crate::error::CoreError;
+use std::borrow::Cow;
+
+/// Which steps to do.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Part<'a> {
+    /// State to go on from; `None` to begin at the start.
+    pub from: Option<&'a State>,
+    /// Number of steps, counted from the start of the run, to stop after; `None` to go to the end.
+    pub until: Option<usize>,
+}
+
+impl Part<'_> {
+    fn steps(&self, travel: &Travel) -> Result<std::ops::Range<usize>, CoreError> {
+        let all = travel.positions.len() - 1;
+        let (first, last) = (self.from.map_or(0, |s| s.step), self.until.unwrap_or(all));
+        if first < last && last <= all {
+            return Ok(first..last);
+        }
+        let reason = format!("does not lie between step {first} and step {all}");
+        Err(refuse(&format!("step {last}"), &reason))
+    }
+}
+
+impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
+    /// Do a part of the steps of `travel`; see [`Prepared::run_controlled`] for the rest.
+    ///
+    /// # Errors
+    /// Any [`CoreError`] that a step can raise; [`CoreError::Input`] for a state of another run.
+    pub fn run_part(
+        &self,
+        riders: &[Rider],
+        travel: &Travel,
+        plan: &RecordPlan,
+        part: Part<'_>,
+        observe: &mut dyn FnMut(usize) -> bool,
+        ask: Ask<'_>,
+    ) -> Result<(Record, State), CoreError> {
+        check(riders, travel, plan, self.updating.is_some())?;
+        super::loads::check::<D>(&travel.loads, self.line.nodes(), travel.positions.len())?;
+        let steps = part.steps(travel)?;
+        let until = steps.end;
+        let mut run = match part.from {
+            None => Run::start(self, riders, travel, plan)?,
+            Some(_) => Run::blank(self, riders, travel, plan)?,
+        };
+        let mut ledger = plan
+            .ledger
+            .then(|| Ledger::new(self, &run.state, &run.riders, &run.contacts, run.datum));
+        if let Some(state) = part.from {
+            run.put_back(state, ledger.as_mut())?;
+        }
+        for step in steps {
+            if step % OBSERVE_EVERY == 0 {
+                if !observe(step) {
+                    return Err(CoreError::Cancelled { step });
+                }
+                run.check_finite(step)?;
+            }
+            run.control(step, ask)?;
+            run.step(step, ledger.as_mut())?;
+        }
+        let state = run.take_down(until, ledger.as_mut())?;
+        run.record.law_ranges = run.riders.iter().flat_map(RiderState::law_ranges).collect();
+        Ok((run.record, state))
+    }
+}
+
+impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
+    /// A run into which a state is to be put back.
+    fn blank(
+        p: &'a Prepared<DIM, D>,
+        riders: &'a [Rider],
+        travel: &'a Travel,
+        plan: &'a RecordPlan,
+    ) -> Result<Self, CoreError> {
+        riders.iter().try_for_each(Rider::check)?;
+        let states = riders.iter().map(|rider| {
+            let stand = (vec![0.0; rider.size()], 0.0);
+            RiderState::standing(rider.clone(), &p.coefficients, stand)
+        });
+        let states = states.collect::<Result<Vec<_>, _>>()?;
+        let mut contacts = Contacts::blank(riders, &travel.distances, p.lanes.len());
+        contacts.respond(&states);
+        Ok(Self {
+            start_u: states.iter().map(|r| r.u.clone()).collect(),
+            described: riders,
+            riders: states,
+            unilateral: Unilateral::new(contacts.all.len(), vec![0.0; p.line.links.len()]),
+            state: p.at_rest(vec![[0.0; D]; p.line.nodes()]),
+            gaps: vec![0.0; contacts.all.len()],
+            friction: vec![0.0; contacts.all.len()],
+            loads: Loads::new(&travel.loads),
+            record: Record::empty(&contacts, p.line.links.len(), plan, riders.len()),
+            // With updated kinematics the first step forms everything that moves anew.
+            p: match p.updating {
+                None => Cow::Borrowed(p),
+                Some(_) => Cow::Owned(p.clone()),
+            },
+            points: points(&p.lanes, &plan.points)?,
+            datum: 0.0,
+            contacts,
+            travel,
+            plan,
+        })
+    }
+}

@@ -1,0 +1,57 @@
+"""`arcless resume`: a run that stopped early goes on."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from arcless.cli import console, outcome
+from arcless.cli.background import compute
+from arcless.cli.outcome import NoReportOption, UntilOption
+from arcless.cli.output import OutputFolder
+from arcless.cli.results import ResultArgument
+from arcless.cli.scenario import JsonOption, QuietOption
+
+if TYPE_CHECKING:
+    from arcless.results import Result
+
+
+def resume(
+    result: ResultArgument,
+    *,
+    until: UntilOption = None,
+    out: Annotated[
+        Path | None,
+        typer.Option(
+            "--out",
+            metavar="DIR",
+            help="Folder for the results; the one of RESULT if not named.",
+            show_default=False,
+        ),
+    ] = None,
+    json: JsonOption = False,
+    no_report: NoReportOption = False,
+    quiet: QuietOption = False,
+) -> None:
+    """Go on with a run that `arcless run --until` stopped.
+
+    Writes and prints what `arcless run` would have done without stopping: the result is the same,
+    bit for bit. Without --out, result.nc in the folder of RESULT is replaced when all is done.
+
+    Exit codes are those of `arcless run`; 2 when RESULT holds no state to go on from, or one of
+    another version or scenario.
+    """
+    from arcless.results import open as open_result
+
+    opened = open_result(result)
+    with OutputFolder(out or result.parent) as folder:
+        whole = _go_on(opened, until, quiet=quiet)
+        written = outcome.write(whole, folder, report=not no_report)
+    outcome.tell(whole, written, json=json, quiet=quiet)
+
+
+def _go_on(opened: "Result", until: str | None, *, quiet: bool) -> "Result":
+    from arcless import simulate
+
+    with console.progress(quiet=quiet) as progress:
+        return compute(lambda: simulate.resume(opened, until=until, progress=progress))

@@ -1,0 +1,138 @@
+"""A run laid out and ready to step."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from arcless import _core
+from arcless.model import Scenario
+from arcless.simulate import equilibrium, gusts, motion, riders
+from arcless.simulate.control import Controllers
+from arcless.simulate.failure import replayable, stepping
+from arcless.simulate.state import State
+
+Progress = Callable[[float, str], None]
+Cancel = Callable[[], bool]
+
+
+@dataclass(frozen=True)
+class Job:
+    """A run that is ready to step.
+
+    Attributes
+    ----------
+    scenario, found, prepared, travel, given, loads, controllers
+        The scenario, its equilibrium, the factorised line, the travel, what is given over time for
+        each pantograph, and for the line, who decides on forces.
+    observe
+        Called with the number of steps done; tells whether to go on.
+    """
+
+    scenario: Scenario
+    found: equilibrium.Equilibrium
+    prepared: _core.Prepared
+    travel: motion.Motion
+    given: list[riders.GivenData]
+    loads: list[gusts.LoadData]
+    controllers: Controllers
+    observe: Callable[[int], bool]
+
+    def step(
+        self,
+        forces: list[float],
+        *,
+        full: bool,
+        state: State | None = None,
+        until: int | None = None,
+    ) -> dict[str, Any]:
+        """Run steps with the given static forces in N; `full` records everything.
+
+        From the start or a state, to the end or until so many steps from the start are done. What
+        the core returns has the state there, as a `State`.
+        """
+        placements, mesh = self.scenario.pantographs, self.found.mesh
+        speed = float(self.travel.speeds[0])
+        actuators = self.controllers.actuators()
+        numbers = {} if state is None else dict(state.numbers)
+        if state is not None:
+            self.controllers.put_back(actuators, numbers)
+        ridden = [
+            riders.rider(p.model, force + p.model.lift_at(speed), given, actuator)
+            for p, force, given, actuator in zip(
+                placements, forces, self.given, actuators, strict=True
+            )
+        ]
+        with stepping(mesh, placements):
+            raw = self.prepared.run(
+                ridden,
+                [p.distance for p in placements],
+                self.travel.positions.tolist(),
+                self.travel.speeds.tolist(),
+                self.scenario.contact.friction_coefficient,
+                self.loads,
+                self._plan(full=full),
+                self.observe,
+                None if state is None else (state.step, numbers),
+                until,
+            )
+        step, after = raw["state"]
+        raw["state"] = State(step, {**after, **self.controllers.numbers(actuators)})
+        return raw
+
+    def _plan(self, *, full: bool) -> dict[str, Any]:
+        output = self.scenario.output
+        return {
+            "contact_every": output.contact_every,
+            "line_every": output.line_every if full else self.travel.steps + 1,
+            "links": full and output.droppers,
+            "nodes": [support.contact_node for support in self.found.mesh.supports],
+            "points": list(output.points),
+            "ledger": full and _keeps_ledger(self.scenario),
+        }
+
+
+def lay_out(
+    scenario: Scenario, controllers: Controllers, tell: Progress, cancel: Cancel | None
+) -> Job:
+    """Find the line at rest, factorise it, lay out the travel and what is given over time."""
+    tell(0.0, "static equilibrium")
+    with replayable(scenario):
+        found = equilibrium.find(scenario)
+    tell(0.0, "factorisation")
+    prepared = prepare(found, scenario)
+    travel = motion.motion(scenario)
+    given = riders.given_motions(scenario, travel)
+    loads = gusts.line_loads(found, scenario, travel)
+    observe = observer(travel.steps, "stepping", tell, cancel)
+    return Job(scenario, found, prepared, travel, given, loads, controllers, observe)
+
+
+def prepare(found: equilibrium.Equilibrium, scenario: Scenario) -> _core.Prepared:
+    """Factorise a line for the steps of a scenario."""
+    return found.core.prepare(
+        found.mesh.lanes,
+        motion.scheme_numbers(scenario.solver.scheme),
+        scenario.time_step_s,
+        motion.contact_stiffness(scenario),
+        scenario.solver.kinematics == "updated",
+    )
+
+
+def observer(steps: int, text: str, tell: Progress, cancel: Cancel | None) -> Callable[[int], bool]:
+    """Return who is called with the number of steps done."""
+
+    def observe(step: int) -> bool:
+        if cancel is not None and cancel():
+            raise KeyboardInterrupt
+        tell(step / steps, text)
+        return True
+
+    return observe
+
+
+def _keeps_ledger(scenario: Scenario) -> bool:
+    # The ledger costs about as much as the step itself; see docs/decisions.
+    if scenario.solver.kinematics == "updated":
+        return False
+    wanted = scenario.output.energy
+    return wanted == "always" or (wanted == "auto" and scenario.solver.scheme.name == "trapezoidal")
