@@ -58,8 +58,11 @@ class Beam:
 def stiffness(length: float, tension: float, bending: float) -> Floats:
     """Forces and moments at both ends for unit deflections and turns there (v₁, θ₁, v₂, θ₂).
 
-    From v = A + Bx + C cosh(x/ℓ) + D sinh(x/ℓ); divided by cosh, as above.
+    From v = A + Bx + C cosh(x/ℓ) + D sinh(x/ℓ); divided by cosh, as above. A string has no turns.
     """
+    if bending == 0.0:
+        pull = tension / length * np.array([[1.0, -1.0], [-1.0, 1.0]])
+        return np.kron(pull, np.diag([1.0, 0.0]))
     u = length * sqrt(tension / bending)
     th, sech = tanh(u), 1.0 / cosh(min(u, 700.0))
     over = bending / (length * (2.0 * sech - 2.0 + u * th))
