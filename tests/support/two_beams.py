@@ -6,6 +6,7 @@ freely at its supports. Sag counts in one way only: as the upper beam rises by u
 its length changes by ∫ z₀′ u′ dx, and between fixed ends a tension EA/L times that comes up.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
@@ -29,6 +30,19 @@ class Wire:
     def rounding(self) -> float:
         """Length ℓ in m over which bending rounds a kink."""
         return float(np.sqrt(self.bending / self.tension))
+
+
+def hung_string(
+    span: float, tension: float, weight: float, places: Any, loads: Any
+) -> Callable[[float], float]:  # fmt: skip
+    """Height over its supports of a string of many spans with the same loads in N in each."""
+
+    def height(x: float) -> float:
+        x = x % span
+        left, right = np.minimum(x, places), span - np.maximum(x, places)
+        return float(-(weight * x * (span - x) / 2 + (loads * left * right).sum() / span) / tension)
+
+    return height
 
 
 @dataclass(frozen=True)

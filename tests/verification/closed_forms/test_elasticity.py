@@ -40,8 +40,8 @@ ELEMENT = 1.5
 
 def of_one_wire(model: str, bending: float, element: float) -> Any:
     line = {"contact_wire__bending_stiffness": bending}
-    found = one_wire(line, gravity=0.0, wire_model=model, contact_wire_element=element)
-    return found.elasticity(PLACES)
+    solver = {"gravity": 0.0, "wire_model": model, "contact_wire_element": element}
+    return one_wire(line, **solver).elasticity(PLACES)
 
 
 def string(x: Any) -> Any:
@@ -49,7 +49,6 @@ def string(x: Any) -> Any:
 
 
 def worst(values: Any, reference: Any) -> float:
-    """Largest relative difference of as many values."""
     assert len(values) == len(reference) > 0
     return float(np.abs(values / reference - 1.0).max())
 
@@ -126,15 +125,13 @@ def test_simple_line_of_beams(evidence: Evidence) -> None:
 
 @pytest.mark.parametrize("force", [0.0, 0.4, 0.8])
 def test_simple_line_of_strings(evidence: Evidence, force: float) -> None:
-    stretch = float(hooke(PULL, 14e6))
-    carried = 1.1 * LIGHT / stretch * 10.0
+    carried = 1.1 * LIGHT / float(hooke(PULL, 14e6)) * 10.0
     exact = two_beams(0.0)
     found = simple_line("lumped", 0.0, 2.5)
     reference = np.array([exact.lift(x, force or 1.0, carried if force else np.inf) for x in ALONG])
     reference /= force or 1.0
     if force:
-        taut = found.elasticity(ALONG)
-        assert (reference > 1.05 * taut).sum() >= 3, "droppers are slack"
+        assert (reference > 1.05 * found.elasticity(ALONG)).sum() >= 3, "droppers are slack"
     name = f"{force} N slacken droppers" if force else "small force"
     evidence.below(
         f"simple line, chains, {name}, worst of 7 places",
