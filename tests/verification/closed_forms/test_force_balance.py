@@ -1,0 +1,102 @@
+"""Balance of forces of a line at rest
+
+In a long line of equal spans each span hangs on its own. Per span of length L:
+
+    droppers     carry the contact wire, their lower clamps and half of themselves
+    supports     carry both wires, all droppers and all clamps
+    steady arms  pull across the track with 4 a T/L where the stagger is ± a; a hinged arm
+                 with the slope γ carries that by 4 a T/(L cos γ)
+
+Source: balance of forces. A wire is lighter per metre by its stretch s, and its arc longer than
+the span: by (8f/L)²/24 for the contact wire, whose pre-sag is f = 55 mm; that of the messenger wire
+is summed up along a string with the droppers' loads.
+
+The program is asked by `en50318-ac-simple-320`, twenty spans with default elements, of which the
+inner ten count (lengths of droppers are the program's); and by six spans of 60 m with a stagger of
+0.2 m, arms at 0.1 rad, chains without bending stiffness, which would round the kinks.
+"""
+
+from collections.abc import Callable
+from math import cos
+from typing import Any
+
+import numpy as np
+
+import arcless
+from arcless.model import load
+from arcless.simulate import StaticsResult
+from tests.support.catenary import green
+from tests.support.evidence import Evidence
+from tests.support.line_types import scenario_data, stitched_data
+from tests.support.two_beams import hung_string
+
+AtRest = Callable[..., StaticsResult]
+
+GRAVITY = 9.81
+SPAN, COUNT, DROPPERS = 55.0, 10, 9
+CONTACT, MESSENGER = 1.35, 1.08
+CLAMP, UPPER_CLAMP, PER_METRE = 0.165, 0.195, 0.117
+PRESAG = 0.055
+
+
+def inner(found: StaticsResult) -> tuple[list[Any], float]:
+    """Return the droppers of the inner spans, and their mass in kg per span."""
+    droppers = [d for d in found.droppers if 6 <= d["span"] <= 15]
+    assert len(droppers) == COUNT * DROPPERS
+    return droppers, PER_METRE * sum(d["length_m"] for d in droppers) / COUNT
+
+
+def contact_wire() -> float:
+    """Mass in kg of the contact wire of a span."""
+    return CONTACT * SPAN / float(green(22e3, 15e6)) * (1 + (8 * PRESAG / SPAN) ** 2 / 24)
+
+
+def messenger_wire(droppers: list[Any]) -> float:
+    """Mass in kg of the messenger wire of a span, which hangs in the shape of a string."""
+    own = GRAVITY * (UPPER_CLAMP + 0.5 * PER_METRE * 0.85)
+    places = np.array([d["x_m"] for d in droppers[:DROPPERS]]) - 5 * SPAN
+    loads = np.array([d["force_N"] for d in droppers[:DROPPERS]]) + own
+    height = hung_string(SPAN, 16e3, MESSENGER * GRAVITY, places, loads)
+    x = np.linspace(0.0, SPAN - 1e-9, 5501)
+    slope = np.diff([height(place) for place in x]) / np.diff(x)
+    arc = SPAN * (1 + 0.5 * np.mean(slope**2))
+    tension = 16e3 * (1 + 0.5 * np.mean(slope**2))
+    return MESSENGER * arc / float(green(tension, 11.64e6))
+
+
+def test_droppers_carry_the_contact_wire(evidence: Evidence, at_rest: AtRest) -> None:
+    droppers, mass = inner(at_rest("en50318-ac-simple-320"))
+    weight = GRAVITY * (contact_wire() + DROPPERS * CLAMP + 0.5 * mass)
+    evidence.close(
+        "droppers of a span", sum(d["force_N"] for d in droppers) / COUNT, weight, unit="N",
+        relative=(8 * PRESAG / SPAN) ** 2 / 24,
+        reason="what the arc adds: the sag of the contact wire between droppers is left out",
+    )  # fmt: skip
+
+
+def test_supports_carry_all(evidence: Evidence, at_rest: AtRest) -> None:
+    found = at_rest("en50318-ac-simple-320")
+    droppers, mass = inner(found)
+    wires = contact_wire() + messenger_wire(droppers)
+    weight = GRAVITY * (wires + DROPPERS * (CLAMP + UPPER_CLAMP) + mass)
+    forces = [s["messenger_force_N"] for s in found.supports[6:15]]
+    slope = weight / 2 / 16e3
+    evidence.close(
+        "a support", float(np.mean(forces)), weight, unit="N", relative=slope**4 / 8,
+        reason="fourth powers of the slope at a support, 0.042, in the length of the arc",
+    )  # fmt: skip
+
+
+def test_arms_hold_the_stagger(evidence: Evidence) -> None:
+    limp = {f"{wire}_wire__bending_stiffness": 0.0 for wire in ("contact", "messenger")}
+    stagger = {f"geometry__stagger_{wire}_wire": [0.2, -0.2] for wire in ("contact", "messenger")}
+    arm = {"kind": "arm", "length": 1.2, "slope": 0.1, "mass": 0.7}
+    line = stitched_data(stitch_wire=None, steady_arm=arm, **limp, **stagger)
+    found = arcless.statics(load(scenario_data(line, solver={"wire_model": "lumped"})))
+    forces = [s["steady_arm_force_N"] for s in found.supports[1:-1]]
+    assert len(forces) == 5
+    pull = 4 * 0.2 * 15e3 / 60.0 / cos(0.1)
+    evidence.below(
+        "worst of 5 steady arms", max(abs(force - pull) for force in forces),
+        8 * 2.2e-16 * 360.0 * 14e6 / 1.45, unit="N", reason="the statics balances to 8 ε L EA/h",
+    )  # fmt: skip
