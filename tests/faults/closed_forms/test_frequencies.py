@@ -18,6 +18,8 @@ def test_bending_stiffness_a_thousandth_high(noticed: Noticed) -> None:
 def test_mass_a_thousandth_high(noticed: Noticed) -> None:
     with scaled("wires", "mass", 1.001):
         noticed("mass 0.1 % too high", checks.test_across)
+    with scaled("wires", "mass", 1.01):
+        noticed("mass 1 % too high", checks.test_wave_speed_of_the_shipped_wire)
     with scaled("segments", "mass", 1.001, [7]):
         noticed("one of 40 segments 0.1 % too heavy", checks.test_a_chain_has_its_own)
 
