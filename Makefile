@@ -4,10 +4,11 @@
 SHELL := /bin/sh
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help build demo test evidence lint bench wheel clean check-python check-rust
+.PHONY: help build demo test peers evidence lint bench wheel clean check-python check-rust
 
 VENV := .venv
 BIN := $(VENV)/bin
+PEERS := $(VENV)/peers
 DEMO := en50318-ac-simple-320
 # Neighbours stay in one process, which keeps what they share; an idle one takes half of the rest.
 ON_ALL_CORES := --numprocesses=auto --maxprocesses=8 --dist=worksteal
@@ -39,6 +40,10 @@ demo: build ## run the reference case AC simple at 320 km/h; write its report
 test: build ## run every test: the Rust core, then the Python package
 	cargo test
 	$(BIN)/python -m pytest $(ON_ALL_CORES)
+
+peers: $(PEERS)/.packages ## install the other programs, those that can be, and compare with them
+	PYTHONPATH=python $(PEERS)/bin/python -m pytest tests/verification/peers tests/faults/peers \
+	|| test $$? -eq 5 # none of them is here: every comparison was skipped
 
 evidence: build ## run every check, the slow ones too, and write the pages of docs/validation
 	$(BIN)/python -m pytest -m "" --publish tests/verification tests/faults
@@ -112,3 +117,16 @@ $(VENV)/.built: $(VENV)/.packages $(RUST_INPUTS)
 	@echo 'Compiling the numerical core'
 	@$(MATURIN) develop --release --quiet
 	@touch $@
+
+# Beside the packages of .venv, so that none of those changes. One by one: each may be missing.
+$(PEERS)/.packages: pyproject.toml | build
+	@$(BIN)/python -m venv --clear $(PEERS)
+	@$(BIN)/python -c 'import sysconfig; print(sysconfig.get_path("purelib"))' \
+	> "$$(ls -d $(PEERS)/lib/python3*/site-packages)/dependencies.pth"
+	@$(BIN)/python -c 'import tomllib; t = tomllib.load(open("pyproject.toml", "rb")); \
+	print(*t["project"]["optional-dependencies"]["peers"], sep="\n")' > $(PEERS)/requirements.txt
+	@echo 'Installing the programs that results are compared with'
+	@missing=0; while read -r program; do \
+	$(PEERS)/bin/python -m pip install --quiet --only-binary :all: "$$program" < /dev/null \
+	|| { missing=1; echo "make peers: $$program does not install here: not compared with it"; }; \
+	done < $(PEERS)/requirements.txt; test $$missing -eq 1 || touch $@

@@ -3,7 +3,7 @@
 import contextlib
 import io
 import runpy
-from collections.abc import Iterator
+from collections.abc import Callable
 from pathlib import Path
 from unittest.mock import patch
 
@@ -12,6 +12,7 @@ import numpy as np
 from arcless import lcp
 
 Problem = tuple[np.ndarray, np.ndarray]
+Kind = Callable[[int, np.random.Generator], Problem]
 SIZES = (2, 3, 5, 9, 17, 33)
 BEAM = Path(__file__).parents[2] / "examples" / "dropped_beam.py"
 EPS = float(np.finfo(float).eps)
@@ -43,7 +44,7 @@ def murty(n: int, random: np.random.Generator) -> Problem:
 
 
 def circulant(n: int, random: np.random.Generator) -> Problem:
-    """x_k + 1.5 x_k+1 = w_k, n odd: without symmetry, xᵀHx < 0 for some x, and yet a P-matrix."""
+    """x_k + 1.5 x_k+1 in a ring, n odd: xᵀHx < 0 for some x, and yet a P-matrix."""
     n += 1 - n % 2
     return np.eye(n) + 1.5 * np.roll(np.eye(n), 1, axis=1), -random.uniform(0.9, 1.1, n)
 
@@ -54,9 +55,8 @@ def near_singular(n: int, random: np.random.Generator) -> Problem:
     return g @ g.T / n + 1e-6 * np.eye(n), random.standard_normal(n)
 
 
-def many(kind: object, seeds: int = 20, largest: int = 33) -> list[Problem]:
+def many(kind: Kind, seeds: int = 20, largest: int = 33) -> list[Problem]:
     """Problems of a kind in several sizes, the same ones at every call."""
-    assert callable(kind)
     return [
         kind(n, np.random.default_rng([seed, n]))
         for n in SIZES
@@ -65,8 +65,8 @@ def many(kind: object, seeds: int = 20, largest: int = 33) -> list[Problem]:
     ]
 
 
-def dropped_beam(every: int = 10) -> list[Problem]:
-    """Problems of those steps of examples/dropped_beam.py in which a support is touched."""
+def dropped_beam() -> list[Problem]:
+    """Problems in the first second of examples/dropped_beam.py, of steps that touch a support."""
     step, taken = lcp.PublishedStep.step, []
 
     def keep(self, *given):
@@ -77,21 +77,28 @@ def dropped_beam(every: int = 10) -> list[Problem]:
         patch.object(lcp.PublishedStep, "step", keep),
         contextlib.redirect_stdout(io.StringIO()),
     ):
-        runpy.run_path(str(BEAM))["main"]()
-    touched = [(H, w) for H, w in taken if w.min() < 0]
-    return touched[::every]
+        runpy.run_path(str(BEAM))["main"](1e-3, 1.0)
+    return [(H, w) for H, w in taken if w.min() < 0]
 
 
-def differences(problems: list[Problem], others: Iterator[np.ndarray]) -> list[float]:
-    """Largest difference of forces in each problem, in roundings: ε · cond(H) · largest force."""
-    found = []
-    for (H, w), other in zip(problems, others, strict=True):
-        x, _, _ = lcp.solve(H, w, symmetric=False)
-        size = EPS * np.linalg.cond(H) * max(np.abs(other).max(), np.finfo(float).tiny)
-        found.append(float(np.abs(x - other).max() / size))
-    return found
+def unit_diagonal(H: np.ndarray, w: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The same problem without units, H with ones on its diagonal and |w| ≤ 1; x is scale · x′."""
+    d = 1.0 / np.sqrt(np.diagonal(H))
+    size = max(np.abs(d * w).max(), np.finfo(float).tiny)
+    return np.ascontiguousarray(H * np.outer(d, d)), d * w / size, d * size
+
+
+def roundings(H: np.ndarray, w: np.ndarray, x: np.ndarray, other: np.ndarray) -> float:
+    """Largest difference of two answers, in units of ε · cond(H) · largest force.
+
+    All at unit diagonal: a rounding of H or w moves the answer by about one such unit.
+    """
+    matrix, _, scale = unit_diagonal(H, w)
+    unit = EPS * np.linalg.cond(matrix) * max(np.abs(other / scale).max(), np.finfo(float).tiny)
+    return float(np.abs((x - other) / scale).max() / unit)
 
 
 def violation(H: np.ndarray, w: np.ndarray, x: np.ndarray) -> float:
-    """Largest |min(x, Hx + w)|, over the size of w."""
-    return float(np.abs(np.minimum(x, H @ x + w)).max() / np.abs(w).max())
+    """Largest |min(x, Hx + w)| at unit diagonal and |w| ≤ 1."""
+    matrix, vector, scale = unit_diagonal(H, w)
+    return float(np.abs(np.minimum(x / scale, matrix @ (x / scale) + vector)).max())
