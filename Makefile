@@ -9,6 +9,7 @@ SHELL := /bin/sh
 VENV := .venv
 BIN := $(VENV)/bin
 PEERS := $(VENV)/peers
+WITH_PEERS = $(if $(wildcard $(PEERS)/.packages),PYTHONPATH=python $(PEERS)/bin/python,$(BIN)/python)
 DEMO := en50318-ac-simple-320
 # Neighbours stay in one process, which keeps what they share; an idle one takes half of the rest.
 ON_ALL_CORES := --numprocesses=auto --maxprocesses=8 --dist=worksteal
@@ -46,7 +47,7 @@ peers: $(PEERS)/.packages ## install the other programs, those that can be, and 
 	|| test $$? -eq 5 # none of them is here: every comparison was skipped
 
 evidence: build ## run every check, the slow ones too, and write the pages of docs/validation
-	$(BIN)/python -m pytest -m "" --publish tests/verification tests/faults
+	$(WITH_PEERS) -m pytest -m "" --publish tests/verification tests/faults
 	$(BIN)/python docs/make_evidence.py
 
 lint: build ## check format, lints and types, and that no lock file or local path is tracked
