@@ -9,11 +9,11 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from arcless.mesh import PLANAR, Mesh, wires
+from arcless.mesh import PLANAR, wires
 from arcless.mesh.parts import GIVEN, Parts
 from arcless.model.components import DropperType, Wire
-from arcless.simulate import equilibrium
 from arcless.simulate.equilibrium import Equilibrium
+from tests.support.structures import at_rest, mesh_of
 
 Floats = NDArray[np.float64]
 
@@ -139,20 +139,5 @@ class Straight:
         slopes = np.zeros_like(positions)
         if not self.lumped:
             slopes[:, ALONG] = np.tile([wires.stretch(kind) for kind in self.kinds], count)
-        mesh = Mesh(
-            dimension=PLANAR,
-            positions=positions,
-            slopes=slopes,
-            parts=self.parts.arrays(),
-            gravity=0.0,
-            lanes=[self.rows[0]],
-            droppers=[],
-            supports=[],
-            wire_rows={"contact_wire": self.rows[0]},
-            systems=[],
-        )
-        # By way of the module, where deliberate faults are put in.
-        core = equilibrium._core.Equilibrium(
-            mesh.dimension, mesh.positions, mesh.slopes, mesh.parts, mesh.gravity, design=True
-        )
-        return Equilibrium(mesh, core, core.arrays())
+        mesh = mesh_of(PLANAR, positions, slopes, self.parts, self.rows[0])
+        return at_rest(mesh, design=True)
