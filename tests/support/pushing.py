@@ -27,6 +27,7 @@ class Pressed:
     height : of the wire at the strip, m
     force : of the contact, N
     nodes, points : uplift of nodes and places asked for (time × number), m
+    along : motion of these places along the track (time × number), m
     links : tension of each link (time × number), N
     """
 
@@ -35,6 +36,7 @@ class Pressed:
     force: Floats
     nodes: Floats
     points: Floats
+    along: Floats
     links: Floats
 
 
@@ -101,5 +103,6 @@ def press(
         raw["force"],
         raw["uplift"].reshape(rows, -1),
         raw["point_uplift"].reshape(rows, -1),
+        raw["point_along"].reshape(rows, -1),
         raw["link_force"].reshape(rows, -1),
     )
