@@ -15,7 +15,7 @@ Floats = NDArray[np.float64]
 
 TRAPEZOIDAL: tuple[str, list[float]] = ("trapezoidal", [])
 # A wire accelerates with some 10 m/s², so the inertia of this strip is 1e-5 N. In kg.
-WEIGHTLESS = 1e-6
+WEIGHTLESS = 1e-9
 
 
 @dataclass(frozen=True)

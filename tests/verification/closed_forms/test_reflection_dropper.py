@@ -84,7 +84,7 @@ def test_taut_dropper(evidence: Evidence) -> None:
         )  # fmt: skip
     evidence.close(
         "|s| at 10 Hz", abs(found.across[0][4]), abs(across[4]), unit="1", relative=1e-5,
-        reason="the phase of 10 Hz is off by 3e-7 rad; the record ends 1e-6 of the pulse above zero",
+        reason="the phase of 10 Hz is off by 3e-7 rad, the record ends 1e-6 of the pulse high",
     )  # fmt: skip
     hertz = found.omega / (2.0 * np.pi)
     evidence.figure(
