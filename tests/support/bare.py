@@ -10,6 +10,8 @@ from numpy.typing import NDArray
 
 from arcless.mesh import PLANAR, Mesh
 from arcless.mesh.parts import GIVEN, Parts
+from arcless.model.settings import Solver
+from arcless.simulate import motion
 from arcless.simulate.riders import RiderData, plain
 from tests.support.schemes import Member
 from tests.support.structures import at_rest, mesh_of
@@ -36,6 +38,8 @@ class Asked:
         Patterns (node, component, N) with a size at each instant.
     ledger
         Whether the energy ledger is kept.
+    updated
+        Whether coordinates and stiffness are updated in each step.
     """
 
     scheme: Member
@@ -46,6 +50,7 @@ class Asked:
     points: Sequence[float] = ()
     loads: Loads = field(default_factory=list)
     ledger: bool = False
+    updated: bool = False
 
 
 def stand(x: float, steps: int) -> Floats:
@@ -56,8 +61,9 @@ def stand(x: float, steps: int) -> Floats:
 def run(mesh: Mesh, rider: RiderData, asked: Asked, *, design: bool = False) -> dict[str, Any]:
     """Return what the core records of a run with one rider, every step of it."""
     core = at_rest(mesh, design=design).core
-    scheme = (asked.scheme.name, list(asked.scheme.numbers))
-    prepared = core.prepare(mesh.lanes, scheme, asked.h, asked.contact_stiffness, False)
+    solver = Solver.model_validate({"scheme": asked.scheme.settings})
+    scheme = motion.scheme_numbers(solver.scheme)
+    prepared = core.prepare(mesh.lanes, scheme, asked.h, asked.contact_stiffness, asked.updated)
     plan = {
         "contact_every": 1,
         "line_every": 1,

@@ -21,7 +21,7 @@ Complex = NDArray[np.complex128]
 class Member:
     """Parameters of a member of the family; `published` are one-sided differences instead.
 
-    `name` and `numbers` are what the program is asked for.
+    `name` and `numbers` are what the core is asked for, `settings` what a scenario says.
     """
 
     name: str
@@ -40,6 +40,19 @@ class Member:
     def label(self) -> str:
         """Name and parameters, as rows of the evidence call it."""
         return " ".join([self.name, *(f"{number:g}" for number in self.numbers)])
+
+    @property
+    def settings(self) -> dict[str, str | float]:
+        """The scheme in the words of a scenario."""
+        keys = {
+            "generalised-alpha": ("spectral_radius",),
+            "hht": ("alpha",),
+            "newmark": ("beta", "gamma"),
+        }.get(self.name, ())
+        # A scenario counts alpha from −1/3 to 0, as Hilber, Hughes & Taylor do.
+        sign = -1.0 if self.name == "hht" else 1.0
+        given = {key: sign * number for key, number in zip(keys, self.numbers, strict=True)}
+        return {"name": self.name, **given}
 
     def rates(self, z: Complex, h: float) -> tuple[Complex, Complex]:
         """Return s in 1/s and q in 1/s² for steps of length h in s."""

@@ -29,18 +29,26 @@ def test_contact_half_a_step_behind(noticed: Notice, model: str) -> None:
 
     with spoiled(running=behind):
         what = f"{model}: contact where it was half a step ago"
-        noticed(what, topic.test_order, model=model, scheme=DEFAULT)
+        noticed(what, topic.test_order, model=model, kinematics="linearised", scheme=DEFAULT)
 
 
 def test_a_little_of_first_order(noticed: Notice) -> None:
-    topic.reference("cubic, planar")
+    topic.reference("cubic, planar", "linearised")
     with prepared_with(scheme=lambda asked: (asked[0], [0.26, 0.51])):
         what = "newmark with γ = 0.51 in place of 0.5"
-        noticed(what, topic.test_order, model="cubic, planar", scheme=newmark(0.25, 0.5))
+        noticed(
+            what,
+            topic.test_order,
+            model="cubic, planar",
+            kinematics="linearised",
+            scheme=newmark(0.25, 0.5),
+        )
 
 
 def test_contact_of_another_stiffness(noticed: Notice) -> None:
-    topic.reference("cubic, planar")
+    topic.reference("cubic, planar", "linearised")
     with prepared_with(contact_stiffness=lambda stiffness: 1.1 * stiffness):
         what = "contact 10 % stiff, in all but the reference"
-        noticed(what, topic.test_order, model="cubic, planar", scheme=DEFAULT)
+        noticed(
+            what, topic.test_order, model="cubic, planar", kinematics="linearised", scheme=DEFAULT
+        )

@@ -13,9 +13,10 @@ end), below a wire that nothing moves, with rigid contact; given forces throw it
 m = 10 kg, L = 2 m, c = 200 m/s, V = 1 m/s; n = 25, 50, 100 with steps h = 0.2, 0.1, 0.05 ms.
 
 The force behind the front is exact; what is lost is in the front. A scheme of order p smears a
-front over a width that grows as h^(p/(p+1)) (Brenner, Thomée & Wahlbin 1975): the energy in it, and
-with it what is missing of the speed after, falls with the power 2/3 for a scheme of second order
-and 1/2 for one of first. The members are those that a rigid contact needs (see Bouncing mass).
+front over a width that grows as h^(p/(p+1)) (Brenner, Thomée & Wahlbin 1975, second hand): the
+energy in it, and with it what is missing of the speed after, falls with the power 2/3 for a scheme
+of second order and 1/2 for one of first. The members are those that a rigid contact needs (see
+Bouncing mass).
 """
 
 from functools import cache

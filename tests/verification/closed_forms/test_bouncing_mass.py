@@ -2,16 +2,18 @@
 
 A rigid contact is a condition on position, and says nothing of velocity. What a free mass does
 after it hits is then a property of the scheme, derived here: it arrives with speed V, and the last
-step before the impact ends at a gap of θ V h, 0 ≤ θ < 1. With the equations of the scheme step by
-step, the gap zero in each step that has a force and the force zero in the first that would pull,
-the mass leaves with e(θ) V:
+step before the impact has a gap of θ V h at its time of balance, 0 ≤ θ < 1. With the equations of
+the scheme step by step, the gap zero in each step that has a force and the force zero in the first
+that would pull, the mass leaves with e(θ) V:
 
     generalised-alpha, spectral radius 0:  e = 1 − 2 θ for θ < 1/3, else e = θ
     newmark, β = γ = 1:                    e = (1 − θ)/2 for θ < 1/3, else e = (1 + θ)/4
     one-sided differences:                 e = 0
+    trapezoidal rule:                      e = 3 − 4 θ for θ < 2/3, else e = 8 θ − 5
 
-Shorter steps change θ and not the law: between 1/3 and 1, 1/3 and 1/2, or 0. Who needs a rebound
-that is a property of the model takes a compliant contact (see Compliant impact).
+Shorter steps change θ and not the law: e is between 1/3 and 1, 1/3 and 1/2, 0, 1/3 and 3. The last
+makes energy out of nothing, up to nine times what there was; the program warns of it. Who needs a
+rebound that is a property of the model takes a compliant contact (see Compliant impact).
 
 The program is asked with a pantograph of one mass of 3 kg below a wire that nothing moves. Given
 forces throw it off and back; it stands still along the track. Steps of 1 ms.
@@ -34,6 +36,7 @@ LAWS: dict[Member, Callable[[float], float]] = {
     schemes.generalised_alpha(0.0): lambda t: 1.0 - 2.0 * t if t < 1.0 / 3.0 else t,
     schemes.newmark(1.0, 1.0): lambda t: (1.0 - t) / 2.0 if t < 1.0 / 3.0 else (1.0 + t) / 4.0,
     schemes.PUBLISHED: lambda _t: 0.0,
+    schemes.TRAPEZOIDAL: lambda t: 3.0 - 4.0 * t if t < 2.0 / 3.0 else 8.0 * t - 5.0,
 }
 
 
@@ -75,9 +78,10 @@ def test_speed_after_a_rigid_impact(evidence: Any, scheme: Member) -> None:
     evidence.below(
         f"{scheme.label}: energy lost by the ledger against (1 − e²) m V²/2, as a part of m V²/2",
         energy,
-        5e-13,
+        5e-12,
         unit="1",
-        reason="entries of some m V²/2, with 1e-16 each in 300 steps",
+        reason="entries of some m V²/2, with 1e-16 each in 300 steps; with the trapezoidal rule"
+        " those of the scheme and of switching alternate, ten times larger",
     )
 
 

@@ -9,9 +9,9 @@ of its paper with `a(n) = zⁿ` (derived here):
         + (ωh)² ((1 − γ + γ z) + (½ − β + β z)(z − 1))] = 0
 
 Sources: Chung & Hulbert (1993), equations 12 to 15, 17, 20 and 25 for generalised-alpha; Hilber,
-Hughes & Taylor (1977) in the notation of Chung & Hulbert; Newmark (1959). The trapezoidal rule
-gives `z = (1 + sh/2)/(1 − sh/2)`, one-sided differences `z = 1/(1 − sh)`, with
-`s = ω(−ζ ± i √(1 − ζ²))`.
+Hughes & Taylor (1977) in the notation of Chung & Hulbert; Newmark (1959), all cited second hand, as
+the core cites them. The trapezoidal rule gives `z = (1 + sh/2)/(1 − sh/2)`, one-sided differences
+`z = 1/(1 − sh)`, with `s = ω(−ζ ± i √(1 − ζ²))`.
 
 The program is asked twice: a node of a line with a spring and damper to the ground, and a
 coordinate of a pantograph, each pushed for three steps. Two coefficients are fitted to 250 recorded

@@ -1,13 +1,14 @@
 """Element length, cubic elements
 
-Elements of degree p = 3 with continuous slopes. Theory (Strang & Fix, An Analysis of the Finite
-Element Method, 1973, chapters 3 and 6), for a problem with derivatives of order m in its energy:
+Elements of degree p = 3 with continuous slopes. Theory, for a problem with derivatives of order m
+in its energy (Strang & Fix, An Analysis of the Finite Element Method, 1973, second hand; what is
+said of nodes and point forces is derived here):
 
-    frequencies        h^(2(p + 1 − m)): 6 for a string (m = 1), 4 for a beam (m = 2)
-    smooth static shape h^(p + 1): 4. Nodes of a string are no better than the rest: what a node
-                       feels is a kink there, which elements with continuous slopes cannot draw
-    point force        string: h, for the same reason. Beam under tension: 4, its kink is in the
-                       third derivative
+    frequencies          h^(2(p + 1 − m)): 6 for a string (m = 1), 4 for a beam (m = 2)
+    smooth static shape  h^(p + 1): 4. Nodes of a string are no better than the rest: what a node
+                         feels is a kink there, which continuous slopes cannot draw
+    force on a node      string: h, for the same reason. Beam under tension: 4, its kink is in the
+                         third derivative
 
 The first order below a point force is what the contact wire shows with elements much longer than
 √(EI/T) = 0.09 m: with n elements in a span the wire is too stiff by 24 %/n, that is 0.6 % of a

@@ -4,7 +4,7 @@ A mass m = 2 kg on a spring and a damper (5 Hz, ζ = 2 %) under a force that beg
 smoothly, `f(t) = 100 N sin⁴(π t/T)` for T = 0.5 s. Theory: order 2 for generalised-alpha, HHT, the
 trapezoidal rule and Newmark with γ = ½ (Chung & Hulbert 1993); order 1 for Newmark with γ > ½, with
 an error of (γ − ½) ωh/2 in damping (Hughes, The Finite Element Method, section 9.3), and for
-one-sided differences.
+one-sided differences. Both are cited second hand.
 
 Reference: `sin⁴` is a sum of three cosines; the answer to each, and the free motion that makes the
 start one at rest, are elementary. The program is asked twice, for a node of a line and for a
