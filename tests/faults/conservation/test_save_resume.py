@@ -1,0 +1,62 @@
+"""What the parts of a run notice: a state of which one thing is lost."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+from unittest.mock import patch
+
+import pytest
+
+from arcless.results import Result
+from arcless.simulate import state
+from tests.verification.conservation import test_save_resume
+
+Noticed = Callable[..., None]
+DEFAULT = "default"
+LEDGER = "trapezoidal rule with ledger and friction"
+CONTROLLED = "PID, sampled and late"
+LOST = {
+    "line_acceleration": DEFAULT,
+    "contact_force": LEDGER,
+    "controller_0": CONTROLLED,
+}
+LOST_TOO = {
+    "line_displacement": DEFAULT,
+    "line_velocity": DEFAULT,
+    "link_elongation": DEFAULT,
+    "link_max": DEFAULT,
+    "rider_0_velocity": DEFAULT,
+    "rider_0_start": DEFAULT,
+    "rider_0_preload_ground_actuator": DEFAULT,
+    "pivot_counts": DEFAULT,
+    "contact_weights": LEDGER,
+    "energy": LEDGER,
+    "energy_sums": LEDGER,
+    "rider_0_waiting": CONTROLLED,
+}
+read = state.read
+
+
+def lose(noticed: Noticed, folder: Path, name: str, case: str) -> None:
+    hits = []
+
+    def forgetful(result: Result) -> Any:
+        saved = read(result)
+        hits.append(bool(saved.numbers[name].any()))
+        saved.numbers[name][:] = 0.0
+        return saved
+
+    with patch.object(state, "read", forgetful):
+        noticed(f"`{name}` lost", test_save_resume.test_parts, tmp_path=folder, case=case)
+    assert any(hits), "there was something to lose"
+
+
+@pytest.mark.parametrize("name", LOST)
+def test_a_part_of_the_state_is_lost(noticed: Noticed, tmp_path: Path, name: str) -> None:
+    lose(noticed, tmp_path, name, LOST[name])
+
+
+@pytest.mark.evidence
+@pytest.mark.parametrize("name", LOST_TOO)
+def test_another_part_is_lost(noticed: Noticed, tmp_path: Path, name: str) -> None:
+    lose(noticed, tmp_path, name, LOST_TOO[name])

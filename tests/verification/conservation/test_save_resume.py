@@ -1,0 +1,94 @@
+"""Parts of a run are the whole run
+
+A run that stops and goes on from what it saved must be the run that never stopped, bit for bit:
+every series, every extreme, every count, the ledger, the static force that was searched for.
+The state that is saved is complete if and only if that holds, whatever the run is made of.
+
+Each case below is run once as a whole and once in three parts, `run(scenario, until=…)` and
+`arcless.resume`. Between the parts there is nothing but the file: the line at rest is found
+again, the matrices are factorised again. The first stop is after some steps, the second in the
+middle of the events: droppers slack, contact lost, delayed forces of a controller on their way.
+All numbers of both results are compared, and their attributes but for times of day and wall
+times.
+
+Lines: four uneven spans in space (`tests/support/small.py`), once of point masses with updated
+kinematics, and two shipped scenarios cut short.
+"""
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import arcless
+from arcless.model import Scenario
+from tests.support.parts import in_parts, unlike
+from tests.support.small import small
+
+STOPS = ("51 m", "1.02 s")
+CHANGES: dict[str, dict[str, Any]] = {
+    "default": {},
+    "trapezoidal rule with ledger and friction": {
+        "solver.scheme": {"name": "trapezoidal"},
+        "contact.friction_coefficient": 0.2,
+    },
+    "rigid contact, loss of contact": {
+        "contact.law": "rigid",
+        "solver.scheme": {"name": "generalised-alpha", "spectral_radius": 0.0},
+        "pantographs.0.static_force": 60.0,
+    },
+    "PID, sampled and late": {
+        "pantographs.0.controller": {
+            "sample_time": "5 ms",
+            "delay": "12 ms",
+            "rate_limit": "900 N/s",
+            "pid": {"target": 150.0, "proportional": 0.4, "integral": 2.0, "filter": "10 ms"},
+        }
+    },
+    "point masses, updated kinematics, backward differences": {
+        "solver.wire_model": "lumped",
+        "solver.kinematics": "updated",
+        "solver.scheme": {"name": "backward-difference"},
+        "solver.time_step": "4 ms",
+    },
+}
+
+
+def overlap() -> Scenario:
+    return arcless.load("ac-simple-overlap-275").with_(
+        **{
+            "pantographs.0.mean_force": None,
+            "pantographs.0.static_force": 150.0,
+            "travel": {"start": 470.0, "end": 620.0},
+            "analysis": {"from": 480.0, "to": 610.0},
+        }
+    )
+
+
+def two_pantographs() -> Scenario:
+    changes = {"travel.end": "500 m", "analysis": {"from": "260 m", "to": "298 m"}}
+    return arcless.load("ac-simple-320-two-pantographs").with_(**changes)
+
+
+LONG = {
+    "two wires in an overlap": overlap,
+    "two pantographs, mean force searched for": two_pantographs,
+}
+
+
+def compare(evidence: Any, case: str, scenario: Scenario, stops: Any, folder: Path) -> None:
+    whole = arcless.run(scenario)
+    compared, differing = unlike(whole, in_parts(scenario, folder, *stops))
+    reason = "the state is complete, and nothing else is carried over"
+    evidence.same(case, compared=compared, differing=differing, reason=reason)
+
+
+@pytest.mark.parametrize("case", CHANGES)
+def test_parts(evidence: Any, tmp_path: Path, case: str) -> None:
+    compare(evidence, case, small(**CHANGES[case]), STOPS, tmp_path)
+
+
+@pytest.mark.evidence
+@pytest.mark.parametrize("case", LONG)
+def test_long_parts(evidence: Any, tmp_path: Path, case: str) -> None:
+    compare(evidence, case, LONG[case](), ("0.3 s", "1.2 s"), tmp_path)
