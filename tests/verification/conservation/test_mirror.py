@@ -1,7 +1,6 @@
 """Mirrored line and reversed travel
 
-Nature knows no left and right, and a line without dampers of travel knows no first and last
-end:
+Nature knows no left and right, and a line no first and last end:
 
     across:  y → −y                 force, height the same, lateral position −y
     along:   x → L − x, v → −v      everything the same, seen from the other end
