@@ -12,6 +12,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.support.signals import interruptible
+
 Process = Callable[..., subprocess.CompletedProcess[str]]
 # 675 000 steps, and statics of 10 km of line: no machine finishes these while a test waits.
 LONG_STEPPING = ("--set", "solver.time_step=0.01 ms")
@@ -43,13 +45,14 @@ def test_errors_leave_standard_output_empty(process: Process) -> None:
 @pytest.mark.parametrize("long", [LONG_STEPPING, LONG_STATICS], ids=["stepping", "statics"])
 def test_interrupt_leaves_no_file(short: Path, tmp_path: Path, long: tuple[str, ...]) -> None:
     words = ["-m", "arcless", "run", str(short), "--out", "new/folder", *long]
-    running = subprocess.Popen(
-        [sys.executable, *words],
-        cwd=tmp_path,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-    )
+    with interruptible():
+        running = subprocess.Popen(
+            [sys.executable, *words],
+            cwd=tmp_path,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
     wait_for(lambda: any(tmp_path.rglob(".arcless-*")))
     time.sleep(2.0)  # past the imports, into native code
     assert running.poll() is None, running.communicate()
@@ -63,13 +66,14 @@ def test_interrupt_leaves_no_file(short: Path, tmp_path: Path, long: tuple[str, 
 
 def test_interrupt_during_start(tmp_path: Path, short: Path) -> None:
     for delay in (0.05, 0.15, 0.4, 0.8):
-        running = subprocess.Popen(
-            [sys.executable, "-m", "arcless", "run", str(short), *LONG_STEPPING],
-            cwd=tmp_path,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-            text=True,
-        )
+        with interruptible():
+            running = subprocess.Popen(
+                [sys.executable, "-m", "arcless", "run", str(short), *LONG_STEPPING],
+                cwd=tmp_path,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.PIPE,
+                text=True,
+            )
         time.sleep(delay)
         running.send_signal(signal.SIGINT)
         running.communicate(timeout=60)
