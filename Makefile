@@ -9,7 +9,7 @@ SHELL := /bin/sh
 VENV := .venv
 BIN := $(VENV)/bin
 PEERS := $(VENV)/peers
-WITH_PEERS = $(if $(wildcard $(PEERS)/.packages),PYTHONPATH=python $(PEERS)/bin/python,$(BIN)/python)
+WITH_PEERS = $(if $(wildcard $(PEERS)/.packages),PYTHONPATH="$(CURDIR)/python" $(PEERS)/bin/python,$(BIN)/python)
 DEMO := en50318-ac-simple-320
 # Neighbours stay in one process, which keeps what they share; an idle one takes half of the rest.
 ON_ALL_CORES := --numprocesses=auto --maxprocesses=8 --dist=worksteal
@@ -43,11 +43,12 @@ test: build ## run every test: the Rust core, then the Python package
 	$(BIN)/python -m pytest $(ON_ALL_CORES)
 
 peers: $(PEERS)/.packages ## install the other programs, those that can be, and compare with them
-	PYTHONPATH=python $(PEERS)/bin/python -m pytest tests/verification/peers tests/faults/peers \
+	PYTHONPATH="$(CURDIR)/python" $(PEERS)/bin/python -m pytest tests/verification/peers tests/faults/peers \
 	|| test $$? -eq 5 # none of them is here: every comparison was skipped
 
 evidence: build ## run every check, the slow ones too, and write the pages of docs/validation
-	$(WITH_PEERS) -m pytest -m "" --publish tests/verification tests/faults
+	$(WITH_PEERS) -m pytest $(ON_ALL_CORES) --dist=loadfile -m "" --publish \
+	tests/verification tests/faults tests/drills
 	$(BIN)/python docs/make_evidence.py
 
 lint: build ## check format, lints and types, and that no lock file or local path is tracked
