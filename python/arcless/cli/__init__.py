@@ -2,14 +2,19 @@
 
 import sys
 
+from arcless.cli import interrupts
+
 __all__ = ["main"]
 
 
 def main() -> None:
     """Run the command `arcless` and leave with its exit code."""
+    interrupts.answer_once()
     try:
         from arcless.cli.app import app
 
         app(prog_name="arcless")
     except KeyboardInterrupt:  # while the commands themselves are still being imported
         sys.exit("interrupted")
+    finally:
+        interrupts.ignore()

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from arcless.model import Scenario
     from arcless.results import Result
 
+FILES = ("result.nc", "assessment.json", "report.html")  # the others follow from the first
 UntilOption = Annotated[
     str | None,
     typer.Option(
@@ -27,9 +28,11 @@ NoReportOption = Annotated[bool, typer.Option("--no-report", help="Do not write 
 
 def write(result: "Result", folder: OutputFolder, *, report: bool) -> list[Path]:
     """Write the files of a run; of one that stopped early, the result alone."""
+    from arcless.results.files import write_bytes
+
     result.save(folder.file("result.nc"))
     if result.is_complete:
-        folder.file("assessment.json").write_text(result.assessment.to_json(), "utf-8")
+        write_bytes(folder.file("assessment.json"), result.assessment.to_json().encode())
         if report:
             rows = _reference_rows(result.scenario, result.assessment.to_dict())
             result.write_report(folder.file("report.html"), reference_rows=rows)

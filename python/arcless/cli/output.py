@@ -1,17 +1,23 @@
 """An output folder that holds finished files or none."""
 
+import os
 import shutil
-import tempfile
+from contextlib import suppress
 from pathlib import Path
 from types import TracebackType
 from typing import Self
 
+from arcless.cli import interrupts
 from arcless.errors import OutputError
 from arcless.units import show
+
+_OLD = "old-"
 
 
 def check_place(file: Path, suffix: str, option: str) -> None:
     """Refuse a file that could not be written after the computing, before it."""
+    from arcless.results.files import check_writable
+
     if file.suffix.lower() != suffix:
         raise OutputError(
             f"not a {suffix} file",
@@ -20,38 +26,41 @@ def check_place(file: Path, suffix: str, option: str) -> None:
             expected=f"a name that ends in {suffix}",
             hint=f"this is the only form that `{option}` writes; a browser can print it",
         )
-    folder = file.parent
-    if not folder.is_dir() or file.is_dir():
-        raise OutputError(
-            "the file cannot be written",
-            where=str(file),
-            got="a folder" if file.is_dir() else f"no folder {folder}",
-            expected="a file in a folder that exists",
-        )
+    check_writable(file)
 
 
 class OutputFolder:
     """Files are made in a hidden folder inside and moved to their names when all are done.
 
     Entering proves that the folder can be written, before any computing. Leaving without
-    `publish` removes whatever was made, the folder itself included if it is new.
+    `publish` removes whatever was made, the folder itself included if it is new. Of the `files`
+    that belong together the others follow from the first: those of an older run go when it is
+    replaced, so that none ever tells of another run than the first does.
     """
 
-    def __init__(self, path: Path) -> None:
+    def __init__(self, path: Path, *files: str) -> None:
         self.path = path
+        self._files = files
         self._made: list[Path] = []  # folders that did not exist before, outermost first
+        self._lock: int | None = None
 
     def __enter__(self) -> Self:
         """Make the folder and a hidden one inside it."""
+        from arcless.results import unfinished
+
+        self._staging = self.path / unfinished.new_name()
         try:
             for folder in reversed([self.path, *self.path.parents]):
                 if not folder.exists():
-                    folder.mkdir(exist_ok=True)
                     self._made.append(folder)
-            self._staging = Path(tempfile.mkdtemp(prefix=".arcless-", dir=self.path))
-        except OSError as error:
-            self._remove_made()
-            raise self._cannot_write(error) from error
+                    folder.mkdir(exist_ok=True)
+            unfinished.sweep(self.path)
+            self._lock = unfinished.create_folder(self._staging)
+        except BaseException as error:
+            self._clear()
+            if isinstance(error, OSError):
+                raise self._cannot_write(error) from error
+            raise
         return self
 
     def __exit__(
@@ -60,30 +69,53 @@ class OutputFolder:
         error: BaseException | None,
         trace: TracebackType | None,
     ) -> None:
-        """Remove what was not published."""
-        shutil.rmtree(self._staging, ignore_errors=True)
-        self._remove_made()
+        """Remove what was not published; name files in an error as the user knows them."""
+        self._clear()
+        if isinstance(error, OutputError) and error.where:
+            error.where = error.where.replace(str(self._staging), str(self.path))
 
     def file(self, name: str) -> Path:
-        """Return the path at which to write a file called `name`."""
+        """Return the path at which to write one of the files."""
         return self._staging / name
 
     def publish(self) -> list[Path]:
-        """Move all files to their names and return these."""
+        """Move all files that were made to their names and return these."""
+        from arcless.results.files import settle
+
         try:
-            published = [self.path / staged.name for staged in sorted(self._staging.iterdir())]
-            for target in published:
-                (self._staging / target.name).replace(target)
+            published = sorted(self.path / staged.name for staged in self._staging.iterdir())
+            with interrupts.held_back():
+                self._move()
+            settle(self.path)
         except OSError as error:
             raise self._cannot_write(error) from error
         return published
 
-    def _remove_made(self) -> None:
-        for folder in reversed(self._made):
-            try:
-                folder.rmdir()
-            except OSError:  # it holds published files
-                return
+    def _move(self) -> None:
+        first, *others = self._files
+        made = [name for name in others if (self._staging / name).exists()]
+        aside: list[str] = []
+        try:
+            for name in others:
+                if (self.path / name).exists():
+                    (self.path / name).replace(self._staging / f"{_OLD}{name}")
+                    aside.append(name)
+            (self._staging / first).replace(self.path / first)
+        except OSError:
+            for name in aside:
+                (self._staging / f"{_OLD}{name}").replace(self.path / name)
+            raise
+        for name in made:
+            (self._staging / name).replace(self.path / name)
+
+    def _clear(self) -> None:
+        with interrupts.held_back():
+            shutil.rmtree(self._staging, ignore_errors=True)
+            if self._lock is not None:
+                os.close(self._lock)
+            for folder in reversed(self._made):
+                with suppress(OSError):  # it holds published files, or was not made after all
+                    folder.rmdir()
 
     def _cannot_write(self, error: OSError) -> OutputError:
         return OutputError(

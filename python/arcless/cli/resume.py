@@ -44,7 +44,7 @@ def resume(
     from arcless.results import open as open_result
 
     opened = open_result(result)
-    with OutputFolder(out or result.parent) as folder:
+    with OutputFolder(out or result.parent, *outcome.FILES) as folder:
         whole = _go_on(opened, until, quiet=quiet)
         written = outcome.write(whole, folder, report=not no_report)
     outcome.tell(whole, written, json=json, quiet=quiet)

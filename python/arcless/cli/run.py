@@ -62,7 +62,7 @@ def run(
     `arcless validate` is for them.
     """
     chosen = load(scenario, speed=speed, changes=set_, quiet=quiet)
-    with OutputFolder(out or folder_of(chosen)) as folder:
+    with OutputFolder(out or folder_of(chosen), *outcome.FILES) as folder:
         result = _simulate(chosen, until, quiet=quiet)
         result.dataset.attrs["command"] = _command(scenario, speed, set_)
         written = outcome.write(result, folder, report=not no_report)
@@ -85,6 +85,7 @@ def statics(
     --plot, side view, plan view and elasticity are drawn. Speed and pantographs have no part here.
     """
     from arcless.cli import statics_tables
+    from arcless.results.files import write_bytes
 
     chosen = load(scenario, changes=set_, quiet=quiet)
     written: list[Path] = []
@@ -93,10 +94,10 @@ def statics(
     if out is None:
         result = _find_statics(chosen, quiet=quiet)
     else:
-        with OutputFolder(out) as folder:
+        with OutputFolder(out, "statics.json") as folder:
             result = _find_statics(chosen, quiet=quiet)
             text = console.json_text(result.to_dict())
-            folder.file("statics.json").write_text(text, "utf-8")
+            write_bytes(folder.file("statics.json"), text.encode())
             written = folder.publish()
     found = result.to_dict()
     if plot is not None:

@@ -1,11 +1,11 @@
 """Files that are either whole or absent: written beside their place, then moved into it."""
 
 import os
-import secrets
 from contextlib import suppress
 from pathlib import Path
 
 from arcless.errors import OutputError
+from arcless.results import unfinished
 
 
 def write_bytes(path: str | Path, content: bytes | memoryview) -> None:
@@ -25,19 +25,26 @@ def write_bytes(path: str | Path, content: bytes | memoryview) -> None:
 
     Notes
     -----
-    Whatever ends the writing early, Ctrl-C included, leaves `path` as it was.
+    Whatever ends the writing early, Ctrl-C included, leaves `path` as it was. A process that is
+    killed leaves a hidden file; the next writing into the folder removes it.
     """
-    target = Path(path)
-    temporary = target.with_name(f".{target.name[:80]}.{secrets.token_hex(4)}.part")
+    target = Path(path).resolve()  # a link stays a link
+    temporary = target.with_name(unfinished.new_name())
     try:
-        temporary.write_bytes(content)
-        _flush(temporary)
-        temporary.replace(target)
-        _flush(target.parent)
+        if _is_stream(target):
+            target.write_bytes(content)
+            return
+        unfinished.sweep(target.parent)
+        with unfinished.create(temporary) as file:
+            file.write(content)
+            file.flush()
+            os.fsync(file.fileno())
+            temporary.replace(target)
+        settle(target.parent)
     except OSError as error:
         raise OutputError(
             "the file cannot be written",
-            where=str(target),
+            where=str(path),
             got=error.strerror or str(error),
             expected="a folder that exists and can be written, with room on its disk",
             hint="choose another place",
@@ -47,9 +54,44 @@ def write_bytes(path: str | Path, content: bytes | memoryview) -> None:
             temporary.unlink(missing_ok=True)
 
 
-def _flush(path: Path) -> None:
-    descriptor = os.open(path, os.O_RDONLY)
-    try:
-        os.fsync(descriptor)
-    finally:
-        os.close(descriptor)
+def check_writable(path: Path) -> None:
+    """Refuse, before any computing, a file that could not be written after it.
+
+    Raises
+    ------
+    OutputError
+        The folder is missing or read-only, or the path is a folder.
+    """
+    target = path.resolve()
+    folder = target.parent
+    if _is_stream(target):
+        return
+    if target.is_dir():
+        got = "a folder"
+    elif not folder.is_dir():
+        got = f"no folder {folder}"
+    elif not os.access(folder, os.W_OK):
+        got = f"a read-only folder {folder}"
+    else:
+        return
+    raise OutputError(
+        "the file cannot be written",
+        where=str(path),
+        got=got,
+        expected="a file in a folder that exists and can be written",
+    )
+
+
+def _is_stream(target: Path) -> bool:
+    """Whether a path is that of a device or a pipe: nothing that could be replaced."""
+    return target.is_fifo() or target.is_char_device()
+
+
+def settle(folder: Path) -> None:
+    """Make new names in a folder survive a power cut, where the file system offers that."""
+    with suppress(OSError):
+        descriptor = os.open(folder, os.O_RDONLY)
+        try:
+            os.fsync(descriptor)
+        finally:
+            os.close(descriptor)

@@ -39,8 +39,8 @@ def replayable(scenario: Scenario) -> Iterator[None]:
     try:
         yield
     except EquilibriumError as error:
-        path = _save("arcless-statics", json.dumps(scenario.to_dict(), ensure_ascii=False))
-        error.hint = _join(error.hint, f"replay it with `arcless statics {path}`")
+        text = json.dumps(scenario.to_dict(), ensure_ascii=False)
+        error.hint = _join(error.hint, _replay("statics", "arcless-statics", text))
         raise
 
 
@@ -117,12 +117,11 @@ def _unsolved(mesh: Mesh, pantographs: Sequence[str], details: dict[str, Any]) -
         "w": details["w"],
         "reason": details["reason"],
     }
-    path = _save("arcless-lcp", json.dumps(problem))
     return ContactError(
         "the complementarity problem of a step could not be solved",
         where=f"step {details['step']}, t = {details['time']:.6g} s, {', '.join(links)}",
         got=details["reason"],
-        hint=f"replay it with `arcless replay {path}`",
+        hint=_replay("replay", "arcless-lcp", json.dumps(problem)),
     )
 
 
@@ -134,12 +133,26 @@ def _contacts(numbers: Sequence[Sequence[int]], pantographs: Sequence[str]) -> l
     return [f"pantograph {label(each, pantographs)}" for each in numbers]
 
 
+def _replay(command: str, prefix: str, text: str) -> str:
+    """Save what failed, and say how to replay it; without room the failure itself still counts."""
+    try:
+        path = _save(prefix, text)
+    except OSError as error:
+        return f"no file to replay it could be written: {error.strerror or error}"
+    return f"replay it with `arcless {command} {path}`"
+
+
 def _save(prefix: str, text: str) -> Path:
     """Write a file that outlives the run into the folder for temporary files."""
-    with tempfile.NamedTemporaryFile(
+    file = tempfile.NamedTemporaryFile(  # noqa: SIM115 - closed below, where it may fail
         "w", prefix=f"{prefix}-", suffix=".json", delete=False, encoding="utf-8"
-    ) as file:
-        file.write(text)
+    )
+    try:
+        with file:
+            file.write(text)
+    except BaseException:
+        Path(file.name).unlink(missing_ok=True)
+        raise
     return Path(file.name)
 
 

@@ -3,8 +3,9 @@
 from pathlib import Path
 from typing import Any
 
-from arcless.errors import ModelError, OutputError
+from arcless.errors import ModelError
 from arcless.model import Scenario, load
+from arcless.results.files import check_writable
 from arcless.validate import seed
 from arcless.validate.reference import CASES, DROPPERS, Case, Range
 from arcless.validate.rows import Progress, Row, part
@@ -53,10 +54,7 @@ def _check_report(which: str, report: Path) -> None:
             expected="the suite `seed` or `all`",
             hint="`arcless run` writes a report with the published ranges",
         )
-    if not report.absolute().parent.is_dir():
-        raise OutputError(
-            "the report cannot be written", where=str(report), expected="a folder that exists"
-        )
+    check_writable(report)
 
 
 def _published(progress: Progress | None) -> list[Row]:

@@ -84,10 +84,10 @@ def test_interrupted_save_leaves_the_folder_as_it_was(
     if before is not None:
         path.write_bytes(before)
 
-    def stop(_: Path) -> None:
+    def stop(_: int) -> None:
         raise error
 
-    monkeypatch.setattr(files, "_flush", stop)
+    monkeypatch.setattr(files.os, "fsync", stop)
     with pytest.raises((error, OutputError)):
         save(dataset, path)
     left = {p.name: p.read_bytes() for p in tmp_path.iterdir()}

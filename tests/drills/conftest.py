@@ -1,0 +1,111 @@
+"""A short run that drills stop, and what a folder must look like afterwards."""
+
+import json
+import shutil
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from dataclasses import asdict
+from pathlib import Path
+
+import pytest
+
+import arcless
+from tests.support.stopped import End, Job
+
+ROOT = Path(__file__).parents[2]
+SHORT = ROOT / "tests" / "interface" / "data" / "short.yaml"
+# Six spans in 4 ms steps: a run that takes a fraction of a second, so that drills can be many.
+QUICK = {
+    "line.spans": "[{type: span, count: 6}]",
+    "travel": "{start: 50 m, end: 200 m}",
+    "analysis": "{from: 60 m, to: 190 m}",
+    "solver.time_step": "4 ms",
+}
+# Where the folder holds an older run, it was slower: files of two runs cannot be mistaken.
+OLD, NEW = "140 km/h", "160 km/h"
+RUN = ["run", str(SHORT), "--out", "out", "--quiet", "--speed", NEW]
+RUN += [word for field, value in QUICK.items() for word in ("--set", f"{field}={value}")]
+
+Stop = Callable[[Job], End]
+
+
+@pytest.fixture(scope="session")
+def stop() -> Iterator[Stop]:
+    """Carry out jobs, one after the other, in forks of one process."""
+    with subprocess.Popen(
+        [sys.executable, "-m", "tests.support.stopped", *RUN],
+        cwd=ROOT,
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        text=True,
+    ) as server:
+        assert server.stdin is not None
+        assert server.stdout is not None
+
+        def carry_out(job: Job) -> End:
+            assert server.stdin is not None
+            assert server.stdout is not None
+            print(json.dumps(asdict(job)), file=server.stdin, flush=True)
+            return End(**json.loads(server.stdout.readline()))
+
+        yield carry_out
+        server.stdin.close()
+
+
+@pytest.fixture(scope="session")
+def older(stop: Stop, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return a folder that holds the files of a finished, older run in `out`."""
+    folder = tmp_path_factory.mktemp("older")
+    end = stop(Job([*RUN, "--speed", OLD], str(folder), "never"))
+    assert end.code in (0, 1), end
+    assert names(folder / "out") == ["assessment.json", "report.html", "result.nc"]
+    return folder
+
+
+@pytest.fixture
+def place(older: Path, tmp_path: Path) -> Callable[[str], Path]:
+    """Make a folder for one drill: `fresh`, or `older` with the files of an older run."""
+    made = 0
+
+    def make(kind: str) -> Path:
+        nonlocal made
+        made += 1
+        folder = tmp_path / f"{kind}-{made}"
+        if kind == "older":
+            shutil.copytree(older, folder)
+        else:
+            folder.mkdir()
+        return folder
+
+    return make
+
+
+def names(folder: Path) -> list[str]:
+    """Return the names of the visible files of a folder."""
+    return sorted(p.name for p in folder.glob("*") if not p.name.startswith("."))
+
+
+def leftovers(folder: Path) -> list[str]:
+    """Return everything below a folder that is hidden, by its path."""
+    return sorted(str(p.relative_to(folder)) for p in folder.rglob(".*"))
+
+
+def check_whole(folder: Path) -> str | None:
+    """Read all that has its final name; return the one speed of which it tells, if any."""
+    speeds = set()
+    for name in names(folder):
+        file = folder / name
+        if name == "result.nc":
+            result = arcless.open(file)
+            assert result.dataset.contact_force.size > 0
+            speeds.add(f"{result.scenario.speed * 3.6:.0f} km/h")
+        elif name == "assessment.json":
+            speeds.add(f"{json.loads(file.read_text('utf-8'))['speed_m_s'] * 3.6:.0f} km/h")
+        else:
+            assert name == "report.html", name
+            text = file.read_text("utf-8")
+            assert text.rstrip().endswith("</html>")
+            speeds.add(next(speed for speed in (OLD, NEW) if speed in text))
+    assert len(speeds) <= 1, f"files of two runs in one folder: {speeds}"
+    return speeds.pop() if speeds else None
