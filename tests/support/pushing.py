@@ -60,6 +60,7 @@ def press(
     points: Sequence[float] = (),
     loads: Sequence[LoadData] = (),
     contact: float = np.inf,
+    scheme: tuple[str, list[float]] = TRAPEZOIDAL,
 ) -> Pressed:
     """Let a strip press on the wire, from equilibrium under `start_force` N.
 
@@ -77,6 +78,8 @@ def press(
         Forces on nodes at the same instants.
     contact
         Stiffness of the contact, N/m.
+    scheme
+        Name and numbers of the scheme, as the core is asked.
     """
     pantograph = strip or mass(WEIGHTLESS)
     given = riders.NOTHING if added is None else ([([1.0], added.tolist())], None)
@@ -88,7 +91,7 @@ def press(
         "points": list(points),
         "ledger": False,
     }
-    prepared = line.core.prepare(line.mesh.lanes, TRAPEZOIDAL, step, contact, False)
+    prepared = line.core.prepare(line.mesh.lanes, scheme, step, contact, False)
     raw = prepared.run(
         [riders.rider(pantograph, start_force, given)],
         [0.0],

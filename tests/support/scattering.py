@@ -6,13 +6,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from arcless.model.components import Wire
-from tests.support.pushing import Pressed, press
+from tests.support.pushing import TRAPEZOIDAL, Pressed, press
 from tests.support.straight import Floats, Straight, stations
 from tests.support.waves import Complex, Waves, balanced, pulse, spectrum
 
 # In m. Until the record ends, nothing comes back from the ends of the wire.
 SOURCE, BEFORE, OBSTACLE, BEHIND, END = 80.0, 100.0, 120.0, 140.0, 240.0
 STEP, STEPS = 1e-3, 1400  # s
+TIMES = STEP * np.arange(STEPS + 1)
 PRESSED, SIZE = 100.0, 50.0  # N
 # The pulse holds enough of these for them to be read: at 30 Hz a thirteenth of its largest.
 FREQUENCIES = np.arange(2.0, 31.0, 2.0)  # Hz
@@ -100,11 +101,19 @@ def _run(line: Straight, fasten: Fasten) -> Pressed:
     return run
 
 
-def send(line: Straight, watched: list[int]) -> Pressed:
+def send(
+    line: Straight,
+    watched: list[int],
+    scheme: tuple[str, list[float]] = TRAPEZOIDAL,
+    added: Floats | None = None,
+) -> Pressed:
     """Send a pulse from `SOURCE`; uplift counts from the wire under the constant force."""
-    time = STEP * np.arange(STEPS + 1)
-    added = pulse(time, middle=0.08, width=0.012, size=SIZE)
+    if added is None:
+        added = pulse(TIMES, middle=0.08, width=0.012, size=SIZE)
     stand = np.full(STEPS + 1, SOURCE)
-    run = press(line.find(), PRESSED, stand, 0.0, STEP, added=added - added[0], nodes=watched)
+    run = press(
+        line.find(), PRESSED, stand, 0.0, STEP,
+        added=added - added[0], nodes=watched, scheme=scheme,
+    )  # fmt: skip
     run.nodes[:] -= run.nodes[0]
     return run

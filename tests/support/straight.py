@@ -22,10 +22,12 @@ ALONG, UP = 0, 1
 NEARLY_NONE = 1e-9
 
 
-def wire(tension: float, mass: float, bending: float = 0.0, axial: float = 1e9) -> Wire:
-    """Return a wire: N, kg per metre without tension, N·m², N."""
+def wire(
+    tension: float, mass: float, bending: float = 0.0, axial: float = 1e9, **damping: float
+) -> Wire:
+    """Return a wire: N, kg per metre without tension, N·m², N; alpha in 1/s and beta in s."""
     stiffness = {"axial_stiffness": axial, "bending_stiffness": bending}
-    return Wire.model_validate({"tension": tension, "mass": mass, **stiffness})
+    return Wire.model_validate({"tension": tension, "mass": mass, **stiffness, "damping": damping})
 
 
 def stations(start: float, end: float, coarse: float, fine: dict[float, float]) -> Floats:
