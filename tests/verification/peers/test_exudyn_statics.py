@@ -13,7 +13,8 @@ another tension T + ΔT their strains differ by `3 T ΔT / (EA)²`. In the messe
 28 N (it is steeper near a support); that is 1e-8 or less of its length, 0.6 µm in a span.
 
 Both use elements of 1.5 m (contact wire) and 3 m (messenger wire) and the same cubic shapes, so
-refining changes nothing here. Reaction and slope at hinged supports are as in Arcless.
+refining changes nothing here. The messenger wire has hinges at
+its supports, as in Arcless. The record was written with Exudyn 1.13.6.
 """
 
 import numpy as np

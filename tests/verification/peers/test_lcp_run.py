@@ -1,7 +1,7 @@
 """A run whose complementarity problems are solved by QuantEcon
 
-The steps of docs/theory/dynamics.md and contact.md once more, written for this page: dense
-matrices, K and M of the line by scikit-fem (page "Line at rest and its natural frequencies, by
+The steps of docs/theory/dynamics.md and contact.md once more, written for this section: dense
+matrices, K and M of the line by scikit-fem (section "Line at rest and its natural frequencies, by
 scikit-fem"), every dropper in each problem, no short columns, no warm start, and each problem
 solved by Lemke's method of QuantEcon. Nothing in it comes from Arcless's core but the lengths to
 which the line was cut.
@@ -11,9 +11,9 @@ Three spans of `en50318-2002` with elements of 3 m and 6 m, 30 m of travel at 25
 droppers slacken. Contact forces are compared step by step, unfiltered.
 
 Each of these problems has 28 unknowns, the contact and 27 droppers. They are also given to
-`arcless.lcp.solve`; differences are in roundings, `ε cond(H) max x`, as on the other pages of
+`arcless.lcp.solve`; differences are in roundings, `ε cond(H) max x`, as in the other sections on
 complementarity. They are gentle: at such steps what happens at one dropper hardly reaches the
-next, and cond(H) is 1.01. Hard ones are on those pages.
+next, and cond(H) is 1.01. Hard ones are in those sections.
 """
 
 from functools import cache

@@ -1,7 +1,7 @@
 """Line at rest and its natural frequencies, by scikit-fem
 
 scikit-fem (Gustafsson & McBain, JOSS 5 (2020) 2369) brings elements, quadrature and assembly; what
-is integrated is written down for this page, from the energy of docs/theory/wires.md:
+is integrated is written down for this section, from the energy of docs/theory/wires.md:
 
 `U = ∫ ½ EA ε² + ½ EI κ² − μ g z ds`, `ε = ½ (r′·r′ − 1)`, `κ = (x′z″ − z′x″)/|r′|³`
 
