@@ -1,11 +1,11 @@
 """EN 50318:2002 line under a running pantograph, in Exudyn
 
 The line of the section "EN 50318:2002 line at rest, in Exudyn" with the pantograph of the case
-under it: two masses that fly along the track with constant speed, springs and dampers between, 116 N at
-the start. The contact is a spring of 50 kN/m that only pushes, from the head to that point of a
-cable that stands above it. Damping of the wires is `α M + β K` with M and K as Exudyn has them at
-rest; droppers have `max(0, k e + c ė)` with `c = β k`. Both programs take generalised-α steps with
-spectral radius 0.9.
+under it: two masses that fly along the track with constant speed, springs and dampers between, 116
+N at the start. The contact is a spring of 50 kN/m that only pushes, from the head to that point of
+a cable that stands above it. Damping of the wires is `α M + β K` with M and K as Exudyn has them
+at rest; droppers have `max(0, k e + c ė)` with `c = β k`. Both programs take generalised-α steps
+with spectral radius 0.9.
 
 What differs, and what it does:
 
