@@ -5,11 +5,11 @@ The problems of the section "Complementarity problems, solved by QuantEcon", giv
 them at unit diagonal, too. Differences are in roundings, `ε cond(H) max x`.
 
 Where the methods differ: when Lemke's method fails, Moby adds λ to the diagonal, more and more
-(1e-4 to 1 here), and reports success with the answer to the changed problem. It does so for near-
+(1e-4 to 1 here), and reports success with the answer to the changed problem. It does so for nearly
 singular problems (condition number 1e6, two thirds of them) and for rings with equal w, where
-ratios tie. There its answer violates the conditions of what was asked. λ can be read from it: `λ =
-−(Hx + w)_k / x_k`, the same for each closed contact k. So Arcless is given `H + λ 1` there, and
-the answers agree again. The problems as they were asked are answered in the section of QuantEcon.
+ratios tie. There its answer violates the conditions of what was asked. From it λ can be read,
+`λ = −(Hx + w)_k / x_k`, the same for each closed contact k. So Arcless is given `H + λ 1` there,
+and the answers agree again. The section of QuantEcon has the answers to what was asked.
 
 The record was written with Drake 1.51.
 """
