@@ -21,9 +21,9 @@ MODELS = {
 
 def span(
     model: str, count: int, *, length: float, rest: float, axial: float, bending: float,
-    mass: float, gravity: float = 0.0, wind: float = 0.0, sag: float = 0.0,
+    mass: float, gravity: float = 0.0, wind: float = 0.0, sag: float = 0.0, grading: float = 0.0,
 ) -> Mesh:  # fmt: skip
-    """Return a wire of `count` equal pieces between points `length` m apart.
+    """Return a wire of `count` pieces between points `length` m apart.
 
     Parameters
     ----------
@@ -35,11 +35,14 @@ def span(
         m/s²; force across the track in N per metre of rest length, in space only.
     sag
         Of the first guess, m.
+    grading
+        Pieces are longer by this share at the first end than on average, and shorter at the other.
     """
     kind, dimension = MODELS[model]
     s = np.linspace(0.0, 1.0, count + 1)
+    s = s + grading * s * (1.0 - s)
     x, z, zero = length * s, -4.0 * sag * s * (1.0 - s), np.zeros(count + 1)
-    piece = rest / count
+    pieces = (rest * np.diff(s)).tolist()
     slopes = (
         np.column_stack([np.full(count + 1, length), zero, -4.0 * sag * (1.0 - 2.0 * s)]) / rest
     )
@@ -48,7 +51,7 @@ def span(
         points, slopes = points[:, [0, 2, 1]], slopes[:, [0, 2, 1]]
     parts = Parts()
     tension = axial * (length / rest - 1.0) if length > rest else 1.0
-    for i in range(count):
+    for i, piece in enumerate(pieces):
         if kind == "hermite":
             both = (i, i + 1)
             parts.add("wires", (*both, *both), (piece, axial, bending, mass, 0.0, 0.0, tension))
@@ -88,19 +91,25 @@ def rigidity(model: str, bending: float) -> float:
     return bending / STRETCH if MODELS[model][0] == "hermite" else bending * STRETCH**3
 
 
-def straight(model: str, count: int, *, bending: float, stretch: float = STRETCH) -> Equilibrium:
+def straight(
+    model: str, count: int, *, bending: float, stretch: float = STRETCH, grading: float = 0.0
+) -> Equilibrium:
     """Bring a weightless wire to rest."""
     rest = LENGTH / stretch
     mesh = span(
-        model, count, length=LENGTH, rest=rest, axial=AXIAL, bending=bending, mass=MASS
+        model, count, length=LENGTH, rest=rest, axial=AXIAL, bending=bending, mass=MASS,
+        grading=grading,
     )  # fmt: skip
     return at_rest(mesh)
 
 
-def frequency_error(model: str, count: int, *, bending: float, taut: bool) -> float:
+def frequency_error(
+    model: str, count: int, *, bending: float, taut: bool, grading: float = 0.0
+) -> float:
     """Relative error of the third natural frequency, ω² = (T k² + EI k⁴)/μ, k = 3π/L."""
     stretch = STRETCH if taut else 1.0
-    found = straight(model, count, bending=bending, stretch=stretch).frequencies(8)
+    wire = straight(model, count, bending=bending, stretch=stretch, grading=grading)
+    found = wire.frequencies(8)
     # In space each one comes twice.
     distinct = [f for f, before in zip(found, [0.0, *found], strict=False) if f > 1.01 * before]
     k = 3.0 * np.pi / LENGTH

@@ -1,10 +1,12 @@
 """What the checks of the orders of chains of point masses notice."""
 
 from collections.abc import Callable
+from typing import Any
 
+import numpy as np
 import pytest
 
-from tests.support.faults import gravity, scaled
+from tests.support.faults import gravity, scaled, spoiled
 from tests.verification.orders import test_element_length_point_masses as topic
 
 Notice = Callable[..., None]
@@ -29,3 +31,18 @@ def test_statics(noticed: Notice, model: str) -> None:
 def test_wind(noticed: Notice) -> None:
     with scaled("wire_loads", "across", -1.0):
         noticed("wind from the other side", topic.test_statics, model="point masses, spatial")
+
+
+def test_bends_between_unequal_pieces(noticed: Notice) -> None:
+    """A bend takes the mean of the pieces beside it; here that before it, where they differ."""
+
+    def before(arguments: dict[str, Any]) -> bool:
+        pieces = arguments["parts"]["segments"][1][:, 0]
+        numbers, floats = arguments["parts"]["bends"]
+        share = pieces[numbers[:, 0]] / pieces[numbers].mean(axis=1)
+        floats[:, 0] *= share
+        return bool(np.any(abs(share - 1.0) > 1e-6))
+
+    with spoiled(before):
+        what = "bends with the length of the piece before them"
+        noticed(what, topic.test_frequencies, model="point masses, planar")

@@ -17,8 +17,8 @@ span of 55 m in elements of 1.45 m.
 References: pinned wire `ω² = (T k² + EI k⁴)/μ`, k = 3π/L; elasticity at mid-span `L/4T −
 tanh(λL/2)/(2 T λ)`, λ² = T/EI (elementary); the exact curve of a heavy wire that stretches, see
 Sag, with the elements' law `N = EA ½ (s² − 1) s`. One wire of 60 m, EA = 10 MN, 20 kN; for the sag
-EA = 0.1 MN, 10 kN, 196 N/m, 8 m deep, in space with 60 N/m of wind. Meshes of equal elements, made
-by hand.
+EA = 0.1 MN, 10 kN, 196 N/m, 8 m deep, in space with 60 N/m of wind. Meshes made by hand, of equal
+elements and of elements three times longer at one end.
 """
 
 from typing import Any
@@ -52,6 +52,16 @@ def test_frequencies(evidence: Any, model: str) -> None:
         tolerance=0.1,
         reason=NEXT,
         unit="element length",
+    )
+
+    evidence.order(
+        f"{model}: third frequency of a beam, pieces from 3 to 1",
+        SIZES,
+        [spans.frequency_error(model, n, bending=1e5, taut=False, grading=0.5) for n in COUNTS],
+        4.0,
+        tolerance=0.1,
+        reason=NEXT,
+        unit="mean element length",
     )
 
 

@@ -8,7 +8,7 @@ second differences. Theory (derived here):
     point force on a node    exact for a string: a chain has its kink where the force is
 
 References as for Element length, cubic elements, with Hooke's law `N = EA (s − 1)` of the pieces.
-The same wires, in equal pieces.
+The same wires, in equal pieces, and in pieces three times longer at one end.
 """
 
 from typing import Any
@@ -52,6 +52,16 @@ def test_frequencies(evidence: Any, model: str) -> None:
         tolerance=0.02,
         reason=NEXT,
         unit="piece length",
+    )
+
+    evidence.order(
+        f"{model}: third frequency of a beam, pieces from 3 to 1",
+        SIZES,
+        [spans.frequency_error(model, n, bending=1e5, taut=False, grading=0.5) for n in COUNTS],
+        2.0,
+        tolerance=0.02,
+        reason=NEXT,
+        unit="mean piece length",
     )
 
 
