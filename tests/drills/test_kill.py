@@ -6,6 +6,8 @@ from pathlib import Path
 
 import pytest
 
+import arcless
+from arcless.results import unfinished
 from tests.drills.conftest import NEW, OLD, RUN, Stop, check_whole, leftovers, names
 from tests.support.stopped import Job
 
@@ -69,7 +71,7 @@ def test_at_random_moments(stop: Stop, place: Place) -> None:
 
 @pytest.mark.evidence
 def test_at_many_random_moments(stop: Stop, place: Place) -> None:
-    assert kill_at_random(stop, place, 150, RUN, longest_s=2.0) > 50
+    assert kill_at_random(stop, place, 60, RUN, longest_s=2.0) > 20
 
 
 def test_the_next_run_works_and_removes_what_was_left(stop: Stop, place: Place) -> None:
@@ -80,6 +82,19 @@ def test_the_next_run_works_and_removes_what_was_left(stop: Stop, place: Place) 
     assert stop(Job(FEW, str(folder), "never")).code in (0, 1)
     assert leftovers(folder) == []
     assert names(folder / "out") == ["assessment.json", "result.nc"]
+    assert check_whole(folder / "out") == NEW
+
+
+def test_a_run_that_stopped_early_can_still_go_on(stop: Stop, place: Place) -> None:
+    folder = place("fresh")
+    assert stop(Job([*FEW, "--until", "120 m"], str(folder), "never")).code == 0
+    go_on = ["resume", "out/result.nc", "--no-report", "--quiet"]
+    for operation in (2, 5):  # in its own folder: the new result replaces the state it came from
+        assert stop(Job(go_on, str(folder), "kill", operation)).code == KILLED
+        assert not arcless.open(folder / "out/result.nc").is_complete
+    assert stop(Job(go_on, str(folder), "never")).code in (0, 1)
+    assert leftovers(folder) == []
+    assert arcless.open(folder / "out/result.nc").is_complete
     assert check_whole(folder / "out") == NEW
 
 
@@ -94,8 +109,6 @@ def test_a_file_of_one_name_is_swept_too(stop: Stop, place: Place) -> None:
 
 
 def test_a_writer_at_work_is_not_swept(stop: Stop, place: Place) -> None:
-    from arcless.results import unfinished
-
     folder = place("older") / "out"
     with unfinished.create(folder / unfinished.new_name()) as mine:
         mine.write(b"not yet")

@@ -28,7 +28,7 @@ def write_bytes(path: str | Path, content: bytes | memoryview) -> None:
     Whatever ends the writing early, Ctrl-C included, leaves `path` as it was. A process that is
     killed leaves a hidden file; the next writing into the folder removes it.
     """
-    target = Path(path).resolve()  # a link stays a link
+    target = Path(os.path.realpath(path))  # a link stays a link; `resolve` fails on a loop of them
     temporary = target.with_name(unfinished.new_name())
     try:
         if _is_stream(target):
@@ -62,7 +62,7 @@ def check_writable(path: Path) -> None:
     OutputError
         The folder is missing or read-only, or the path is a folder.
     """
-    target = path.resolve()
+    target = Path(os.path.realpath(path))
     folder = target.parent
     if _is_stream(target):
         return

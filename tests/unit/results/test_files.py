@@ -32,6 +32,15 @@ def test_a_link_stays_a_link(tmp_path: Path) -> None:
     assert (tmp_path / "file").read_bytes() == b"new"
 
 
+def test_links_in_a_circle_are_refused(tmp_path: Path) -> None:
+    (tmp_path / "a").symlink_to(tmp_path / "b")
+    (tmp_path / "b").symlink_to(tmp_path / "a")
+    with pytest.raises(OutputError, match="no folder"):
+        check_writable(tmp_path / "a" / "x.nc")
+    with pytest.raises(OutputError, match="symbolic links"):
+        write_bytes(tmp_path / "a" / "x.nc", b"new")
+
+
 def test_only_what_nobody_holds_is_swept(tmp_path: Path) -> None:
     at_work = tmp_path / unfinished.new_name()
     lock = unfinished.create_folder(at_work)
