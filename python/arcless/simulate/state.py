@@ -47,7 +47,11 @@ def stop_step(travel: Motion, until: str | float | None, after: int = 0) -> int:
     ------
     ModelError
         Neither a place nor a time, or one that leaves no step to do after the first `after`.
+    ResultFormatError
+        The travel has no step after the first `after`.
     """
+    if after >= travel.steps:
+        raise ResultFormatError("the state in the result is damaged", where="its step")
     if until is None:
         return travel.steps
     try:
@@ -128,6 +132,7 @@ def read(result: Result) -> State:
     values, parts = result.dataset["state"].values, facts.get("parts")
     step = facts.get("step")
     sound = isinstance(parts, dict) and all(_is_count(n) for n in [step, *parts.values()])
+    sound = sound and values.ndim == 1 and values.dtype == np.float64
     if not sound or sum(parts.values()) != len(values) or step != result.metadata["steps"]:
         raise ResultFormatError("the state in the result is damaged", where="attribute `state`")
     if not np.isfinite(values).all():
