@@ -34,7 +34,9 @@ class Mutation:
         return root / "crates" / "core" / "src" / self.file
 
     def spoil(self, text: str) -> str:
-        assert text.count(self.old) == 1, f"{self.file} has `{self.old}` {text.count(self.old)} times"
+        assert text.count(self.old) == 1, (
+            f"{self.file} has `{self.old}` {text.count(self.old)} times"
+        )
         return text.replace(self.old, self.new)
 
     def nodes(self) -> list[str]:
@@ -78,10 +80,24 @@ class Workshop:
 
     def fails(self, checks: Sequence[str]) -> dict[str, bool]:
         """Run checks with the core that was built last."""
-        command = [sys.executable, "-m", "pytest", "--tb=no", "-q", "-rfE", "-p", "no:cacheprovider"]
+        command = [
+            sys.executable,
+            "-m",
+            "pytest",
+            "--tb=no",
+            "-q",
+            "-rfE",
+            "-p",
+            "no:cacheprovider",
+        ]
         environment = os.environ | {"PYTHONPATH": str(self.folder / "python")}
         done = subprocess.run(
-            [*command, *checks], cwd=ROOT, env=environment, capture_output=True, text=True, check=False
+            [*command, *checks],
+            cwd=ROOT,
+            env=environment,
+            capture_output=True,
+            text=True,
+            check=False,
         )
         assert done.returncode in (0, 1), done.stdout + done.stderr
         lines = done.stdout.splitlines()

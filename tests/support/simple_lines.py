@@ -60,3 +60,9 @@ def rail_data(**changes: Any) -> dict[str, Any]:
     data["span_types"] = {"span": {"length": 8.0}}
     data["spans"] = [{"type": "span", "count": 30}]
     return changed(data, changes)
+
+
+def one_span_data(**changes: Any) -> dict[str, Any]:
+    """Return a trolley wire without bending stiffness over one span of 60 m: a string."""
+    span = {"span_types__span__length": 60.0, "spans": [{"type": "span"}]}
+    return trolley_data(**{"contact_wire__bending_stiffness": 0.0, **span, **changes})
