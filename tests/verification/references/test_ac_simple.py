@@ -1,0 +1,53 @@
+"""AC simple at 275 and 320 km/h against remembered ranges
+
+Ranges remembered as those of EN 50318:2018 for its case AC simple (mark C*: unverified; the
+standard was not read, nor is it certain that this line is its line). Agreement is encouraging and
+no conformity, disagreement no failure. Nothing in the model was changed to meet them.
+
+Asked as `en50318-ac-simple-275` and `-320`. The mean force is the one asked for: that is the search
+for the static force, not the model. A value more than a whole range beside its range would be
+another problem (a wrong unit, a lost filter) and fails.
+"""
+
+from collections.abc import Callable
+
+import pytest
+
+from arcless.results import Result
+from arcless.validate import CASES, compare
+from tests.support.evidence import Evidence
+
+RunOnce = Callable[..., Result]
+SPEEDS = {case.title.rpartition(", ")[2]: case for case in CASES if "ac-simple" in case.scenario}
+
+
+@pytest.mark.parametrize("speed", SPEEDS)
+def test_ranges(evidence: Evidence, run_once: RunOnce, speed: str) -> None:
+    case = SPEEDS[speed]
+    rows = compare(case, run_once(case.scenario).assessment.to_dict())
+    assert len(rows) == len(case.ranges) == 9
+    for row in rows:
+        assert row.value is not None
+        assert row.low is not None
+        assert row.high is not None
+        evidence.published(
+            f"{row.quantity}, {speed}", row.value, row.low, row.high, unit=row.unit,
+            mark=row.mark, source="remembered as EN 50318:2018; not read",
+        )  # fmt: skip
+        room = row.high - row.low
+        assert row.low - room <= row.value <= row.high + room, row
+
+
+@pytest.mark.parametrize("speed", SPEEDS)
+def test_mean_force(evidence: Evidence, run_once: RunOnce, speed: str) -> None:
+    result = run_once(SPEEDS[speed].scenario)
+    asked = result.scenario.pantographs[0].mean_force
+    assert asked is not None
+    evidence.close(
+        f"mean force against the one asked for, {speed}",
+        result.assessment.pantographs[0].mean_force_N,
+        asked,
+        unit="N",
+        absolute=0.02,
+        reason="the tolerance that the search for the static force documents",
+    )

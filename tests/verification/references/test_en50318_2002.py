@@ -1,0 +1,55 @@
+"""EN 50318:2002: ten spans of 60 m, one pantograph of two masses, 250 and 300 km/h
+
+Published ranges of statistics of the contact force and of the uplift. The ranges were read in a
+paper that quotes the standard (table III of Wang, Liu, Mu, Huang, Wang, Gao 2015); the standard
+itself was not read, so they are known second hand. What the description leaves open, and how much
+each choice matters, stands on the page en50318-2002.
+
+Asked as the shipped scenarios `en50318-2002-250` and `-300`. One of 16 values is outside: the
+lowest force at 250 km/h. A value outside is a finding, no failure of the test; the test fails when
+the number of those inside changes, or the value.
+"""
+
+from collections.abc import Callable
+
+import pytest
+
+from arcless.results import Result
+from arcless.validate import CASES, compare
+from arcless.validate.reference import Case
+from tests.support.evidence import Evidence
+
+RunOnce = Callable[..., Result]
+SPEEDS = {case.title.rpartition(", ")[2]: case for case in CASES if "2002" in case.scenario}
+# The one number that stays outside; docs/validation/en50318-2002.md says what may be missing.
+KNOWN_OUTSIDE = {"250 km/h": {"min_force_N"}, "300 km/h": set[str]()}
+
+
+@pytest.mark.parametrize("speed", SPEEDS)
+def test_ranges(evidence: Evidence, run_once: RunOnce, speed: str) -> None:
+    case: Case = SPEEDS[speed]
+    rows = compare(case, run_once(case.scenario).assessment.to_dict())
+    assert len(rows) == len(case.ranges) == 8
+    for row in rows:
+        assert row.value is not None
+        evidence.published(
+            f"{row.quantity}, {speed}", row.value, row.low, row.high, unit=row.unit,
+            mark=row.mark, source="EN 50318:2002, quoted by Wang et al. 2015",
+        )  # fmt: skip
+    assert {row.key for row in rows if row.violates} == KNOWN_OUTSIDE[speed]
+
+
+@pytest.mark.parametrize("speed", SPEEDS)
+def test_mean_force_is_the_static_one(evidence: Evidence, run_once: RunOnce, speed: str) -> None:
+    result = run_once(SPEEDS[speed].scenario)
+    static = result.scenario.pantographs[0].static_force
+    assert static is not None
+    evidence.close(
+        f"mean force against the static one, {speed}",
+        result.assessment.pantographs[0].mean_force_N,
+        static,
+        unit="N",
+        relative=0.02,
+        reason="no aerodynamic force; the spring of the base, 50 N/m, loses 50 N/m times the mean "
+        "uplift of 3 to 5 cm, and sections of two spans are no whole period: 1 N each",
+    )
