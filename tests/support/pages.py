@@ -1,6 +1,7 @@
 """Tables of pages, and the modules of docs/validation that make them."""
 
 import importlib
+import re
 import sys
 from pathlib import Path
 from types import ModuleType
@@ -34,3 +35,37 @@ def cells(text: str) -> list[list[str]]:
     """Return the cells of a table without its head."""
     rows = [line for line in text.splitlines() if line.startswith("|")]
     return [[cell.strip() for cell in row.strip("|").split("|")] for row in rows[2:]]
+
+
+# Loss of contact and slack droppers make of rounding another course of events: some per cent.
+REPEATS = 0.02
+# Residuals below this are rounding, of which only that they are small is said.
+NOTHING = 1e-9
+NUMBER = re.compile(r"[-+−]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
+
+
+def alike(cell: str, shown: str) -> bool:
+    """Whether two cells say the same: equal words, numbers to a unit of their last digit or 2 %."""
+    if NUMBER.sub("#", cell) != NUMBER.sub("#", shown):
+        return False
+    pairs = zip(NUMBER.findall(cell), NUMBER.findall(shown), strict=True)
+    return all(_close(one, other) for one, other in pairs)
+
+
+def _close(one: str, other: str) -> bool:
+    now, then = (float(text.replace("−", "-")) for text in (one, other))
+    if abs(now) < NOTHING and abs(then) < NOTHING:
+        return True
+    decimals = len(other.partition(".")[2].partition("e")[0])
+    exponent = int(other.partition("e")[2] or 0)
+    return abs(now - then) <= max(1.01 * 10.0 ** (exponent - decimals), REPEATS * abs(then))
+
+
+def renewed(page: str, name: str, made: str) -> None:
+    """Put a table into its page, row by row where a row says something else."""
+    path = DOCS / "validation" / f"{page}.md"
+    text, old = path.read_text(encoding="utf-8"), table(page, name)
+    before, now = old.splitlines(), made.strip().splitlines()
+    if len(before) == len(now):
+        now = [o if alike(n, o) else n for o, n in zip(before, now, strict=True)]
+    path.write_text(text.replace(old, "\n".join(now)), encoding="utf-8")

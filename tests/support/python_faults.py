@@ -5,7 +5,6 @@ from contextlib import contextmanager
 from typing import Any
 from unittest.mock import patch
 
-from arcless.simulate import equilibrium
 from tests.support.faults import COLUMNS, spoiled
 
 
@@ -31,17 +30,6 @@ def wrong(owner: Any, name: str, spoil: Callable[[Any], Any]) -> Iterator[None]:
     finally:
         if not called:
             raise RuntimeError(f"{name} was not called: the fault was never put in")
-
-
-@contextmanager
-def altered(name: str, spoil: Callable[[Any], Any]) -> Iterator[None]:
-    """Change a list of the as-built alteration (`length_factor`, `axial_factor`, …)."""
-
-    def spoil_list(changes: dict[str, Any]) -> dict[str, Any]:
-        return {**changes, name: spoil(changes[name])}
-
-    with wrong(equilibrium, "alteration", spoil_list):
-        yield
 
 
 @contextmanager

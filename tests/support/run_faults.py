@@ -12,6 +12,7 @@ PREPARED = ("lanes", "scheme", "step", "contact_stiffness", "updated")
 RUN = ("riders", "distances", "positions", "speeds", "friction", "loads", "plan", "observe")
 # Where `arcless.simulate.riders.RiderData` keeps its matrices.
 RIDER = {"mass": 0, "damping": 1, "stiffness": 2}
+START_FORCE = 6
 # False where there was nothing to spoil.
 Spoil = Callable[[dict[str, Any]], bool | None]
 
@@ -82,6 +83,20 @@ def rider_scaled(matrix: str, factor: float) -> Iterator[None]:
             for rider in before
         ]
         return bool(arguments["riders"] != before)
+
+    with spoiled(running=spoil):
+        yield
+
+
+@contextmanager
+def start_force(factor: float) -> Iterator[None]:
+    """Multiply the contact force at the start, which the preload of every rider follows from."""
+
+    def spoil(arguments: dict[str, Any]) -> None:
+        arguments["riders"] = [
+            (*rider[:START_FORCE], factor * rider[START_FORCE], *rider[START_FORCE + 1 :])
+            for rider in arguments["riders"]
+        ]
 
     with spoiled(running=spoil):
         yield

@@ -1,9 +1,9 @@
 """Reference runs: halving elements or time step
 
-The promise: halving the element lengths or the time step changes mean, standard deviation and uplift
-of the reference runs by less than 1 %. The static force is the one found by the first run of each
-case, so that only the refinement differs. Orders of convergence stand in the other topics of this
-group; here is what is left at the mesh that ships.
+The promise: halving the element lengths or the time step changes mean, standard deviation and
+uplift of the reference runs by less than 1 %. The static force is the one found by the first run of
+each case, so that only the refinement differs. Orders of convergence stand in the other topics of
+this group; here is what is left at the mesh that ships.
 
 Asked as the four reference scenarios, eight refined runs.
 """

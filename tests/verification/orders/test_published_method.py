@@ -7,8 +7,8 @@ differ in one thing:
 * wire model, chains against cubic elements: second order in the element length
 * scheme, backward differences against generalised-α: first order in the time step; they damp like
   β = τ beside the 4 ms of the line, which takes τ/β from the order
-* kinematics, updated against linearised, without weight: with the cube of the force. A straight line
-  looks the same from above and below, so nothing quadratic can follow the linear term
+* kinematics, updated against linearised, without weight: with the cube of the force. A straight
+  line looks the same from above and below, so nothing quadratic can follow the linear term
 
 Theory: Kolesnikov & Kuvshinov's step is backward Euler; the chain is the central difference of the
 beam. The reference is the default method at 0.25 m and 0.2 ms, which has an error of its own of

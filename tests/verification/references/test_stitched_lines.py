@@ -28,7 +28,13 @@ def at_rest(line: str, **changes: object) -> StaticsResult:
     return arcless.statics(base.with_(**{f"line.{path}": v for path, v in changes.items()}))
 
 
-@pytest.mark.parametrize("line", LINES)
+QUICK = ("norway-s25",)
+
+
+@pytest.mark.parametrize(
+    "line",
+    [line if line in QUICK else pytest.param(line, marks=pytest.mark.evidence) for line in LINES],
+)
 def test_elasticity(evidence: Evidence, line: str) -> None:
     stitched, plain = at_rest(line), at_rest(line, stitch_wire=None)
     with_, without = stitched.elasticity_m_per_N, plain.elasticity_m_per_N

@@ -30,10 +30,8 @@ def uplift(run_once: RunOnce, scenario: str, spacing: float | None) -> float:
     return found
 
 
-@pytest.mark.parametrize(
-    "scenario",
-    ["spain-ca-200-200", pytest.param("spain-ca-220-220", marks=pytest.mark.evidence)],
-)
+@pytest.mark.evidence
+@pytest.mark.parametrize("scenario", PUBLISHED)
 def test_published(evidence: Evidence, run_once: RunOnce, scenario: str) -> None:
     found = [uplift(run_once, scenario, spacing) for spacing in SPACINGS]
     middle, half = (max(found) + min(found)) / 2, (max(found) - min(found)) / 2

@@ -1,4 +1,4 @@
-"""Masses, inserts, midpoint anchors and tensioning springs against closed forms."""
+"""Masses, inserts, midpoint anchors and tensioning springs in lines that run."""
 
 from typing import Any
 

@@ -1,0 +1,26 @@
+"""The checks of the staggered line notice another tension and softer arms."""
+
+from collections.abc import Callable
+from typing import Any
+
+from tests.support import fresh
+from tests.support.faults import scaled
+from tests.support.python_faults import tension
+from tests.verification.conservation import test_staggered_line as checks
+
+Noticed = Callable[..., None]
+
+
+def test_tension_2_percent_high(noticed: Noticed) -> None:
+    with tension(1.02):
+        noticed("tensions 2 % too high", checks.test_force_of_an_arm, at_rest=fresh.at_rest)
+
+
+def test_arms_of_the_plane_line_10_percent_stiff(noticed: Noticed) -> None:
+    def at_rest(name: str, changes: dict[str, Any] | None = None) -> object:
+        if not changes:
+            return fresh.at_rest(name)
+        with scaled("springs", "stiffness", 1.1):
+            return fresh.at_rest(name, changes)
+
+    noticed("springs of the plane line 10 % stiffer", checks.test_elasticity, at_rest=at_rest)
