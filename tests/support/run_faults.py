@@ -9,7 +9,10 @@ from unittest.mock import patch
 from arcless.simulate import equilibrium
 
 PREPARED = ("lanes", "scheme", "step", "contact_stiffness", "updated")
-RUN = ("riders", "distances", "positions", "speeds", "friction", "loads", "plan", "observe")
+RUN = (
+    "riders", "distances", "positions", "speeds", "friction", "loads", "plan", "observe",
+    "state", "until",
+)  # fmt: skip
 # Where `arcless.simulate.riders.RiderData` keeps its matrices.
 RIDER = {"mass": 0, "damping": 1, "stiffness": 2}
 START_FORCE = 6
@@ -40,7 +43,7 @@ def spoiled(*, preparing: Spoil | None = None, running: Spoil | None = None) -> 
     spoilt: list[Spoil] = []
 
     def changed(names: tuple[str, ...], values: tuple[Any, ...], spoil: Spoil | None) -> list[Any]:
-        named = dict(zip(names, values, strict=True))
+        named = dict(zip(names[: len(values)], values, strict=True))
         if spoil is not None:
             # Matrices and plans are used again; who watches stays who it is.
             named |= deepcopy({name: value for name, value in named.items() if name != "observe"})
