@@ -10,4 +10,4 @@ Noticed = Callable[..., None]
 
 def test_in_the_wake(noticed: Noticed) -> None:
     with patch.object(checks, "APART", 110.0):
-        noticed("110 m apart, not 3 km", checks.test_trailing)
+        noticed("110 m apart, not 6 km", checks.test_trailing)

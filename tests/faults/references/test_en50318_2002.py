@@ -27,9 +27,9 @@ def test_a_softer_rider(noticed: Noticed) -> None:
         )  # fmt: skip
 
 
-def test_more_preload(noticed: Noticed) -> None:
-    with start_force(1.03):
+def test_less_preload(noticed: Noticed) -> None:
+    with start_force(0.97):
         noticed(
-            "3 % more preload than asked for", checks.test_mean_force_is_the_static_one,
+            "3 % less preload than asked for", checks.test_mean_force_is_the_static_one,
             run_once=fresh.run, speed="300 km/h",
         )  # fmt: skip
