@@ -1,20 +1,17 @@
-"""The check of uplifts notices an uplift that is read from the wrong wire's support."""
+"""The check of uplifts notices an uplift that is read over the wrong length of wire."""
 
 from collections.abc import Callable
+from unittest.mock import patch
 
-import pytest
-
-from arcless.results import Result
-from tests.support.python_faults import wrong
 from tests.verification.references import test_uplift_of_pairs as checks
 
 Noticed = Callable[..., None]
 
 
-@pytest.mark.evidence
-def test_half_of_the_uplift(noticed: Noticed, run_once: Callable[..., Result]) -> None:
-    with wrong(checks, "uplift", lambda millimetres: 0.6 * millimetres):
+def test_40_percent_of_the_uplift_lost(noticed: Noticed) -> None:
+    # As measured: 31 mm for one pantograph, up to 56 mm for two.
+    with patch.object(checks, "uplift", lambda _, __, apart: 18.6 if apart is None else 33.6):
         noticed(
-            "40 % of the uplift lost", checks.test_published, run_once=run_once,
+            "40 % of the uplift lost", checks.test_published, run_once=None,
             scenario="spain-ca-200-200",
         )  # fmt: skip
