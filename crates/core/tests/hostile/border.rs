@@ -1,0 +1,257 @@
+//! The whole way over the border: arrays in, arrays out, or an error that can be told.
+
+use super::feed::Feed;
+use super::{motion, riders, structure};
+use arcless_core::CoreError;
+use arcless_core::dynamics::line::Line;
+use arcless_core::dynamics::path::Path;
+use arcless_core::dynamics::record::Record;
+use arcless_core::dynamics::rider::Rider;
+use arcless_core::dynamics::stepper::Prepared;
+use arcless_core::dynamics::still::Still;
+use arcless_core::linalg::lanczos;
+use arcless_core::statics::{Alteration, Geometry, Shape};
+
+/// How far an input came.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Reached {
+    /// The structure was refused, or is not at rest anywhere.
+    Nothing,
+    /// It is at rest.
+    Equilibrium,
+    /// The matrices of the steps are there.
+    Prepared,
+    /// A run was done to its end.
+    Run,
+}
+
+/// What became of an input: components of space, whether wires are chains, how far it came.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Outcome {
+    pub dim: usize,
+    pub chain: bool,
+    pub reached: Reached,
+}
+
+/// Take bytes over the border.
+///
+/// # Panics
+/// When a number that comes back is not finite, or the core itself panics.
+pub fn cross(bytes: &[u8]) -> Outcome {
+    let feed = &mut Feed::new(bytes);
+    let (dim, chain) = (2 + feed.below(2), feed.flag());
+    let reached = match (dim, chain) {
+        (2, false) => pass::<2, 4>(feed),
+        (2, true) => pass::<2, 2>(feed),
+        (_, false) => pass::<3, 6>(feed),
+        (_, true) => pass::<3, 3>(feed),
+    };
+    Outcome {
+        dim,
+        chain,
+        reached,
+    }
+}
+
+/// Nothing when there is an error; its text must be there all the same.
+fn told<T>(found: Result<T, CoreError>) -> Option<T> {
+    found
+        .map_err(|error| assert!(!error.to_string().is_empty()))
+        .ok()
+}
+
+fn assert_finite(what: &str, values: impl IntoIterator<Item = f64>) {
+    for (at, value) in values.into_iter().enumerate() {
+        assert!(value.is_finite(), "{what}: {value} at {at}");
+    }
+}
+
+fn pass<const DIM: usize, const D: usize>(feed: &mut Feed<'_>) -> Reached {
+    let (mut s, lanes) = structure::structure(feed, DIM, D == DIM);
+    for _ in 0..feed.below(4) {
+        structure::spoil(feed, &mut s);
+    }
+    let Some((geometry, shape)) = settled::<DIM, D>(feed, s) else {
+        return Reached::Nothing;
+    };
+    let lanes = spoilt_lanes(feed, lanes);
+    let (geometry, shape) = altered(feed, geometry, shape);
+    read_at_rest(feed, &geometry, &shape, &lanes);
+    let Some(prepared) = prepared(feed, &geometry, &shape, &lanes) else {
+        return Reached::Equilibrium;
+    };
+    match told(run(feed, &prepared)) {
+        None => Reached::Prepared,
+        Some(()) => Reached::Run,
+    }
+}
+
+fn settled<const DIM: usize, const D: usize>(
+    feed: &mut Feed<'_>,
+    s: arcless_core::structure::Structure,
+) -> Option<(Geometry<DIM, D>, Shape<D>)> {
+    let mut geometry = told(Geometry::<DIM, D>::new(s))?;
+    let start = if feed.flag() {
+        geometry.initial_shape()
+    } else {
+        told(geometry.design())?
+    };
+    let shape = told(geometry.settle(&start))?;
+    assert_finite("shape", shape.iter().flatten().copied());
+    let links = geometry.structure.links.iter();
+    assert_finite("link lengths", links.map(|l| l.rest_length));
+    Some((geometry, shape))
+}
+
+fn spoilt_lanes(feed: &mut Feed<'_>, mut lanes: Vec<Vec<usize>>) -> Vec<Vec<usize>> {
+    match feed.below(16) {
+        0..=11 => (),
+        12 => feed.disturb(&mut lanes),
+        13 => lanes.iter_mut().for_each(|lane| feed.disturb(lane)),
+        14 => lanes.iter_mut().for_each(|lane| lane.reverse()),
+        _ => lanes
+            .iter_mut()
+            .flatten()
+            .for_each(|k| *k = feed.index(*k + 1)),
+    }
+    lanes
+}
+
+/// The structure changed after its design, or as it was when that fails.
+fn altered<const DIM: usize, const D: usize>(
+    feed: &mut Feed<'_>,
+    geometry: Geometry<DIM, D>,
+    shape: Shape<D>,
+) -> (Geometry<DIM, D>, Shape<D>) {
+    if !feed.flag() {
+        return (geometry, shape);
+    }
+    let s = &geometry.structure;
+    let (elements, links) = (s.wires.len() + s.segments.len(), s.links.len());
+    let mut change = Alteration {
+        length_factor: vec![feed.number(1.0); elements],
+        axial_factor: vec![feed.number(1.0); elements],
+        bending_factor: vec![feed.number(1.0); s.wires.len() + s.bends.len()],
+        mass: vec![feed.number(1.35); elements],
+        load: vec![[0.0, feed.number(1.0), 0.0]; elements],
+        link_factor: vec![feed.number(1.0); links],
+        link_offset: vec![feed.number(0.0); links],
+        removed: (0..feed.below(3)).collect(),
+    };
+    if feed.flag() {
+        let at = feed.below(4);
+        let lists = [&mut change.length_factor, &mut change.mass];
+        let lists = lists.into_iter().chain([&mut change.link_factor]);
+        match lists.into_iter().nth(at) {
+            Some(list) => feed.disturb(list),
+            None => feed.disturb(&mut change.removed),
+        }
+    }
+    match told(geometry.altered(&shape, &change)) {
+        None => (geometry, shape),
+        Some((geometry, shape)) => {
+            assert_finite("altered shape", shape.iter().flatten().copied());
+            (geometry, shape)
+        }
+    }
+}
+
+/// Elasticity, frequencies, forces of loads: what is asked of a line at rest.
+fn read_at_rest<const DIM: usize, const D: usize>(
+    feed: &mut Feed<'_>,
+    geometry: &Geometry<DIM, D>,
+    shape: &Shape<D>,
+    lanes: &[Vec<usize>],
+) {
+    let Some(paths) = told(Path::lanes(geometry, shape, lanes)) else {
+        return;
+    };
+    let s = &geometry.structure;
+    let loads = vec![[0.0, feed.number(1.0), 0.0]; s.wires.len() + s.segments.len()];
+    if let Some(forces) = told(geometry.nodal_forces(&loads)) {
+        assert_finite("nodal forces", forces.iter().map(|f| f.2));
+    }
+    let line = Line::new(geometry, shape.clone());
+    let Some(mut still) = told(Still::new(&line)) else {
+        return;
+    };
+    let (x, force) = ([feed.number(4.0), 7.5], feed.number(50.0));
+    if let Some(found) = told(still.elasticity(&paths, &x, force)) {
+        assert_finite("elasticity", found);
+    }
+    let free = |node: usize, c: usize| line.free[node][c];
+    let (factor, count) = (still.factor_at_rest(), feed.below(9));
+    let nodes = line.nodes();
+    let found = lanczos::lowest_frequencies(factor, &line.mass, nodes, free, count, 6 * count);
+    assert_finite("frequencies", found);
+}
+
+fn prepared<const DIM: usize, const D: usize>(
+    feed: &mut Feed<'_>,
+    geometry: &Geometry<DIM, D>,
+    shape: &Shape<D>,
+    lanes: &[Vec<usize>],
+) -> Option<Prepared<DIM, D>> {
+    let paths = told(Path::lanes(geometry, shape, lanes))?;
+    let (scheme, h) = (motion::scheme(feed), feed.number(1e-3));
+    let contact = [5e4, f64::INFINITY][feed.below(2)];
+    let contact = feed.number(contact);
+    told(if feed.flag() {
+        Prepared::updated(geometry, shape, paths, scheme, h, contact)
+    } else {
+        let line = Line::new(geometry, shape.clone());
+        Prepared::new(line, paths, scheme, h, contact)
+    })
+}
+
+fn run<const DIM: usize, const D: usize>(
+    feed: &mut Feed<'_>,
+    p: &Prepared<DIM, D>,
+) -> Result<(), CoreError> {
+    let (count, nodes) = (1 + feed.below(2), p.line.nodes());
+    let mut travel = motion::travel(feed, count, nodes);
+    let instants = travel.positions.len();
+    let mut found: Vec<Rider> = (0..count).map(|_| riders::rider(feed, instants)).collect();
+    let plan = motion::plan(feed, nodes);
+    for _ in 0..feed.below(4) {
+        match feed.below(3) {
+            0 => motion::spoil(feed, &mut travel),
+            _ => riders::spoil(feed, &mut found[0]),
+        }
+    }
+    let answer = feed.number(20.0);
+    let mut ask = |_: usize, _: &_| Ok(answer);
+    let record = p.run_controlled(&found, &travel, &plan, &mut |_| true, &mut ask)?;
+    check(&record);
+    Ok(())
+}
+
+/// What a record says holds no NaN but where there is no wire, and nothing infinite but gaps there.
+fn check(r: &Record) {
+    for (at, height) in r.height.iter().enumerate() {
+        let absent = height.is_nan();
+        assert!(height.is_finite() || absent, "height {height}");
+        assert!(r.lateral[at].is_finite() || absent, "lateral");
+        assert!(r.gap[at].is_finite() || absent, "gap {}", r.gap[at]);
+    }
+    let series: [(&str, &[f64]); 13] = [
+        ("time", &r.time),
+        ("force", &r.force),
+        ("position", &r.position),
+        ("speed", &r.speed),
+        ("control", &r.control),
+        ("masses", &r.masses),
+        ("link force", &r.link_force),
+        ("uplift", &r.uplift),
+        ("point uplift", &r.point_uplift),
+        ("point along", &r.point_along),
+        ("link extremes", &r.link_max),
+        ("stops", &r.stop_max),
+        ("laws", &r.law_ranges),
+    ];
+    for (what, values) in series {
+        assert_finite(what, values.iter().copied());
+    }
+    assert_finite("energy", r.energy.iter().map(|e| e.residual()));
+    assert!(r.force.iter().all(|&f| f >= 0.0), "a contact that pulls");
+}

@@ -1,0 +1,173 @@
+//! Sound riders from a few decisions, and what is spoilt in them.
+
+use super::feed::Feed;
+use arcless_core::dynamics::actuator::Actuator;
+use arcless_core::dynamics::given::{Given, Ground, History};
+use arcless_core::dynamics::kink::Motion;
+use arcless_core::dynamics::law::Law;
+use arcless_core::dynamics::rider::Rider;
+use arcless_core::dynamics::stop::Stop;
+use arcless_core::dynamics::strip::Strip;
+
+/// Chains of one to three masses with one or two strips, for a run of so many instants.
+pub fn rider(feed: &mut Feed<'_>, instants: usize) -> Rider {
+    let n = 1 + feed.below(3);
+    let mut rider = Rider {
+        mass: diagonal(n, feed.number(7.0)),
+        damping: diagonal(n, feed.number(50.0)),
+        stiffness: chain(n, feed.number(7e3)),
+        strips: vec![Strip::plain(last(n))],
+        preload: first(n),
+        lift: vec![0.0; n],
+        start_force: feed.number(100.0),
+        given: Given::default(),
+        stops: Vec::new(),
+        laws: Vec::new(),
+        actuator: None,
+    };
+    let extras = feed.byte();
+    if extras & 1 != 0 {
+        add_strips(feed, &mut rider, n);
+    }
+    if extras & 2 != 0 {
+        rider.given = given(feed, n, instants);
+    }
+    if extras & 4 != 0 {
+        rider.stops.push(Stop {
+            direction: first(n),
+            gap: feed.number(0.01),
+            stiffness: [1e5, f64::INFINITY][feed.below(2)],
+        });
+    }
+    if extras & 8 != 0 {
+        rider.laws.push(law(feed, n));
+    }
+    if extras & 16 != 0 {
+        rider.actuator = Some(Actuator {
+            direction: first(n),
+            every: feed.index(3),
+            delay: feed.index(3),
+        });
+    }
+    rider
+}
+
+fn diagonal(n: usize, value: f64) -> Vec<f64> {
+    let entry = |k: usize| if k.is_multiple_of(n + 1) { value } else { 0.0 };
+    (0..n * n).map(entry).collect()
+}
+
+/// Springs between the masses, and a soft one to the ground.
+fn chain(n: usize, k: f64) -> Vec<f64> {
+    let mut all = vec![0.0; n * n];
+    all[0] = 0.01 * k;
+    for i in 1..n {
+        all[i * n + i] += k;
+        all[(i - 1) * n + i - 1] += k;
+        all[i * n + i - 1] -= k;
+        all[(i - 1) * n + i] -= k;
+    }
+    all
+}
+
+fn first(n: usize) -> Vec<f64> {
+    (0..n).map(|i| if i == 0 { 1.0 } else { 0.0 }).collect()
+}
+
+fn last(n: usize) -> Vec<f64> {
+    (0..n).map(|i| if i + 1 == n { 1.0 } else { 0.0 }).collect()
+}
+
+fn add_strips(feed: &mut Feed<'_>, rider: &mut Rider, n: usize) {
+    let half_width = feed.number(0.8);
+    rider.strips[0].half_width = half_width;
+    rider.strips.push(Strip {
+        offset: feed.number(0.5),
+        half_width,
+        knots: vec![-half_width, half_width],
+        vectors: vec![last(n), last(n)],
+    });
+}
+
+fn given(feed: &mut Feed<'_>, n: usize, instants: usize) -> Given {
+    let values = vec![feed.number(10.0); instants];
+    let ground = Ground {
+        carried: vec![1.0; n],
+        displacement: vec![feed.number(0.01); instants],
+        rate: vec![0.0; instants],
+    };
+    Given {
+        forces: vec![History {
+            direction: last(n),
+            values,
+        }],
+        ground: feed.flag().then_some(ground),
+    }
+}
+
+/// A table that hardens or softens.
+fn law(feed: &mut Feed<'_>, n: usize) -> Law {
+    let mut points = vec![[-0.5, -50.0], [-0.1, -10.0], [0.1, 10.0], [0.5, 20.0]];
+    points[0][1] = feed.number(-50.0);
+    points[3][1] = feed.number(20.0);
+    Law {
+        direction: last(n),
+        motion: [Motion::Place, Motion::Rate][feed.below(2)],
+        points,
+    }
+}
+
+/// Every number of a rider.
+fn numbers(r: &mut Rider) -> Vec<&mut f64> {
+    let mut all = vec![&mut r.start_force];
+    all.extend(r.mass.iter_mut().chain(&mut r.damping));
+    all.extend(r.stiffness.iter_mut().chain(&mut r.preload));
+    all.extend(&mut r.lift);
+    for strip in &mut r.strips {
+        all.extend([&mut strip.offset, &mut strip.half_width]);
+        all.extend(&mut strip.knots);
+        all.extend(strip.vectors.iter_mut().flatten());
+    }
+    for force in &mut r.given.forces {
+        all.extend(force.direction.iter_mut().chain(&mut force.values));
+    }
+    if let Some(ground) = &mut r.given.ground {
+        all.extend(ground.carried.iter_mut().chain(&mut ground.displacement));
+        all.extend(&mut ground.rate);
+    }
+    for stop in &mut r.stops {
+        all.extend([&mut stop.gap, &mut stop.stiffness]);
+        all.extend(&mut stop.direction);
+    }
+    for law in &mut r.laws {
+        all.extend(&mut law.direction);
+        all.extend(law.points.iter_mut().flatten());
+    }
+    all.extend(r.actuator.iter_mut().flat_map(|a| &mut a.direction));
+    all
+}
+
+/// Spoil a number or the length of a list.
+pub fn spoil(feed: &mut Feed<'_>, r: &mut Rider) {
+    match feed.below(16) {
+        0..=8 => {
+            let mut all = numbers(r);
+            let at = feed.place(all.len());
+            feed.spoil(all[at]);
+        }
+        9 => feed.disturb(&mut r.strips),
+        10 => feed.disturb(&mut r.stops),
+        11 => feed.disturb(&mut r.laws),
+        12 => {
+            let which = feed.below(3);
+            feed.disturb([&mut r.mass, &mut r.preload, &mut r.lift][which]);
+        }
+        13 => r.strips.iter_mut().for_each(|s| feed.disturb(&mut s.knots)),
+        14 => r.laws.iter_mut().for_each(|l| feed.disturb(&mut l.points)),
+        _ => r
+            .given
+            .forces
+            .iter_mut()
+            .for_each(|f| feed.disturb(&mut f.values)),
+    }
+}

@@ -1,0 +1,64 @@
+//! Replay of all inputs that the fuzzer kept: `fuzz/corpus`, one file each, and the findings that
+//! were fixed, `fuzz/findings`. `make fuzz` looks for more.
+
+mod hostile;
+#[allow(dead_code)] // one of its methods is used here
+mod lcp_oracle;
+
+use hostile::border::{self, Reached};
+use hostile::lcp;
+use std::collections::BTreeSet;
+use std::path::PathBuf;
+
+fn inputs(kind: &str, target: &str) -> Vec<(PathBuf, Vec<u8>)> {
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(format!("fuzz/{kind}/{target}"));
+    let entries = std::fs::read_dir(&folder).expect("the folder of inputs");
+    let mut paths: Vec<PathBuf> = entries.map(|e| e.expect("a file").path()).collect();
+    paths.sort();
+    let read = |path: PathBuf| {
+        let bytes = std::fs::read(&path).expect("readable");
+        (path, bytes)
+    };
+    paths.into_iter().map(read).collect()
+}
+
+#[test]
+fn arrays_of_any_kind_are_refused_or_give_finite_numbers() {
+    let mut seen = BTreeSet::new();
+    for kind in ["corpus", "findings"] {
+        for (_, bytes) in inputs(kind, "border") {
+            seen.insert(border::cross(&bytes));
+        }
+    }
+    // The corpus is worth something only where it comes far, in each kind of line.
+    for dim in [2, 3] {
+        for chain in [false, true] {
+            for reached in [Reached::Nothing, Reached::Equilibrium, Reached::Run] {
+                let outcome = border::Outcome {
+                    dim,
+                    chain,
+                    reached,
+                };
+                assert!(seen.contains(&outcome), "no input comes to {outcome:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn problems_of_any_kind_are_refused_or_solved() {
+    let mut seen = BTreeSet::new();
+    for kind in ["corpus", "findings"] {
+        for (_, bytes) in inputs(kind, "lcp") {
+            seen.insert(lcp::solve(&bytes));
+        }
+    }
+    assert_eq!(seen.len(), 3, "only {seen:?}");
+}
+
+#[test]
+fn bytes_of_zero_are_a_sound_run() {
+    for first in [[0, 0], [0, 1], [1, 0], [1, 1]] {
+        assert_eq!(border::cross(&first).reached, Reached::Run);
+    }
+}
