@@ -134,14 +134,15 @@ fn check_links(s: &Structure, n: usize) -> Result<(), CoreError> {
 fn check_points(s: &Structure, n: usize, dim: usize) -> Result<(), CoreError> {
     for (i, t) in s.struts.iter().enumerate() {
         let numbers = t.direction.iter().chain(&t.anchor).all(|v| v.is_finite());
-        let signs = t.stiffness > 0.0 && t.rest_length > 0.0 && t.moving_mass >= 0.0;
+        let masses = not_negative(t.moving_mass) && not_negative(t.hanging_mass);
+        let signs = positive(t.stiffness) && positive(t.rest_length) && masses;
         if t.node >= n || dim != 3 || !numbers || !signs || t.direction[1] == 0.0 {
             return Err(refuse("struts", format!("strut {i} is impossible: {t:?}")));
         }
     }
     for (i, p) in s.springs.iter().enumerate() {
-        let signs = p.stiffness > 0.0 && p.viscosity >= 0.0 && p.rest.is_finite();
-        if p.node >= n || p.component >= dim || !signs || !p.stiffness.is_finite() {
+        let signs = positive(p.stiffness) && not_negative(p.viscosity) && p.rest.is_finite();
+        if p.node >= n || p.component >= dim || !signs {
             return Err(refuse(
                 "springs",
                 format!("spring {i} is impossible: {p:?}"),

@@ -69,7 +69,8 @@ impl ActuatorState {
     ) -> Result<(), CoreError> {
         if step.is_multiple_of(actuator.every) {
             let force = ask(step / actuator.every)?;
-            self.waiting.push_back((step + actuator.delay, force));
+            self.waiting
+                .push_back((step.saturating_add(actuator.delay), force));
         }
         while let Some(&(due, force)) = self.waiting.front()
             && due <= step

@@ -23,13 +23,20 @@ impl<const DIM: usize, const D: usize> Still<'_, DIM, D> {
     /// the slack of one.
     ///
     /// # Errors
-    /// [`CoreError::OffWire`] or those of [`Still::solve`].
+    /// [`CoreError::Input`] when the force is impossible or wires side by side yield as one,
+    /// [`CoreError::OffWire`], or those of [`Still::solve`].
     pub fn elasticity(
         &mut self,
         lanes: &[Path<DIM>],
         x: &[f64],
         force: f64,
     ) -> Result<Vec<f64>, CoreError> {
+        if !(force.is_finite() && force >= 0.0) {
+            return Err(CoreError::Input {
+                array: "force",
+                reason: format!("{force} N"),
+            });
+        }
         let mut hints = vec![0; lanes.len()];
         let rest = self.solve(&[], &[])?;
         x.iter()
@@ -55,7 +62,7 @@ impl<const DIM: usize, const D: usize> Still<'_, DIM, D> {
                         if places.len() == 1 {
                             return Ok(w[0]);
                         }
-                        Ok(shares(&w, places.len()).1)
+                        Ok(shares(&w, places.len()).ok_or_else(yield_as_one)?.1)
                     }
                 }
             })
@@ -96,7 +103,8 @@ impl<const DIM: usize, const D: usize> Still<'_, DIM, D> {
         rest: &StillState<D>,
     ) -> Result<f64, CoreError> {
         let n = places.len();
-        let mut forces: Vec<f64> = shares(&self.lifts(places), n).0;
+        let alone = shares(&self.lifts(places), n);
+        let mut forces = alone.ok_or_else(yield_as_one)?.0;
         forces.iter_mut().for_each(|f| *f *= force);
         for round in 0..ROUNDS {
             let rises = self.rises(places, &forces, rest)?;
@@ -110,14 +118,15 @@ impl<const DIM: usize, const D: usize> Still<'_, DIM, D> {
                     w[i * n + j] = (moved[i] - rises[i]) / (NEARBY * force);
                 }
             }
-            let (share, _) = shares(&w, n);
+            let (share, _) = shares(&w, n).ok_or_else(yield_as_one)?;
             let mean = inner(&share, &rises);
             let mut change: Vec<f64> = rises.iter().map(|rise| mean - rise).collect();
             if change.iter().all(|c| c.abs() <= ALIKE * mean.abs()) {
                 return Ok(mean / force);
             }
-            let solvable = dense::solve_in_place(&mut w, &mut change);
-            debug_assert!(solvable, "wires with a lift of their own");
+            if !dense::solve_in_place(&mut w, &mut change) {
+                return Err(yield_as_one());
+            }
             // Full steps may go to and fro between two sets of slack links.
             let step = if round < ROUNDS / 4 { 1.0 } else { 0.5 };
             let pairs = forces.iter_mut().zip(&change);
@@ -127,14 +136,22 @@ impl<const DIM: usize, const D: usize> Still<'_, DIM, D> {
     }
 }
 
-/// Shares of a unit force with which all wires rise alike, and that rise.
-fn shares(w: &[f64], n: usize) -> (Vec<f64>, f64) {
+/// Shares of a unit force with which all wires rise alike, and that rise; `None` when W is singular.
+fn shares(w: &[f64], n: usize) -> Option<(Vec<f64>, f64)> {
     let (mut a, mut f) = (w.to_vec(), vec![1.0; n]);
-    let solvable = dense::solve_in_place(&mut a, &mut f);
-    debug_assert!(solvable, "wires with a lift of their own");
+    if !dense::solve_in_place(&mut a, &mut f) {
+        return None;
+    }
     let sum: f64 = f.iter().sum();
     f.iter_mut().for_each(|f| *f /= sum);
-    (f, 1.0 / sum)
+    (1.0 / sum).is_finite().then_some((f, 1.0 / sum))
+}
+
+fn yield_as_one() -> CoreError {
+    CoreError::Input {
+        array: "lanes",
+        reason: "wires side by side that do not yield each on its own".into(),
+    }
 }
 
 fn inner(a: &[f64], b: &[f64]) -> f64 {

@@ -10,7 +10,7 @@ use super::ledger::Ledger;
 use super::loads::Loads;
 use super::record::{Record, RecordPlan};
 use super::rider::{Rider, RiderState};
-use super::run::{OBSERVE_EVERY, Run, Travel, check};
+use super::run::{OBSERVE_EVERY, Run, Travel, check, check_nodes};
 use super::start::points;
 use super::state::{State, refuse};
 use super::stepper::Prepared;
@@ -53,6 +53,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         ask: Ask<'_>,
     ) -> Result<(Record, State), CoreError> {
         check(riders, travel, plan, self.updating.is_some())?;
+        check_nodes(&plan.nodes, self.line.nodes())?;
         super::loads::check::<D>(&travel.loads, self.line.nodes(), travel.positions.len())?;
         let steps = part.steps(travel)?;
         let until = steps.end;

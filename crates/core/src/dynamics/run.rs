@@ -125,6 +125,20 @@ pub(super) fn check(
     Ok(())
 }
 
+/// Refuse to watch nodes that are not there.
+///
+/// # Errors
+/// [`CoreError::Input`].
+pub(super) fn check_nodes(watched: &[usize], nodes: usize) -> Result<(), CoreError> {
+    match watched.iter().find(|&&node| node >= nodes) {
+        None => Ok(()),
+        Some(node) => Err(CoreError::Input {
+            array: "plan",
+            reason: format!("node {node} of {nodes} is watched"),
+        }),
+    }
+}
+
 impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
     /// One step, readable from top to bottom.
     pub(super) fn step(
