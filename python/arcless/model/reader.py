@@ -22,6 +22,7 @@ MAX_NODES = 150_000
 
 _NULL = {"", "~", "null", "Null", "NULL"}
 _BOOL = {"true": True, "True": True, "TRUE": True, "false": False, "False": False, "FALSE": False}
+_HALF = re.compile("[\ud800-\udfff]")
 _INT = re.compile(r"[+-]?\d{1,300}")
 _FLOAT = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?|[+-]?\.(inf|Inf|INF)|\.(nan|NaN|NAN)")
 
@@ -211,7 +212,8 @@ class _Composer:
             self._anchors[anchor] = None
         node = _Node(position, None, 1)
         if kind == "ScalarEvent":
-            node.value = scalar(event.value) if event.implicit[0] else event.value
+            text = self._text(event)
+            node.value = scalar(text) if event.implicit[0] else text
         elif kind == "SequenceStartEvent":
             node.value = []
             for child in self._children("SequenceEndEvent"):
@@ -229,14 +231,26 @@ class _Composer:
         for key in self._children("MappingEndEvent"):
             if type(key).__name__ != "ScalarEvent" or key.tag is not None:
                 raise self._refused(key, "a key that is not plain text", "a field name")
-            if key.value in entries:
-                first = entries[key.value][0].line
-                got = f"{show(key.value)} again; it stands in line {first}"
+            name = self._text(key)
+            if name in entries:
+                first = entries[name][0].line
+                got = f"{show(name)} again; it stands in line {first}"
                 raise self._refused(key, got, "each field once")
-            if key.value == "<<":
+            if name == "<<":
                 raise self._refused(key, "a merge key", "fields written out, or an alias as value")
-            entries[key.value] = (_position(key), self._node(next(self._events), depth + 1))
+            entries[name] = (_position(key), self._node(next(self._events), depth + 1))
         return entries
+
+    def _text(self, event: Any) -> str:
+        """Return the text of a scalar; JSON writes rare characters as two halves."""
+        text: str = event.value
+        if not _HALF.search(text):
+            return text
+        try:
+            return text.encode("utf-16", "surrogatepass").decode("utf-16")
+        except UnicodeDecodeError:
+            got = "half of a character, \\ud800 to \\udfff, without the other"
+            raise self._refused(event, got, "whole characters") from None
 
     def _children(self, end: str) -> Iterator[Any]:
         for event in self._events:

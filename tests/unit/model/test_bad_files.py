@@ -35,6 +35,8 @@ BOMB = "a: &a [x, x, x, x, x, x, x, x, x]\n" + "\n".join(
         (b"a: *b", "x.yaml:1: not"),
         (b"a: &a {b: 1}\nc: {<<: *a}", "x.yaml:2: not a model file: got a merge key"),
         (b"[1, 2]: 3", "a key that is not plain text"),
+        (b'a: 1\nb: "\\ud83d"', "x.yaml:2: not a model file: got half of a character"),
+        (b'{"\\ude00": 1}', "x.yaml:1: not a model file: got half of a character"),
         (BOMB.encode(), f"more than {MAX_NODES} values, aliases written out"),
         (b"a: " + b"[" * 5_000, "deeper nesting"),
         (b"a: " + b"{b: " * 5_000, "deeper nesting"),

@@ -24,6 +24,15 @@ def test_shipped_scenarios(name: str, tmp_path: Path) -> None:
     assert load(path) == scenario
 
 
+def test_json_writes_rare_characters_in_two_halves(tmp_path: Path) -> None:
+    scenario = load("en50318-ac-simple-320").with_(name="𨫤 line")
+    text = json.dumps(scenario.to_dict())
+    assert r'"\ud862\udee4 line"' in text
+    path = tmp_path / "again.json"
+    path.write_text(text, encoding="utf-8")
+    assert load(path) == scenario
+
+
 def test_provenance_is_part_of_the_data() -> None:
     data = load("en50318-ac-simple-320").to_dict()
     assert data["line"]["provenance"]["contact_wire.tension"] == {
