@@ -4,7 +4,7 @@
 SHELL := /bin/sh
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help build demo test peers evidence lint bench wheel clean check-python check-rust
+.PHONY: help build demo test peers evidence fuzz lint bench wheel clean check-python check-rust
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -14,6 +14,13 @@ DEMO := en50318-ac-simple-320
 # Neighbours stay in one process, which keeps what they share; an idle one takes half of the rest.
 ON_ALL_CORES := --numprocesses=auto --maxprocesses=8 --dist=worksteal
 OLDEST_PYTHON := 3.11
+FUZZ := crates/core/fuzz
+SECONDS := 600
+HOST = $(shell rustc -vV | sed -n 's/^host: //p')
+# What `cargo fuzz` sets, without its address sanitiser: the core has no unsafe code.
+FUZZING = RUSTC_BOOTSTRAP=1 RUSTFLAGS="--cfg fuzzing -Cpasses=sancov-module \
+	-Cllvm-args=-sanitizer-coverage-level=4 -Cllvm-args=-sanitizer-coverage-inline-8bit-counters \
+	-Cllvm-args=-sanitizer-coverage-pc-table -Cllvm-args=-sanitizer-coverage-trace-compares"
 OLDEST_RUST := $(shell sed -n 's/^rust-version = "\(.*\)"/\1/p' Cargo.toml)
 
 # The first interpreter that is new enough; `make PYTHON=/path/to/python3 build` overrides it.
@@ -51,6 +58,17 @@ evidence: build ## run every check, the slow ones too, and write the pages of do
 	$(WITH_PEERS) -m pytest $(ON_ALL_CORES) --dist=loadfile -m "" --publish \
 	tests/verification tests/faults tests/drills
 	$(BIN)/python docs/make_evidence.py
+
+fuzz: build ## look for input that breaks something, for SECONDS (600) each target
+	@command -v c++ >/dev/null || { echo 'make fuzz: a C++ compiler is missing, which libFuzzer needs'; exit 1; }
+	$(FUZZING) cargo build --release --manifest-path $(FUZZ)/Cargo.toml --target $(HOST) --target-dir target/fuzz
+	@mkdir -p target/fuzz/kept
+	@for target in border lcp; do \
+	mkdir -p target/fuzz/kept/$$target; \
+	echo "Fuzzing $$target for $(SECONDS) s; what is found stays in target/fuzz"; \
+	target/fuzz/$(HOST)/release/$$target -max_total_time=$(SECONDS) -timeout=20 -max_len=256 -len_control=0 \
+	-verbosity=0 -artifact_prefix=target/fuzz/$$target- target/fuzz/kept/$$target $(FUZZ)/corpus/$$target || exit 1; done
+	ARCLESS_SEARCH=20 $(BIN)/python -m pytest -m "" tests/hostile
 
 lint: build ## check format, lints and types, and that no lock file or local path is tracked
 	cargo fmt --all --check

@@ -10,7 +10,7 @@ import pytest
 from arcless.cli.app import app
 
 ROOT = Path(__file__).parents[2]
-TARGETS = ["build", "demo", "test", "peers", "evidence", "lint", "bench", "wheel", "clean"]
+TARGETS = ["build", "demo", "test", "peers", "evidence", "fuzz", "lint", "bench", "wheel", "clean"]
 
 
 def make(*words: str, path: str | None = None) -> subprocess.CompletedProcess[str]:

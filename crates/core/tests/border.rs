@@ -4,6 +4,7 @@ mod common;
 
 use arcless_core::CoreError;
 use arcless_core::dynamics::actuator::Actuator;
+use arcless_core::dynamics::given::History;
 use arcless_core::dynamics::still::Still;
 use arcless_core::scheme::Scheme;
 use arcless_core::statics::Geometry;
@@ -34,19 +35,20 @@ fn a_watched_node_beyond_the_last_one_is_refused() {
 
 /// The step from which the force acts was counted beyond the largest number there is.
 #[test]
-fn a_delay_without_end_is_a_force_that_never_acts() {
+fn a_delay_without_end_is_refused() {
     let p = prepare(STRING.structure(2), |_| (), scheme(), 1e-3, 5e4);
     let way = travel(24.0, 24.2, 10.0, 1e-3);
-    let mut rider = free_mass(5.0, 100.0);
-    rider.actuator = Some(Actuator {
-        direction: vec![1.0],
-        every: 2,
-        delay: usize::MAX,
-    });
-    let (mut go_on, mut ask) = (|_: usize| true, |_: usize, _: &_| Ok(50.0));
-    let found = p.run_controlled(&[rider], &way, &everything(), &mut go_on, &mut ask);
-    let found = found.expect("the run is done");
-    assert!(!found.control.is_empty() && found.control.iter().all(|&q| q == 0.0));
+    for (delay, refused) in [(1000, false), (usize::MAX, true)] {
+        let mut rider = free_mass(5.0, 100.0);
+        rider.actuator = Some(Actuator {
+            direction: vec![1.0],
+            every: 2,
+            delay,
+        });
+        let (mut go_on, mut ask) = (|_: usize| true, |_: usize, _: &_| Ok(50.0));
+        let found = p.run_controlled(&[rider], &way, &everything(), &mut go_on, &mut ask);
+        assert_eq!(is_refused(found, "riders"), refused);
+    }
 }
 
 /// Their lifts were solved for all the same, and infinite.
@@ -123,4 +125,46 @@ fn struts_and_springs_are_finite() {
         ..spring
     };
     assert!(is_refused(with(strut, spoilt), "springs"));
+}
+
+/// They were added up to infinite forces.
+#[test]
+fn loads_whose_sums_are_not_finite_are_refused() {
+    let long = Single {
+        elements: 6,
+        ..STRING
+    };
+    let (s, _) = long.structure(2);
+    let geometry = Geometry::<2, 4>::new(s).expect("sound");
+    assert!(geometry.nodal_forces(&[[1e300; 3]; 6]).is_ok());
+    assert!(is_refused(
+        geometry.nodal_forces(&[[f64::MAX; 3]; 6]),
+        "load"
+    ));
+}
+
+/// Only every 256th step was looked at, and what came after the last of them went out as it was.
+#[test]
+fn a_run_that_ends_beyond_all_numbers_is_an_error() {
+    let p = prepare(STRING.structure(2), |_| (), scheme(), 1e-3, 5e4);
+    let way = travel(24.0, 24.2, 10.0, 1e-3);
+    let steps = way.positions.len();
+    // The energy of the second is a product beyond all numbers; its motion is not.
+    for (pull, ends) in [(-1e3, true), (-1e200, false)] {
+        let mut values = vec![pull; steps];
+        values[0] = 0.0;
+        let mut rider = free_mass(5.0, 100.0);
+        rider.given.forces.push(History {
+            direction: vec![1.0],
+            values,
+        });
+        let found = p.run(&[rider], &way, &everything(), &mut |_| true);
+        match found {
+            Ok(record) => assert!(ends && record.masses.iter().all(|u| u.is_finite())),
+            Err(error) => assert!(
+                !ends && matches!(error, CoreError::NotFinite { .. }),
+                "{error}"
+            ),
+        }
+    }
 }

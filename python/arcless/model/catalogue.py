@@ -92,8 +92,10 @@ def _entry(field: str, name: str) -> CatalogueWire:
 def _add_provenance(data: dict[str, Any], field: str, wire: str, keys: list[str]) -> None:
     """Say of each value from the catalogue where the catalogue has it from."""
     book = catalogue()
-    known = dict(data.get("provenance") or {})
-    sources = dict(data.get("sources") or {})
+    given = [data.get(name) for name in ("provenance", "sources")]
+    if not all(one is None or isinstance(one, Mapping) for one in given):
+        return  # their own fields refuse that
+    known, sources = (dict(one or {}) for one in given)
     for key in keys:
         origin = book.provenance[f"wires.{wire}.{key}"]
         cited = origin.source_keys

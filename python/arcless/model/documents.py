@@ -62,8 +62,10 @@ class Document(Part):
             key: value if key in {"sources", "provenance"} else unwrap(value, (key,), found.update)
             for key, value in data.items()
         }
-        if found:
-            plain["provenance"] = {**(plain.get("provenance") or {}), **found}
+        given = plain.get("provenance")
+        # What is no mapping is left for its own field to refuse.
+        if found and (given is None or isinstance(given, Mapping)):
+            plain["provenance"] = {**(given or {}), **found}
         return cls.prepare(plain)
 
     @classmethod

@@ -122,7 +122,7 @@ def _without_tags(location: Path, data: object) -> Path:
 
 def _plain_provenance(path: Path) -> Path:
     """Return where a provenance entry stands in the file: beside the value it belongs to."""
-    if "provenance" not in path:
+    if "provenance" not in path[:-1]:
         return path
     index = path.index("provenance")
     target = path[index + 1 : index + 2]

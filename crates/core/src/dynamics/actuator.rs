@@ -7,6 +7,9 @@
 use crate::error::CoreError;
 use std::collections::VecDeque;
 
+/// Most steps of delay: more than any run has, and still a number of a step when added to one.
+const LONGEST_DELAY: usize = u32::MAX as usize;
+
 /// Where a controlled force acts and when it is asked for.
 #[derive(Debug, Clone)]
 pub struct Actuator {
@@ -21,7 +24,7 @@ pub struct Actuator {
 impl Actuator {
     pub(super) fn is_sound(&self, n: usize) -> bool {
         let finite = self.direction.iter().all(|v| v.is_finite());
-        self.direction.len() == n && finite && self.every > 0
+        self.direction.len() == n && finite && self.every > 0 && self.delay <= LONGEST_DELAY
     }
 }
 
@@ -69,8 +72,7 @@ impl ActuatorState {
     ) -> Result<(), CoreError> {
         if step.is_multiple_of(actuator.every) {
             let force = ask(step / actuator.every)?;
-            self.waiting
-                .push_back((step.saturating_add(actuator.delay), force));
+            self.waiting.push_back((step + actuator.delay, force));
         }
         while let Some(&(due, force)) = self.waiting.front()
             && due <= step

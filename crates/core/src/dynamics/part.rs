@@ -77,6 +77,8 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
             run.control(step, ask)?;
             run.step(step, ledger.as_mut())?;
         }
+        run.check_finite(until)?;
+        run.record.check_energy(until)?;
         let state = run.take_down(until, ledger.as_mut())?;
         run.record.law_ranges = run.riders.iter().flat_map(RiderState::law_ranges).collect();
         Ok((run.record, state))

@@ -5,6 +5,7 @@
 
 use super::contacts::Contacts;
 use super::ledger::Entries;
+use crate::error::CoreError;
 
 /// What to record and how often.
 #[derive(Debug, Clone)]
@@ -106,5 +107,14 @@ impl Record {
             stop_max: vec![0.0; riders],
             ..Self::default()
         }
+    }
+
+    /// Whether the ledger, where one is kept, holds numbers: squares grow faster than motion.
+    pub(super) fn check_energy(&self, step: usize) -> Result<(), CoreError> {
+        if self.energy.iter().all(|e| e.residual().is_finite()) {
+            return Ok(());
+        }
+        let what = "the energy ledger";
+        Err(CoreError::NotFinite { what, step })
     }
 }

@@ -246,12 +246,14 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
     }
 
     pub(super) fn check_finite(&self, step: usize) -> Result<(), CoreError> {
-        let finite = self.state.u.iter().flatten().all(|v| v.is_finite());
+        let line = self.state.u.iter().flatten();
+        let riders = self.riders.iter().flat_map(|r| &r.u);
+        let finite = line.chain(riders).all(|v| v.is_finite());
         if finite && self.unilateral.force.iter().all(|v| v.is_finite()) {
             return Ok(());
         }
         Err(CoreError::NotFinite {
-            what: "the displacement of the line",
+            what: "the motion",
             step,
         })
     }

@@ -18,13 +18,20 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
     /// [`CoreError::Input`] when there is not one for each, or one is not finite.
     pub fn nodal_forces(&self, load: &[[f64; 3]]) -> Result<Vec<(usize, usize, f64)>, CoreError> {
         let expected = self.structure.wires.len() + self.structure.segments.len();
-        if load.len() != expected || load.iter().flatten().any(|q| !q.is_finite()) {
+        let refused = || {
             let reason = format!("has {} entries, expected {expected}, finite", load.len());
             let array = "load";
-            return Err(CoreError::Input { array, reason });
+            CoreError::Input { array, reason }
+        };
+        if load.len() != expected {
+            return Err(refused());
         }
         let mut found = vec![[0.0; D]; self.nodes()];
         self.share(load, |node, c, force| found[node][c] += force);
+        // The sums as well: large loads on long elements.
+        if found.iter().flatten().any(|force| !force.is_finite()) {
+            return Err(refused());
+        }
         let entries = found.iter().enumerate().flat_map(|(node, forces)| {
             let components = forces.iter().enumerate();
             components.map(move |(c, &force)| (node, c, force))

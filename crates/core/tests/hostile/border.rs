@@ -1,12 +1,10 @@
 //! The whole way over the border: arrays in, arrays out, or an error that can be told.
 
 use super::feed::Feed;
-use super::{motion, riders, structure};
-use arcless_core::CoreError;
+use super::finite::{assert_finite, told};
+use super::{motion, stepping, structure};
 use arcless_core::dynamics::line::Line;
 use arcless_core::dynamics::path::Path;
-use arcless_core::dynamics::record::Record;
-use arcless_core::dynamics::rider::Rider;
 use arcless_core::dynamics::stepper::Prepared;
 use arcless_core::dynamics::still::Still;
 use arcless_core::linalg::lanczos;
@@ -53,19 +51,6 @@ pub fn cross(bytes: &[u8]) -> Outcome {
     }
 }
 
-/// Nothing when there is an error; its text must be there all the same.
-fn told<T>(found: Result<T, CoreError>) -> Option<T> {
-    found
-        .map_err(|error| assert!(!error.to_string().is_empty()))
-        .ok()
-}
-
-fn assert_finite(what: &str, values: impl IntoIterator<Item = f64>) {
-    for (at, value) in values.into_iter().enumerate() {
-        assert!(value.is_finite(), "{what}: {value} at {at}");
-    }
-}
-
 fn pass<const DIM: usize, const D: usize>(feed: &mut Feed<'_>) -> Reached {
     let (mut s, lanes) = structure::structure(feed, DIM, D == DIM);
     for _ in 0..feed.below(4) {
@@ -80,7 +65,7 @@ fn pass<const DIM: usize, const D: usize>(feed: &mut Feed<'_>) -> Reached {
     let Some(prepared) = prepared(feed, &geometry, &shape, &lanes) else {
         return Reached::Equilibrium;
     };
-    match told(run(feed, &prepared)) {
+    match told(stepping::run(feed, &prepared)) {
         None => Reached::Prepared,
         Some(()) => Reached::Run,
     }
@@ -202,56 +187,4 @@ fn prepared<const DIM: usize, const D: usize>(
         let line = Line::new(geometry, shape.clone());
         Prepared::new(line, paths, scheme, h, contact)
     })
-}
-
-fn run<const DIM: usize, const D: usize>(
-    feed: &mut Feed<'_>,
-    p: &Prepared<DIM, D>,
-) -> Result<(), CoreError> {
-    let (count, nodes) = (1 + feed.below(2), p.line.nodes());
-    let mut travel = motion::travel(feed, count, nodes);
-    let instants = travel.positions.len();
-    let mut found: Vec<Rider> = (0..count).map(|_| riders::rider(feed, instants)).collect();
-    let plan = motion::plan(feed, nodes);
-    for _ in 0..feed.below(4) {
-        match feed.below(3) {
-            0 => motion::spoil(feed, &mut travel),
-            _ => riders::spoil(feed, &mut found[0]),
-        }
-    }
-    let answer = feed.number(20.0);
-    let mut ask = |_: usize, _: &_| Ok(answer);
-    let record = p.run_controlled(&found, &travel, &plan, &mut |_| true, &mut ask)?;
-    check(&record);
-    Ok(())
-}
-
-/// What a record says holds no NaN but where there is no wire, and nothing infinite but gaps there.
-fn check(r: &Record) {
-    for (at, height) in r.height.iter().enumerate() {
-        let absent = height.is_nan();
-        assert!(height.is_finite() || absent, "height {height}");
-        assert!(r.lateral[at].is_finite() || absent, "lateral");
-        assert!(r.gap[at].is_finite() || absent, "gap {}", r.gap[at]);
-    }
-    let series: [(&str, &[f64]); 13] = [
-        ("time", &r.time),
-        ("force", &r.force),
-        ("position", &r.position),
-        ("speed", &r.speed),
-        ("control", &r.control),
-        ("masses", &r.masses),
-        ("link force", &r.link_force),
-        ("uplift", &r.uplift),
-        ("point uplift", &r.point_uplift),
-        ("point along", &r.point_along),
-        ("link extremes", &r.link_max),
-        ("stops", &r.stop_max),
-        ("laws", &r.law_ranges),
-    ];
-    for (what, values) in series {
-        assert_finite(what, values.iter().copied());
-    }
-    assert_finite("energy", r.energy.iter().map(|e| e.residual()));
-    assert!(r.force.iter().all(|&f| f >= 0.0), "a contact that pulls");
 }

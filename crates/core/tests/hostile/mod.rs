@@ -9,7 +9,9 @@
 
 pub mod border;
 pub mod feed;
+pub mod finite;
 pub mod lcp;
 pub mod motion;
 pub mod riders;
+pub mod stepping;
 pub mod structure;

@@ -1,0 +1,42 @@
+"""Random valid models survive every way there and back, in whatever spelling they were given.
+
+dict → Scenario → dict → file (JSON, YAML) → Scenario: all equal, to the last bit.
+"""
+
+import json
+from io import StringIO
+from pathlib import Path
+from typing import Any
+
+from hypothesis import given
+from ruamel.yaml import YAML
+
+from arcless.model import load, scenario_warnings
+from arcless.model.scenario import Scenario
+from tests.support.hostile import numbers_in, searching
+from tests.support.valid_models import scenarios
+
+
+def again(scenario: Scenario, folder: Path) -> list[Scenario]:
+    """The same scenario, loaded from its plain data, from JSON and from YAML."""
+    data = scenario.to_dict()
+    text = json.dumps(data, allow_nan=False)
+    (folder / "again.json").write_text(text, encoding="utf-8")
+    written, writer = StringIO(), YAML(typ="safe", pure=True)
+    writer.width = 10**6  # it breaks long keys where YAML forbids it
+    writer.dump(data, written)
+    (folder / "again.yaml").write_text(written.getvalue(), encoding="utf-8")
+    return [load(data), load(folder / "again.json"), load(folder / "again.yaml")]
+
+
+@searching(150)
+@given(data=scenarios())
+def test_valid_models_survive(data: dict[str, Any], tmp_path_factory: Any) -> None:
+    folder = tmp_path_factory.getbasetemp()
+    scenario = load(data)
+    for same in again(scenario, folder):
+        assert same == scenario
+        assert same.to_dict() == scenario.to_dict()
+    assert all(abs(number) < float("inf") for number in numbers_in(scenario.to_dict()))
+    assert all(isinstance(text, str) for text in scenario_warnings(scenario))
+    assert scenario.with_(name=scenario.name) is not scenario
