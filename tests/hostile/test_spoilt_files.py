@@ -45,7 +45,7 @@ name: with a table
 static_force: 80 N
 masses:
   - {mass: 10 kg, stiffness: 0, damping: 50 N s/m}
-  - {mass: 8 kg, stiffness: 0, damping: 50 N s/m, stiffness_table: {file: spring.csv}}
+  - {mass: 8 kg, damping: 50 N s/m, stiffness_table: {file: spring.csv}}
 """
 
 
@@ -76,7 +76,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return found
 
 
-@searching(400)
+@searching(150)
 @given(data=st.data())
 def test_spoilt_model_files(data: Any, folder: Path) -> None:
     text = data.draw(st.sampled_from(FILES)).read_bytes()
@@ -92,7 +92,7 @@ def test_the_tables_are_sound(folder: Path) -> None:
     assert scenario.pantographs[0].model.masses[1].stiffness_table is not None
 
 
-@searching(200)
+@searching(60)
 @given(data=st.data())
 def test_spoilt_tables(data: Any, folder: Path) -> None:
     again = folder / "again"
@@ -102,7 +102,7 @@ def test_spoilt_tables(data: Any, folder: Path) -> None:
     check(again / "scenario.yaml")
 
 
-@searching(60)
+@searching(30)
 @given(data=st.data())
 def test_spoilt_wind_and_heights(data: Any, folder: Path) -> None:
     """The file a section names stands in the place of its error."""

@@ -29,7 +29,7 @@ def again(scenario: Scenario, folder: Path) -> list[Scenario]:
     return [load(data), load(folder / "again.json"), load(folder / "again.yaml")]
 
 
-@searching(150)
+@searching(20)
 @given(data=scenarios())
 def test_valid_models_survive(data: dict[str, Any], tmp_path_factory: Any) -> None:
     folder = tmp_path_factory.getbasetemp()

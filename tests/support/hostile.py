@@ -60,9 +60,9 @@ NUMBERS: list[Any] = [
 ]  # fmt: skip
 TEXTS = [
     "", " ", "0", "nan", ".inf", "1e999 N", "-22 kN", "22 kg", "22", "22 kN 3", "1,5 m", "1 000 m",
-    "22 kNm", "１２ N", "5" * 500, "1e-999 m", "0x10 m", "1_0 m", "null", "true", "~", "\0", "é\u202e",
-    "../../etc/passwd", "/dev/zero", "a.py:b", "span 3 dropper 1", "span 0 dropper 0", "S9", "A",
-    "span 99999999999999999999 dropper 1", "one element", "arcless-line/2", "x" * 3000,
+    "22 kNm", "１２ N", "5" * 500, "1e-999 m", "0x10 m", "1_0 m", "null", "true", "~", "\0",
+    "é\u202e", "../../etc/passwd", "/dev/zero", "a.py:b", "span 3 dropper 1", "span 0 dropper 0",
+    "S9", "A", "span 99999999999999999999 dropper 1", "one element", "arcless-line/2", "x" * 3000,
     "1" + "0" * 400 + " m", "\ud800",
 ]  # fmt: skip
 THINGS: list[Any] = [
@@ -150,18 +150,25 @@ WAYS: list[Callable[[st.DrawFn, Any, Any, Any], None]] = [
 
 
 PIECES = [
-    b":", b"-", b"[", b"]", b"{", b"}", b"&a", b"*a", b"!x ", b"|", b">", b"'", b'"', b"#", b"%", b"@",
-    b"`", b",", b"?", b"\t", b"\r", b"\n", b"\n\n---\n", b"...\n", b"\0", b"\xff", b"\xc3", b"\xef\xbb\xbf",
-    b"\\ud83d", b'"\\ud83d\\ude00"', b'"\\udc00"', b"<<: *a", b"nan", b".inf", b"1e999", b"9" * 400, b"0x7",
-    b"\xe2\x80\xa8", b"\xc2\x85", b"kg", b" kN", b"mm", b"km/h", b"-", b"  ", b"null", b"~", b"=", b"\x1b[0m",
+    b":", b"-", b"[", b"]", b"{", b"}", b"&a", b"*a", b"!x ", b"|", b">", b"'", b'"', b"#", b"%",
+    b"@", b"`", b",", b"?", b"\t", b"\r", b"\n", b"\n\n---\n", b"...\n", b"\0", b"\xff", b"\xc3",
+    b"\xef\xbb\xbf", b"\\ud83d", b'"\\ud83d\\ude00"', b'"\\udc00"', b"<<: *a", b"nan", b".inf",
+    b"1e999", b"9" * 400, b"0x7", b"\xe2\x80\xa8", b"\xc2\x85", b"kg", b" kN", b"mm", b"km/h",
+    b"  ", b"null", b"~", b"=", b"\x1b[0m",
 ]  # fmt: skip
+
+
+TEXT_WAYS = ["put", "cut", "repeat", "flip", "swap", "indent", "end", "number"]
+DIGITS = ["0", "-1", "nan", "1e999", "1e-999", "3", "1,5", "", "9" * 50, "1e5"]
 
 
 @st.composite
 def spoilt_text(draw: st.DrawFn, text: bytes) -> bytes:
     """A file in which one to four things are changed, byte by byte or line by line."""
     for _ in range(draw(st.integers(1, 4))):
-        way = draw(st.sampled_from(["put", "cut", "repeat", "flip", "swap", "indent", "end", "number"]))
+        way = draw(
+            st.sampled_from(["put", "cut", "repeat", "flip", "swap", "indent", "end", "number"])
+        )
         start = draw(st.integers(0, len(text)))
         end = min(len(text), start + draw(st.integers(1, 40)))
         lines = text.split(b"\n")
@@ -193,5 +200,7 @@ def _other_number(draw: st.DrawFn, text: bytes) -> bytes:
     if not found:
         return text
     number = draw(st.sampled_from(found))
-    given = draw(st.sampled_from(["0", "-1", "nan", "1e999", "1e-999", "3", "1,5", "", "9" * 50, "1e5"]))
+    given = draw(
+        st.sampled_from(["0", "-1", "nan", "1e999", "1e-999", "3", "1,5", "", "9" * 50, "1e5"])
+    )
     return text[: number.start()] + given.encode() + text[number.end() :]

@@ -160,6 +160,9 @@ SCHEMES = st.one_of(
     ),
     st.builds(lambda alpha: {"name": "hht", "alpha": alpha}, quantity(-0.3, 0, "1")),
 )
+CONTACT = some(
+    {"law": st.sampled_from(["compliant", "rigid"]), "stiffness": quantity(1e4, 1e5, "N/m")}
+)
 BUILT = some(
     {
         "temperature_difference": quantity(-40, 60, "K"),
@@ -185,9 +188,7 @@ def scenarios(draw: Draw) -> Data:
         "sources": SOURCES,
         "line": line_data,
         "pantographs": draw(placements()),
-        "contact": draw(
-            some({"law": st.sampled_from(["compliant", "rigid"]), "friction_coefficient": st.just(0)})
-        ),
+        "contact": draw(CONTACT),
         "solver": {"time_step": draw(st.sampled_from([1e-3, "2 ms", 0.004]))}
         | draw(
             some(
