@@ -56,7 +56,7 @@ peers: $(PEERS)/.packages ## install the other programs, those that can be, and 
 
 evidence: build ## run every check, the slow ones too, and write the pages of docs/validation
 	$(WITH_PEERS) -m pytest $(ON_ALL_CORES) --dist=loadfile -m "" --publish \
-	tests/verification tests/faults tests/drills
+	tests/verification tests/faults tests/drills tests/pages
 	$(BIN)/python docs/make_evidence.py
 
 fuzz: build ## look for input that breaks something, for SECONDS (600) each target

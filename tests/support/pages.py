@@ -68,4 +68,7 @@ def renewed(page: str, name: str, made: str) -> None:
     before, now = old.splitlines(), made.strip().splitlines()
     if len(before) == len(now):
         now = [o if alike(n, o) else n for o, n in zip(before, now, strict=True)]
-    path.write_text(text.replace(old, "\n".join(now)), encoding="utf-8")
+    begin = f"<!-- table: {name} -->"
+    head, _, rest = text.partition(begin)
+    _, end, tail = rest.partition("<!-- end -->")
+    path.write_text(head + begin + "\n\n" + "\n".join(now) + "\n\n" + end + tail, encoding="utf-8")

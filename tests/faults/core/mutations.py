@@ -148,7 +148,7 @@ CONTACTS = [
         "dynamics/contacts.rs",
         "strip.read(&self.columns, self.lateral, &mut self.column);",
         "",
-        (LEDGER, CONTACT),
+        (LEDGER,),
     ),
     Mutation(
         "contacts and slack droppers coupled symmetrically",
