@@ -183,14 +183,7 @@ CONTACTS = [
         "dynamics/place.rs",
         "w[0] * a[c] + w[1] * a[DIM + c] + w[2]",
         "w[0] * a[c] - w[1] * a[DIM + c] + w[2]",
-        (f"{TROLLEY}::test_elasticity", LEDGER),
-    ),
-    Mutation(
-        "force on a cubic element shared as on a chord",
-        "dynamics/path_element.rs",
-        "hermite::shape(xi.clamp(0.0, 1.0), *l)",
-        "[1.0 - xi, 0.0 * l, xi, 0.0]",
-        (f"{TROLLEY}::test_elasticity",),
+        (LEDGER,),
     ),
 ]
 
