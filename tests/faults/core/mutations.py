@@ -212,13 +212,6 @@ ENERGY = [
         "on_line - by_scheme - force * rise",
         (LEDGER,),
     ),
-    Mutation(
-        "what slack droppers do not store forgotten",
-        "dynamics/ledger.rs",
-        "energy -= 0.5 * tension.min(0.0).powi(2) / link.stiffness;",
-        "",
-        (LEDGER,),
-    ),
 ]
 
 MUTATIONS = [*SCHEME, *ELEMENTS, *STATICS, *CONTACTS, *RIDERS, *ENERGY, *IN_TIME]
