@@ -7,7 +7,6 @@ use arcless_core::CoreError;
 use arcless_core::dynamics::line::Line;
 use arcless_core::dynamics::record::Record;
 use arcless_core::dynamics::stepper::Prepared;
-use arcless_core::linalg::{BlockLdl, lanczos};
 use arcless_core::scheme::Scheme;
 use arcless_core::statics::Geometry;
 use arcless_core::structure::Structure;
@@ -83,9 +82,7 @@ fn beam_under_tension_and_a_point_force() {
 fn frequencies(s: &Single, count: usize) -> Vec<f64> {
     let (g, shape) = settled::<2, 2>(lumped(&s.structure(2).0));
     let line = Line::new(&g, shape);
-    let k = BlockLdl::new(&line.combine(0.0, 0.0, 1.0)).expect("regular");
-    let free = |node: usize, c: usize| line.free[node][c];
-    lanczos::lowest_frequencies(&k, &line.mass, line.nodes(), free, count, 4 * count + 20)
+    line.frequencies(count).expect("regular")
 }
 
 /// Hinged chain of N masses μL at distance ℓ: ω² μL = (T/ℓ) q + (EI/L³) q², q = 4 sin²(nπ/2N).

@@ -9,16 +9,12 @@ use arcless_core::dynamics::path::Path;
 use arcless_core::dynamics::stepper;
 use arcless_core::dynamics::still::Still;
 use arcless_core::element::hermite;
-use arcless_core::linalg::lanczos;
 use arcless_core::scheme::Scheme;
 use arcless_core::statics::{Alteration, Geometry, Shape, assembly};
 use numpy::{PyReadonlyArray2, ToPyArray};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-
-/// Lanczos steps for each frequency asked for; six give the lowest ones to rounding.
-const LANCZOS_STEPS: usize = 6;
 
 /// Equilibrium in two or three dimensions, of Hermite elements or of chains of point masses.
 enum Any {
@@ -209,18 +205,7 @@ impl<const DIM: usize, const D: usize> Solved<DIM, D> {
     }
 
     fn frequencies(&self, count: usize) -> Result<Vec<f64>, CoreError> {
-        let line = self.line();
-        let still = Still::new(&line)?;
-        let free = |node: usize, c: usize| line.free[node][c];
-        let steps = LANCZOS_STEPS * count;
-        Ok(lanczos::lowest_frequencies(
-            still.factor_at_rest(),
-            &line.mass,
-            line.nodes(),
-            free,
-            count,
-            steps,
-        ))
+        self.line().frequencies(count)
     }
 
     fn prepare(

@@ -20,6 +20,7 @@ from math import cos, pi, sin, sqrt
 from typing import Any
 
 import numpy as np
+import pytest
 from scipy.linalg import eigh
 
 from tests.support.catenary import green, hooke
@@ -76,7 +77,6 @@ def _of_wave(e: Any, theta: float) -> Any:
 
 
 def worst(values: Any, reference: Any) -> float:
-    """Largest relative difference of as many frequencies."""
     assert len(values) == len(reference) > 0
     return float(np.abs(np.asarray(values) / np.asarray(reference) - 1.0).max())
 
@@ -118,13 +118,14 @@ def test_a_chain_has_its_own(evidence: Evidence) -> None:
     )  # fmt: skip
 
 
-def test_in_space_each_comes_twice(evidence: Evidence) -> None:
-    both = found(2 * MODES, contact_wire_element=ELEMENT, dimension="spatial")
-    one = found(contact_wire_element=ELEMENT)
+@pytest.mark.parametrize("count", [2, 2 * MODES])
+def test_in_space_each_comes_twice(evidence: Evidence, count: int) -> None:
+    both = found(count, contact_wire_element=ELEMENT, dimension="spatial")
+    one = found(contact_wire_element=ELEMENT)[: count // 2]
     evidence.below(
-        "worst of 40 frequencies in space, against two of each in the plane",
-        worst(both, np.repeat(one, 2)), 3e-12, unit="1",
-        reason="rounding, as above",
+        f"worst of {count} frequencies in space, against two of each in the plane",
+        worst(both, np.repeat(one, 2)), 1e-9, unit="1",
+        reason="Lanczos's method ends where values move by less than 1e-10 in ω²; ten times that",
     )  # fmt: skip
 
 

@@ -20,6 +20,7 @@ pub mod ledger;
 pub mod line;
 pub mod links;
 pub mod loads;
+mod modes;
 pub mod part;
 pub mod path;
 mod path_element;

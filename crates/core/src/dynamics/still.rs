@@ -59,12 +59,6 @@ impl<'a, const DIM: usize, const D: usize> Still<'a, DIM, D> {
         })
     }
 
-    /// Factor of the stiffness at rest, for small motion: links slack there take no part.
-    #[must_use]
-    pub fn factor_at_rest(&self) -> &BlockLdl<D> {
-        self.at_rest.as_ref().unwrap_or(&self.factor)
-    }
-
     /// Displacement under vertical forces (N, upwards) at places.
     ///
     /// # Errors

@@ -3,8 +3,24 @@
 //! K φ = ω² M φ  ⇔  K⁻¹M φ = ω⁻² φ, and K⁻¹M is self-adjoint for ⟨x, y⟩ = xᵀM y.
 //! Full reorthogonalisation: the basis stays small (a few hundred vectors) and no ghost values
 //! appear. Source: Golub & Van Loan, Matrix Computations, sections 10.3 and 10.1.
+//!
+//! Of modes with the same frequency, or nearly, one start vector holds one combination: the others
+//! grow out of rounding and come late. So modes are counted: K − σM has as many negative pivots as
+//! there are squares ω² below σ (Sylvester's law of inertia).
 
 use super::{BlockLdl, MassMatrix, dense};
+
+/// Steps for each frequency asked for, at first; six give the lowest ones to rounding when no two
+/// are alike.
+const FIRST_STEPS: usize = 6;
+/// Rounds, each with half as many steps more: thirty steps for each frequency in the last.
+const MOST_ROUNDS: usize = 5;
+/// What values may still move by in the last steps, relative.
+const SETTLED: f64 = 1e-10;
+/// How far above the last frequency wanted its modes are counted, relative in ω².
+const BEYOND: f64 = 1e-7;
+/// What is left of a vector that the basis already spans, relative.
+const SPANNED: f64 = 1e-8;
 
 fn dot<const D: usize>(x: &[[f64; D]], y: &[[f64; D]]) -> f64 {
     x.iter()
@@ -21,10 +37,11 @@ fn axpy<const D: usize>(y: &mut [[f64; D]], factor: f64, x: &[[f64; D]]) {
         .for_each(|(a, b)| *a += factor * b);
 }
 
-/// The `count` lowest natural frequencies in Hz, ascending. `steps` Lanczos steps are made, and
-/// the Ritz values below are accurate when `steps` is several times `count`.
+/// The `count` lowest natural frequencies in Hz, ascending, each as often as it occurs; fewer when
+/// the structure has fewer.
 ///
-/// `free(node, component)` tells whether a degree of freedom can move.
+/// `free(node, component)` tells whether a degree of freedom can move, `below` how many modes have
+/// ω² below a value, `None` where that cannot be told. After the last round what is there is taken.
 #[must_use]
 pub fn lowest_frequencies<const DIM: usize, const D: usize>(
     stiffness: &BlockLdl<D>,
@@ -32,72 +49,167 @@ pub fn lowest_frequencies<const DIM: usize, const D: usize>(
     nodes: usize,
     free: impl Fn(usize, usize) -> bool,
     count: usize,
-    steps: usize,
+    below: impl Fn(f64) -> Option<usize>,
 ) -> Vec<f64> {
-    // A start vector without symmetry, the same in every run: it has a part of every mode. Of
-    // modes with exactly the same frequency (two equal wires apart) one is found.
-    let mut seed = 0x9E37_79B9_7F4A_7C15_u64;
-    let mut start = vec![[0.0; D]; nodes];
-    for (i, node) in start.iter_mut().enumerate() {
-        for (c, value) in node.iter_mut().enumerate() {
-            seed = seed
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1_442_695_040_888_963_407);
-            let random = (seed >> 11) as f64 / (1_u64 << 53) as f64 - 0.5;
-            *value = if free(i, c) { random } else { 0.0 };
-        }
-    }
-    let times_mass = |x: &[[f64; D]]| {
-        let mut y = vec![[0.0; D]; nodes];
-        mass.product(x, &mut y);
-        // Fixed components couple through the mass; they take no part.
-        for (i, node) in y.iter_mut().enumerate() {
-            (0..D).filter(|&c| !free(i, c)).for_each(|c| node[c] = 0.0);
-        }
-        y
-    };
-    let mut basis: Vec<Vec<[f64; D]>> = Vec::new();
-    let mut basis_mass: Vec<Vec<[f64; D]>> = Vec::new();
-    let (mut diagonal, mut off) = (Vec::new(), Vec::new());
-    let mut vector = start;
-    let mut scratch = vec![[0.0; D]; nodes];
-    for _ in 0..steps {
-        let weighted = times_mass(&vector);
-        let norm = dot(&vector, &weighted).sqrt();
-        if norm.is_nan() || norm <= f64::MIN_POSITIVE {
+    let mut process = Process::new(stiffness, mass, nodes, free);
+    let mut steps = FIRST_STEPS * count;
+    let mut values = Vec::new();
+    for _ in 0..MOST_ROUNDS {
+        process.extend(steps);
+        values = process.values(process.basis.len());
+        if process.exhausted || count == 0 || is_complete(&process, &values, count, &below) {
             break;
         }
-        if !basis.is_empty() {
-            // An invariant subspace is exhausted: nothing new would follow.
-            if norm < 1e-13 * diagonal.first().copied().unwrap_or(1.0) {
-                break;
-            }
-            off.push(norm);
-        }
-        let scale = |x: Vec<[f64; D]>| -> Vec<[f64; D]> {
-            x.into_iter().map(|v| v.map(|c| c / norm)).collect()
-        };
-        basis.push(scale(vector));
-        basis_mass.push(scale(weighted));
-        let last = basis.len() - 1;
-        vector = basis_mass[last].clone();
-        stiffness.solve(&mut vector, &mut scratch);
-        diagonal.push(dot(&vector, &basis_mass[last]));
-        // Twice is enough (Kahan, Parlett): removes all earlier directions to rounding.
-        for _ in 0..2 {
-            for k in 0..basis.len() {
-                let along = dot(&vector, &basis_mass[k]);
-                axpy(&mut vector, -along, &basis[k]);
-            }
-        }
+        steps += steps / 2;
     }
-    let values =
-        dense::tridiagonal_eigenvalues(&diagonal, &off[..diagonal.len().saturating_sub(1)]);
     values
         .iter()
-        .rev()
         .take(count)
         .filter(|&&v| v > 0.0)
         .map(|v| 1.0 / (v.sqrt() * std::f64::consts::TAU))
         .collect()
+}
+
+/// Whether the first values stand still and none is missing among them.
+fn is_complete<const DIM: usize, const D: usize, F: Fn(usize, usize) -> bool>(
+    process: &Process<DIM, D, F>,
+    values: &[f64],
+    count: usize,
+    below: impl Fn(f64) -> Option<usize>,
+) -> bool {
+    let earlier = process.values(values.len() - count);
+    let pairs = values.iter().zip(&earlier).take(count);
+    let settled = earlier.len() >= count && pairs.clone().all(|(v, e)| v - e <= SETTLED * v);
+    let edge = values[count - 1] / (1.0 + BEYOND);
+    settled && below(1.0 / edge) == Some(values.iter().filter(|&&v| v > edge).count())
+}
+
+/// A Lanczos process that can go on.
+struct Process<'a, const DIM: usize, const D: usize, F> {
+    stiffness: &'a BlockLdl<D>,
+    mass: &'a MassMatrix<DIM, D>,
+    free: F,
+    seed: u64,
+    basis: Vec<Vec<[f64; D]>>,
+    basis_mass: Vec<Vec<[f64; D]>>,
+    diagonal: Vec<f64>,
+    off: Vec<f64>,
+    vector: Vec<[f64; D]>,
+    scratch: Vec<[f64; D]>,
+    exhausted: bool,
+}
+
+impl<'a, const DIM: usize, const D: usize, F: Fn(usize, usize) -> bool> Process<'a, DIM, D, F> {
+    fn new(
+        stiffness: &'a BlockLdl<D>,
+        mass: &'a MassMatrix<DIM, D>,
+        nodes: usize,
+        free: F,
+    ) -> Self {
+        let mut process = Self {
+            stiffness,
+            mass,
+            free,
+            seed: 0x9E37_79B9_7F4A_7C15,
+            basis: Vec::new(),
+            basis_mass: Vec::new(),
+            diagonal: Vec::new(),
+            off: Vec::new(),
+            vector: vec![[0.0; D]; nodes],
+            scratch: vec![[0.0; D]; nodes],
+            exhausted: false,
+        };
+        process.start_anew();
+        process
+    }
+
+    /// Take a vector without symmetry, the same in every run: it has a part of every mode.
+    fn start_anew(&mut self) {
+        for (i, node) in self.vector.iter_mut().enumerate() {
+            for (c, value) in node.iter_mut().enumerate() {
+                self.seed = self
+                    .seed
+                    .wrapping_mul(6_364_136_223_846_793_005)
+                    .wrapping_add(1_442_695_040_888_963_407);
+                let random = (self.seed >> 11) as f64 / (1_u64 << 53) as f64 - 0.5;
+                *value = if (self.free)(i, c) { random } else { 0.0 };
+            }
+        }
+    }
+
+    fn times_mass(&self, x: &[[f64; D]]) -> Vec<[f64; D]> {
+        let mut y = vec![[0.0; D]; x.len()];
+        self.mass.product(x, &mut y);
+        // Fixed components couple through the mass; they take no part.
+        for (i, node) in y.iter_mut().enumerate() {
+            (0..D)
+                .filter(|&c| !(self.free)(i, c))
+                .for_each(|c| node[c] = 0.0);
+        }
+        y
+    }
+
+    /// The vector times M, and its length.
+    fn weighted(&self) -> (Vec<[f64; D]>, f64) {
+        let weighted = self.times_mass(&self.vector);
+        let norm = dot(&self.vector, &weighted).sqrt();
+        (weighted, norm)
+    }
+
+    /// Go on until the basis has so many vectors, or spans everything.
+    fn extend(&mut self, steps: usize) {
+        while self.basis.len() < steps && !self.exhausted {
+            let (mut weighted, mut norm) = self.weighted();
+            let mut coupling = norm;
+            let least = 1e-13 * self.diagonal.first().copied().unwrap_or(0.0);
+            if !self.basis.is_empty() && norm < least {
+                // The space is invariant: what is left of another vector starts a new one.
+                self.start_anew();
+                let before = self.weighted().1;
+                self.remove_basis();
+                (weighted, norm) = self.weighted();
+                coupling = 0.0;
+                self.exhausted = norm < SPANNED * before;
+            }
+            self.exhausted |= norm.is_nan() || norm <= f64::MIN_POSITIVE;
+            if !self.exhausted {
+                if !self.basis.is_empty() {
+                    self.off.push(coupling);
+                }
+                self.step(weighted, norm);
+            }
+        }
+    }
+
+    fn step(&mut self, weighted: Vec<[f64; D]>, norm: f64) {
+        let scale = |x: Vec<[f64; D]>| -> Vec<[f64; D]> {
+            x.into_iter().map(|v| v.map(|c| c / norm)).collect()
+        };
+        self.basis.push(scale(std::mem::take(&mut self.vector)));
+        self.basis_mass.push(scale(weighted));
+        let last = self.basis.len() - 1;
+        self.vector = self.basis_mass[last].clone();
+        self.stiffness.solve(&mut self.vector, &mut self.scratch);
+        self.diagonal
+            .push(dot(&self.vector, &self.basis_mass[last]));
+        self.remove_basis();
+    }
+
+    /// Twice is enough (Kahan, Parlett): removes all earlier directions to rounding.
+    fn remove_basis(&mut self) {
+        for _ in 0..2 {
+            for (direction, weighted) in self.basis.iter().zip(&self.basis_mass) {
+                let along = dot(&self.vector, weighted);
+                axpy(&mut self.vector, -along, direction);
+            }
+        }
+    }
+
+    /// Ritz values 1/ω² of the first so many vectors, largest first.
+    fn values(&self, size: usize) -> Vec<f64> {
+        let couplings = &self.off[..size.saturating_sub(1)];
+        let mut values = dense::tridiagonal_eigenvalues(&self.diagonal[..size], couplings);
+        values.reverse();
+        values
+    }
 }
