@@ -4,6 +4,7 @@ Each is a slip of the kind that compiles: a factor, a sign, a term or a column l
 Source files move on; then `old` is to be found anew (a quick test says where), never dropped.
 """
 
+from tests.faults.core.conserved import CONSERVED
 from tests.faults.core.in_time import IN_TIME
 from tests.support.mutants import Mutation
 
@@ -214,4 +215,13 @@ ENERGY = [
     ),
 ]
 
-MUTATIONS = [*SCHEME, *ELEMENTS, *STATICS, *CONTACTS, *RIDERS, *ENERGY, *IN_TIME]
+MUTATIONS = [
+    *SCHEME,
+    *ELEMENTS,
+    *STATICS,
+    *CONTACTS,
+    *RIDERS,
+    *ENERGY,
+    *IN_TIME,
+    *CONSERVED,
+]
