@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from arcless.errors import ResultFormatError
+from arcless.results import seal
 from arcless.results.build import missing_variables
 from arcless.results.files import write_bytes
 from arcless.results.schema import ATTRIBUTES, RESULT_FORMAT
@@ -36,7 +37,7 @@ def save(dataset: "xarray.Dataset", path: str | Path) -> None:
         for name, variable in dataset.variables.items()
     }
     # Through memory: HDF5 ends the whole process when a disk is full, a plain write raises.
-    write_bytes(path, dataset.to_netcdf(engine="h5netcdf", encoding=encoding))
+    write_bytes(path, seal.sealed(dataset.to_netcdf(engine="h5netcdf", encoding=encoding)))
 
 
 def open_dataset(path: str | Path) -> "xarray.Dataset":
@@ -50,7 +51,7 @@ def open_dataset(path: str | Path) -> "xarray.Dataset":
     Raises
     ------
     ResultFormatError
-        The file is missing, is no NetCDF file, has another format version, or lacks variables.
+        The file is missing, damaged, no NetCDF file, of another format version, or lacks variables.
     """
     import xarray
 
@@ -60,6 +61,7 @@ def open_dataset(path: str | Path) -> "xarray.Dataset":
             "no such result file", where=str(file), expected="a file written by `arcless run`"
         )
     try:
+        seal.check(file)
         with xarray.open_dataset(
             file, engine="h5netcdf", decode_times=False, mask_and_scale=False
         ) as opened:
