@@ -80,6 +80,19 @@ def test_outside_of_a_verified_range_ends_with_1(
     assert "24 of 25 values are inside the verified ranges" in done.stdout
 
 
+def test_all_lists_the_recorded_evidence_and_says_that_it_is_recorded(
+    arcless: Arcless, assessed: dict[str, Any]
+) -> None:
+    shown = " ".join(arcless("validate").stdout.split())
+    topics = recorded()
+    assert len(topics) > 20
+    for topic in topics:
+        assert topic.title.split(":")[0] in shown
+    assert f"{sum(len(topic.rows) for topic in topics)} values" in shown
+    assert "not computed again here" in shown
+    assert "not computed again here" not in arcless("validate", "en50318").stdout
+
+
 def test_outside_of_a_remembered_range_ends_with_0(
     arcless: Arcless, assessed: dict[str, Any]
 ) -> None:

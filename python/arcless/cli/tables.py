@@ -127,22 +127,17 @@ def evidence(topics: "Sequence[Topic]") -> Table:
     """Set out the recorded evidence, a line for each topic."""
     from arcless.validate.evidence import GROUPS
 
-    counts = ("values", "inside", "most used of a tolerance", "faults noticed")
-    made = table("Evidence recorded by the tests", "group", "topic", *counts, numbers=counts)
+    counts = ("values", "inside", "used", "faults")
+    made = table("Evidence recorded by the tests", "topic", *counts, numbers=counts)
     group = None
     for topic in topics:
-        if group not in (None, topic.group):
+        if topic.group != group:
             made.add_section()
+            made.add_row(Text(GROUPS[topic.group], style="bold"))
+            group = topic.group
         used = "" if topic.most_used is None else f"{100 * topic.most_used:.0f} %"
-        made.add_row(
-            GROUPS[topic.group] if topic.group != group else "",
-            topic.title,
-            str(len(topic.rows)),
-            str(topic.inside),
-            used,
-            str(len(topic.faults)),
-        )
-        group = topic.group
+        numbers = (str(len(topic.rows)), str(topic.inside), used, str(len(topic.faults)))
+        made.add_row(topic.title, *numbers)
     return made
 
 

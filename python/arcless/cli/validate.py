@@ -1,6 +1,7 @@
 """`arcless validate`: the reference cases."""
 
 import dataclasses
+from collections import Counter
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
@@ -74,11 +75,12 @@ def _evidence(topics: list["Topic"]) -> list[Any]:
     from arcless.cli import tables
 
     versions = " and ".join(sorted({topic.version for topic in topics}))
-    values = sum(len(topic.rows) for topic in topics)
-    inside = sum(topic.inside for topic in topics)
+    verdicts = Counter(row.verdict for topic in topics for row in topic.rows)
+    counts = ", ".join(f"{count} {verdict}" for verdict, count in verdicts.items())
     return [
         tables.evidence(topics),
-        f"{inside} of {values} recorded values are inside, recorded by the tests of version "
-        f"{versions} and not\ncomputed again here. docs/validation has each with its reference, "
-        "its tolerance and its reason.\n",
+        "used: largest part of a tolerance that a value uses up; faults: broken on purpose, and "
+        f"noticed.\n{verdicts.total()} values: {counts}.\nRecorded by the tests of version "
+        f"{versions}, not computed again here. docs/validation has each with its\nreference, its "
+        "tolerance and its reason.\n",
     ]

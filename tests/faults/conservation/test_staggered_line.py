@@ -16,11 +16,13 @@ def test_tension_2_percent_high(noticed: Noticed) -> None:
         noticed("tensions 2 % too high", checks.test_force_of_an_arm, at_rest=fresh.at_rest)
 
 
-def test_arms_of_the_plane_line_10_percent_stiff(noticed: Noticed) -> None:
+def test_arms_of_the_plane_line_twice_as_stiff(noticed: Noticed) -> None:
     def at_rest(name: str, changes: dict[str, Any] | None = None) -> object:
         if not changes:
             return fresh.at_rest(name)
-        with scaled("springs", "stiffness", 1.1):
+        # What is looked for is a missing factor. The wires hold a support far more than the arm:
+        # 10 % of the arm are 0.5 % of the elasticity there.
+        with scaled("springs", "stiffness", 2.0):
             return fresh.at_rest(name, changes)
 
-    noticed("springs of the plane line 10 % stiffer", checks.test_elasticity, at_rest=at_rest)
+    noticed("springs of the plane line twice as stiff", checks.test_elasticity, at_rest=at_rest)
