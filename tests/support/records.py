@@ -70,8 +70,12 @@ def publish_faults(file: Path, module: ModuleType, test: str, faults: list[Notic
 
 
 def _take_faults(topic: Topic, module: ModuleType, test: str, faults: list[Noticed]) -> None:
-    before = {(fault.test, fault.fault, fault.row): fault for fault in topic.faults}
-    kept = [before.get((fault.test, fault.fault, fault.row), fault) for fault in faults]
+    # What was found under a fault may vary; the record is kept while the tolerance beside it stays.
+    def key(fault: Noticed) -> tuple[str, ...]:
+        return fault.test, fault.fault, fault.row, fault.found.partition("; ")[2]
+
+    before = {key(fault): fault for fault in topic.faults}
+    kept = [before.get(key(fault), fault) for fault in faults]
     topic.faults = _replaced(topic.faults, test, kept, module)
 
 
