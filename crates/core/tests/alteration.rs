@@ -1,6 +1,6 @@
 //! Changes after the design, against closed forms of a single wire, for both models of wires.
 
-mod common;
+use crate::common;
 
 use arcless_core::CoreError;
 use arcless_core::statics::assembly::LinkLaw;

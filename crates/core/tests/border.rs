@@ -1,6 +1,6 @@
 //! What the fuzzer found at the border of the core, each written down as arrays.
 
-mod common;
+use crate::common;
 
 use arcless_core::CoreError;
 use arcless_core::dynamics::actuator::Actuator;

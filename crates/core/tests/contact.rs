@@ -1,6 +1,6 @@
 //! Moving contacts against closed forms, and what a unilateral contact must never do.
 
-mod common;
+use crate::common;
 
 use arcless_core::dynamics::ledger::Entries;
 use arcless_core::dynamics::record::Record;

@@ -1,6 +1,6 @@
 //! Several contacts of one rider: on several wires, and with several strips.
 
-mod common;
+use crate::common;
 
 use arcless_core::CoreError;
 use arcless_core::dynamics::record::Record;

@@ -1,6 +1,6 @@
 //! Actuators: when a force is asked for, when it acts, and where its work is booked.
 
-mod common;
+use crate::common;
 
 use arcless_core::CoreError;
 use arcless_core::dynamics::actuator::{Actuator, Sample};

@@ -1,6 +1,6 @@
 //! Natural frequencies of wires against closed forms.
 
-mod common;
+use crate::common;
 
 use arcless_core::dynamics::line::Line;
 use arcless_core::statics::Geometry;

@@ -1,7 +1,7 @@
 //! The same answer by another way: rerun, thinned record, moved origin, mirrored line, the third
 //! dimension, dense matrices.
 
-mod common;
+use crate::common;
 
 use arcless_core::dynamics::columns::Columns;
 use arcless_core::dynamics::line::Line;

@@ -1,12 +1,8 @@
 //! Replay of the inputs that the fuzzer kept, `fuzz/corpus`, one file each: those that reach what no
 //! other one reaches. `make fuzz` looks for more; what it found is written down in `border.rs`.
 
-mod hostile;
-#[allow(dead_code)] // one of its methods is used here
-mod lcp_oracle;
-
-use hostile::border::{self, Reached};
-use hostile::lcp;
+use crate::hostile::border::{self, Reached};
+use crate::hostile::lcp;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 

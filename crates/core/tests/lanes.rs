@@ -1,6 +1,6 @@
 //! Lanes: wires one behind the other.
 
-mod common;
+use crate::common;
 
 use arcless_core::dynamics::path::Path;
 use arcless_core::statics::Geometry;

@@ -1,6 +1,6 @@
 //! Springs, dampers and dry friction given by tables, in whole runs.
 
-mod common;
+use crate::common;
 
 use arcless_core::CoreError;
 use arcless_core::dynamics::given::{Ground, History};

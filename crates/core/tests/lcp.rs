@@ -1,8 +1,9 @@
 //! The complementarity solver against enumeration, Lemke's method and published hard problems.
 
+#[path = "lcp_hard/mod.rs"]
 mod lcp_hard;
-mod lcp_oracle;
 
+use crate::lcp_oracle;
 use arcless_core::lcp::{FailureReason, LcpFailure, LcpSolver, LcpStats, RESIDUAL_MAX, residual};
 use lcp_oracle::{Problem, enumeration, generate, lemke};
 use proptest::prelude::*;

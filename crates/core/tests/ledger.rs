@@ -1,6 +1,6 @@
 //! The energy ledger: what enters a run is stored, dissipated or lost, to rounding.
 
-mod common;
+use crate::common;
 
 use arcless_core::dynamics::ledger::Entries;
 use arcless_core::dynamics::record::Record;

@@ -1,5 +1,6 @@
 //! The published step: its formulas against the equations they come from, and closed forms.
 
+#[path = "published_forms/mod.rs"]
 mod published_forms;
 
 use arcless_core::linalg::dense;

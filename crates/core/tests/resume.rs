@@ -1,6 +1,6 @@
 //! Parts of a run one after the other are the whole run, bit for bit.
 
-mod common;
+use crate::common;
 
 use arcless_core::CoreError;
 use arcless_core::dynamics::actuator::{Actuator, Sample};

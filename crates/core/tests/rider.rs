@@ -1,6 +1,6 @@
 //! Riders on moving ground, under given forces, and against their stops.
 
-mod common;
+use crate::common;
 
 use arcless_core::dynamics::given::{Given, Ground, History};
 use arcless_core::dynamics::record::Record;

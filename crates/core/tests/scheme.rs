@@ -1,6 +1,6 @@
 //! Time-stepping schemes on one oscillator: exact steps, order, damping, stability.
 
-mod common;
+use crate::common;
 
 use arcless_core::CoreError;
 use arcless_core::dynamics::given::Given;

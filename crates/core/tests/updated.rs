@@ -1,7 +1,7 @@
 //! Updated kinematics against the published step written out densely, against linearised kinematics
 //! for small motion, and at rest.
 
-mod common;
+use crate::common;
 
 use arcless_core::CoreError;
 use arcless_core::dynamics::given::Given;

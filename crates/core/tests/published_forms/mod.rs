@@ -1,6 +1,6 @@
 //! Closed forms of the backward differences and of what falls, rubs and comes to rest.
 
-use crate::{assert_close, flexibility, matrix, oscillator};
+use super::{assert_close, flexibility, matrix, oscillator};
 use arcless_core::lcp::LcpSolver;
 use arcless_core::linalg::dense;
 use arcless_core::published::{Known, Matrix, PublishedStep, Step, friction, velocity};
