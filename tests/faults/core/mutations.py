@@ -119,13 +119,6 @@ STATICS = [
         "",
         ("closed_forms/test_tensioning_springs.py::test_travel_of_free_ends",),
     ),
-    Mutation(
-        "slack droppers push, at rest",
-        "statics/assembly.rs",
-        "state.linear_tension.max(0.0)",
-        "state.linear_tension",
-        ("closed_forms/test_elasticity.py::test_simple_line_of_strings",),
-    ),
 ]
 
 CONTACTS = [
