@@ -85,12 +85,11 @@ def test_at_many_random_moments(stop: Stop, place: Place) -> None:
     assert interrupt_at_random(stop, place, 60, longest_s=2.5) > 20
 
 
-def test_while_a_report_is_made_again(stop: Stop, place: Place) -> None:
+@pytest.mark.parametrize("operation", [1, 2, 3], ids=["reading", "writing", "renaming"])
+def test_while_a_report_is_made_again(stop: Stop, place: Place, operation: int) -> None:
     folder, words = place("older"), ["report", "out/result.nc"]
     before = {path.name: path.read_bytes() for path in (folder / "out").iterdir()}
-    end = stop(Job(words, str(folder), "interrupt", moment_s=0.05))
-    assert (end.code, end.out, end.err) == STOPPED
-    end = stop(Job(words, str(folder), "interrupt", operation=2))
+    end = stop(Job(words, str(folder), "interrupt", operation, reads=True))
     assert (end.code, end.out, end.err) == STOPPED
     assert leftovers(folder) == []
     assert {path.name: path.read_bytes() for path in (folder / "out").iterdir()} == before

@@ -36,6 +36,7 @@ class Job:
     how: str  # kill, interrupt, full (disk), never
     operation: int = 0  # number of the file operation before which it happens, from 1
     moment_s: float = 0.0  # or the time after the start
+    reads: bool = False  # opening a file to read it is an operation too
 
 
 @dataclass(frozen=True)
@@ -68,12 +69,16 @@ class Watch:
             os.kill(os.getpid(), signal.SIGKILL if self.job.how == "kill" else signal.SIGINT)
 
     def counts(self, event: str, arguments: tuple[Any, ...]) -> bool:
-        if event == "open" and not (isinstance(arguments[2], int) and arguments[2] & WRITES):
+        if event == "open" and not (self.job.reads or self.may_write(arguments[2])):
             return False
         path = arguments[0]
         if not isinstance(path, str | bytes | os.PathLike):
             return False
         return os.path.abspath(os.fsdecode(path)).startswith(self.job.folder)  # noqa: PTH100
+
+    @staticmethod
+    def may_write(flags: object) -> bool:
+        return isinstance(flags, int) and bool(flags & WRITES)
 
 
 def carry_out(job: Job, folder: Path) -> End:
