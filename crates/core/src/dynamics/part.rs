@@ -4,18 +4,13 @@
 //! part, its extremes and counts those of the run so far.
 
 use super::actuator::Ask;
-use super::contact::Unilateral;
-use super::contacts::Contacts;
 use super::ledger::Ledger;
-use super::loads::Loads;
 use super::record::{Record, RecordPlan};
 use super::rider::{Rider, RiderState};
 use super::run::{OBSERVE_EVERY, Run, Travel, check, check_nodes};
-use super::start::points;
 use super::state::{State, refuse};
 use super::stepper::Prepared;
 use crate::error::CoreError;
-use std::borrow::Cow;
 
 /// Which steps to do.
 #[derive(Debug, Clone, Copy, Default)]
@@ -82,45 +77,5 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         let state = run.take_down(until, ledger.as_mut())?;
         run.record.law_ranges = run.riders.iter().flat_map(RiderState::law_ranges).collect();
         Ok((run.record, state))
-    }
-}
-
-impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
-    /// A run into which a state is to be put back.
-    fn blank(
-        p: &'a Prepared<DIM, D>,
-        riders: &'a [Rider],
-        travel: &'a Travel,
-        plan: &'a RecordPlan,
-    ) -> Result<Self, CoreError> {
-        riders.iter().try_for_each(Rider::check)?;
-        let states = riders.iter().map(|rider| {
-            let stand = (vec![0.0; rider.size()], 0.0);
-            RiderState::standing(rider.clone(), &p.coefficients, stand)
-        });
-        let states = states.collect::<Result<Vec<_>, _>>()?;
-        let mut contacts = Contacts::blank(riders, &travel.distances, p.lanes.len());
-        contacts.respond(&states);
-        Ok(Self {
-            start_u: states.iter().map(|r| r.u.clone()).collect(),
-            described: riders,
-            riders: states,
-            unilateral: Unilateral::new(contacts.all.len(), vec![0.0; p.line.links.len()]),
-            state: p.at_rest(vec![[0.0; D]; p.line.nodes()]),
-            gaps: vec![0.0; contacts.all.len()],
-            friction: vec![0.0; contacts.all.len()],
-            loads: Loads::new(&travel.loads),
-            record: Record::empty(&contacts, p.line.links.len(), plan, riders.len()),
-            // With updated kinematics the first step forms everything that moves anew.
-            p: match p.updating {
-                None => Cow::Borrowed(p),
-                Some(_) => Cow::Owned(p.clone()),
-            },
-            points: points(&p.lanes, &plan.points)?,
-            datum: 0.0,
-            contacts,
-            travel,
-            plan,
-        })
     }
 }

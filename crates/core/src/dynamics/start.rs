@@ -1,6 +1,7 @@
 //! The start of a run.
 
 use super::contact::Unilateral;
+use super::contacts::Contacts;
 use super::loads::Loads;
 use super::path::Path;
 use super::place::Place;
@@ -41,43 +42,81 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
         let points = points(&p.lanes, &plan.points)?;
         let mut start = Start::new(p, riders, travel)?;
         let line = start.settle()?;
-        let state = |(j, rider): (usize, &Rider)| {
+        let stand = |(j, rider): (usize, &Rider)| {
             let Rest { u, preload, .. } = start.stand(j, &line)?;
             RiderState::standing(rider.clone(), &p.coefficients, (u, preload))
         };
-        let states = riders.iter().enumerate().map(state);
+        let states = riders.iter().enumerate().map(stand);
         let states = states.collect::<Result<Vec<_>, _>>()?;
-        let Start {
-            mut contacts,
-            forces,
-            lanes,
-            datum,
-            ..
-        } = start;
-        contacts.respond(&states);
-        let mut unilateral = Unilateral::new(contacts.all.len(), line.correction);
-        for (&i, force) in contacts.active.iter().zip(forces) {
+        let mut unilateral = Unilateral::new(start.contacts.all.len(), line.correction);
+        for (&i, force) in start.contacts.active.iter().zip(start.forces) {
             unilateral.force[i] = force;
         }
+        let model = match p.updating {
+            None => Cow::Borrowed(p),
+            Some(_) => Cow::Owned(p.on(start.lanes)),
+        };
         Ok(Self {
-            start_u: states.iter().map(|r| r.u.clone()).collect(),
-            described: riders,
-            riders: states,
-            unilateral,
             state: p.at_rest(line.u),
-            gaps: vec![0.0; contacts.all.len()],
-            friction: vec![0.0; contacts.all.len()],
-            loads: Loads::new(&travel.loads),
-            record: Record::empty(&contacts, p.line.links.len(), plan, riders.len()),
-            p: match p.updating {
-                None => Cow::Borrowed(p),
-                Some(_) => Cow::Owned(p.on(lanes)),
-            },
-            contacts,
-            datum,
+            unilateral,
+            datum: start.datum,
             points,
+            ..Self::assemble(model, riders, travel, plan, states, start.contacts)
+        })
+    }
+
+    /// A run into which a state is to be put back.
+    pub(super) fn blank(
+        p: &'a Prepared<DIM, D>,
+        riders: &'a [Rider],
+        travel: &'a Travel,
+        plan: &'a RecordPlan,
+    ) -> Result<Self, CoreError> {
+        riders.iter().try_for_each(Rider::check)?;
+        let stand = |rider: &Rider| {
+            let nowhere = (vec![0.0; rider.size()], 0.0);
+            RiderState::standing(rider.clone(), &p.coefficients, nowhere)
+        };
+        let states = riders.iter().map(stand).collect::<Result<Vec<_>, _>>()?;
+        let contacts = Contacts::blank(riders, &travel.distances, p.lanes.len());
+        // With updated kinematics the first step forms everything that moves anew.
+        let model = match p.updating {
+            None => Cow::Borrowed(p),
+            Some(_) => Cow::Owned(p.clone()),
+        };
+        Ok(Self {
+            points: points(&p.lanes, &plan.points)?,
+            ..Self::assemble(model, riders, travel, plan, states, contacts)
+        })
+    }
+
+    /// A run of these riders with the line undisturbed, no force anywhere and no point watched.
+    fn assemble(
+        p: Cow<'a, Prepared<DIM, D>>,
+        described: &'a [Rider],
+        travel: &'a Travel,
+        plan: &'a RecordPlan,
+        riders: Vec<RiderState>,
+        mut contacts: Contacts<DIM>,
+    ) -> Self {
+        contacts.respond(&riders);
+        let (count, links) = (contacts.all.len(), p.line.links.len());
+        Self {
+            state: p.at_rest(vec![[0.0; D]; p.line.nodes()]),
+            start_u: riders.iter().map(|r| r.u.clone()).collect(),
+            unilateral: Unilateral::new(count, vec![0.0; links]),
+            datum: 0.0,
+            points: Vec::new(),
+            gaps: vec![0.0; count],
+            friction: vec![0.0; count],
+            loads: Loads::new(&travel.loads),
+            record: Record::empty(&contacts, links, plan, riders.len()),
+            p,
             travel,
             plan,
-        })
+            described,
+            riders,
+            contacts,
+        }
     }
 }
