@@ -3,6 +3,7 @@
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from types import ModuleType
 from unittest.mock import patch
 
 import numpy as np
@@ -33,3 +34,22 @@ def complementarity(
     finally:
         if not solved:
             raise RuntimeError("the fault was never put in")
+
+
+def stale(H: np.ndarray, w: np.ndarray) -> Problem:
+    """Return the problem as if a contact had moved on, but its column not quite."""
+    H = H.copy()
+    H[:, 0] *= 1.0 + 1e-9
+    return H, w
+
+
+def notice_slips(noticed: Callable[..., None], checked: ModuleType) -> None:
+    """Show that a comparison with another solver notices the slips that any of them must."""
+    with complementarity(lambda H, w: (H.T, w)):
+        noticed("rows and columns of H exchanged", checked.test_same_forces, name="skew")
+    with complementarity(stale):
+        noticed("first column of H off by 1e-9", checked.test_same_forces, name="definite")
+    with complementarity(lambda H, w: (H, w - 1e-12)):
+        noticed("gaps 1e-12 m too small", checked.test_same_forces_in_a_run)
+    with complementarity(lambda H, w: (H, w), lambda x: x + 1e-6):
+        noticed("forces 1 µN too large", checked.test_same_forces, name="ring")

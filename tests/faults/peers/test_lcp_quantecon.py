@@ -1,29 +1,8 @@
 """What the comparison with QuantEcon notices."""
 
-from tests.support.lcp_faults import complementarity
+from tests.support.lcp_faults import notice_slips
 from tests.verification.peers import test_lcp_quantecon as checked
 
 
-def test_transposed(noticed) -> None:
-    with complementarity(lambda H, w: (H.T, w)):
-        noticed("rows and columns of H exchanged", checked.test_same_forces, name="skew")
-
-
-def test_stale_column(noticed) -> None:
-    def stale(H, w):
-        H = H.copy()
-        H[:, 0] *= 1.0 + 1e-9  # a contact moved on, its column did not quite
-        return H, w
-
-    with complementarity(stale):
-        noticed("first column of H off by 1e-9", checked.test_same_forces, name="definite")
-
-
-def test_gap_forgotten(noticed) -> None:
-    with complementarity(lambda H, w: (H, w - 1e-12)):
-        noticed("gaps 1e-12 m too small", checked.test_same_forces_in_a_run)
-
-
-def test_no_complementarity(noticed) -> None:
-    with complementarity(lambda H, w: (H, w), lambda x: x + 1e-6):
-        noticed("forces 1 µN too large", checked.test_same_forces, name="ring")
+def test_slips(noticed) -> None:
+    notice_slips(noticed, checked)
