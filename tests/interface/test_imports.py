@@ -13,7 +13,7 @@ ORDER = (
     "errors", "units", "model", "mesh", "lcp", "results", "assess", "simulate", "report",
     "validate", "cli",
 )  # fmt: skip
-CORE_USERS = {"mesh", "lcp", "simulate"}
+CORE_USERS = {"mesh", "lcp", "assess", "simulate"}
 # A result offers what follows from it (`result.assessment`), imported when asked for.
 LATER = {("results", "assess"), ("results", "report")}
 

@@ -89,11 +89,8 @@ class Straight:
         numbers = [i * len(self.kinds) + which for i in range(len(self.x))]
         lengths = np.diff(self.x)
         if not self.lumped:
-            rest = lengths / wires.stretch(kind)
-            return [
-                self.parts.add_wire(kind, ends, ends, length)
-                for ends, length in zip(pairwise(numbers), rest.tolist(), strict=True)
-            ]
+            ends, rest = np.column_stack([numbers[:-1], numbers[1:]]), lengths / wires.stretch(kind)
+            return self.parts.add_wires([kind] * len(rest), ends, ends, rest)
         rest = lengths / wires.chain_stretch(kind)
         rows = [
             self.parts.add_segment(kind, ends, length)

@@ -9,7 +9,8 @@
 //! * [`structure`] — wires, links, springs and masses as plain data;
 //! * [`statics`] — positions from lengths, or lengths from positions;
 //! * [`dynamics`] — steps about the equilibrium, everything unilateral in one [`lcp`] per step;
-//! * [`element`], [`linalg`], [`scheme`] — what these are made of.
+//! * [`element`], [`linalg`], [`scheme`] — what these are made of;
+//! * [`filter`] — recursive filters for what was recorded.
 //!
 //! `DIM` is the number of components of space (2 or 3), `D` the unknowns of a node: `2·DIM` (position
 //! and slope) where wires are Hermite elements, `DIM` where they are chains of point masses.
@@ -17,6 +18,7 @@
 pub mod dynamics;
 pub mod element;
 pub mod error;
+pub mod filter;
 pub mod lcp;
 pub mod linalg;
 pub mod published;

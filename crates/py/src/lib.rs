@@ -2,6 +2,7 @@
 
 mod equilibrium;
 mod error;
+mod filter;
 mod lcp;
 mod prepared;
 mod published;
@@ -17,6 +18,7 @@ fn _core(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_class::<equilibrium::Equilibrium>()?;
     m.add_class::<prepared::Prepared>()?;
     m.add_function(wrap_pyfunction!(lcp::solve_lcp, m)?)?;
+    m.add_function(wrap_pyfunction!(filter::filtered, m)?)?;
     m.add_class::<published::PublishedStep>()?;
     m.add_function(wrap_pyfunction!(published::friction, m)?)?;
     Ok(())

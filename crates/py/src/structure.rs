@@ -11,14 +11,12 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// A table: integer and float columns of the same number of rows.
+/// A table: integer and float columns of the same number of rows, one row after the other.
 struct Table {
-    integers: Vec<Vec<usize>>,
-    floats: Vec<Vec<f64>>,
-}
-
-fn rows<T: Clone>(array: &numpy::ndarray::ArrayView2<'_, T>) -> Vec<Vec<T>> {
-    array.rows().into_iter().map(|row| row.to_vec()).collect()
+    rows: usize,
+    widths: [usize; 2],
+    integers: Vec<usize>,
+    floats: Vec<f64>,
 }
 
 fn table(parts: &Bound<'_, PyDict>, name: &str, widths: [usize; 2]) -> PyResult<Table> {
@@ -31,25 +29,27 @@ fn table(parts: &Bound<'_, PyDict>, name: &str, widths: [usize; 2]) -> PyResult<
         let message = format!("part {name}: expected {widths:?} columns and equal rows");
         return Err(PyValueError::new_err(message));
     }
-    let unsigned = rows(&integers).into_iter().map(|row| {
-        let convert = |v: i64| {
-            usize::try_from(v)
-                .map_err(|_| PyValueError::new_err(format!("part {name}: negative index {v}")))
-        };
-        row.into_iter().map(convert).collect::<PyResult<Vec<_>>>()
-    });
+    let unsigned = |&v: &i64| {
+        usize::try_from(v)
+            .map_err(|_| PyValueError::new_err(format!("part {name}: negative index {v}")))
+    };
     Ok(Table {
-        integers: unsigned.collect::<PyResult<_>>()?,
-        floats: rows(&floats),
+        rows: integers.nrows(),
+        widths,
+        integers: integers.iter().map(unsigned).collect::<PyResult<_>>()?,
+        floats: floats.iter().copied().collect(),
     })
 }
 
 fn each<T>(t: &Table, make: impl Fn(&[usize], &[f64]) -> T) -> Vec<T> {
-    t.integers
-        .iter()
-        .zip(&t.floats)
-        .map(|(i, f)| make(i, f))
-        .collect()
+    let [integers, floats] = t.widths;
+    let row = |k: usize| {
+        make(
+            &t.integers[k * integers..(k + 1) * integers],
+            &t.floats[k * floats..(k + 1) * floats],
+        )
+    };
+    (0..t.rows).map(row).collect()
 }
 
 pub fn triples(array: &PyReadonlyArray2<'_, f64>) -> PyResult<Vec<[f64; 3]>> {

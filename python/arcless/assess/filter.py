@@ -11,6 +11,7 @@ that is, it falls as a filter of order 2n and halves a sine at the cut-off inste
 import numpy as np
 from numpy.typing import NDArray
 
+from arcless.assess import butterworth
 from arcless.errors import ModelError, ResultFormatError
 
 ORDER = 6
@@ -59,8 +60,6 @@ def low_pass(signal: NDArray[np.float64], rate_Hz: float, cutoff_Hz: float) -> N
     ModelError
         The cut-off is not between zero and half the recording rate.
     """
-    from scipy.signal import butter, sosfiltfilt
-
     if not 0.0 < cutoff_Hz < 0.5 * rate_Hz:
         raise ModelError(
             "the low-pass frequency does not fit the record",
@@ -69,16 +68,19 @@ def low_pass(signal: NDArray[np.float64], rate_Hz: float, cutoff_Hz: float) -> N
             expected=f"above 0 and below half the recording rate of {rate_Hz:g} Hz",
             hint="record contact channels more often: output.contact_every",
         )
-    sections = butter(ORDER, cutoff_Hz, fs=rate_Hz, output="sos")
+    sections = butterworth.sections(ORDER, cutoff_Hz, rate_Hz)
     extension = min(signal.shape[0] - 1, round(EXTENSION_PERIODS * rate_Hz / cutoff_Hz))
-    filtered: NDArray[np.float64] = sosfiltfilt(sections, signal, axis=0, padlen=extension)
-    return filtered
+    columns = signal.reshape(len(signal), -1).T
+    filtered = [butterworth.both_ways(sections, column, extension) for column in columns]
+    return np.stack(filtered, axis=-1).reshape(signal.shape)
 
 
 def spectrum(
     signal: NDArray[np.float64], rate_Hz: float, window_s: float = 4.0
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Return frequencies in Hz and the one-sided power spectral density (Welch, Hann).
+
+    Windows overlap by half; each loses its mean, and their densities are averaged.
 
     Parameters
     ----------
@@ -89,8 +91,13 @@ def spectrum(
     window_s
         Length in s of the overlapping windows that are averaged.
     """
-    from scipy.signal import welch
-
     length = min(signal.size, max(2, round(window_s * rate_Hz)))
-    frequency, density = welch(signal, fs=rate_Hz, nperseg=length, detrend="constant")
+    hop = length - length // 2
+    window = 0.5 - 0.5 * np.cos(2.0 * np.pi * np.arange(length) / length)
+    pieces = np.lib.stride_tricks.sliding_window_view(signal, length)[::hop]
+    waves = np.fft.rfft((pieces - pieces.mean(axis=1, keepdims=True)) * window, axis=1)
+    density = (np.abs(waves) ** 2).mean(axis=0) / (rate_Hz * np.sum(window**2))
+    # One-sided: what belongs to frequencies below zero is put to those above.
+    density[1 : (length + 1) // 2] *= 2.0
+    frequency: NDArray[np.float64] = np.fft.rfftfreq(length, 1.0 / rate_Hz)
     return frequency, density

@@ -1,11 +1,13 @@
 """The nodes of a wire, and the wires of a system."""
 
+from bisect import bisect_left
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 
 from arcless.mesh import wires
-from arcless.mesh.names import AUXILIARY, BRIDLE, MESSENGER, STITCH
+from arcless.mesh.names import BRIDLE, MESSENGER, STITCH
 from arcless.mesh.on_wires import inserted
 from arcless.mesh.types import Floats
 from arcless.model.components import TensionedWire
@@ -38,7 +40,12 @@ class Chain:
 
     def row(self, x: float) -> int:
         """Row of the node that stands at a station."""
-        return int(np.searchsorted(self.points[:, 0], x - wires.SAME_PLACE))
+        return bisect_left(self._along, x - wires.SAME_PLACE)
+
+    @cached_property
+    def _along(self) -> list[float]:
+        along: list[float] = self.points[:, 0].tolist()
+        return along
 
     def at(self, x: float) -> int:
         """Return the number of the node that stands at a station."""
@@ -75,10 +82,12 @@ class Chains:
 
     def of(self, wire: str, x: float) -> Chain:
         """Return the chain of a wire; of stitch wires, the one at a place."""
+        if wire in self.contacts:
+            return self.contacts[wire]
         if wire in {STITCH, BRIDLE}:
             pieces = self.stitches if wire == STITCH else self.bridles
-            return pieces[int(np.searchsorted([piece.points[0, 0] for piece in pieces], x)) - 1]
-        chain = {**self.contacts, MESSENGER: self.messenger, AUXILIARY: self.auxiliary}[wire]
+            return pieces[bisect_left(pieces, x, key=lambda piece: piece.points[0, 0]) - 1]
+        chain = self.messenger if wire == MESSENGER else self.auxiliary
         assert chain is not None
         return chain
 

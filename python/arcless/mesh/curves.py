@@ -26,14 +26,13 @@ def smooth(places: Sequence[float], values: Sequence[float], x: float | Floats) 
     step = np.diff(at)
     rise = np.diff(height) / step
     slope = np.zeros(len(at))
-    for i in range(1, len(at) - 1):
-        if rise[i - 1] * rise[i] > 0.0:
-            before, behind = 2.0 * step[i] + step[i - 1], step[i] + 2.0 * step[i - 1]
-            slope[i] = (before + behind) / (before / rise[i - 1] + behind / rise[i])
+    inner = 1 + np.flatnonzero(rise[:-1] * rise[1:] > 0.0)
+    before, behind = 2.0 * step[inner] + step[inner - 1], step[inner] + 2.0 * step[inner - 1]
+    slope[inner] = (before + behind) / (before / rise[inner - 1] + behind / rise[inner])
     slope[0] = 1.5 * rise[0] - 0.5 * slope[1]
     slope[-1] = 1.5 * rise[-1] - 0.5 * slope[-2]
     piece = np.clip(np.searchsorted(at, x, side="right") - 1, 0, len(step) - 1)
     t = (x - at[piece]) / step[piece]
     bend = slope[piece] - rise[piece], slope[piece + 1] - rise[piece]
-    inner = rise[piece] * t + t * (1.0 - t) * ((1.0 - t) * bend[0] - t * bend[1])
-    return np.asarray(height[piece] + step[piece] * inner)
+    share = rise[piece] * t + t * (1.0 - t) * ((1.0 - t) * bend[0] - t * bend[1])
+    return np.asarray(height[piece] + step[piece] * share)

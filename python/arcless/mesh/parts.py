@@ -1,10 +1,11 @@
 """Tables of parts: rows are collected one by one and become the arrays of the core."""
 
+from collections.abc import Sequence
 from math import cos, sin
 
 import numpy as np
 
-from arcless.mesh.types import Part
+from arcless.mesh.types import Floats, Integers, Part
 from arcless.model.components import DropperType, SteadyArmBar, TensionedWire
 
 # Number of integer and float columns of each kind, as documented in `arcless.mesh.types.Mesh`.
@@ -32,6 +33,8 @@ class Parts:
         self._rows: dict[str, list[tuple[tuple[int, ...], tuple[float, ...]]]] = {
             kind: [] for kind in COLUMNS
         }
+        self._wires: list[Part] = []
+        self._wire_count = 0
 
     def add(self, kind: str, integers: tuple[int, ...], floats: tuple[float, ...] = ()) -> int:
         """Add a row and return its number."""
@@ -47,21 +50,32 @@ class Parts:
                 np.array([row[0] for row in rows], dtype=np.int64).reshape(len(rows), integers),
                 np.array([row[1] for row in rows], dtype=np.float64).reshape(len(rows), floats),
             )
+        if self._wires:
+            numbers, values = zip(*self._wires, strict=True)
+            tables["wires"] = np.concatenate(numbers), np.concatenate(values)
         return tables
 
-    def add_wire(
+    def add_wires(
         self,
-        wire: TensionedWire,
-        nodes: tuple[int, int],
-        slope_nodes: tuple[int, int],
-        rest_length: float,
-    ) -> int:
-        """Add a cubic element of a wire."""
-        elastic = (rest_length, wire.axial_stiffness, wire.bending_stiffness)
-        damping = (wire.damping.alpha, wire.damping.beta)
-        return self.add(
-            "wires", (*nodes, *slope_nodes), (*elastic, wire.mass, *damping, wire.tension)
-        )
+        sections: Sequence[TensionedWire],
+        nodes: Integers,
+        slope_nodes: Integers,
+        rest_lengths: Floats,
+    ) -> list[int]:
+        """Add the cubic elements of a piece of wire; nodes are (n × 2). Returns their rows."""
+        kinds = {id(section): section for section in sections}
+        own = {
+            key: (
+                *(wire.axial_stiffness, wire.bending_stiffness, wire.mass),
+                *(wire.damping.alpha, wire.damping.beta, wire.tension),
+            )
+            for key, wire in kinds.items()
+        }
+        values = np.array([own[id(section)] for section in sections])
+        table = np.column_stack([rest_lengths, values])
+        self._wires.append((np.column_stack([nodes, slope_nodes]), table))
+        first, self._wire_count = self._wire_count, self._wire_count + len(sections)
+        return list(range(first, self._wire_count))
 
     def add_segment(self, wire: TensionedWire, nodes: tuple[int, int], rest_length: float) -> int:
         """Add a straight link of a chain of point masses."""

@@ -121,12 +121,11 @@ class Guess:
         own = [h for h in self.places.hangings if h.lower == wire]
         for upper in {h.upper for h in own}:
             hung = [h for h in own if h.upper == upper]
-            tops = self.of(upper, np.array([h.x for h in hung]))
-            for h, top in zip(hung, tops, strict=True):
-                drawn = h.presag is not None
-                nominal = float(self._nominal(wire, h.x))
-                if h.x in measured:
-                    continue
-                known[h.x] = nominal - (h.presag or 0.0) if drawn else float(top) - (h.length or 0)
+            places = np.array([h.x for h in hung])
+            levels, tops = self._nominal(wire, places).tolist(), self.of(upper, places).tolist()
+            for h, nominal, top in zip(hung, levels, tops, strict=True):
+                if h.x not in measured:
+                    drawn = h.presag is not None
+                    known[h.x] = nominal - (h.presag or 0.0) if drawn else top - (h.length or 0)
         ordered = sorted(known)
         return np.interp(x, ordered, [known[place] for place in ordered])

@@ -108,11 +108,12 @@ class Wiring:
     def _add_elements(self, chain: Chain) -> list[int]:
         sections = chain.sections()
         lengths = self._unstretched(chain, sections, wires.stretch)
-        rows = []
-        for row, (nodes, section) in enumerate(zip(pairwise(chain.nodes), sections, strict=True)):
-            slopes = (chain.leaving.get(row, nodes[0]), chain.arriving.get(row + 1, nodes[1]))
-            rows.append(self.parts.add_wire(section, nodes, slopes, float(lengths[row])))
-        return rows
+        nodes = np.array(chain.nodes)
+        ends = np.column_stack([nodes[:-1], nodes[1:]])
+        slopes = ends.copy()
+        slopes[list(chain.leaving), 0] = list(chain.leaving.values())
+        slopes[[row - 1 for row in chain.arriving], 1] = list(chain.arriving.values())
+        return self.parts.add_wires(sections, ends, slopes, lengths)
 
     def _add_segments(self, chain: Chain) -> list[int]:
         """Add a chain of point masses that bends at its inner nodes, but for the hinges."""
@@ -132,7 +133,8 @@ class Wiring:
     def _unstretched(
         chain: Chain, sections: list[TensionedWire], law: Callable[[TensionedWire], float]
     ) -> Floats:
-        stretches = {id(section): law(section) for section in sections}
+        kinds = {id(section): section for section in sections}
+        stretches = {key: law(section) for key, section in kinds.items()}
         by_element = [stretches[id(section)] for section in sections]
         return wires.chord_lengths(chain.points, np.array(by_element))
 

@@ -8,6 +8,9 @@
 //! Sources: Berzeri & Shabana, J. Sound Vib. 235 (2000) 539 (strain and curvature of the ANCF
 //! cable); Tur, García, Baeza & Fuenmayor, Eng. Struct. 71 (2014) 234 (overhead lines).
 
+use crate::linalg;
+use std::array::from_fn;
+
 /// Coordinates of an element, or forces on them: r₁, r₁′, r₂, r₂′.
 pub type Coordinates<const DIM: usize> = [[f64; DIM]; 4];
 /// Second derivative of the energy: pairs of coordinates, then components.
@@ -46,6 +49,7 @@ pub fn shape(xi: f64, l: f64) -> [f64; 4] {
 }
 
 /// ∂S/∂s at ξ.
+#[inline(always)]
 #[must_use]
 pub fn shape_slope(xi: f64, l: f64) -> [f64; 4] {
     let x2 = xi * xi;
@@ -58,6 +62,7 @@ pub fn shape_slope(xi: f64, l: f64) -> [f64; 4] {
 }
 
 /// ∂²S/∂s² at ξ.
+#[inline(always)]
 #[must_use]
 pub fn shape_curvature(xi: f64, l: f64) -> [f64; 4] {
     [
@@ -69,6 +74,7 @@ pub fn shape_curvature(xi: f64, l: f64) -> [f64; 4] {
 }
 
 /// Weighted sum of the coordinates: a point, slope or curvature vector.
+#[inline(always)]
 #[must_use]
 pub fn interpolate<const DIM: usize>(weights: &[f64; 4], e: &Coordinates<DIM>) -> [f64; DIM] {
     let mut r = [0.0; DIM];
@@ -80,6 +86,7 @@ pub fn interpolate<const DIM: usize>(weights: &[f64; 4], e: &Coordinates<DIM>) -
     r
 }
 
+#[inline(always)]
 fn dot<const DIM: usize>(a: &[f64; DIM], b: &[f64; DIM]) -> f64 {
     (0..DIM).map(|c| a[c] * b[c]).sum()
 }
@@ -98,6 +105,7 @@ struct Curvature {
 }
 
 impl Curvature {
+    #[inline(always)]
     fn new(s: f64, t: f64, w: f64) -> Self {
         let (s2, s3) = (s * s, s * s * s);
         Self {
@@ -110,6 +118,13 @@ impl Curvature {
             sw: 6.0 * w / (s2 * s2),
             ww: -2.0 / s3,
         }
+    }
+
+    /// ½ ∂²κ²/∂aₚ∂b_q, taken twice by the two orders of p and q.
+    #[inline(always)]
+    fn cross<const DIM: usize>(&self, a: &[f64; DIM], b: &[f64; DIM], p: usize, q: usize) -> f64 {
+        let one = f64::from(u8::from(p == q));
+        self.w * one + 2.0 * a[p] * (2.0 * self.st * b[q] + self.sw * a[q]) + self.ww * b[p] * a[q]
     }
 }
 
@@ -145,21 +160,61 @@ pub fn add_force<const DIM: usize>(
     e: &Coordinates<DIM>,
     force: &mut Coordinates<DIM>,
 ) {
-    let l = section.rest_length;
-    for &(xi, weight) in &GAUSS {
-        let (d1, d2) = (shape_slope(xi, l), shape_curvature(xi, l));
-        let (a, b) = (interpolate(&d1, e), interpolate(&d2, e));
-        let s = dot(&a, &a);
-        let kappa = Curvature::new(s, dot(&b, &b), dot(&a, &b));
-        let axial = weight * l * section.axial_stiffness * 0.5 * (s - 1.0);
-        let bending = weight * l * 0.5 * section.bending_stiffness;
-        for k in 0..4 {
-            for c in 0..DIM {
-                let by_slope = 2.0 * kappa.s * a[c] + kappa.w * b[c];
-                let by_curvature = 2.0 * kappa.t * b[c] + kappa.w * a[c];
-                force[k][c] +=
-                    axial * a[c] * d1[k] + bending * (by_slope * d1[k] + by_curvature * d2[k]);
+    linalg::widest(ForceKernel { section, e, force });
+}
+
+struct ForceKernel<'a, const DIM: usize> {
+    section: &'a Section,
+    e: &'a Coordinates<DIM>,
+    force: &'a mut Coordinates<DIM>,
+}
+
+impl<const DIM: usize> linalg::Kernel for ForceKernel<'_, DIM> {
+    #[inline(always)]
+    fn run(self) {
+        let Self { section, e, force } = self;
+        for point in &GAUSS {
+            add_force_at(section, e, point, |k, c, part| force[k][c] += part);
+        }
+    }
+}
+
+/// Horizontal force on the second end: a component of [`add_force`], to the bit.
+#[must_use]
+pub fn end_force_along<const DIM: usize>(section: &Section, e: &Coordinates<DIM>) -> f64 {
+    let mut force = 0.0;
+    for point in &GAUSS {
+        // What is not asked for is not computed: the compiler sees that nobody takes it.
+        add_force_at(section, e, point, |k, c, part| {
+            if (k, c) == (2, 0) {
+                force += part;
             }
+        });
+    }
+    force
+}
+
+/// Hand over the forces that one integration point gives: coordinate, component, force.
+#[inline(always)]
+fn add_force_at<const DIM: usize>(
+    section: &Section,
+    e: &Coordinates<DIM>,
+    &(xi, weight): &(f64, f64),
+    mut add: impl FnMut(usize, usize, f64),
+) {
+    let l = section.rest_length;
+    let (d1, d2) = (shape_slope(xi, l), shape_curvature(xi, l));
+    let (a, b) = (interpolate(&d1, e), interpolate(&d2, e));
+    let s = dot(&a, &a);
+    let kappa = Curvature::new(s, dot(&b, &b), dot(&a, &b));
+    let axial = weight * l * section.axial_stiffness * 0.5 * (s - 1.0);
+    let bending = weight * l * 0.5 * section.bending_stiffness;
+    for c in 0..DIM {
+        let by_slope = 2.0 * kappa.s * a[c] + kappa.w * b[c];
+        let by_curvature = 2.0 * kappa.t * b[c] + kappa.w * a[c];
+        for k in 0..4 {
+            let bent = bending * (by_slope * d1[k] + by_curvature * d2[k]);
+            add(k, c, axial * a[c] * d1[k] + bent);
         }
     }
 }
@@ -167,39 +222,56 @@ pub fn add_force<const DIM: usize>(
 /// Exact second derivative of the energy.
 #[must_use]
 pub fn tangent<const DIM: usize>(section: &Section, e: &Coordinates<DIM>) -> Tangent<DIM> {
-    let l = section.rest_length;
-    let mut k = [[[[0.0; DIM]; DIM]; 4]; 4];
-    for &(xi, weight) in &GAUSS {
-        let (d1, d2) = (shape_slope(xi, l), shape_curvature(xi, l));
-        let (a, b) = (interpolate(&d1, e), interpolate(&d2, e));
-        let s = dot(&a, &a);
-        let f = Curvature::new(s, dot(&b, &b), dot(&a, &b));
-        let axial = weight * l * section.axial_stiffness;
-        let bending = weight * l * 0.5 * section.bending_stiffness;
-        for p in 0..DIM {
-            for q in 0..DIM {
-                let one = f64::from(u8::from(p == q));
-                let stretch = axial * (0.5 * (s - 1.0) * one + a[p] * a[q]);
-                let aa = 2.0 * f.s * one
-                    + 4.0 * f.ss * a[p] * a[q]
-                    + 2.0 * f.sw * (a[p] * b[q] + b[p] * a[q])
-                    + f.ww * b[p] * b[q];
-                let bb = 2.0 * f.t * one + f.ww * a[p] * a[q];
-                let cross = |u: usize, v: usize| {
-                    f.w * one + 2.0 * a[u] * (2.0 * f.st * b[v] + f.sw * a[v]) + f.ww * b[u] * a[v]
-                };
-                let (ab, ba) = (cross(p, q), cross(q, p));
-                for m in 0..4 {
-                    for n in 0..4 {
-                        k[m][n][p][q] += (stretch + bending * aa) * d1[m] * d1[n]
-                            + bending
-                                * (bb * d2[m] * d2[n] + ab * d1[m] * d2[n] + ba * d2[m] * d1[n]);
+    let mut lanes = [[[[0.0; 4]; DIM]; DIM]; 4];
+    let k = &mut lanes;
+    linalg::widest(TangentKernel { section, e, k });
+    let second = |m: usize, n: usize| from_fn(|p| from_fn(|q| lanes[m][p][q][n]));
+    from_fn(|m| from_fn(|n| second(m, n)))
+}
+
+/// The tangent with the second coordinate last, where it fills the lanes.
+struct TangentKernel<'a, const DIM: usize> {
+    section: &'a Section,
+    e: &'a Coordinates<DIM>,
+    k: &'a mut [[[[f64; 4]; DIM]; DIM]; 4],
+}
+
+impl<const DIM: usize> linalg::Kernel for TangentKernel<'_, DIM> {
+    #[inline(always)]
+    fn run(self) {
+        let Self { section, e, k } = self;
+        let l = section.rest_length;
+        for &(xi, weight) in &GAUSS {
+            let (d1, d2) = (shape_slope(xi, l), shape_curvature(xi, l));
+            let (a, b) = (interpolate(&d1, e), interpolate(&d2, e));
+            let s = dot(&a, &a);
+            let f = Curvature::new(s, dot(&b, &b), dot(&a, &b));
+            let axial = weight * l * section.axial_stiffness;
+            let bending = weight * l * 0.5 * section.bending_stiffness;
+            for p in 0..DIM {
+                for q in 0..DIM {
+                    let one = f64::from(u8::from(p == q));
+                    let stretch = axial * (0.5 * (s - 1.0) * one + a[p] * a[q]);
+                    let aa = 2.0 * f.s * one
+                        + 4.0 * f.ss * a[p] * a[q]
+                        + 2.0 * f.sw * (a[p] * b[q] + b[p] * a[q])
+                        + f.ww * b[p] * b[q];
+                    let bb = 2.0 * f.t * one + f.ww * a[p] * a[q];
+                    let (ab, ba) = (f.cross(&a, &b, p, q), f.cross(&a, &b, q, p));
+                    let both = stretch + bending * aa;
+                    for m in 0..4 {
+                        for n in 0..4 {
+                            k[m][p][q][n] += both * d1[m] * d1[n]
+                                + bending
+                                    * (bb * d2[m] * d2[n]
+                                        + ab * d1[m] * d2[n]
+                                        + ba * d2[m] * d1[n]);
+                        }
                     }
                 }
             }
         }
     }
-    k
 }
 
 #[cfg(test)]

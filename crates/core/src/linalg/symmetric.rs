@@ -1,7 +1,6 @@
 //! Symmetric matrix of node blocks; only the lower triangle is stored, row by row.
 
 use super::block::{Block, zero};
-use std::collections::BTreeMap;
 
 /// Symmetric block matrix. Row `i` holds its blocks of columns `j ≤ i`, sorted, the diagonal last.
 #[derive(Debug, Clone, Default)]
@@ -28,17 +27,14 @@ impl<const D: usize> SymmetricBlocks<D> {
     /// Matrix of zeros in which the given node pairs, and all diagonals, have a place.
     #[must_use]
     pub fn with_pattern(n: usize, pairs: impl IntoIterator<Item = (usize, usize)>) -> Self {
-        let mut rows: Vec<BTreeMap<usize, ()>> =
-            (0..n).map(|i| BTreeMap::from([(i, ())])).collect();
-        for (i, j) in pairs {
-            rows[i.max(j)].insert(i.min(j), ());
-        }
-        let mut row_start = vec![0];
-        let mut columns = Vec::new();
-        for row in rows {
-            columns.extend(row.into_keys());
-            row_start.push(columns.len());
-        }
+        let mut entries: Vec<(usize, usize)> = (0..n).map(|i| (i, i)).collect();
+        entries.extend(pairs.into_iter().map(|(i, j)| (i.max(j), i.min(j))));
+        entries.sort_unstable();
+        entries.dedup();
+        let mut row_start = vec![0; n + 1];
+        entries.iter().for_each(|&(i, _)| row_start[i + 1] += 1);
+        (0..n).for_each(|i| row_start[i + 1] += row_start[i]);
+        let columns: Vec<usize> = entries.into_iter().map(|(_, j)| j).collect();
         let blocks = vec![zero(); columns.len()];
         Self {
             row_start,
@@ -78,6 +74,27 @@ impl<const D: usize> SymmetricBlocks<D> {
             for a in 0..D {
                 for b in 0..D {
                     self.blocks[place][a][b] += block[a][b];
+                }
+            }
+        }
+    }
+
+    /// Add a block that is smaller, at a row and a column of block (i, j), as [`Self::add`] does.
+    pub fn add_part<const N: usize>(
+        &mut self,
+        (i, j): (usize, usize),
+        (row, column): (usize, usize),
+        part: &Block<N>,
+    ) {
+        if i < j {
+            return;
+        }
+        let place = self.place(i, j);
+        debug_assert!(place.is_some(), "pair ({i}, {j}) is not in the pattern");
+        if let Some(place) = place {
+            for a in 0..N {
+                for b in 0..N {
+                    self.blocks[place][row + a][column + b] += part[a][b];
                 }
             }
         }

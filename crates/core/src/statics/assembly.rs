@@ -155,8 +155,8 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
     #[must_use]
     pub fn empty_matrix(&self) -> SymmetricBlocks<D> {
         let wires = self.structure.wires.iter().flat_map(|w| {
-            let places = w.places();
-            (0..16).map(move |k| (places[k / 4].0, places[k % 4].0))
+            let ([a, b], [c, d]) = (w.nodes, w.slope_nodes);
+            [(a, b), (a, c), (a, d), (b, c), (b, d), (c, d)]
         });
         let links = self
             .structure
@@ -172,14 +172,9 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         let tangent = hermite::tangent(&wire.section, &Self::coordinates(shape, wire));
         let places = wire.places();
         for (m, &(i, p)) in places.iter().enumerate() {
-            for (n, &(j, q)) in places.iter().enumerate() {
-                let mut block = [[0.0; D]; D];
-                for a in 0..DIM {
-                    for b in 0..DIM {
-                        block[p * DIM + a][q * DIM + b] = factor * tangent[m][n][a][b];
-                    }
-                }
-                k.add(i, j, &block);
+            for (n, &(j, q)) in places.iter().enumerate().filter(|&(_, &(j, _))| i >= j) {
+                let part = tangent[m][n].map(|row| row.map(|value| factor * value));
+                k.add_part((i, j), (p * DIM, q * DIM), &part);
             }
         }
     }
@@ -191,10 +186,10 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         stiffness: &[[f64; DIM]; DIM],
     ) {
         let [i, j] = nodes;
-        let same = embed::<DIM, D>(stiffness, 1.0);
-        k.add(i, i, &same);
-        k.add(j, j, &same);
-        k.add(i.max(j), i.min(j), &embed::<DIM, D>(stiffness, -1.0));
+        k.add_part((i, i), (0, 0), stiffness);
+        k.add_part((j, j), (0, 0), stiffness);
+        let other = stiffness.map(|row| row.map(|value| -value));
+        k.add_part((i.max(j), i.min(j)), (0, 0), &other);
     }
 
     /// Tangent stiffness of the whole structure in service.
@@ -255,7 +250,8 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
     ) {
         let state = Self::strut_state(shape, strut);
         let tangent = state.tangent(strut.stiffness, state.linear_tension);
-        k.add(strut.node, strut.node, &embed::<DIM, D>(&tangent, factor));
+        let part = tangent.map(|row| row.map(|value| factor * value));
+        k.add_part((strut.node, strut.node), (0, 0), &part);
     }
 
     /// Add a coefficient at the component a spring acts on.
@@ -310,16 +306,6 @@ pub fn add_pair<const DIM: usize, const D: usize>(
         residual[nodes[0]][c] -= t * n[c];
         residual[nodes[1]][c] += t * n[c];
     }
-}
-
-fn embed<const DIM: usize, const D: usize>(k: &[[f64; DIM]; DIM], factor: f64) -> [[f64; D]; D] {
-    let mut block = [[0.0; D]; D];
-    for a in 0..DIM {
-        for b in 0..DIM {
-            block[a][b] = factor * k[a][b];
-        }
-    }
-    block
 }
 
 /// Weight of a wire element, ∫ Sₖ μ g ds, as an internal force (it points up in the residual).

@@ -17,10 +17,11 @@
 //! unsymmetric matrix and no more than a few iterations more.)
 
 use super::assembly::{Geometry, Shape, add_pair, largest};
+use super::newton::Newton;
 use super::pace::{Pace, length_change};
 use crate::element::hermite;
 use crate::error::CoreError;
-use crate::linalg::{BlockLdl, SymmetricBlocks};
+use crate::linalg::SymmetricBlocks;
 use crate::structure::{SpringMode, Wire};
 
 /// Smaller and smaller corrections, tried when full ones do not converge: wires that sag far, or
@@ -58,6 +59,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         let mut residual = vec![[0.0; D]; self.nodes()];
         let mut tensions = vec![0.0; self.structure.links.len()];
         let mut k = self.empty_matrix();
+        let mut newton = Newton::new(&k, &free);
         let tolerance = self.force_rounding();
         let mut worst = (f64::INFINITY, 0);
         let iterations = pace.most_iterations();
@@ -73,7 +75,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
                 return Ok(shape);
             }
             self.design_tangent(&shape, &tensions, &mut k);
-            step(&mut k, &free, &residual, &mut shape)?;
+            newton.step(&mut k, &residual, &mut shape)?;
         }
         Err(CoreError::NoEquilibrium {
             iterations,
@@ -109,9 +111,8 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         let mut worst: f64 = 0.0;
         let mut changes = vec![(0.0, 0.0); shape.len()];
         for (k, wire) in self.structure.wires.iter_mut().enumerate() {
-            let mut force = [[0.0; DIM]; 4];
-            hermite::add_force(&wire.section, &Self::coordinates(shape, wire), &mut force);
-            let error = force[2][0] - wire.design_tension;
+            let along = hermite::end_force_along(&wire.section, &Self::coordinates(shape, wire));
+            let error = along - wire.design_tension;
             let steep = Self::squared_slope(shape, wire);
             let (tension, axial) = (wire.design_tension, wire.section.axial_stiffness);
             let flexibility = if tension > 0.0 {
@@ -274,27 +275,4 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         }
         Ok(())
     }
-}
-
-/// One Newton step on the free degrees of freedom.
-pub(super) fn step<const D: usize>(
-    k: &mut SymmetricBlocks<D>,
-    free: &[[bool; D]],
-    residual: &Shape<D>,
-    shape: &mut Shape<D>,
-) -> Result<(), CoreError> {
-    let mut correction = residual.clone();
-    k.keep_free(free);
-    for (value, mask) in correction.iter_mut().zip(free) {
-        (0..D).filter(|&c| !mask[c]).for_each(|c| value[c] = 0.0);
-    }
-    let factor = BlockLdl::new(k)?;
-    let mut scratch = vec![[0.0; D]; correction.len()];
-    factor.solve(&mut correction, &mut scratch);
-    for (node, delta) in shape.iter_mut().zip(&correction) {
-        for c in 0..D {
-            node[c] -= delta[c];
-        }
-    }
-    Ok(())
 }

@@ -10,6 +10,7 @@ pub mod assembly;
 mod chain;
 pub mod design;
 mod loads;
+mod newton;
 mod pace;
 pub mod service;
 

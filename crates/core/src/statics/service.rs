@@ -3,9 +3,8 @@
 //! Newton); a step that makes the balance worse is halved.
 
 use super::assembly::{Geometry, LinkLaw, Shape, largest};
-use super::design::step;
+use super::newton::Newton;
 use crate::error::CoreError;
-use crate::linalg::BlockLdl;
 
 /// Bound on Newton iterations; from a design shape one or two suffice, from straight wires about 15.
 const MOST_ITERATIONS: usize = 200;
@@ -61,19 +60,19 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         let mut shape = start.clone();
         let mut residual = vec![[0.0; D]; self.nodes()];
         let mut k = self.empty_matrix();
+        let mut newton = Newton::new(&k, &free);
         self.service_residual(&shape, LinkLaw::Unilateral, &mut residual);
         let mut worst = largest(&residual, &free);
         for _ in 0..MOST_ITERATIONS {
             self.tangent(&shape, LinkLaw::Unilateral, &mut k);
             if worst.0 <= tolerance {
-                k.keep_free(&free);
-                return match BlockLdl::new(&k)?.negative_pivots() {
+                return match newton.factorise(&mut k)?.negative_pivots() {
                     0 => Ok(shape),
                     directions => Err(CoreError::Unstable { directions }),
                 };
             }
             let mut target = shape.clone();
-            step(&mut k, &free, &residual, &mut target)?;
+            newton.step(&mut k, &residual, &mut target)?;
             worst = self.search(&mut shape, &target, &free, &mut residual);
             if !worst.0.is_finite() {
                 break;
