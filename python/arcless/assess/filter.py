@@ -99,5 +99,5 @@ def spectrum(
     density = (np.abs(waves) ** 2).mean(axis=0) / (rate_Hz * np.sum(window**2))
     # One-sided: what belongs to frequencies below zero is put to those above.
     density[1 : (length + 1) // 2] *= 2.0
-    frequency: NDArray[np.float64] = np.fft.rfftfreq(length, 1.0 / rate_Hz)
+    frequency = np.fft.rfftfreq(length, 1.0 / rate_Hz).astype(np.float64)
     return frequency, density
