@@ -43,7 +43,7 @@ def stale(H: np.ndarray, w: np.ndarray) -> Problem:
     return H, w
 
 
-def notice_slips(noticed: Callable[..., None], checked: ModuleType) -> None:
+def noticed_slips(noticed: Callable[..., None], checked: ModuleType) -> None:
     """Show that a comparison with another solver notices the slips that any of them must."""
     with complementarity(lambda H, w: (H.T, w)):
         noticed("rows and columns of H exchanged", checked.test_same_forces, name="skew")

@@ -53,7 +53,9 @@ class Workshop:
         self.folder = folder
         ignored = shutil.ignore_patterns("target", "fuzz", "__pycache__", "_core*")
         for name in ("crates", "python"):
-            shutil.copytree(ROOT / name, folder / name, ignore=ignored)
+            # With the time of the copy: cargo takes an older file for one that it has compiled, and
+            # what it compiled last had a fault.
+            shutil.copytree(ROOT / name, folder / name, ignore=ignored, copy_function=shutil.copy)
         for name in ("Cargo.toml", "Cargo.lock"):
             if (ROOT / name).exists():
                 shutil.copy2(ROOT / name, folder / name)

@@ -2,7 +2,6 @@
 
 import fcntl
 import hashlib
-import os
 from collections.abc import Callable
 from pathlib import Path
 
@@ -38,4 +37,5 @@ class RunsOnce:
 def folder_of_session(factory: pytest.TempPathFactory) -> Path:
     """Return the temporary folder that all processes of this pytest session share."""
     own = factory.getbasetemp()
-    return own.parent if "PYTEST_XDIST_WORKER" in os.environ else own
+    # Not by the environment: a pytest that a worker starts inherits that, and is another session.
+    return own.parent if own.name.startswith("popen-") else own

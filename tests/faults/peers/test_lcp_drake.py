@@ -1,11 +1,11 @@
 """What the comparison with Drake notices."""
 
-from tests.support.lcp_faults import complementarity, notice_slips
+from tests.support.lcp_faults import complementarity, noticed_slips
 from tests.verification.peers import test_lcp_drake as checked
 
 
 def test_slips(noticed) -> None:
-    notice_slips(noticed, checked)
+    noticed_slips(noticed, checked)
 
 
 def test_a_changed_problem(noticed) -> None:

@@ -1,0 +1,269 @@
+//! Forward and backward substitution with a block factor, laid out in the order they read it.
+//!
+//!   L y = b,   D z = y,   Lᵀ x = z
+//!
+//! Both sweeps are bound by loads and by their chain of dependent operations: blocks lie one behind
+//! the other, each at the start of a lane, and what was computed last is used last.
+
+use super::block::{self, Block, zero};
+use super::{Kernel, widest};
+
+/// A value is forgotten below this fraction of the largest: influence decays by so much within a few
+/// hundred metres, and what is kept of a column is 13 orders of magnitude larger.
+const FORGOTTEN: f64 = 1e-30;
+
+/// A block where lanes of 32 bytes begin.
+#[derive(Debug, Clone, Copy)]
+#[repr(align(32))]
+struct Aligned<const D: usize>(Block<D>);
+
+/// Row or column of the factor: its node, and the number of its blocks off the diagonal.
+#[derive(Debug, Clone, Copy)]
+struct Row {
+    node: u32,
+    length: u32,
+}
+
+/// One of the two sweeps: rows in their order, and their blocks with the nodes these multiply.
+#[derive(Debug, Clone, Default)]
+struct Sweep<const D: usize> {
+    rows: Vec<Row>,
+    /// Where the blocks of each row begin.
+    start: Vec<u32>,
+    nodes: Vec<u32>,
+    blocks: Vec<Aligned<D>>,
+}
+
+impl<const D: usize> Sweep<D> {
+    fn push(&mut self, node: u32, partners: impl Iterator<Item = u32>) {
+        self.start.push(self.nodes.len() as u32);
+        self.nodes.extend(partners);
+        self.blocks.resize(self.nodes.len(), Aligned(zero()));
+        let length = self.nodes.len() as u32 - self.start[self.start.len() - 1];
+        self.rows.push(Row { node, length });
+    }
+
+    /// `own − Σ blockᵀ x` for a row.
+    #[inline(always)]
+    fn reduce(&self, row: usize, mut own: [f64; D], x: &[[f64; D]]) -> [f64; D] {
+        let (first, length) = (self.start[row] as usize, self.rows[row].length as usize);
+        let blocks = &self.blocks[first..first + length];
+        for (b, &node) in blocks.iter().zip(&self.nodes[first..first + length]) {
+            block::subtract_transposed_product(&mut own, &b.0, &x[node as usize]);
+        }
+        own
+    }
+}
+
+/// The factor as substitutions read it.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Substitution<const D: usize> {
+    /// Rows of L; their blocks are transposed, as each sweep wants its lanes contiguous.
+    forward: Sweep<D>,
+    /// Columns of L from the last to the first.
+    backward: Sweep<D>,
+    /// Where in L the blocks of `backward` are.
+    places: Vec<u32>,
+    inverse: Vec<Aligned<D>>,
+    /// Position of each node in the elimination.
+    position: Vec<u32>,
+    /// Largest distance, in positions, of a row from one that it reads.
+    reach: usize,
+}
+
+impl<const D: usize> Substitution<D> {
+    /// Lay out a factor of the given pattern (rows of L, in the order of elimination).
+    pub(super) fn new(order: &[u32], row_start: &[usize], columns: &[u32]) -> Self {
+        let n = order.len();
+        let mut s = Self {
+            inverse: vec![Aligned(zero()); n],
+            position: vec![0; n],
+            ..Self::default()
+        };
+        let mut below = vec![Vec::new(); n];
+        for (i, ends) in row_start.windows(2).enumerate() {
+            s.position[order[i] as usize] = i as u32;
+            let row = &columns[ends[0]..ends[1]];
+            s.reach = row.iter().fold(s.reach, |r, &j| r.max(i - j as usize));
+            let partners = row.iter().map(|&j| order[j as usize]);
+            s.forward.push(order[i], partners);
+            for place in ends[0]..ends[1] {
+                below[columns[place] as usize].push((i, place as u32));
+            }
+        }
+        for (&node, column) in order.iter().zip(&below).rev() {
+            // What was computed last comes last: the others do not have to wait for it.
+            let column = column.iter().rev();
+            s.backward
+                .push(node, column.clone().map(|&(i, _)| order[i]));
+            s.places.extend(column.map(|&(_, place)| place));
+        }
+        s
+    }
+
+    /// Take over the numbers of L and of the inverse of D.
+    pub(super) fn fill(&mut self, lower: &[Block<D>], inverse: &[Block<D>]) {
+        for (own, l) in self.forward.blocks.iter_mut().zip(lower) {
+            own.0 = block::transpose(l);
+        }
+        for (own, &place) in self.backward.blocks.iter_mut().zip(&self.places) {
+            own.0 = lower[place as usize];
+        }
+        for (own, inverse) in self.inverse.iter_mut().zip(inverse) {
+            own.0 = *inverse;
+        }
+    }
+
+    /// `x ← A⁻¹ x − minus` (nothing is taken away where `minus` is empty).
+    pub(super) fn solve(&self, x: &mut [[f64; D]], minus: &[[f64; D]], work: &mut [[f64; D]]) {
+        widest(Whole {
+            factor: self,
+            x,
+            minus,
+            work,
+        });
+    }
+
+    /// `x ← A⁻¹ x` where x is zero but at `loaded`, as far as the answer reaches; `work` is zero before
+    /// and after. Returns the range of nodes outside of which x is zero.
+    pub(super) fn solve_near(
+        &self,
+        x: &mut [[f64; D]],
+        loaded: &[usize],
+        work: &mut [[f64; D]],
+    ) -> std::ops::Range<usize> {
+        let positions = loaded.iter().map(|&node| self.position[node] as usize);
+        let (first, last) = positions.fold((usize::MAX, 0), |(a, b), p| (a.min(p), b.max(p)));
+        let mut reached = [usize::MAX, 0];
+        widest(Near {
+            factor: self,
+            x,
+            work,
+            loaded: [first, last],
+            reached: &mut reached,
+        });
+        reached[0].min(reached[1])..reached[1]
+    }
+
+    /// Row `i` of both `y = L⁻¹ x`, in the place of x, and `z = D⁻¹ y`: nothing waits for the second.
+    #[inline(always)]
+    fn forward_row(&self, i: usize, x: &mut [[f64; D]], z: &mut [[f64; D]]) -> [f64; D] {
+        let node = self.forward.rows[i].node as usize;
+        let sum = self.forward.reduce(i, x[node], x);
+        x[node] = sum;
+        // The inverse is symmetric.
+        z[node] = block::transposed_product(&self.inverse[i].0, &sum);
+        sum
+    }
+
+    /// Column `k` from the last of `x = L⁻ᵀ z`, in the place of z.
+    #[inline(always)]
+    fn backward_row(&self, k: usize, z: &mut [[f64; D]]) -> (usize, [f64; D]) {
+        let node = self.backward.rows[k].node as usize;
+        z[node] = self.backward.reduce(k, z[node], z);
+        (node, z[node])
+    }
+}
+
+struct Whole<'a, const D: usize> {
+    factor: &'a Substitution<D>,
+    x: &'a mut [[f64; D]],
+    minus: &'a [[f64; D]],
+    work: &'a mut [[f64; D]],
+}
+
+impl<const D: usize> Kernel for Whole<'_, D> {
+    #[inline(always)]
+    fn run(self) {
+        let (factor, x, work) = (self.factor, self.x, self.work);
+        for i in 0..factor.forward.rows.len() {
+            factor.forward_row(i, x, work);
+        }
+        for k in 0..factor.backward.rows.len() {
+            factor.backward_row(k, work);
+        }
+        let (x, work) = (x.as_flattened_mut(), work.as_flattened());
+        if self.minus.is_empty() {
+            x.copy_from_slice(work);
+            return;
+        }
+        for ((x, value), minus) in x.iter_mut().zip(work).zip(self.minus.as_flattened()) {
+            *x = value - minus;
+        }
+    }
+}
+
+struct Near<'a, const D: usize> {
+    factor: &'a Substitution<D>,
+    x: &'a mut [[f64; D]],
+    work: &'a mut [[f64; D]],
+    /// Positions of the first and the last loaded node.
+    loaded: [usize; 2],
+    /// First node reached, and the one behind the last.
+    reached: &'a mut [usize; 2],
+}
+
+/// Tells when a sweep has died away: when all the rows that any later one reads are negligible.
+struct Quiet {
+    reach: usize,
+    largest: f64,
+    rows: usize,
+}
+
+impl Quiet {
+    fn new(reach: usize) -> Self {
+        Self {
+            reach,
+            largest: 0.0,
+            rows: 0,
+        }
+    }
+
+    #[inline(always)]
+    fn after<const D: usize>(&mut self, row: &[f64; D]) -> bool {
+        let size = row.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+        self.largest = self.largest.max(size);
+        self.rows = if size <= FORGOTTEN * self.largest {
+            self.rows + 1
+        } else {
+            0
+        };
+        self.rows >= self.reach
+    }
+}
+
+impl<const D: usize> Kernel for Near<'_, D> {
+    #[inline(always)]
+    fn run(self) {
+        let (factor, x, z) = (self.factor, self.x, self.work);
+        let n = factor.forward.rows.len();
+        let [first, last] = self.loaded;
+        let mut quiet = Quiet::new(factor.reach);
+        let mut end = n;
+        for i in first..n {
+            let y = factor.forward_row(i, x, z);
+            if quiet.after(&y) && i > last {
+                end = i + 1;
+                break;
+            }
+        }
+        for i in first..end {
+            x[factor.forward.rows[i].node as usize] = [0.0; D];
+        }
+        let mut quiet = Quiet::new(factor.reach);
+        let mut done = n;
+        for k in n - end..n {
+            let (_, value) = factor.backward_row(k, z);
+            if quiet.after(&value) && n - 1 - k < first {
+                done = k + 1;
+                break;
+            }
+        }
+        for k in n - end..done {
+            let node = factor.backward.rows[k].node as usize;
+            x[node] = std::mem::replace(&mut z[node], [0.0; D]);
+            let [start, end] = *self.reached;
+            *self.reached = [start.min(node), end.max(node + 1)];
+        }
+    }
+}
