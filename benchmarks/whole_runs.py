@@ -1,0 +1,111 @@
+"""Stepping loops of whole runs: real-time factor, and the counts behind it."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from arcless.model import Scenario, load
+from arcless.simulate import equilibrium, motion, riders
+from arcless.simulate.control import Controllers
+from arcless.simulate.job import Job, prepare
+from benchmarks.clock import Taken, interleaved
+from benchmarks.floor import Floor, floor, mass_entries
+
+CASES = (
+    ("AC simple, 20 spans, planar", "en50318-ac-simple-320", {}),
+    ("the same with energy ledger", "en50318-ac-simple-320", {"output.energy": "always"}),
+    ("the same in three dimensions, stagger, steady arms", "ac-simple-3d-320", {}),
+    ("two pantographs, planar", "ac-simple-320-two-pantographs", {}),
+    ("EN 50318:2002, 10 spans", "en50318-2002-300", {}),
+    ("PRAKS, 30 spans, 180 km/h, published method", "praks-180", {}),
+    ("PRAKS, 30 spans, 360 km/h, published method", "praks-360", {}),
+)
+HEAD = (
+    "run", "× real time", "µs/step", "unknowns", "solves/step", "pivots/step", "kB/step, whole line",
+)  # fmt: skip
+SPANS = (10, 20, 50, 100, 200, 500, 1000)
+SPANS_HEAD = ("spans", "unknowns", "µs/step", "set-up s")
+
+
+@dataclass(frozen=True)
+class Stepping:
+    """A scenario ready to step from rest under the forces at the start."""
+
+    job: Job
+    forces: list[float]
+
+    @classmethod
+    def of(cls, scenario: Scenario) -> "Stepping":
+        """Find the equilibrium, factorise."""
+        found = equilibrium.find(scenario)
+        travel = motion.motion(scenario)
+        given = riders.given_motions(scenario, travel)
+        nobody = Controllers(scenario)
+        job = Job(
+            scenario, found, prepare(found, scenario), travel, given, [], nobody, lambda _step: True
+        )
+        return cls(job, [placed.start_force or 0.0 for placed in scenario.pantographs])
+
+    def run(self) -> dict[str, Any]:
+        """Take all steps, recording everything."""
+        return self.job.step(self.forces, full=True)
+
+    def floor(self) -> Floor:
+        """What a step of the whole line has to do."""
+        nodes, blocks = self.job.prepared.cost()[:2]
+        chained = bool(len(self.job.found.mesh.parts["segments"][0]))
+        width = self.job.found.mesh.dimension * (1 if chained else 2)
+        return floor(nodes, blocks, mass_entries(self.job.found), width)
+
+
+def rows(cases: Sequence[tuple[str, str, dict[str, Any]]] = CASES) -> list[list[str]]:
+    """Step each case several times, all in turn."""
+    made = [Stepping.of(load(name).with_(**changes)) for _, name, changes in cases]
+    taken = interleaved([one.run for one in made])
+    return [
+        _row(title, one, time)
+        for (title, *_), one, time in zip(cases, made, taken, strict=True)
+    ]
+
+
+def _row(title: str, one: Stepping, taken: Taken) -> list[str]:
+    travel, least = one.job.travel, one.floor()
+    return [
+        title,
+        f"{travel.duration / taken.processor:.0f}",
+        f"{1e6 * taken.processor / travel.steps:.1f}",
+        str(least.unknowns),
+        # Updated kinematics factorise in every step.
+        "1" if one.job.scenario.solver.kinematics == "linearised" else "1, with a new factor",
+        f"{one.run()['pivots'] / travel.steps:.2f}",
+        f"{least.bytes / 1024:.0f}",
+    ]
+
+
+def over_spans(counts: Sequence[int] = SPANS) -> list[list[str]]:
+    """Cost of a step over the length of the line: AC simple, planar, 2 s from the middle."""
+    scenario, found = load("en50318-ac-simple-320"), []
+    for count in counts:
+        middle = 55.0 * (count // 2 - 2)
+        changes = {
+            "line.spans": [{"type": "standard", "count": count}],
+            "travel": {"start": middle, "end": middle + 2.0 * 320.0 / 3.6},
+            "analysis.spans": None,
+        }
+        found.append(_span_row(count, scenario.with_(**changes)))
+    return found
+
+
+def _span_row(count: int, scenario: Scenario) -> list[str]:
+    from benchmarks.clock import timed
+
+    made: list[Stepping] = []
+    setup = timed(lambda: made.append(Stepping.of(scenario)), 1)
+    taken = timed(made[0].run)
+    steps = made[0].job.travel.steps
+    return [
+        str(count),
+        str(made[0].floor().unknowns),
+        f"{1e6 * taken.processor / steps:.1f}",
+        f"{setup.processor:.2f}",
+    ]
