@@ -82,9 +82,9 @@ lint: build ## check format, lints and types, and that no lock file or local pat
 	test "$$path" = / || ! git grep -nIF -e "$$path/" -- 2>/dev/null \
 	|| { echo 'make lint: a tracked file names a path of this machine'; exit 1; }; done
 
-bench: build ## measure: Rust kernels, then whole runs
-	@if ls crates/core/benches/*.rs >/dev/null 2>&1; then cargo bench; fi
-	@if test -f benchmarks/run.py; then $(BIN)/python benchmarks/run.py; fi
+# One core, as its tables say: NumPy's library would take all for a product.
+bench: build ## measure speed and accuracy; PARTS="sides runs" for some, PAGE=yes for docs/performance.md
+	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(WITH_PEERS) -m benchmarks.run $(PARTS) $(if $(PAGE),--page)
 
 wheel: build ## make dist/arcless-*.whl and try it in an empty environment
 	@rm -rf dist

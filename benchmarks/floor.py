@@ -11,8 +11,8 @@ from itertools import product
 from arcless.simulate.equilibrium import Equilibrium
 
 NUMBER, INDEX = 8, 8
-# Vectors of the state that pass the processor in a step, see docs/performance.md: the product with M
-# has 2, the substitutions 5, what is subtracted from them 3, the new state 9.
+# Vectors that pass the processor in a step, docs/performance.md: the product with M has 2, the
+# substitutions 5, what is subtracted from them 3, the new state 9.
 VECTORS = 19
 # New u, v, a and the two vectors the next step starts from, and one subtraction.
 NEW_STATE = 22
@@ -51,7 +51,9 @@ def floor(nodes: int, blocks: int, entries: int, width: int) -> Floor:
         nodes,
         unknowns,
         operations=4 * width * entries + 2 * square * (2 * blocks + nodes) + NEW_STATE * unknowns,
-        matrices=2 * blocks * block + nodes * NUMBER * square + entries * (2 * NUMBER * width + INDEX),
+        matrices=2 * blocks * block
+        + nodes * NUMBER * square
+        + entries * (2 * NUMBER * width + INDEX),
         vectors=VECTORS * NUMBER * unknowns,
         # Nodes are eliminated from both ends: two chains run side by side, forwards and backwards.
         chain=nodes,

@@ -1,42 +1,60 @@
-//! Kernels of a time step on the planar 55 m line of 20 spans, and a warm step with and without
-//! the energy ledger. Wall times are for comparison within one run only.
+//! Kernels of a time step on the 55 m line of 20 spans, planar and staggered in space, and warm
+//! steps with and without the energy ledger. Wall times are for comparison within one run only.
 
 #[path = "../tests/common/mod.rs"]
 mod common;
 
+use arcless_core::dynamics::columns::Columns;
 use arcless_core::dynamics::record::RecordPlan;
-use arcless_core::dynamics::run::Travel;
 use arcless_core::dynamics::stepper::Prepared;
+use arcless_core::lcp::LcpSolver;
 use arcless_core::linalg::BlockLdl;
 use arcless_core::scheme::Scheme;
+use common::{prepare_any, simple_line, simple_line_of, space};
 use divan::{Bencher, black_box};
+
+const SPANS: usize = 20;
+const SPEED: f64 = 320.0 / 3.6;
+const STEP: f64 = 1e-3;
 
 fn main() {
     divan::main();
 }
 
-fn line() -> Prepared<2, 4> {
-    common::prepared(20, Scheme::generalised_alpha(0.9), 1e-3, 50e3)
+fn scheme() -> Scheme {
+    Scheme::generalised_alpha(0.9)
 }
 
-fn vector(n: usize) -> Vec<[f64; 4]> {
-    (0..n).map(|i| [0.1, 0.2, -0.3, (i % 7) as f64]).collect()
+fn planar_line() -> Prepared<2, 4> {
+    prepare_any(simple_line(SPANS), |_| (), scheme(), STEP, 50e3)
 }
 
-#[divan::bench]
-fn factorisation(bencher: Bencher) {
-    let p = line();
+/// With the elements of the shipped line in space, half as long.
+fn spatial_line() -> Prepared<3, 6> {
+    let (structure, path) = simple_line_of(SPANS, [0.72, 1.45]);
+    let staggered = space::staggered(&structure, SPANS, 0.2);
+    prepare_any((staggered, path), |_| (), scheme(), STEP, 50e3)
+}
+
+fn factor<const DIM: usize, const D: usize>(p: &Prepared<DIM, D>) -> BlockLdl<D> {
+    let c = &p.coefficients;
+    BlockLdl::new(&p.line.combine(c.mass, c.damping, c.stiffness)).expect("regular")
+}
+
+fn vector<const D: usize>(n: usize) -> Vec<[f64; D]> {
+    (0..n)
+        .map(|i| std::array::from_fn(|c| 0.1 * (c + i % 7) as f64))
+        .collect()
+}
+
+fn factorises<const DIM: usize, const D: usize>(bencher: Bencher, p: &Prepared<DIM, D>) {
     let c = &p.coefficients;
     let a = p.line.combine(c.mass, c.damping, c.stiffness);
     bencher.bench(|| BlockLdl::new(black_box(&a)));
 }
 
-#[divan::bench]
-fn solve(bencher: Bencher) {
-    let p = line();
-    let c = &p.coefficients;
-    let factor = BlockLdl::new(&p.line.combine(c.mass, c.damping, c.stiffness)).expect("regular");
-    let b = vector(p.line.nodes());
+fn solves<const DIM: usize, const D: usize>(bencher: Bencher, p: &Prepared<DIM, D>) {
+    let (factor, b) = (factor(p), vector(p.line.nodes()));
     let (mut x, mut work) = (b.clone(), b.clone());
     bencher.bench_local(|| {
         x.copy_from_slice(&b);
@@ -44,50 +62,110 @@ fn solve(bencher: Bencher) {
     });
 }
 
-#[divan::bench]
-fn mass_product(bencher: Bencher) {
-    let p = line();
+/// Solve for a unit force on the wire in the middle of the line and keep what is not negligible.
+fn finds_column<const DIM: usize, const D: usize>(bencher: Bencher, p: &Prepared<DIM, D>) {
+    let factor = factor(p);
+    let node = p.lanes[0].nodes[p.lanes[0].nodes.len() / 2];
+    bencher
+        .with_inputs(|| {
+            let mut load = vec![[0.0; D]; p.line.nodes()];
+            load[node][DIM - 1] = 1.0;
+            (Columns::new(1), load)
+        })
+        .bench_local_values(|(mut columns, load)| {
+            columns.set(0, &factor, load);
+            columns
+        });
+}
+
+fn multiplies_mass<const DIM: usize, const D: usize>(bencher: Bencher, p: &Prepared<DIM, D>) {
     let x = vector(p.line.nodes());
     let mut y = x.clone();
     bencher.bench_local(|| p.line.mass.product(black_box(&x), &mut y));
 }
 
-#[divan::bench]
-fn advance(bencher: Bencher) {
-    let p = line();
+fn advances<const DIM: usize, const D: usize>(bencher: Bencher, p: &Prepared<DIM, D>) {
     let mut state = p.at_rest(vector(p.line.nodes()));
     bencher.bench_local(|| p.advance(black_box(&mut state)));
 }
 
-#[divan::bench]
-fn stiffness_form(bencher: Bencher) {
-    let p = line();
-    let x = vector(p.line.nodes());
-    bencher.bench_local(|| p.line.stiffness.quadratic(black_box(&x)));
-}
-
-/// 2000 steps in one go; divide by 2000.
-#[divan::bench(args = [false, true], sample_count = 10)]
-fn two_thousand_steps(bencher: Bencher, ledger: bool) {
-    let p = line();
-    let speed = 320.0 / 3.6;
-    let travel = Travel {
-        positions: (0..=2000)
-            .map(|i| 300.0 + speed * 1e-3 * f64::from(i))
-            .collect(),
-        speeds: vec![speed; 2001],
-        distances: vec![0.0],
-        friction: 0.0,
-        loads: Vec::new(),
-    };
+/// 2000 steps in one go, from the start of a run: divide by 2000.
+fn steps<const DIM: usize, const D: usize>(bencher: Bencher, p: &Prepared<DIM, D>, ledger: bool) {
+    let travel = common::travel(300.0, 300.0 + 2000.5 * SPEED * STEP, SPEED, STEP);
     let plan = RecordPlan {
-        contact_every: 1,
         line_every: 5,
-        links: true,
-        nodes: Vec::new(),
-        points: Vec::new(),
         ledger,
+        ..common::everything()
     };
     let riders = [common::three_masses(170.0)];
     bencher.bench_local(|| p.run(&riders, black_box(&travel), &plan, &mut |_| true));
+}
+
+macro_rules! kernels {
+    ($space:ident, $line:ident) => {
+        mod $space {
+            use super::*;
+
+            #[divan::bench]
+            fn factorisation(bencher: Bencher) {
+                factorises(bencher, &$line());
+            }
+
+            #[divan::bench]
+            fn solve(bencher: Bencher) {
+                solves(bencher, &$line());
+            }
+
+            #[divan::bench]
+            fn contact_column(bencher: Bencher) {
+                finds_column(bencher, &$line());
+            }
+
+            #[divan::bench]
+            fn mass_product(bencher: Bencher) {
+                multiplies_mass(bencher, &$line());
+            }
+
+            #[divan::bench]
+            fn new_state(bencher: Bencher) {
+                advances(bencher, &$line());
+            }
+
+            #[divan::bench(sample_count = 10)]
+            fn two_thousand_steps(bencher: Bencher) {
+                steps(bencher, &$line(), false);
+            }
+
+            #[divan::bench(sample_count = 10)]
+            fn two_thousand_steps_with_ledger(bencher: Bencher) {
+                steps(bencher, &$line(), true);
+            }
+        }
+    };
+}
+
+kernels!(planar, planar_line);
+kernels!(spatial, spatial_line);
+
+/// A closed contact and some droppers that would push, from the solution of the step before; the
+/// numbers are of the size they have on the planar line.
+#[divan::bench(args = [0, 2, 5])]
+fn lcp_warm(bencher: Bencher, droppers: usize) {
+    let n = droppers + 1;
+    let (mut h, mut w) = (vec![0.0; n * n], vec![-1e-3; n]);
+    for i in 0..n {
+        for j in 0..n {
+            h[i * n + j] = match (i, j) {
+                (0, 0) => 4e-5,
+                (0, _) => -1e-6 / j as f64,
+                (_, 0) => 1e-6 / i as f64,
+                _ if i == j => 4e-6,
+                _ => -2e-7 / i.abs_diff(j) as f64,
+            };
+        }
+    }
+    w[0] = -7e-3;
+    let (mut x, mut y, warm) = (vec![0.0; n], vec![0.0; n], vec![true; n]);
+    let mut solver = LcpSolver::new();
+    bencher.bench_local(|| solver.solve(black_box(&h), &w, &mut x, &mut y, &warm));
 }

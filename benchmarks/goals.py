@@ -1,0 +1,69 @@
+"""The work that has a goal in docs/performance.md, beside what is reached."""
+
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+from arcless.model import Scenario, load
+from arcless.simulate import equilibrium
+from benchmarks.clock import Taken, process, timed
+from benchmarks.whole_runs import Stepping
+
+HEAD = ("work", "goal", "reached", "wall time")
+# The environment that users have, which starts faster than one with other programs on top.
+OWN = Path(__file__).parents[1] / ".venv" / "bin" / "python"
+COMMAND = (str(OWN) if OWN.exists() else sys.executable, "-m", "arcless")
+REFERENCE = "en50318-ac-simple-320"
+
+
+def _seconds(taken: Taken) -> list[str]:
+    """Processor time and wall time."""
+    return [f"{taken.processor:.3g} s", f"{taken.wall:.3g} s"]
+
+
+def stepping() -> list[list[str]]:
+    """Real-time factor of the stepping loops."""
+    found = []
+    for title, name, goal in (
+        ("AC simple, 20 spans, 320 km/h, 1 ms, three-dimensional", "ac-simple-3d-320", 50),
+        ("the same, planar", REFERENCE, 150),
+    ):
+        one = Stepping.of(load(name))
+        taken, duration = timed(one.run), one.job.travel.duration
+        reached = [f"{duration / taken.processor:.0f}", f"{taken.wall:.3g} s"]
+        found.append([title, f"≥ {goal} × real time", *reached])
+    return found
+
+
+def at_rest() -> list[list[str]]:
+    """Static equilibrium, from a loaded scenario."""
+    found = []
+    for spans, goal in ((20, "≤ 50 ms"), (900, "≤ 3 s")):
+        scenario = of_spans(spans)
+        taken = timed(lambda scenario=scenario: equilibrium.find(scenario))
+        title = f"static equilibrium of AC simple, {spans} spans"
+        found.append([title, goal, *_seconds(taken)])
+    return found
+
+
+def of_spans(count: int) -> Scenario:
+    """AC simple with another number of spans."""
+    changes: dict[str, Any] = {"line.spans": [{"type": "standard", "count": count}]}
+    return load(REFERENCE).with_(**changes, **{"analysis.spans": None})
+
+
+def processes() -> list[list[str]]:
+    """Whole processes, from the shell's point of view."""
+    with TemporaryDirectory() as folder:
+        out = str(Path(folder) / "out")
+        run = [*COMMAND, "run", REFERENCE, "--no-report", "--out", out]
+        helped, ran = process([*COMMAND, "--help"]), process(run)
+    return [
+        ["`arcless --help`, whole process", "≤ 0.3 s", *_seconds(helped)],
+        [f"`arcless run {REFERENCE} --no-report`", "≤ 1.5 s", *_seconds(ran)],
+    ]
+
+
+PARTS: tuple[Callable[[], list[list[str]]], ...] = (stepping, at_rest, processes)

@@ -1,0 +1,76 @@
+"""Programs of benchmarks/: the same model is compared, what was measured is printed."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from benchmarks import kernels, tables
+from benchmarks.accuracy import finer
+from benchmarks.floor import floor
+from benchmarks.plain_scipy import Plain
+from benchmarks.run import PARTS
+
+import arcless
+from arcless.simulate import equilibrium
+
+# What divan 0.1 prints, shortened.
+PRINTED = """\
+Timer precision: 20 ns
+kernels                    fastest       │ slowest       │ median        │ mean     │ sample │ iters
+├─ lcp_warm                              │               │               │          │        │
+│  ╰─ 2                    500.6 ns      │ 2.774 µs      │ 510.6 ns      │ 543.9 ns │ 100    │ 100
+╰─ planar                                │               │               │          │        │
+   ├─ solve                21.22 µs      │ 4.133 ms      │ 23.68 µs      │ 65.23 µs │ 100    │ 100
+   ╰─ two_thousand_steps   132.6 ms      │ 185.5 ms      │ 144.4 ms      │ 150.6 ms │ 10     │ 10
+"""
+
+
+def test_plain_scipy_gives_the_same_forces() -> None:
+    scenario = arcless.load("en50318-ac-simple-320").with_(**{
+        "line.spans": [{"type": "standard", "count": 4}],
+        "travel": {"start": 55.0, "end": 110.0},
+        "analysis.spans": None,
+        "pantographs.0.static_force": 200.0,
+    })  # fmt: skip
+    data = arcless.run(scenario).dataset
+    record = Plain(scenario, equilibrium.find(scenario)).run(200.0, data.attrs["steps"])
+    assert record.slack == data.attrs["slack_droppers_max"] > 0
+    apart = np.abs(record.force - data.contact_force.values[:, 0])
+    # Rounding of positions, 1e-13 m, times 50 kN/m of the contact; the force deviates by 50 N.
+    assert apart.max() < 1e-6
+
+
+def test_kernels_are_read_from_what_is_printed() -> None:
+    assert kernels.rows(PRINTED) == [
+        ["complementarity problem: contact and droppers, 2", "0.501 µs", "0.511 µs"],
+        ["solve, planar", "21.2 µs", "23.7 µs"],
+        ["warm step, planar", "66.3 µs", "72.2 µs"],
+    ]
+
+
+def test_floor_of_one_block() -> None:
+    least = floor(nodes=2, blocks=1, entries=4, width=1)
+    # 4 entries with two products and sums each, 2 blocks and 2 inverses, the new state.
+    assert least.operations == 4 * 4 + 2 * (2 + 2) + 22 * 2
+    assert least.matrices == 2 * 16 + 2 * 8 + 4 * 24
+    assert least.bytes == least.matrices + 19 * 8 * 2
+
+
+def test_reference_is_four_times_finer() -> None:
+    solver = finer(arcless.load("en50318-ac-simple-320")).solver
+    assert (solver.contact_wire_element, solver.time_step) == (1.45 / 4, 0.25e-3)
+
+
+def test_tables_go_between_their_marks(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    page = tmp_path / "page.md"
+    page.write_text("a\n<!-- bench: x -->\nold\n<!-- end: x -->\nb\n", "utf-8")
+    monkeypatch.setattr(tables, "PAGE", page)
+    tables.put("x", tables.table(("n",), [["1"]]))
+    expected = "a\n<!-- bench: x -->\n\n| n |\n| --- |\n| 1 |\n\n<!-- end: x -->\nb\n"
+    assert page.read_text("utf-8") == expected
+
+
+def test_page_has_a_place_for_every_part() -> None:
+    page = tables.PAGE.read_text("utf-8")
+    for name in PARTS:
+        assert page.count(f"<!-- bench: {name} -->") == page.count(f"<!-- end: {name} -->") == 1
