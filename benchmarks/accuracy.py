@@ -5,25 +5,20 @@ discretisation of the scenario.
 """
 
 from collections.abc import Sequence
-from typing import Any
 
 from arcless.model import Scenario, load
 from arcless.results import Result
 from arcless.simulate import run
+from benchmarks.clock import timed
+from benchmarks.whole_runs import Stepping
 
-CASES: Sequence[tuple[str, str, dict[str, Any]]] = (
-    ("AC simple, planar, as shipped", "en50318-ac-simple-320", {}),
-    (
-        "the same, half the elements", "en50318-ac-simple-320",
-        {"solver.contact_wire_element": 0.725, "solver.messenger_wire_element": 1.45},
-    ),
-    ("the same in three dimensions, as shipped", "ac-simple-3d-320", {}),
-)  # fmt: skip
-HEAD = ("run", "elements m", "step ms", "F_m", "σ", "max", "min", "uplift")
-FINER = 4
-FINEST = (
-    "en50318-ac-simple-320", "ac-simple-3d-320",
-)  # fmt: skip
+FINER = 4.0
+NAMES = {
+    "AC simple, planar": "en50318-ac-simple-320",
+    "AC simple, three-dimensional": "ac-simple-3d-320",
+}
+HEAD = ("run", "elements m", "step ms", "× real time", "F_m", "σ", "max", "min", "uplift")
+UNITS = ("N", "N", "N", "N", "mm")
 
 
 def numbers(result: Result) -> list[float]:
@@ -31,9 +26,8 @@ def numbers(result: Result) -> list[float]:
     found = result.assessment
     first, uplift = found.pantographs[0], found.max_uplift_at_support_mm
     assert uplift is not None
-    return [
-        first.mean_force_N, first.std_force_N, first.max_force_N, first.min_force_N, uplift
-    ]  # fmt: skip
+    forces = [first.mean_force_N, first.std_force_N, first.max_force_N, first.min_force_N]
+    return [*forces, uplift]
 
 
 def with_force(scenario: Scenario) -> Scenario:
@@ -44,42 +38,47 @@ def with_force(scenario: Scenario) -> Scenario:
     return scenario.with_(**{"pantographs.0.static_force": force})
 
 
-def finer(scenario: Scenario, factor: int = FINER) -> Scenario:
+def finer(scenario: Scenario, elements: float = FINER, step: float = FINER) -> Scenario:
     """Divide element lengths and the time step."""
     solver = scenario.solver
     return scenario.with_(**{
-        "solver.contact_wire_element": solver.contact_wire_element / factor,
-        "solver.messenger_wire_element": solver.messenger_wire_element / factor,
-        "solver.time_step": scenario.time_step_s / factor,
+        "solver.contact_wire_element": solver.contact_wire_element / elements,
+        "solver.messenger_wire_element": solver.messenger_wire_element / elements,
+        "solver.time_step": scenario.time_step_s / step,
     })  # fmt: skip
 
 
 def rows() -> list[list[str]]:
-    """Compare every case with the finer run of the shipped scenario."""
-    found, forced, finest = [], {}, {}
-    for name in dict.fromkeys(name for _, name, _ in CASES):
-        forced[name] = with_force(load(name))
-        finest[name] = numbers(run(finer(forced[name])))
-        found.append(_row(f"{name}: reference", finer(forced[name]), finest[name], None))
-    for title, name, changes in CASES:
-        scenario = forced[name].with_(**changes)
-        found.append(_row(title, scenario, numbers(run(scenario)), finest[name]))
+    """Compare what is shipped, and some of it finer, with the finest."""
+    return [row for title, name in NAMES.items() for row in compared(title, with_force(load(name)))]
+
+
+def compared(title: str, shipped: Scenario) -> list[list[str]]:
+    """Return rows for a scenario with a given static force; the first one is the reference."""
+    finest = finer(shipped)
+    exact = numbers(run(finest))
+    values = [f"{value:.1f} {unit}" for value, unit in zip(exact, UNITS, strict=True)]
+    found = [_head(f"{title}, reference", finest) + values]
+    for name, scenario in (
+        ("as shipped", shipped),
+        ("elements halved", finer(shipped, 2.0, 1.0)),
+        ("both halved", finer(shipped, 2.0, 2.0)),
+    ):
+        found.append(_head(name, scenario) + apart(numbers(run(scenario)), exact))
     return found
 
 
-def _row(
-    title: str, scenario: Scenario, values: Sequence[float], least: Sequence[float] | None
-) -> list[str]:
-    solver = scenario.solver
-    head = [
+def apart(values: Sequence[float], exact: Sequence[float]) -> list[str]:
+    """Difference in per cent, and in N or mm."""
+    pairs = zip(values, exact, UNITS, strict=True)
+    return [f"{100.0 * (v / e - 1.0):+.2f} % ({v - e:+.1f} {unit})" for v, e, unit in pairs]
+
+
+def _head(title: str, scenario: Scenario) -> list[str]:
+    solver, one = scenario.solver, Stepping.of(scenario)
+    return [
         title,
-        f"{solver.contact_wire_element:g}, {solver.messenger_wire_element:g}",
+        f"{solver.contact_wire_element:.3g}, {solver.messenger_wire_element:.3g}",
         f"{1e3 * scenario.time_step_s:g}",
-    ]
-    if least is None:
-        units = ["N"] * 4 + ["mm"]
-        return head + [f"{value:.1f} {unit}" for value, unit in zip(values, units, strict=True)]
-    return head + [
-        f"{100.0 * (value / exact - 1.0):+.2f} %"
-        for value, exact in zip(values, least, strict=True)
+        f"{one.job.travel.duration / timed(one.run, 3).processor:.2g}",
     ]

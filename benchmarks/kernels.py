@@ -12,11 +12,12 @@ NAMES = {
     "contact_column": "contact column",
     "mass_product": "product with the mass matrix",
     "new_state": "new state",
-    "two_thousand_steps": "warm step",
-    "two_thousand_steps_with_ledger": "warm step with energy ledger",
+    "hundred_and_one_steps": "warm step",
+    "hundred_and_one_steps_with_ledger": "warm step with energy ledger",
     "lcp_warm": "complementarity problem: contact and droppers,",
 }
-STEPS = {"two_thousand_steps": 2000, "two_thousand_steps_with_ledger": 2000}
+# A run of one step, and how many more the others take.
+START, MORE = "begin_a_run", 100  # printed first: names are sorted
 SECONDS = {"ns": 1e-9, "µs": 1e-6, "us": 1e-6, "ms": 1e-3, "s": 1.0}
 LINE = re.compile(r"([├╰])─ (\w+)\s*([\d.]+) (\ws|s) *│ [\d.]+ \w+ *│ ([\d.]+) (\ws|s)")
 GROUP = re.compile(r"^[├╰]─ (\w+) +│")
@@ -35,7 +36,7 @@ def output() -> str:
 
 def rows(printed: str) -> list[list[str]]:
     """Read divan's tree: groups, and in them names with fastest, slowest, median, mean."""
-    found, group = [], ""
+    found, group, start = [], "", [0.0, 0.0]
     for line in printed.splitlines():
         opened = GROUP.match(line)
         if opened:
@@ -45,9 +46,13 @@ def rows(printed: str) -> list[list[str]]:
             continue
         name = match[2]
         times = [
-            float(value) * SECONDS[unit] / STEPS.get(name, 1)
-            for value, unit in (match.group(3, 4), match.group(5, 6))
+            float(value) * SECONDS[unit] for value, unit in (match.group(3, 4), match.group(5, 6))
         ]
+        if name == START:
+            start = times
+            continue
+        if name.startswith("hundred"):
+            times = [(time - begin) / MORE for time, begin in zip(times, start, strict=True)]
         title = f"{NAMES[group]} {name}" if group in NAMES else f"{NAMES[name]}, {group}"
         found.append([title, *(f"{1e6 * time:.3g} µs" for time in times)])
     return found

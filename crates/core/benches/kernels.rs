@@ -89,9 +89,15 @@ fn advances<const DIM: usize, const D: usize>(bencher: Bencher, p: &Prepared<DIM
     bencher.bench_local(|| p.advance(black_box(&mut state)));
 }
 
-/// 2000 steps in one go, from the start of a run: divide by 2000.
-fn steps<const DIM: usize, const D: usize>(bencher: Bencher, p: &Prepared<DIM, D>, ledger: bool) {
-    let travel = common::travel(300.0, 300.0 + 2000.5 * SPEED * STEP, SPEED, STEP);
+/// A run of some steps from rest. Short: of a long one, every sample would hold what the system does.
+fn steps<const DIM: usize, const D: usize>(
+    bencher: Bencher,
+    p: &Prepared<DIM, D>,
+    count: usize,
+    ledger: bool,
+) {
+    let end = 300.0 + (count as f64 + 0.5) * SPEED * STEP;
+    let travel = common::travel(300.0, end, SPEED, STEP);
     let plan = RecordPlan {
         line_every: 5,
         ledger,
@@ -131,14 +137,19 @@ macro_rules! kernels {
                 advances(bencher, &$line());
             }
 
-            #[divan::bench(sample_count = 10)]
-            fn two_thousand_steps(bencher: Bencher) {
-                steps(bencher, &$line(), false);
+            #[divan::bench]
+            fn begin_a_run(bencher: Bencher) {
+                steps(bencher, &$line(), 1, false);
             }
 
-            #[divan::bench(sample_count = 10)]
-            fn two_thousand_steps_with_ledger(bencher: Bencher) {
-                steps(bencher, &$line(), true);
+            #[divan::bench]
+            fn hundred_and_one_steps(bencher: Bencher) {
+                steps(bencher, &$line(), 101, false);
+            }
+
+            #[divan::bench]
+            fn hundred_and_one_steps_with_ledger(bencher: Bencher) {
+                steps(bencher, &$line(), 101, true);
             }
         }
     };
