@@ -66,23 +66,30 @@ class Equilibrium:
 
     def _within_reach(self, x: Floats) -> NDArray[np.bool_]:
         """Tell for each position and lane whether a strip below touches its wire."""
-        lanes = [self._heights(lane, x) for lane in self.mesh.lanes]
-        heights = np.column_stack([np.where(np.isnan(z), np.inf, z) for z in lanes])
+        heights = self._lane_heights(x)
         lowest = heights.min(axis=1, keepdims=True)
         within: NDArray[np.bool_] = heights <= lowest + REACH
         # Nothing is touched beyond the ends: whoever asks for that is told so by the core.
         within[~np.isfinite(lowest[:, 0]), 0] = True
         return within
 
+    def lowest_heights(self, x: Floats) -> Floats:
+        """Height in m of the lowest contact wire at positions x in m, infinite beyond the ends."""
+        return np.asarray(self._lane_heights(x).min(axis=1))
+
+    def _lane_heights(self, x: Floats) -> Floats:
+        """Height in m at positions (rows) of each lane, infinite where there is no wire."""
+        return np.column_stack([self._heights(lane, x) for lane in self.mesh.lanes])
+
     def _heights(self, lane: list[int], x: Floats) -> Floats:
-        """Height in m at positions of the wires of a lane, NaN where there is none."""
+        """Height in m at positions of the wires of a lane, infinite where there is none."""
         kind = "wires" if len(self.mesh.parts["wires"][0]) else "segments"
         nodes = self.mesh.parts[kind][0][lane, :2]
         ends = self.positions[nodes]
         row = np.clip(np.searchsorted(ends[:, 1, 0], x), 0, len(lane) - 1)
         (left, _, low), (right, _, high) = ends[row, 0].T, ends[row, 1].T
         share = (x - left) / (right - left)
-        return np.where((left <= x) & (x <= right), low + share * (high - low), np.nan)
+        return np.where((left <= x) & (x <= right), low + share * (high - low), np.inf)
 
     def frequencies(self, count: int = FREQUENCIES) -> Floats:
         """Lowest natural frequencies in Hz, ascending."""

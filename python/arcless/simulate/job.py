@@ -1,5 +1,6 @@
 """A run laid out and ready to step."""
 
+import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
@@ -48,7 +49,7 @@ class Job:
         """Run steps with the given static forces in N; `full` records everything.
 
         From the start or a state, to the end or until so many steps from the start are done. What
-        the core returns has the state there, as a `State`.
+        the core returns has the state there, as a `State`, and the wall time in s.
         """
         placements, mesh = self.scenario.pantographs, self.found.mesh
         speed = float(self.travel.speeds[0])
@@ -62,6 +63,7 @@ class Job:
                 placements, forces, self.given, actuators, strict=True
             )
         ]
+        began = time.perf_counter()
         with stepping(mesh, placements):
             raw = self.prepared.run(
                 ridden,
@@ -75,6 +77,7 @@ class Job:
                 None if state is None else (state.step, numbers),
                 until,
             )
+        raw["wall_s"] = time.perf_counter() - began
         step, after = raw["state"]
         raw["state"] = State(step, {**after, **self.controllers.numbers(actuators)})
         return raw

@@ -1,11 +1,13 @@
 """The static force that gives a wanted mean contact force.
 
 The mean differs from the static force by the base spring times the mean uplift, and a little by
-what the motion does; both change slowly with the force. So the mean is nearly the force plus a
-constant, and F ← F + (target − mean), then the secant rule, settles in a few runs.
+what the motion does. The line at rest tells most of it, and with which slope the mean follows the
+force; so the first correction, F ← F + (target − mean)/slope, is usually the last one. Else the
+secant rule goes on.
 """
 
-from typing import TYPE_CHECKING
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,18 +15,37 @@ from numpy.typing import NDArray
 from arcless.assess.filter import low_pass, sample_rate_Hz
 from arcless.errors import ContactError
 from arcless.simulate.contacts import total_force
+from arcless.simulate.first_guess import guess
 
 if TYPE_CHECKING:
     from arcless.simulate.job import Job
 
 # A thousandth of the scatter of any measured mean; smaller costs runs and shows nowhere. In N.
 TOLERANCE = 0.02
-# Two or three runs are normal. More than this and the mean does not follow the force.
+# Two runs are normal. More than this and the mean does not follow the force.
 MOST_RUNS = 12
 
 
-def find_forces(job: "Job") -> list[float]:
+@dataclass(frozen=True)
+class Search:
+    """What a search ends with: the static force of each pantograph in N, and the last run's record.
+
+    The record is None where no run was needed.
+    """
+
+    forces: list[float]
+    record: dict[str, Any] | None = None
+
+
+def find_forces(job: "Job", *, full: bool = False) -> Search:
     """Return the static force of each pantograph in N, found where a mean force is asked for.
+
+    Parameters
+    ----------
+    job
+        The run.
+    full
+        Record everything, so that the last run of the search need not be run again.
 
     Raises
     ------
@@ -35,14 +56,17 @@ def find_forces(job: "Job") -> list[float]:
     forces = np.array([placement.start_force or 0.0 for placement in placements])
     targets = np.array([np.nan if p.mean_force is None else p.mean_force for p in placements])
     if np.isnan(targets).all():
-        return [float(force) for force in forces]
-    slopes = np.ones(len(forces))
+        return Search([float(force) for force in forces])
+    guessed, slopes = guess(job, targets)
+    # A guess far off would do harm: what the base spring changes is a part of the force.
+    forces = np.where(np.abs(guessed - targets) < 0.5 * targets, guessed, forces)
     before: tuple[NDArray[np.float64], NDArray[np.float64]] | None = None
     for _ in range(MOST_RUNS):
-        means = _means(job, forces)
+        raw = job.step([float(force) for force in forces], full=full)
+        means = _means(job, raw)
         errors = np.where(np.isnan(targets), 0.0, targets - means)
         if np.max(np.abs(errors)) <= TOLERANCE:
-            return [float(force) for force in forces]
+            return Search([float(force) for force in forces], raw)
         if before is not None:
             slopes = _secant(forces - before[0], means - before[1], slopes)
         before = forces.copy(), means
@@ -68,10 +92,9 @@ def _secant(
     return np.clip(slope, 0.5, 2.0)
 
 
-def _means(job: "Job", forces: NDArray[np.float64]) -> NDArray[np.float64]:
+def _means(job: "Job", raw: dict[str, Any]) -> NDArray[np.float64]:
     """Mean contact force of each pantograph in its section, as the assessment defines it, in N."""
-    raw = job.step([float(force) for force in forces], full=False)
-    count = len(forces)
+    count = len(job.scenario.pantographs)
     force = total_force(raw, count)
     position = raw["position"].reshape(-1, count)
     filtered = low_pass(force, sample_rate_Hz(raw["time"]), job.scenario.analysis.low_pass)

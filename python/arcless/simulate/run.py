@@ -57,9 +57,11 @@ def run(
     job = lay_out(scenario, decided, tell, cancel)
     last = state.stop_step(job.travel, until)
     searching = observer(job.travel.steps, "finding the static force", tell, cancel)
-    forces = find_forces(replace(job, observe=searching))
-    part = _Part(job, forces, started)
-    return part.result(part.step(None, last), tell)
+    # The last run of a search is the run that is asked for, unless that stops early.
+    search = find_forces(replace(job, observe=searching), full=last == job.travel.steps)
+    part = _Part(job, search.forces, started)
+    taken = search.record if last == job.travel.steps else None
+    return part.result(taken or part.step(None, last), tell)
 
 
 def resume(
@@ -110,14 +112,12 @@ class _Part:
     earlier: Result | None = None
 
     def step(self, saved: state.State | None, last: int) -> dict[str, Any]:
-        """Take the steps; returns what the core does, with wall times in s."""
-        began = time.perf_counter()
-        raw = self.job.step(self.forces, full=True, state=saved, until=last)
-        raw["setup_s"], raw["wall_s"] = began - self.started, time.perf_counter() - began
-        return raw
+        """Take the steps; returns what the core does."""
+        return self.job.step(self.forces, full=True, state=saved, until=last)
 
     def result(self, raw: dict[str, Any], tell: Progress) -> Result:
         """Return all that was recorded so far, and the state where the run is not at its end."""
+        raw["setup_s"] = time.perf_counter() - self.started - raw["wall_s"]
         job, found, scenario = self.job, self.job.found, self.job.scenario
         x = found.elasticity_positions()
         static = record.static_variables(found, found.elasticity(x))
