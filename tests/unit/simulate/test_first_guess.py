@@ -6,11 +6,12 @@ from typing import Any
 import numpy as np
 import pytest
 
+import arcless
 from arcless.model import Pantograph
 from arcless.simulate import first_guess
 from arcless.simulate.job import Job
 from arcless.simulate.mean_force import find_forces
-from tests.support.small import laid_out, small
+from tests.support.small import laid_out
 
 ELASTICITY, BASE, TARGET = 4e-4, 200.0, 150.0  # m/N, N/m, N
 
@@ -72,8 +73,7 @@ def test_without_a_base_spring_the_mean_is_the_force() -> None:
 
 
 def test_two_runs_are_enough(monkeypatch: pytest.MonkeyPatch) -> None:
-    forces = {"static_force": None, "mean_force": 150.0}
-    job = laid_out(small(**{f"pantographs.0.{name}": force for name, force in forces.items()}))
+    job = laid_out(arcless.load("en50318-ac-simple-320"))
     count, step = [0], Job.step
 
     def counted(*given: Any, **named: Any) -> Any:
