@@ -2,7 +2,7 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 __version__: str
 
@@ -45,14 +45,15 @@ class Prepared:
         self,
         riders: list[Any],
         distances: list[float],
-        positions: list[float],
-        speeds: list[float],
+        positions: ArrayLike,
+        speeds: ArrayLike,
         friction: float,
         loads: list[tuple[list[tuple[int, int, float]], list[float]]],
         plan: dict[str, Any],
         observe: Callable[[int], bool],
         state: tuple[int, dict[str, NDArray[np.float64]]] | None = None,
         until: int | None = None,
+        take: tuple[int, Callable[[dict[str, Any]], None]] | None = None,
     ) -> dict[str, Any]: ...
     def cost(self) -> tuple[int, int, int]: ...
 

@@ -32,6 +32,7 @@ fn plan(points: Vec<f64>) -> RecordPlan {
         nodes: Vec::new(),
         points,
         ledger: false,
+        near: None,
     }
 }
 

@@ -8,7 +8,8 @@ use arcless_core::dynamics::kink::Motion;
 use arcless_core::dynamics::law::Law;
 use arcless_core::dynamics::ledger::Entries;
 use arcless_core::dynamics::loads::Load;
-use arcless_core::dynamics::part::Part;
+use arcless_core::dynamics::near::{Near, Ordered};
+use arcless_core::dynamics::part::{Callers, Part};
 use arcless_core::dynamics::record::{Record, RecordPlan};
 use arcless_core::dynamics::rider::Rider;
 use arcless_core::dynamics::run::Travel;
@@ -16,7 +17,7 @@ use arcless_core::dynamics::state::State;
 use arcless_core::dynamics::stepper;
 use arcless_core::dynamics::stop::Stop;
 use arcless_core::dynamics::strip::Strip;
-use numpy::ToPyArray;
+use numpy::{IntoPyArray, PyArrayLike1, PyArrayMethods, ToPyArray};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::collections::BTreeMap;
@@ -86,6 +87,12 @@ type LoadData = (Vec<(usize, usize, f64)>, Vec<f64>);
 /// Direction that opens the stop, gap in m, stiffness in N/m.
 type StopData = (Vec<f64>, f64, f64);
 
+/// Distance behind the last rider in m; links; nodes.
+type NearData = (f64, OrderedData, OrderedData);
+
+/// Numbers in the order along the track, coordinates in m, and how many a row holds.
+type OrderedData = (Vec<usize>, Vec<f64>, usize);
+
 /// Direction of a spring or damper, whether it is a damper, points (m or m/s, N).
 type LawData = (Vec<f64>, bool, Vec<[f64; 2]>);
 
@@ -98,6 +105,15 @@ fn given((forces, ground): GivenData) -> Given {
             displacement,
             rate,
         }),
+    }
+}
+
+fn near((behind, links, nodes): NearData) -> Near {
+    let ordered = |(of, x, count): OrderedData| Ordered { of, x, count };
+    Near {
+        behind,
+        links: ordered(links),
+        nodes: ordered(nodes),
     }
 }
 
@@ -198,30 +214,32 @@ fn answer(controller: Option<&Py<PyAny>>, sample: &Sample) -> PyResult<f64> {
 impl Prepared {
     /// Run along `positions` (m) with `speeds` (m/s), given at every step and one more.
     ///
-    /// `plan` has contact_every, line_every, links, nodes, points, ledger. `observe(step)` is
-    /// called now and then and returns whether to go on. `state` is the one to go on from (steps done,
+    /// `plan` has contact_every, line_every, links, nodes, points, ledger, near. `observe(step)` is
+    /// called now and then and returns whether to go on. With `take` (numbers, function) the series are
+    /// handed to the function whenever they hold that many numbers; what is returned has the rest of them. `state` is the one to go on from (steps done,
     /// numbers by name) or None, `until` the number of steps to stop after or None; the state there
     /// is part of what is returned.
-    #[pyo3(signature = (riders, distances, positions, speeds, friction, loads, plan, observe, state=None, until=None))]
+    #[pyo3(signature = (riders, distances, positions, speeds, friction, loads, plan, observe, state=None, until=None, take=None))]
     fn run<'py>(
         &self,
         py: Python<'py>,
         riders: Vec<RiderData>,
         distances: Vec<f64>,
-        positions: Vec<f64>,
-        speeds: Vec<f64>,
+        positions: PyArrayLike1<'_, f64>,
+        speeds: PyArrayLike1<'_, f64>,
         friction: f64,
         loads: Vec<LoadData>,
         plan: &Bound<'py, PyDict>,
         observe: &Bound<'py, PyAny>,
         state: Option<(usize, BTreeMap<String, Vec<f64>>)>,
         until: Option<usize>,
+        take: Option<(usize, Py<PyAny>)>,
     ) -> PyResult<Bound<'py, PyDict>> {
         let (riders, controllers): (Vec<Rider>, Vec<Option<Py<PyAny>>>) =
             riders.into_iter().map(rider).unzip();
         let travel = Travel {
-            positions,
-            speeds,
+            positions: positions.to_vec()?,
+            speeds: speeds.to_vec()?,
             distances,
             friction,
             loads: loads
@@ -232,7 +250,7 @@ impl Prepared {
         let plan = read_plan(plan)?;
         let state = state.map(|(step, numbers)| State { step, numbers });
         let observer = observe.clone().unbind();
-        let (mut raised, mut failed): (Option<PyErr>, Option<PyErr>) = (None, None);
+        let (mut raised, mut failed, mut lost) = (None::<PyErr>, None::<PyErr>, None::<PyErr>);
         let outcome = py.detach(|| {
             let mut go_on = |step: usize| {
                 Python::attach(|py| {
@@ -257,15 +275,30 @@ impl Prepared {
                 from: state.as_ref(),
                 until,
             };
-            either!(&self.0, p => p.run_part(&riders, &travel, &plan, part, &mut go_on, &mut ask))
+            let mut hand_on = |piece: Record| {
+                let Some((_, taker)) = &take else {
+                    return true;
+                };
+                Python::attach(|py| {
+                    let taken = arrays(py, piece).and_then(|piece| taker.call1(py, (piece,)));
+                    taken.map_err(|error| lost = Some(error)).is_ok()
+                })
+            };
+            let enough = take.as_ref().map(|(numbers, _)| *numbers);
+            let callers = Callers {
+                observe: &mut go_on,
+                ask: &mut ask,
+                take: enough.map(|numbers| (numbers, &mut hand_on as _)),
+            };
+            either!(&self.0, p => p.run_pieces(&riders, &travel, &plan, part, callers))
         });
-        match (outcome, raised.or(failed)) {
+        match (outcome, raised.or(failed).or(lost)) {
             (Err(CoreError::Cancelled { .. } | CoreError::Control { .. }), Some(error)) => {
                 Err(error)
             }
             (Err(error), _) => Err(convert(py, &error)),
             (Ok((record, state)), _) => {
-                let out = arrays(py, &record)?;
+                let out = arrays(py, record)?;
                 out.set_item("state", (state.step, numbers(py, &state)?))?;
                 Ok(out)
             }
@@ -287,6 +320,12 @@ fn read_plan(plan: &Bound<'_, PyDict>) -> PyResult<RecordPlan> {
         nodes: get("nodes")?.extract()?,
         points: get("points")?.extract()?,
         ledger: get("ledger")?.extract()?,
+        near: plan
+            .get_item("near")?
+            .map(|v| v.extract::<Option<NearData>>())
+            .transpose()?
+            .flatten()
+            .map(near),
     })
 }
 
@@ -298,33 +337,51 @@ fn numbers<'py>(py: Python<'py>, state: &State) -> PyResult<Bound<'py, PyDict>> 
     Ok(out)
 }
 
-fn arrays<'py>(py: Python<'py>, r: &Record) -> PyResult<Bound<'py, PyDict>> {
+fn arrays(py: Python<'_>, r: Record) -> PyResult<Bound<'_, PyDict>> {
     let out = PyDict::new(py);
-    let series: [(&str, &[f64]); 20] = [
-        ("time", &r.time),
-        ("force", &r.force),
-        ("gap", &r.gap),
-        ("height", &r.height),
-        ("lateral", &r.lateral),
-        ("position", &r.position),
-        ("speed", &r.speed),
-        ("masses", &r.masses),
-        ("line_time", &r.line_time),
-        ("link_force", &r.link_force),
-        ("uplift", &r.uplift),
-        ("point_uplift", &r.point_uplift),
-        ("point_along", &r.point_along),
-        ("slack", &r.slack),
-        ("link_min", &r.link_min),
-        ("link_max", &r.link_max),
-        ("uplift_max", &r.uplift_max),
-        ("stop_max", &r.stop_max),
-        ("law_ranges", &r.law_ranges),
-        ("control", &r.control),
+    out.set_item("contacts", &r.contacts)?;
+    out.set_item("energy", energies(py, &r.energy)?)?;
+    out.set_item("slack_max", r.slack_max)?;
+    out.set_item("pivots", r.pivots)?;
+    out.set_item("pivots_max", r.pivots_max)?;
+    out.set_item("pivot_counts", &r.pivot_counts)?;
+    out.set_item("fallbacks", r.fallbacks)?;
+    out.set_item("lcp_residual", r.lcp_residual)?;
+    out.set_item("steps", r.steps)?;
+    out.set_item("energy_residual", r.energy_residual)?;
+    out.set_item("energy_turnover", r.energy_turnover)?;
+    // The arrays take over the memory of the record: nothing is copied.
+    let series: [(&str, Vec<f64>); 22] = [
+        ("time", r.time),
+        ("force", r.force),
+        ("gap", r.gap),
+        ("height", r.height),
+        ("lateral", r.lateral),
+        ("position", r.position),
+        ("speed", r.speed),
+        ("masses", r.masses),
+        ("line_time", r.line_time),
+        ("link_force", r.link_force),
+        ("uplift", r.uplift),
+        ("link_first", r.link_first),
+        ("uplift_first", r.uplift_first),
+        ("point_uplift", r.point_uplift),
+        ("point_along", r.point_along),
+        ("slack", r.slack),
+        ("link_min", r.link_min),
+        ("link_max", r.link_max),
+        ("uplift_max", r.uplift_max),
+        ("stop_max", r.stop_max),
+        ("law_ranges", r.law_ranges),
+        ("control", r.control),
     ];
     for (name, values) in series {
-        out.set_item(name, values.to_pyarray(py))?;
+        out.set_item(name, values.into_pyarray(py))?;
     }
+    Ok(out)
+}
+
+fn energies<'py>(py: Python<'py>, ledger: &[Entries]) -> PyResult<Bound<'py, PyDict>> {
     type Entry = (&'static str, fn(&Entries) -> f64);
     let entries: [Entry; 16] = [
         ("kinetic", |e| e.kinetic),
@@ -344,21 +401,10 @@ fn arrays<'py>(py: Python<'py>, r: &Record) -> PyResult<Bound<'py, PyDict>> {
         ("work_loads", |e| e.work_loads),
         ("residual", Entries::residual),
     ];
-    out.set_item("contacts", &r.contacts)?;
     let energy = PyDict::new(py);
     for (name, read) in entries {
-        let values: Vec<f64> = r.energy.iter().map(read).collect();
+        let values: Vec<f64> = ledger.iter().map(read).collect();
         energy.set_item(name, values.to_pyarray(py))?;
     }
-    out.set_item("energy", energy)?;
-    out.set_item("slack_max", r.slack_max)?;
-    out.set_item("pivots", r.pivots)?;
-    out.set_item("pivots_max", r.pivots_max)?;
-    out.set_item("pivot_counts", &r.pivot_counts)?;
-    out.set_item("fallbacks", r.fallbacks)?;
-    out.set_item("lcp_residual", r.lcp_residual)?;
-    out.set_item("steps", r.steps)?;
-    out.set_item("energy_residual", r.energy_residual)?;
-    out.set_item("energy_turnover", r.energy_turnover)?;
-    Ok(out)
+    Ok(energy)
 }

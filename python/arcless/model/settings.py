@@ -15,6 +15,9 @@ MAX_SPEED = 300.0
 MAX_PROFILE = 50_000
 # The time step in which the collector moves by one element of the contact wire.
 ONE_ELEMENT: Final = "one element"
+# What is recorded of the line: all of it, or all where that is not too much.
+WHOLE_LINE: Final = "whole line"
+AUTO: Final = "auto"
 
 
 class SpeedProfile(Part):
@@ -176,6 +179,15 @@ class Output(Part):
     )
     droppers: bool = Field(default=True, strict=True, description="Record dropper forces.")
     supports: bool = Field(default=True, strict=True, description="Record uplift at supports.")
+    around: Annotated[
+        float | Literal["auto", "whole line"],
+        Unit("m", above=0, maximum=1e6, words=(AUTO, WHOLE_LINE)),
+    ] = Field(
+        default="auto",
+        description="How far before the first and behind the last pantograph droppers and supports"
+        " are recorded; auto: the whole line, but 200 m where that is more than 20 million"
+        " numbers.",
+    )
     energy: Literal["auto", "always", "never"] = Field(
         default="auto",
         description="Energy ledger; auto: for the trapezoidal scheme, which conserves energy, with"

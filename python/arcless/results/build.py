@@ -1,7 +1,7 @@
 """Record of a run (plain NumPy arrays) → xarray dataset, checked against the one table."""
 
 import json
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from datetime import UTC, datetime
 from difflib import get_close_matches
 from typing import TYPE_CHECKING, Any
@@ -61,9 +61,26 @@ def dataset_from(
     """
     import xarray
 
-    arrays = _arrays({**static, **record})
+    check_complete({**static, **record})
+    dataset = xarray.Dataset(*variables({**static, **record}, names))
+    dataset.attrs = attributes(attrs)
+    return dataset
+
+
+Described = dict[str, tuple[tuple[str, ...], NDArray[Any], dict[str, str]]]
+
+
+def variables(given: Mapping[str, Any], names: Mapping[str, Any]) -> tuple[Described, Described]:
+    """Return variables and the coordinates they use: dimensions, values, unit and meaning.
+
+    Raises
+    ------
+    ResultFormatError
+        As `dataset_from`, but none has to be there.
+    """
+    arrays = _arrays(given)
     coords = _coordinates(names, sizes_of({name: a.shape for name, a in arrays.items()}))
-    data = {}
+    data: Described = {}
     for name, array in arrays.items():
         variable = VARIABLES[name]
         _check_shape(name, variable, array, coords)
@@ -72,11 +89,13 @@ def dataset_from(
             meaning = {"units": variable.units, "long_name": variable.long_name}
             data[name] = (variable.dims, array, meaning)
     used = {dim for dims, _, _ in data.values() for dim in dims}
-    dataset = xarray.Dataset(
-        data, {dim: _coordinate(dim, coords[dim]) for dim in coords if dim in used}
-    )
-    dataset.attrs = _attributes(attrs)
-    return dataset
+    return data, {dim: _coordinate(dim, coords[dim]) for dim in coords if dim in used}
+
+
+def check_complete(names: Collection[str]) -> None:
+    """Refuse a record that lacks a required variable."""
+    if missing := missing_variables(names):
+        raise ResultFormatError("the record of the run is incomplete", expected=", ".join(missing))
 
 
 def missing_variables(present: Any) -> list[str]:
@@ -95,9 +114,6 @@ def _arrays(given: Mapping[str, Any]) -> dict[str, NDArray[Any]]:
         if name not in VARIABLES:
             hint = nearest_hint(name, VARIABLES)
             raise ResultFormatError("a variable of the result is not known", got=name, hint=hint)
-    missing = missing_variables(given)
-    if missing:
-        raise ResultFormatError("the record of the run is incomplete", expected=", ".join(missing))
     return {
         name: np.asarray(given[name], dtype=np.int64 if variable.integer else np.float64)
         for name, variable in VARIABLES.items()
@@ -125,10 +141,12 @@ def _coordinates(names: Mapping[str, Any], sizes: dict[str, int]) -> dict[str, N
     return coords
 
 
-def _coordinate(dim: str, values: NDArray[Any]) -> tuple[str, NDArray[Any], dict[str, str]]:
+def _coordinate(
+    dim: str, values: NDArray[Any]
+) -> tuple[tuple[str, ...], NDArray[Any], dict[str, str]]:
     entry = DIMENSIONS[dim]
     labels = values.astype(object) if entry.kind == "name" else values
-    return dim, labels, {"units": entry.units, "long_name": entry.long_name}
+    return (dim,), labels, {"units": entry.units, "long_name": entry.long_name}
 
 
 def _check_shape(
@@ -166,7 +184,14 @@ def _check_finite(
     )
 
 
-def _attributes(given: Mapping[str, Any]) -> dict[str, Any]:
+def attributes(given: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the attributes as they are stored.
+
+    Raises
+    ------
+    ResultFormatError
+        A name is unknown, a required one missing, or a value is not finite.
+    """
     attrs = {
         "format": RESULT_FORMAT,
         "created": datetime.now(UTC).isoformat(timespec="seconds"),

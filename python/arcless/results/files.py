@@ -1,8 +1,10 @@
 """Files that are either whole or absent: written beside their place, then moved into it."""
 
 import os
-from contextlib import suppress
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
+from typing import BinaryIO
 
 from arcless.errors import OutputError
 from arcless.results import unfinished
@@ -28,30 +30,56 @@ def write_bytes(path: str | Path, content: bytes | memoryview) -> None:
     Whatever ends the writing early, Ctrl-C included, leaves `path` as it was. A process that is
     killed leaves a hidden file; the next writing into the folder removes it.
     """
+    target = Path(os.path.realpath(path))
+    if not _is_stream(target):
+        with replacing(path) as file:
+            file.write(content)
+        return
+    try:
+        target.write_bytes(content)
+    except OSError as error:
+        raise _not_written(path, error) from error
+
+
+@contextmanager
+def replacing(path: str | Path) -> Iterator[BinaryIO]:
+    """Give an empty file to write and read; it takes its place when the block is done.
+
+    Parameters
+    ----------
+    path
+        The file to write; see `write_bytes`. No device, no pipe.
+
+    Raises
+    ------
+    OutputError
+        The file cannot be written.
+    """
     target = Path(os.path.realpath(path))  # a link stays a link; `resolve` fails on a loop of them
     temporary = target.with_name(unfinished.new_name())
     try:
-        if _is_stream(target):
-            target.write_bytes(content)
-            return
         unfinished.sweep(target.parent)
         with unfinished.create(temporary) as file:
-            file.write(content)
+            yield file
             file.flush()
             os.fsync(file.fileno())
             temporary.replace(target)
         settle(target.parent)
     except OSError as error:
-        raise OutputError(
-            "the file cannot be written",
-            where=str(path),
-            got=error.strerror or str(error),
-            expected="a folder that exists and can be written, with room on its disk",
-            hint="choose another place",
-        ) from error
+        raise _not_written(path, error) from error
     finally:
         with suppress(OSError):
             temporary.unlink(missing_ok=True)
+
+
+def _not_written(path: str | Path, error: OSError) -> OutputError:
+    return OutputError(
+        "the file cannot be written",
+        where=str(path),
+        got=error.strerror or str(error),
+        expected="a folder that exists and can be written, with room on its disk",
+        hint="choose another place",
+    )
 
 
 def check_writable(path: Path) -> None:

@@ -48,6 +48,8 @@ DIMENSIONS: dict[str, Dimension] = {
     "strip": Dimension("count", "1", "strip of a collector head, from 1, the first in front"),
     "dropper": Dimension("name", "1", "dropper name"),
     "support": Dimension("name", "1", "support name"),
+    "near_dropper": Dimension("count", "1", "place in a row of the droppers near the pantographs"),
+    "near_support": Dimension("count", "1", "place in a row of the supports near the pantographs"),
     "point": Dimension("name", "1", "recorded point of the contact wire"),
     "contact_wire_node": Dimension("count", "1", "node of the contact wire"),
     "messenger_wire_node": Dimension("count", "1", "node of the messenger wire"),
@@ -109,6 +111,18 @@ VARIABLES: dict[str, Variable] = {
     ),
     "dropper_force": Variable(("line_time", "dropper"), "N", "dropper force, tension positive"),
     "support_uplift": Variable(("line_time", "support"), "m", "uplift of the contact wire"),
+    "near_dropper_force": Variable(
+        ("line_time", "near_dropper"), "N", "force of the droppers near the pantographs"
+    ),
+    "near_dropper_first": Variable(
+        _LINE, "1", "place in `dropper_order` of the first dropper of a row, from 0", integer=True
+    ),
+    "near_support_uplift": Variable(
+        ("line_time", "near_support"), "m", "uplift at the supports near the pantographs"
+    ),
+    "near_support_first": Variable(
+        _LINE, "1", "place in `support_order` of the first support of a row, from 0", integer=True
+    ),
     "point_uplift": Variable(("line_time", "point"), "m", "uplift of the contact wire"),
     "point_along": Variable(
         ("line_time", "point"), "m", "displacement of the contact wire along the track"
@@ -135,6 +149,12 @@ VARIABLES: dict[str, Variable] = {
     "dropper_force_min": Variable(("dropper",), "N", "lowest dropper force, every step"),
     "dropper_force_max": Variable(("dropper",), "N", "highest dropper force, every step"),
     "support_uplift_max": Variable(("support",), "m", "highest contact-wire uplift, every step"),
+    "dropper_order": Variable(
+        ("dropper",), "1", "droppers along the track: index of each, from 0", integer=True
+    ),
+    "support_order": Variable(
+        ("support",), "1", "supports along the track: index of each, from 0", integer=True
+    ),
     "dropper_x": Variable(("dropper",), "m", "position of the dropper along the track"),
     "dropper_span": Variable(("dropper",), "1", "span of the dropper, from 1", integer=True),
     "dropper_length": Variable(("dropper",), "m", "distance between the clamps at rest"),

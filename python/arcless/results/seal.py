@@ -7,6 +7,7 @@ program or cut short, is read as it is; HDF5 itself notices a file that is too s
 """
 
 import hashlib
+import os
 from pathlib import Path
 from typing import BinaryIO
 
@@ -20,6 +21,15 @@ CHUNK = 1 << 20
 def sealed(content: bytes | memoryview) -> bytes:
     """Return the content of a file with the checksum behind it."""
     return b"".join([content, MARK, hashlib.sha256(content).hexdigest().encode()])
+
+
+def put(file: BinaryIO) -> None:
+    """Put the checksum behind the content of a file that is open for writing and reading."""
+    size = file.seek(0, os.SEEK_END)
+    file.seek(0)
+    digest = _digest(file, size)
+    file.seek(size)
+    file.write(MARK + digest.encode())
 
 
 def check(path: Path) -> None:

@@ -24,7 +24,7 @@ def new_name() -> str:
 def create(path: Path) -> BinaryIO:
     """Create a hidden file, locked until it is closed."""
     while True:
-        file = path.open("xb")
+        file = path.open("x+b")
         if _claimed(file.fileno(), path):
             return file
         file.close()

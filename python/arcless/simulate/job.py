@@ -3,6 +3,7 @@
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 from arcless import _core
@@ -10,10 +11,14 @@ from arcless.model import Scenario
 from arcless.simulate import equilibrium, gusts, motion, riders
 from arcless.simulate.control import Controllers
 from arcless.simulate.failure import replayable, stepping
+from arcless.simulate.nearby import Nearby, nearby
 from arcless.simulate.state import State
 
 Progress = Callable[[float, str], None]
 Cancel = Callable[[], bool]
+Take = Callable[[dict[str, Any]], None]
+# Numbers of a piece of the series: 8 MB.
+PIECE = 1 << 20
 
 
 @dataclass(frozen=True)
@@ -45,11 +50,13 @@ class Job:
         full: bool,
         state: State | None = None,
         until: int | None = None,
+        take: Take | None = None,
     ) -> dict[str, Any]:
         """Run steps with the given static forces in N; `full` records everything.
 
         From the start or a state, to the end or until so many steps from the start are done. What
-        the core returns has the state there, as a `State`, and the wall time in s.
+        the core returns has the state there, as a `State`, and the wall time in s. With `take` the
+        series are handed to it in pieces, and what is returned has the last one.
         """
         placements, mesh = self.scenario.pantographs, self.found.mesh
         speed = float(self.travel.speeds[0])
@@ -68,14 +75,15 @@ class Job:
             raw = self.prepared.run(
                 ridden,
                 [p.distance for p in placements],
-                self.travel.positions.tolist(),
-                self.travel.speeds.tolist(),
+                self.travel.positions,
+                self.travel.speeds,
                 self.scenario.contact.friction_coefficient,
                 self.loads,
                 self._plan(full=full),
                 self.observe,
                 None if state is None else (state.step, numbers),
                 until,
+                *(() if take is None else ((PIECE, take),)),
             )
         raw["wall_s"] = time.perf_counter() - began
         step, after = raw["state"]
@@ -91,7 +99,13 @@ class Job:
             "nodes": [support.contact_node for support in self.found.mesh.supports],
             "points": list(output.points),
             "ledger": full and _keeps_ledger(self.scenario),
+            "near": None if self.nearby is None or not full else self.nearby.plan(self.found.mesh),
         }
+
+    @cached_property
+    def nearby(self) -> Nearby | None:
+        """What of the line is recorded; None for all of it."""
+        return nearby(self.scenario, self.found.mesh, self.travel.steps)
 
 
 def lay_out(

@@ -14,6 +14,8 @@ if TYPE_CHECKING:
 
 Floats = NDArray[np.float64]
 
+# Dimensions that count the instants of a run.
+SERIES = ("time", "line_time")
 # Entries of the core's ledger whose names in the result are the field's own words.
 ENERGY_NAMES = {
     "riders": "pantograph",
@@ -28,6 +30,13 @@ def dynamic_variables(
     raw: dict[str, Any], found: Equilibrium, scenario: Scenario, *, controlled: bool = False
 ) -> dict[str, Floats]:
     """Return the time series and extremes of a run, shaped as the result wants them."""
+    return series(raw, found, scenario, controlled=controlled) | extremes(raw, found)
+
+
+def series(
+    raw: dict[str, Any], found: Equilibrium, scenario: Scenario, *, controlled: bool = False
+) -> dict[str, Floats]:
+    """Return the time series of a run or of a piece of it, shaped as the result wants them."""
     count = len(scenario.pantographs)
     out = contacts.channels(raw, count)
     out["position"] = raw["position"].reshape(-1, count)
@@ -47,9 +56,6 @@ def dynamic_variables(
     # A part of a run may be too short for a row.
     if rows := len(raw["line_time"]):
         out |= _line_series(raw, scenario, links, rows)
-    out["dropper_force_min"] = raw["link_min"][links]
-    out["dropper_force_max"] = raw["link_max"][links]
-    out["support_uplift_max"] = raw["uplift_max"]
     kept = {name: values for name, values in raw["energy"].items() if len(values)}
     if scenario.as_built.gusts is None:
         kept.pop("work_loads", None)
@@ -60,14 +66,32 @@ def dynamic_variables(
     return out
 
 
+def extremes(raw: dict[str, Any], found: Equilibrium) -> dict[str, Floats]:
+    """Return the extremes over every step of a run so far."""
+    links = [dropper.link for dropper in found.mesh.droppers]
+    return {
+        "dropper_force_min": raw["link_min"][links],
+        "dropper_force_max": raw["link_max"][links],
+        "support_uplift_max": raw["uplift_max"],
+    }
+
+
 def _line_series(
     raw: dict[str, Any], scenario: Scenario, links: list[int], rows: int
 ) -> dict[str, Floats]:
     out, output = {"slack_droppers": raw["slack"]}, scenario.output
-    if output.droppers:
+    # Where only what is near was recorded, every row says where it begins.
+    is_near = len(raw["uplift_first"]) > 0
+    if output.droppers and is_near:
+        out["near_dropper_force"] = raw["link_force"].reshape(rows, -1)
+        out["near_dropper_first"] = raw["link_first"]
+    elif output.droppers:
         out["dropper_force"] = raw["link_force"].reshape(rows, -1)[:, links]
     if output.supports:
-        out["support_uplift"] = raw["uplift"].reshape(rows, -1)
+        prefix = "near_" if is_near else ""
+        out[f"{prefix}support_uplift"] = raw["uplift"].reshape(rows, -1)
+    if output.supports and is_near:
+        out["near_support_first"] = raw["uplift_first"]
     if output.points:
         out["point_uplift"] = raw["point_uplift"].reshape(rows, -1)
         out["point_along"] = raw["point_along"].reshape(rows, -1)
@@ -78,11 +102,11 @@ def put_behind(
     earlier: "xarray.Dataset", variables: dict[str, Floats], labels: dict[str, Any]
 ) -> None:
     """Put the rows of a part of a run behind those that an earlier result has."""
-    for axis in ("time", "line_time"):
+    for axis in SERIES:
         before = earlier[axis].values if axis in earlier else np.zeros(0)
         labels[axis] = np.concatenate([before, labels[axis]])
     for name in earlier.data_vars:
-        if earlier[name].dims[0] in ("time", "line_time"):
+        if earlier[name].dims[0] in SERIES:
             rows = [earlier[name].values, *([variables[name]] if name in variables else [])]
             variables[str(name)] = np.concatenate(rows)
 
@@ -155,7 +179,18 @@ def _rows(values: Floats, rows: list[int | None]) -> list[float]:
     return [0.0 if row is None else float(values[row]) for row in rows]
 
 
-def names(raw: dict[str, Any], found: Equilibrium, scenario: Scenario, x: Floats) -> dict[str, Any]:
+def rows(steps: range, scenario: Scenario) -> dict[str, int]:
+    """Return how many rows the steps of a run, counted from 0, leave in each of `SERIES`."""
+    output = scenario.output
+    every = {"time": output.contact_every, "line_time": output.line_every}
+    return {axis: _multiples(steps, of) for axis, of in every.items()}
+
+
+def _multiples(steps: range, of: int) -> int:
+    return -(-steps.stop // of) + -steps.start // of
+
+
+def names(raw: dict[str, Any], found: Equilibrium, scenario: Scenario) -> dict[str, Any]:
     """Return the labels of the result's dimensions."""
     labels = {
         "time": raw["time"],
@@ -163,7 +198,7 @@ def names(raw: dict[str, Any], found: Equilibrium, scenario: Scenario, x: Floats
         "pantograph": [placement.name for placement in scenario.pantographs],
         "dropper": [dropper.name for dropper in found.mesh.droppers],
         "support": [support.name for support in found.mesh.supports],
-        "elasticity_x": x,
+        "elasticity_x": found.elasticity_positions(),
     }
     named = contacts.labels(raw, labels["pantograph"])
     if named:

@@ -3,23 +3,31 @@
 import time
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Any
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from arcless import _core
 from arcless.model import Scenario, scenario_warnings
-from arcless.results import Result, dataset_from
+from arcless.results import Result, dataset_from, open_dataset
+from arcless.results.files import replacing
 from arcless.simulate import joints, record, state
 from arcless.simulate.control import ControlFunction, Controllers
-from arcless.simulate.job import Cancel, Job, Progress, lay_out, observer
+from arcless.simulate.job import Cancel, Job, Progress, Take, lay_out, observer
 from arcless.simulate.mean_force import find_forces
+from arcless.simulate.streaming import Stream
+
+if TYPE_CHECKING:
+    import xarray
 
 
 def run(
     scenario: Scenario,
     *,
     until: str | float | None = None,
+    to: str | Path | None = None,
+    command: str | None = None,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
     controllers: Mapping[str, ControlFunction | type] | None = None,
@@ -33,6 +41,12 @@ def run(
     until
         Stop early, at a place of the first pantograph ("600 m", or a number in m) or a time
         ("5 s"): the result then holds the state there, and `resume` goes on from it.
+    to
+        A file to write the result to while the run steps, for long runs: no more than a piece of
+        the record is in memory until the result is read from the file at the end. The file is
+        there whole or not at all.
+    command
+        The command that runs this again, for the record.
     progress
         Called now and then with the fraction done and what is being done.
     cancel
@@ -48,6 +62,8 @@ def run(
     MeshError, EquilibriumError, ContactError, ControlError
         The line cannot be divided, has no equilibrium, a step cannot be solved, a controller
         failed, or it is a function whose memory cannot be saved and the run is to stop early.
+    OutputError
+        The file cannot be written.
     """
     decided = Controllers(scenario, controllers)
     if until is not None:
@@ -57,17 +73,20 @@ def run(
     job = lay_out(scenario, decided, tell, cancel)
     last = state.stop_step(job.travel, until)
     searching = observer(job.travel.steps, "finding the static force", tell, cancel)
-    # The last run of a search is the run that is asked for, unless that stops early.
-    search = find_forces(replace(job, observe=searching), full=last == job.travel.steps)
-    part = _Part(job, search.forces, started)
-    taken = search.record if last == job.travel.steps else None
-    return part.result(taken or part.step(None, last), tell)
+    # The last run of a search is the run that is asked for, unless that stops early or is streamed.
+    full = last == job.travel.steps and to is None
+    search = find_forces(replace(job, observe=searching), full=full)
+    part = _Part(job, search.forces, started, command or f"arcless run {scenario.name}")
+    if to is None:
+        return part.in_memory((search.record if full else None) or part.step(None, last), tell)
+    return part.to_file(Path(to), None, last, tell)
 
 
 def resume(
     result: Result,
     *,
     until: str | float | None = None,
+    to: str | Path | None = None,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Result:
@@ -79,7 +98,7 @@ def resume(
         Of `run` or `resume` with `until`, or `arcless.open` of its file.
     until
         Stop early again, see `run`.
-    progress, cancel
+    to, progress, cancel
         See `run`.
 
     Raises
@@ -98,8 +117,10 @@ def resume(
     state.check_identity(result, state.identity(job.scenario, job.found, job.travel))
     last = state.stop_step(job.travel, until, after=saved.step)
     forces = state.take_forces(saved, len(job.scenario.pantographs))
-    part = _Part(job, forces, started, result)
-    return part.result(part.step(saved, last), tell)
+    part = _Part(job, forces, started, result.metadata["command"], result)
+    if to is None:
+        return part.in_memory(part.step(saved, last), tell)
+    return part.to_file(Path(to), saved, last, tell)
 
 
 @dataclass(frozen=True)
@@ -109,31 +130,55 @@ class _Part:
     job: Job
     forces: list[float]
     started: float
+    command: str
     earlier: Result | None = None
 
-    def step(self, saved: state.State | None, last: int) -> dict[str, Any]:
-        """Take the steps; returns what the core does."""
-        return self.job.step(self.forces, full=True, state=saved, until=last)
+    def step(
+        self, saved: state.State | None, last: int, take: Take | None = None
+    ) -> dict[str, Any]:
+        """Take the steps to the last one; returns what the core does."""
+        return self.job.step(self.forces, full=True, state=saved, until=last, take=take)
 
-    def result(self, raw: dict[str, Any], tell: Progress) -> Result:
-        """Return all that was recorded so far, and the state where the run is not at its end."""
-        raw["setup_s"] = time.perf_counter() - self.started - raw["wall_s"]
-        job, found, scenario = self.job, self.job.found, self.job.scenario
-        x = found.elasticity_positions()
-        static = record.static_variables(found, found.elasticity(x))
-        moving = record.dynamic_variables(raw, found, scenario, controlled=job.controllers.any)
-        names = record.names(raw, found, scenario, x)
+    def in_memory(self, raw: dict[str, Any], tell: Progress) -> Result:
+        """Return all that was recorded so far."""
+        job, controlled = self.job, self.job.controllers.any
+        moving = record.dynamic_variables(raw, job.found, job.scenario, controlled=controlled)
+        names = record.names(raw, job.found, job.scenario)
         if self.earlier is not None:
             record.put_behind(self.earlier.dataset, moving, names)
+        dataset = dataset_from(moving, names, *self._rest(raw))
+        tell(1.0, "done")
+        return Result(dataset, job.scenario)
+
+    def to_file(self, to: Path, saved: state.State | None, last: int, tell: Progress) -> Result:
+        """Take the steps to the last one, and write meanwhile all that was recorded so far."""
+        first = 0 if saved is None else saved.step
+        with replacing(to) as file, Stream(file, self.job, range(first, last)) as stream:
+            if self.earlier is not None:
+                stream.put_before(self.earlier.dataset)
+            raw = self.step(saved, last, stream.take)
+            stream.take(raw)
+            static, attributes = self._rest(raw)
+            stream.finish(static | record.extremes(raw, self.job.found), attributes)
+        tell(1.0, "done")
+        return Result(open_dataset(to), self.job.scenario)
+
+    def _rest(self, raw: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
+        """Return what is no series: the line at rest, the state of a part; and attributes."""
+        raw["setup_s"] = time.perf_counter() - self.started - raw["wall_s"]
+        job, found, scenario = self.job, self.job.found, self.job.scenario
+        static = record.static_variables(found, found.elasticity(found.elasticity_positions()))
+        if job.nearby is not None:
+            static |= job.nearby.variables
         attributes = _attributes(job, raw, self.forces, self.earlier)
+        attributes["command"] = self.command
         if raw["steps"] < job.travel.steps:
             numbers = {**raw["state"].numbers, state.STATIC_FORCE: np.array(self.forces)}
             stopped = state.State(raw["steps"], numbers)
             place = float(job.travel.positions[stopped.step])
             of = state.identity(scenario, found, job.travel)
-            moving["state"], attributes["state"] = state.stored(stopped, place, of)
-        tell(1.0, "done")
-        return Result(dataset_from(moving, names, static, attributes), scenario)
+            static["state"], attributes["state"] = state.stored(stopped, place, of)
+        return static, attributes
 
 
 def _attributes(
@@ -172,7 +217,6 @@ def _attributes(
             *scenario_warnings(scenario),
             *joints.tables_left(scenario.pantographs, raw["law_ranges"].tolist()),
         ],
-        "command": before.get("command") or f"arcless run {scenario.name}",
     }
 
 

@@ -21,6 +21,7 @@ pub mod line;
 pub mod links;
 pub mod loads;
 mod modes;
+pub mod near;
 pub mod part;
 pub mod path;
 mod path_element;

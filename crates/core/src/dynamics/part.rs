@@ -1,7 +1,8 @@
 //! A part of a run: from its start or a saved state, to a step at which its state is taken down.
 //!
 //! Parts one after the other are the whole run, bit for bit. The series of a record are those of the
-//! part, its extremes and counts those of the run so far.
+//! part, its extremes and counts those of the run so far. The series of a long run may be handed on in
+//! pieces while it goes on: one after the other they are the whole series.
 
 use super::actuator::Ask;
 use super::ledger::Ledger;
@@ -19,6 +20,42 @@ pub struct Part<'a> {
     pub from: Option<&'a State>,
     /// Number of steps, counted from the start of the run, to stop after; `None` to go to the end.
     pub until: Option<usize>,
+}
+
+/// Takes the next piece of the series; answers whether to go on.
+pub type Take<'a> = &'a mut dyn FnMut(Record) -> bool;
+
+/// Who is called during a run.
+pub struct Callers<'a> {
+    /// Called now and then with the number of steps done; answers whether to go on.
+    pub observe: &'a mut dyn FnMut(usize) -> bool,
+    /// Asked for the forces of actuators.
+    pub ask: Ask<'a>,
+    /// Takes the series as soon as they hold so many numbers; `None` leaves them in the record.
+    pub take: Option<(usize, Take<'a>)>,
+}
+
+impl Callers<'_> {
+    /// Tell that `step` steps are done, and hand on what has been recorded.
+    fn call<const DIM: usize, const D: usize>(
+        &mut self,
+        run: &mut Run<'_, DIM, D>,
+        step: usize,
+    ) -> Result<(), CoreError> {
+        if !(self.observe)(step) {
+            return Err(CoreError::Cancelled { step });
+        }
+        run.check_finite(step)?;
+        let Some((enough, take)) = &mut self.take else {
+            return Ok(());
+        };
+        if run.record.held() < *enough {
+            return Ok(());
+        }
+        run.record.check_energy(step)?;
+        let go_on = take(run.record.take_series());
+        go_on.then_some(()).ok_or(CoreError::Cancelled { step })
+    }
 }
 
 impl Part<'_> {
@@ -47,8 +84,27 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         observe: &mut dyn FnMut(usize) -> bool,
         ask: Ask<'_>,
     ) -> Result<(Record, State), CoreError> {
+        let take = None;
+        self.run_pieces(riders, travel, plan, part, Callers { observe, ask, take })
+    }
+
+    /// The same, with the series handed on in pieces; those of the record returned are the last one.
+    ///
+    /// # Errors
+    /// As [`Prepared::run_part`].
+    pub fn run_pieces(
+        &self,
+        riders: &[Rider],
+        travel: &Travel,
+        plan: &RecordPlan,
+        part: Part<'_>,
+        mut callers: Callers<'_>,
+    ) -> Result<(Record, State), CoreError> {
         check(riders, travel, plan, self.updating.is_some())?;
         check_nodes(&plan.nodes, self.line.nodes())?;
+        if let Some(near) = &plan.near {
+            near.check(self.line.links.len(), self.line.nodes())?;
+        }
         super::loads::check::<D>(&travel.loads, self.line.nodes(), travel.positions.len())?;
         let steps = part.steps(travel)?;
         let until = steps.end;
@@ -64,12 +120,9 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         }
         for step in steps {
             if step % OBSERVE_EVERY == 0 {
-                if !observe(step) {
-                    return Err(CoreError::Cancelled { step });
-                }
-                run.check_finite(step)?;
+                callers.call(&mut run, step)?;
             }
-            run.control(step, ask)?;
+            run.control(step, callers.ask)?;
             run.step(step, ledger.as_mut())?;
         }
         run.check_finite(until)?;

@@ -5,7 +5,9 @@
 
 use super::contacts::Contacts;
 use super::ledger::Entries;
+use super::near::Near;
 use crate::error::CoreError;
+use std::mem::{replace, take};
 
 /// What to record and how often.
 #[derive(Debug, Clone)]
@@ -22,6 +24,8 @@ pub struct RecordPlan {
     pub points: Vec<f64>,
     /// Keep the energy ledger.
     pub ledger: bool,
+    /// Record links and nodes near the riders only; `None` for all of them.
+    pub near: Option<Near>,
 }
 
 /// Time series and extremes of a run; rows are instants.
@@ -49,10 +53,14 @@ pub struct Record {
     pub masses: Vec<f64>,
     /// Times of the line rows, s.
     pub line_time: Vec<f64>,
-    /// Tension of each link, N.
+    /// Tension of each link, or of those near the riders, N.
     pub link_force: Vec<f64>,
-    /// Uplift of the watched nodes, m.
+    /// Uplift of the watched nodes, or of those near the riders, m.
     pub uplift: Vec<f64>,
+    /// Where near ones alone are recorded: place in their order of the first link of each row.
+    pub link_first: Vec<f64>,
+    /// The same of the nodes.
+    pub uplift_first: Vec<f64>,
     /// Uplift of the watched points, m.
     pub point_uplift: Vec<f64>,
     /// Displacement of the watched points along the track, m.
@@ -107,6 +115,49 @@ impl Record {
             stop_max: vec![0.0; riders],
             ..Self::default()
         }
+    }
+
+    /// Take the series away, so that those of later instants begin anew. Extremes and counts stay.
+    pub(super) fn take_series(&mut self) -> Self {
+        let mut piece = Self {
+            contacts: self.contacts.clone(),
+            energy: take(&mut self.energy),
+            ..Self::default()
+        };
+        for (own, taken) in self.series_mut().into_iter().zip(piece.series_mut()) {
+            let as_many = Vec::with_capacity(own.len());
+            *taken = replace(own, as_many);
+        }
+        piece
+    }
+
+    /// Numbers in the series.
+    pub(super) fn held(&mut self) -> usize {
+        let numbers: usize = self.series_mut().iter().map(|s| s.len()).sum();
+        numbers + self.energy.len() * (size_of::<Entries>() / size_of::<f64>())
+    }
+
+    /// All series of numbers; the energies are entries.
+    fn series_mut(&mut self) -> [&mut Vec<f64>; 17] {
+        [
+            &mut self.time,
+            &mut self.force,
+            &mut self.gap,
+            &mut self.height,
+            &mut self.lateral,
+            &mut self.position,
+            &mut self.speed,
+            &mut self.control,
+            &mut self.masses,
+            &mut self.line_time,
+            &mut self.link_force,
+            &mut self.uplift,
+            &mut self.link_first,
+            &mut self.uplift_first,
+            &mut self.point_uplift,
+            &mut self.point_along,
+            &mut self.slack,
+        ]
     }
 
     /// Whether the ledger, where one is kept, holds numbers: squares grow faster than motion.

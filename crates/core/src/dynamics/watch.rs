@@ -1,6 +1,7 @@
 //! What a run records, and the extremes it keeps.
 
 use super::contacts::Contact;
+use super::near::Near;
 use super::run::Run;
 use crate::lcp::LcpStats;
 
@@ -70,7 +71,7 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
             self.record_contacts(time, speed, position);
         }
         if step.is_multiple_of(self.plan.line_every) {
-            self.record_line(time);
+            self.record_line(time, position);
         }
     }
 
@@ -104,17 +105,12 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
         }
     }
 
-    fn record_line(&mut self, time: f64) {
+    fn record_line(&mut self, time: f64, position: f64) {
         self.record.line_time.push(time);
-        if self.plan.links {
-            for i in 0..self.p.line.links.len() {
-                let tension = self.tension(i);
-                self.record.link_force.push(tension);
-            }
-        }
-        for &node in &self.plan.nodes {
-            let uplift = self.node_uplift(node);
-            self.record.uplift.push(uplift);
+        let plan = self.plan;
+        match &plan.near {
+            Some(near) => self.record_near(near, near.from(position, self.travel)),
+            None => self.record_all(),
         }
         let keep = self.p.coefficients.stiffness;
         for place in &self.points {
@@ -132,5 +128,36 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
             .filter(|r| **r > 0.0)
             .count();
         self.record.slack.push(slack as f64);
+    }
+
+    /// Links and nodes near the riders, in a row that begins at a coordinate.
+    fn record_near(&mut self, near: &Near, from: f64) {
+        if self.plan.links {
+            let first = near.links.first(from);
+            self.record.link_first.push(first as f64);
+            for &i in near.links.row(first) {
+                let tension = self.tension(i);
+                self.record.link_force.push(tension);
+            }
+        }
+        let first = near.nodes.first(from);
+        self.record.uplift_first.push(first as f64);
+        for &node in near.nodes.row(first) {
+            let uplift = self.node_uplift(node);
+            self.record.uplift.push(uplift);
+        }
+    }
+
+    fn record_all(&mut self) {
+        if self.plan.links {
+            for i in 0..self.p.line.links.len() {
+                let tension = self.tension(i);
+                self.record.link_force.push(tension);
+            }
+        }
+        for &node in &self.plan.nodes {
+            let uplift = self.node_uplift(node);
+            self.record.uplift.push(uplift);
+        }
     }
 }

@@ -335,6 +335,7 @@ pub fn everything() -> RecordPlan {
         nodes: Vec::new(),
         points: Vec::new(),
         ledger: true,
+        near: None,
     }
 }
 

@@ -65,6 +65,7 @@ pub fn plan(feed: &mut Feed<'_>, nodes: usize) -> RecordPlan {
         nodes: vec![1],
         points: vec![4.0],
         ledger: feed.flag(),
+        near: None,
     };
     if !is_usual {
         (plan.contact_every, plan.line_every) = (feed.index(3), feed.index(3));
