@@ -43,6 +43,8 @@ class Writer:
         self._done = dict.fromkeys(rows, 0)
         self._last = dict.fromkeys(rows, -np.inf)
         self._h5 = h5netcdf.File(self._disk, "w")
+        # Looking a variable up in the file reads all of its attributes.
+        self._made: dict[str, Any] = {}
 
     def append(self, piece: Mapping[str, Any], labels: Mapping[str, Any]) -> None:
         """Write the next rows.
@@ -68,10 +70,10 @@ class Writer:
         with self._on_disk():
             self._whole(coords)
             for name, (dims, values, meaning) in {**series, **data}.items():
-                if name not in self._h5.variables:
+                if name not in self._made:
                     self._create(name, dims, values, meaning)
                 first = self._done[dims[0]]
-                self._h5.variables[name][first : first + len(values)] = values
+                self._made[name][first : first + len(values)] = values
         for dim, (_, times, _) in series.items():
             self._done[dim] += len(times)
 
@@ -96,7 +98,7 @@ class Writer:
                 got=f"{self._done} rows",
                 expected=f"{self._rows}",
             )
-        check_complete({*static, *self._h5.variables})
+        check_complete({*static, *self._made})
         data, coords = variables(static, self._names)
         texts = attributes(attrs)
         with self._on_disk():
@@ -131,8 +133,9 @@ class Writer:
     def _whole(self, described: Described) -> None:
         """Write what is no series, if it is not there yet."""
         for name, (dims, values, meaning) in described.items():
-            if name not in self._h5.variables:
-                self._create(name, dims, values, meaning)[...] = values
+            if name not in self._made:
+                self._create(name, dims, values, meaning)
+                self._made[name][...] = values
 
     def _follow(self, dim: str, times: NDArray[Any]) -> None:
         """Take note of the labels of the next rows, which must lie after those before."""
@@ -144,7 +147,7 @@ class Writer:
 
     def _create(
         self, name: str, dims: tuple[str, ...], values: NDArray[Any], meaning: dict[str, str]
-    ) -> Any:
+    ) -> None:
         import h5py
 
         shape = tuple(self._rows.get(dim, n) for dim, n in zip(dims, values.shape, strict=True))
@@ -157,4 +160,4 @@ class Writer:
             options = {"dtype": values.dtype, "chunks": (part, *values.shape[1:]), **COMPRESSION}
         made = self._h5.create_variable(name, dims, **options)
         made.attrs.update(meaning)
-        return made
+        self._made[name] = made
