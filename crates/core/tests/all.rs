@@ -17,6 +17,7 @@ mod lcp_oracle;
 mod ledger;
 mod loads;
 mod lumped;
+mod pieces;
 mod published;
 mod resume;
 mod rider;

@@ -35,7 +35,7 @@ fn part<const DIM: usize, const D: usize>(
 }
 
 /// All numbers of a record, as bits.
-fn bits(r: &Record) -> Vec<Vec<u64>> {
+pub fn bits(r: &Record) -> Vec<Vec<u64>> {
     let mut series: Vec<Vec<f64>> = [
         &r.time,
         &r.force,
@@ -49,6 +49,8 @@ fn bits(r: &Record) -> Vec<Vec<u64>> {
         &r.line_time,
         &r.link_force,
         &r.uplift,
+        &r.link_first,
+        &r.uplift_first,
         &r.point_uplift,
         &r.point_along,
         &r.slack,
@@ -154,7 +156,7 @@ fn full(instants: usize) -> Rider {
     rider
 }
 
-fn way(instants: usize, distances: Vec<f64>) -> Travel {
+pub fn way(instants: usize, distances: Vec<f64>) -> Travel {
     let step = 0.075;
     Travel {
         positions: (0..instants).map(|i| 75.0 + step * i as f64).collect(),

@@ -9,34 +9,42 @@ from collections.abc import Callable
 from typing import Generic, TypeVar
 
 Outcome = TypeVar("Outcome")
+Asked = Callable[[], bool]
 _LOOK_EVERY_S = 0.1  # how long a wait may hold a signal back on platforms that do not wake it
 
 
 class _Computation(threading.Thread, Generic[Outcome]):
-    def __init__(self, work: Callable[[], Outcome]) -> None:
+    def __init__(self, work: Callable[[Asked], Outcome]) -> None:
         super().__init__(daemon=True)
         self._work = work
+        self._abandoned = threading.Event()
         self._outcome: list[Outcome] = []
         self._error: BaseException | None = None
 
     def run(self) -> None:
         """Work; keep what comes out for the thread that waits."""
         try:
-            self._outcome.append(self._work())
+            self._outcome.append(self._work(self._abandoned.is_set))
         except BaseException as error:
             self._error = error
 
     def outcome(self) -> Outcome:
-        """Wait, then return or raise what the work did."""
-        while self.is_alive():
-            self.join(_LOOK_EVERY_S)
+        """Wait, then return or raise what the work did; who waits no longer lets it stop."""
+        try:
+            while self.is_alive():
+                self.join(_LOOK_EVERY_S)
+        finally:
+            self._abandoned.set()
         if self._error is not None:
             raise self._error
         return self._outcome[0]
 
 
-def compute(work: Callable[[], Outcome]) -> Outcome:
-    """Do work that may stay in native code for long; Ctrl-C leaves it unfinished."""
+def compute(work: Callable[[Asked], Outcome]) -> Outcome:
+    """Do work that may stay in native code for long; Ctrl-C leaves it unfinished.
+
+    The work is given something to ask now and then: whether it should stop, as nobody waits.
+    """
     computation = _Computation(work)
     computation.start()
     return computation.outcome()

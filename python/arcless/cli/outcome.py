@@ -13,7 +13,8 @@ if TYPE_CHECKING:
     from arcless.model import Scenario
     from arcless.results import Result
 
-FILES = ("result.nc", "assessment.json", "report.html")  # the others follow from the first
+RESULT = "result.nc"
+FILES = (RESULT, "assessment.json", "report.html")  # the others follow from the first
 UntilOption = Annotated[
     str | None,
     typer.Option(
@@ -30,7 +31,8 @@ def write(result: "Result", folder: OutputFolder, *, report: bool) -> list[Path]
     """Write the files of a run; of one that stopped early, the result alone."""
     from arcless.results.files import write_bytes
 
-    result.save(folder.file("result.nc"))
+    if not folder.file(RESULT).exists():  # a long run has written it already
+        result.save(folder.file(RESULT))
     if result.is_complete:
         write_bytes(folder.file("assessment.json"), result.assessment.to_json().encode())
         if report:

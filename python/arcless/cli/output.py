@@ -2,6 +2,7 @@
 
 import os
 import shutil
+import time
 from contextlib import suppress
 from pathlib import Path
 from types import TracebackType
@@ -12,6 +13,8 @@ from arcless.errors import OutputError
 from arcless.units import show
 
 _OLD = "old-"
+# How long a run that is cut off may take to notice that its folder is gone: 0.2 s in all.
+_TRIES, _BETWEEN_TRIES_S = 20, 0.01
 
 
 def check_place(file: Path, suffix: str, option: str) -> None:
@@ -110,12 +113,20 @@ class OutputFolder:
 
     def _clear(self) -> None:
         with interrupts.held_back():
-            shutil.rmtree(self._staging, ignore_errors=True)
+            self._remove()
             if self._lock is not None:
                 os.close(self._lock)
             for folder in reversed(self._made):
                 with suppress(OSError):  # it holds published files, or was not made after all
                     folder.rmdir()
+
+    def _remove(self) -> None:
+        """Remove the hidden folder, although a run that is cut off may still write into it."""
+        for _ in range(_TRIES):
+            shutil.rmtree(self._staging, ignore_errors=True)
+            if not self._staging.exists():
+                return
+            time.sleep(_BETWEEN_TRIES_S)
 
     def _cannot_write(self, error: OSError) -> OutputError:
         return OutputError(

@@ -45,13 +45,18 @@ def resume(
 
     opened = open_result(result)
     with OutputFolder(out or result.parent, *outcome.FILES) as folder:
-        whole = _go_on(opened, until, quiet=quiet)
+        whole = _go_on(opened, until, folder.file(outcome.RESULT), quiet=quiet)
         written = outcome.write(whole, folder, report=not no_report)
     outcome.tell(whole, written, json=json, quiet=quiet)
 
 
-def _go_on(opened: "Result", until: str | None, *, quiet: bool) -> "Result":
+def _go_on(opened: "Result", until: str | None, file: Path, *, quiet: bool) -> "Result":
     from arcless import simulate
 
+    to = file if simulate.is_long(opened.scenario) else None
     with console.progress(quiet=quiet) as progress:
-        return compute(lambda: simulate.resume(opened, until=until, progress=progress))
+        return compute(
+            lambda cancel: simulate.resume(
+                opened, until=until, to=to, progress=progress, cancel=cancel
+            )
+        )

@@ -63,8 +63,8 @@ def run(
     """
     chosen = load(scenario, speed=speed, changes=set_, quiet=quiet)
     with OutputFolder(out or folder_of(chosen), *outcome.FILES) as folder:
-        result = _simulate(chosen, until, quiet=quiet)
-        result.dataset.attrs["command"] = _command(scenario, speed, set_)
+        command = _command(scenario, speed, set_)
+        result = _simulate(chosen, until, folder.file(outcome.RESULT), command, quiet=quiet)
         written = outcome.write(result, folder, report=not no_report)
     outcome.tell(result, written, json=json, quiet=quiet)
 
@@ -112,18 +112,25 @@ def statics(
         outcome.say_written(written)
 
 
-def _simulate(scenario: "Scenario", until: str | None, *, quiet: bool) -> "Result":
+def _simulate(
+    scenario: "Scenario", until: str | None, file: Path, command: str, *, quiet: bool
+) -> "Result":
     from arcless import simulate
 
+    to = file if simulate.is_long(scenario) else None
     with console.progress(quiet=quiet) as progress:
-        return compute(lambda: simulate.run(scenario, until=until, progress=progress))
+        return compute(
+            lambda cancel: simulate.run(
+                scenario, until=until, to=to, command=command, progress=progress, cancel=cancel
+            )
+        )
 
 
 def _find_statics(scenario: "Scenario", *, quiet: bool) -> "StaticsResult":
     from arcless import simulate
 
     with console.progress(quiet=quiet) as progress:
-        return compute(lambda: simulate.statics(scenario, progress=progress))
+        return compute(lambda _cancel: simulate.statics(scenario, progress=progress))
 
 
 def _command(scenario: str, speed: str | None, changes: list[str] | None) -> str:

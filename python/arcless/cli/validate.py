@@ -48,7 +48,7 @@ def validate(
     from arcless import validate as cases
 
     with console.progress(quiet=quiet) as progress:
-        rows = compute(lambda: cases.run(suite, progress, report=report))
+        rows = compute(lambda _cancel: cases.run(suite, progress, report=report))
     violated = sum(row.violates for row in rows)
     topics = cases.recorded() if suite == "all" else []
     if json:

@@ -18,6 +18,7 @@ from arcless.report.track import (
     track_figure,
 )
 from arcless.report.wires import wire_points
+from arcless.results.passages import Place, is_recorded, passage
 
 X_LABEL_FRONT = "position of the first pantograph, m"
 
@@ -25,7 +26,6 @@ TRACES, TRACE_POINTS = 24, 400
 
 # How much of a place's channel is drawn: from the train ahead of it to the last one gone.
 BEFORE_M, AFTER_M = 100.0, 200.0
-CHANNELS = {"support": "support_uplift", "dropper": "dropper_force"}
 
 
 def force(scene: Scene) -> Any:
@@ -138,7 +138,7 @@ def droppers(scene: Scene) -> Any | None:
 
 def dropper_passages(scene: Scene) -> Any | None:
     """Draw the forces of the droppers of the section's middle span while the train passes."""
-    if not scene.has("dropper_x", "dropper_span", "dropper_force"):
+    if not (scene.has("dropper_x", "dropper_span") and is_recorded(scene.dataset, "dropper")):
         return None
     span = scene.values("dropper_span")
     middle = int(np.argmin(np.abs(scene.values("dropper_x") - np.mean(scene.assessment.section_m))))
@@ -153,13 +153,13 @@ def dropper_passages(scene: Scene) -> Any | None:
 
 
 def _passages(
-    scene: Scene, fig: Any, place: str, chosen: Any, *, scale: float, tip: tuple[str, str]
+    scene: Scene, fig: Any, place: Place, chosen: Any, *, scale: float, tip: tuple[str, str]
 ) -> list[tuple[str, list[Any]]]:
     """Draw the channel of some supports or droppers, each while the train is there."""
-    channel, x = CHANNELS[place], scene.values(f"{place}_x")
-    if not scene.has(channel):
+    x = scene.values(f"{place}_x")
+    if not is_recorded(scene.dataset, place):
         return []
-    pieces = [_passage(scene, scene.dataset[channel].values[:, i], x[i]) for i in chosen]
+    pieces = [_passage(scene, place, i, x[i]) for i in chosen]
     data_source = source(
         {
             "x": [single(scene.line_position[kept]) for kept, _ in pieces],
@@ -173,12 +173,13 @@ def _passages(
     return [("passage of the train", [lines])]
 
 
-def _passage(scene: Scene, values: Any, x: float) -> tuple[Any, Any]:
-    beyond = scene.line_position - x
+def _passage(scene: Scene, place: Place, index: int, x: float) -> tuple[Any, Any]:
+    rows, values = passage(scene.dataset, place, index)
+    beyond = scene.line_position[rows] - x
     train = float(np.ptp(scene.dataset["position"].values[0]))
     near = np.flatnonzero((beyond > -BEFORE_M) & (beyond < train + AFTER_M))
     kept = near[envelope(values[near], TRACE_POINTS)] if near.size else near
-    return kept, values[kept]
+    return rows[kept], values[kept]
 
 
 def _names(scene: Scene, dimension: str, kept: Any) -> list[str]:

@@ -5,6 +5,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from arcless.results.passages import CHANNELS, Place, passage
 from arcless.results.store import metadata, open_dataset, save
 
 if TYPE_CHECKING:
@@ -43,6 +44,38 @@ class Result:
         from arcless import report
 
         report.write(self, path, **options)
+
+    def passage(self, place: Place, name: str) -> "xarray.DataArray":
+        """Return the force of one dropper in N or the uplift at one support in m over time.
+
+        Parameters
+        ----------
+        place
+            "dropper" or "support".
+        name
+            As the dimension of that name has it, such as "span 3 dropper 5".
+
+        Returns
+        -------
+        xarray.DataArray
+            Over `line_time`: of a long line while the pantographs are near, else of the whole run.
+
+        Raises
+        ------
+        KeyError
+            There is no such place, or nothing of the kind was recorded.
+        """
+        import xarray
+
+        names = self.dataset[place].values.tolist()
+        if name not in names:
+            raise KeyError(name)
+        rows, values = passage(self.dataset, place, names.index(name))
+        times = self.dataset["line_time"][rows]
+        units = {"dropper": "N", "support": "m"}[place]
+        return xarray.DataArray(
+            values, {"line_time": times}, ("line_time",), CHANNELS[place], {"units": units}
+        )
 
     @cached_property
     def metadata(self) -> dict[str, Any]:

@@ -3,5 +3,6 @@
 from arcless.simulate.control import ControlInput
 from arcless.simulate.run import resume, run
 from arcless.simulate.statics import StaticsResult, statics
+from arcless.simulate.streaming import is_long
 
-__all__ = ["ControlInput", "StaticsResult", "resume", "run", "statics"]
+__all__ = ["ControlInput", "StaticsResult", "is_long", "resume", "run", "statics"]

@@ -1,0 +1,155 @@
+//! Series handed on in pieces, and rows that hold only what is near.
+
+use crate::common::{everything, prepare, simple_line, three_masses};
+use crate::resume::{bits, way};
+
+use arcless_core::CoreError;
+use arcless_core::dynamics::actuator::Sample;
+use arcless_core::dynamics::near::{Near, Ordered};
+use arcless_core::dynamics::part::{Callers, Part};
+use arcless_core::dynamics::record::{Record, RecordPlan};
+use arcless_core::dynamics::stepper::Prepared;
+use arcless_core::scheme::Scheme;
+
+const STEPS: usize = 1030;
+
+fn line() -> Prepared<2, 4> {
+    prepare(simple_line(3), |_| (), Scheme::hht(0.1), 1e-3, 5e4)
+}
+
+/// A run with its series handed on whenever they hold so many numbers.
+fn run(
+    p: &Prepared<2, 4>,
+    plan: &RecordPlan,
+    enough: usize,
+    take: &mut dyn FnMut(Record) -> bool,
+) -> Result<Record, CoreError> {
+    let mut nobody = |_: usize, _: &Sample| Err("nobody controls it".into());
+    let callers = Callers {
+        observe: &mut |_| true,
+        ask: &mut nobody,
+        take: Some((enough, take)),
+    };
+    let (riders, travel) = ([three_masses(90.0)], way(STEPS, vec![0.0]));
+    let done = p.run_pieces(&riders, &travel, plan, Part::default(), callers);
+    done.map(|(record, _)| record)
+}
+
+fn whole(p: &Prepared<2, 4>, plan: &RecordPlan) -> Record {
+    run(p, plan, usize::MAX, &mut |_| panic!("nothing to hand on")).expect("a run")
+}
+
+#[test]
+fn pieces_one_after_the_other_are_the_whole() {
+    let (p, plan) = (line(), everything());
+    let whole = whole(&p, &plan);
+    let mut pieces: Vec<Record> = Vec::new();
+    let last = run(&p, &plan, 10_000, &mut |piece| {
+        pieces.push(piece);
+        true
+    });
+    let last = last.expect("a run");
+    assert!(pieces.len() > 2, "{} pieces", pieces.len());
+    assert!(pieces.iter().all(|piece| piece.time.len() % 256 == 0));
+    assert_eq!(
+        (&last.link_max, last.pivots),
+        (&whole.link_max, whole.pivots)
+    );
+    let mut joined = vec![Vec::new(); bits(&whole).len()];
+    for piece in pieces.iter().chain([&last]) {
+        assert_eq!(piece.contacts, whole.contacts);
+        let all = joined.iter_mut().zip(bits(piece));
+        all.for_each(|(all, new): (&mut Vec<u64>, _)| all.extend(new));
+    }
+    assert!(joined == bits(&whole));
+}
+
+#[test]
+fn who_takes_a_piece_may_end_the_run() {
+    let ended = run(&line(), &everything(), 10_000, &mut |_| false);
+    assert!(matches!(ended, Err(CoreError::Cancelled { step }) if step > 0));
+}
+
+/// Links along the track, of which four are recorded from 20 m behind on; and two nodes of five.
+fn near(p: &Prepared<2, 4>) -> Near {
+    let count = p.line.links.len();
+    let place = |i: &usize| 3.0 * (count - i) as f64;
+    let links: Vec<usize> = (0..count).rev().collect();
+    Near {
+        behind: 20.0,
+        links: Ordered {
+            x: links.iter().map(place).collect(),
+            of: links,
+            count: 4,
+        },
+        nodes: Ordered {
+            of: vec![9, 5, 7, 3, 1],
+            x: vec![0.0, 10.0, 30.0, 50.0, 70.0],
+            count: 2,
+        },
+    }
+}
+
+#[test]
+fn near_rows_are_cut_from_whole_ones() {
+    let p = line();
+    let nodes = vec![1, 3, 5, 7, 9];
+    let all = RecordPlan {
+        nodes: nodes.clone(),
+        ..everything()
+    };
+    let some = RecordPlan {
+        near: Some(near(&p)),
+        ..all.clone()
+    };
+    let (whole, cut, near) = (whole(&p, &all), whole(&p, &some), near(&p));
+    assert_eq!(bits(&whole)[1], bits(&cut)[1]);
+    let count = p.line.links.len();
+    let mut firsts = Vec::new();
+    for (row, position) in cut.position.iter().enumerate() {
+        let first = cut.link_first[row] as usize;
+        assert!(first == count - 4 || near.links.x[first] >= position - 20.0);
+        assert!(first == 0 || near.links.x[first - 1] < position - 20.0);
+        for k in 0..4 {
+            let of = near.links.of[first + k];
+            assert_eq!(
+                cut.link_force[row * 4 + k],
+                whole.link_force[row * count + of]
+            );
+        }
+        let first = cut.uplift_first[row] as usize;
+        for k in 0..2 {
+            let node = near.nodes.of[first + k];
+            let at = nodes.iter().position(|n| *n == node).expect("watched");
+            assert_eq!(cut.uplift[row * 2 + k], whole.uplift[row * 5 + at]);
+        }
+        firsts.push(first);
+    }
+    firsts.dedup();
+    assert!(firsts.len() > 1, "it moves on");
+    assert_eq!(cut.link_min, whole.link_min);
+    assert_eq!(cut.uplift_max, whole.uplift_max);
+}
+
+#[test]
+fn what_is_near_must_be_there_and_in_order() {
+    let p = line();
+    let bad: [fn(&mut Near); 6] = [
+        |near| near.behind = f64::NAN,
+        |near| near.links.of[0] = usize::MAX,
+        |near| near.links.x[1] = 1e9,
+        |near| near.links.count = usize::MAX,
+        |near| near.nodes.x[0] = f64::NEG_INFINITY,
+        |near| near.nodes.of.truncate(4),
+    ];
+    for spoil in bad {
+        let mut near = near(&p);
+        spoil(&mut near);
+        let plan = RecordPlan {
+            near: Some(near),
+            ..everything()
+        };
+        let told = run(&p, &plan, 1, &mut |_| true);
+        assert!(matches!(told, Err(CoreError::Input { array: "plan", .. })));
+    }
+}
