@@ -83,6 +83,29 @@ def place(older: Path, tmp_path: Path) -> Callable[[str], Path]:
     return make
 
 
+@pytest.fixture
+def small_disk(tmp_path: Path) -> Iterator[Callable[[int], Path]]:
+    """Return a maker of disks of some KiB; only who may mount can have one."""
+    mounted: list[Path] = []
+
+    def make(kibibytes: int) -> Path:
+        place = tmp_path / f"disk-{kibibytes}"
+        place.mkdir()
+        command = ["mount", "-t", "tmpfs", "-o", f"size={kibibytes}k", "tmpfs", str(place)]
+        try:
+            done = subprocess.run(command, capture_output=True, check=False)
+        except FileNotFoundError:
+            pytest.skip("there is no command `mount` here")
+        if done.returncode:
+            pytest.skip("this user may not mount a small disk; the other drills stand for it")
+        mounted.append(place)
+        return place
+
+    yield make
+    for place in mounted:
+        subprocess.run(["umount", str(place)], check=True)
+
+
 def names(folder: Path) -> list[str]:
     """Return the names of the visible files of a folder."""
     return sorted(p.name for p in folder.glob("*") if not p.name.startswith("."))

@@ -3,7 +3,7 @@
 import resource
 import subprocess
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -55,29 +55,6 @@ def test_from_each_operation_of_a_first_run(stop: Stop, place: Place) -> None:
 @pytest.mark.parametrize("kind", ["older", "fresh"])
 def test_from_each_operation_with_report(stop: Stop, place: Place, kind: str) -> None:
     assert full_from_each_operation(stop, place, kind, RUN) > 4
-
-
-@pytest.fixture
-def small_disk(tmp_path: Path) -> Iterator[Callable[[int], Path]]:
-    """Return a maker of disks of some KiB; only who may mount can have one."""
-    mounted: list[Path] = []
-
-    def make(kibibytes: int) -> Path:
-        place = tmp_path / f"disk-{kibibytes}"
-        place.mkdir()
-        command = ["mount", "-t", "tmpfs", "-o", f"size={kibibytes}k", "tmpfs", str(place)]
-        try:
-            done = subprocess.run(command, capture_output=True, check=False)
-        except FileNotFoundError:
-            pytest.skip("there is no command `mount` here")
-        if done.returncode:
-            pytest.skip("this user may not mount a small disk; the other drills stand for it")
-        mounted.append(place)
-        return place
-
-    yield make
-    for place in mounted:
-        subprocess.run(["umount", str(place)], check=True)
 
 
 # Too small for result.nc (about 400 KiB), and for the report (about 1 MiB) after it.

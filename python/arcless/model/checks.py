@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from arcless.model.pantograph import Pantograph
     from arcless.model.scenario import Scenario
 
-# One run keeps its whole record in memory; this many steps at 1 ms are nearly three hours.
+# Opening a result reads all of it; this many steps at 1 ms are nearly three hours.
 MAX_STEPS = 10_000_000
 MAX_ELEMENTS = 500_000
 # Speed times (element over speed) is the element up to a rounding or two.

@@ -61,8 +61,9 @@ def dataset_from(
     """
     import xarray
 
+    described = variables({**static, **record}, names)
     check_complete({**static, **record})
-    dataset = xarray.Dataset(*variables({**static, **record}, names))
+    dataset = xarray.Dataset(*described)
     dataset.attrs = attributes(attrs)
     return dataset
 
