@@ -4,7 +4,7 @@ import time
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -17,9 +17,6 @@ from arcless.simulate.control import ControlFunction, Controllers
 from arcless.simulate.job import Cancel, Job, Progress, Take, lay_out, observer
 from arcless.simulate.mean_force import find_forces
 from arcless.simulate.streaming import Stream
-
-if TYPE_CHECKING:
-    import xarray
 
 
 def run(
