@@ -73,7 +73,7 @@ fn who_takes_a_piece_may_end_the_run() {
 /// Links along the track, of which four are recorded from 20 m behind on; and two nodes of five.
 fn near(p: &Prepared<2, 4>) -> Near {
     let count = p.line.links.len();
-    let place = |i: &usize| 3.0 * (count - i) as f64;
+    let place = |i: &usize| 6.0 * (count - i) as f64;
     let links: Vec<usize> = (0..count).rev().collect();
     Near {
         behind: 20.0,
@@ -84,7 +84,7 @@ fn near(p: &Prepared<2, 4>) -> Near {
         },
         nodes: Ordered {
             of: vec![9, 5, 7, 3, 1],
-            x: vec![0.0, 10.0, 30.0, 50.0, 70.0],
+            x: vec![0.0, 60.0, 90.0, 120.0, 150.0],
             count: 2,
         },
     }
