@@ -15,6 +15,7 @@ mod laws;
 mod lcp;
 mod lcp_oracle;
 mod ledger;
+mod live;
 mod loads;
 mod lumped;
 mod pieces;

@@ -15,6 +15,7 @@ use numpy::{PyReadonlyArray2, ToPyArray};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use std::sync::Arc;
 
 /// Equilibrium in two or three dimensions, of Hermite elements or of chains of point masses.
 enum Any {
@@ -135,13 +136,12 @@ impl Equilibrium {
             contact_stiffness,
             updated,
         };
+        let with = &stepping;
         let found = py.detach(|| match &self.0 {
-            Any::Planar(s) => s.prepare(&lanes, &stepping).map(prepared::Any::Planar),
-            Any::Spatial(s) => s.prepare(&lanes, &stepping).map(prepared::Any::Spatial),
-            Any::PlanarChain(s) => s.prepare(&lanes, &stepping).map(prepared::Any::PlanarChain),
-            Any::SpatialChain(s) => s
-                .prepare(&lanes, &stepping)
-                .map(prepared::Any::SpatialChain),
+            Any::Planar(s) => s.prepare(&lanes, with).map(prepared::Any::Planar),
+            Any::Spatial(s) => s.prepare(&lanes, with).map(prepared::Any::Spatial),
+            Any::PlanarChain(s) => s.prepare(&lanes, with).map(prepared::Any::PlanarChain),
+            Any::SpatialChain(s) => s.prepare(&lanes, with).map(prepared::Any::SpatialChain),
         });
         found.map(Prepared).map_err(|e| convert(py, &e))
     }
@@ -212,13 +212,14 @@ impl<const DIM: usize, const D: usize> Solved<DIM, D> {
         &self,
         lanes: &[Vec<usize>],
         with: &Stepping,
-    ) -> Result<stepper::Prepared<DIM, D>, CoreError> {
+    ) -> Result<Arc<stepper::Prepared<DIM, D>>, CoreError> {
         let (lanes, h, contact) = (self.lanes(lanes)?, with.step, with.contact_stiffness);
         if with.updated {
             let (geometry, shape) = (&self.geometry, &self.shape);
-            return stepper::Prepared::updated(geometry, shape, lanes, with.scheme, h, contact);
+            let p = stepper::Prepared::updated(geometry, shape, lanes, with.scheme, h, contact);
+            return p.map(Arc::new);
         }
-        stepper::Prepared::new(self.line(), lanes, with.scheme, h, contact)
+        stepper::Prepared::new(self.line(), lanes, with.scheme, h, contact).map(Arc::new)
     }
 
     fn arrays<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {

@@ -4,6 +4,7 @@ mod equilibrium;
 mod error;
 mod filter;
 mod lcp;
+mod live;
 mod prepared;
 mod published;
 mod structure;
@@ -17,6 +18,7 @@ fn _core(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add("NativeError", m.py().get_type::<error::NativeError>())?;
     m.add_class::<equilibrium::Equilibrium>()?;
     m.add_class::<prepared::Prepared>()?;
+    m.add_class::<live::Live>()?;
     m.add_function(wrap_pyfunction!(lcp::solve_lcp, m)?)?;
     m.add_function(wrap_pyfunction!(filter::filtered, m)?)?;
     m.add_class::<published::PublishedStep>()?;

@@ -21,17 +21,18 @@ use numpy::{IntoPyArray, PyArrayLike1, PyArrayMethods, ToPyArray};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// Prepared line in two or three dimensions.
 pub enum Any {
     /// Along and up, Hermite elements.
-    Planar(stepper::Prepared<2, 4>),
+    Planar(Arc<stepper::Prepared<2, 4>>),
     /// Along, across and up, Hermite elements.
-    Spatial(stepper::Prepared<3, 6>),
+    Spatial(Arc<stepper::Prepared<3, 6>>),
     /// Along and up, chains of point masses.
-    PlanarChain(stepper::Prepared<2, 2>),
+    PlanarChain(Arc<stepper::Prepared<2, 2>>),
     /// Along, across and up, chains of point masses.
-    SpatialChain(stepper::Prepared<3, 3>),
+    SpatialChain(Arc<stepper::Prepared<3, 3>>),
 }
 
 /// Call a method of whichever variant is there.
@@ -52,7 +53,7 @@ pub struct Prepared(pub Any);
 
 /// One rider as it comes from Python: mass, damping, stiffness matrices by rows; strips; preload, lift
 /// vectors; contact force at the start; what is given; stops; springs and dampers with tables; actuator.
-type RiderData = (
+pub type RiderData = (
     Vec<f64>,
     Vec<f64>,
     Vec<f64>,
@@ -147,7 +148,7 @@ fn law((direction, is_damper, points): LawData) -> Law {
 }
 
 /// The rider, and who is asked for the force of its actuator.
-fn rider(data: RiderData) -> (Rider, Option<Py<PyAny>>) {
+pub fn rider(data: RiderData) -> (Rider, Option<Py<PyAny>>) {
     let (
         mass,
         damping,
@@ -329,7 +330,7 @@ fn read_plan(plan: &Bound<'_, PyDict>) -> PyResult<RecordPlan> {
     })
 }
 
-fn numbers<'py>(py: Python<'py>, state: &State) -> PyResult<Bound<'py, PyDict>> {
+pub fn numbers<'py>(py: Python<'py>, state: &State) -> PyResult<Bound<'py, PyDict>> {
     let out = PyDict::new(py);
     for (name, values) in &state.numbers {
         out.set_item(name, values.to_pyarray(py))?;

@@ -60,6 +60,17 @@ impl Unilateral {
         }
     }
 
+    /// Make room for problems of up to `rows` rows, so that none is made in a step.
+    pub(super) fn reserve(&mut self, rows: usize) {
+        self.h.reserve(rows * rows);
+        for vector in [&mut self.w, &mut self.x, &mut self.y] {
+            vector.reserve(rows);
+        }
+        self.warm.reserve(rows);
+        self.links.reserve(self.correction.len());
+        self.solver.reserve(rows);
+    }
+
     /// Forget the contacts that do not take part.
     pub fn choose<const DIM: usize>(&mut self, contacts: &Contacts<DIM>) {
         for (i, _) in contacts.all.iter().enumerate().filter(|(_, c)| !c.meets) {

@@ -52,8 +52,17 @@ pub(super) struct Loads<'a> {
 
 impl<'a> Loads<'a> {
     pub(super) fn new(given: &'a [Load]) -> Self {
-        let sizes = vec![0.0; given.len()];
+        Self::reusing(vec![0.0; given.len()], given)
+    }
+
+    /// The same with the memory of another; `sizes` has one place for each load.
+    pub(super) fn reusing(sizes: Vec<f64>, given: &'a [Load]) -> Self {
         Self { given, sizes }
+    }
+
+    /// The memory of the sizes.
+    pub(super) fn into_sizes(self) -> Vec<f64> {
+        self.sizes
     }
 
     /// Read the sizes of a step; `old` is the weight of its start in the balance.

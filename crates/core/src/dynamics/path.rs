@@ -182,6 +182,14 @@ impl<const DIM: usize> Path<DIM> {
         self.weighted(k, weights)
     }
 
+    /// Slope dz/dx of the wire displaced by `u`, on the element of `near` at coordinate `x`.
+    pub(super) fn slope<const D: usize>(&self, x: f64, near: &Place<DIM>, u: &[[f64; D]]) -> f64 {
+        let accuracy = 4.0 * f64::EPSILON * x.abs();
+        let slopes = self.elements[near.element].slopes(x, accuracy);
+        let place = self.weighted(near.element, slopes);
+        place.height + place.displacement(u, DIM - 1)
+    }
+
     /// Place on element `k` with known shape functions; `None` when there is no such element.
     pub(super) fn at(&self, k: usize, weights: [f64; 4]) -> Option<Place<DIM>> {
         (k < self.elements.len()).then(|| self.weighted(k, weights))

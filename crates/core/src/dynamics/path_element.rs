@@ -32,6 +32,34 @@ impl<const DIM: usize> PathElement<DIM> {
 
     /// Shape functions at coordinate `x` along the track, to the given accuracy in m.
     pub(super) fn weights(&self, x: f64, accuracy: f64) -> [f64; 4] {
+        let xi = self.inside(x, accuracy);
+        match self {
+            Self::Curve { rest_length: l, .. } => hermite::shape(xi, *l),
+            Self::Chord(_) => [1.0 - xi, xi, 0.0, 0.0],
+        }
+    }
+
+    /// Their derivatives along the track, dS/dx = S′ / x′, 1/m.
+    pub(super) fn slopes(&self, x: f64, accuracy: f64) -> [f64; 4] {
+        let xi = self.inside(x, accuracy);
+        match self {
+            Self::Curve {
+                rest_length: l,
+                coordinates: e,
+            } => {
+                let slopes = hermite::shape_slope(xi, *l);
+                let along = hermite::interpolate(&slopes, e)[0];
+                slopes.map(|slope| slope / along)
+            }
+            Self::Chord([a, b]) => {
+                let per_length = 1.0 / (b[0] - a[0]);
+                [-per_length, per_length, 0.0, 0.0]
+            }
+        }
+    }
+
+    /// ξ from 0 to 1 at coordinate `x` along the track.
+    fn inside(&self, x: f64, accuracy: f64) -> f64 {
         let (x0, x1) = self.range();
         let mut xi = (x - x0) / (x1 - x0);
         let Self::Curve {
@@ -39,7 +67,7 @@ impl<const DIM: usize> PathElement<DIM> {
             coordinates: e,
         } = self
         else {
-            return [1.0 - xi, xi, 0.0, 0.0];
+            return xi;
         };
         for _ in 0..MOST_INVERSIONS {
             let error = hermite::interpolate(&hermite::shape(xi, *l), e)[0] - x;
@@ -49,7 +77,7 @@ impl<const DIM: usize> PathElement<DIM> {
                 break;
             }
         }
-        hermite::shape(xi.clamp(0.0, 1.0), *l)
+        xi.clamp(0.0, 1.0)
     }
 
     /// Move both ends (position, and slope where there is one) by the displacements of their nodes.

@@ -95,11 +95,15 @@ impl RiderState {
 
     /// Take down how far the laws went.
     pub(super) fn watch_laws(&mut self, c: &Coefficients) {
-        if self.laws.is_empty() {
-            return;
-        }
-        let motions: Vec<f64> = self.law_motions(c).collect();
-        for (law, q) in self.laws.iter_mut().zip(motions) {
+        let at = Instant {
+            u: &self.u,
+            v: &self.v,
+            a: &self.a,
+            ground: self.drive.now,
+            balance: self.drive.balance,
+        };
+        for law in &mut self.laws {
+            let q = law.at(c, &at, &self.delta);
             law.range = [law.range[0].min(q), law.range[1].max(q)];
         }
     }

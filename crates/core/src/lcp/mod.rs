@@ -95,6 +95,17 @@ impl LcpSolver {
         Self::default()
     }
 
+    /// Make room for problems of up to `rows` rows, so that none is made when they are solved.
+    pub fn reserve(&mut self, rows: usize) {
+        // A problem whose every row is active uses all of the workspace.
+        let mut h = vec![0.0; rows * rows];
+        (0..rows).for_each(|i| h[i * rows + i] = 1.0);
+        let (mut x, mut y) = (vec![0.0; rows], vec![0.0; rows]);
+        let all = vec![true; rows];
+        let solved = self.solve(&h, &vec![-1.0; rows], &mut x, &mut y, &all);
+        debug_assert!(solved.is_ok(), "the identity is a P-matrix");
+    }
+
     /// Which rows of the last problem have `x_k` free and `y_k = 0`: the warm start of the next.
     #[must_use]
     pub fn active(&self) -> &[bool] {
