@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from arcless.model import Scenario, library, load, load_line, load_pantograph
     from arcless.results import Result, open
     from arcless.simulate.control import ControlInput
+    from arcless.simulate.realtime import Realtime, RealtimeState, realtime
     from arcless.simulate.run import resume, run
     from arcless.simulate.statics import statics
 
@@ -42,6 +43,8 @@ __all__ = [
     "MeshError",
     "ModelError",
     "OutputError",
+    "Realtime",
+    "RealtimeState",
     "Result",
     "ResultFormatError",
     "Scenario",
@@ -55,6 +58,7 @@ __all__ = [
     "load_pantograph",
     "model",
     "open",
+    "realtime",
     "report",
     "results",
     "resume",
@@ -67,7 +71,15 @@ __all__ = [
 _MODULES = {"assess", "errors", "lcp", "model", "report", "results", "simulate", "validate"}
 _MODEL = {"Scenario", "library", "load", "load_line", "load_pantograph"}
 _RESULTS = {"Result", "open"}
-_SIMULATE = {"ControlInput", "resume", "run", "statics"}
+_SIMULATE = {
+    "ControlInput",
+    "Realtime",
+    "RealtimeState",
+    "realtime",
+    "resume",
+    "run",
+    "statics",
+}
 
 
 def __getattr__(name: str) -> Any:

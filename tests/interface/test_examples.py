@@ -5,6 +5,7 @@ import re
 from pathlib import Path
 from types import ModuleType
 
+import numpy as np
 import pytest
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -21,6 +22,7 @@ def load(name: str) -> ModuleType:
 
 def test_every_example_is_tested() -> None:
     assert {path.stem for path in EXAMPLES.glob("*.py")} == {
+        "bench_in_the_loop",
         "controlled",
         "dropped_beam",  # tests/unit/test_published.py
         "one_run",
@@ -79,3 +81,17 @@ def test_controlled(capsys: pytest.CaptureFixture[str]) -> None:
         values = [float(value) for value in shown.split("|")[2:5]]
         # Rounding of another processor, where droppers slacken a step earlier or later.
         assert numbers == pytest.approx(values, abs=0.3), name
+
+
+def test_bench_in_the_loop(capsys: pytest.CaptureFixture[str]) -> None:
+    found = load("bench_in_the_loop").main()
+    # Two programs in a loop, one step apart, and one model: mean and deviation to half a newton.
+    for measure in (np.mean, np.std):
+        assert measure(found["bench"]) == pytest.approx(measure(found["run"]), abs=0.5)
+    page = (EXAMPLES.parent / "docs/guide/realtime.md").read_text(encoding="utf-8")
+    for line in capsys.readouterr().out.splitlines()[1:]:
+        name, numbers = line[:8].strip(), [float(value) for value in line[8:].split()]
+        shown = next(text for text in page.splitlines() if text.startswith(f"| {name} | 1"))
+        values = [float(value) for value in shown.split("|")[2:6]]
+        # Rounding of another processor, where droppers slacken a step earlier or later.
+        assert numbers == pytest.approx(values, abs=1.0), name

@@ -1,8 +1,19 @@
 """The arrow: scenario → mesh → equilibrium → record → dataset. Only this package knows all."""
 
 from arcless.simulate.control import ControlInput
+from arcless.simulate.realtime import Realtime, RealtimeState, realtime
 from arcless.simulate.run import resume, run
 from arcless.simulate.statics import StaticsResult, statics
 from arcless.simulate.streaming import is_long
 
-__all__ = ["ControlInput", "StaticsResult", "is_long", "resume", "run", "statics"]
+__all__ = [
+    "ControlInput",
+    "Realtime",
+    "RealtimeState",
+    "StaticsResult",
+    "is_long",
+    "realtime",
+    "resume",
+    "run",
+    "statics",
+]

@@ -91,6 +91,13 @@ class Loop:
 ActuatorData = tuple[Numbers, int, int, Loop]
 
 
+def acts_on(placement: PantographPlacement, mass: int | None) -> Numbers:
+    """Return where a controlled force acts: on a mass counted from 1, or where the preload does."""
+    if placement.model.matrices is not None:
+        return list(placement.model.matrices.preload)
+    return unit_vector(placement.model.size, (mass or 1) - 1)
+
+
 def _asked(function: Any, name: str) -> Callable[[ControlInput, Limit], float]:
     """Return the law of a function of the user's, whose failures say when and where."""
 
@@ -232,11 +239,7 @@ class Controllers:
         if controller.pid is not None and name not in self._given:
             pid = PidLaw(controller.pid, controller.sample_time)
         loop = Loop(name, self._law(index, placement, controller, pid), controller, pid=pid)
-        size = placement.model.size
-        if placement.model.matrices is not None:
-            direction = list(placement.model.matrices.preload)
-        else:
-            direction = unit_vector(size, (controller.mass or 1) - 1)
+        direction = acts_on(placement, controller.mass)
         every, delay = round(controller.sample_time / step), round(controller.delay / step)
         return direction, every, delay, loop
 

@@ -54,12 +54,13 @@ def stepping(mesh: Mesh, placements: Sequence[PantographPlacement]) -> Iterator[
         if kind == "beyond_table":
             raise _beyond_table(placements, details) from error
         names = [placement.name for placement in placements]
-        raise _translate(mesh, names, kind, message, details) from error
+        raise translated(mesh, names, kind, message, details) from error
 
 
-def _translate(
+def translated(
     mesh: Mesh, pantographs: Sequence[str], kind: str, message: str, details: dict[str, Any]
 ) -> ArclessError:
+    """Return the error of a step in words; riders have the given names."""
     if kind == "lcp":
         return _unsolved(mesh, pantographs, details)
     if kind == "off_wire":

@@ -20,6 +20,8 @@ Floats = NDArray[np.float64]
 Numbers = list[float]
 # Forces as direction and N at every instant; the ground as what goes with it, m, and m/s.
 GivenData = tuple[list[tuple[Numbers, Numbers]], tuple[Numbers, Numbers, Numbers] | None]
+# Nobody is asked where every step brings its force.
+Actuated = ActuatorData | tuple[Numbers, int, int, None]
 RiderData = tuple[
     Numbers,
     Numbers,
@@ -31,7 +33,7 @@ RiderData = tuple[
     GivenData,
     list[joints.StopData],
     list[joints.LawData],
-    ActuatorData | None,
+    Actuated | None,
 ]
 NOTHING: GivenData = ([], None)
 
@@ -40,7 +42,7 @@ def rider(
     pantograph: Pantograph,
     start_force: float,
     given: GivenData = NOTHING,
-    actuator: ActuatorData | None = None,
+    actuator: Actuated | None = None,
 ) -> RiderData:
     """Return a pantograph as the core takes it.
 

@@ -1,0 +1,93 @@
+"""One step at a time, as a test bench takes them: contact force in, height of the wire out.
+
+    .venv/bin/python benchmarks/realtime.py [--steps 1000000] [--fifo]
+
+Each step is timed twice: by the clock, and by the processor time of the thread. What the clock
+shows beyond the processor time, the system did: it let something else run. A loop that does nothing
+but read the clock, for as long, shows what the system does to any program on the machine then.
+With `--fifo` the system is asked for real-time priority, as a test bench would.
+"""
+
+import argparse
+import gc
+import math
+import os
+import time
+
+import numpy as np
+from numpy.typing import NDArray
+
+from arcless.model import load
+from arcless.simulate import Realtime, realtime
+
+CASES = (
+    ("AC simple, 20 spans, planar", "en50318-ac-simple-320"),
+    ("the same in three dimensions", "ac-simple-3d-320"),
+)
+HEAD = ("µs per step", "least", "median", "99 %", "99.99 %", "largest", "steps > 100 µs")
+LIMIT = 100.0  # the goal for the 99.99th percentile, µs
+Times = NDArray[np.float64]
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--steps", type=int, default=1_000_000)
+    parser.add_argument("--fifo", action="store_true", help="ask for real-time priority")
+    asked = parser.parse_args()
+    print(_priority() if asked.fifo else "ordinary priority")
+    print(" | ".join(HEAD))
+    print(" | ".join("---" for _ in HEAD))
+    gc.disable()  # a collection of Python's own takes milliseconds; the loop makes no cycles
+    for title, name in CASES:
+        loop = realtime(load(name))
+        wall, own = measure(loop, asked.steps)
+        _row(f"{title}, clock", wall)
+        _row("its processor time", own)
+        _row("a loop that does nothing", idle(float(wall.sum())))
+
+
+def measure(loop: Realtime, steps: int) -> tuple[Times, Times]:
+    """Return the times in µs of so many steps, which begin anew where the line ends."""
+    start, clock, own = loop.save(), time.perf_counter_ns, time.thread_time_ns
+    end = loop.position_m + 890.0
+    taken = np.zeros((2, steps))
+    for number in range(steps):
+        if loop.position_m > end:
+            loop.restore(start)
+        force = 170.0 + 80.0 * math.sin(0.04 * number)
+        a, b = own(), clock()
+        loop.step(force)
+        taken[:, number] = clock() - b, own() - a
+    return taken[0] / 1e3, taken[1] / 1e3
+
+
+def idle(duration: float) -> Times:
+    """Return the times in µs between readings of the clock, some 10 µs of nothing apart."""
+    clock, pauses = time.perf_counter_ns, []
+    end = clock() + 1e3 * duration
+    before = clock()
+    while before < end:
+        for _ in range(200):
+            pass
+        now = clock()
+        pauses.append(now - before)
+        before = now
+    return np.array(pauses) / 1e3
+
+
+def _row(title: str, times: Times) -> None:
+    shown = [times.min(), *np.percentile(times, [50.0, 99.0, 99.99]), times.max()]
+    over = f"{np.count_nonzero(times > LIMIT)} of {len(times)}"
+    print(" | ".join([title, *(f"{value:.1f}" for value in shown), over]), flush=True)
+
+
+def _priority() -> str:
+    try:
+        os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(50))
+    except (AttributeError, OSError) as error:
+        return f"ordinary priority: {error}"
+    return "real-time priority"
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,161 @@
+"""A line stepped from outside: the same steps as a run, places and speeds, and what is refused."""
+
+import pickle
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+import arcless
+from arcless import ContactError, ModelError
+from arcless.model import Scenario
+from arcless.simulate import Realtime
+
+Short = Callable[..., Scenario]
+FORCE = 120.0
+# Balance at the end of the step: what a run records of a step is what a loop then shows.
+NEWMARK = {"solver.scheme": {"name": "newmark", "beta": 0.3025, "gamma": 0.6}}
+GIVEN = {"pantographs.0.mean_force": None, "pantographs.0.static_force": FORCE}
+
+
+def pushed(number: int) -> float:
+    return 10.0 * float(np.sin(0.02 * number))
+
+
+@pytest.fixture
+def loop(short: Short) -> Realtime:
+    return arcless.realtime(short(**GIVEN))
+
+
+def test_simulated_pantographs_are_those_of_a_run(short: Short) -> None:
+    scenario = short(**GIVEN, **NEWMARK)
+    law = {"P1": lambda sample: pushed(sample.sample_number)}
+    run = arcless.run(scenario, controllers=law).dataset
+    loop = arcless.realtime(scenario, simulated=True)
+    for number in range(400):
+        place = run["position"].values[number, 0]
+        force = loop.step(pushed(number), position_m=place, speed_m_s=loop.speed_m_s)
+        np.testing.assert_array_equal(force, run["contact_force"].values[number])
+    np.testing.assert_allclose(loop.height_m, run["contact_height"].values[399], atol=1e-12)
+    moved = run["mass_displacement"].values[399, 0]
+    np.testing.assert_allclose(loop.displacement_m, moved, atol=1e-12)
+    assert loop.inputs == loop.contacts == ("P1",)
+    assert loop.time_s == pytest.approx(400 * scenario.time_step_s)
+
+
+def test_contact_forces_of_a_run_move_the_wire_as_in_the_run(short: Short) -> None:
+    scenario = short(**GIVEN, **NEWMARK)
+    run = arcless.run(scenario).dataset
+    loop = arcless.realtime(scenario)
+    np.testing.assert_allclose(loop.contact_force_N, FORCE)
+    heights = [loop.step(forces).copy() for forces in run["contact_force"].values]
+    # Rounding, which slack droppers let grow.
+    np.testing.assert_allclose(heights, run["contact_height"].values, atol=1e-9)
+    np.testing.assert_array_equal(loop.pantograph_force_N, loop.contact_force_N)
+
+
+def test_two_strips_take_a_force_each(short: Short) -> None:
+    head = {
+        "strips": 2,
+        "strip_spacing": "0.3 m",
+        "half_length": "0.6 m",
+        "mass": "3 kg",
+        "stiffness": "5 kN/m",
+        "damping": "10 N s/m",
+    }
+    loop = arcless.realtime(short(**GIVEN, **{"pantographs.0.model.head": head}))
+    assert loop.inputs == ("P1 strip 1", "P1 strip 2")
+    np.testing.assert_allclose(loop.contact_force_N, FORCE / 2)
+    loop.step([50.0, 70.0])
+    np.testing.assert_array_equal(loop.contact_force_N, [50.0, 70.0])
+    np.testing.assert_array_equal(loop.pantograph_force_N, [120.0])
+
+
+def test_place_and_speed_follow_from_one_another(loop: Realtime) -> None:
+    start, h, speed = loop.position_m, loop.time_step_s, loop.speed_m_s
+    loop.step(FORCE)
+    assert (loop.position_m, loop.speed_m_s) == (pytest.approx(start + h * speed), speed)
+    place = loop.position_m
+    loop.step(FORCE, speed_m_s=speed + 1.0)
+    assert loop.position_m == pytest.approx(place + h * (speed + 0.5))
+    place = loop.position_m
+    loop.step(FORCE, position_m=place + 0.05)
+    assert loop.speed_m_s == pytest.approx(0.05 / h)
+    loop.step(FORCE, position_m=place + 0.06, speed_m_s=3.0)
+    assert (loop.position_m, loop.speed_m_s) == (place + 0.06, 3.0)
+    assert loop.step_number == 4
+
+
+def test_a_state_repeats_what_followed_it(loop: Realtime) -> None:
+    def go() -> list[bytes]:
+        return [loop.step(100.0 + pushed(i)).tobytes() for i in range(100)]
+
+    go()
+    saved = pickle.loads(pickle.dumps(loop.save()))
+    shown = loop.height_m.copy()
+    followed = go()
+    loop.restore(saved)
+    assert loop.step_number == 100
+    np.testing.assert_array_equal(loop.height_m, shown)
+    assert go() == followed
+
+
+def test_states_of_others_are_refused(loop: Realtime, short: Short) -> None:
+    other = arcless.realtime(short(**GIVEN), simulated=True)
+    with pytest.raises(ModelError, match="of another loop"):
+        loop.restore(other.save())
+    saved = loop.save()
+    saved.numbers["line_velocity"][0] = np.nan
+    before = loop.step(FORCE).copy()
+    with pytest.raises(ModelError, match=r"the state is damaged.*not finite"):
+        loop.restore(saved)
+    np.testing.assert_array_equal(loop.height_m, before)
+
+
+@pytest.mark.parametrize("force", [[1.0, 2.0], [], "100 N", np.nan, None, [[1.0]]])
+def test_wrong_forces_are_refused(loop: Realtime, force: Any) -> None:
+    before = loop.height_m.copy()
+    with pytest.raises(ModelError):
+        loop.step(force)
+    np.testing.assert_array_equal(loop.height_m, before)
+    assert loop.step_number == 0
+
+
+def test_a_loop_goes_on_after_leaving_the_wire(loop: Realtime) -> None:
+    with pytest.raises(ContactError, match="step 0: pantograph P1 left the wire"):
+        loop.step(FORCE, position_m=1e4)
+    loop.step(FORCE)
+    assert loop.step_number == 1
+
+
+REFUSED: list[tuple[dict[str, Any], bool, str]] = [
+    ({"pantographs.0.mean_force": FORCE}, True, "mean_force"),
+    ({**GIVEN, "solver.kinematics": "updated", "solver.wire_model": "lumped"}, False, "kinematics"),
+    (
+        {
+            **GIVEN,
+            "pantographs.0.roof_motion": {"time": [0, 9], "displacement": [0.0, 0.1]},
+        },
+        True,
+        "roof_motion",
+    ),
+]
+
+
+@pytest.mark.parametrize(("changes", "simulated", "field"), REFUSED)
+def test_what_a_loop_cannot_do(
+    short: Short, changes: dict[str, Any], simulated: bool, field: str
+) -> None:
+    with pytest.raises(ModelError, match="not in a real-time loop") as refused:
+        arcless.realtime(short(**changes), simulated=simulated)
+    assert field in str(refused.value.where)
+
+
+def test_several_contact_wires_need_simulated_pantographs() -> None:
+    scenario = arcless.load("ac-simple-overlap-275").with_(**GIVEN)
+    with pytest.raises(ModelError, match="simulated=True"):
+        arcless.realtime(scenario)
+    loop = arcless.realtime(scenario, simulated=True)
+    assert len(loop.contacts) == 2
+    assert loop.step(0.0).shape == (1,)
