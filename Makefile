@@ -4,7 +4,7 @@
 SHELL := /bin/sh
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help build demo test peers evidence fuzz lint bench wheel clean check-python check-rust
+.PHONY: help build demo test peers evidence fuzz lint bench counts wheel clean check-python check-rust
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -85,6 +85,9 @@ lint: build ## check format, lints and types, and that no lock file or local pat
 # One core, as its tables say: NumPy's library would take all for a product.
 bench: build ## measure speed and accuracy; PARTS="sides runs" for some, PAGE=yes for docs/performance.md
 	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(WITH_PEERS) -m benchmarks.run $(PARTS) $(if $(PAGE),--page)
+
+counts: ## count the instructions of a step under valgrind; RENEW=1 stores them
+	@$(PYTHON) benchmarks/counts.py $(if $(RENEW),--renew)
 
 wheel: build ## make dist/arcless-*.whl and try it in an empty environment
 	@rm -rf dist

@@ -10,7 +10,19 @@ import pytest
 from arcless.cli.app import app
 
 ROOT = Path(__file__).parents[2]
-TARGETS = ["build", "demo", "test", "peers", "evidence", "fuzz", "lint", "bench", "wheel", "clean"]
+TARGETS = [
+    "build",
+    "demo",
+    "test",
+    "peers",
+    "evidence",
+    "fuzz",
+    "lint",
+    "bench",
+    "counts",
+    "wheel",
+    "clean",
+]
 
 
 def make(*words: str, path: str | None = None) -> subprocess.CompletedProcess[str]:
@@ -97,3 +109,4 @@ def test_ci_runs_lint_and_tests() -> None:
     script = (ROOT / ".ci/run").read_text("utf-8")
     assert "set -euo pipefail" in script
     assert script.index("make lint") < script.index("make test")
+    assert "make counts" in script

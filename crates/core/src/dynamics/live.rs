@@ -18,8 +18,6 @@
 use super::actuator::Actuator;
 use super::live_parts::Parts;
 use super::live_reading::Reading;
-use super::loads::Load;
-use super::path::Path;
 use super::place::Place;
 use super::record::RecordPlan;
 use super::rider::Rider;
@@ -112,10 +110,10 @@ impl<const DIM: usize, const D: usize> Live<DIM, D> {
         self.steps
     }
 
-    /// Step length, s.
+    /// Nodes of the line.
     #[must_use]
-    pub fn step_length(&self) -> f64 {
-        self.p.h
+    pub fn nodes(&self) -> usize {
+        self.p.line.nodes()
     }
 
     /// Position along the track in m, and speed in m/s.
@@ -147,40 +145,6 @@ impl<const DIM: usize, const D: usize> Live<DIM, D> {
         Ok(())
     }
 
-    /// Put on the forces of the step.
-    fn push(&mut self, forces: &[f64]) -> Result<(), CoreError> {
-        let Some(parts) = &mut self.parts else {
-            return Err(lost());
-        };
-        for (rider, force) in parts.riders.iter_mut().zip(forces) {
-            rider.actuator.force = *force;
-        }
-        parts.check_end(&self.p.lanes, self.travel.positions[STEP + 1])?;
-        let old = self.p.coefficients.old;
-        let x = &self.travel.positions;
-        let balance = (1.0 - old) * x[STEP + 1] + old * x[STEP];
-        for (number, collector) in self.collectors.iter().enumerate() {
-            let (lane, near) = (&self.p.lanes[0], self.places[number].element);
-            let along = balance - collector.behind;
-            let place = locate(lane, along, near, number)?;
-            // The step must not carry it off the wire either.
-            locate(lane, x[STEP + 1] - collector.behind, place.element, number)?;
-            let lateral = place.lateral + aside::<DIM, D>(&place, &parts.state.u);
-            if lateral.abs() > collector.half_width {
-                return Err(CoreError::OutOfReach {
-                    rider: number,
-                    position: along,
-                    lateral,
-                    half_width: collector.half_width,
-                    step: STEP,
-                });
-            }
-            let load = &mut self.travel.loads[number];
-            press::<DIM, D>(load, &place, self.travel.friction, forces[number]);
-        }
-        Ok(())
-    }
-
     /// The step itself.
     fn take(&mut self) -> Result<(), CoreError> {
         let parts = self.parts.take().ok_or_else(lost)?;
@@ -191,46 +155,6 @@ impl<const DIM: usize, const D: usize> Live<DIM, D> {
         }
         self.parts = Some(Parts::of(run));
         taken
-    }
-}
-
-/// The wire at a collector, by its number.
-pub(super) fn locate<const DIM: usize>(
-    lane: &Path<DIM>,
-    position: f64,
-    near: usize,
-    number: usize,
-) -> Result<Place<DIM>, CoreError> {
-    lane.locate(position, near).ok_or(CoreError::OffWire {
-        rider: number,
-        position,
-        step: STEP,
-    })
-}
-
-/// Displacement of the wire to the side, m.
-pub(super) fn aside<const DIM: usize, const D: usize>(place: &Place<DIM>, u: &[[f64; D]]) -> f64 {
-    if DIM < 3 {
-        0.0
-    } else {
-        place.displacement(u, 1)
-    }
-}
-
-/// Let a load be a force F upwards at a place, with the friction μ F along.
-fn press<const DIM: usize, const D: usize>(
-    load: &mut Load,
-    place: &Place<DIM>,
-    friction: f64,
-    force: f64,
-) {
-    load.sizes.fill(force);
-    let up = place.shares::<D>(DIM - 1);
-    let along = place
-        .shares::<D>(0)
-        .map(|(n, c, share)| (n, c, friction * share));
-    for (part, new) in load.pattern.iter_mut().zip(up.chain(along)) {
-        *part = new;
     }
 }
 

@@ -1,7 +1,8 @@
 //! What a loop reads from the line after each step.
 
-use super::live::{Live, STEP, aside, locate, lost};
+use super::live::{Live, STEP, lost};
 use super::live_parts::Parts;
+use super::live_push::{aside, locate};
 use super::path::Path;
 use super::place::Place;
 use crate::error::CoreError;

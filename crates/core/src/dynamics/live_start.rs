@@ -1,14 +1,14 @@
-//! The start of a loop, and its state taken down and put back.
+//! The start of a loop.
 
-use super::live::{Begin, Collector, Live, STEP, is_direct, locate, lost, refuse};
+use super::live::{Begin, Collector, Live, STEP, is_direct, refuse};
 use super::live_parts::Parts;
+use super::live_push::locate;
 use super::live_reading::Reading;
 use super::loads::Load;
 use super::place::Place;
 use super::record::RecordPlan;
 use super::rider::Rider;
 use super::run::{Run, Travel};
-use super::state::State;
 use super::stepper::Prepared;
 use super::still::Still;
 use crate::error::CoreError;
@@ -18,9 +18,6 @@ use std::sync::Arc;
 /// Unknowns of the complementarity problem (contacts, stops and kinks, slack links) for which there is
 /// room from the start. A step with more makes room once: that is memory in proportion to the square.
 pub const ROOM: usize = 256;
-
-/// Name of position and speed among the numbers of a state.
-const PLACE: &str = "loop_position_speed";
 
 impl<const DIM: usize, const D: usize> Live<DIM, D> {
     /// A loop with given forces: the line in equilibrium under `forces` (N) of the collectors.
@@ -142,50 +139,6 @@ impl<const DIM: usize, const D: usize> Live<DIM, D> {
         };
         live.read()?;
         Ok(live)
-    }
-
-    /// The state between two steps.
-    ///
-    /// # Errors
-    /// [`CoreError::Input`] after a step that did not return.
-    pub fn take_down(&mut self) -> Result<State, CoreError> {
-        let parts = self.parts.take().ok_or_else(lost)?;
-        let mut run = parts.run(&self.p, &self.travel, &self.plan, &self.riders);
-        let state = run.take_down(self.steps, None);
-        self.parts = Some(Parts::of(run));
-        let (position, speed) = self.place();
-        let mut state = state?;
-        state.numbers.insert(PLACE.into(), vec![position, speed]);
-        Ok(state)
-    }
-
-    /// Go on from a state of this loop, or of another on the same line with as many riders.
-    ///
-    /// # Errors
-    /// [`CoreError::Input`] for a state of another loop; the present one is then kept.
-    pub fn put_back(&mut self, state: &State) -> Result<(), CoreError> {
-        let before = self.take_down()?;
-        let done = self.put(state);
-        if done.is_err() {
-            self.put(&before)?;
-        }
-        done
-    }
-
-    fn put(&mut self, state: &State) -> Result<(), CoreError> {
-        let mut rest = state.clone();
-        let place = rest.numbers.remove(PLACE).unwrap_or_default();
-        let [position, speed] = place[..] else {
-            return Err(refuse("state", "it is not of a loop"));
-        };
-        let parts = self.parts.take().ok_or_else(lost)?;
-        let mut run = parts.run(&self.p, &self.travel, &self.plan, &self.riders);
-        let done = run.put_back(&rest, None);
-        self.parts = Some(Parts::of(run));
-        done?;
-        (self.travel.positions[STEP], self.travel.speeds[STEP]) = (position, speed);
-        self.steps = state.step;
-        self.read()
     }
 }
 
