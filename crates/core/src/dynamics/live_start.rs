@@ -186,5 +186,6 @@ fn plan() -> RecordPlan {
         nodes: Vec::new(),
         points: Vec::new(),
         ledger: false,
+        near: None,
     }
 }
