@@ -48,14 +48,14 @@ SCHEME = [
 ELEMENTS = [
     Mutation(
         "EA and tension 1 % high, in the tangent alone",
-        "element/hermite.rs",
+        "element/tangent.rs",
         "let axial = weight * l * section.axial_stiffness;",
         "let axial = weight * l * 1.01 * section.axial_stiffness;",
         ("closed_forms/test_frequencies.py::test_across",),
     ),
     Mutation(
         "EI halved, in the tangent alone",
-        "element/hermite.rs",
+        "element/tangent.rs",
         "let bb = 2.0 * f.t * one",
         "let bb = f.t * one",
         (f"{RAIL}::test_first_frequency", f"{RAIL}::test_force_in_the_middle"),

@@ -9,12 +9,9 @@
 //! cable); Tur, García, Baeza & Fuenmayor, Eng. Struct. 71 (2014) 234 (overhead lines).
 
 use crate::linalg;
-use std::array::from_fn;
 
 /// Coordinates of an element, or forces on them: r₁, r₁′, r₂, r₂′.
 pub type Coordinates<const DIM: usize> = [[f64; DIM]; 4];
-/// Second derivative of the energy: pairs of coordinates, then components.
-pub type Tangent<const DIM: usize> = [[[[f64; DIM]; DIM]; 4]; 4];
 
 /// Elastic data of a wire element.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,7 +25,7 @@ pub struct Section {
 }
 
 /// Gauss–Legendre points on [0, 1]: five points integrate ε² (degree 8 in s) exactly.
-const GAUSS: [(f64, f64); 5] = [
+pub(super) const GAUSS: [(f64, f64); 5] = [
     (0.046_910_077_030_668_004, 0.118_463_442_528_094_54),
     (0.230_765_344_947_158_45, 0.239_314_335_249_683_23),
     (0.5, 0.284_444_444_444_444_44),
@@ -87,26 +84,26 @@ pub fn interpolate<const DIM: usize>(weights: &[f64; 4], e: &Coordinates<DIM>) -
 }
 
 #[inline(always)]
-fn dot<const DIM: usize>(a: &[f64; DIM], b: &[f64; DIM]) -> f64 {
+pub(super) fn dot<const DIM: usize>(a: &[f64; DIM], b: &[f64; DIM]) -> f64 {
     (0..DIM).map(|c| a[c] * b[c]).sum()
 }
 
 /// κ² as a function of a = r′ and b = r″ through s = a·a, t = b·b, w = a·b:
 /// κ² = t/s² − w²/s³, with its first and second partial derivatives.
-struct Curvature {
+pub(super) struct Curvature {
     value: f64,
-    s: f64,
-    t: f64,
+    pub(super) s: f64,
+    pub(super) t: f64,
     w: f64,
-    ss: f64,
+    pub(super) ss: f64,
     st: f64,
     sw: f64,
-    ww: f64,
+    pub(super) ww: f64,
 }
 
 impl Curvature {
     #[inline(always)]
-    fn new(s: f64, t: f64, w: f64) -> Self {
+    pub(super) fn new(s: f64, t: f64, w: f64) -> Self {
         let (s2, s3) = (s * s, s * s * s);
         Self {
             value: t / s2 - w * w / s3,
@@ -122,7 +119,13 @@ impl Curvature {
 
     /// ½ ∂²κ²/∂aₚ∂b_q, taken twice by the two orders of p and q.
     #[inline(always)]
-    fn cross<const DIM: usize>(&self, a: &[f64; DIM], b: &[f64; DIM], p: usize, q: usize) -> f64 {
+    pub(super) fn cross<const DIM: usize>(
+        &self,
+        a: &[f64; DIM],
+        b: &[f64; DIM],
+        p: usize,
+        q: usize,
+    ) -> f64 {
         let one = f64::from(u8::from(p == q));
         self.w * one + 2.0 * a[p] * (2.0 * self.st * b[q] + self.sw * a[q]) + self.ww * b[p] * a[q]
     }
@@ -219,63 +222,9 @@ fn add_force_at<const DIM: usize>(
     }
 }
 
-/// Exact second derivative of the energy.
-#[must_use]
-pub fn tangent<const DIM: usize>(section: &Section, e: &Coordinates<DIM>) -> Tangent<DIM> {
-    let mut lanes = [[[[0.0; 4]; DIM]; DIM]; 4];
-    let k = &mut lanes;
-    linalg::widest(TangentKernel { section, e, k });
-    let second = |m: usize, n: usize| from_fn(|p| from_fn(|q| lanes[m][p][q][n]));
-    from_fn(|m| from_fn(|n| second(m, n)))
-}
-
-/// The tangent with the second coordinate last, where it fills the lanes.
-struct TangentKernel<'a, const DIM: usize> {
-    section: &'a Section,
-    e: &'a Coordinates<DIM>,
-    k: &'a mut [[[[f64; 4]; DIM]; DIM]; 4],
-}
-
-impl<const DIM: usize> linalg::Kernel for TangentKernel<'_, DIM> {
-    #[inline(always)]
-    fn run(self) {
-        let Self { section, e, k } = self;
-        let l = section.rest_length;
-        for &(xi, weight) in &GAUSS {
-            let (d1, d2) = (shape_slope(xi, l), shape_curvature(xi, l));
-            let (a, b) = (interpolate(&d1, e), interpolate(&d2, e));
-            let s = dot(&a, &a);
-            let f = Curvature::new(s, dot(&b, &b), dot(&a, &b));
-            let axial = weight * l * section.axial_stiffness;
-            let bending = weight * l * 0.5 * section.bending_stiffness;
-            for p in 0..DIM {
-                for q in 0..DIM {
-                    let one = f64::from(u8::from(p == q));
-                    let stretch = axial * (0.5 * (s - 1.0) * one + a[p] * a[q]);
-                    let aa = 2.0 * f.s * one
-                        + 4.0 * f.ss * a[p] * a[q]
-                        + 2.0 * f.sw * (a[p] * b[q] + b[p] * a[q])
-                        + f.ww * b[p] * b[q];
-                    let bb = 2.0 * f.t * one + f.ww * a[p] * a[q];
-                    let (ab, ba) = (f.cross(&a, &b, p, q), f.cross(&a, &b, q, p));
-                    let both = stretch + bending * aa;
-                    for m in 0..4 {
-                        for n in 0..4 {
-                            k[m][p][q][n] += both * d1[m] * d1[n]
-                                + bending
-                                    * (bb * d2[m] * d2[n]
-                                        + ab * d1[m] * d2[n]
-                                        + ba * d2[m] * d1[n]);
-                        }
-                    }
-                }
-            }
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
+    use super::super::tangent::tangent;
     use super::*;
 
     const SECTION: Section = Section {

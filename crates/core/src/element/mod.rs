@@ -3,3 +3,4 @@
 pub mod bar;
 pub mod chain;
 pub mod hermite;
+pub mod tangent;
