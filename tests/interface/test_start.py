@@ -34,3 +34,9 @@ def test_help_loads_nothing_slow() -> None:
 @pytest.mark.parametrize("words", [("check", SHORT), ("library",), ("schema",)])
 def test_commands_on_model_files_load_nothing_slow(words: tuple[object, ...]) -> None:
     assert not loaded_by(*words) & SLOW
+
+
+def test_a_run_without_a_report_loads_no_more_than_it_needs(tmp_path: Path) -> None:
+    words = ("run", SHORT, "--no-report", "--quiet", "--out", tmp_path, "--until", "70 m")
+    # Results are files of HDF5; splines of SciPy are for heads and irregular tracks alone.
+    assert not loaded_by(*words) & (SLOW - {"h5py"})

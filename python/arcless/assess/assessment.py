@@ -23,7 +23,7 @@ from arcless.errors import ModelError
 from arcless.results import metadata
 
 if TYPE_CHECKING:
-    import xarray
+    from arcless.results.plain import Dataset
 
 
 @dataclass(frozen=True)
@@ -66,7 +66,7 @@ class Assessment:
 
 
 def assess(
-    dataset: "xarray.Dataset",
+    dataset: "Dataset",
     *,
     section: Section | None = None,
     low_pass_Hz: float | None = None,
@@ -146,7 +146,7 @@ def _frequencies(scenario: Mapping[str, Any], low_pass_Hz: float | None) -> tupl
     return float(cutoff), float(analysis["band_split"])
 
 
-def _pantographs(dataset: "xarray.Dataset", record: ForceRecord) -> list[PantographAssessment]:
+def _pantographs(dataset: "Dataset", record: ForceRecord) -> list[PantographAssessment]:
     gap, height = dataset["contact_gap"].values, dataset["contact_height"].values
     return [
         pantograph_assessment(
@@ -162,7 +162,7 @@ def _pantographs(dataset: "xarray.Dataset", record: ForceRecord) -> list[Pantogr
     ]
 
 
-def _line_numbers(dataset: "xarray.Dataset", section: Section) -> dict[str, Any]:
+def _line_numbers(dataset: "Dataset", section: Section) -> dict[str, Any]:
     facts = metadata(dataset)
     uplift = extreme_inside(dataset, "support_uplift_max", "support_x", section, largest=True)
     return {

@@ -12,7 +12,7 @@ from arcless.assess.statistics import ForceBands, force_bands
 from arcless.errors import ModelError
 
 if TYPE_CHECKING:
-    import xarray
+    from arcless.results.plain import Dataset
 
 Section = tuple[float, float]
 
@@ -41,7 +41,7 @@ class ForceRecord:
 
 
 def force_record(
-    dataset: "xarray.Dataset", section: Section, low_pass_Hz: float, band_split_Hz: float
+    dataset: "Dataset", section: Section, low_pass_Hz: float, band_split_Hz: float
 ) -> ForceRecord:
     """Filter the whole record, then mark the samples inside the section.
 
@@ -66,7 +66,7 @@ def force_record(
 
 
 def extreme_inside(
-    dataset: "xarray.Dataset", value: str, position: str, section: Section, *, largest: bool
+    dataset: "Dataset", value: str, position: str, section: Section, *, largest: bool
 ) -> float | None:
     """Return the extreme of a per-place variable over the places inside the section."""
     if value not in dataset or position not in dataset:
@@ -79,7 +79,7 @@ def extreme_inside(
 
 
 def section_notes(
-    dataset: "xarray.Dataset", section: Section, record: ForceRecord, band_split_Hz: float
+    dataset: "Dataset", section: Section, record: ForceRecord, band_split_Hz: float
 ) -> list[str]:
     """Say in sentences what makes the numbers of this section less than they should be."""
     position, time = dataset["position"].values, dataset["time"].values

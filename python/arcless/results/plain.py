@@ -4,12 +4,13 @@ What `arcless run` does with a record, assessing and saving, needs its arrays by
 xarray dataset when somebody asks for one.
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from numpy.typing import NDArray
 
-from arcless.results.build import Described
+from arcless.results.build import Described, attributes, check_complete, variables
 
 if TYPE_CHECKING:
     import xarray
@@ -43,6 +44,30 @@ class Plain:
         """Return a variable or a coordinate."""
         return Column(*(self._data if name in self._data else self._coords)[name])
 
+    @classmethod
+    def of(
+        cls,
+        record: Mapping[str, Any],
+        names: Mapping[str, Any],
+        static: Mapping[str, Any],
+        attrs: Mapping[str, Any],
+    ) -> "Plain":
+        """Build the dataset of a run from what `arcless.results.build.dataset_from` takes.
+
+        Raises
+        ------
+        ResultFormatError
+            As there.
+        """
+        described = variables({**static, **record}, names)
+        check_complete({**static, **record})
+        return cls(*described, attributes(attrs))
+
+    @property
+    def dims(self) -> list[str]:
+        """Names of the dimensions, which are those of the coordinates."""
+        return list(self._coords)
+
     @property
     def variables(self) -> Described:
         """Variables and coordinates: dimensions, values, units and meaning."""
@@ -53,3 +78,6 @@ class Plain:
         import xarray
 
         return xarray.Dataset(self._data, self._coords, self.attrs)
+
+
+Dataset: TypeAlias = "xarray.Dataset | Plain"

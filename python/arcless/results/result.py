@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from arcless.results.passages import CHANNELS, Place, passage
+from arcless.results.plain import Plain
 from arcless.results.store import metadata, open_dataset, save
 
 if TYPE_CHECKING:
@@ -13,6 +14,7 @@ if TYPE_CHECKING:
 
     from arcless.assess import Assessment
     from arcless.model import Scenario
+    from arcless.results.plain import Dataset
 
 
 @dataclass(frozen=True, eq=False)
@@ -21,14 +23,25 @@ class Result:
 
     Attributes
     ----------
-    dataset
-        Everything that was recorded, with units; see the results reference.
+    recorded
+        Everything that was recorded, as an xarray dataset or as arrays by name.
     scenario
         The resolved scenario that was run.
     """
 
-    dataset: "xarray.Dataset"
+    recorded: "Dataset"
     scenario: "Scenario"
+
+    @cached_property
+    def dataset(self) -> "xarray.Dataset":
+        """Everything that was recorded, with units; see the results reference."""
+        recorded = self.recorded
+        return recorded.dataset() if isinstance(recorded, Plain) else recorded
+
+    @property
+    def _latest(self) -> "Dataset":
+        """The dataset that somebody may have changed, once there is one."""
+        return self.dataset if "dataset" in self.__dict__ else self.recorded
 
     # The two stages below stand right of this module in the import order; they are imported when
     # asked for, so that reading a result needs neither.
@@ -37,7 +50,7 @@ class Result:
         """The run's indicators and criteria over its own analysis section."""
         from arcless.assess import assess
 
-        return assess(self.dataset)
+        return assess(self._latest)
 
     def write_report(self, path: str | Path, **options: Any) -> None:
         """Write the HTML report; the options are those of `arcless.report.write`."""
@@ -80,7 +93,7 @@ class Result:
     @cached_property
     def metadata(self) -> dict[str, Any]:
         """The dataset's attributes as plain Python values."""
-        return metadata(self.dataset)
+        return metadata(self._latest)
 
     @property
     def is_complete(self) -> bool:
@@ -89,7 +102,7 @@ class Result:
 
     def save(self, path: str | Path) -> None:
         """Save the dataset as NetCDF, whole or not at all."""
-        save(self.dataset, path)
+        save(self._latest, path)
 
     def __repr__(self) -> str:
         facts = self.metadata

@@ -8,22 +8,26 @@ from arcless.errors import ResultFormatError
 from arcless.results import seal
 from arcless.results.build import missing_variables
 from arcless.results.files import write_bytes
+from arcless.results.plain import Plain
 from arcless.results.schema import ATTRIBUTES, RESULT_FORMAT
+from arcless.results.whole import netcdf
 
 if TYPE_CHECKING:
     import xarray
+
+    from arcless.results.plain import Dataset
 
 # Level 2 with byte shuffling gains nearly all that level 9 does, at a fifth of its time.
 COMPRESSION = {"zlib": True, "complevel": 2, "shuffle": True, "_FillValue": None}
 
 
-def save(dataset: "xarray.Dataset", path: str | Path) -> None:
+def save(dataset: "Dataset", path: str | Path) -> None:
     """Save a dataset as NetCDF4: the file is there whole or not at all.
 
     Parameters
     ----------
     dataset
-        As built by `arcless.results.build.dataset_from`.
+        As built by `arcless.results.build.dataset_from`, or the same as `Plain`.
     path
         The file to write, usually ending in ``.nc``; the folder must exist.
 
@@ -32,12 +36,19 @@ def save(dataset: "xarray.Dataset", path: str | Path) -> None:
     OutputError
         The file cannot be written.
     """
+    # Through memory: HDF5 ends the whole process when a disk is full, a plain write raises.
+    write_bytes(path, seal.sealed(_content(dataset)))
+
+
+def _content(dataset: "Dataset") -> bytes | memoryview:
+    if isinstance(dataset, Plain):
+        return netcdf(dataset)
     encoding: dict[str, dict[str, Any]] = {
         str(name): COMPRESSION if variable.dtype.kind in "fiu" else {}
         for name, variable in dataset.variables.items()
     }
-    # Through memory: HDF5 ends the whole process when a disk is full, a plain write raises.
-    write_bytes(path, seal.sealed(dataset.to_netcdf(engine="h5netcdf", encoding=encoding)))
+    content: memoryview = dataset.to_netcdf(engine="h5netcdf", encoding=encoding)
+    return content
 
 
 def open_dataset(path: str | Path) -> "xarray.Dataset":
@@ -77,7 +88,7 @@ def open_dataset(path: str | Path) -> "xarray.Dataset":
     return dataset
 
 
-def metadata(dataset: "xarray.Dataset") -> dict[str, Any]:
+def metadata(dataset: "Dataset") -> dict[str, Any]:
     """Return the attributes as plain Python values, JSON text decoded.
 
     Attributes that the table knows and the dataset lacks are ``None``.

@@ -10,8 +10,9 @@ import numpy as np
 
 from arcless import _core
 from arcless.model import Scenario, scenario_warnings
-from arcless.results import Result, dataset_from, open_dataset
+from arcless.results import Result, open_dataset
 from arcless.results.files import replacing
+from arcless.results.plain import Plain
 from arcless.simulate import joints, record, state
 from arcless.simulate.control import ControlFunction, Controllers
 from arcless.simulate.job import Cancel, Job, Progress, Take, lay_out, observer
@@ -143,7 +144,7 @@ class _Part:
         names = record.names(raw, job.found, job.scenario)
         if self.earlier is not None:
             record.put_behind(self.earlier.dataset, moving, names)
-        dataset = dataset_from(moving, names, *self._rest(raw))
+        dataset = Plain.of(moving, names, *self._rest(raw))
         tell(1.0, "done")
         return Result(dataset, job.scenario)
 

@@ -97,7 +97,7 @@ pub(super) struct Curvature {
     w: f64,
     pub(super) ss: f64,
     st: f64,
-    sw: f64,
+    pub(super) sw: f64,
     pub(super) ww: f64,
 }
 
