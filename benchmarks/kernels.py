@@ -1,8 +1,16 @@
-"""Kernels of the core: what `cargo bench` prints, as rows."""
+"""Kernels of the core: what `cargo bench` prints, as rows; and a warm step of a whole run.
+
+`cargo bench` has wall times of some microseconds, the fastest of which nothing has disturbed. A
+warm step is what a longer run takes more than a shorter one, in processor time.
+"""
 
 import re
 import subprocess
 from pathlib import Path
+
+from arcless.model import load
+from benchmarks.clock import REPEATS, timed
+from benchmarks.whole_runs import Stepping
 
 ROOT = Path(__file__).parents[1]
 HEAD = ("kernel", "fastest", "median")
@@ -12,12 +20,10 @@ NAMES = {
     "contact_column": "contact column",
     "mass_product": "product with the mass matrix",
     "new_state": "new state",
-    "hundred_and_one_steps": "warm step",
-    "hundred_and_one_steps_with_ledger": "warm step with energy ledger",
     "lcp_warm": "complementarity problem: contact and droppers,",
 }
-# A run of one step, and how many more the others take.
-START, MORE = "begin_a_run", 100  # printed first: names are sorted
+LINES = {"planar": "en50318-ac-simple-320", "spatial": "ac-simple-3d-320"}
+SHORT, LONG = 1000, 3000  # steps
 SECONDS = {"ns": 1e-9, "µs": 1e-6, "us": 1e-6, "ms": 1e-3, "s": 1.0}
 LINE = re.compile(r"([├╰])─ (\w+)\s*([\d.]+) (\ws|s) *│ [\d.]+ \w+ *│ ([\d.]+) (\ws|s)")
 GROUP = re.compile(r"^[├╰]─ (\w+) +│")
@@ -34,9 +40,14 @@ def output() -> str:
     return done.stdout
 
 
-def rows(printed: str) -> list[list[str]]:
+def rows() -> list[list[str]]:
+    """Return kernels, then warm steps."""
+    return [*read(output()), *(_warm(title, name) for title, name in LINES.items())]
+
+
+def read(printed: str) -> list[list[str]]:
     """Read divan's tree: groups, and in them names with fastest, slowest, median, mean."""
-    found, group, start = [], "", [0.0, 0.0]
+    found, group = [], ""
     for line in printed.splitlines():
         opened = GROUP.match(line)
         if opened:
@@ -45,14 +56,24 @@ def rows(printed: str) -> list[list[str]]:
         if match is None:
             continue
         name = match[2]
-        times = [
-            float(value) * SECONDS[unit] for value, unit in (match.group(3, 4), match.group(5, 6))
-        ]
-        if name == START:
-            start = times
-            continue
-        if name.startswith("hundred"):
-            times = [(time - begin) / MORE for time, begin in zip(times, start, strict=True)]
         title = f"{NAMES[group]} {name}" if group in NAMES else f"{NAMES[name]}, {group}"
-        found.append([title, *(f"{1e6 * time:.3g} µs" for time in times)])
+        times = (
+            float(value) * SECONDS[unit] for value, unit in (match.group(3, 4), match.group(5, 6))
+        )
+        found.append([title, *map(_micro, times)])
     return found
+
+
+def _warm(title: str, name: str) -> list[str]:
+    """Time a step as the difference of two runs of the same start."""
+    scenario = load(name).with_(**{"analysis.spans": None})
+    start, length = scenario.travel_range()[0], scenario.speed * scenario.time_step_s
+    ends = [start + (count + 0.5) * length for count in (SHORT, LONG)]
+    runs = [Stepping.of(scenario.with_(**{"travel.end": end})).run for end in ends]
+    taken = [[timed(run, 1).processor for run in runs] for _ in range(REPEATS)]
+    steps = sorted((long - short) / (LONG - SHORT) for short, long in taken)
+    return [f"warm step, {title}", _micro(steps[0]), _micro(steps[REPEATS // 2])]
+
+
+def _micro(time: float) -> str:
+    return f"{1e6 * time:.3g} µs"

@@ -24,7 +24,7 @@ def say(text: str) -> None:
 
 PARTS: dict[str, Callable[[], str]] = {
     "machine": lambda: "\n".join(f"- {line}" for line in machine.machine()),
-    "kernels": lambda: table(kernels.HEAD, kernels.rows(kernels.output())),
+    "kernels": lambda: table(kernels.HEAD, kernels.rows()),
     "goals": lambda: table(goals.HEAD, [row for part in goals.PARTS for row in part()]),
     "runs": lambda: table(whole_runs.HEAD, whole_runs.rows()),
     "spans": lambda: table(whole_runs.SPANS_HEAD, whole_runs.over_spans()),

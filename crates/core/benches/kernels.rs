@@ -1,11 +1,10 @@
-//! Kernels of a time step on the 55 m line of 20 spans, planar and staggered in space, and warm
-//! steps with and without the energy ledger. Wall times are for comparison within one run only.
+//! Kernels of a time step on the 55 m line of 20 spans, planar and staggered in space. Wall times
+//! are for comparison within one run only; whole steps are timed by `benchmarks/`.
 
 #[path = "../tests/common/mod.rs"]
 mod common;
 
 use arcless_core::dynamics::columns::Columns;
-use arcless_core::dynamics::record::RecordPlan;
 use arcless_core::dynamics::stepper::Prepared;
 use arcless_core::lcp::LcpSolver;
 use arcless_core::linalg::BlockLdl;
@@ -14,7 +13,6 @@ use common::{prepare_any, simple_line, simple_line_of, space};
 use divan::{Bencher, black_box};
 
 const SPANS: usize = 20;
-const SPEED: f64 = 320.0 / 3.6;
 const STEP: f64 = 1e-3;
 
 fn main() {
@@ -89,24 +87,6 @@ fn advances<const DIM: usize, const D: usize>(bencher: Bencher, p: &Prepared<DIM
     bencher.bench_local(|| p.advance(black_box(&mut state)));
 }
 
-/// A run of some steps from rest. Short: of a long one, every sample would hold what the system does.
-fn steps<const DIM: usize, const D: usize>(
-    bencher: Bencher,
-    p: &Prepared<DIM, D>,
-    count: usize,
-    ledger: bool,
-) {
-    let end = 300.0 + (count as f64 + 0.5) * SPEED * STEP;
-    let travel = common::travel(300.0, end, SPEED, STEP);
-    let plan = RecordPlan {
-        line_every: 5,
-        ledger,
-        ..common::everything()
-    };
-    let riders = [common::three_masses(170.0)];
-    bencher.bench_local(|| p.run(&riders, black_box(&travel), &plan, &mut |_| true));
-}
-
 macro_rules! kernels {
     ($space:ident, $line:ident) => {
         mod $space {
@@ -135,21 +115,6 @@ macro_rules! kernels {
             #[divan::bench]
             fn new_state(bencher: Bencher) {
                 advances(bencher, &$line());
-            }
-
-            #[divan::bench]
-            fn begin_a_run(bencher: Bencher) {
-                steps(bencher, &$line(), 1, false);
-            }
-
-            #[divan::bench]
-            fn hundred_and_one_steps(bencher: Bencher) {
-                steps(bencher, &$line(), 101, false);
-            }
-
-            #[divan::bench]
-            fn hundred_and_one_steps_with_ledger(bencher: Bencher) {
-                steps(bencher, &$line(), 101, true);
             }
         }
     };
