@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from benchmarks.realtime import HEAD, idle, measure, row
 
 import arcless
 from arcless import ContactError, ModelError
@@ -159,3 +160,11 @@ def test_several_contact_wires_need_simulated_pantographs() -> None:
     loop = arcless.realtime(scenario, simulated=True)
     assert len(loop.contacts) == 2
     assert loop.step(0.0).shape == (1,)
+
+
+def test_single_steps_are_timed(loop: Realtime) -> None:
+    wall, own = measure(loop, 30)
+    assert wall.shape == own.shape == (30,)
+    assert loop.step_number == 30
+    assert len(row("steps", wall)) == len(HEAD)
+    assert (idle(100.0) > 0.0).all()
