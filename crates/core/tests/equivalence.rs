@@ -299,7 +299,10 @@ fn column_windows_are_the_full_solve() {
     let (mut columns, number) = (Columns::new(3), 1);
     let mut unit = vec![[0.0; 4]; p.line.nodes()];
     unit[75][1] = 1.0;
-    columns.set(number, &factor, unit.clone());
+    let load = [(75, unit[75])];
+    let [mut x, mut work] = [0, 1].map(|_| vec![[0.0; 4]; p.line.nodes()]);
+    columns.set(number, &factor, &load, [&mut x, &mut work]);
+    assert!(x.iter().chain(&work).flatten().all(|&v| v == 0.0));
     factor.solve(&mut unit, &mut vec![[0.0; 4]; p.line.nodes()]);
     let mut added = vec![[0.0; 4]; p.line.nodes()];
     columns.add(number, 2.0, &mut added);

@@ -52,21 +52,31 @@ impl<const D: usize> Columns<D> {
         self.windows[column].length > 0
     }
 
-    /// Solve for a right-hand side and keep the column.
-    pub fn set(&mut self, column: usize, factor: &BlockLdl<D>, mut rhs: Vec<[f64; D]>) {
-        let mut scratch = vec![[0.0; D]; rhs.len()];
-        factor.solve(&mut rhs, &mut scratch);
+    /// Solve for a load, given node by node, and keep the column. `space` is zero before and after: two
+    /// vectors of the size of the line.
+    pub fn set(
+        &mut self,
+        column: usize,
+        factor: &BlockLdl<D>,
+        load: &[(usize, [f64; D])],
+        [x, work]: [&mut [[f64; D]]; 2],
+    ) {
+        load.iter().for_each(|(node, force)| x[*node] = *force);
+        let loaded: Vec<usize> = load.iter().map(|(node, _)| *node).collect();
+        let reached = factor.solve_near(x, &loaded, work);
+        let found = &mut x[reached.clone()];
         let size = |v: &[f64; D]| v.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-        let peak = rhs.iter().map(size).fold(0.0, f64::max);
+        let peak = found.iter().map(size).fold(0.0, f64::max);
         let keeps = |v: &[f64; D]| size(v) > CUT * peak;
-        let first = rhs.iter().position(keeps).unwrap_or(0);
-        let end = rhs.iter().rposition(keeps).map_or(first, |i| i + 1);
+        let first = found.iter().position(keeps).unwrap_or(0);
+        let end = found.iter().rposition(keeps).map_or(first, |i| i + 1);
         self.windows[column] = Window {
-            first,
+            first: reached.start + first,
             offset: self.values.len(),
             length: end - first,
         };
-        self.values.extend_from_slice(&rhs[first..end]);
+        self.values.extend_from_slice(&found[first..end]);
+        found.fill([0.0; D]);
     }
 
     /// Value at a node.

@@ -62,6 +62,18 @@ impl<const DIM: usize> LinearLink<DIM> {
         e
     }
 
+    /// g, node by node: the forces of a unit pull.
+    #[must_use]
+    pub fn unit_pull<const D: usize>(&self) -> [(usize, [f64; D]); 2] {
+        let [a, b] = self.nodes;
+        let (mut upper, mut lower) = ([0.0; D], [0.0; D]);
+        for c in 0..DIM {
+            upper[c] = -self.direction[c];
+            lower[c] = self.direction[c];
+        }
+        [(a, upper), (b, lower)]
+    }
+
     /// `f += factor · g`
     pub fn add_to<const D: usize>(&self, factor: f64, f: &mut [[f64; D]]) {
         let [a, b] = self.nodes;

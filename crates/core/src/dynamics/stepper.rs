@@ -164,26 +164,52 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
             updating,
         };
         if prepared.updating.is_none() {
+            let mut space = prepared.space();
             for number in 0..prepared.columns.count() {
-                let load = prepared.unit_load(number);
-                prepared.columns.set(number, &prepared.factor, load);
+                prepared.set_column(number, &mut space);
             }
         }
         Ok(prepared)
     }
 
-    /// Right-hand side of a column. First come those of the nodes of all lanes (unit force in the
-    /// vertical, and unit couple where they have slopes), then those of all links.
-    pub(super) fn unit_load(&self, number: usize) -> Vec<[f64; D]> {
+    /// Two vectors of zeros to compute columns in.
+    pub(super) fn space(&self) -> [Vec<[f64; D]>; 2] {
+        [0, 1].map(|_| vec![[0.0; D]; self.line.nodes()])
+    }
+
+    /// Compute a column.
+    pub(super) fn set_column(&mut self, number: usize, [x, work]: &mut [Vec<[f64; D]>; 2]) {
+        let load = self.unit_load(number);
+        self.columns.set(number, &self.factor, &load, [x, work]);
+    }
+
+    /// Right-hand side of a column, node by node. First come those of the nodes of all lanes (unit
+    /// force in the vertical, and unit couple where they have slopes), then those of all links.
+    fn unit_load(&self, number: usize) -> Vec<(usize, [f64; D])> {
         let slots = slots::<DIM, D>();
-        let mut load = vec![[0.0; D]; self.line.nodes()];
-        let mut nodes = self.lanes.iter().flat_map(|lane| &lane.nodes);
-        if let Some(&node) = nodes.nth(number / slots) {
-            load[node][number % slots * DIM + DIM - 1] = 1.0;
-        } else {
-            self.line.links[number - self.lane_columns].add_to(1.0, &mut load);
+        let (mut place, mut on_lane) = (number / slots, None);
+        for lane in &self.lanes {
+            on_lane = lane.nodes.get(place);
+            if on_lane.is_some() {
+                break;
+            }
+            place -= lane.nodes.len();
         }
-        self.line.mask(&mut load);
+        let mut load = Vec::new();
+        if let Some(&node) = on_lane {
+            let mut force = [0.0; D];
+            force[number % slots * DIM + DIM - 1] = 1.0;
+            load.push((node, force));
+        } else {
+            load.extend(self.line.links[number - self.lane_columns].unit_pull());
+        }
+        for (node, force) in &mut load {
+            for c in 0..D {
+                if !self.line.free[*node][c] {
+                    force[c] = 0.0;
+                }
+            }
+        }
         load
     }
 

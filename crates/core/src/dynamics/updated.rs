@@ -118,20 +118,18 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
     /// Compute the influence columns that contacts and the given links need, unless they
     /// are there already.
     pub(super) fn provide(&mut self, contacts: &Contacts<DIM>, links: &[usize]) {
-        for contact in contacts.active() {
-            for number in contact.place.columns::<D>() {
-                self.provide_column(number);
+        let of_contacts = contacts.active().flat_map(|c| c.place.columns::<D>());
+        let of_links = links.iter().map(|&link| self.link_column(link));
+        let needed = of_contacts.chain(of_links);
+        let missing: Vec<usize> = needed.filter(|&n| !self.columns.has(n)).collect();
+        if missing.is_empty() {
+            return;
+        }
+        let mut space = self.space();
+        for number in missing {
+            if !self.columns.has(number) {
+                self.set_column(number, &mut space);
             }
-        }
-        for &link in links {
-            self.provide_column(self.link_column(link));
-        }
-    }
-
-    fn provide_column(&mut self, number: usize) {
-        if !self.columns.has(number) {
-            let load = self.unit_load(number);
-            self.columns.set(number, &self.factor, load);
         }
     }
 

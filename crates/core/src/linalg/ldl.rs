@@ -10,6 +10,7 @@
 //! middle, where the only extra fill is.
 
 use super::block::{self, Block, zero};
+use super::substitution::Substitution;
 use super::symmetric::SymmetricBlocks;
 use crate::error::CoreError;
 
@@ -26,65 +27,8 @@ pub struct BlockLdl<const D: usize> {
     pairs: Vec<(u32, u32)>,
     lower: Vec<Block<D>>,
     diagonal_inverse: Vec<Block<D>>,
-    /// The factor as substitutions read it, from front to back and from back to front.
-    rows: Vec<Row>,
-    /// Transposes of `lower`: forward and backward substitution each want their lanes contiguous.
-    forward: Vec<Entry<D>>,
-    /// Columns from the last to the first, and where in `lower` their blocks are.
-    backward_columns: Vec<Row>,
-    backward: Vec<Entry<D>>,
-    backward_places: Vec<u32>,
+    substitution: Substitution<D>,
     negative_pivots: usize,
-}
-
-/// Row or column of the factor: its node, and the number of its blocks off the diagonal.
-#[derive(Debug, Clone, Copy)]
-struct Row {
-    node: u32,
-    length: u32,
-}
-
-impl Row {
-    fn new(node: u32, length: usize) -> Self {
-        let length = length as u32;
-        Self { node, length }
-    }
-}
-
-/// Block of the factor with the node whose value it multiplies.
-#[derive(Debug, Clone, Copy)]
-struct Entry<const D: usize> {
-    block: Block<D>,
-    node: usize,
-}
-
-struct Substitution<'a, const D: usize> {
-    factor: &'a BlockLdl<D>,
-    x: &'a mut [[f64; D]],
-    minus: &'a [[f64; D]],
-    work: &'a mut [[f64; D]],
-}
-
-impl<const D: usize> super::Kernel for Substitution<'_, D> {
-    #[inline(always)]
-    fn run(self) {
-        let Self {
-            factor,
-            x,
-            minus,
-            work,
-        } = self;
-        factor.substitute_forward(x, work);
-        factor.substitute_backward(work);
-        let (x, work) = (x.as_flattened_mut(), work.as_flattened());
-        if minus.is_empty() {
-            x.copy_from_slice(work);
-            return;
-        }
-        for ((x, value), minus) in x.iter_mut().zip(work).zip(minus.as_flattened()) {
-            *x = value - minus;
-        }
-    }
 }
 
 /// First, last, second, last but one, …
@@ -147,22 +91,18 @@ impl<const D: usize> BlockLdl<D> {
         let mut refactoring = Refactoring::new(a);
         let (row_start, columns) = fill_pattern(&refactoring.reordered);
         let (pair_start, pairs) = common_columns(&row_start, &columns);
+        let order = from_both_ends(a.rows());
         let mut factor = Self {
+            substitution: Substitution::new(&order, &row_start, &columns),
             pair_start,
             pairs,
             lower: vec![zero(); columns.len()],
-            rows: Vec::new(),
-            forward: Vec::new(),
-            backward_columns: Vec::new(),
-            backward: Vec::new(),
-            backward_places: Vec::new(),
             diagonal_inverse: vec![zero(); a.rows()],
             negative_pivots: 0,
-            order: from_both_ends(a.rows()),
+            order,
             row_start,
             columns,
         };
-        factor.arrange();
         factor.refactorise(&mut refactoring, a)?;
         Ok(factor)
     }
@@ -179,40 +119,8 @@ impl<const D: usize> BlockLdl<D> {
         refactoring.take(a);
         self.negative_pivots = 0;
         self.factorise(&refactoring.reordered)?;
-        for (entry, l) in self.forward.iter_mut().zip(&self.lower) {
-            entry.block = block::transpose(l);
-        }
-        for (entry, &place) in self.backward.iter_mut().zip(&self.backward_places) {
-            entry.block = self.lower[place as usize];
-        }
+        self.substitution.fill(&self.lower, &self.diagonal_inverse);
         Ok(())
-    }
-
-    /// Lay out rows and columns for substitutions.
-    fn arrange(&mut self) {
-        let entry = |position: usize| Entry {
-            block: zero(),
-            node: self.order[position] as usize,
-        };
-        self.forward = self.columns.iter().map(|&j| entry(j as usize)).collect();
-        let lengths = self.row_start.windows(2).map(|ends| ends[1] - ends[0]);
-        let rows = self.order.iter().zip(lengths);
-        self.rows = rows.map(|(&node, length)| Row::new(node, length)).collect();
-
-        let mut columns = vec![Vec::new(); self.order.len()];
-        for (i, ends) in self.row_start.windows(2).enumerate() {
-            for place in ends[0]..ends[1] {
-                columns[self.columns[place] as usize].push((i, place as u32));
-            }
-        }
-        for (&node, column) in self.order.iter().zip(&columns).rev() {
-            self.backward_columns.push(Row::new(node, column.len()));
-            // What was computed last comes last: the others do not have to wait for it.
-            for &(i, place) in column.iter().rev() {
-                self.backward.push(entry(i));
-                self.backward_places.push(place);
-            }
-        }
     }
 
     fn factorise(&mut self, a: &SymmetricBlocks<D>) -> Result<(), CoreError> {
@@ -262,55 +170,24 @@ impl<const D: usize> BlockLdl<D> {
 
     /// Solve `A x = b` in place; `work` is scratch space of the same length.
     pub fn solve(&self, x: &mut [[f64; D]], work: &mut [[f64; D]]) {
-        super::widest(Substitution {
-            factor: self,
-            x,
-            minus: &[],
-            work,
-        });
+        self.substitution.solve(x, &[], work);
     }
 
     /// `x ← A⁻¹ x − minus`, without another pass over the vectors.
     pub fn solve_minus(&self, x: &mut [[f64; D]], minus: &[[f64; D]], work: &mut [[f64; D]]) {
-        super::widest(Substitution {
-            factor: self,
-            x,
-            minus,
-            work,
-        });
+        self.substitution.solve(x, minus, work);
     }
 
-    /// `y = L⁻¹ x` in the place of x, and `z = D⁻¹ y`: nothing waits for the second product.
-    #[inline(always)]
-    fn substitute_forward(&self, x: &mut [[f64; D]], z: &mut [[f64; D]]) {
-        let mut entries = self.forward.as_slice();
-        for (r, inverse) in self.rows.iter().zip(&self.diagonal_inverse) {
-            let (row, rest) = entries.split_at(r.length as usize);
-            entries = rest;
-            let node = r.node as usize;
-            let mut sum = x[node];
-            for e in row {
-                block::subtract_transposed_product(&mut sum, &e.block, &x[e.node]);
-            }
-            x[node] = sum;
-            // The inverse is symmetric.
-            z[node] = block::transposed_product(inverse, &sum);
-        }
-    }
-
-    /// `x = L⁻ᵀ z` in the place of z.
-    #[inline(always)]
-    fn substitute_backward(&self, z: &mut [[f64; D]]) {
-        let mut entries = self.backward.as_slice();
-        for r in &self.backward_columns {
-            let (column, rest) = entries.split_at(r.length as usize);
-            entries = rest;
-            let mut sum = z[r.node as usize];
-            for e in column {
-                block::subtract_transposed_product(&mut sum, &e.block, &z[e.node]);
-            }
-            z[r.node as usize] = sum;
-        }
+    /// Solve for an `x` that is zero but at the nodes `loaded`, no further than the answer reaches (it
+    /// dies away within rounding of rounding: 1e-30 of the largest value is taken as zero). Returns the
+    /// nodes outside of which the answer is zero. `work`, of the same length, is zero before and after.
+    pub fn solve_near(
+        &self,
+        x: &mut [[f64; D]],
+        loaded: &[usize],
+        work: &mut [[f64; D]],
+    ) -> std::ops::Range<usize> {
+        self.substitution.solve_near(x, loaded, work)
     }
 }
 

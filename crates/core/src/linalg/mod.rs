@@ -5,6 +5,7 @@ pub mod dense;
 pub mod lanczos;
 pub mod ldl;
 pub mod mass;
+mod substitution;
 pub mod symmetric;
 pub mod wide;
 

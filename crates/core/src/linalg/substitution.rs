@@ -3,7 +3,7 @@
 //!   L y = b,   D z = y,   Lᵀ x = z
 //!
 //! Both sweeps are bound by loads and by their chain of dependent operations: blocks lie one behind
-//! the other, each at the start of a lane, and what was computed last is used last.
+//! the other, and what was computed last is used last.
 
 use super::block::{self, Block, zero};
 use super::{Kernel, widest};
@@ -12,11 +12,6 @@ use super::{Kernel, widest};
 /// hundred metres, and what is kept of a column is 13 orders of magnitude larger.
 const FORGOTTEN: f64 = 1e-30;
 
-/// A block where lanes of 32 bytes begin.
-#[derive(Debug, Clone, Copy)]
-#[repr(align(32))]
-struct Aligned<const D: usize>(Block<D>);
-
 /// Row or column of the factor: its node, and the number of its blocks off the diagonal.
 #[derive(Debug, Clone, Copy)]
 struct Row {
@@ -24,35 +19,55 @@ struct Row {
     length: u32,
 }
 
-/// One of the two sweeps: rows in their order, and their blocks with the nodes these multiply.
+/// Block of the factor with the node whose value it multiplies.
+#[derive(Debug, Clone, Copy)]
+struct Entry<const D: usize> {
+    block: Block<D>,
+    node: usize,
+}
+
+/// One of the two sweeps: rows in their order, and their entries.
 #[derive(Debug, Clone, Default)]
 struct Sweep<const D: usize> {
     rows: Vec<Row>,
-    /// Where the blocks of each row begin.
+    /// Where the entries of each row begin.
     start: Vec<u32>,
-    nodes: Vec<u32>,
-    blocks: Vec<Aligned<D>>,
+    entries: Vec<Entry<D>>,
 }
 
 impl<const D: usize> Sweep<D> {
-    fn push(&mut self, node: u32, partners: impl Iterator<Item = u32>) {
-        self.start.push(self.nodes.len() as u32);
-        self.nodes.extend(partners);
-        self.blocks.resize(self.nodes.len(), Aligned(zero()));
-        let length = self.nodes.len() as u32 - self.start[self.start.len() - 1];
+    fn push(&mut self, node: u32, partners: impl ExactSizeIterator<Item = u32>) {
+        self.start.push(self.entries.len() as u32);
+        let length = partners.len() as u32;
         self.rows.push(Row { node, length });
+        let entry = |node| Entry {
+            block: zero(),
+            node: node as usize,
+        };
+        self.entries.extend(partners.map(entry));
     }
 
-    /// `own − Σ blockᵀ x` for a row.
+    /// Rows from number `first` on: the node of each, and its entries.
     #[inline(always)]
-    fn reduce(&self, row: usize, mut own: [f64; D], x: &[[f64; D]]) -> [f64; D] {
-        let (first, length) = (self.start[row] as usize, self.rows[row].length as usize);
-        let blocks = &self.blocks[first..first + length];
-        for (b, &node) in blocks.iter().zip(&self.nodes[first..first + length]) {
-            block::subtract_transposed_product(&mut own, &b.0, &x[node as usize]);
-        }
-        own
+    fn rows_from(&self, first: usize) -> impl Iterator<Item = (usize, &[Entry<D>])> {
+        let all = self.entries.len();
+        let start = self.start.get(first).map_or(all, |&s| s as usize);
+        let mut entries = &self.entries[start..];
+        self.rows[first..].iter().map(move |row| {
+            let (own, rest) = entries.split_at(row.length as usize);
+            entries = rest;
+            (row.node as usize, own)
+        })
     }
+}
+
+/// `own − Σ blockᵀ x`
+#[inline(always)]
+fn reduce<const D: usize>(mut own: [f64; D], row: &[Entry<D>], x: &[[f64; D]]) -> [f64; D] {
+    for e in row {
+        block::subtract_transposed_product(&mut own, &e.block, &x[e.node]);
+    }
+    own
 }
 
 /// The factor as substitutions read it.
@@ -64,7 +79,7 @@ pub(super) struct Substitution<const D: usize> {
     backward: Sweep<D>,
     /// Where in L the blocks of `backward` are.
     places: Vec<u32>,
-    inverse: Vec<Aligned<D>>,
+    inverse: Vec<Block<D>>,
     /// Position of each node in the elimination.
     position: Vec<u32>,
     /// Largest distance, in positions, of a row from one that it reads.
@@ -76,7 +91,7 @@ impl<const D: usize> Substitution<D> {
     pub(super) fn new(order: &[u32], row_start: &[usize], columns: &[u32]) -> Self {
         let n = order.len();
         let mut s = Self {
-            inverse: vec![Aligned(zero()); n],
+            inverse: vec![zero(); n],
             position: vec![0; n],
             ..Self::default()
         };
@@ -103,15 +118,13 @@ impl<const D: usize> Substitution<D> {
 
     /// Take over the numbers of L and of the inverse of D.
     pub(super) fn fill(&mut self, lower: &[Block<D>], inverse: &[Block<D>]) {
-        for (own, l) in self.forward.blocks.iter_mut().zip(lower) {
-            own.0 = block::transpose(l);
+        for (entry, l) in self.forward.entries.iter_mut().zip(lower) {
+            entry.block = block::transpose(l);
         }
-        for (own, &place) in self.backward.blocks.iter_mut().zip(&self.places) {
-            own.0 = lower[place as usize];
+        for (entry, &place) in self.backward.entries.iter_mut().zip(&self.places) {
+            entry.block = lower[place as usize];
         }
-        for (own, inverse) in self.inverse.iter_mut().zip(inverse) {
-            own.0 = *inverse;
-        }
+        self.inverse.copy_from_slice(inverse);
     }
 
     /// `x ← A⁻¹ x − minus` (nothing is taken away where `minus` is empty).
@@ -145,23 +158,44 @@ impl<const D: usize> Substitution<D> {
         reached[0].min(reached[1])..reached[1]
     }
 
-    /// Row `i` of both `y = L⁻¹ x`, in the place of x, and `z = D⁻¹ y`: nothing waits for the second.
+    /// Rows from `first` on of both `y = L⁻¹ x`, in the place of x, and `z = D⁻¹ y`: nothing waits for
+    /// the second. Ends behind the row for which `ends` says so; returns the number of rows begun.
     #[inline(always)]
-    fn forward_row(&self, i: usize, x: &mut [[f64; D]], z: &mut [[f64; D]]) -> [f64; D] {
-        let node = self.forward.rows[i].node as usize;
-        let sum = self.forward.reduce(i, x[node], x);
-        x[node] = sum;
-        // The inverse is symmetric.
-        z[node] = block::transposed_product(&self.inverse[i].0, &sum);
-        sum
+    fn sweep_forward(
+        &self,
+        first: usize,
+        x: &mut [[f64; D]],
+        z: &mut [[f64; D]],
+        mut ends: impl FnMut(usize, &[f64; D]) -> bool,
+    ) -> usize {
+        let rows = self.forward.rows_from(first).zip(&self.inverse[first..]);
+        for (i, ((node, row), inverse)) in rows.enumerate() {
+            let y = reduce(x[node], row, x);
+            x[node] = y;
+            // The inverse is symmetric.
+            z[node] = block::transposed_product(inverse, &y);
+            if ends(first + i, &y) {
+                return first + i + 1;
+            }
+        }
+        self.inverse.len()
     }
 
-    /// Column `k` from the last of `x = L⁻ᵀ z`, in the place of z.
+    /// Columns from number `first` on, counted from the last, of `x = L⁻ᵀ z`, in the place of z.
     #[inline(always)]
-    fn backward_row(&self, k: usize, z: &mut [[f64; D]]) -> (usize, [f64; D]) {
-        let node = self.backward.rows[k].node as usize;
-        z[node] = self.backward.reduce(k, z[node], z);
-        (node, z[node])
+    fn sweep_backward(
+        &self,
+        first: usize,
+        z: &mut [[f64; D]],
+        mut ends: impl FnMut(usize, &[f64; D]) -> bool,
+    ) -> usize {
+        for (k, (node, row)) in self.backward.rows_from(first).enumerate() {
+            z[node] = reduce(z[node], row, z);
+            if ends(first + k, &z[node]) {
+                return first + k + 1;
+            }
+        }
+        self.inverse.len()
     }
 }
 
@@ -176,12 +210,8 @@ impl<const D: usize> Kernel for Whole<'_, D> {
     #[inline(always)]
     fn run(self) {
         let (factor, x, work) = (self.factor, self.x, self.work);
-        for i in 0..factor.forward.rows.len() {
-            factor.forward_row(i, x, work);
-        }
-        for k in 0..factor.backward.rows.len() {
-            factor.backward_row(k, work);
-        }
+        factor.sweep_forward(0, x, work, |_, _| false);
+        factor.sweep_backward(0, work, |_, _| false);
         let (x, work) = (x.as_flattened_mut(), work.as_flattened());
         if self.minus.is_empty() {
             x.copy_from_slice(work);
@@ -239,26 +269,12 @@ impl<const D: usize> Kernel for Near<'_, D> {
         let n = factor.forward.rows.len();
         let [first, last] = self.loaded;
         let mut quiet = Quiet::new(factor.reach);
-        let mut end = n;
-        for i in first..n {
-            let y = factor.forward_row(i, x, z);
-            if quiet.after(&y) && i > last {
-                end = i + 1;
-                break;
-            }
-        }
-        for i in first..end {
-            x[factor.forward.rows[i].node as usize] = [0.0; D];
+        let end = factor.sweep_forward(first, x, z, |i, y| quiet.after(y) && i > last);
+        for row in &factor.forward.rows[first..end] {
+            x[row.node as usize] = [0.0; D];
         }
         let mut quiet = Quiet::new(factor.reach);
-        let mut done = n;
-        for k in n - end..n {
-            let (_, value) = factor.backward_row(k, z);
-            if quiet.after(&value) && n - 1 - k < first {
-                done = k + 1;
-                break;
-            }
-        }
+        let done = factor.sweep_backward(n - end, z, |k, x| quiet.after(x) && n - 1 - k < first);
         for k in n - end..done {
             let node = factor.backward.rows[k].node as usize;
             x[node] = std::mem::replace(&mut z[node], [0.0; D]);
