@@ -64,16 +64,14 @@ fn solves<const DIM: usize, const D: usize>(bencher: Bencher, p: &Prepared<DIM, 
 fn finds_column<const DIM: usize, const D: usize>(bencher: Bencher, p: &Prepared<DIM, D>) {
     let factor = factor(p);
     let node = p.lanes[0].nodes[p.lanes[0].nodes.len() / 2];
-    bencher
-        .with_inputs(|| {
-            let mut load = vec![[0.0; D]; p.line.nodes()];
-            load[node][DIM - 1] = 1.0;
-            (Columns::new(1), load)
-        })
-        .bench_local_values(|(mut columns, load)| {
-            columns.set(0, &factor, load);
-            columns
-        });
+    let mut force = [0.0; D];
+    force[DIM - 1] = 1.0;
+    let [mut x, mut work] = [0, 1].map(|_| vec![[0.0; D]; p.line.nodes()]);
+    bencher.bench_local(|| {
+        let mut columns = Columns::new(1);
+        columns.set(0, &factor, &[(node, force)], [&mut x, &mut work]);
+        columns
+    });
 }
 
 fn multiplies_mass<const DIM: usize, const D: usize>(bencher: Bencher, p: &Prepared<DIM, D>) {
