@@ -7,6 +7,8 @@ mod lcp;
 mod live;
 mod prepared;
 mod published;
+mod records;
+mod riders;
 mod structure;
 
 use pyo3::prelude::*;

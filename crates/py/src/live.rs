@@ -1,7 +1,9 @@
 //! A line stepped from outside: one call for each step, into arrays that stay.
 
 use crate::error::convert;
-use crate::prepared::{Any, Prepared, RiderData, numbers, rider};
+use crate::prepared::{Any, Prepared};
+use crate::records::numbers;
+use crate::riders::{RiderData, rider};
 use arcless_core::CoreError;
 use arcless_core::dynamics::live::{self, Begin, Collector};
 use arcless_core::dynamics::state::State;
