@@ -34,6 +34,7 @@ def test_spectrum_is_that_of_scipy(size: int) -> None:
     signal, length = SIGNAL[:size], min(size, 1000)
     frequency, density = filter.spectrum(signal, 1000.0, 1.0)
     peer = welch(signal, fs=1000.0, nperseg=length, detrend="constant")
+    # One division each, of the number of a line by the length.
     np.testing.assert_allclose(frequency, peer[0], rtol=1e-14)
     # Rounding of the transform; what is zero by symmetry is so to 1e-16 of the variance.
     np.testing.assert_allclose(density, peer[1], rtol=1e-10, atol=1e-16 * np.var(signal))

@@ -38,8 +38,11 @@ def test_simulated_pantographs_are_those_of_a_run(short: Short) -> None:
         place = run["position"].values[number, 0]
         force = loop.step(pushed(number), position_m=place, speed_m_s=loop.speed_m_s)
         np.testing.assert_array_equal(force, run["contact_force"].values[number])
+    # Newmark balances at the end of a step, where the loop is read: the sums are made in another
+    # order, of heights of 5 m with a rounding of 1e-15.
     np.testing.assert_allclose(loop.height_m, run["contact_height"].values[399], atol=1e-12)
     moved = run["mass_displacement"].values[399, 0]
+    # The same, of some tenths of a metre.
     np.testing.assert_allclose(loop.displacement_m, moved, atol=1e-12)
     assert loop.inputs == loop.contacts == ("P1",)
     assert loop.time_s == pytest.approx(400 * scenario.time_step_s)
