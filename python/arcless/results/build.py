@@ -59,13 +59,9 @@ def dataset_from(
     Variables along a dimension of size zero (a line without droppers, no recorded points) are
     left out: NetCDF has no empty dimension that keeps its size.
     """
-    import xarray
+    from arcless.results.plain import Plain  # which needs what is below
 
-    described = variables({**static, **record}, names)
-    check_complete({**static, **record})
-    dataset = xarray.Dataset(*described)
-    dataset.attrs = attributes(attrs)
-    return dataset
+    return Plain.of(record, names, static, attrs).dataset()
 
 
 Described = dict[str, tuple[tuple[str, ...], NDArray[Any], dict[str, str]]]

@@ -16,11 +16,10 @@ from arcless.errors import ResultFormatError
 from arcless.results import seal
 from arcless.results.build import Described, attributes, check_complete, variables
 from arcless.results.disk import Disk
+from arcless.results.whole import parts
 
 # Level 1: of series in pieces as small as level 2 makes them, in two thirds of its time.
 COMPRESSION = {"compression": "gzip", "compression_opts": 1, "shuffle": True}
-# A part of compression at most this large: HDF5 keeps it in memory whole. In numbers.
-LARGEST_PART = 1 << 20
 
 
 class Writer:
@@ -157,8 +156,7 @@ class Writer:
                 self._h5.dimensions[dim] = size
         options: dict[str, Any] = {"dtype": h5py.string_dtype()}
         if values.dtype.kind != "O":
-            part = min(len(values), max(1, LARGEST_PART // int(np.prod(values.shape[1:]))))
-            options = {"dtype": values.dtype, "chunks": (part, *values.shape[1:]), **COMPRESSION}
+            options = {"dtype": values.dtype, "chunks": parts(values.shape), **COMPRESSION}
         made = self._h5.create_variable(name, dims, **options)
         made.attrs.update(meaning)
         self._made[name] = made

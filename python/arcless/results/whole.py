@@ -53,6 +53,10 @@ def _options(values: NDArray[Any]) -> dict[str, Any]:
 
     if values.dtype.kind == "O":
         return {"dtype": h5py.string_dtype()}
-    rows = max(1, LARGEST_PART // int(np.prod(values.shape[1:])))
-    chunks = (min(len(values), rows), *values.shape[1:])
-    return {"dtype": values.dtype, "chunks": chunks, **COMPRESSION}
+    return {"dtype": values.dtype, "chunks": parts(values.shape), **COMPRESSION}
+
+
+def parts(shape: tuple[int, ...]) -> tuple[int, ...]:
+    """Return the shape of the parts in which an array of a shape, or its first rows, is packed."""
+    rows = max(1, LARGEST_PART // int(np.prod(shape[1:])))
+    return (min(shape[0], rows), *shape[1:])
