@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     )
     from arcless.model import Scenario, library, load, load_line, load_pantograph
     from arcless.results import Result, open
+    from arcless.simulate.batch import Outcome, batch
     from arcless.simulate.control import ControlInput
     from arcless.simulate.realtime import Realtime, RealtimeState, realtime
     from arcless.simulate.run import resume, run
@@ -42,6 +43,7 @@ __all__ = [
     "EquilibriumError",
     "MeshError",
     "ModelError",
+    "Outcome",
     "OutputError",
     "Realtime",
     "RealtimeState",
@@ -50,6 +52,7 @@ __all__ = [
     "Scenario",
     "__version__",
     "assess",
+    "batch",
     "errors",
     "lcp",
     "library",
@@ -73,8 +76,10 @@ _MODEL = {"Scenario", "library", "load", "load_line", "load_pantograph"}
 _RESULTS = {"Result", "open"}
 _SIMULATE = {
     "ControlInput",
+    "Outcome",
     "Realtime",
     "RealtimeState",
+    "batch",
     "realtime",
     "resume",
     "run",

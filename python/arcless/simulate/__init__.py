@@ -1,5 +1,6 @@
 """The arrow: scenario → mesh → equilibrium → record → dataset. Only this package knows all."""
 
+from arcless.simulate.batch import Outcome, batch
 from arcless.simulate.control import ControlInput
 from arcless.simulate.realtime import Realtime, RealtimeState, realtime
 from arcless.simulate.run import resume, run
@@ -8,9 +9,11 @@ from arcless.simulate.streaming import is_long
 
 __all__ = [
     "ControlInput",
+    "Outcome",
     "Realtime",
     "RealtimeState",
     "StaticsResult",
+    "batch",
     "is_long",
     "realtime",
     "resume",

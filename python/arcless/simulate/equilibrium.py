@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Any
 
@@ -21,6 +21,8 @@ Floats = NDArray[np.float64]
 # Half a metre resolves the elasticity between droppers, which are some metres apart. In m.
 ELASTICITY_SPACING = 0.5
 FREQUENCIES = 20
+# Runs of a batch ask for the elasticity at the same places; so many answers are kept.
+MOST_KEPT = 50
 # A strip lifts the lowest wire by 100 N times 0.2 to 0.5 mm/N, and so reaches wires that hang this
 # much higher. In m.
 REACH = 0.02
@@ -36,6 +38,7 @@ class Equilibrium:
     mesh: Mesh
     core: _core.Equilibrium
     arrays: dict[str, Floats]
+    _found: dict[tuple[bytes, float], Floats] = field(default_factory=dict, repr=False)
 
     @property
     def positions(self) -> Floats:
@@ -55,6 +58,15 @@ class Equilibrium:
 
         Of wires side by side, that with all of them lifted together which hang at one height.
         """
+        key = x.tobytes(), force
+        if key in self._found:
+            return self._found[key].copy()
+        found = self._elasticity(x, force)
+        if len(self._found) < MOST_KEPT:
+            self._found[key] = found.copy()
+        return found
+
+    def _elasticity(self, x: Floats, force: float) -> Floats:
         found = np.zeros(len(x))
         within = self._within_reach(x)
         for lanes in np.unique(within, axis=0):

@@ -98,7 +98,7 @@ class Job:
             "links": full and output.droppers,
             "nodes": [support.contact_node for support in self.found.mesh.supports],
             "points": list(output.points),
-            "ledger": full and _keeps_ledger(self.scenario),
+            "ledger": full and keeps_ledger(self.scenario),
             "near": None if self.nearby is None or not full else self.nearby.plan(self.found.mesh),
         }
 
@@ -108,20 +108,37 @@ class Job:
         return nearby(self.scenario, self.found.mesh, self.travel.steps)
 
 
-def lay_out(
-    scenario: Scenario, controllers: Controllers, tell: Progress, cancel: Cancel | None
-) -> Job:
-    """Find the line at rest, factorise it, lay out the travel and what is given over time."""
+@dataclass(frozen=True)
+class Line:
+    """A line at rest and factorised for a time step: what runs may share."""
+
+    found: equilibrium.Equilibrium
+    prepared: _core.Prepared
+
+
+def ready_line(scenario: Scenario, tell: Progress) -> Line:
+    """Find the line of a scenario at rest, and factorise it."""
     tell(0.0, "static equilibrium")
     with replayable(scenario):
         found = equilibrium.find(scenario)
     tell(0.0, "factorisation")
-    prepared = prepare(found, scenario)
+    return Line(found, prepare(found, scenario))
+
+
+def lay_out(
+    scenario: Scenario,
+    controllers: Controllers,
+    tell: Progress,
+    cancel: Cancel | None,
+    line: Line | None = None,
+) -> Job:
+    """Lay out a run on its line: the travel, and what is given over time."""
+    line = line or ready_line(scenario, tell)
     travel = motion.motion(scenario)
     given = riders.given_motions(scenario, travel)
-    loads = gusts.line_loads(found, scenario, travel)
+    loads = gusts.line_loads(line.found, scenario, travel)
     observe = observer(travel.steps, "stepping", tell, cancel)
-    return Job(scenario, found, prepared, travel, given, loads, controllers, observe)
+    return Job(scenario, line.found, line.prepared, travel, given, loads, controllers, observe)
 
 
 def prepare(found: equilibrium.Equilibrium, scenario: Scenario) -> _core.Prepared:
@@ -147,7 +164,8 @@ def observer(steps: int, text: str, tell: Progress, cancel: Cancel | None) -> Ca
     return observe
 
 
-def _keeps_ledger(scenario: Scenario) -> bool:
+def keeps_ledger(scenario: Scenario) -> bool:
+    """Whether energies are booked in a run of a scenario."""
     # The ledger costs about as much as the step itself; see docs/decisions.
     if scenario.solver.kinematics == "updated":
         return False

@@ -6,6 +6,7 @@ force; so the first correction, F ← F + (target − mean)/slope, is usually th
 secant rule goes on.
 """
 
+from collections.abc import Generator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -37,6 +38,10 @@ class Search:
     record: dict[str, Any] | None = None
 
 
+# Gives the forces to run with, and is sent the record of that run.
+Searching = Generator[list[float], dict[str, Any], Search]
+
+
 def find_forces(job: "Job", *, full: bool = False) -> Search:
     """Return the static force of each pantograph in N, found where a mean force is asked for.
 
@@ -52,6 +57,18 @@ def find_forces(job: "Job", *, full: bool = False) -> Search:
     ContactError
         The mean force asked for cannot be reached.
     """
+    search = searching(job)
+    try:
+        forces = next(search)
+        while True:
+            forces = search.send(job.step(forces, full=full))
+    except StopIteration as end:
+        found: Search = end.value
+        return found
+
+
+def searching(job: "Job") -> Searching:
+    """Search as `find_forces` does, but leave the runs to whoever asks for the next forces."""
     placements = job.scenario.pantographs
     forces = np.array([placement.start_force or 0.0 for placement in placements])
     targets = np.array([np.nan if p.mean_force is None else p.mean_force for p in placements])
@@ -62,7 +79,7 @@ def find_forces(job: "Job", *, full: bool = False) -> Search:
     forces = np.where(np.abs(guessed - targets) < 0.5 * targets, guessed, forces)
     before: tuple[NDArray[np.float64], NDArray[np.float64]] | None = None
     for _ in range(MOST_RUNS):
-        raw = job.step([float(force) for force in forces], full=full)
+        raw = yield [float(force) for force in forces]
         means = _means(job, raw)
         errors = np.where(np.isnan(targets), 0.0, targets - means)
         if np.max(np.abs(errors)) <= TOLERANCE:

@@ -168,7 +168,7 @@ class _Part:
         static = record.static_variables(found, found.elasticity(found.elasticity_positions()))
         if job.nearby is not None:
             static |= job.nearby.variables
-        attributes = _attributes(job, raw, self.forces, self.earlier)
+        attributes = attributes_of(job, raw, self.forces, self.earlier)
         attributes["command"] = self.command
         if raw["steps"] < job.travel.steps:
             numbers = {**raw["state"].numbers, state.STATIC_FORCE: np.array(self.forces)}
@@ -179,9 +179,20 @@ class _Part:
         return static, attributes
 
 
-def _attributes(
-    job: Job, raw: dict[str, Any], forces: list[float], earlier: Result | None
+def whole(
+    job: Job, forces: list[float], raw: dict[str, Any], started: float, command: str
+) -> Result:
+    """Return the result of a run that went to its end, in memory.
+
+    With the static forces in N, what the core returned, and the clock at the start in s.
+    """
+    return _Part(job, forces, started, command).in_memory(raw, lambda _fraction, _text: None)
+
+
+def attributes_of(
+    job: Job, raw: dict[str, Any], forces: list[float], earlier: Result | None = None
 ) -> dict[str, Any]:
+    """Return what a result says of a run but for its arrays; `raw` has wall_s and setup_s."""
     scenario = job.scenario
     before = {} if earlier is None else earlier.metadata
     duration = raw["steps"] * job.travel.time_step

@@ -1,0 +1,111 @@
+"""Workers of a batch: threads that take members and run them; the core lets go of the lock."""
+
+import queue
+import threading
+import time
+from collections.abc import Iterator
+
+from arcless.assess import Assessment
+from arcless.errors import ArclessError
+from arcless.results import Result
+from arcless.simulate.batch.groups import Group, Groups, Member
+from arcless.simulate.batch.member import records_all, running
+from arcless.simulate.batch.outcome import Keep, Outcome
+from arcless.simulate.batch.store import Folder
+from arcless.simulate.control import Controllers
+from arcless.simulate.job import Job, lay_out
+
+# Workers that are told to stop do so after some steps; nobody waits for a line in the making.
+LEAVES_WITHIN_S = 0.5
+
+
+class Crew:
+    """Threads at work on the members that wait in groups."""
+
+    def __init__(self, groups: Groups, keep: Keep, folder: Folder | None, workers: int) -> None:
+        self._groups, self._keep, self._folder = groups, keep, folder
+        self._done: queue.SimpleQueue[Outcome | BaseException] = queue.SimpleQueue()
+        self._stop = threading.Event()
+        # A process that ends waits for no daemon: one may be in the midst of a long factorisation.
+        self._threads = [threading.Thread(target=self._work, daemon=True) for _ in range(workers)]
+
+    def __enter__(self) -> "Crew":
+        """Begin to work."""
+        for thread in self._threads:
+            thread.start()
+        return self
+
+    def __exit__(self, *_error: object) -> None:
+        """Stop to work, in the midst of a member where there are any left."""
+        self._stop.set()
+        self._groups.empty()
+        deadline = time.monotonic() + LEAVES_WITHIN_S
+        for thread in self._threads:
+            thread.join(max(0.0, deadline - time.monotonic()))
+
+    def outcomes(self, timeout_s: float) -> Iterator[Outcome]:
+        """Return what was done meanwhile, waiting for the first no longer than a time in s.
+
+        Raises
+        ------
+        OutputError
+            What is kept of a member cannot be written.
+        """
+        try:
+            found = self._done.get(timeout=timeout_s)
+            while True:
+                if isinstance(found, BaseException):
+                    raise found
+                yield found
+                found = self._done.get_nowait()
+        except queue.Empty:
+            return
+
+    def _work(self) -> None:
+        try:
+            while group := self._groups.choose():
+                try:
+                    while member := self._groups.next_of(group):
+                        self._done.put(self._outcome(group, member))
+                finally:
+                    self._groups.leave(group)
+        except BaseException as error:  # raised again where the batch was called
+            if not self._stop.is_set():
+                self._done.put(error)
+
+    def _outcome(self, group: Group, member: Member) -> Outcome:
+        """Run a member; what it raises on purpose is what came of it."""
+        started = time.perf_counter()
+        index, name = member.index, member.scenario.name
+        try:
+            job = self._job(group, member)
+            run = running(job, self._keep, started)
+            full = records_all(job, self._keep)
+            try:
+                forces = next(run)
+                while True:
+                    forces = run.send(job.step(forces, full=full))
+            except StopIteration as end:
+                done = end.value
+        except ArclessError as error:
+            wall = time.perf_counter() - started
+            return Outcome(index, name, error=error, wall_time_s=wall)
+        return self._kept(member, done, time.perf_counter() - started)
+
+    def _job(self, group: Group, member: Member) -> Job:
+        line = group.line(member.scenario)
+        controllers = Controllers(member.scenario)
+        return lay_out(member.scenario, controllers, _quiet, self._stop.is_set, line)
+
+    def _kept(self, member: Member, done: Assessment | Result, wall_time_s: float) -> Outcome:
+        index, name = member.index, member.scenario.name
+        result = done if isinstance(done, Result) else None
+        assessment = done.assessment if isinstance(done, Result) else done
+        if self._folder is None:
+            return Outcome(index, name, assessment, result, wall_time_s=wall_time_s)
+        path = self._folder.write(member.key, done, wall_time_s)
+        return Outcome(index, name, assessment, path=path, wall_time_s=wall_time_s)
+
+
+def _quiet(_fraction: float, _text: str) -> None:
+    pass

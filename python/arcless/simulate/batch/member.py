@@ -1,0 +1,71 @@
+"""One member of a batch: the runs that it needs, and what is kept of the last one."""
+
+import time
+from collections.abc import Generator
+from typing import Any
+
+from arcless.assess import Assessment, assess
+from arcless.results import Result
+from arcless.results.build import attributes, variables
+from arcless.results.plain import Plain
+from arcless.simulate import contacts
+from arcless.simulate.batch.outcome import Keep
+from arcless.simulate.job import Job, keeps_ledger
+from arcless.simulate.mean_force import searching
+from arcless.simulate.run import attributes_of, whole
+
+# Gives the static forces in N to run with, and is sent what the core returned.
+Running = Generator[list[float], dict[str, Any], Assessment | Result]
+# Channels of the contact that an assessment reads.
+CHANNELS = ("contact_force", "contact_gap", "contact_height")
+
+
+def records_all(job: Job, keep: Keep) -> bool:
+    """Whether the runs of a member record more than an assessment reads.
+
+    An energy ledger is settled where the line is recorded: its residual is that of a whole record.
+    """
+    return keep == "result" or keeps_ledger(job.scenario)
+
+
+def running(job: Job, keep: Keep, started: float) -> Running:
+    """Run a member: give the static forces to run with until it is done.
+
+    Parameters
+    ----------
+    job
+        The member, laid out on its line.
+    keep
+        What is wanted of it.
+    started
+        Clock at its start in s.
+    """
+    search = yield from searching(job)
+    raw = search.record
+    if raw is None:
+        raw = yield search.forces
+    if keep == "result":
+        command = f"arcless run {job.scenario.name}"
+        return whole(job, search.forces, raw, started, command)
+    return _assessed(job, search.forces, raw, started)
+
+
+def _assessed(job: Job, forces: list[float], raw: dict[str, Any], started: float) -> Assessment:
+    """Assess a run from no more of its record than is read."""
+    raw["setup_s"] = time.perf_counter() - started - raw["wall_s"]
+    count, mesh = len(job.scenario.pantographs), job.found.mesh
+    channels = contacts.channels(raw, count)
+    read: dict[str, Any] = {name: channels[name] for name in CHANNELS}
+    read["position"] = raw["position"].reshape(-1, count)
+    read["speed"] = raw["speed"]
+    read["dropper_force_min"] = raw["link_min"][[dropper.link for dropper in mesh.droppers]]
+    read["dropper_x"] = [dropper.x for dropper in mesh.droppers]
+    read["support_uplift_max"] = raw["uplift_max"]
+    read["support_x"] = [support.x for support in mesh.supports]
+    names = {
+        "time": raw["time"],
+        "pantograph": [placement.name for placement in job.scenario.pantographs],
+        "dropper": [dropper.name for dropper in mesh.droppers],
+        "support": [support.name for support in mesh.supports],
+    }
+    return assess(Plain(*variables(read, names), attributes(attributes_of(job, raw, forces))))

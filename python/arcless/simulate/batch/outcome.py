@@ -1,0 +1,45 @@
+"""What came of a member of a batch."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal
+
+from arcless.assess import Assessment
+from arcless.errors import ArclessError
+from arcless.results import Result
+
+Keep = Literal["assessment", "result"]
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """What came of a member of a batch.
+
+    Attributes
+    ----------
+    index
+        Its place in the batch, from 0.
+    name
+        Name of its scenario.
+    assessment
+        Its assessment; None where it failed.
+    result
+        Its result, where results are kept in memory.
+    path
+        File of its result or assessment, where a folder was given.
+    error
+        Why it failed: the error that `arcless.run` would have raised; None where it did not.
+    wall_time_s
+        Time from its start to its end in s. Members run side by side, so these do not add up.
+    was_there
+        Whether an earlier, interrupted batch had done it.
+    """
+
+    index: int
+    name: str
+    assessment: Assessment | None = None
+    result: Result | None = None
+    path: Path | None = None
+    error: ArclessError | None = None
+    wall_time_s: float = 0.0
+    was_there: bool = False
