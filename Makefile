@@ -128,7 +128,8 @@ $(VENV)/.packages: pyproject.toml
 	@"$(BIN)/python" -c '' 2>/dev/null \
 	|| { echo 'Making the environment in $(VENV)'; "$(PYTHON)" -m venv --clear $(VENV); }
 	@$(BIN)/python -c 'import tomllib; t = tomllib.load(open("pyproject.toml", "rb")); p = t["project"]; \
-	print(*t["build-system"]["requires"], *p["dependencies"], *p["optional-dependencies"]["dev"], sep="\n")' \
+	print(*t["build-system"]["requires"], *p["dependencies"], *(n for g in ("study", "dev") \
+	for n in p["optional-dependencies"][g]), sep="\n")' \
 	> $(VENV)/requirements.txt
 	@echo 'Installing the packages that pyproject.toml names'
 	@$(BIN)/python -m pip install --quiet --requirement $(VENV)/requirements.txt \

@@ -14,16 +14,18 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from arcless import assess, errors, lcp, model, report, results, simulate, validate
+    from arcless import assess, errors, lcp, model, report, results, simulate, study, validate
     from arcless.errors import (
         ArclessError,
         ContactError,
         ControlError,
         EquilibriumError,
+        ExecutorError,
         MeshError,
         ModelError,
         OutputError,
         ResultFormatError,
+        StudyError,
     )
     from arcless.model import Scenario, library, load, load_line, load_pantograph
     from arcless.results import Result, open
@@ -41,6 +43,7 @@ __all__ = [
     "ControlError",
     "ControlInput",
     "EquilibriumError",
+    "ExecutorError",
     "MeshError",
     "ModelError",
     "Outcome",
@@ -50,6 +53,7 @@ __all__ = [
     "Result",
     "ResultFormatError",
     "Scenario",
+    "StudyError",
     "__version__",
     "assess",
     "batch",
@@ -68,10 +72,21 @@ __all__ = [
     "run",
     "simulate",
     "statics",
+    "study",
     "validate",
 ]
 
-_MODULES = {"assess", "errors", "lcp", "model", "report", "results", "simulate", "validate"}
+_MODULES = {
+    "assess",
+    "errors",
+    "lcp",
+    "model",
+    "report",
+    "results",
+    "simulate",
+    "study",
+    "validate",
+}
 _MODEL = {"Scenario", "library", "load", "load_line", "load_pantograph"}
 _RESULTS = {"Result", "open"}
 _SIMULATE = {

@@ -117,3 +117,13 @@ class ResultFormatError(ArclessError):
     """A file is not a result that this version can read."""
 
     exit_code = 2
+
+
+class StudyError(ArclessError):
+    """A study cannot be begun, or not go on, as asked: its folder or a package says no."""
+
+    exit_code = 2
+
+
+class ExecutorError(ArclessError):
+    """What computes the variants of a study does not answer, or went away."""

@@ -11,7 +11,7 @@ import arcless
 PACKAGE = Path(arcless.__file__).parent
 ORDER = (
     "errors", "units", "model", "mesh", "lcp", "results", "assess", "simulate", "report",
-    "validate", "cli",
+    "study", "validate", "cli",
 )  # fmt: skip
 CORE_USERS = {"mesh", "lcp", "assess", "simulate"}
 # A result offers what follows from it (`result.assessment`), imported when asked for.

@@ -4,7 +4,7 @@ from typing import Annotated
 
 import typer
 
-from arcless.cli import inspect, replay, results, resume, run, validate
+from arcless.cli import inspect, replay, results, resume, run, study, validate
 from arcless.cli.console import data
 from arcless.cli.guard import GuardedGroup
 
@@ -60,3 +60,5 @@ for _command in (
     replay.replay,
 ):
     app.command()(_command)
+
+app.add_typer(study.app, name="study")

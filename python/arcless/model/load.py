@@ -75,7 +75,7 @@ def load_any(source: Source) -> Scenario | Line | Pantograph:
         for kind in ("scenario", "line", "pantograph"):
             if source in shipped(kind):
                 return _load_kind(source, kind)
-    data, origin = _read(_locate(source, "scenario", Origin()), Origin())
+    data, origin = read(_locate(source, "scenario", Origin()), Origin())
     return _build(data, _kind_of(data.get("format"), origin), origin)
 
 
@@ -100,11 +100,12 @@ def _load_kind(source: Source, kind: Kind) -> Scenario | Line | Pantograph:
 
 
 def _load_file(path: FilePath, kind: Kind, referrer: Origin) -> Scenario | Line | Pantograph:
-    data, origin = _read(path, referrer)
+    data, origin = read(path, referrer)
     return _build(data, kind, origin)
 
 
-def _read(path: FilePath, referrer: Origin) -> tuple[dict[str, Any], Origin]:
+def read(path: FilePath, referrer: Origin) -> tuple[dict[str, Any], Origin]:
+    """Return the data in a file, and where they come from; `referrer` names the file."""
     label = str(path)
     text = read_text(path, label)
     resolved = path.resolve()
@@ -119,7 +120,7 @@ def _read(path: FilePath, referrer: Origin) -> tuple[dict[str, Any], Origin]:
 def _build(
     data: dict[str, Any], kind: Kind, origin: Origin, prefix: Path = ()
 ) -> Scenario | Line | Pantograph:
-    _check_format(data, kind, origin, prefix)
+    check_format(data, kind, origin, prefix)
     if kind == "scenario":
         data = _resolve(data, origin)
     elif kind == "pantograph":
@@ -130,7 +131,8 @@ def _build(
         raise explain(error, data, origin, prefix) from None
 
 
-def _check_format(data: dict[str, Any], kind: Kind, origin: Origin, prefix: Path) -> None:
+def check_format(data: Mapping[str, Any], kind: str, origin: Origin, prefix: Path = ()) -> None:
+    """Refuse data that are not version 1 of the format ``arcless-KIND``."""
     expected = f"arcless-{kind}/1"
     given = data.get("format")
     # Data that are not a file of their own need no format: nobody has to guess what they are.
@@ -170,7 +172,7 @@ def _resolve(data: dict[str, Any], origin: Origin) -> dict[str, Any]:
     """Replace the references of a scenario by the models they name."""
     resolved = dict(data)
     if "line" in data:
-        resolved["line"] = _reference(data["line"], "line", origin, ("line",))
+        resolved["line"] = reference(data["line"], "line", origin, ("line",))
     if "as_built" in data:
         resolved["as_built"] = with_tables(data["as_built"], origin)
     placements = data.get("pantographs")
@@ -186,7 +188,7 @@ def _placement(item: Mapping[str, Any], origin: Origin, path: Path) -> dict[str,
     resolved = dict(item)
     if "model" in item:
         model = item["model"]
-        resolved["model"] = _reference(model, "pantograph", origin, (*path, "model"))
+        resolved["model"] = reference(model, "pantograph", origin, (*path, "model"))
     controller = item.get("controller")
     if isinstance(controller, Mapping):
         resolved["controller"] = with_function(controller, origin, (*path, "controller"))
@@ -196,10 +198,11 @@ def _placement(item: Mapping[str, Any], origin: Origin, path: Path) -> dict[str,
     return resolved
 
 
-def _reference(value: object, kind: Kind, origin: Origin, path: Path) -> object:
+def reference(value: object, kind: Kind, origin: Origin, path: Path) -> object:
+    """Return the model that a field holds: by shipped name, by file, or written there."""
     if isinstance(value, Mapping):
         return _build(dict(value), kind, origin, path)
-    if isinstance(value, (Line, Pantograph)):
+    if isinstance(value, (Line, Pantograph, Scenario)):
         return value
     if not isinstance(value, str):
         raise ModelError(

@@ -3,10 +3,12 @@
 from collections.abc import Mapping
 from typing import Any
 
+from pydantic import BaseModel
+
 from arcless.errors import ModelError
 from arcless.model.catalogue import GIVES
 from arcless.model.documents import written
-from arcless.model.fields import nearest
+from arcless.model.fields import Unit, find_unit, nearest
 from arcless.model.load import build, load_line, load_pantograph
 from arcless.model.reader import parse, scalar
 from arcless.model.scenario import Scenario
@@ -66,6 +68,26 @@ def apply(scenario: Scenario, changes: Mapping[str, Any]) -> Scenario:
     changed = build(data, "scenario")
     assert isinstance(changed, Scenario)
     return changed
+
+
+def unit_of(scenario: Scenario, path: str) -> Unit | None:
+    """Return the unit of a field of a scenario, or None for what has none.
+
+    Raises
+    ------
+    ModelError
+        There is no such field.
+    """
+    place: Any = scenario
+    unit: Unit | None = None
+    for part in _full_path(scenario.to_dict(), path):
+        if isinstance(place, BaseModel):
+            fields = type(place).model_fields
+            name = next(n for n, field in fields.items() if part in (field.alias, n))
+            place, unit = getattr(place, name), find_unit(fields[name])
+        else:
+            place = place[part]
+    return unit
 
 
 def _set(data: dict[str, Any], path: str, value: Any, changed: set[str]) -> None:

@@ -5,7 +5,7 @@ from typing import Any
 from pydantic.json_schema import models_json_schema
 
 from arcless.model.catalogue import GIVES
-from arcless.model.documents import Provenance
+from arcless.model.documents import Document, Provenance
 from arcless.model.fields import wrapped_schema
 from arcless.model.line import Line
 from arcless.model.pantograph import Pantograph
@@ -16,13 +16,13 @@ _LABELS = {"title", "description", "default", "unit"}
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
 
 
-def json_schema() -> dict[str, Any]:
-    """Return one JSON Schema document with the definitions of the three formats.
+def json_schema(*others: type[Document]) -> dict[str, Any]:
+    """Return one JSON Schema document with the definitions of the three formats, and of others.
 
-    A file is valid when it is a line, a pantograph or a scenario. Numbers with a unit are shown as
-    a number, a text, or a mapping that carries the provenance of the value.
+    A file is valid when it is one of them. Numbers with a unit are shown as a number, a text, or a
+    mapping that carries the provenance of the value.
     """
-    models = (Line, Pantograph, Scenario)
+    models: tuple[type[Document], ...] = (Line, Pantograph, Scenario, *others)
     references, document = models_json_schema(
         [(model, "validation") for model in models], by_alias=True
     )

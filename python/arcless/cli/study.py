@@ -1,0 +1,211 @@
+"""`arcless study`: a scenario mapped over many variants."""
+
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+import typer
+
+from arcless.cli import console
+from arcless.cli.background import compute, unfinished
+from arcless.cli.guard import FAILED
+from arcless.cli.scenario import JsonOption, QuietOption
+from arcless.cli.study_progress import progress
+
+if TYPE_CHECKING:
+    from arcless.study import Execution, Progress, Study, StudyStatus
+
+app = typer.Typer(rich_markup_mode=None, add_completion=False, no_args_is_help=True)
+FileArgument = Annotated[Path, typer.Argument(metavar="FILE", help="A study file.")]
+FolderOption = Annotated[
+    Path | None,
+    typer.Option(
+        "--out",
+        metavar="DIR",
+        help="Folder of the study; runs/studies/NAME if not named.",
+        show_default=False,
+    ),
+]
+ExecutorOption = Annotated[
+    Literal["threads", "dask"] | None,
+    typer.Option("--executor", help="What computes; as the file says if not named."),
+]
+WorkersOption = Annotated[
+    int | None,
+    typer.Option(
+        "--workers",
+        min=1,
+        max=1024,
+        help="Threads, or worker processes of Dask; all cores if not named.",
+    ),
+]
+SchedulerOption = Annotated[
+    str | None,
+    typer.Option(
+        "--scheduler",
+        metavar="ADDRESS",
+        help="A Dask scheduler that runs already, such as tcp://host:8786.",
+        show_default=False,
+    ),
+]
+# How long a study that is stopped may take to put its table and its workers in order, in s.
+_LEAVES_WITHIN_S = {"threads": 0.8, "dask": 5.0}
+
+
+@app.callback()
+def study() -> None:
+    """Compute many variants of a scenario: a grid, a list or a sample, described in a study file.
+
+    A study has a folder with its table (table.parquet), which grows while it is computed. Whatever
+    ends a study, `arcless study resume` computes what is missing and nothing else.
+    """
+
+
+@app.command()
+def run(
+    file: FileArgument,
+    *,
+    out: FolderOption = None,
+    executor: ExecutorOption = None,
+    workers: WorkersOption = None,
+    scheduler: SchedulerOption = None,
+    json: JsonOption = False,
+    quiet: QuietOption = False,
+) -> None:
+    """Begin a study and compute it to its end.
+
+    A variant that fails is a row with its error. Exit code 1 means that no variant has a value, or
+    that the study was cut off.
+    """
+    _compute(file, out, (executor, workers, scheduler), json=json, quiet=quiet)
+
+
+@app.command()
+def resume(
+    file: FileArgument,
+    *,
+    out: FolderOption = None,
+    executor: ExecutorOption = None,
+    workers: WorkersOption = None,
+    scheduler: SchedulerOption = None,
+    retry_failed: Annotated[
+        bool, typer.Option("--retry-failed", help="Compute those again that failed.")
+    ] = False,
+    json: JsonOption = False,
+    quiet: QuietOption = False,
+) -> None:
+    """Go on with a study that was cut off: compute what is missing.
+
+    The file must say what it said when the study was begun; what differs is shown. What computes
+    may be another executor.
+    """
+    how = (executor, workers, scheduler)
+    _compute(file, out, how, resume=True, retry_failed=retry_failed, json=json, quiet=quiet)
+
+
+@app.command()
+def status(file: FileArgument, *, out: FolderOption = None, json: JsonOption = False) -> None:
+    """Say how far a study is, also while it is being computed."""
+    from arcless import study as studies
+
+    found = studies.status(studies.load(file), out)
+    if json:
+        console.data(console.json_text(found.to_dict()))
+    else:
+        _show_status(found)
+
+
+def _compute(
+    file: Path,
+    out: Path | None,
+    how: tuple[Any, int | None, str | None],
+    *,
+    json: bool,
+    quiet: bool,
+    **options: bool,
+) -> None:
+    from arcless import study as studies
+
+    loaded = studies.load(file)
+    place = studies.StudyFolder(loaded, out)
+    chosen = _execution(loaded, *how)
+    note = (lambda _text: None) if quiet else console.warn
+    with progress(quiet=quiet) as tell:
+        try:
+            done = compute(
+                lambda cancel: studies.run(
+                    loaded, out, executor=chosen, tell=tell, note=note, cancel=cancel, **options
+                )
+            )
+        except KeyboardInterrupt:
+            _wait_for_end(_LEAVES_WITHIN_S[chosen.kind])
+            if not quiet:
+                console.note(
+                    f"rows so far: {place.table}; go on with `arcless study resume {file}`"
+                )
+            raise
+    facts = _facts(loaded, place.path, done)
+    if json:
+        console.data(console.json_text(facts | {"table": str(place.table)}))
+    else:
+        _show_done(facts)
+        console.data(f"wrote {place.table}")
+    if not done.counts["done"]:
+        raise typer.Exit(FAILED)
+
+
+def _execution(
+    loaded: "Study", kind: str | None, workers: int | None, scheduler: str | None
+) -> "Execution":
+    """Return what computes: as the command line says, else as the file does."""
+    from arcless import study as studies
+
+    own = loaded.executor
+    kind = kind or ("dask" if scheduler is not None else own.kind)
+    if kind == own.kind and workers is None:
+        scheduler = scheduler or own.scheduler
+    if scheduler is None:
+        workers = workers or own.workers
+    given = {"kind": kind, "workers": workers, "scheduler": scheduler}
+    return studies.execution({name: value for name, value in given.items() if value is not None})
+
+
+def _wait_for_end(longest_s: float) -> None:
+    deadline = time.monotonic() + longest_s
+    while unfinished() and time.monotonic() < deadline:
+        time.sleep(0.02)
+
+
+def _facts(loaded: "Study", folder: Path, done: "Progress") -> dict[str, Any]:
+    return {
+        "study": loaded.name,
+        "folder": str(folder),
+        "total": done.total,
+        **{status: done.counts[status] for status in ("done", "invalid", "failed")},
+        "computed": done.computed,
+        "elapsed_s": round(done.elapsed_s, 3),
+        "variants_per_s": None if done.rate is None else round(done.rate, 3),
+    }
+
+
+def _show_done(facts: dict[str, Any]) -> None:
+    rate = facts["variants_per_s"]
+    speed = "" if rate is None else f" in {facts['elapsed_s']:.1f} s, {rate:.3g} variants/s"
+    console.data(
+        f"{facts['study']}: {facts['done']} of {facts['total']} done, {facts['invalid']} invalid, "
+        f"{facts['failed']} failed; computed {facts['computed']}{speed}"
+    )
+
+
+def _show_status(found: "StudyStatus") -> None:
+    going = "being computed now" if found.running else "not being computed"
+    console.data(
+        f"{found.name}: {found.done} of {found.total} done, {found.invalid} invalid, "
+        f"{found.failed} failed, {found.missing} missing; {going}"
+    )
+    for error, count in list(found.errors.items())[:10]:
+        console.data(f"  {count} × {error}")
+    if len(found.versions) > 1:
+        versions = ", ".join(f"{count} by {version}" for version, count in found.versions.items())
+        console.data(f"  rows of several versions: {versions}")
+    console.data(f"table: {found.folder}/table.parquet")

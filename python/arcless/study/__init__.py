@@ -1,0 +1,21 @@
+"""Studies: one scenario mapped over many variants, from two cores to a cluster."""
+
+from arcless.study.folder import StudyFolder
+from arcless.study.load import execution, is_study, load
+from arcless.study.model import Execution, Study
+from arcless.study.keeper import Progress
+from arcless.study.run import run
+from arcless.study.status import StudyStatus, status
+
+__all__ = [
+    "Execution",
+    "Progress",
+    "Study",
+    "StudyFolder",
+    "StudyStatus",
+    "execution",
+    "is_study",
+    "load",
+    "run",
+    "status",
+]

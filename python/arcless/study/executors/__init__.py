@@ -1,0 +1,45 @@
+"""Executors: who computes the variants. The rows are the same, whoever does."""
+
+from collections.abc import Iterator
+from typing import Protocol
+
+from arcless.study.evaluate import Cancel, Take, Task
+from arcless.study.executors.note import Note
+from arcless.study.model import Execution
+from arcless.study.variants import Variant
+
+__all__ = ["Executor", "Note", "executor"]
+
+
+class Executor(Protocol):
+    """Who computes variants."""
+
+    def compute(
+        self, task: Task, variants: Iterator[Variant], count: int, take: Take, cancel: Cancel
+    ) -> None:
+        """Compute `count` variants; `take` is called with each row in this thread.
+
+        Raises
+        ------
+        KeyboardInterrupt
+            `cancel` returned True.
+        ExecutorError
+            Who computes went away; all rows that were taken stay.
+        """
+
+
+def executor(how: Execution, note: Note) -> Executor:
+    """Return the executor that a study asks for; `note` is told what a user should know.
+
+    Raises
+    ------
+    StudyError, ExecutorError
+        A package is missing; the scheduler does not answer.
+    """
+    if how.kind == "dask":
+        from arcless.study.executors.dask import Dask
+
+        return Dask(how, note)
+    from arcless.study.executors.threads import Threads
+
+    return Threads(how.workers)

@@ -1,0 +1,100 @@
+"""Dask: worker processes of this machine, or a cluster behind a scheduler that runs already."""
+
+import logging
+import os
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
+from typing import TYPE_CHECKING
+
+from arcless.errors import ExecutorError
+from arcless.study.evaluate import Cancel, Take, Task
+from arcless.study.executors.note import Note
+from arcless.study.executors.pieces import Pieces
+from arcless.study.model import Execution
+from arcless.study.table import needs
+from arcless.study.variants import Variant
+
+if TYPE_CHECKING:
+    from distributed import Client
+
+# A scheduler that runs answers in milliseconds; a user is told within 10 s that none does.
+_ANSWERS_WITHIN_S = 8.0
+
+
+class Dask:
+    """Computes in the workers of Dask.
+
+    Parameters
+    ----------
+    how
+        With the address of a scheduler, or with a number of worker processes to start here.
+    note
+        Told what a user should know.
+
+    Raises
+    ------
+    StudyError
+        Dask is not installed.
+    ExecutorError
+        The scheduler does not answer.
+    """
+
+    def __init__(self, how: Execution, note: Note) -> None:
+        needs("distributed", "the executor dask")
+        self._how, self._note = how, note
+        _hush()
+        if how.scheduler is not None:
+            self._connect(how.scheduler).close()
+
+    def compute(
+        self, task: Task, variants: Iterator[Variant], count: int, take: Take, cancel: Cancel
+    ) -> None:
+        """Compute variants; see `Executor`."""
+        with ExitStack() as stack:
+            if self._how.scheduler is not None:
+                client = stack.enter_context(self._connect(self._how.scheduler))
+            else:
+                client = stack.enter_context(_local(self._how.workers))
+            Pieces(client, task, variants, count, self._note).compute(take, cancel)
+
+    @staticmethod
+    def _connect(address: str) -> "Client":
+        from distributed import Client
+
+        try:
+            return Client(address, timeout=_ANSWERS_WITHIN_S, set_as_default=False)
+        except (OSError, TimeoutError, ValueError) as error:
+            raise ExecutorError(
+                "no Dask scheduler answers",
+                where=address,
+                got=str(error).partition("\n")[0][:200] or type(error).__name__,
+                expected=f"an answer within {_ANSWERS_WITHIN_S:g} s",
+                hint="start one with `dask scheduler`, and workers with `dask worker ADDRESS`",
+            ) from None
+
+
+def _hush() -> None:
+    """Keep Dask from saying in pages what is said here in a sentence."""
+    import distributed  # sets levels of its own when it is imported
+
+    for name in (distributed.__name__, "distributed.client"):
+        logging.getLogger(name).setLevel(logging.CRITICAL)
+
+
+@contextmanager
+def _local(workers: int | None) -> "Iterator[Client]":
+    """Start worker processes on this machine, and stop them in the end."""
+    from distributed import Client, LocalCluster
+
+    count = workers or len(os.sched_getaffinity(0))
+    with (
+        LocalCluster(
+            n_workers=count,
+            threads_per_worker=1,
+            processes=True,
+            dashboard_address=None,
+            silence_logs=logging.CRITICAL,
+        ) as cluster,
+        Client(cluster, set_as_default=False) as client,
+    ):
+        yield client

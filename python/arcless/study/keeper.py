@@ -1,0 +1,99 @@
+"""What becomes of rows: the journal at once, the table now and then, and how far the study is."""
+
+import time
+from collections import Counter
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from arcless.study import table
+from arcless.study.executors.note import Note
+from arcless.study.folder import StudyFolder
+from arcless.study.journal import Journal
+from arcless.study.model import Study
+from arcless.study.rows import Row
+from arcless.study.version import code_version
+
+# The table is written again after this time, and after this many times of what writing it took.
+_WRITE_EVERY_S = 5.0
+_WRITE_PART = 20.0
+
+
+@dataclass
+class Progress:
+    """How far a study is.
+
+    Attributes
+    ----------
+    total, counts
+        Variants of the study; rows by status.
+    computed, elapsed_s
+        Rows of this call, and its time in s so far.
+    """
+
+    total: int
+    counts: Counter[str] = field(default_factory=Counter)
+    computed: int = 0
+    elapsed_s: float = 0.0
+
+    @property
+    def there(self) -> int:
+        """Rows that are there."""
+        return self.counts.total()
+
+    @property
+    def rate(self) -> float | None:
+        """Variants per second in this call; None before the first."""
+        return self.computed / self.elapsed_s if self.computed and self.elapsed_s > 0.0 else None
+
+    @property
+    def remaining_s(self) -> float | None:
+        """Time to the end in s at that rate."""
+        return None if self.rate is None else (self.total - self.there) / self.rate
+
+
+Tell = Callable[[Progress], None]
+
+
+class Keeper:
+    """Keeps rows: in the journal at once, in the table now and then."""
+
+    def __init__(
+        self,
+        study: Study,
+        place: StudyFolder,
+        journal: Journal,
+        rows: dict[int, Row],
+        *,
+        tell: Tell | None,
+        note: Note,
+    ) -> None:
+        self._study, self._place, self._journal, self._rows = study, place, journal, rows
+        self._tell, self._note = tell or (lambda _progress: None), note
+        self._versions = {code_version()}
+        self._began = self._written = time.monotonic()
+        self._writing_s = 0.0
+        counts = Counter(row.status for row in rows.values())
+        self.progress = Progress(study.plan.count, Counter(counts))
+        self._tell(self.progress)
+
+    def take(self, row: Row) -> None:
+        """Keep a row."""
+        self._journal.append(row)
+        self._rows[row.variant] = row
+        if row.arcless_version not in self._versions:
+            self._versions.add(row.arcless_version)
+            self._note(f"a worker has version {row.arcless_version}, here is {code_version()}")
+        now = time.monotonic()
+        self.progress.counts[row.status] += 1
+        self.progress.computed += 1
+        self.progress.elapsed_s = now - self._began
+        self._tell(self.progress)
+        if now - self._written > max(_WRITE_EVERY_S, _WRITE_PART * self._writing_s):
+            self.write_table()
+
+    def write_table(self) -> None:
+        """Write all rows into the table."""
+        began = time.monotonic()
+        table.write(self._place.table, self._study, self._rows)
+        self._written = time.monotonic()
+        self._writing_s = self._written - began

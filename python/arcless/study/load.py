@@ -1,0 +1,136 @@
+"""Study files → validated studies, and what of a study decides its rows."""
+
+import hashlib
+import json
+import os
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+from pydantic import ValidationError
+
+from arcless.errors import ModelError
+from arcless.model.explain import explain
+from arcless.model.load import check_format, read, reference
+from arcless.model.reader import Origin
+from arcless.study.model import FORMAT, Execution, Study
+from arcless.units import show
+
+# What no row depends on.
+_WORDS = {"description": str, "sources": dict, "provenance": dict}
+_MOST_SHOWN = 10
+
+
+def load(source: "str | os.PathLike[str] | Mapping[str, Any] | Study") -> Study:
+    """Return a study.
+
+    Parameters
+    ----------
+    source
+        A study file, or its data; paths in data are relative to the current folder.
+
+    Raises
+    ------
+    ModelError
+        The file or the data are wrong; the message says where and what is expected.
+    """
+    if isinstance(source, Study):
+        return source
+    data, origin = (
+        (dict(source), Origin()) if isinstance(source, Mapping) else read(Path(source), Origin())
+    )
+    check_format(data, "study", origin)
+    if "scenario" in data:
+        data["scenario"] = reference(data["scenario"], "scenario", origin, ("scenario",))
+    try:
+        return Study.model_validate(data, context={"origin": origin})
+    except ValidationError as error:
+        raise explain(error, data, origin) from None
+
+
+def execution(data: Mapping[str, Any]) -> Execution:
+    """Return what computes, from plain data: `kind`, `workers`, `scheduler`.
+
+    Raises
+    ------
+    ModelError
+        They are wrong, or do not go together.
+    """
+    try:
+        return Execution.model_validate(dict(data))
+    except ValidationError as error:
+        raise explain(error, data, Origin(), ("executor",)) from None
+
+
+def is_study(source: str) -> bool:
+    """Return whether a file says of itself that it is a study."""
+    path = Path(source)
+    if not path.is_file():
+        return False
+    try:
+        data, _ = read(path, Origin())
+    except ModelError:
+        return False
+    given = data.get("format")
+    return isinstance(given, str) and given.startswith(FORMAT.partition("/")[0] + "/")
+
+
+def meaning(study: Study) -> dict[str, Any]:
+    """Return what decides the rows of a study as plain data: no words, no executor."""
+    data = study.to_dict()
+    del data["executor"]
+    data["order of variables"] = list(data["variables"])
+    data["models"] = study.model_contents()
+    plain: dict[str, Any] = _without_words(json.loads(json.dumps(data)))
+    return plain
+
+
+def digest(data: Any) -> str:
+    """Return a short hash of plain data; floats count to 12 digits, as machines may differ."""
+    text = json.dumps(_rounded(data), sort_keys=True, separators=(",", ":"))
+    return hashlib.sha256(text.encode()).hexdigest()[:16]
+
+
+def differences(before: dict[str, Any], now: dict[str, Any]) -> list[str]:
+    """Return what differs between two studies, a line a field; of many the first ones."""
+    one, other = dict(_leaves(before)), dict(_leaves(now))
+    fields = [path for path in {**one, **other} if one.get(path) != other.get(path)]
+    lines = [
+        f"{path}: {_shown(one, path)} → {_shown(other, path)}" for path in fields[:_MOST_SHOWN]
+    ]
+    more = len(fields) - _MOST_SHOWN
+    return lines + ([f"and {more} more"] if more > 0 else [])
+
+
+def _shown(leaves: dict[str, Any], path: str) -> str:
+    return show(leaves[path]) if path in leaves else "absent"
+
+
+def _leaves(data: Any, path: str = "") -> Iterator[tuple[str, Any]]:
+    items = data.items() if isinstance(data, dict) else enumerate(data)
+    for key, value in items:
+        below = f"{path}.{key}" if path else str(key)
+        if isinstance(value, dict | list) and value:
+            yield from _leaves(value, below)
+        else:
+            yield below, value
+
+
+def _without_words(data: Any) -> Any:
+    if isinstance(data, list):
+        return [_without_words(item) for item in data]
+    if not isinstance(data, dict):
+        return data
+    return {
+        key: _without_words(value)
+        for key, value in data.items()
+        if not isinstance(value, _WORDS.get(key, ()))
+    }
+
+
+def _rounded(data: Any) -> Any:
+    if isinstance(data, list | tuple):
+        return [_rounded(item) for item in data]
+    if isinstance(data, dict):
+        return {key: _rounded(value) for key, value in data.items()}
+    return f"{data:.12g}" if isinstance(data, float) else data

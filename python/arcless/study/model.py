@@ -1,0 +1,243 @@
+"""A study file, validated: what is varied, how it is sampled, what comes out."""
+
+import re
+from collections.abc import Mapping
+from functools import cached_property
+from typing import Any, Literal
+
+from pydantic import Field, PrivateAttr, ValidationInfo, model_validator
+
+from arcless.errors import ModelError
+from arcless.model import Scenario
+from arcless.model.documents import Document, dotted
+from arcless.model.fields import Part
+from arcless.model.load import reference
+from arcless.model.overrides import unit_of
+from arcless.model.reader import Origin
+from arcless.study.designs import Design, Plan
+from arcless.study.expressions import Expression
+from arcless.study.quantities import is_number, keys
+from arcless.study.variables import Axis, Variable, axis
+from arcless.units import show
+
+FORMAT: Literal["arcless-study/1"] = "arcless-study/1"
+# Columns of the table that are always there.
+COLUMNS = ("variant", "status", "error", "wall_time_s", "arcless_version")
+_NAME = re.compile(r"[^\W\d][\w.]*")
+_MODELS: dict[str, Literal["line", "pantograph"]] = {"line": "line", "model": "pantograph"}
+
+
+class Output(Part):
+    """An output: a column of the table."""
+
+    expression: str = Field(description="A key of the assessment, or an expression of keys.")
+    unit: str = Field(default="", description="Unit of the value, for tables and plots.")
+    description: str = Field(default="", description="What it stands for, in a sentence.")
+
+
+class Execution(Part):
+    """How the variants are computed."""
+
+    kind: Literal["threads", "dask"] = Field(
+        default="threads", description="In this process, or by Dask."
+    )
+    workers: int | None = Field(
+        default=None, description="Threads or worker processes; all cores without.", ge=1, le=1024
+    )
+    scheduler: str | None = Field(
+        default=None,
+        description="Address of a Dask scheduler that runs already, such as tcp://host:8786.",
+        pattern=r"^(tcp|tls|ws|wss|ucx|inproc)://.+",
+    )
+
+    @model_validator(mode="after")
+    def _check_scheduler(self) -> "Execution":
+        if self.scheduler is not None and self.kind != "dask":
+            expected = "kind: dask beside it"
+            raise ModelError("scheduler without Dask", expected=expected, field=("scheduler",))
+        if self.scheduler is not None and self.workers is not None:
+            raise ModelError(
+                "both scheduler and workers given",
+                expected="one of them: a scheduler has workers of its own",
+                field=("workers",),
+            )
+        return self
+
+
+class Study(Document):
+    """A study: a scenario, variables, a design and outputs."""
+
+    format: Literal["arcless-study/1"] = Field(default=FORMAT, description="Format and version.")
+    scenario: Scenario = Field(
+        description="Scenario: shipped name, file relative to this one, or written here.",
+        json_schema_extra={"reference": "scenario"},
+    )
+    changes: dict[str, Any] = Field(
+        default_factory=dict,
+        alias="set",
+        description="Other values of fields, the same in all variants, by dotted path.",
+    )
+    variables: dict[str, Variable] = Field(description="Variables by name.", min_length=1)
+    design: Design = Field(description="Which combinations are computed.")
+    outputs: dict[str, Output] = Field(
+        description="Keys of the assessment, or expressions of them by name.", min_length=1
+    )
+    keep: Literal["none", "results"] = Field(
+        default="none", description="Whether the whole result of every variant is kept, too."
+    )
+    executor: Execution = Field(default_factory=Execution, description="What computes.")
+    seed: int = Field(default=0, description="Seed of a sample.", ge=0, le=2**63 - 1)
+
+    _models: dict[str, Any] = PrivateAttr(default_factory=dict)
+    _file: str | None = PrivateAttr(default=None)
+
+    @classmethod
+    def prepare(cls, data: dict[str, Any]) -> dict[str, Any]:
+        """Write outputs out that are given as a list, or as bare expressions."""
+        outputs = data.get("outputs")
+        if isinstance(outputs, list | tuple) and all(isinstance(key, str) for key in outputs):
+            outputs = {key: key for key in outputs}
+        if isinstance(outputs, Mapping):
+            outputs = {
+                name: {"expression": given} if isinstance(given, str) else given
+                for name, given in outputs.items()
+            }
+        return data if outputs is None else {**data, "outputs": outputs}
+
+    @model_validator(mode="after")
+    def _check(self, info: ValidationInfo) -> "Study":
+        origin = (info.context or {}).get("origin", Origin())
+        self._file = origin.label
+        self._load_models(origin)
+        _ = self.base
+        self._check_columns()
+        _ = self.axes, self.plan, self.expressions
+        return self
+
+    @cached_property
+    def base(self) -> Scenario:
+        """The scenario with the changes that all variants share."""
+        changes = {path: self._model(value) for path, value in self.changes.items()}
+        try:
+            return self.scenario.with_(**changes) if changes else self.scenario
+        except ModelError as error:
+            at = dotted(error.field)
+            paths = [path for path in changes if at.startswith(path) or f"{path}:" in error.what]
+            raise _moved(error, ("set", *paths[:1])) from None
+
+    @cached_property
+    def axes(self) -> list[Axis]:
+        """The variables made ready."""
+        found = []
+        for name, variable in self.variables.items():
+            try:
+                unit = unit_of(self.base, variable.field)
+            except ModelError as error:
+                raise _moved(error, ("variables", name, "field")) from None
+            try:
+                found.append(axis(name, variable, unit))
+            except ModelError as error:
+                error.field = ("variables", name, *error.field)
+                raise
+        return found
+
+    @cached_property
+    def plan(self) -> Plan:
+        """The combinations, counted."""
+        return self.design.plan(self.axes, self.seed)
+
+    @cached_property
+    def expressions(self) -> dict[str, Expression]:
+        """The outputs, parsed."""
+        known = self.known_keys()
+        found = {}
+        for name, output in self.outputs.items():
+            try:
+                found[name] = Expression(output.expression, known)
+            except ModelError as error:
+                error.field = ("outputs", name)
+                raise
+        return found
+
+    def known_keys(self) -> list[str]:
+        """Return what an output may use: keys of the assessment, and variables that are numbers."""
+        numeric = [
+            axis.name
+            for axis in self.axes
+            if axis.levels is None or all(is_number(value) for value in axis.levels)
+        ]
+        return [*keys(self.base), *numeric]
+
+    def changes_of(self, values: tuple[Any, ...]) -> dict[str, Any]:
+        """Return what a combination changes in the scenario, by dotted path."""
+        return {
+            axis.field: self._model(value) for axis, value in zip(self.axes, values, strict=True)
+        }
+
+    @property
+    def file(self) -> str | None:
+        """The file that the study was read from, if it was one."""
+        return self._file
+
+    def model_contents(self) -> dict[str, Any]:
+        """Return the lines and pantographs that values name, as plain data."""
+        return self._models
+
+    def _model(self, value: Any) -> Any:
+        return self._models.get(value, value) if isinstance(value, str) else value
+
+    def _load_models(self, origin: Origin) -> None:
+        """Load what values name while it is known to which file such names are relative."""
+        fields = [(("set", path), path, [value]) for path, value in self.changes.items()]
+        fields += [
+            (("variables", name), variable.field, _named(variable))
+            for name, variable in self.variables.items()
+        ]
+        for place, path, values in fields:
+            kind = _MODELS.get(path.rpartition(".")[2])
+            for value in values if kind is not None else []:
+                if isinstance(value, str) and kind is not None:
+                    model: Any = reference(value, kind, origin, place)
+                    self._models[value] = model.to_dict()
+
+    def _check_columns(self) -> None:
+        taken: dict[str, str] = dict.fromkeys(COLUMNS, "a column that every table has")
+        taken |= dict.fromkeys(keys(self.base), "a key of the assessment")
+        fields: dict[str, str] = {}
+        for name, variable in self.variables.items():
+            place = ("variables", name)
+            _check_name(name, taken, place, dots=False)
+            if variable.field in fields or variable.field in self.changes:
+                first = fields.get(variable.field)
+                got = show(variable.field)
+                other = "set has it, too" if first is None else f"variable {first} has it already"
+                expected = f"each field once; {other}"
+                raise ModelError(
+                    "two values for one field", got=got, expected=expected, field=(*place, "field")
+                )
+            fields[variable.field] = name
+        taken = dict.fromkeys(COLUMNS, "a column that every table has")
+        taken |= dict.fromkeys(self.variables, "a variable")
+        for name in self.outputs:
+            _check_name(name, taken, ("outputs", name), dots=True)
+
+
+def _named(variable: Variable) -> list[Any]:
+    values = list(variable.values or ())
+    return values + list(getattr(variable.distribution, "values", ()))
+
+
+def _check_name(name: str, taken: dict[str, str], place: tuple[str, ...], *, dots: bool) -> None:
+    if not _NAME.fullmatch(name) or ("." in name and not dots):
+        expected = "letters, digits and _, a letter first"
+        raise ModelError("name of a column", got=show(name), expected=expected, field=place)
+    if name in taken:
+        expected = f"another name; this is {taken[name]}"
+        raise ModelError("name of a column", got=show(name), expected=expected, field=place)
+
+
+def _moved(error: ModelError, field: tuple[str, ...]) -> ModelError:
+    """Return an error of the changed scenario as one of the field that changes it."""
+    return ModelError(
+        error.what, got=error.got, expected=error.expected, hint=error.hint, field=field
+    )

@@ -1,0 +1,58 @@
+"""What the outputs of a study are made of: the numbers of an assessment by key.
+
+A key of a pantograph (`mean_force_N`) is that of the leading one; `P2.mean_force_N` is that of the
+second one, by number or by name. `criteria.NAME` is 1 where a criterion is met, 0 where not.
+"""
+
+from collections.abc import Iterator
+from dataclasses import fields
+from typing import Any
+
+from arcless.assess import RULES, Assessment, PantographAssessment
+from arcless.model import Scenario
+
+_NUMBERS = (float, int, float | None, int | None)
+_RUN = [field.name for field in fields(Assessment) if field.type in _NUMBERS]
+_PANTOGRAPH = [field.name for field in fields(PantographAssessment) if field.name != "name"]
+_CRITERIA = sorted({rule.name for rule in RULES})
+# How the endings of keys are read; longest first.
+_UNITS = {"_percent": "%", "_m_s": "m/s", "_mm": "mm", "_Hz": "Hz", "_m": "m", "_N": "N", "_s": "s"}
+
+
+def keys(scenario: Scenario) -> list[str]:
+    """Return every key that an output may use of a scenario's runs."""
+    placed = [
+        f"{name}.{key}" for names in _names(scenario) for name in names for key in _PANTOGRAPH
+    ]
+    return [*_PANTOGRAPH, *_RUN, "passed", *(f"criteria.{name}" for name in _CRITERIA), *placed]
+
+
+def values(assessment: Assessment) -> dict[str, float | None]:
+    """Return the value of every key; None for what was not recorded or not judged."""
+    found: dict[str, float | None] = {name: getattr(assessment, name) for name in _RUN}
+    found["passed"] = float(assessment.passed)
+    for index, pantograph in enumerate(assessment.pantographs):
+        for key in _PANTOGRAPH:
+            value = getattr(pantograph, key)
+            found[f"P{index + 1}.{key}"] = found[f"{pantograph.name}.{key}"] = value
+            found.setdefault(key, value)
+    for name in _CRITERIA:
+        verdicts = [item.passed for item in assessment.criteria if item.name == name]
+        judged = [verdict for verdict in verdicts if verdict is not None]
+        found[f"criteria.{name}"] = float(all(judged)) if judged else None
+    return found
+
+
+def unit_of_key(key: str) -> str:
+    """Return the unit that the name of a key carries, empty for none."""
+    return next((unit for ending, unit in _UNITS.items() if key.endswith(ending)), "")
+
+
+def _names(scenario: Scenario) -> Iterator[list[str]]:
+    for number, placement in enumerate(scenario.pantographs, start=1):
+        yield list(dict.fromkeys([f"P{number}", placement.name]))
+
+
+def is_number(value: Any) -> bool:
+    """Whether a value of a variable is a number, which expressions may use."""
+    return isinstance(value, int | float) and not isinstance(value, bool)

@@ -1,0 +1,127 @@
+"""A study, begun or gone on with: what is missing is computed, every row is kept as it comes."""
+
+from contextlib import suppress
+from pathlib import Path
+
+from arcless.errors import OutputError, StudyError
+from arcless.study import table
+from arcless.study.evaluate import Cancel, Task
+from arcless.study.executors import Note
+from arcless.study.executors import executor as choose
+from arcless.study.folder import StudyFolder
+from arcless.study.journal import Journal
+from arcless.study.keeper import Keeper, Progress, Tell
+from arcless.study.model import Execution, Study
+from arcless.study.rows import Row
+from arcless.study.variants import in_order, variant
+from arcless.study.version import code_version
+
+
+def run(
+    study: Study,
+    folder: Path | None = None,
+    *,
+    resume: bool = False,
+    retry_failed: bool = False,
+    executor: Execution | None = None,
+    tell: Tell | None = None,
+    note: Note | None = None,
+    cancel: Cancel | None = None,
+) -> Progress:
+    """Compute the variants of a study that are missing in its folder.
+
+    Parameters
+    ----------
+    study
+        From `arcless.study.load`.
+    folder
+        Its folder; ``runs/studies/NAME`` without.
+    resume
+        Go on with the study that was begun there. Without it the folder must not hold rows.
+    retry_failed
+        Compute those again that failed.
+    executor
+        What computes, in place of what the study says.
+    tell
+        Called with the progress after every row.
+    note
+        Told in a sentence what a user should know.
+    cancel
+        Asked now and then; the call ends with KeyboardInterrupt when it returns True. What was
+        computed stays.
+
+    Returns
+    -------
+    Progress
+        At the end.
+
+    Raises
+    ------
+    StudyError
+        The folder holds a study already, none, or another one; a package is missing.
+    ExecutorError
+        The scheduler does not answer, or went away.
+    OutputError
+        The folder cannot be written, or its disk is full.
+    """
+    table.check_available()
+    say = note or (lambda _text: None)
+    place = StudyFolder(study, folder)
+    before = place.check_same() if resume else None
+    if before is None:
+        _check_new(place, place.rows())
+    computing = choose(executor or study.executor, say)
+    place.make()
+    with Journal(place.journal) as journal:
+        rows = _valid_rows(study, journal.rows(), retry_failed=retry_failed)
+        if before is None:
+            _check_new(place, rows)  # another process may have been faster
+            place.write_state()
+        elif before["arcless_version"] != code_version():
+            say(_other_version(before["arcless_version"]))
+        keeper = Keeper(study, place, journal, rows, tell=tell, note=say)
+        missing = [number for number in range(1, study.plan.count + 1) if number not in rows]
+        try:
+            if missing:
+                task = Task.of(study, place.results if study.keep == "results" else None)
+                ordered = (variant(study, number) for number in in_order(study, missing))
+                stop = cancel or (lambda: False)
+                computing.compute(task, ordered, len(missing), keeper.take, stop)
+        except BaseException:
+            with suppress(OutputError):  # what ended the study is what is told
+                keeper.write_table()
+            raise
+        keeper.write_table()
+    return keeper.progress
+
+
+def _check_new(place: StudyFolder, rows: dict[int, Row]) -> None:
+    if rows:
+        raise StudyError(
+            "a study was begun here already",
+            where=str(place.path),
+            got=f"{len(rows)} rows",
+            expected="a new folder",
+            hint="go on with it by `arcless study resume`, or name another folder with `--out`",
+        )
+
+
+def _valid_rows(study: Study, rows: dict[int, Row], *, retry_failed: bool) -> dict[int, Row]:
+    """Return the rows that need no computing; they must be of the variants of this study."""
+    for number, row in rows.items():
+        known = 1 <= number <= study.plan.count
+        if not known or variant(study, number).key != row.key:
+            raise StudyError(
+                "the rows are of another study",
+                got=f"variant {number} with other values",
+                expected="the values that the design gives it",
+                hint="begin anew in another folder with `--out`",
+            )
+    return {n: row for n, row in rows.items() if not (retry_failed and row.status == "failed")}
+
+
+def _other_version(before: str) -> str:
+    return (
+        f"the study was begun with version {before}, this is {code_version()}: "
+        "the rows say which computed them"
+    )

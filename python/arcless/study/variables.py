@@ -1,0 +1,106 @@
+"""Variables of a study: which field of the scenario takes which values."""
+
+from dataclasses import dataclass
+from typing import Any
+
+from pydantic import Field, model_validator
+
+from arcless.errors import ModelError
+from arcless.model.fields import Part, Unit
+from arcless.study.amounts import Amount, number, plain
+from arcless.study.distributions import Choice, Distribution, Quantile, Uniform
+from arcless.units import show
+
+WAYS = ("values", "range", "distribution")
+
+
+class Variable(Part):
+    """A variable: a field of the scenario, and the values it takes."""
+
+    field: str = Field(description="Dotted path of the field, as `arcless run --set` takes it.")
+    values: tuple[Any, ...] | None = Field(
+        default=None, description="The values themselves, of any kind.", min_length=1
+    )
+    range: tuple[Amount, Amount] | None = Field(
+        default=None, description="Lowest and highest value; count says how many for a grid."
+    )
+    count: int | None = Field(
+        default=None, description="Values of a range, evenly spaced, both ends included.", ge=2
+    )
+    distribution: Distribution | None = Field(
+        default=None, description="Distribution that a sample is drawn from."
+    )
+    description: str = Field(default="", description="What it stands for, in a sentence.")
+
+    @model_validator(mode="after")
+    def _check_way(self) -> "Variable":
+        given = [name for name in WAYS if getattr(self, name) is not None]
+        if len(given) != 1:
+            what = f"both {' and '.join(given)} given" if given else "no values given"
+            expected = "values, or range, or distribution"
+            raise ModelError(what, expected=expected, field=tuple(given[1:2]))
+        if self.count is not None and self.range is None:
+            raise ModelError("count without range", expected="range: [low, high]", field=("count",))
+        return self
+
+
+@dataclass(frozen=True)
+class Axis:
+    """A variable made ready: its values in SI.
+
+    Attributes
+    ----------
+    name, field, unit
+        Column of the table, field of the scenario, SI unit as printed (empty for none).
+    levels
+        The values that can be counted out; None for a range without count and a distribution.
+    quantile
+        The value at a point 0 < u < 1 of a sample.
+    """
+
+    name: str
+    field: str
+    unit: str
+    levels: tuple[Any, ...] | None
+    quantile: Quantile
+
+
+def axis(name: str, variable: Variable, unit: Unit | None) -> Axis:
+    """Return a variable made ready by the unit of its field.
+
+    Raises
+    ------
+    ModelError
+        A value is no amount of that unit, or a range is empty; `field` says where below it.
+    """
+    levels, quantile = _values(variable, unit)
+    return Axis(name, variable.field, "" if unit is None else unit.label, levels, quantile)
+
+
+def _values(variable: Variable, unit: Unit | None) -> tuple[tuple[Any, ...] | None, Quantile]:
+    if variable.values is not None:
+        values = tuple(plain(v, unit, "values", i) for i, v in enumerate(variable.values))
+        return values, Choice(kind="choice", values=values).quantile
+    if variable.range is not None:
+        low, high = (number(end, unit, "range", i) for i, end in enumerate(variable.range))
+        if not low < high:
+            given = ", ".join(show(end) for end in variable.range)
+            expected = "the lowest value, then a higher one"
+            raise ModelError("empty range", got=f"[{given}]", expected=expected, field=("range",))
+        return spaced(low, high, variable.count), Uniform(
+            kind="uniform", low=low, high=high
+        ).quantile
+    assert variable.distribution is not None
+    try:
+        ready = variable.distribution.in_si(unit)
+    except ModelError as error:
+        error.field = ("distribution", *error.field)
+        raise
+    return (ready.values if isinstance(ready, Choice) else None), ready.quantile
+
+
+def spaced(low: float, high: float, count: int | None) -> tuple[float, ...] | None:
+    """Return evenly spaced values, both ends exact; None without a count."""
+    if count is None:
+        return None
+    return (*(low + (high - low) * i / (count - 1) for i in range(count - 1)), high)

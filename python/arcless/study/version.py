@@ -1,0 +1,23 @@
+"""The version of the program, told apart by its files: releases and working copies alike."""
+
+import hashlib
+from functools import cache
+from pathlib import Path
+
+import arcless
+
+_PACKAGE = Path(arcless.__file__).parent
+
+
+@cache
+def code_version() -> str:
+    """Return the version and a digest of the program's files, such as ``0.1.0+1f0c6a2b9d3e``.
+
+    The Python modules, the compiled core and the shipped models count, each with its name.
+    """
+    digest = hashlib.sha256()
+    for suffix in ("*.py", "*.so", "*.yaml"):
+        for file in sorted(_PACKAGE.rglob(suffix)):
+            digest.update(f"{file.relative_to(_PACKAGE)}\n".encode())
+            digest.update(file.read_bytes())
+    return f"{arcless.__version__}+{digest.hexdigest()[:12]}"
