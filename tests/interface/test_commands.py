@@ -68,6 +68,7 @@ COMMANDS = [
     "report",
     "validate",
     "replay",
+    "study",
 ]
 
 

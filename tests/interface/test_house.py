@@ -85,6 +85,7 @@ def test_missing_and_old_rust_are_one_sentence(poor_path: Path) -> None:
 def test_readme_names_only_what_exists() -> None:
     text = (ROOT / "README.md").read_text("utf-8")
     commands = {command.callback.__name__ for command in app.registered_commands}
+    commands |= {group.name for group in app.registered_groups}
     assert set(re.findall(r"`?arcless ([a-z]+)", text)) <= commands
     assert commands <= set(re.findall(r"`arcless ([a-z]+)", text))
     assert set(re.findall(r"\bmake ([a-z]+)", text)) <= set(TARGETS)

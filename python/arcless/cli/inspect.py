@@ -48,7 +48,7 @@ def check(
         str,
         typer.Argument(
             metavar="FILE",
-            help="A line, pantograph or scenario: a file or a shipped name.",
+            help="A line, pantograph, scenario or study: a file or a shipped name.",
             show_default=False,
         ),
     ],
@@ -58,8 +58,12 @@ def check(
     Says what is wrong, in which line and field, what was given and what is expected. Exit code 2
     means that something is wrong. Warnings, such as a speed above the wave speed, are no errors.
     """
-    from arcless import model
+    from arcless import model, study
 
+    if study.is_study(file):
+        loaded = study.load(file)
+        console.data(f"{file}: valid study `{loaded.name}`, {loaded.plan.count} variants")
+        return
     checked = model.load_any(file)
     if isinstance(checked, model.Scenario):
         for warning in model.scenario_warnings(checked):
@@ -68,10 +72,10 @@ def check(
 
 
 def schema() -> None:
-    """Print the JSON Schema of the model files, for editors."""
-    from arcless import model
+    """Print the JSON Schema of model files and study files, for editors."""
+    from arcless import study
 
-    console.data(console.json_text(model.json_schema()))
+    console.data(console.json_text(study.json_schema()))
 
 
 def _description(checked: "Scenario | Line | Pantograph") -> str:

@@ -11,7 +11,7 @@ from arcless.model.line import Line
 from arcless.model.pantograph import Pantograph
 from arcless.model.scenario import Scenario
 
-_PLAIN = {"name", "description", "sources", "provenance", "line", "model"}
+_PLAIN = {"name", "description", "sources", "provenance", "line", "model", "scenario"}
 _LABELS = {"title", "description", "default", "unit"}
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
 

@@ -1,10 +1,11 @@
 """Studies: one scenario mapped over many variants, from two cores to a cluster."""
 
 from arcless.study.folder import StudyFolder
+from arcless.study.keeper import Progress
 from arcless.study.load import execution, is_study, load
 from arcless.study.model import Execution, Study
-from arcless.study.keeper import Progress
 from arcless.study.run import run
+from arcless.study.schema import json_schema
 from arcless.study.status import StudyStatus, status
 
 __all__ = [
@@ -15,6 +16,7 @@ __all__ = [
     "StudyStatus",
     "execution",
     "is_study",
+    "json_schema",
     "load",
     "run",
     "status",

@@ -59,7 +59,7 @@ class Uniform(_Distribution):
 
     _amounts = _rising = ("low", "high")
 
-    kind: Literal["uniform"]
+    kind: Literal["uniform"] = Field(description="Equally likely between two bounds.")
     low: Amount = Field(description="Lower bound.")
     high: Amount = Field(description="Upper bound.")
 
@@ -75,7 +75,7 @@ class Normal(_Distribution):
     _amounts = ("mean", "standard_deviation")
     _positive = ("standard_deviation",)
 
-    kind: Literal["normal"]
+    kind: Literal["normal"] = Field(description="Normal.")
     mean: Amount = Field(description="Mean.")
     standard_deviation: Amount = Field(description="Standard deviation.")
 
@@ -92,7 +92,7 @@ class TruncatedNormal(_Distribution):
     _rising = ("low", "high")
     _positive = ("standard_deviation",)
 
-    kind: Literal["truncated-normal"]
+    kind: Literal["truncated-normal"] = Field(description="Normal, cut off at two bounds.")
     mean: Amount = Field(description="Mean before truncation.")
     standard_deviation: Amount = Field(description="Standard deviation before truncation.")
     low: Amount = Field(description="Lower bound.")
@@ -138,7 +138,7 @@ class LogNormal(_Distribution):
 
     _amounts = _positive = ("mean", "standard_deviation")
 
-    kind: Literal["lognormal"]
+    kind: Literal["lognormal"] = Field(description="Lognormal: always positive.")
     mean: Amount = Field(description="Mean of the values themselves.")
     standard_deviation: Amount = Field(description="Standard deviation of the values themselves.")
 
@@ -155,7 +155,7 @@ class Triangular(_Distribution):
 
     _amounts = _rising = ("low", "mode", "high")
 
-    kind: Literal["triangular"]
+    kind: Literal["triangular"] = Field(description="Triangular between two bounds.")
     low: Amount = Field(description="Lower bound.")
     mode: Amount = Field(description="Most likely value.")
     high: Amount = Field(description="Upper bound.")
@@ -172,7 +172,7 @@ class Triangular(_Distribution):
 class Choice(_Distribution):
     """A choice of values, equally likely or by weights."""
 
-    kind: Literal["choice"]
+    kind: Literal["choice"] = Field(description="One of several values.")
     values: tuple[Any, ...] = Field(description="The values, of any kind.", min_length=1)
     weights: tuple[StrictFloat | StrictInt, ...] | None = Field(
         default=None, description="How likely each is, relative to the others; equal without."

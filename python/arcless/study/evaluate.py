@@ -8,11 +8,11 @@ from typing import Any
 
 from arcless.errors import ArclessError, ModelError
 from arcless.model import Scenario, load
+from arcless.simulate import Outcome, batch
 from arcless.study.expressions import Expression, UndefinedError
 from arcless.study.model import Study
 from arcless.study.quantities import is_number, values
 from arcless.study.rows import Row, Status
-from arcless.simulate import Outcome, batch
 from arcless.study.variants import Variant
 from arcless.study.version import code_version
 

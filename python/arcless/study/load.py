@@ -11,11 +11,14 @@ from pydantic import ValidationError
 
 from arcless.errors import ModelError
 from arcless.model.explain import explain
-from arcless.model.load import check_format, read, reference
+from arcless.model.fields import Path as Field
+from arcless.model.load import Kind, check_format, read, reference
 from arcless.model.reader import Origin
 from arcless.study.model import FORMAT, Execution, Study
 from arcless.units import show
 
+# Last part of the path of a field → what its values may name.
+_NAMES: dict[str, Kind] = {"line": "line", "model": "pantograph"}
 # What no row depends on.
 _WORDS = {"description": str, "sources": dict, "provenance": dict}
 _MOST_SHOWN = 10
@@ -42,8 +45,9 @@ def load(source: "str | os.PathLike[str] | Mapping[str, Any] | Study") -> Study:
     check_format(data, "study", origin)
     if "scenario" in data:
         data["scenario"] = reference(data["scenario"], "scenario", origin, ("scenario",))
+    context = {"file": origin.label, "models": _named_models(data, origin)}
     try:
-        return Study.model_validate(data, context={"origin": origin})
+        return Study.model_validate(data, context=context)
     except ValidationError as error:
         raise explain(error, data, origin) from None
 
@@ -100,6 +104,30 @@ def differences(before: dict[str, Any], now: dict[str, Any]) -> list[str]:
     ]
     more = len(fields) - _MOST_SHOWN
     return lines + ([f"and {more} more"] if more > 0 else [])
+
+
+def _named_models(data: Mapping[str, Any], origin: Origin) -> dict[str, Any]:
+    """Return the lines and pantographs that values name, while names are relative to the file.
+
+    What is no study is left for the validation to refuse.
+    """
+    named: list[tuple[Field, object, object]] = []
+    changes, variables = (data.get(name) for name in ("set", "variables"))
+    if isinstance(changes, Mapping):
+        named += [(("set", path), path, value) for path, value in changes.items()]
+    for name, given in variables.items() if isinstance(variables, Mapping) else ():
+        if isinstance(given, Mapping):
+            for place, group in (("values", given), ("distribution", given.get("distribution"))):
+                values = group.get("values") if isinstance(group, Mapping) else None
+                for value in values if isinstance(values, list | tuple) else ():
+                    named.append((("variables", name, place), given.get("field"), value))
+    models = {}
+    for place_, field, value in named:
+        kind = _NAMES.get(str(field).rpartition(".")[2])
+        if kind is not None and isinstance(value, str):
+            model: Any = reference(value, kind, origin, place_)
+            models[value] = model.to_dict()
+    return models
 
 
 def _shown(leaves: dict[str, Any], path: str) -> str:

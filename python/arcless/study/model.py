@@ -11,9 +11,7 @@ from arcless.errors import ModelError
 from arcless.model import Scenario
 from arcless.model.documents import Document, dotted
 from arcless.model.fields import Part
-from arcless.model.load import reference
 from arcless.model.overrides import unit_of
-from arcless.model.reader import Origin
 from arcless.study.designs import Design, Plan
 from arcless.study.expressions import Expression
 from arcless.study.quantities import is_number, keys
@@ -24,10 +22,9 @@ FORMAT: Literal["arcless-study/1"] = "arcless-study/1"
 # Columns of the table that are always there.
 COLUMNS = ("variant", "status", "error", "wall_time_s", "arcless_version")
 _NAME = re.compile(r"[^\W\d][\w.]*")
-_MODELS: dict[str, Literal["line", "pantograph"]] = {"line": "line", "model": "pantograph"}
 
 
-class Output(Part):
+class StudyOutput(Part):
     """An output: a column of the table."""
 
     expression: str = Field(description="A key of the assessment, or an expression of keys.")
@@ -79,7 +76,7 @@ class Study(Document):
     )
     variables: dict[str, Variable] = Field(description="Variables by name.", min_length=1)
     design: Design = Field(description="Which combinations are computed.")
-    outputs: dict[str, Output] = Field(
+    outputs: dict[str, StudyOutput] = Field(
         description="Keys of the assessment, or expressions of them by name.", min_length=1
     )
     keep: Literal["none", "results"] = Field(
@@ -106,9 +103,8 @@ class Study(Document):
 
     @model_validator(mode="after")
     def _check(self, info: ValidationInfo) -> "Study":
-        origin = (info.context or {}).get("origin", Origin())
-        self._file = origin.label
-        self._load_models(origin)
+        context = info.context or {}
+        self._file, self._models = context.get("file"), context.get("models", {})
         _ = self.base
         self._check_columns()
         _ = self.axes, self.plan, self.expressions
@@ -186,20 +182,6 @@ class Study(Document):
     def _model(self, value: Any) -> Any:
         return self._models.get(value, value) if isinstance(value, str) else value
 
-    def _load_models(self, origin: Origin) -> None:
-        """Load what values name while it is known to which file such names are relative."""
-        fields = [(("set", path), path, [value]) for path, value in self.changes.items()]
-        fields += [
-            (("variables", name), variable.field, _named(variable))
-            for name, variable in self.variables.items()
-        ]
-        for place, path, values in fields:
-            kind = _MODELS.get(path.rpartition(".")[2])
-            for value in values if kind is not None else []:
-                if isinstance(value, str) and kind is not None:
-                    model: Any = reference(value, kind, origin, place)
-                    self._models[value] = model.to_dict()
-
     def _check_columns(self) -> None:
         taken: dict[str, str] = dict.fromkeys(COLUMNS, "a column that every table has")
         taken |= dict.fromkeys(keys(self.base), "a key of the assessment")
@@ -220,11 +202,6 @@ class Study(Document):
         taken |= dict.fromkeys(self.variables, "a variable")
         for name in self.outputs:
             _check_name(name, taken, ("outputs", name), dots=True)
-
-
-def _named(variable: Variable) -> list[Any]:
-    values = list(variable.values or ())
-    return values + list(getattr(variable.distribution, "values", ()))
 
 
 def _check_name(name: str, taken: dict[str, str], place: tuple[str, ...], *, dots: bool) -> None:

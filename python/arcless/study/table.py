@@ -83,7 +83,8 @@ def table(study: Study, rows: Mapping[int, Row]) -> "pyarrow.Table":
         words = study.variables[axis.name].description or axis.field
         add(axis.name, getattr(pyarrow, kind)(), values, axis.unit, words)
     for name, output in study.outputs.items():
-        unit = output.unit or unit_of_key(output.expression)
+        is_key = study.expressions[name].names == {output.expression.strip()}
+        unit = output.unit or (unit_of_key(output.expression.strip()) if is_key else "")
         words = output.description or output.expression
         add(name, pyarrow.float64(), [row.outputs.get(name) for row in ordered], unit, words)
     text = pyarrow.string()

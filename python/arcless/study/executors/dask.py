@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from distributed import Client
 
 # A scheduler that runs answers in milliseconds; a user is told within 10 s that none does.
-_ANSWERS_WITHIN_S = 8.0
+_ANSWERS_WITHIN_S = 5.0
 
 
 class Dask:

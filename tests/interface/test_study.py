@@ -1,0 +1,137 @@
+"""`arcless study` as a user meets it."""
+
+import json
+import subprocess
+import sys
+from collections import Counter
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from typer.testing import Result
+
+from arcless.cli.study_progress import words
+from arcless.study import Progress
+from tests.support.studies import SHORT, rows, written
+
+Arcless = Callable[..., Result]
+ALL = "small: 4 of 6 done, 2 invalid, 0 failed"
+
+
+def test_run_status_resume(arcless: Arcless, tmp_path: Path) -> None:
+    file = written(tmp_path)
+    done = arcless("study", "run", file)
+    assert done.exit_code == 0, done.output
+    assert done.stdout.startswith(f"{ALL}; computed 6 in ")
+    assert " variants/s" in done.stdout
+    assert "wrote runs/studies/small/table.parquet" in done.stdout
+    assert done.stderr == ""
+    status = arcless("study", "status", file)
+    assert status.stdout.startswith(f"{ALL}, 0 missing; not being computed")
+    assert "2 × pantographs.0.static_force: got -5.0" in status.stdout
+    again = arcless("study", "resume", file)
+    assert again.stdout.startswith(f"{ALL}; computed 0")
+    assert again.exit_code == 0
+
+
+def test_json_alone_on_standard_output(arcless: Arcless, tmp_path: Path) -> None:
+    file = written(tmp_path)
+    done = arcless("study", "run", file, "--json", "--out", "here", "--workers", 2)
+    found = json.loads(done.stdout)
+    assert {key: found[key] for key in ("study", "total", "done", "invalid", "failed")} == {
+        "study": "small", "total": 6, "done": 4, "invalid": 2, "failed": 0,
+    }  # fmt: skip
+    assert found["table"] == "here/table.parquet"
+    assert found["variants_per_s"] > 0
+    status = json.loads(arcless("study", "status", file, "--json", "--out", "here").stdout)
+    assert (status["missing"], status["running"], status["invalid"]) == (0, False, 2)
+    assert len(rows(tmp_path / "here" / "table.parquet")) == 6
+
+
+def test_a_study_without_any_value_fails(arcless: Arcless, tmp_path: Path) -> None:
+    force = {"force": {"field": "pantographs.0.static_force", "values": [-1, -2]}}
+    done = arcless("study", "run", written(tmp_path, variables=force))
+    assert done.exit_code == 1
+    assert "0 of 2 done, 2 invalid" in done.stdout
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (["run", "none.yaml"], "none.yaml: no such file"),
+        (["run", str(SHORT)], 'got "arcless-scenario/1", expected arcless-study/1'),
+        (["resume", "small.yaml"], "no study was begun here"),
+        (["status", "small.yaml"], "no study was begun here"),
+        (["run", "small.yaml", "--scheduler", "localhost"], "executor.scheduler"),
+        (["run", "small.yaml", "--workers", "0"], "--workers"),
+        (
+            ["run", "small.yaml", "--scheduler", "tcp://h:1", "--workers", "2"],
+            "both scheduler and workers",
+        ),
+        (
+            ["run", "small.yaml", "--executor", "threads", "--scheduler", "tcp://h:1"],
+            "scheduler without Dask",
+        ),
+        (["start", "small.yaml"], "No such command"),
+    ],
+)  # fmt: skip
+def test_wrong_input(arcless: Arcless, tmp_path: Path, words: list[str], message: str) -> None:
+    written(tmp_path)
+    done = arcless("study", *words)
+    assert done.exit_code == 2
+    assert message in done.stderr
+    assert done.stdout == ""
+    assert len(done.stderr.splitlines()) <= 2
+    assert not (tmp_path / "runs").exists()
+
+
+def test_a_changed_file_is_refused_with_the_difference(arcless: Arcless, tmp_path: Path) -> None:
+    file = written(tmp_path)
+    arcless("study", "run", file)
+    written(tmp_path, seed=4)
+    done = arcless("study", "resume", file)
+    assert done.exit_code == 2
+    assert "seed: 0 → 4" in done.stderr
+    assert "begin anew in another folder with `--out`" in done.stderr
+
+
+def test_check_knows_studies(arcless: Arcless, tmp_path: Path) -> None:
+    file = written(tmp_path)
+    assert arcless("check", file).stdout == f"{file}: valid study `small`, 6 variants\n"
+    file.write_text(file.read_text().replace("std_force_N", "std_farce_N"))
+    wrong = arcless("check", file)
+    assert wrong.exit_code == 2
+    assert "did you mean std_force_N?" in wrong.stderr
+
+
+def test_no_scheduler_is_said_within_ten_seconds(tmp_path: Path) -> None:
+    done = subprocess.run(
+        [sys.executable, "-m", "arcless", "study", "run", str(written(tmp_path)),
+         "--scheduler", "tcp://127.0.0.1:9"],
+        cwd=tmp_path, capture_output=True, text=True, timeout=60, check=False,
+    )  # fmt: skip
+    assert done.returncode == 1
+    assert done.stderr.startswith("error: tcp://127.0.0.1:9: no Dask scheduler answers")
+    assert "within 5 s" in done.stderr  # what is waited for; nothing else takes long
+    assert len(done.stderr.splitlines()) == 1
+    assert not (tmp_path / "runs").exists()
+
+
+def test_the_words_of_the_bar() -> None:
+    now = Progress(100, Counter(done=18, failed=2), computed=10, elapsed_s=4.0)
+    assert words(now) == "2.5/s, 0:00:32 left, 2 failed"
+    assert words(Progress(100)) == ""
+
+
+def test_a_study_loads_no_cluster_and_no_plots(tmp_path: Path) -> None:
+    script = (
+        "import sys\nfrom arcless.cli import main\n"
+        "try:\n    main()\nexcept SystemExit as leave:\n    assert not leave.code, leave.code\n"
+        "print(*sys.modules, file=sys.stderr)"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", script, "study", "run", str(written(tmp_path)), "--quiet"],
+        cwd=tmp_path, capture_output=True, text=True, timeout=60, check=True,
+    )  # fmt: skip
+    loaded = {name.partition(".")[0] for name in done.stderr.split()}
+    assert not loaded & {"dask", "distributed", "bokeh", "scipy", "xarray", "matplotlib"}

@@ -1,0 +1,59 @@
+"""A small study: a short line, runs of some ten milliseconds each."""
+
+from pathlib import Path
+from typing import Any
+
+from arcless.study import Study, load
+
+SHORT = Path(__file__).parents[1] / "interface" / "data" / "short.yaml"
+# Four spans in 4 ms steps.
+QUICK = {
+    "line.spans": [{"type": "span", "count": 4}],
+    "travel": {"start": "50 m", "end": "120 m"},
+    "analysis": {"from": "55 m", "to": "115 m"},
+    "solver.time_step": "4 ms",
+}
+# The last force is none: such variants are rows with the reason.
+VARIABLES = {
+    "tension": {"field": "line.contact_wire.tension", "range": ["18 kN", "26 kN"], "count": 2},
+    "force": {"field": "pantographs.0.static_force", "values": ["70 N", "90 N", "-5 N"]},
+}
+OUTPUTS = {"sigma": "std_force_N", "ratio": "std_force_N / mean_force_N"}
+# What depends on the machine, not on the study.
+TIMES = ["wall_time_s"]
+
+
+def data(**changes: Any) -> dict[str, Any]:
+    """Return the data of a study of six variants, two of them invalid."""
+    return {
+        "format": "arcless-study/1",
+        "name": "small",
+        "scenario": str(SHORT),
+        "set": QUICK,
+        "variables": VARIABLES,
+        "design": {"kind": "grid"},
+        "outputs": OUTPUTS,
+        **changes,
+    }
+
+
+def study(**changes: Any) -> Study:
+    """Return that study."""
+    return load(data(**changes))
+
+
+def written(folder: Path, **changes: Any) -> Path:
+    """Write that study as a file."""
+    import json
+
+    file = folder / "small.yaml"
+    file.write_text(json.dumps(data(**changes), indent=1))
+    return file
+
+
+def rows(table: Path) -> list[dict[str, Any]]:
+    """Return the rows of a table without times."""
+    import pyarrow.parquet
+
+    found: list[dict[str, Any]] = pyarrow.parquet.read_table(table).drop(TIMES).to_pylist()
+    return found
