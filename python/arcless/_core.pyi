@@ -38,6 +38,7 @@ class Equilibrium:
         step: float,
         contact_stiffness: float,
         updated: bool,
+        period_correction: bool = False,
     ) -> Prepared: ...
 
 class Prepared:

@@ -18,6 +18,7 @@ mod ledger;
 mod live;
 mod loads;
 mod lumped;
+mod period;
 mod pieces;
 mod published;
 mod resume;

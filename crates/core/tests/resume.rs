@@ -7,6 +7,7 @@ use arcless_core::dynamics::actuator::{Actuator, Sample};
 use arcless_core::dynamics::given::{Ground, History};
 use arcless_core::dynamics::kink::Motion;
 use arcless_core::dynamics::law::Law;
+use arcless_core::dynamics::line::Line;
 use arcless_core::dynamics::loads::Load;
 use arcless_core::dynamics::part::Part;
 use arcless_core::dynamics::path::Path;
@@ -244,12 +245,28 @@ fn updated_kinematics_go_on() {
     let (structure, path) = simple_line(3);
     let (geometry, shape) = settled::<2, 4>(structure.clone());
     let lanes = Path::lanes(&geometry, &shape, std::slice::from_ref(&path)).expect("a path");
-    let p = Prepared::updated(&geometry, &shape, lanes, scheme, 1e-3, 5e4).expect("regular");
+    let p = Prepared::updated(
+        &geometry,
+        Line::new(&geometry, shape.clone()),
+        lanes,
+        scheme,
+        1e-3,
+        5e4,
+    )
+    .expect("regular");
     compare(&p, &[three_masses(90.0)], (&travel, &plan), &[20, 21]);
     let chain = lumped(&structure);
     let (geometry, shape) = settled::<2, 2>(chain);
     let lanes = Path::lanes(&geometry, &shape, &[path]).expect("a path");
-    let p = Prepared::updated(&geometry, &shape, lanes, scheme, 1e-3, 5e4).expect("regular");
+    let p = Prepared::updated(
+        &geometry,
+        Line::new(&geometry, shape.clone()),
+        lanes,
+        scheme,
+        1e-3,
+        5e4,
+    )
+    .expect("regular");
     compare(&p, &[three_masses(90.0)], (&travel, &plan), &[20]);
 }
 

@@ -324,3 +324,41 @@ fn newmark_with_too_small_beta_is_refused() {
     assert!(radius(s, 10.0) > 1.1, "it grows at ωh = 10");
     assert!(s.check().is_err());
 }
+
+/// Angle by which one step turns an undamped oscillator with ωh = `q`: that of the pair of complex
+/// eigenvalues of the step, from the motion of the free oscillator over many steps.
+fn turned(scheme: Scheme, q: f64) -> f64 {
+    let h = q / TAU;
+    let mut state = released(oscillator(0.0), scheme, h);
+    // The third eigenvalue is far smaller than one and forgotten after some steps.
+    advance(&mut state, scheme, h, 200);
+    let mut u = [0.0; 3];
+    for value in &mut u {
+        *value = state.u[0];
+        advance(&mut state, scheme, h, 1);
+    }
+    let next = state.u[0];
+    // u₂ = 2 ρ cos Ω u₁ − ρ² u₀ and the same one step on, for ρ and Ω.
+    let determinant = u[1] * u[1] - u[0] * u[2];
+    let sum = (u[2] * u[1] - u[0] * next) / determinant;
+    let product = (u[2] * u[2] - u[1] * next) / determinant;
+    (0.5 * sum / product.sqrt()).acos()
+}
+
+/// Ω = q (1 − c q²) + O(q⁵): at q = 0.1 the next term is about q² of the error.
+#[test]
+fn the_period_error_is_what_the_coefficient_says() {
+    for scheme in second_order() {
+        let c = scheme.period_error().expect("of second order");
+        for q in [0.1, 0.05] {
+            let found = (1.0 - turned(scheme, q) / q) / (q * q);
+            // The next term of the expansion: its coefficient is of the size of c, or one.
+            assert!((found - c).abs() < 2.0 * q * q, "{scheme:?}: {found} {c}");
+        }
+    }
+    let trapezoidal = Scheme::generalised_alpha(1.0).period_error();
+    // Ω = 2 arctan(q/2) = q (1 − q²/12 + …); rounding of a few terms.
+    assert!((trapezoidal.expect("second order") - 1.0 / 12.0).abs() < 1e-15);
+    assert_eq!(Scheme::newmark(1.0, 1.0).period_error(), None);
+    assert_eq!(Scheme::BackwardDifference.period_error(), None);
+}

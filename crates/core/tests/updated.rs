@@ -55,7 +55,15 @@ fn updated<const DIM: usize, const D: usize>(
     let (geometry, shape) = settled::<DIM, D>(structure.clone());
     let lanes =
         Path::lanes(&geometry, &shape, std::slice::from_ref(path)).expect("the wire is a path");
-    Prepared::updated(&geometry, &shape, lanes, scheme, h, contact).expect("regular")
+    Prepared::updated(
+        &geometry,
+        Line::new(&geometry, shape.clone()),
+        lanes,
+        scheme,
+        h,
+        contact,
+    )
+    .expect("regular")
 }
 
 fn linearised<const DIM: usize, const D: usize>(

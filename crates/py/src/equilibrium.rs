@@ -120,7 +120,9 @@ impl Equilibrium {
     }
 
     /// Factorise for stepping: wire elements of each lane in the order of the track, scheme as name and parameters, step in s, contact stiffness in N/m
-    /// (infinite when rigid), updated or linearised kinematics.
+    /// (infinite when rigid), updated or linearised kinematics, and whether the mass of the wires is
+    /// corrected for the period error of the scheme.
+    #[pyo3(signature = (lanes, scheme, step, contact_stiffness, updated, period_correction = false))]
     fn prepare(
         &self,
         py: Python<'_>,
@@ -129,12 +131,14 @@ impl Equilibrium {
         step: f64,
         contact_stiffness: f64,
         updated: bool,
+        period_correction: bool,
     ) -> PyResult<Prepared> {
         let stepping = Stepping {
             scheme: read_scheme(&scheme.0, &scheme.1)?,
             step,
             contact_stiffness,
             updated,
+            period_correction,
         };
         let with = &stepping;
         let found = py.detach(|| match &self.0 {
@@ -152,6 +156,7 @@ struct Stepping {
     step: f64,
     contact_stiffness: f64,
     updated: bool,
+    period_correction: bool,
 }
 
 fn read_scheme(name: &str, parameters: &[f64]) -> PyResult<Scheme> {
@@ -214,12 +219,15 @@ impl<const DIM: usize, const D: usize> Solved<DIM, D> {
         with: &Stepping,
     ) -> Result<Arc<stepper::Prepared<DIM, D>>, CoreError> {
         let (lanes, h, contact) = (self.lanes(lanes)?, with.step, with.contact_stiffness);
+        let (geometry, mut line) = (&self.geometry, self.line());
+        if with.period_correction {
+            line = line.with_correct_period(geometry, &with.scheme, h);
+        }
         if with.updated {
-            let (geometry, shape) = (&self.geometry, &self.shape);
-            let p = stepper::Prepared::updated(geometry, shape, lanes, with.scheme, h, contact);
+            let p = stepper::Prepared::updated(geometry, line, lanes, with.scheme, h, contact);
             return p.map(Arc::new);
         }
-        stepper::Prepared::new(self.line(), lanes, with.scheme, h, contact).map(Arc::new)
+        stepper::Prepared::new(line, lanes, with.scheme, h, contact).map(Arc::new)
     }
 
     fn arrays<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {

@@ -138,6 +138,12 @@ class Solver(Part):
         default_factory=lambda: GeneralisedAlpha(name="generalised-alpha"),
         description="Time-stepping scheme: its name, or its name and parameters.",
     )
+    period_correction: bool = Field(
+        default=True,
+        strict=True,
+        description="Take the period error of the scheme from the mass of wires of cubic elements;"
+        " no effect with schemes of first order and point masses.",
+    )
     kinematics: Literal["linearised", "updated"] = Field(
         default="linearised",
         description="Motion about the static equilibrium, or node coordinates and stiffness"

@@ -149,6 +149,7 @@ def prepare(found: equilibrium.Equilibrium, scenario: Scenario) -> _core.Prepare
         scenario.time_step_s,
         motion.contact_stiffness(scenario),
         scenario.solver.kinematics == "updated",
+        scenario.solver.period_correction,
     )
 
 

@@ -31,6 +31,7 @@ pub mod near;
 pub mod part;
 pub mod path;
 mod path_element;
+mod period;
 pub mod place;
 mod reach;
 pub mod record;

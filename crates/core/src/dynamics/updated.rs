@@ -42,19 +42,19 @@ pub struct Updating<const DIM: usize, const D: usize> {
 }
 
 impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
-    /// Prepare runs with updated kinematics, from the equilibrium `shape` of `geometry`.
+    /// Prepare runs with updated kinematics; `line` is `geometry` linearised about its equilibrium.
     ///
     /// # Errors
     /// [`CoreError::Input`] or [`CoreError::Singular`].
     pub fn updated(
         geometry: &Geometry<DIM, D>,
-        shape: &Shape<D>,
+        line: Line<DIM, D>,
         lanes: Vec<Path<DIM>>,
         scheme: Scheme,
         h: f64,
         contact_stiffness: f64,
     ) -> Result<Self, CoreError> {
-        let line = Line::new(geometry, shape.clone());
+        let shape = &line.shape;
         let c = scheme.coefficients(h);
         let mut constant = line.inertia(c.mass, c.damping);
         geometry.add_fixed_tangent(line.stiffness_factor(c.damping, c.stiffness), &mut constant);

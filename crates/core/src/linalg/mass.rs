@@ -85,9 +85,26 @@ impl<const DIM: usize, const D: usize> MassMatrix<DIM, D> {
             [54.0, 13.0 * l, 156.0, -22.0 * l],
             [-13.0 * l, -3.0 * l * l, -22.0 * l, 4.0 * l * l],
         ];
+        self.add_element(places, &entries, c);
+    }
+
+    /// Add `factor` times ∫ Nᵢ′Nⱼ′ ds of a Hermite element of length `l`, the matrix that tension is
+    /// multiplied by in its stiffness.
+    pub fn add_hermite_slopes(&mut self, places: [(usize, usize); 4], l: f64, factor: f64) {
+        let c = factor / (30.0 * l);
+        let entries = [
+            [36.0, 3.0 * l, -36.0, 3.0 * l],
+            [3.0 * l, 4.0 * l * l, -3.0 * l, -l * l],
+            [-36.0, -3.0 * l, 36.0, -3.0 * l],
+            [3.0 * l, -l * l, -3.0 * l, 4.0 * l * l],
+        ];
+        self.add_element(places, &entries, c);
+    }
+
+    fn add_element(&mut self, places: [(usize, usize); 4], entries: &[[f64; 4]; 4], factor: f64) {
         for (row, &(i, p)) in entries.iter().zip(&places) {
             for (value, &(j, q)) in row.iter().zip(&places) {
-                self.entry(i, j)[p][q] += c * value;
+                self.entry(i, j)[p][q] += factor * value;
             }
         }
     }

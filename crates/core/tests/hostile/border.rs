@@ -178,10 +178,10 @@ fn prepared<const DIM: usize, const D: usize>(
     let (scheme, h) = (motion::scheme(feed), feed.number(1e-3));
     let contact = [5e4, f64::INFINITY][feed.below(2)];
     let contact = feed.number(contact);
+    let line = Line::new(geometry, shape.clone());
     told(if feed.flag() {
-        Prepared::updated(geometry, shape, paths, scheme, h, contact)
+        Prepared::updated(geometry, line, paths, scheme, h, contact)
     } else {
-        let line = Line::new(geometry, shape.clone());
         Prepared::new(line, paths, scheme, h, contact)
     })
 }
