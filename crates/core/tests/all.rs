@@ -10,6 +10,7 @@ mod dynamics;
 mod equivalence;
 mod hostile;
 mod hostile_input;
+mod islands;
 mod lanes;
 mod laws;
 mod lcp;

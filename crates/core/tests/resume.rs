@@ -25,7 +25,7 @@ use common::{everything, simple_line, three_masses};
 
 type Answer<'a> = &'a mut dyn FnMut(usize, &Sample) -> Result<f64, String>;
 
-fn part<const DIM: usize, const D: usize>(
+pub fn part<const DIM: usize, const D: usize>(
     p: &Prepared<DIM, D>,
     riders: &[Rider],
     (travel, plan): (&Travel, &RecordPlan),
@@ -68,7 +68,7 @@ pub fn bits(r: &Record) -> Vec<Vec<u64>> {
 }
 
 /// Extremes and counts of a record.
-fn sums(r: &Record) -> Vec<Vec<u64>> {
+pub fn sums(r: &Record) -> Vec<Vec<u64>> {
     let extremes = [
         &r.link_min,
         &r.link_max,
@@ -86,7 +86,7 @@ fn sums(r: &Record) -> Vec<Vec<u64>> {
 
 /// Compare a whole run with parts of it that end at the given steps; the states meanwhile pass
 /// through their numbers alone.
-fn compare<const DIM: usize, const D: usize>(
+pub fn compare<const DIM: usize, const D: usize>(
     p: &Prepared<DIM, D>,
     riders: &[Rider],
     way: (&Travel, &RecordPlan),

@@ -1,4 +1,4 @@
-"""Numbers of the nodes of all wires, along the track."""
+"""Numbers of the nodes of all wires, system by system along the track."""
 
 from dataclasses import dataclass
 
@@ -18,7 +18,7 @@ class Nodes:
 
 
 class _Pool:
-    """Nodes in the order they are made; sorted along the track in the end."""
+    """Nodes in the order they are made; sorted in the end."""
 
     def __init__(self) -> None:
         self.points: list[Floats] = []
@@ -33,12 +33,17 @@ class _Pool:
 
 
 def number(systems: list[Chains], *, lumped: bool) -> Nodes:
-    """Give numbers to all nodes along the track; messenger before contact wire."""
-    pool = _Pool()
+    """Give numbers to all nodes: system by system along the track, messenger before contact wire.
+
+    Nothing couples two systems, so the core takes each as an island and steps those that move.
+    """
+    pool, sizes = _Pool(), []
     for chains in systems:
+        before = pool.count
         _fill(pool, chains, lumped=lumped)
+        sizes.append(pool.count - before)
     points = np.vstack(pool.points)
-    order = np.argsort(points[:, 0], kind="stable")
+    order = np.lexsort((points[:, 0], np.repeat(np.arange(len(sizes)), sizes)))
     rank = np.empty(len(order), dtype=np.int64)
     rank[order] = np.arange(len(order))
     for chain in (chain for chains in systems for chain in chains.all()):

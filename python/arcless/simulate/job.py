@@ -99,7 +99,7 @@ class Job:
             "nodes": [support.contact_node for support in self.found.mesh.supports],
             "points": list(output.points),
             "ledger": full and keeps_ledger(self.scenario),
-            "near": None if self.nearby is None or not full else self.nearby.plan(self.found.mesh),
+            "near": None if self.nearby is None else self.nearby.plan(self.found.mesh),
         }
 
     @cached_property

@@ -17,8 +17,9 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
     pub(super) fn close(&mut self, step: usize) -> Result<LcpStats, CoreError> {
         let time = (step + 1) as f64 * self.p.h;
         let (links, tension) = (&self.p.line.links, &self.state.links.tension);
+        let awake = self.p.links_awake(&self.state.awake);
         self.unilateral
-            .collect(|i| links[i].unilateral && tension[i] < 0.0);
+            .collect(awake, |i| links[i].unilateral && tension[i] < 0.0);
         let mut total = LcpStats::default();
         for _ in 0..self.most_rounds() {
             self.provide_columns();
@@ -45,7 +46,8 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
                 .respond(&mut self.state, &mut self.unilateral, &self.contacts);
             let (links, tension) = (&self.p.line.links, &self.state.links.tension);
             let pushes = |i: usize| links[i].unilateral && tension[i] < 0.0;
-            if !self.unilateral.extend(pushes) {
+            let awake = self.p.links_awake(&self.state.awake);
+            if !self.unilateral.extend(awake, pushes) {
                 for (contact, force) in self.contacts.all.iter().zip(&self.unilateral.force) {
                     if contact.meets {
                         self.riders[contact.rider()].add_contact(*force, &contact.column);

@@ -78,12 +78,14 @@ impl Unilateral {
         }
     }
 
-    /// Choose the links that enter: those that would push, and those slack a step ago.
-    pub fn collect(&mut self, pushes: impl Fn(usize) -> bool) {
-        self.links.clear();
+    /// Choose those of the given links that enter: those that would push, and those slack a step ago.
+    pub fn collect(&mut self, among: impl Iterator<Item = usize>, pushes: impl Fn(usize) -> bool) {
         self.applied_force.fill(0.0);
-        self.applied_correction.fill(0.0);
-        for i in 0..self.is_in.len() {
+        for i in self.links.drain(..) {
+            self.applied_correction[i] = 0.0;
+            self.is_in[i] = false;
+        }
+        for i in among {
             self.is_in[i] = self.correction[i] > 0.0 || pushes(i);
             if self.is_in[i] {
                 self.links.push(i);
@@ -91,10 +93,14 @@ impl Unilateral {
         }
     }
 
-    /// Add links that were left out but would push; tells whether there were any.
-    pub fn extend(&mut self, pushes: impl Fn(usize) -> bool) -> bool {
+    /// Add those of the given links that were left out but would push; tells whether there were any.
+    pub fn extend(
+        &mut self,
+        among: impl Iterator<Item = usize>,
+        pushes: impl Fn(usize) -> bool,
+    ) -> bool {
         let before = self.links.len();
-        for i in 0..self.is_in.len() {
+        for i in among {
             if !self.is_in[i] && pushes(i) {
                 self.is_in[i] = true;
                 self.links.push(i);

@@ -6,9 +6,11 @@
 //! cancel their compression in the complementarity problem. Slack links keep the small lateral
 //! stiffness T/ℓ of their equilibrium: that is the limit of linearised kinematics.
 
+use super::islands::Island;
 use crate::linalg::{Block, MassMatrix, SymmetricBlocks};
 use crate::statics::assembly::{Geometry, LinkLaw, Shape};
 use crate::structure::{Link, Rayleigh};
+use std::ops::Range;
 
 /// A link about equilibrium: elongation e = n·(u₂ − u₁).
 #[derive(Debug, Clone, Copy)]
@@ -242,9 +244,9 @@ impl<const DIM: usize, const D: usize> Line<DIM, D> {
         }
     }
 
-    /// Add the forces that hold links which are slack at rest.
-    pub fn add_rest_corrections(&self, f: &mut [[f64; D]]) {
-        for link in &self.links {
+    /// Add the forces that hold those of some links which are slack at rest.
+    pub fn add_rest_corrections(&self, links: Range<usize>, f: &mut [[f64; D]]) {
+        for link in &self.links[links] {
             let correction = link.rest_correction();
             if correction > 0.0 {
                 link.add_to(correction, f);
@@ -279,19 +281,26 @@ impl<const DIM: usize, const D: usize> Line<DIM, D> {
         k
     }
 
-    /// `y += (C − α M − β K) x`, the part of the damping that is not common to all.
+    /// `y += (C − α M − β K) x` on one island, the part of the damping that is not common to all.
     /// `work` is scratch space.
     #[inline(always)]
-    pub fn add_damping_rest(&self, x: &[[f64; D]], y: &mut [[f64; D]], work: &mut [[f64; D]]) {
+    pub fn add_damping_rest(
+        &self,
+        island: &Island,
+        x: &[[f64; D]],
+        y: &mut [[f64; D]],
+        work: &mut [[f64; D]],
+    ) {
         if let Some(rest) = &self.mass_damping_rest {
-            rest.product(x, work);
-            for (y, w) in y.iter_mut().zip(&*work) {
+            rest.product_at(island.nodes.clone(), x, work);
+            let nodes = y[island.nodes.clone()].iter_mut();
+            for (y, w) in nodes.zip(&work[island.nodes.clone()]) {
                 for c in 0..D {
                     y[c] += w[c];
                 }
             }
         }
-        for (i, j, block) in &self.damping_rest {
+        for (i, j, block) in &self.damping_rest[island.damping.clone()] {
             let (xi, xj) = (x[*i], x[*j]);
             crate::linalg::block::add_product(&mut y[*i], block, &xj);
             if i != j {

@@ -6,6 +6,7 @@
 
 use super::line::LinearLink;
 use crate::scheme::Coefficients;
+use std::ops::Range;
 
 /// Elongations of all links, and the tensions that follow from them.
 #[derive(Debug, Clone)]
@@ -51,25 +52,39 @@ impl LinkMotion {
         }
     }
 
-    /// Prepare the next step from the present elongations.
-    pub fn begin<const DIM: usize>(&mut self, links: &[LinearLink<DIM>], c: &Coefficients) {
-        let old = self.old_part.iter_mut().zip(&self.elongation);
-        for ((old, [e, rate, second]), l) in old.zip(links) {
+    /// Put some links back to rest.
+    pub(super) fn lay(&mut self, which: Range<usize>) {
+        self.elongation[which.clone()].fill([0.0; 3]);
+        self.delta[which].fill(0.0);
+    }
+
+    /// Prepare the next step of some links from their present elongations.
+    pub fn begin<const DIM: usize>(
+        &mut self,
+        which: Range<usize>,
+        links: &[LinearLink<DIM>],
+        c: &Coefficients,
+    ) {
+        let old = self.old_part[which.clone()].iter_mut();
+        let old = old.zip(&self.elongation[which.clone()]);
+        for ((old, [e, rate, second]), l) in old.zip(&links[which]) {
             let rate = c.velocity_from_v * rate + c.velocity_from_a * second;
             *old = l.rest_tension + l.stiffness * e + l.viscosity * rate;
         }
     }
 
-    /// Set the increment of every link that lies among the given nodes from a displacement
+    /// Set the increment of those of some links that lie among the given nodes from a displacement
     /// increment; `stiffness` is κ of each link.
     pub fn follow<const DIM: usize, const D: usize>(
         &mut self,
+        which: Range<usize>,
         links: &[LinearLink<DIM>],
         stiffness: &[f64],
         delta: &[[f64; D]],
-        among: &std::ops::Range<usize>,
+        among: &Range<usize>,
     ) {
-        for (i, link) in links.iter().enumerate() {
+        for i in which {
+            let link = &links[i];
             if among.contains(&link.nodes[0]) || among.contains(&link.nodes[1]) {
                 let d = link.elongation(delta);
                 self.delta[i] = d;
@@ -78,9 +93,10 @@ impl LinkMotion {
         }
     }
 
-    /// Take the step.
-    pub fn advance(&mut self, c: &Coefficients) {
-        for ([e, rate, second], &d) in self.elongation.iter_mut().zip(&self.delta) {
+    /// Take the step with some links.
+    pub fn advance(&mut self, which: Range<usize>, c: &Coefficients) {
+        let increments = &self.delta[which.clone()];
+        for ([e, rate, second], &d) in self.elongation[which].iter_mut().zip(increments) {
             let (new_rate, new_second) = c.advance(d, *rate, *second);
             *e += d;
             *rate = new_rate;

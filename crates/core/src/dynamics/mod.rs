@@ -12,6 +12,7 @@ mod elasticity;
 pub mod entries;
 pub mod given;
 mod influence;
+pub mod islands;
 pub mod kink;
 pub mod law;
 #[cfg(test)]

@@ -124,6 +124,9 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
             }
             run.control(step, callers.ask)?;
             run.step(step, ledger.as_mut())?;
+            if step % OBSERVE_EVERY == 0 {
+                run.leave_behind(travel.positions[step + 1]);
+            }
         }
         run.check_finite(until)?;
         run.record.check_energy(until)?;

@@ -36,6 +36,8 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
         self.record.steps = state.step;
         self.contacts.go_on(self.described);
         self.p.go_on(&mut self.state);
+        self.state.awake = (0..self.p.islands.len()).collect();
+        self.let_sleep();
         Ok(())
     }
 

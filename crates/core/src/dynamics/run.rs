@@ -46,6 +46,8 @@ pub(super) struct Run<'a, const DIM: usize, const D: usize> {
     pub(super) datum: f64,
     pub(super) contacts: Contacts<DIM>,
     pub(super) points: Vec<Place<DIM>>,
+    /// For each island, which of the watched nodes of the plan lie on it.
+    pub(super) watched: Vec<Vec<usize>>,
     pub(super) gaps: Vec<f64>,
     pub(super) friction: Vec<f64>,
     pub(super) loads: Loads<'a>,
@@ -168,9 +170,6 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
             for &i in contacts.active.iter().filter(|&&i| friction[i] != 0.0) {
                 contacts.all[i].place.add_force(friction[i], 0, f);
             }
-            if p.updating.is_none() {
-                p.line.add_rest_corrections(f);
-            }
         });
         for rider in &mut self.riders {
             rider.begin(&p.coefficients, step);
@@ -195,6 +194,7 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
             .find(self.described, lanes, u, positions, step)?;
         self.contacts.slide(&self.riders);
         self.unilateral.choose(&self.contacts);
+        self.wake();
         Ok(())
     }
 

@@ -56,13 +56,15 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
             None => Cow::Borrowed(p),
             Some(_) => Cow::Owned(p.on(start.lanes)),
         };
-        Ok(Self {
+        let mut run = Self {
             state: p.at_rest(line.u),
             unilateral,
             datum: start.datum,
             points,
             ..Self::assemble(model, riders, travel, plan, states, start.contacts)
-        })
+        };
+        run.let_sleep();
+        Ok(run)
     }
 
     /// A run into which a state is to be put back.
@@ -100,6 +102,10 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
         mut contacts: Contacts<DIM>,
     ) -> Self {
         contacts.respond(&riders);
+        let mut watched = vec![Vec::new(); p.islands.len()];
+        for (k, &node) in plan.nodes.iter().enumerate() {
+            watched[p.island_of(node)].push(k);
+        }
         let (count, links) = (contacts.all.len(), p.line.links.len());
         Self {
             state: p.at_rest(vec![[0.0; D]; p.line.nodes()]),
@@ -107,6 +113,7 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
             unilateral: Unilateral::new(count, vec![0.0; links]),
             datum: 0.0,
             points: Vec::new(),
+            watched,
             gaps: vec![0.0; count],
             friction: vec![0.0; count],
             loads: Loads::new(&travel.loads),

@@ -13,6 +13,7 @@
 use super::columns::Columns;
 use super::contact::Unilateral;
 use super::contacts::Contacts;
+use super::islands::Island;
 use super::line::Line;
 use super::links::LinkMotion;
 use super::path::Path;
@@ -47,6 +48,8 @@ pub struct Prepared<const DIM: usize, const D: usize> {
     /// What updated kinematics need; `None` with linearised kinematics.
     pub(super) updating: Option<Updating<DIM, D>>,
     pub(super) factor: BlockLdl<D>,
+    /// What of the line nothing couples.
+    pub(super) islands: Vec<Island>,
     fixed: Vec<(u32, u32)>,
     from_mass: [f64; 3],
     from_damping: [f64; 3],
@@ -66,6 +69,8 @@ pub struct LineState<const D: usize> {
     pub delta: Vec<[f64; D]>,
     /// Elongations and tensions of the links.
     pub links: LinkMotion,
+    /// Numbers of the islands that are stepped, ascending; all else is at rest.
+    pub(super) awake: Vec<usize>,
     /// −(combination of u, v, a) whose product with M is the inertia of the next step.
     prepared: Vec<[f64; D]>,
     /// s/κ of the next step.
@@ -75,9 +80,10 @@ pub struct LineState<const D: usize> {
 }
 
 impl<const D: usize> LineState<D> {
-    fn at_rest<const DIM: usize>(line: &Line<DIM, D>, u: Vec<[f64; D]>) -> Self {
+    fn at_rest<const DIM: usize>(line: &Line<DIM, D>, islands: usize, u: Vec<[f64; D]>) -> Self {
         let zero = vec![[0.0; D]; u.len()];
         Self {
+            awake: (0..islands).collect(),
             links: LinkMotion::at_rest(&line.links, &u),
             v: zero.clone(),
             a: zero.clone(),
@@ -88,6 +94,18 @@ impl<const D: usize> LineState<D> {
             scratch: zero,
             u,
         }
+    }
+
+    /// What changes during a run, node by node.
+    pub(super) fn fields(&mut self) -> [&mut Vec<[f64; D]>; 6] {
+        [
+            &mut self.u,
+            &mut self.v,
+            &mut self.a,
+            &mut self.delta,
+            &mut self.prepared,
+            &mut self.shift,
+        ]
     }
 }
 
@@ -142,8 +160,10 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
                 .filter(|&k| !free[k])
                 .map(move |k| (node as u32, k as u32))
         });
+        let fixed: Vec<(u32, u32)> = fixed.collect();
         let mut prepared = Self {
-            fixed: fixed.collect(),
+            islands: Island::all(&line, &fixed),
+            fixed,
             from_mass: [0, 1, 2].map(combine),
             from_damping: [0, 1, 2].map(|k| old_v[k] - c.damping / kappa * s[k]),
             shift: s.map(|v| v / kappa),
@@ -222,7 +242,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
     /// A state at rest in a displaced position, ready for the first step.
     #[must_use]
     pub fn at_rest(&self, u: Vec<[f64; D]>) -> LineState<D> {
-        let mut state = LineState::at_rest(&self.line, u);
+        let mut state = LineState::at_rest(&self.line, self.islands.len(), u);
         widest(Advance {
             p: self,
             state: &mut state,
@@ -242,9 +262,13 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
             work,
             shift,
             scratch,
+            links,
+            awake,
             ..
         } = state;
-        self.subtract_damping_rest(u, v, a, [work, scratch], delta);
+        for island in self.awake(awake) {
+            self.subtract_damping_rest(island, [u, v, a], [work, scratch], delta);
+        }
         load(delta);
         if let Some(now) = &self.updating {
             for (force, residual) in delta.iter_mut().zip(&now.residual) {
@@ -253,27 +277,34 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
                 }
             }
         }
-        for &(node, component) in &self.fixed {
-            delta[node as usize][component as usize] = 0.0;
+        for island in self.awake(awake) {
+            if self.updating.is_none() {
+                self.line.add_rest_corrections(island.links.clone(), delta);
+            }
+            for &(node, component) in &self.fixed[island.fixed.clone()] {
+                delta[node as usize][component as usize] = 0.0;
+            }
         }
-        self.factor.solve_minus(delta, shift, work);
-        let (links, all) = (&self.line.links, 0..self.line.nodes());
-        state.links.begin(links, &self.coefficients);
-        state
-            .links
-            .follow(links, &self.link_stiffness, &state.delta, &all);
-        state
-            .links
-            .tension_free
-            .copy_from_slice(&state.links.tension);
+        let nodes = self.awake(awake).map(|island| island.nodes.clone());
+        self.factor.solve_minus(nodes, delta, shift, work);
+        for Island {
+            links: which,
+            nodes,
+            ..
+        } in self.awake(awake)
+        {
+            let all = &self.line.links;
+            links.begin(which.clone(), all, &self.coefficients);
+            links.follow(which.clone(), all, &self.link_stiffness, delta, nodes);
+            links.tension_free[which.clone()].copy_from_slice(&links.tension[which.clone()]);
+        }
     }
 
-    /// `f −= (C − αM − βK) (v* − (a_C/κ) s)`
+    /// `f −= (C − αM − βK) (v* − (a_C/κ) s)` on an island.
     fn subtract_damping_rest(
         &self,
-        u: &[[f64; D]],
-        v: &[[f64; D]],
-        a: &[[f64; D]],
+        island: &Island,
+        [u, v, a]: [&[[f64; D]]; 3],
         [work, scratch]: [&mut [[f64; D]]; 2],
         f: &mut [[f64; D]],
     ) {
@@ -284,14 +315,14 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
             }
         };
         if self.line.mass_damping_rest.is_some() {
-            (0..u.len()).for_each(combine);
+            island.nodes.clone().for_each(combine);
         } else {
-            for (i, j, _) in &self.line.damping_rest {
+            for (i, j, _) in &self.line.damping_rest[island.damping.clone()] {
                 combine(*i);
                 combine(*j);
             }
         }
-        self.line.add_damping_rest(work, f, scratch);
+        self.line.add_damping_rest(island, work, f, scratch);
     }
 
     /// Add the response to what changed since the last call in this step: Δu += A⁻¹(C λ − G r).
@@ -321,10 +352,13 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
                 add(self.link_column(link), -change);
             }
         }
-        let stiffness = &self.link_stiffness;
-        state
-            .links
-            .follow(&self.line.links, stiffness, &state.delta, &moved);
+        let (links, stiffness) = (&self.line.links, &self.link_stiffness);
+        for island in self.awake(&state.awake) {
+            let which = island.links.clone();
+            state
+                .links
+                .follow(which, links, stiffness, &state.delta, &moved);
+        }
     }
 
     /// What the next step starts from, for a state that was put back.
@@ -341,7 +375,11 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
     /// Take the step: new displacement, velocity, acceleration.
     pub fn advance(&self, state: &mut LineState<D>) {
         widest(Advance { p: self, state });
-        state.links.advance(&self.coefficients);
+        for island in self.awake(&state.awake) {
+            state
+                .links
+                .advance(island.links.clone(), &self.coefficients);
+        }
     }
 }
 
@@ -361,10 +399,16 @@ impl<const DIM: usize, const D: usize> Kernel for Inertia<'_, DIM, D> {
     #[inline(always)]
     fn run(self) {
         let LineState {
-            delta, prepared, ..
+            delta,
+            prepared,
+            awake,
+            ..
         } = self.state;
-        for (i, d) in delta.iter_mut().enumerate() {
-            *d = self.p.line.mass.row(i, prepared);
+        for island in self.p.awake(awake) {
+            let start = island.nodes.start;
+            for (k, d) in delta[island.nodes.clone()].iter_mut().enumerate() {
+                *d = self.p.line.mass.row(start + k, prepared);
+            }
         }
     }
 }
@@ -386,22 +430,28 @@ impl<const DIM: usize, const D: usize> Kernel for Advance<'_, DIM, D> {
             delta,
             prepared,
             shift: shifts,
+            awake,
             ..
         } = self.state;
         let (c, from_mass, shift) = (&self.p.coefficients, self.p.from_mass, self.p.shift);
-        // Every number by itself: over rows the compiler would gather four of them and transpose.
-        let (u, v, a) = (
-            u.as_flattened_mut(),
-            v.as_flattened_mut(),
-            a.as_flattened_mut(),
-        );
-        let combined = prepared.as_flattened_mut().iter_mut();
-        let state = u.iter_mut().zip(v).zip(a).zip(delta.as_flattened());
-        for ((((u, v), a), d), (w, s)) in state.zip(combined.zip(shifts.as_flattened_mut())) {
-            let new_u = *u + d;
-            let (new_v, new_a) = c.advance(*d, *v, *a);
-            (*w, *s) = next(from_mass, shift, [new_u, new_v, new_a]);
-            (*u, *v, *a) = (new_u, new_v, new_a);
+        for island in self.p.awake(awake) {
+            let nodes = || island.nodes.clone();
+            // Every number by itself: over rows the compiler would gather four of them and transpose.
+            let (u, v, a) = (
+                u[nodes()].as_flattened_mut(),
+                v[nodes()].as_flattened_mut(),
+                a[nodes()].as_flattened_mut(),
+            );
+            let combined = prepared[nodes()].as_flattened_mut().iter_mut();
+            let combined = combined.zip(shifts[nodes()].as_flattened_mut());
+            let state = u.iter_mut().zip(v).zip(a);
+            let state = state.zip(delta[nodes()].as_flattened());
+            for ((((u, v), a), d), (w, s)) in state.zip(combined) {
+                let new_u = *u + d;
+                let (new_v, new_a) = c.advance(*d, *v, *a);
+                (*w, *s) = next(from_mass, shift, [new_u, new_v, new_a]);
+                (*u, *v, *a) = (new_u, new_v, new_a);
+            }
         }
     }
 }

@@ -50,16 +50,30 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
         self.state.u[node][DIM - 1] + keep * self.state.delta[node][DIM - 1]
     }
 
-    /// Record the instant of balance and update the extremes.
-    pub(super) fn watch(&mut self, step: usize, speed: f64, position: f64) {
-        let time = (step as f64 + 1.0 - self.p.coefficients.old) * self.p.h;
-        for i in 0..self.p.line.links.len() {
+    /// Update the extremes of some links.
+    pub(super) fn watch_links(&mut self, which: std::ops::Range<usize>) {
+        for i in which {
             let tension = self.tension(i);
             self.record.link_min[i] = self.record.link_min[i].min(tension);
             self.record.link_max[i] = self.record.link_max[i].max(tension);
         }
-        for (k, &node) in self.plan.nodes.iter().enumerate() {
-            self.record.uplift_max[k] = self.record.uplift_max[k].max(self.node_uplift(node));
+    }
+
+    /// Update the extremes of the watched nodes of an island.
+    pub(super) fn watch_nodes(&mut self, island: usize) {
+        for k in &self.watched[island] {
+            let uplift = self.node_uplift(self.plan.nodes[*k]);
+            self.record.uplift_max[*k] = self.record.uplift_max[*k].max(uplift);
+        }
+    }
+
+    /// Record the instant of balance and update the extremes.
+    pub(super) fn watch(&mut self, step: usize, speed: f64, position: f64) {
+        let time = (step as f64 + 1.0 - self.p.coefficients.old) * self.p.h;
+        for k in 0..self.state.awake.len() {
+            let number = self.state.awake[k];
+            self.watch_links(self.p.islands[number].links.clone());
+            self.watch_nodes(number);
         }
         for (largest, rider) in self.record.stop_max.iter_mut().zip(&self.riders) {
             *largest = largest.max(rider.stop_force());

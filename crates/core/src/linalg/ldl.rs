@@ -5,14 +5,16 @@
 //!
 //!   Wᵢⱼ = Aᵢⱼ − Σ₍ₖ﹤ⱼ₎ Wᵢₖ Lⱼₖᵀ,   Lᵢⱼ = Wᵢⱼ Dⱼ⁻¹,   Dᵢ = Aᵢᵢ − Σₖ Wᵢₖ Lᵢₖᵀ.
 //!
-//! A solve is bound by its chain of dependent operations, so the nodes are eliminated from both
-//! ends in turn: two chains that do not depend on each other run side by side and meet in the
-//! middle, where the only extra fill is.
+//! A solve is bound by its chain of dependent operations, so the nodes of each
+//! [island](super::islands) are eliminated from both ends in turn: two chains that do not depend on
+//! each other run side by side and meet in the middle, where the only extra fill is.
 
 use super::block::{self, Block, zero};
+use super::islands::islands;
 use super::substitution::Substitution;
 use super::symmetric::SymmetricBlocks;
 use crate::error::CoreError;
+use std::ops::Range;
 
 /// Factor of a symmetric block matrix.
 #[derive(Debug, Clone)]
@@ -31,11 +33,19 @@ pub struct BlockLdl<const D: usize> {
     negative_pivots: usize,
 }
 
-/// First, last, second, last but one, …
-fn from_both_ends(n: usize) -> Vec<u32> {
-    (0..n)
-        .map(|i| if i % 2 == 0 { i / 2 } else { n - 1 - i / 2 } as u32)
-        .collect()
+/// Island by island: first, last, second, last but one, …
+fn from_both_ends<const D: usize>(a: &SymmetricBlocks<D>) -> Vec<u32> {
+    let inwards = |nodes: Range<usize>| {
+        (0..nodes.len()).map(move |i| {
+            let node = if i % 2 == 0 {
+                nodes.start + i / 2
+            } else {
+                nodes.end - 1 - i / 2
+            };
+            node as u32
+        })
+    };
+    islands(a).into_iter().flat_map(inwards).collect()
 }
 
 /// A matrix in the order of elimination, to factorise again and again with other values.
@@ -50,7 +60,7 @@ impl<const D: usize> Refactoring<D> {
     /// For matrices with the pattern of `a`.
     #[must_use]
     pub fn new(a: &SymmetricBlocks<D>) -> Self {
-        let order = from_both_ends(a.rows());
+        let order = from_both_ends(a);
         let mut position = vec![0; order.len()];
         order
             .iter()
@@ -91,7 +101,7 @@ impl<const D: usize> BlockLdl<D> {
         let mut refactoring = Refactoring::new(a);
         let (row_start, columns) = fill_pattern(&refactoring.reordered);
         let (pair_start, pairs) = common_columns(&row_start, &columns);
-        let order = from_both_ends(a.rows());
+        let order = from_both_ends(a);
         let mut factor = Self {
             substitution: Substitution::new(&order, &row_start, &columns),
             pair_start,
@@ -170,12 +180,21 @@ impl<const D: usize> BlockLdl<D> {
 
     /// Solve `A x = b` in place; `work` is scratch space of the same length.
     pub fn solve(&self, x: &mut [[f64; D]], work: &mut [[f64; D]]) {
-        self.substitution.solve(x, &[], work);
+        self.substitution.solve(0..x.len(), x, &[], work);
     }
 
-    /// `x ← A⁻¹ x − minus`, without another pass over the vectors.
-    pub fn solve_minus(&self, x: &mut [[f64; D]], minus: &[[f64; D]], work: &mut [[f64; D]]) {
-        self.substitution.solve(x, minus, work);
+    /// `x ← A⁻¹ x − minus` on some islands, without another pass over the vectors. The values of other
+    /// nodes are neither read nor written.
+    pub fn solve_minus(
+        &self,
+        islands: impl Iterator<Item = Range<usize>>,
+        x: &mut [[f64; D]],
+        minus: &[[f64; D]],
+        work: &mut [[f64; D]],
+    ) {
+        for nodes in islands {
+            self.substitution.solve(nodes, x, minus, work);
+        }
     }
 
     /// Solve for an `x` that is zero but at the nodes `loaded`, no further than the answer reaches (it

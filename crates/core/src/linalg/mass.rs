@@ -111,7 +111,17 @@ impl<const DIM: usize, const D: usize> MassMatrix<DIM, D> {
 
     /// `y = M x`; the matrix must be packed.
     pub fn product(&self, x: &[[f64; D]], y: &mut [[f64; D]]) {
-        super::widest(Product { mass: self, x, y });
+        self.product_at(0..y.len(), x, y);
+    }
+
+    /// The same for some of the rows; others of `y` are left as they are.
+    pub fn product_at(&self, rows: std::ops::Range<usize>, x: &[[f64; D]], y: &mut [[f64; D]]) {
+        super::widest(Product {
+            mass: self,
+            rows,
+            x,
+            y,
+        });
     }
 
     /// xᵀ M x
@@ -169,6 +179,7 @@ impl<const DIM: usize, const D: usize> MassMatrix<DIM, D> {
 
 struct Product<'a, const DIM: usize, const D: usize> {
     mass: &'a MassMatrix<DIM, D>,
+    rows: std::ops::Range<usize>,
     x: &'a [[f64; D]],
     y: &'a mut [[f64; D]],
 }
@@ -176,8 +187,9 @@ struct Product<'a, const DIM: usize, const D: usize> {
 impl<const DIM: usize, const D: usize> super::Kernel for Product<'_, DIM, D> {
     #[inline(always)]
     fn run(self) {
-        for (i, value) in self.y.iter_mut().enumerate() {
-            *value = self.mass.row(i, self.x);
+        let start = self.rows.start;
+        for (k, value) in self.y[self.rows].iter_mut().enumerate() {
+            *value = self.mass.row(start + k, self.x);
         }
     }
 }

@@ -2,6 +2,7 @@
 
 pub mod block;
 pub mod dense;
+pub mod islands;
 pub mod lanczos;
 pub mod ldl;
 pub mod mass;

@@ -47,13 +47,13 @@ impl<const D: usize> Sweep<D> {
         self.entries.extend(partners.map(entry));
     }
 
-    /// Rows from number `first` on: the node of each, and its entries.
+    /// Some rows by their numbers: the node of each, and its entries.
     #[inline(always)]
-    fn rows_from(&self, first: usize) -> impl Iterator<Item = (usize, &[Entry<D>])> {
+    fn rows(&self, which: std::ops::Range<usize>) -> impl Iterator<Item = (usize, &[Entry<D>])> {
         let all = self.entries.len();
-        let start = self.start.get(first).map_or(all, |&s| s as usize);
+        let start = self.start.get(which.start).map_or(all, |&s| s as usize);
         let mut entries = &self.entries[start..];
-        self.rows[first..].iter().map(move |row| {
+        self.rows[which].iter().map(move |row| {
             let (own, rest) = entries.split_at(row.length as usize);
             entries = rest;
             (row.node as usize, own)
@@ -127,10 +127,18 @@ impl<const D: usize> Substitution<D> {
         self.inverse.copy_from_slice(inverse);
     }
 
-    /// `x ← A⁻¹ x − minus` (nothing is taken away where `minus` is empty).
-    pub(super) fn solve(&self, x: &mut [[f64; D]], minus: &[[f64; D]], work: &mut [[f64; D]]) {
+    /// `x ← A⁻¹ x − minus` on the nodes of one or more islands (nothing is taken away where `minus` is
+    /// empty). An island has the same places in the elimination as it has nodes.
+    pub(super) fn solve(
+        &self,
+        nodes: std::ops::Range<usize>,
+        x: &mut [[f64; D]],
+        minus: &[[f64; D]],
+        work: &mut [[f64; D]],
+    ) {
         widest(Whole {
             factor: self,
+            nodes,
             x,
             minus,
             work,
@@ -158,49 +166,51 @@ impl<const D: usize> Substitution<D> {
         reached[0].min(reached[1])..reached[1]
     }
 
-    /// Rows from `first` on of both `y = L⁻¹ x`, in the place of x, and `z = D⁻¹ y`: nothing waits for
-    /// the second. Ends behind the row for which `ends` says so; returns the number of rows begun.
+    /// Rows of both `y = L⁻¹ x`, in the place of x, and `z = D⁻¹ y`: nothing waits for the second. Ends
+    /// behind the row for which `ends` says so; returns the number of the row behind the last one.
     #[inline(always)]
     fn sweep_forward(
         &self,
-        first: usize,
+        which: std::ops::Range<usize>,
         x: &mut [[f64; D]],
         z: &mut [[f64; D]],
         mut ends: impl FnMut(usize, &[f64; D]) -> bool,
     ) -> usize {
-        let rows = self.forward.rows_from(first).zip(&self.inverse[first..]);
+        let inverses = &self.inverse[which.clone()];
+        let rows = self.forward.rows(which.clone()).zip(inverses);
         for (i, ((node, row), inverse)) in rows.enumerate() {
             let y = reduce(x[node], row, x);
             x[node] = y;
             // The inverse is symmetric.
             z[node] = block::transposed_product(inverse, &y);
-            if ends(first + i, &y) {
-                return first + i + 1;
+            if ends(which.start + i, &y) {
+                return which.start + i + 1;
             }
         }
-        self.inverse.len()
+        which.end
     }
 
-    /// Columns from number `first` on, counted from the last, of `x = L⁻ᵀ z`, in the place of z.
+    /// Columns, counted from the last, of `x = L⁻ᵀ z`, in the place of z.
     #[inline(always)]
     fn sweep_backward(
         &self,
-        first: usize,
+        which: std::ops::Range<usize>,
         z: &mut [[f64; D]],
         mut ends: impl FnMut(usize, &[f64; D]) -> bool,
     ) -> usize {
-        for (k, (node, row)) in self.backward.rows_from(first).enumerate() {
+        for (k, (node, row)) in self.backward.rows(which.clone()).enumerate() {
             z[node] = reduce(z[node], row, z);
-            if ends(first + k, &z[node]) {
-                return first + k + 1;
+            if ends(which.start + k, &z[node]) {
+                return which.start + k + 1;
             }
         }
-        self.inverse.len()
+        which.end
     }
 }
 
 struct Whole<'a, const D: usize> {
     factor: &'a Substitution<D>,
+    nodes: std::ops::Range<usize>,
     x: &'a mut [[f64; D]],
     minus: &'a [[f64; D]],
     work: &'a mut [[f64; D]],
@@ -209,15 +219,18 @@ struct Whole<'a, const D: usize> {
 impl<const D: usize> Kernel for Whole<'_, D> {
     #[inline(always)]
     fn run(self) {
-        let (factor, x, work) = (self.factor, self.x, self.work);
-        factor.sweep_forward(0, x, work, |_, _| false);
-        factor.sweep_backward(0, work, |_, _| false);
-        let (x, work) = (x.as_flattened_mut(), work.as_flattened());
+        let (factor, nodes, x, work) = (self.factor, self.nodes, self.x, self.work);
+        let all = factor.inverse.len();
+        factor.sweep_forward(nodes.clone(), x, work, |_, _| false);
+        factor.sweep_backward(all - nodes.end..all - nodes.start, work, |_, _| false);
+        let x = x[nodes.clone()].as_flattened_mut();
+        let work = work[nodes.clone()].as_flattened();
         if self.minus.is_empty() {
             x.copy_from_slice(work);
             return;
         }
-        for ((x, value), minus) in x.iter_mut().zip(work).zip(self.minus.as_flattened()) {
+        let minus = self.minus[nodes].as_flattened();
+        for ((x, value), minus) in x.iter_mut().zip(work).zip(minus) {
             *x = value - minus;
         }
     }
@@ -269,12 +282,12 @@ impl<const D: usize> Kernel for Near<'_, D> {
         let n = factor.forward.rows.len();
         let [first, last] = self.loaded;
         let mut quiet = Quiet::new(factor.reach);
-        let end = factor.sweep_forward(first, x, z, |i, y| quiet.after(y) && i > last);
+        let end = factor.sweep_forward(first..n, x, z, |i, y| quiet.after(y) && i > last);
         for row in &factor.forward.rows[first..end] {
             x[row.node as usize] = [0.0; D];
         }
         let mut quiet = Quiet::new(factor.reach);
-        let done = factor.sweep_backward(n - end, z, |k, x| quiet.after(x) && n - 1 - k < first);
+        let done = factor.sweep_backward(n - end..n, z, |k, x| quiet.after(x) && n - 1 - k < first);
         for k in n - end..done {
             let node = factor.backward.rows[k].node as usize;
             x[node] = std::mem::replace(&mut z[node], [0.0; D]);

@@ -1,0 +1,193 @@
+//! Islands of a line: tension lengths side by side or one behind the other, which nothing couples.
+//!
+//! What no rider has reached stays at rest, exactly. So a step goes through the islands that are awake:
+//! those that a rider touches or has touched. One that every rider has left, and of which nothing more is
+//! recorded, is laid to rest again. A step then costs what one or two tension lengths cost, however
+//! long the line, and the forces are those of stepping everything, bit for bit.
+
+use super::line::Line;
+use super::near::Near;
+use super::run::Run;
+use super::stepper::{LineState, Prepared};
+use crate::linalg::islands::islands;
+use std::ops::Range;
+
+/// Where an island lies in the lists of a line.
+#[derive(Debug, Clone)]
+pub struct Island {
+    /// Its nodes.
+    pub nodes: Range<usize>,
+    /// Its links.
+    pub links: Range<usize>,
+    /// Its blocks of the damping that is not common to all.
+    pub damping: Range<usize>,
+    /// Its components that cannot move.
+    pub fixed: Range<usize>,
+    /// Where it ends along the track, m.
+    end: f64,
+}
+
+impl Island {
+    /// The islands of a line, in the order of their nodes. A line whose links are not listed island by
+    /// island is taken as one.
+    pub(super) fn all<const DIM: usize, const D: usize>(
+        line: &Line<DIM, D>,
+        fixed: &[(u32, u32)],
+    ) -> Vec<Self> {
+        let nodes = islands(&line.stiffness);
+        let ends = nodes.iter().map(|nodes| nodes.end).collect::<Vec<_>>();
+        let of = |node: usize| ends.partition_point(|&end| end <= node);
+        let of_links: Vec<usize> = line.links.iter().map(|link| of(link.nodes[0])).collect();
+        if !of_links.is_sorted() {
+            return vec![Self::whole(line, fixed)];
+        }
+        let own = |(number, nodes): (usize, Range<usize>)| {
+            let link = |number: usize| of_links.partition_point(|&k| k < number);
+            let block = |node: usize| line.damping_rest.partition_point(|b| b.0 < node);
+            let held = |node: usize| fixed.partition_point(|f| (f.0 as usize) < node);
+            Self {
+                links: link(number)..link(number + 1),
+                damping: block(nodes.start)..block(nodes.end),
+                fixed: held(nodes.start)..held(nodes.end),
+                end: end(line, nodes.clone()),
+                nodes,
+            }
+        };
+        nodes.into_iter().enumerate().map(own).collect()
+    }
+
+    fn whole<const DIM: usize, const D: usize>(line: &Line<DIM, D>, fixed: &[(u32, u32)]) -> Self {
+        Self {
+            nodes: 0..line.nodes(),
+            links: 0..line.links.len(),
+            damping: 0..line.damping_rest.len(),
+            fixed: 0..fixed.len(),
+            end: end(line, 0..line.nodes()),
+        }
+    }
+}
+
+/// Largest coordinate along the track of some nodes.
+fn end<const DIM: usize, const D: usize>(line: &Line<DIM, D>, nodes: Range<usize>) -> f64 {
+    let along = line.shape[nodes].iter().map(|r| r[0]);
+    along.fold(f64::NEG_INFINITY, f64::max)
+}
+
+impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
+    /// Islands by their numbers.
+    pub(super) fn awake<'a>(&'a self, numbers: &'a [usize]) -> impl Iterator<Item = &'a Island> {
+        numbers.iter().map(|&number| &self.islands[number])
+    }
+
+    /// Links of islands.
+    pub(super) fn links_awake<'a>(
+        &'a self,
+        numbers: &'a [usize],
+    ) -> impl Iterator<Item = usize> + 'a {
+        self.awake(numbers).flat_map(|island| island.links.clone())
+    }
+
+    /// Number of the island of a node.
+    pub(super) fn island_of(&self, node: usize) -> usize {
+        self.islands.partition_point(|one| one.nodes.end <= node)
+    }
+}
+
+impl<const D: usize> LineState<D> {
+    /// Whether nothing of an island has moved.
+    fn lies(&self, island: &Island) -> bool {
+        let still = |field: &[[f64; D]]| {
+            let mut numbers = field[island.nodes.clone()].iter().flatten();
+            numbers.all(|v| *v == 0.0)
+        };
+        [&self.u, &self.v, &self.a].into_iter().all(|f| still(f))
+    }
+
+    /// Put an island back to rest.
+    fn lay(&mut self, island: &Island) {
+        for field in self.fields() {
+            field[island.nodes.clone()].fill([0.0; D]);
+        }
+        self.links.lay(island.links.clone());
+    }
+}
+
+impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
+    /// At the start, and when a state was put back: let sleep what has not moved and is not touched.
+    /// Forces that are given, and updated kinematics, keep everything awake.
+    pub(super) fn let_sleep(&mut self) {
+        if self.p.updating.is_some() || !self.travel.loads.is_empty() {
+            return;
+        }
+        for number in (0..self.p.islands.len()).rev() {
+            if self.state.lies(&self.p.islands[number]) && !self.is_touched(number) {
+                self.put_to_sleep(number);
+            }
+        }
+    }
+
+    /// Wake the islands that contacts of this step act on.
+    pub(super) fn wake(&mut self) {
+        for &i in &self.contacts.active {
+            let number = self.p.island_of(self.contacts.all[i].place.nodes[0]);
+            if let Err(place) = self.state.awake.binary_search(&number) {
+                self.state.awake.insert(place, number);
+            }
+        }
+    }
+
+    /// Let sleep what all riders have left and what lies behind all that is recorded, with the first rider
+    /// at a position.
+    pub(super) fn leave_behind(&mut self, position: f64) {
+        let Some(near) = &self.plan.near else {
+            return;
+        };
+        if self.plan.ledger || self.p.updating.is_some() || !self.travel.loads.is_empty() {
+            return;
+        }
+        let from = first_recorded(near, near.from(position, self.travel));
+        for k in (0..self.state.awake.len()).rev() {
+            let number = self.state.awake[k];
+            let ends = self.p.islands[number].end < from;
+            if ends && !self.is_touched(number) && !self.has_points(number) {
+                self.put_to_sleep(number);
+            }
+        }
+    }
+
+    fn is_touched(&self, number: usize) -> bool {
+        let nodes = &self.p.islands[number].nodes;
+        let mut contacts = self.contacts.all.iter();
+        contacts.any(|c| c.meets && nodes.contains(&c.ends[1].nodes[0]))
+    }
+
+    /// Whether the motion of a place on it is recorded.
+    fn has_points(&self, number: usize) -> bool {
+        let nodes = &self.p.islands[number].nodes;
+        self.points.iter().any(|p| nodes.contains(&p.nodes[0]))
+    }
+
+    /// What sleeps is as it was at rest, and stays so; that counts among the extremes.
+    fn put_to_sleep(&mut self, number: usize) {
+        let island = &self.p.islands[number];
+        self.state.lay(island);
+        for i in island.links.clone() {
+            let link = &self.p.line.links[i];
+            self.unilateral.correction[i] = link.rest_correction();
+            self.state.links.tension[i] = link.rest_tension;
+        }
+        self.state.awake.retain(|&other| other != number);
+        let island = island.clone();
+        self.watch_links(island.links);
+        self.watch_nodes(number);
+    }
+}
+
+/// Smallest coordinate from which anything is recorded in a row that begins at `from`: the last rows hold
+/// the end of the line.
+fn first_recorded(near: &Near, from: f64) -> f64 {
+    [&near.links, &near.nodes]
+        .into_iter()
+        .filter_map(|ordered| ordered.x.get(ordered.first(from)))
+        .fold(from, |least, x| least.min(*x))
+}
