@@ -34,7 +34,10 @@ def test_no_tension_length_shares_a_node_with_another(model: str) -> None:
     integers, _ = mesh.parts["wires" if model == "hermite" else "segments"]
     for a, b in integers[:, :2]:
         assert ({a, b} <= own[0]) != ({a, b} <= own[1])
-    assert np.all(np.diff(mesh.positions[:, 0]) >= 0.0)
+    # Numbered one after the other, each along the track.
+    assert max(own[0]) < min(own[1])
+    for nodes in own:
+        assert np.all(np.diff(mesh.positions[sorted(nodes), 0]) >= 0.0)
 
 
 def test_neighbours_are_on_different_lanes_and_the_next_but_one_on_the_first() -> None:

@@ -26,6 +26,6 @@ def test_force_is_the_same_where_lengths_left_behind_are_laid_to_rest() -> None:
     near = arcless.run(load(scenario_data(LINE, **short, output__around="40 m"))).dataset
     for name in ("contact_force", "contact_height", "mass_displacement", "point_uplift"):
         np.testing.assert_array_equal(whole[name].values, near[name].values, err_msg=name)
-    # The one with the first point goes on; the second (spans 3 to 8, 120 to 480 m) is at rest again.
+    # The one with the first point goes on; the second, which ends at 480 m, is at rest again.
     highest, of_near = (d["support_uplift_max"].values for d in (whole, near))
     assert (of_near <= highest).all()
