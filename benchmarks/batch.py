@@ -16,9 +16,9 @@ from benchmarks.goals import COMMAND, REFERENCE
 HEAD = (
     "runs", "how", "processor s/run", "wall s/run", "throughput, × one by one",
 )  # fmt: skip
-# Enough that what is made once counts for little; 1000 take as long for each.
-MEMBERS = 24
-REPEATS = 3
+# Enough that what is made once counts for little: a hundredth of a run for each.
+MEMBERS = 12
+REPEATS = 2
 SHORT = {
     "travel": {"start": "250 m", "end": "500 m"},
     "analysis": {"from": "300 m", "to": "450 m"},

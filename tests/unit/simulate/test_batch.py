@@ -188,6 +188,15 @@ def test_members_are_made_when_they_are_needed(
     assert most <= 2
 
 
+def test_members_that_come_one_at_a_time_share_their_line(
+    short: Make, made: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sys.modules["arcless.simulate.batch"], "AHEAD", 1)
+    other = short(**{"line.contact_wire.tension": "21 kN"})
+    arcless.batch(iter([short(), short(), other, other]), workers=1)
+    assert len(made) == 2
+
+
 def test_a_batch_that_is_cancelled_stops(short: Make) -> None:
     with pytest.raises(KeyboardInterrupt):
         arcless.batch([short(**{"solver.time_step": "0.01 ms"})] * 3, cancel=lambda: True)

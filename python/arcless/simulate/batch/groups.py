@@ -51,7 +51,11 @@ class Group:
 
 
 class Groups:
-    """All members that wait. Lines are let go when nobody waits for them or runs on them."""
+    """All members that wait.
+
+    A line that nobody waits for or runs on is let go, but for the last one: members that come one
+    at a time share it all the same.
+    """
 
     def __init__(self, shared_key: Callable[[Scenario], str]) -> None:
         self._shared_key = shared_key
@@ -105,6 +109,8 @@ class Groups:
         """Stop to work for a group."""
         with self._change:
             group.at_work -= 1
-            done = [k for k, g in self._groups.items() if not g.waiting and not g.at_work]
-            for key in done:
+            idle = [
+                k for k, g in self._groups.items() if not (g.waiting or g.at_work or g is group)
+            ]
+            for key in idle:
                 del self._groups[key]
