@@ -37,6 +37,8 @@ class Job:
     operation: int = 0  # number of the file operation before which it happens, from 1
     moment_s: float = 0.0  # or the time after the start
     reads: bool = False  # opening a file to read it is an operation too
+    lines: int = 0  # or when a file, named next, has so many lines
+    file: str = ""
 
 
 @dataclass(frozen=True)
@@ -124,14 +126,24 @@ def wait(child: int, job: Job) -> int:
     """Stop the child at its moment, if it has one; return its exit code."""
     ended = os.pidfd_open(child)
     try:
-        if job.moment_s:
-            select.select([ended], [], [], job.moment_s)
+        if job.moment_s or job.lines:
+            if job.lines:
+                wait_for_lines(ended, Path(job.folder) / job.file, job.lines)
+            else:
+                select.select([ended], [], [], job.moment_s)
             os.kill(child, signal.SIGKILL if job.how == "kill" else signal.SIGINT)
         if not select.select([ended], [], [], LIMIT_S)[0]:
             os.kill(child, signal.SIGKILL)
     finally:
         os.close(ended)
     return os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+
+
+def wait_for_lines(ended: int, file: Path, lines: int) -> None:
+    """Wait until a file has so many lines, or the process has ended."""
+    while not select.select([ended], [], [], 0.002)[0]:
+        if file.exists() and file.read_bytes().count(b"\n") >= lines:
+            return
 
 
 def main() -> None:
