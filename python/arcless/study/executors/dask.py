@@ -92,7 +92,7 @@ def _local(workers: int | None) -> "Iterator[Client]":
             n_workers=count,
             threads_per_worker=1,
             processes=True,
-            dashboard_address=None,
+            dashboard_address="127.0.0.1:0",  # a fixed port may be taken, and that is warned of
             silence_logs=logging.CRITICAL,
         ) as cluster,
         Client(cluster, set_as_default=False) as client,

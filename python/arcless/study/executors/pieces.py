@@ -2,6 +2,7 @@
 
 import time
 from collections.abc import Iterator
+from concurrent.futures import CancelledError
 from itertools import islice
 from typing import TYPE_CHECKING
 
@@ -20,6 +21,8 @@ LARGEST_PIECE, PIECES_EACH = 8, 4
 # Pieces that wait at each worker, so that it does not while rows travel.
 AHEAD = 2
 _LOOK_EVERY_S = 0.02
+# Some kilobytes take no longer, or they do not come: their piece is sent again.
+_TRAVELS_WITHIN_S = 5.0
 _COUNT_EVERY_S = 1.0
 # Without a worker for so long, a user is told that the study waits.
 _ALONE_S = 5.0
@@ -75,6 +78,7 @@ class Pieces:
             while self._send() or self._sent:
                 if cancel():
                     raise KeyboardInterrupt
+                self._count_workers()
                 while self._ends.has_ready():
                     for row in self._rows(next(self._ends)):
                         take(row)
@@ -98,11 +102,15 @@ class Pieces:
         """Return the rows of a piece that ended; none where it has to be sent again."""
         from distributed import KilledWorker
 
-        piece = self._sent.pop(future)
-        if future.status == "finished":
-            rows: list[Row] = future.result()
-            return rows
-        error = future.exception() if future.status == "error" else None
+        piece, error = self._sent.pop(future), None
+        try:
+            if future.status == "finished":
+                rows: list[Row] = future.result(timeout=_TRAVELS_WITHIN_S)
+                return rows
+            if future.status == "error":
+                error = future.exception(timeout=_TRAVELS_WITHIN_S)
+        except (OSError, TimeoutError, CancelledError):
+            error = None  # the worker died with the rows before they were here
         if isinstance(error, KilledWorker):
             if len(piece) == 1:
                 return [failed(piece[0], "every worker that computed it died")]
@@ -116,7 +124,10 @@ class Pieces:
                 got=f"{type(error).__name__}: {error}"[:300],
                 expected="workers with the same version of Arcless as here",
             )
-        raise _gone()
+        if self._client.status != "running":
+            raise _gone()
+        self._again.append(piece)
+        return []
 
     def _count_workers(self) -> int:
         """Return how many pieces can be computed at once; ask for it now and then."""
