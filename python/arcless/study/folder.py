@@ -122,9 +122,10 @@ class StudyFolder:
             raise StudyError(
                 "the study is another one than when it was begun",
                 where=self.study.file or str(self.path),
-                got="\n  " + "\n  ".join(lines) + "\n ",
+                got="other values, listed below",
                 expected=f"the study as it stands in {self.path / _COPY}",
-                hint="take the changes back, or begin anew in another folder with `--out`",
+                hint="take the changes back, or begin anew in another folder with `--out`\n  "
+                + "\n  ".join(lines),
             )
         return state
 

@@ -1,0 +1,80 @@
+"""The guide and the reference of studies are true."""
+
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from arcless.study import Study, load, run, status
+from arcless.study.model import COLUMNS
+from arcless.study.quantities import keys
+from tests.support.studies import rows
+
+DOCS = Path(__file__).parents[3] / "docs"
+GUIDE = (DOCS / "guide/studies.md").read_text("utf-8")
+REFERENCE = (DOCS / "reference/study-files.md").read_text("utf-8")
+EXAMPLES = dict(re.findall(r"```yaml\n# (\S+\.yaml)\n(.*?)```", GUIDE, re.DOTALL))
+
+
+def example(name: str, folder: Path) -> Study:
+    (folder / name).write_text(EXAMPLES[name], "utf-8")
+    return load(folder / name)
+
+
+@pytest.mark.parametrize(("name", "count"), [("force-and-tension.yaml", 9), ("scatter.yaml", 8)])
+def test_the_examples_run(tmp_path: Path, name: str, count: int) -> None:
+    made = example(name, tmp_path)
+    assert run(made, tmp_path / "out").computed == count
+    found = rows(tmp_path / "out" / "table.parquet")
+    assert [row["status"] for row in found] == ["done"] * count
+    assert all(row[name] is not None for row in found for name in made.outputs)
+    assert status(made, tmp_path / "out").done == count
+
+
+def test_the_difference_is_shown_as_in_the_guide(tmp_path: Path) -> None:
+    from arcless.errors import StudyError
+    from arcless.study import StudyFolder
+
+    name = "force-and-tension.yaml"
+    place = StudyFolder(example(name, tmp_path), tmp_path / "out")
+    place.make()
+    place.write_state()
+    (tmp_path / name).write_text(EXAMPLES[name].replace("100 N", "90 N"), "utf-8")
+    with pytest.raises(StudyError) as caught:
+        StudyFolder(load(tmp_path / name), tmp_path / "out").check_same()
+    said = str(caught.value).replace(str(tmp_path / name), name)
+    said = said.replace(str(tmp_path / "out"), "runs/studies/force-and-tension")
+    assert f"error: {said}\n" in GUIDE
+
+
+def test_every_field_kind_and_column_is_named() -> None:
+    for model in _models():
+        for name, field in model.model_fields.items():
+            assert f"`{field.alias or name}`" in REFERENCE, f"{model.__name__}.{name}"
+            if name in ("kind", "format", "keep"):
+                for word in getattr(field.annotation, "__args__", ()):
+                    assert f"`{word}`" in REFERENCE, word
+    for column in COLUMNS:
+        assert f"`{column}`" in REFERENCE
+
+
+def test_every_key_is_named(tmp_path: Path) -> None:
+    for key in keys(example("scatter.yaml", tmp_path).base):
+        if not key.startswith("P1."):
+            assert f"`{key.removeprefix('criteria.')}`" in REFERENCE, key
+
+
+def _models() -> list[Any]:
+    found: list[Any] = []
+    todo: list[Any] = [field.annotation for name, field in Study.model_fields.items()
+                       if name not in ("scenario", "provenance")]  # fmt: skip
+    while todo:
+        item = todo.pop()
+        if hasattr(item, "model_fields"):
+            if item not in found:
+                found.append(item)
+                todo += [field.annotation for field in item.model_fields.values()]
+        else:
+            todo += list(getattr(item, "__args__", ()))
+    return [Study, *found]
