@@ -113,6 +113,24 @@ def test_a_failing_member_does_not_lose_the_others(short: Make, tmp_path: Path) 
     assert heard[-1] == "5 of 5 runs, 3 failed"
 
 
+def test_what_nobody_has_foreseen_is_an_outcome_too(
+    short: Make, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from arcless.simulate.batch import crew
+
+    real = crew.lay_out
+
+    def slips(scenario: Scenario, *others: Any) -> Any:
+        if scenario.speed == short(speed="120 km/h").speed:
+            raise ZeroDivisionError("a slip")
+        return real(scenario, *others)
+
+    monkeypatch.setattr(crew, "lay_out", slips)
+    outcomes = arcless.batch([short(), short(speed="120 km/h"), short()])
+    assert [outcome.error is None for outcome in outcomes] == [True, False, True]
+    assert "ZeroDivisionError: a slip" in str(outcomes[1].error)
+
+
 def test_a_folder_goes_on_where_it_stopped(short: Make, tmp_path: Path) -> None:
     scenarios = [short(speed=f"{speed} km/h") for speed in (120, 130, 140, 150)]
     whole = arcless.batch(scenarios, folder=tmp_path / "whole")

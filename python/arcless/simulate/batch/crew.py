@@ -16,7 +16,7 @@ from arcless.simulate.control import Controllers
 from arcless.simulate.job import Job, lay_out
 
 # Workers that are told to stop do so after some steps; nobody waits for a line in the making.
-LEAVES_WITHIN_S = 0.5
+LEAVES_WITHIN_S = 0.3
 
 
 class Crew:
@@ -74,7 +74,7 @@ class Crew:
                 self._done.put(error)
 
     def _outcome(self, group: Group, member: Member) -> Outcome:
-        """Run a member; what it raises on purpose is what came of it."""
+        """Run a member; an error is what came of it."""
         started = time.perf_counter()
         index, name = member.index, member.scenario.name
         try:
@@ -87,9 +87,9 @@ class Crew:
                     forces = run.send(job.step(forces, full=full))
             except StopIteration as end:
                 done = end.value
-        except ArclessError as error:
+        except Exception as error:
             wall = time.perf_counter() - started
-            return Outcome(index, name, error=error, wall_time_s=wall)
+            return Outcome(index, name, error=_told(error), wall_time_s=wall)
         return self._kept(member, done, time.perf_counter() - started)
 
     def _job(self, group: Group, member: Member) -> Job:
@@ -105,6 +105,19 @@ class Crew:
             return Outcome(index, name, assessment, result, wall_time_s=wall_time_s)
         path = self._folder.write(member.key, done, wall_time_s)
         return Outcome(index, name, assessment, path=path, wall_time_s=wall_time_s)
+
+
+def _told(error: Exception) -> ArclessError:
+    """Return the error of a member; what nobody has foreseen must not lose the others either."""
+    if isinstance(error, ArclessError):
+        return error
+    told = ArclessError(
+        "the run failed in a way that nobody has foreseen",
+        got=f"{type(error).__name__}: {error}",
+        hint="run it alone with `arcless.run`, and report what it says",
+    )
+    told.__cause__ = error
+    return told
 
 
 def _quiet(_fraction: float, _text: str) -> None:
