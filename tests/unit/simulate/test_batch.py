@@ -14,7 +14,7 @@ from arcless.assess import Assessment
 from arcless.model import Scenario
 from arcless.simulate import equilibrium
 from arcless.simulate.batch.keys import member_key, shared_key
-from arcless.simulate.job import Line
+from arcless.simulate.job import Line, ready_line
 from tests.support.small import differing
 
 Make = Callable[..., Scenario]
@@ -255,6 +255,24 @@ def test_what_is_shared_follows_from_the_data(short: Make) -> None:
     ]
     assert {shared_key(scenario) for scenario in same} == {shared_key(base)}
     assert len({shared_key(scenario) for scenario in [base, *other]}) == len(other) + 1
+
+
+class Noticed:
+    """Stands for a scenario, and notes which of its fields are read."""
+
+    def __init__(self, scenario: Scenario, read: set[str]) -> None:
+        self._scenario, self._read = scenario, read
+
+    def __getattr__(self, name: str) -> Any:
+        self._read.add(name)
+        return getattr(self._scenario, name)
+
+
+def test_a_line_is_made_from_nothing_that_its_key_lacks(short: Make) -> None:
+    read: set[str] = set()
+    scenario: Any = Noticed(short(**{"as_built.temperature_difference": "5 K"}), read)
+    ready_line(scenario, lambda _fraction, _text: None)
+    assert read == {"line", "as_built", "solver", "time_step_s", "contact"}
 
 
 def test_a_controllers_file_is_part_of_its_member(short: Make, tmp_path: Path) -> None:
