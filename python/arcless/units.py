@@ -48,6 +48,11 @@ KINDS: dict[str, Kind] = {
     "kg/m3": Kind("a density", {"kg/m3": 1}),
     "N/(m/s)2": Kind("an aerodynamic coefficient", {"N/(m/s)2": 1, "N/(km/h)2": 1 / _KMH**2}),
     "N/s": Kind("a rate of force", {"N/s": 1, "kN/s": 1000}),
+    "A": Kind("an electric current", {"A": 1, "kA": 1000}),
+    "V": Kind("a voltage", {"V": 1, "kV": 1000}),
+    "Ohm": Kind("a resistance", {"Ohm": 1, "mOhm": _MILLI, "uOhm": Fraction(1, 1_000_000)}),
+    "Pa": Kind("a hardness", {"Pa": 1, "MPa": 10**6, "GPa": 10**9, "N/mm2": 10**6}),
+    "J/kg": Kind("a latent heat", {"J/kg": 1, "kJ/kg": 1000, "MJ/kg": 10**6}),
     "1": Kind("a number without unit", {"": 1}),
 }
 
@@ -64,6 +69,10 @@ _ALIASES = {
     "kmh": "km/h",
     "s-1": "1/s",
     "K-1": "1/K",
+    "Ω": "Ohm",
+    "mΩ": "mOhm",
+    "µΩ": "uOhm",
+    "μΩ": "uOhm",
 }
 _KIND_OF_UNIT = {unit: kind for kind in KINDS.values() for unit in kind.units if unit}
 

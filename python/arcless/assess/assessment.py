@@ -4,7 +4,7 @@
 import json
 import math
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, fields, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -19,11 +19,15 @@ from arcless.assess.section import (
     section_notes,
 )
 from arcless.assess.statistics import PantographAssessment, pantograph_assessment
+from arcless.assess.wear import WearRates, wear_notes, wear_rates
 from arcless.errors import ModelError
 from arcless.results import metadata
 
 if TYPE_CHECKING:
     from arcless.results.plain import Dataset
+
+
+WEAR_KEYS = tuple(field.name for field in fields(WearRates))
 
 
 @dataclass(frozen=True)
@@ -57,8 +61,16 @@ class Assessment:
         return all(criterion.passed is not False for criterion in self.criteria)
 
     def to_dict(self) -> dict[str, Any]:
-        """Return the assessment as plain values, ready for JSON."""
-        return asdict(self)
+        """Return the assessment as plain values, ready for JSON.
+
+        Without coefficients of wear in the scenario there are no keys of wear.
+        """
+        data = asdict(self)
+        for pantograph in data["pantographs"]:
+            if pantograph["wear_mechanical_mm3_km"] is None:
+                for name in WEAR_KEYS:
+                    del pantograph[name]
+        return data
 
     def to_json(self) -> str:
         """Return the assessment as JSON text; it never holds a NaN."""
@@ -97,10 +109,13 @@ def assess(
     cutoff_Hz, split_Hz = _frequencies(facts["scenario"], low_pass_Hz)
     record = force_record(dataset, limits, cutoff_Hz, split_Hz)
     pantographs = _pantographs(dataset, record)
+    wear = _wear(facts["scenario"].get("wear"), dataset["speed"].values, record, pantographs)
+    pantographs = [replace(p, **asdict(wear[p.name])) if wear else p for p in pantographs]
     line = _line_numbers(dataset, limits)
     speed = dataset["speed"].values[record.inside[:, 0]]
     notes = section_notes(dataset, limits, record, split_Hz)
     notes += _absences(line, facts["scenario"])
+    notes += wear_notes(facts["scenario"].get("wear"), wear)
     judged_by = _criteria_facts(facts["scenario"], speed, line["max_uplift_at_support_mm"])
     own = ("steps", "setup_time_s", "wall_time_s", "real_time_factor")
     return Assessment(
@@ -160,6 +175,26 @@ def _pantographs(dataset: "Dataset", record: ForceRecord) -> list[PantographAsse
         )
         for i, name in enumerate(dataset["pantograph"].values)
     ]
+
+
+def _wear(
+    given: Mapping[str, Any] | None,
+    speed: Any,
+    record: ForceRecord,
+    pantographs: list[PantographAssessment],
+) -> dict[str, WearRates]:
+    """Return the wear by each pantograph, at its own mean speed in the section."""
+    if given is None:
+        return {}
+    return {
+        p.name: wear_rates(
+            given,
+            p.mean_force_N,
+            p.contact_loss_percent,
+            float(np.mean(speed[record.inside[:, i]])),
+        )
+        for i, p in enumerate(pantographs)
+    }
 
 
 def _line_numbers(dataset: "Dataset", section: Section) -> dict[str, Any]:

@@ -36,6 +36,11 @@ class PantographAssessment:
     contact_point_range_mm: float
     unfiltered_max_force_N: float
     unfiltered_min_force_N: float
+    wear_mechanical_mm3_km: float | None = None
+    """None, as are the next three, of a scenario without coefficients of wear."""
+    wear_joule_mm3_km: float | None = None
+    wear_arc_mm3_km: float | None = None
+    wear_total_mm3_km: float | None = None
 
 
 @dataclass(frozen=True)

@@ -28,6 +28,12 @@ _STATISTICS = (
     ("max_gap_mm", "largest gap", "mm", 1),
     ("contact_point_range_mm", "range of contact-point height", "mm", 1),
 )
+_WEAR = (
+    ("wear_mechanical_mm3_km", "wear by friction", "mm³/km", 3),
+    ("wear_joule_mm3_km", "wear by the current through the contact", "mm³/km", 3),
+    ("wear_arc_mm3_km", "wear by arcs", "mm³/km", 3),
+    ("wear_total_mm3_km", "wear in sum", "mm³/km", 3),
+)
 _RUN = (
     ("max_uplift_at_support_mm", "maximum uplift at a support", "mm", 1),
     ("min_dropper_force_N", "minimum dropper force", "N", 1),
@@ -73,7 +79,9 @@ def statistics(assessment: dict[str, Any], published: "Sequence[Row]" = ()) -> T
     extra = ("published range", "verdict") if ranges else ()
     title = f"{assessment['scenario']} at {assessment['speed_m_s'] * 3.6:.0f} km/h"
     made = table(title, "quantity", "unit", *names, *extra, numbers=names)
-    for keys, sources in ((_STATISTICS, assessment["pantographs"]), (_RUN, [assessment])):
+    pantographs = assessment["pantographs"]
+    wear = _WEAR if _WEAR[0][0] in pantographs[0] else ()
+    for keys, sources in ((_STATISTICS + wear, pantographs), (_RUN, [assessment])):
         for key, label, unit, digits in keys:
             values = [number(source.get(key), digits) for source in sources]
             values += [""] * (len(names) - len(values))

@@ -15,6 +15,7 @@ from arcless.model.line import Line
 from arcless.model.pantograph import Pantograph
 from arcless.model.roof import RoofMotion
 from arcless.model.settings import MAX_SPEED, Contact, Output, Solver, SpeedProfile
+from arcless.model.wear import WearModel
 from arcless.units import WRONG_VALUE, show
 
 MAX_PANTOGRAPHS = 8
@@ -158,6 +159,9 @@ class Scenario(Document):
     solver: Solver = Field(default_factory=Solver, description="Time step, scheme, elements.")
     analysis: Analysis = Field(default_factory=Analysis, description="Section and filters.")
     output: Output = Field(default_factory=Output, description="What is recorded.")
+    wear: WearModel | None = Field(
+        default=None, description="Coefficients of wear, which is assessed then; none without."
+    )
 
     @classmethod
     def prepare(cls, data: dict[str, Any]) -> dict[str, Any]:

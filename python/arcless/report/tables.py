@@ -28,6 +28,13 @@ INDICATORS: dict[str, tuple[str, str, int]] = {
     "max_gap_mm": ("largest gap", "mm", 1),
     "contact_point_range_mm": ("range of the contact point's height", "mm", 1),
 }
+# Shown for a scenario with coefficients of wear.
+WEAR: dict[str, tuple[str, str, int]] = {
+    "wear_mechanical_mm3_km": ("wear by friction", "mm³/km", 3),
+    "wear_joule_mm3_km": ("wear by the current through the contact", "mm³/km", 3),
+    "wear_arc_mm3_km": ("wear by arcs", "mm³/km", 3),
+    "wear_total_mm3_km": ("wear in sum", "mm³/km", 3),
+}
 
 
 @dataclass(frozen=True)
@@ -64,7 +71,8 @@ def verdict(assessment: Assessment) -> Verdict:
 def indicator_rows(assessment: Assessment) -> list[tuple[str, str, list[str]]]:
     """Return label, unit and one value per pantograph for every indicator."""
     rows = []
-    for key, (label, unit, decimals) in INDICATORS.items():
+    worn = assessment.pantographs[0].wear_mechanical_mm3_km is not None
+    for key, (label, unit, decimals) in (INDICATORS | (WEAR if worn else {})).items():
         values = [number(getattr(p, key), decimals) for p in assessment.pantographs]
         rows.append((label, unit, values))
     return rows

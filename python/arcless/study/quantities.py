@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from dataclasses import fields
 from typing import Any
 
-from arcless.assess import RULES, Assessment, PantographAssessment
+from arcless.assess import RULES, WEAR_KEYS, Assessment, PantographAssessment
 from arcless.model import Scenario
 
 _NUMBERS = (float, int, float | None, int | None)
@@ -16,15 +16,17 @@ _RUN = [field.name for field in fields(Assessment) if field.type in _NUMBERS]
 _PANTOGRAPH = [field.name for field in fields(PantographAssessment) if field.name != "name"]
 _CRITERIA = sorted({rule.name for rule in RULES})
 # How the endings of keys are read; longest first.
-_UNITS = {"_percent": "%", "_m_s": "m/s", "_mm": "mm", "_Hz": "Hz", "_m": "m", "_N": "N", "_s": "s"}
+_UNITS = {
+    "_mm3_km": "mm³/km", "_percent": "%",
+    "_m_s": "m/s", "_mm": "mm", "_Hz": "Hz", "_m": "m", "_N": "N", "_s": "s",
+}  # fmt: skip
 
 
 def keys(scenario: Scenario) -> list[str]:
     """Return every key that an output may use of a scenario's runs."""
-    placed = [
-        f"{name}.{key}" for names in _names(scenario) for name in names for key in _PANTOGRAPH
-    ]
-    return [*_PANTOGRAPH, *_RUN, "passed", *(f"criteria.{name}" for name in _CRITERIA), *placed]
+    own = [key for key in _PANTOGRAPH if scenario.wear is not None or key not in WEAR_KEYS]
+    placed = [f"{name}.{key}" for names in _names(scenario) for name in names for key in own]
+    return [*own, *_RUN, "passed", *(f"criteria.{name}" for name in _CRITERIA), *placed]
 
 
 def values(assessment: Assessment) -> dict[str, float | None]:

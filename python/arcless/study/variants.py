@@ -8,7 +8,7 @@ from arcless.study.load import digest
 from arcless.study.model import Study
 
 # Fields below these leave the line as it is, so that its matrices can be shared.
-_TRAIN = ("speed", "speed_profile", "pantographs", "travel", "analysis")
+_TRAIN = ("speed", "speed_profile", "pantographs", "travel", "analysis", "wear")
 
 
 @dataclass(frozen=True)
