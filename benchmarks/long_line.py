@@ -1,7 +1,8 @@
 """A long line from file to report: wall time of each stage, and the most memory up to its end.
 
-    python benchmarks/long_line.py           50 km, 909 spans
-    python benchmarks/long_line.py 90        so many spans of the same line
+    python benchmarks/long_line.py                50 km, 909 spans in tension lengths of 22
+    python benchmarks/long_line.py 92             the first tension lengths of it, up to so many spans
+    python benchmarks/long_line.py 92 one-wire    the same spans in one tension length
 
 In a process of its own: the most memory of a process never goes down again.
 """
@@ -11,6 +12,10 @@ import sys
 import tempfile
 import time
 from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from arcless.model import Scenario
 
 SCENARIO = Path(__file__).with_name("long-run.yaml")
 HEAD = ("stage", "wall s", "most memory MB")
@@ -40,7 +45,21 @@ class Stages:
         print(f"{name} | {seconds:.2f} | {kibibytes / 1024:.0f}", flush=True)
 
 
-def main(spans: int | None) -> None:
+def shorter(scenario: "Scenario", spans: int, *, one_wire: bool) -> "Scenario":
+    """Return the scenario with fewer spans, or without tension lengths."""
+    lengths = [one for one in scenario.line.tension_length_list() if one.from_span + 3 <= spans]
+    ends = [{"from_span": a.from_span, "to_span": min(a.to_span, spans)} for a in lengths]
+    return scenario.with_(
+        **{
+            "line.spans.0.count": spans,
+            "line.tension_lengths": None if one_wire else ends,
+            "line.overlap": None if one_wire else scenario.line.overlap,
+            "analysis.spans": [6, max(6, spans - 5)],
+        }
+    )
+
+
+def main(spans: int | None, *, one_wire: bool) -> None:
     stage = Stages()
     print(" | ".join(HEAD))
     print(" | ".join("---" for _ in HEAD))
@@ -49,9 +68,7 @@ def main(spans: int | None) -> None:
     stage(0.0, "model file")
     scenario = arcless.load(SCENARIO)
     if spans is not None:
-        scenario = scenario.with_(
-            **{"line.spans.0.count": spans, "analysis.spans": [6, max(6, spans - 5)]}
-        )
+        scenario = shorter(scenario, spans, one_wire=one_wire)
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "result.nc"
         result = arcless.run(scenario, to=file, progress=stage)
@@ -69,4 +86,4 @@ def main(spans: int | None) -> None:
 
 
 if __name__ == "__main__":
-    main(int(sys.argv[1]) if len(sys.argv) > 1 else None)
+    main(int(sys.argv[1]) if len(sys.argv) > 1 else None, one_wire="one-wire" in sys.argv[2:])

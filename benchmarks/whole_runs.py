@@ -25,6 +25,9 @@ HEAD = (
     "kB/step of the whole line",
 )  # fmt: skip
 SPANS = (10, 20, 50, 100)
+# The same with tension lengths of so many spans, each of which shares some with the next.
+LENGTH, SHARED = 22, 3
+SPANS_IN_LENGTHS = (60, 98, 1000)
 SPANS_HEAD = ("spans", "unknowns", "µs/step", "set-up s")
 
 
@@ -82,27 +85,47 @@ def _row(title: str, one: Stepping, taken: Taken) -> list[str]:
     ]
 
 
-def over_spans(counts: Sequence[int] = SPANS) -> list[list[str]]:
-    """Cost of a step over the length of the line: AC simple, planar, 2 s from the middle."""
-    scenario, found = load("en50318-ac-simple-320"), []
-    for count in counts:
-        middle = 55.0 * (count // 2 - 2)
-        changes = {
-            "line.spans": [{"type": "standard", "count": count}],
-            "travel": {"start": middle, "end": middle + 2.0 * 320.0 / 3.6},
-            "analysis.spans": None,
-        }
-        found.append(_span_row(count, scenario.with_(**changes)))
-    return found
+def tension_lengths(spans: int) -> list[dict[str, int]]:
+    """Tension lengths of a line of so many spans."""
+    firsts = range(1, max(spans - SHARED, 1) + 1, LENGTH - SHARED)
+    return [{"from_span": at, "to_span": min(at + LENGTH - 1, spans)} for at in firsts]
 
 
-def _span_row(count: int, scenario: Scenario) -> list[str]:
+def over_spans() -> list[list[str]]:
+    """Cost of a step over the length of the line: AC simple, planar, 2 s from the middle on.
+
+    In tension lengths it depends on the place: from the middle on through one of them.
+    """
+    one_wire = [_span_row(str(count), _of_spans(count)) for count in SPANS]
+    overlap = {"raise": ["500 mm", "60 mm"], "separation": 0.0}
+    found = []
+    for count in SPANS_IN_LENGTHS:
+        lengths = {"line.tension_lengths": tension_lengths(count), "line.overlap": overlap}
+        start, _ = _of_spans(count).travel_range()
+        end = start + 55.0 * (LENGTH - SHARED)
+        travel = {"travel.end": end, "output.around": "200 m"}
+        scenario = _of_spans(count).with_(**travel, **lengths)
+        found.append(_span_row(f"{count}, in tension lengths", scenario))
+    return one_wire + found
+
+
+def _of_spans(count: int) -> Scenario:
+    middle = 55.0 * (count // 2 - 2)
+    changes: dict[str, Any] = {
+        "line.spans": [{"type": "standard", "count": count}],
+        "travel": {"start": middle, "end": middle + 2.0 * 320.0 / 3.6},
+        "analysis.spans": None,
+    }
+    return load("en50318-ac-simple-320").with_(**changes)
+
+
+def _span_row(title: str, scenario: Scenario) -> list[str]:
     made: list[Stepping] = []
     setup = timed(lambda: made.append(Stepping.of(scenario)), 1)
     taken = timed(made[0].run)
     steps = made[0].job.travel.steps
     return [
-        str(count),
+        title,
         str(made[0].floor().unknowns),
         f"{1e6 * taken.processor / steps:.1f}",
         f"{setup.processor:.2f}",

@@ -31,6 +31,10 @@ pub(super) fn refuse(reason: &str) -> CoreError {
     }
 }
 
+/// Elements that the search for a place goes from where it starts, one by one: more than a contact moves
+/// in a time step.
+const STEPS: usize = 4;
+
 impl<const DIM: usize> Path<DIM> {
     /// One path for each list of wire elements (segments of a chain).
     ///
@@ -142,14 +146,24 @@ impl<const DIM: usize> Path<DIM> {
             return None;
         }
         let mut k = near.min(present.len() - 1);
-        while k > 0 && x < present[k].range().0 {
-            k -= 1;
+        for _ in 0..STEPS {
+            if k > 0 && x < present[k].range().0 {
+                k -= 1;
+            } else if k + 1 < present.len() && x > present[k].range().1 {
+                k += 1;
+            } else {
+                break;
+            }
         }
-        while k + 1 < present.len() && x > present[k].range().1 {
-            k += 1;
+        // A lane that has had no wire for long: the element that steps would end at, by halving.
+        if x < present[k].range().0 {
+            k = present.partition_point(|one| one.range().0 <= x) - 1;
+        } else if x > present[k].range().1 {
+            k = present.partition_point(|one| one.range().1 < x);
         }
-        // Beyond the last element on the left of x there may be a gap.
-        (x >= present[k].range().0).then(|| self.place(k, x))
+        // Otherwise it is in a gap.
+        let (from, to) = present[k].range();
+        (from..=to).contains(&x).then(|| self.place(k, x))
     }
 
     /// Place at coordinate `x` on the wire of element `near`, at its end when that is nearer.
