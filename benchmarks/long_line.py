@@ -1,7 +1,7 @@
 """A long line from file to report: wall time of each stage, and the most memory up to its end.
 
     python benchmarks/long_line.py                50 km, 909 spans in tension lengths of 22
-    python benchmarks/long_line.py 92             the first tension lengths of it, up to so many spans
+    python benchmarks/long_line.py 92             the first spans of it
     python benchmarks/long_line.py 92 one-wire    the same spans in one tension length
 
 In a process of its own: the most memory of a process never goes down again.
