@@ -3,7 +3,10 @@
 from pathlib import Path
 from typing import Any
 
-from arcless.study import Study, load
+from arcless.study import Study, StudyFolder, load
+from arcless.study.journal import Journal
+from arcless.study.rows import Row, Status
+from arcless.study.variants import variant
 
 SHORT = Path(__file__).parents[1] / "interface" / "data" / "short.yaml"
 # Four spans in 4 ms steps.
@@ -57,3 +60,21 @@ def rows(table: Path) -> list[dict[str, Any]]:
 
     found: list[dict[str, Any]] = pyarrow.parquet.read_table(table).drop(TIMES).to_pylist()
     return found
+
+
+def filled(folder: Path, *, of: int | None = None, error: str = "", **changes: Any) -> Study:
+    """Return a study whose rows are made up, not computed: sigma is a plain sum."""
+    made = study(**changes)
+    place = StudyFolder(made, folder)
+    place.make()
+    place.write_state()
+    with Journal(place.journal) as journal:
+        for number in range(1, (of or made.plan.count) + 1):
+            one = variant(made, number)
+            numbers = [value for value in one.values.values() if isinstance(value, float)]
+            outputs: dict[str, float | None] = dict.fromkeys(made.outputs, 1e-3 * sum(numbers))
+            status: Status = "failed" if error else "done"
+            journal.append(
+                Row(number, one.key, one.values, status, {} if error else outputs, error, 0.1, "v")
+            )
+    return made

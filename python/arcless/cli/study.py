@@ -115,6 +115,57 @@ def status(file: FileArgument, *, out: FolderOption = None, json: JsonOption = F
         _show_status(found)
 
 
+@app.command()
+def report(
+    file: FileArgument,
+    *,
+    out: FolderOption = None,
+    to: Annotated[
+        Path | None,
+        typer.Option(
+            "--to",
+            metavar="FILE",
+            help="The file to write; report.html in the folder of the study if not named.",
+            show_default=False,
+        ),
+    ] = None,
+) -> None:
+    """Write one HTML file with tables and figures of a study, also while it is being computed."""
+    from arcless import study as studies
+    from arcless.study.report import write
+
+    console.data(f"wrote {write(studies.load(file), out, to)}")
+
+
+@app.command()
+def variant(
+    file: FileArgument,
+    number: Annotated[int, typer.Argument(metavar="NUMBER", help="Its number, from 1.", min=1)],
+    *,
+    to: Annotated[
+        Path | None,
+        typer.Option(
+            "--to",
+            metavar="FILE",
+            help="The file to write; standard output if not named.",
+            show_default=False,
+        ),
+    ] = None,
+) -> None:
+    """Write the scenario of one variant, which `arcless run` takes."""
+    from arcless import study as studies
+    from arcless.results.files import write_bytes
+    from arcless.study.variants import scenario
+
+    made = scenario(studies.load(file), number)
+    text = console.json_text(made.to_dict())  # JSON is YAML, and every digit stays
+    if to is None:
+        console.data(text)
+    else:
+        write_bytes(to, f"{text}\n".encode())
+        console.data(f"wrote {to}")
+
+
 def _compute(
     file: Path,
     out: Path | None,

@@ -36,7 +36,16 @@ def models() -> Any:
     return bokeh.models
 
 
-def figure(title: str, x_label: str, y_label: str, *, height: int = 290, **options: Any) -> Any:
+def figure(
+    title: str,
+    x_label: str,
+    y_label: str,
+    *,
+    height: int = 290,
+    tools: str = TOOLS,
+    drag: str = "box_zoom",
+    **options: Any,
+) -> Any:
     """Return an empty figure in the style of the report."""
     from bokeh.plotting import figure as bokeh_figure
 
@@ -46,8 +55,8 @@ def figure(title: str, x_label: str, y_label: str, *, height: int = 290, **optio
         y_axis_label=y_label,
         height=height,
         sizing_mode="stretch_width",
-        tools=TOOLS,
-        active_drag="box_zoom",
+        tools=tools,
+        active_drag=drag,
         active_scroll=None,
         output_backend="canvas",
         **options,

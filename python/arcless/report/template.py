@@ -5,7 +5,9 @@ from pathlib import Path
 from typing import Any
 
 
-def render(template: str, figures: Mapping[str, Any], **texts: Any) -> str:
+def render(
+    template: str, figures: Mapping[str, Any], *, widgets: bool = False, **texts: Any
+) -> str:
     """Fill a template of this folder.
 
     Parameters
@@ -14,16 +16,25 @@ def render(template: str, figures: Mapping[str, Any], **texts: Any) -> str:
         File name of the template; it finds the figures in `figure`.
     figures
         Figures by their place on the page; None where there is none.
+    widgets
+        Whether there are tables among the figures.
     **texts
         What else the template shows; escaped there.
     """
+    from bokeh.document import Document
     from bokeh.embed import components
     from bokeh.resources import Resources
     from jinja2 import Environment, FileSystemLoader
     from markupsafe import Markup
 
-    script, places = components({name: fig for name, fig in figures.items() if fig is not None})
-    library = Resources(mode="inline", components=["bokeh"], log_level="warn").render()
+    drawn = {name: fig for name, fig in figures.items() if fig is not None}
+    page = Document()
+    with page.models.freeze():  # else every figure that shares data is looked through again
+        for fig in drawn.values():
+            page.add_root(fig)
+    script, places = components(drawn) if drawn else ("", {})
+    parts: list[Any] = ["bokeh", "bokeh-widgets", "bokeh-tables"] if widgets else ["bokeh"]
+    library = Resources(mode="inline", components=parts, log_level="warn").render()
     environment = Environment(
         autoescape=True,
         trim_blocks=True,

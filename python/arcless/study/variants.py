@@ -4,6 +4,8 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
+from arcless.errors import StudyError
+from arcless.model import Scenario
 from arcless.study.load import digest
 from arcless.study.model import Study
 
@@ -39,6 +41,23 @@ def variant(study: Study, number: int) -> Variant:
     named = {axis.name: value for axis, value in zip(study.axes, values, strict=True)}
     key = digest([[axis.field, value] for axis, value in zip(study.axes, values, strict=True)])
     return Variant(number, key, named, study.changes_of(values))
+
+
+def scenario(study: Study, number: int) -> Scenario:
+    """Return the scenario of a variant by its number, from 1.
+
+    Raises
+    ------
+    StudyError
+        The study has no such variant.
+    ModelError
+        Its values make none that is valid.
+    """
+    if not 1 <= number <= study.plan.count:
+        raise StudyError(
+            "no such variant", got=str(number), expected=f"a number from 1 to {study.plan.count}"
+        )
+    return study.base.with_(**variant(study, number).changes)
 
 
 def in_order(study: Study, numbers: Iterable[int]) -> list[int]:

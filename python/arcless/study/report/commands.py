@@ -1,0 +1,106 @@
+"""The command that computes a variant again, as `arcless run` would be called by hand."""
+
+import json
+import os
+import shlex
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+from arcless.errors import ArclessError
+from arcless.model import Scenario, load, parse_override
+from arcless.model.load import read
+from arcless.model.reader import Origin
+from arcless.study.model import Study
+from arcless.study.variants import scenario, variant
+
+
+class Commands:
+    """The commands of a study's variants.
+
+    `arcless run` with what is changed, where that gives the very scenario of a variant, which is
+    tried once. Otherwise, as where a scenario stands in the study file itself, the variant's
+    scenario is written to a file first.
+    """
+
+    def __init__(self, study: Study) -> None:
+        self._study = study
+        self._folder = Path(study.file or ".").parent
+
+    def again(self, number: int) -> str:
+        """Return the command for a variant, from 1; empty for a study without a file."""
+        if self._study.file is None:
+            return ""
+        direct = self._direct(number)
+        if direct is not None and self._is_exact:
+            return shlex.join(direct)
+        file = f"variant-{number}.yaml"
+        first = ["arcless", "study", "variant", self._study.file, str(number), "--to", file]
+        return f"{shlex.join(first)} && arcless run {file}"
+
+    @cached_property
+    def _scenario(self) -> str | None:
+        """The scenario as `arcless run` takes it; None where it stands in the study file."""
+        data, _ = read(Path(str(self._study.file)), Origin())
+        name = data.get("scenario")
+        return self._place(name) if isinstance(name, str) else None
+
+    @cached_property
+    def _is_exact(self) -> bool:
+        """Whether the command of the first variant that is valid gives that variant."""
+        for number in range(1, self._study.plan.count + 1):
+            try:
+                wanted = scenario(self._study, number)
+            except ArclessError:
+                continue
+            words = self._direct(number)
+            if words is None:
+                return False
+            try:
+                changes = dict(parse_override(text) for text in words[4::2])
+                return bool(_numbers(load(words[2]).with_(**changes)) == _numbers(wanted))
+            except ArclessError:
+                return False
+        return False
+
+    def _direct(self, number: int) -> list[str] | None:
+        made = variant(self._study, number)
+        named = {axis.field: made.values[axis.name] for axis in self._study.axes}
+        if self._scenario is None or set(made.changes) != set(named):
+            return None
+        settings = []
+        for path, value in {**self._study.changes, **named}.items():
+            text = f"{path}={self._text(value)}"
+            if not isinstance(value, str) and _read(text) != json.loads(json.dumps(value)):
+                return None
+            settings += ["--set", text]
+        return ["arcless", "run", self._scenario, *settings]
+
+    def _text(self, value: Any) -> str:
+        return self._place(value) if isinstance(value, str) else json.dumps(value)
+
+    def _place(self, name: str) -> str:
+        """Return a name that a study file uses as the current folder sees it."""
+        file = self._folder / name
+        return os.path.relpath(file) if name and file.is_file() else name
+
+
+def _read(text: str) -> Any:
+    try:
+        return json.loads(json.dumps(parse_override(text)[1]))
+    except ArclessError:
+        return None
+
+
+def _numbers(made: Scenario) -> Any:
+    """Return what a run depends on: no words, no sources."""
+    return _without(json.loads(json.dumps(made.to_dict())))
+
+
+def _without(data: Any) -> Any:
+    if isinstance(data, list):
+        return [_without(item) for item in data]
+    if not isinstance(data, dict):
+        return data
+    words = ("provenance", "sources", "description")
+    return {key: _without(value) for key, value in data.items() if key not in words}

@@ -1,0 +1,199 @@
+"""Figures of a study: outputs over variables, variables over each other, outputs over each other.
+
+All draw from one source of columns: what is selected in one of them is so in all, and in the table.
+"""
+
+from typing import Any
+
+import numpy as np
+
+from arcless.report.reduce import every
+from arcless.report.style import INK, add_hover, colour, figure, models, plain, single
+from arcless.study.report.effects import effect
+from arcless.study.report.record import Column, Record, shortened
+
+# Bounds the size of the page whatever the number of variants, variables and outputs.
+MOST_POINTS = 4000
+MOST_VARIABLES, MOST_OUTPUTS = 6, 6
+PAIRED_VARIABLES, PAIRED_OUTPUTS = 4, 3
+_TOOLS = "box_select,tap,box_zoom,pan,xwheel_zoom,reset,save"
+_MOST_TICKS = 40
+_FEW_POINTS = 200
+# Letters that fit beside each other under a figure.
+_LETTERS = 36
+
+
+class Drawing:
+    """The figures of a study.
+
+    Parameters
+    ----------
+    record
+        At least one row must be done.
+    """
+
+    def __init__(self, record: Record) -> None:
+        self.record = record
+        self.outputs = [out for out in record.outputs if np.isfinite(out.values).any()]
+        self.drawn = every(len(record.done), MOST_POINTS)
+        self.source = models().ColumnDataSource(self._columns())
+        self._ranges: dict[str, Any] = {}
+
+    def effects(self) -> list[tuple[Column, list[Any]]]:
+        """Return, for each output, a figure over each variable; the stronger ones of many."""
+        found = []
+        for output in self.outputs[:MOST_OUTPUTS]:
+            varied = [variable for variable in self.record.variables if variable.varies]
+            if len(varied) > MOST_VARIABLES:
+                strongest = sorted(varied, key=lambda v: -_share(v, output))[:MOST_VARIABLES]
+                varied = [variable for variable in varied if variable in strongest]
+            figures = [self._effect(variable, output) for variable in varied]
+            if figures:
+                found.append((output, figures))
+        return found
+
+    def pairs(self) -> list[tuple[Column, list[Any]]]:
+        """Return, for each output, figures of two variables each, coloured by the output."""
+        found = []
+        for output in [out for out in self.outputs if out.varies][:PAIRED_OUTPUTS]:
+            chosen = [variable for variable in self.record.variables if variable.varies]
+            if len(chosen) > PAIRED_VARIABLES:
+                strongest = sorted(chosen, key=lambda v: -_share(v, output))[:PAIRED_VARIABLES]
+                chosen = [variable for variable in chosen if variable in strongest]
+            figures = [
+                self._pair(one, other, output)
+                for place, one in enumerate(chosen)
+                for other in chosen[place + 1 :]
+            ]
+            if figures:
+                found.append((output, figures))
+        return found
+
+    def fronts(self) -> list[Any]:
+        """Return figures of two outputs each."""
+        chosen = [out for out in self.outputs if out.varies][:PAIRED_VARIABLES]
+        return [
+            self._scatter(one, other, f"{other.name} against {one.name}")[0]
+            for place, one in enumerate(chosen)
+            for other in chosen[place + 1 :]
+        ]
+
+    def _columns(self) -> dict[str, Any]:
+        data: dict[str, Any] = {"variant": self.record.variants[self.drawn].astype(np.int32)}
+        for column in (*self.record.variables, *self.outputs):
+            data[self.key(column)] = single(column.values[self.drawn])
+            if column.words is not None:
+                words = shortened(column.words)
+                data[f"{self.key(column)} word"] = [
+                    plain(words[int(code)]) for code in column.values[self.drawn]
+                ]
+        return data
+
+    def key(self, column: Column) -> str:
+        """Return the name of a column in the source; an output may have that of a variable."""
+        for kind, columns in (("v", self.record.variables), ("o", self.outputs)):
+            for place, one in enumerate(columns):
+                if one is column:
+                    return f"{kind}{place}"
+        raise KeyError(column.name)
+
+    def shown(self, column: Column) -> tuple[str, str]:
+        """Return name and value of a column as a tooltip shows them."""
+        key = self.key(column)
+        if column.words is not None:
+            return plain(column.name), f"@{{{key} word}}"
+        return plain(column.name), f"@{key}{{0.[00000]}} {plain(column.unit)}"
+
+    def _effect(self, variable: Column, output: Column) -> Any:
+        fig, _ = self._scatter(variable, output, f"{output.name} over {variable.name}")
+        found = effect(variable, output)
+        if found is not None:
+            ends = {"x": found.x, "low": found.mean - found.error, "high": found.mean + found.error}
+            means = models().ColumnDataSource({**ends, "mean": found.mean})
+            style = {"source": means, "color": colour(1), "line_width": 2}
+            fig.segment("x", "low", "x", "high", **style)
+            if variable.words is None:
+                fig.line("x", "mean", **style)
+            dots = fig.scatter("x", "mean", source=means, size=7, color=colour(1))
+            unit = plain(output.unit)
+            add_hover(fig, [dots], [("mean", f"@mean{{0.[00000]}} {unit}")])
+        return fig
+
+    def _pair(self, one: Column, other: Column, output: Column) -> Any:
+        from bokeh.transform import linear_cmap
+
+        known = output.values[np.isfinite(output.values)]
+        mapped = linear_cmap(
+            self.key(output),
+            "Viridis256",
+            low=float(known.min()),
+            high=float(known.max()),
+            nan_color="#d7dade",
+        )
+        title = f"{output.name} by colour"
+        fig, dots = self._scatter(one, other, title, color=mapped, alpha=0.9, size=7)
+        bar = dots.construct_color_bar(
+            width=10,
+            padding=4,
+            label_standoff=6,
+            title=plain(output.unit) or None,
+            title_text_font_style="normal",
+            major_label_text_font_size="11px",
+        )
+        fig.add_layout(bar, "right")
+        return fig
+
+    def _scatter(self, x: Column, y: Column, title: str, **style: Any) -> tuple[Any, Any]:
+        fig = figure(
+            plain(title),
+            plain(x.label),
+            plain(y.label),
+            height=270,
+            tools=_TOOLS,
+            drag="box_select",
+            x_range=self._range(x),
+            y_range=self._range(y),
+        )
+        fig.toolbar.autohide = True
+        few = len(self.drawn) <= _FEW_POINTS
+        plainly = {"color": colour(0), "alpha": 0.7 if few else 0.35, "size": 6 if few else 4}
+        dots = fig.scatter(
+            self.key(x), self.key(y), source=self.source, line_color=None,
+            nonselection_alpha=0.08, **{**plainly, **style},
+        )  # fmt: skip
+        tips = dict([self.shown(column) for column in (*self.record.variables, *self.outputs)][:14])
+        add_hover(fig, [dots], [("variant", "@variant"), *tips.items()], limit=3)
+        _words_at(fig.xaxis, x)
+        _words_at(fig.yaxis, y)
+        return fig, dots
+
+    def _range(self, column: Column) -> Any:
+        """Return the range that all figures share in which a column is an axis."""
+        key = self.key(column)
+        if key not in self._ranges:
+            known = column.values[np.isfinite(column.values)]
+            low, high = float(known.min()), float(known.max())
+            if column.words is not None:
+                margin = 0.5
+            else:
+                margin = 0.06 * (high - low) or 0.05 * abs(high) or 1.0
+            self._ranges[key] = models().Range1d(low - margin, high + margin)
+        return self._ranges[key]
+
+
+def _share(variable: Column, output: Column) -> float:
+    found = effect(variable, output)
+    return 0.0 if found is None else found.share
+
+
+def _words_at(axis: Any, column: Column) -> None:
+    """Write words at an axis in place of numbers."""
+    if column.words is None:
+        return
+    words = [plain(word) for word in shortened(column.words)]
+    kept = [int(place) for place in every(len(words), _MOST_TICKS)]
+    axis.ticker = models().FixedTicker(ticks=kept)
+    axis.major_label_overrides = {place: words[place] for place in kept}
+    axis.major_label_text_color = INK
+    if sum(map(len, words)) > _LETTERS:
+        axis.major_label_orientation = 0.6

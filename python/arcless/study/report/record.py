@@ -1,0 +1,128 @@
+"""What the report of a study is made of: its rows as columns of numbers."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from arcless.study import table
+from arcless.study.folder import StudyFolder
+from arcless.study.model import Study
+from arcless.study.quantities import is_number
+from arcless.study.rows import Row
+from arcless.study.status import StudyStatus, status
+
+Floats = NDArray[np.float64]
+_LONGEST_WORD = 28
+
+
+@dataclass(frozen=True)
+class Column:
+    """A variable or an output over the rows that are done.
+
+    Attributes
+    ----------
+    name, unit, about
+        Of the table; `about` is a description, or where it comes from.
+    values
+        Numbers, NaN for none; of words the place in `words`.
+    words
+        The values that are no numbers, in the order of the study file; None for numbers.
+    """
+
+    name: str
+    unit: str
+    about: str
+    values: Floats
+    words: tuple[str, ...] | None = None
+
+    @property
+    def label(self) -> str:
+        """Name and unit."""
+        return f"{self.name}, {self.unit}" if self.unit else self.name
+
+    @property
+    def varies(self) -> bool:
+        """Whether there are two different values."""
+        known = self.values[np.isfinite(self.values)]
+        return bool(known.size and known.min() < known.max())
+
+
+class Record:
+    """A study and the rows that it has.
+
+    Parameters
+    ----------
+    study
+        From `arcless.study.load`.
+    folder
+        Its folder; ``runs/studies/NAME`` without.
+
+    Raises
+    ------
+    StudyError
+        No study was begun there, or another one; a package is missing.
+    """
+
+    def __init__(self, study: Study, folder: Path | None = None) -> None:
+        table.check_available()
+        self.study = study
+        self.place = StudyFolder(study, folder)
+        self.state: dict[str, Any] = self.place.check_same()
+        rows = self.place.rows()
+        self.status: StudyStatus = status(study, folder)
+        self.rows: list[Row] = [rows[number] for number in sorted(rows)]
+        self.done: list[Row] = [row for row in self.rows if row.status == "done"]
+
+    @cached_property
+    def variants(self) -> NDArray[np.int64]:
+        """Numbers of the variants that are done."""
+        return np.array([row.variant for row in self.done], dtype=np.int64)
+
+    @cached_property
+    def variables(self) -> list[Column]:
+        """The variables."""
+        found = []
+        for axis in self.study.axes:
+            about = self.study.variables[axis.name].description or axis.field
+            given = [row.values[axis.name] for row in self.done]
+            levels = axis.levels or ()
+            if all(is_number(value) for value in levels):
+                found.append(Column(axis.name, axis.unit, about, np.array(given, dtype=float)))
+            else:
+                words = list(dict.fromkeys(_word(value) for value in levels))
+                codes = np.array([words.index(_word(value)) for value in given], dtype=float)
+                found.append(Column(axis.name, "", about, codes, tuple(words)))
+        return found
+
+    @cached_property
+    def outputs(self) -> list[Column]:
+        """The outputs."""
+        schema = table.table(self.study, {}).schema
+        found = []
+        for name, output in self.study.outputs.items():
+            values = [row.outputs.get(name) for row in self.done]
+            unit = schema.field(name).metadata[b"unit"].decode()
+            about = output.description or output.expression
+            found.append(Column(name, unit, about, np.array(values, dtype=float)))
+        return found
+
+
+def shortened(words: Iterable[str]) -> list[str]:
+    """Return words that fit at an axis, still different from each other."""
+    cut = [w if len(w) <= _LONGEST_WORD else w[: _LONGEST_WORD - 1] + "…" for w in words]
+    return [f"{w} ({i + 1})" if cut.count(w) > 1 else w for i, w in enumerate(cut)]
+
+
+def _word(value: Any) -> str:
+    import json
+
+    return value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)
+
+
+def _unit(label: str) -> str:
+    return "" if label == "1" else label
