@@ -101,7 +101,8 @@ def test_version(arcless: Arcless) -> None:
 
 def test_library_lists_every_kind_with_its_source(arcless: Arcless) -> None:
     entries = strict_json(arcless("library", "--json").stdout)
-    assert {entry["kind"] for entry in entries} == {"line", "pantograph", "scenario", "wire"}
+    kinds = {"line", "pantograph", "scenario", "study", "wire"}
+    assert {entry["kind"] for entry in entries} == kinds
     assert all(entry["source"] and entry["title"] for entry in entries)
     names = {entry["name"] for entry in entries}
     assert {f"en50318-ac-simple-{v}" for v in (275, 320)} <= names
@@ -246,7 +247,7 @@ def test_replay_of_an_unsolvable_problem_fails(arcless: Arcless, tmp_path: Path)
     assert done.stderr.startswith("error:")
 
 
-@pytest.mark.parametrize("kind", ["line", "pantograph", "scenario", "wire"])
+@pytest.mark.parametrize("kind", ["line", "pantograph", "scenario", "study", "wire"])
 def test_library_lists_one_kind(arcless: Arcless, kind: str) -> None:
     entries = strict_json(arcless("library", kind, "--json").stdout)
     assert entries and {entry["kind"] for entry in entries} == {kind}

@@ -16,10 +16,10 @@ def from_docs(name: str) -> ModuleType:
     return importlib.import_module(f"validation.{name}")
 
 
-def maker() -> ModuleType:
-    """Import `docs/make_validation.py`."""
+def maker(name: str = "make_validation") -> ModuleType:
+    """Import `docs/NAME.py`."""
     from_docs("runs")
-    return importlib.import_module("make_validation")
+    return importlib.import_module(name)
 
 
 def table(page: str, name: str) -> str:

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 def library(
     kind: Annotated[
-        Literal["line", "pantograph", "scenario", "wire", "all"],
+        Literal["line", "pantograph", "scenario", "study", "wire", "all"],
         typer.Argument(help="What to list."),
     ] = "all",
     *,
@@ -21,8 +21,8 @@ def library(
 ) -> None:
     """List the shipped models and where their numbers are from.
 
-    A scenario can be run by its name. A scenario file may name a line and pantographs, and a line
-    file may name wires of the catalogue.
+    A scenario can be run by its name, and so can a study (`arcless study run NAME`). A scenario
+    file may name a line and pantographs, and a line file may name wires of the catalogue.
     """
     from arcless import model
 
@@ -35,7 +35,8 @@ def library(
     from arcless.cli.tables import table
 
     for shown in dict.fromkeys(entry.kind for entry in entries):
-        made = table(f"Shipped {shown}s", "name", "description and sources", lines=True)
+        plural = "studies" if shown == "study" else f"{shown}s"
+        made = table(f"Shipped {plural}", "name", "description and sources", lines=True)
         for entry in entries:
             if entry.kind == shown:
                 sources = Text(f"\n{entry.source}", style="dim")

@@ -16,7 +16,9 @@ if TYPE_CHECKING:
     from arcless.study import Execution, Progress, Study, StudyStatus
 
 app = typer.Typer(rich_markup_mode=None, add_completion=False, no_args_is_help=True)
-FileArgument = Annotated[Path, typer.Argument(metavar="FILE", help="A study file.")]
+FileArgument = Annotated[
+    Path, typer.Argument(metavar="FILE", help="A study file, or the name of a shipped study.")
+]
 FolderOption = Annotated[
     Path | None,
     typer.Option(

@@ -1,4 +1,4 @@
-"""The shipped lines, pantographs, scenarios and wires."""
+"""The shipped lines, pantographs, scenarios, studies and wires."""
 
 from functools import cache
 from pathlib import Path
@@ -8,6 +8,8 @@ from arcless.model.catalogue import catalogue
 from arcless.model.reader import parse, read_text
 
 FOLDER = Path(__file__).resolve().parent.parent / "models"
+_FOLDERS = {"line": "lines", "pantograph": "pantographs", "scenario": "scenarios",
+            "study": "studies"}  # fmt: skip
 
 
 class LibraryEntry(NamedTuple):
@@ -22,13 +24,13 @@ class LibraryEntry(NamedTuple):
 @cache
 def shipped(kind: str) -> dict[str, Path]:
     """Return the files of the shipped models of a kind, by name."""
-    return {path.stem: path for path in sorted((FOLDER / f"{kind}s").glob("*.yaml"))}
+    return {path.stem: path for path in sorted((FOLDER / _FOLDERS[kind]).glob("*.yaml"))}
 
 
 def library() -> list[LibraryEntry]:
-    """Return every shipped model: lines, pantographs, scenarios, and the wires lines may name."""
+    """Return what is shipped: lines, pantographs, scenarios, studies, wires lines may name."""
     entries = []
-    for kind in ("line", "pantograph", "scenario"):
+    for kind in _FOLDERS:
         for name, path in shipped(kind).items():
             data, _ = parse(read_text(path, str(path)), str(path))
             entries.append(LibraryEntry(kind, name, data["description"], _cited(data["sources"])))

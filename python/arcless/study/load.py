@@ -4,6 +4,7 @@ import hashlib
 import json
 import os
 from collections.abc import Iterator, Mapping
+from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +13,7 @@ from pydantic import ValidationError
 from arcless.errors import ModelError
 from arcless.model.explain import explain
 from arcless.model.fields import Path as Field
+from arcless.model.library import shipped
 from arcless.model.load import Kind, check_format, read, reference
 from arcless.model.reader import Origin
 from arcless.study.model import FORMAT, Execution, Study
@@ -30,7 +32,8 @@ def load(source: "str | os.PathLike[str] | Mapping[str, Any] | Study") -> Study:
     Parameters
     ----------
     source
-        A study file, or its data; paths in data are relative to the current folder.
+        A shipped name, a study file, or its data; paths in data are relative to the current
+        folder.
 
     Raises
     ------
@@ -40,7 +43,7 @@ def load(source: "str | os.PathLike[str] | Mapping[str, Any] | Study") -> Study:
     if isinstance(source, Study):
         return source
     data, origin = (
-        (dict(source), Origin()) if isinstance(source, Mapping) else read(Path(source), Origin())
+        (dict(source), Origin()) if isinstance(source, Mapping) else read(_file(source), Origin())
     )
     check_format(data, "study", origin)
     if "scenario" in data:
@@ -67,8 +70,8 @@ def execution(data: Mapping[str, Any]) -> Execution:
 
 
 def is_study(source: str) -> bool:
-    """Return whether a file says of itself that it is a study."""
-    path = Path(source)
+    """Return whether a file says of itself that it is a study, or is a shipped one by name."""
+    path = shipped("study").get(source, Path(source))
     if not path.is_file():
         return False
     try:
@@ -77,6 +80,21 @@ def is_study(source: str) -> bool:
         return False
     given = data.get("format")
     return isinstance(given, str) and given.startswith(FORMAT.partition("/")[0] + "/")
+
+
+def _file(source: "str | os.PathLike[str]") -> Path:
+    """Return the file of a study, which may be given by its shipped name."""
+    path, known = Path(source), shipped("study")
+    name = os.fspath(source)
+    if name in known:
+        return known[name]
+    if not (path.is_file() or path.suffix or path.name != name):
+        close = get_close_matches(name, known, n=1)
+        meant = f"did you mean {close[0]}?" if close else f"shipped: {', '.join(known)}"
+        raise ModelError(
+            "unknown study", got=show(name), expected="a shipped name or a file", hint=meant
+        )
+    return path
 
 
 def meaning(study: Study) -> dict[str, Any]:

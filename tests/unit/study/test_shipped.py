@@ -1,0 +1,54 @@
+"""The shipped studies: they load by name, and the one on wear shows both of its branches."""
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from arcless.errors import ModelError
+from arcless.model.library import shipped
+from arcless.model.reader import parse
+from arcless.study import is_study, load, run
+from tests.support.studies import QUICK, SHORT
+
+STUDIES = shipped("study")
+
+
+@pytest.mark.parametrize("name", STUDIES)
+def test_loads_by_name(name: str) -> None:
+    study = load(name)
+    assert study.name == name
+    assert study.description and study.sources
+    assert study.plan.count > 1
+    assert is_study(name)
+
+
+def test_a_name_that_is_none() -> None:
+    with pytest.raises(ModelError, match=r"unknown study.*did you mean uplift-force-and-wear"):
+        load("uplift-force-and-waer")
+    assert not is_study("norway-s25")
+
+
+def test_every_coefficient_of_wear_is_marked() -> None:
+    study = load("uplift-force-and-wear")
+    wear = study.base.wear
+    assert wear is not None and wear.illustrative
+    for group in ("mechanical", "arc"):
+        for field in type(getattr(wear, group)).model_fields:
+            assert study.provenance[f"set.wear.{group}.{field}"].mark in ("assumed", "C")
+
+
+def test_arcs_wear_at_low_force_and_friction_at_high_force(tmp_path: Path) -> None:
+    from pyarrow.parquet import read_table
+
+    data, _ = parse(STUDIES["uplift-force-and-wear"].read_text("utf-8"), "study")
+    force: dict[str, Any] = {**data["variables"]["uplift_force"], "values": [4, 90, 300]}
+    del force["range"], force["count"]
+    short = {**data, "scenario": str(SHORT), "set": {**QUICK, **data["set"], "speed": "160 km/h"},
+             "variables": {"uplift_force": force}}  # fmt: skip
+    run(load(short), tmp_path)
+    low, between, high = read_table(tmp_path / "table.parquet").to_pylist()
+    assert low["wear_arc_mm3_km"] > low["wear_mechanical_mm3_km"]
+    assert high["wear_mechanical_mm3_km"] > high["wear_arc_mm3_km"]
+    totals = [row["wear_total_mm3_km"] for row in (low, between, high)]
+    assert min(totals) == totals[1]
