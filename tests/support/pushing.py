@@ -61,6 +61,7 @@ def press(
     loads: Sequence[LoadData] = (),
     contact: float = np.inf,
     scheme: tuple[str, list[float]] = TRAPEZOIDAL,
+    period_correction: bool = False,
 ) -> Pressed:
     """Let a strip press on the wire, from equilibrium under `start_force` N.
 
@@ -80,6 +81,8 @@ def press(
         Stiffness of the contact, N/m.
     scheme
         Name and numbers of the scheme, as the core is asked.
+    period_correction
+        Whether the mass of the wires is corrected for the period error of the scheme.
     """
     pantograph = strip or mass(WEIGHTLESS)
     given = riders.NOTHING if added is None else ([([1.0], added.tolist())], None)
@@ -91,7 +94,7 @@ def press(
         "points": list(points),
         "ledger": False,
     }
-    prepared = line.core.prepare(line.mesh.lanes, scheme, step, contact, False)
+    prepared = line.core.prepare(line.mesh.lanes, scheme, step, contact, False, period_correction)
     raw = prepared.run(
         [riders.rider(pantograph, start_force, given)],
         [0.0],

@@ -106,6 +106,8 @@ def send(
     watched: list[int],
     scheme: tuple[str, list[float]] = TRAPEZOIDAL,
     added: Floats | None = None,
+    *,
+    period_correction: bool = False,
 ) -> Pressed:
     """Send a pulse from `SOURCE`; uplift counts from the wire under the constant force."""
     if added is None:
@@ -113,7 +115,7 @@ def send(
     stand = np.full(STEPS + 1, SOURCE)
     run = press(
         line.find(), PRESSED, stand, 0.0, STEP,
-        added=added - added[0], nodes=watched, scheme=scheme,
+        added=added - added[0], nodes=watched, scheme=scheme, period_correction=period_correction,
     )  # fmt: skip
     run.nodes[:] -= run.nodes[0]
     return run

@@ -17,6 +17,9 @@ def test_wire_1_percent_off(noticed: Noticed) -> None:
                 f"{column} of the chain 1 % too large",
                 checks.test_phase_speed_on_a_chain_of_point_masses,
             )
+    with scaled("wires", "tension", 1.01):
+        checked = checks.test_phase_speed_with_period_correction
+        noticed("tension of the wire 1 % too large", checked, scheme=("generalised-alpha", [0.9]))
     with scaled("wires", "EI", 1.01):
         noticed("EI 1 % too large", checks.test_phase_speed, bending=200.0)
 

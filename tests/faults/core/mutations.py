@@ -14,7 +14,23 @@ RAIL = "closed_forms/test_conductor_rail.py"
 CONTACT = "conservation/test_contact_law.py::test_law"
 LEDGER = "conservation/test_rolling_head.py::test_ledger"
 
+WAVES = "closed_forms/test_wave_speed.py::test_phase_speed_with_period_correction"
+
 SCHEME = [
+    Mutation(
+        "half of the period error taken from the mass",
+        "dynamics/period.rs",
+        "2.0 * error * h * h * tension",
+        "1.0 * error * h * h * tension",
+        (WAVES,),
+    ),
+    Mutation(
+        "weight of the old state left out of the period error",
+        "scheme.rs",
+        "alpha_f * (1.0 - alpha_f) - alpha_m * (1.0 - alpha_m)",
+        "-alpha_m * (1.0 - alpha_m)",
+        (WAVES,),
+    ),
     Mutation(
         "old acceleration counts twice in the velocity of the balance",
         "scheme.rs",
