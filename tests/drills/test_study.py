@@ -49,9 +49,9 @@ def check_kept(folder: Path, expected: list[dict[str, Any]]) -> int:
     """See that all that is there is right; return the number of rows in the journal."""
     if (folder / TABLE).exists():
         assert all(row in expected for row in rows(folder / TABLE))
-    kept = journal.read(folder / JOURNAL)
-    for number, row in kept.items():
-        assert row.status == expected[number - 1]["status"]
+    kept = list(journal.rows(folder / JOURNAL))
+    for row in kept:
+        assert row.status == expected[row.variant - 1]["status"]
     hidden = leftovers(folder)
     assert all(".arcless-unfinished-" in path for path in hidden), hidden
     return len(kept)
@@ -59,7 +59,7 @@ def check_kept(folder: Path, expected: list[dict[str, Any]]) -> int:
 
 def go_on(stop: Stop, folder: Path, expected: list[dict[str, Any]]) -> None:
     """Go on, or begin where nothing was begun, and see that all is there as it should be."""
-    there = len(journal.read(folder / JOURNAL))
+    there = len(list(journal.rows(folder / JOURNAL)))
     end = stop(Job(command("resume"), str(folder), "never"))
     if end.code == 2 and "no study was begun here" in end.err:
         assert there == 0

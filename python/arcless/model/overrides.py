@@ -7,7 +7,7 @@ from pydantic import BaseModel
 
 from arcless.errors import ModelError
 from arcless.model.catalogue import GIVES
-from arcless.model.documents import written
+from arcless.model.documents import dotted, written
 from arcless.model.fields import Unit, find_unit, nearest
 from arcless.model.load import build, load_line, load_pantograph
 from arcless.model.reader import parse, scalar
@@ -70,8 +70,8 @@ def apply(scenario: Scenario, changes: Mapping[str, Any]) -> Scenario:
     return changed
 
 
-def unit_of(scenario: Scenario, path: str) -> Unit | None:
-    """Return the unit of a field of a scenario, or None for what has none.
+def field_of(scenario: Scenario, path: str) -> tuple[str, Unit | None]:
+    """Return the whole path of a field, nothing left out, and its unit or None.
 
     Raises
     ------
@@ -80,14 +80,15 @@ def unit_of(scenario: Scenario, path: str) -> Unit | None:
     """
     place: Any = scenario
     unit: Unit | None = None
-    for part in _full_path(scenario.to_dict(), path):
+    whole = _full_path(scenario.to_dict(), path)
+    for part in whole:
         if isinstance(place, BaseModel):
             fields = type(place).model_fields
             name = next(n for n, field in fields.items() if part in (field.alias, n))
             place, unit = getattr(place, name), find_unit(fields[name])
         else:
             place = place[part]
-    return unit
+    return dotted(tuple(whole)), unit
 
 
 def _set(data: dict[str, Any], path: str, value: Any, changed: set[str]) -> None:

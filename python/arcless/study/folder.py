@@ -2,6 +2,7 @@
 
 import json
 import re
+from collections.abc import Iterator
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
@@ -11,6 +12,7 @@ from arcless.results.files import write_bytes
 from arcless.study import journal
 from arcless.study.load import differences, digest, meaning
 from arcless.study.model import Study
+from arcless.study.rows import Row
 from arcless.study.version import code_version
 
 _STATE, _COPY, _JOURNAL, _RESULTS = "study.json", "study.yaml", "journal.jsonl", "results"
@@ -129,6 +131,6 @@ class StudyFolder:
             )
         return state
 
-    def rows(self) -> dict[int, Any]:
-        """Return the rows that are there."""
-        return journal.read(self.journal)
+    def rows(self) -> Iterator[Row]:
+        """Yield the rows that are there, in the order of the variants."""
+        return journal.rows(self.journal)

@@ -18,6 +18,8 @@ from arcless.study.rows import Row
 
 # A power cut loses at most the rows of this time; a killed process loses none that were written.
 _SYNC_EVERY_S = 1.0
+# A row is a line of some hundred bytes; errors of very large groups of values may be longer.
+_LONGEST_LINE = 1 << 22
 # Whoever only looks whether a study is going on holds its journal for a moment.
 _LOOKS, _BETWEEN_LOOKS_S = 10, 0.05
 
@@ -73,14 +75,14 @@ class Journal:
         finally:
             os.close(self._file)
 
-    def rows(self) -> dict[int, Row]:
-        """Return the rows by variant; drop what stands behind the last whole line."""
-        found = dict(_readable(self.path))
-        content = self.path.read_bytes()
-        whole = content.rfind(b"\n") + 1
-        if whole != len(content):
+    def mend(self) -> None:
+        """Drop what stands behind the last whole line: a row that was cut short."""
+        size = os.lseek(self._file, 0, os.SEEK_END)
+        start = max(0, size - _LONGEST_LINE)
+        end = os.pread(self._file, _LONGEST_LINE, start)
+        whole = start + end.rfind(b"\n") + 1
+        if whole != size:
             os.ftruncate(self._file, whole)
-        return found
 
     def append(self, row: Row) -> None:
         """Write a row; after an error the journal is as it was before."""
@@ -107,9 +109,20 @@ class Journal:
         )
 
 
-def read(path: Path) -> dict[int, Row]:
-    """Return the rows of a journal by variant; of several the last one. None without a file."""
-    return dict(_readable(path)) if path.exists() else {}
+def rows(path: Path) -> Iterator[Row]:
+    """Yield the rows of a journal in the order of the variants, of several the last one.
+
+    One row at a time is in memory. None without a file.
+    """
+    if not path.exists():
+        return
+    places = {row.variant: place for place, row in _readable(path)}
+    with path.open("rb") as file:
+        for number in sorted(places):
+            file.seek(places[number])
+            row = _row(file.readline())
+            assert row is not None  # lines that were whole stay
+            yield row
 
 
 def is_locked(path: Path) -> bool:
@@ -125,11 +138,18 @@ def is_locked(path: Path) -> bool:
 
 
 def _readable(path: Path) -> Iterator[tuple[int, Row]]:
+    """Yield the place and the row of each line that can be read."""
+    place = 0
     with path.open("rb") as file:
         for line in file:
-            try:
-                row = Row(**json.loads(line))
-            except (ValueError, TypeError):
-                continue
-            if line.endswith(b"\n"):
-                yield row.variant, row
+            row = _row(line)
+            if row is not None:
+                yield place, row
+            place += len(line)
+
+
+def _row(line: bytes) -> Row | None:
+    try:
+        return Row(**json.loads(line)) if line.endswith(b"\n") else None
+    except (ValueError, TypeError):
+        return None

@@ -55,31 +55,39 @@ Tell = Callable[[Progress], None]
 
 
 class Keeper:
-    """Keeps rows: in the journal at once, in the table now and then."""
+    """Keeps rows: in the journal at once, in the table now and then; none stays in memory.
+
+    Parameters
+    ----------
+    study, place, journal
+        The study, its folder, its journal.
+    there
+        Rows that are there already, by status.
+    tell, note
+        Told the progress after every row, and what a user should know.
+    """
 
     def __init__(
         self,
         study: Study,
         place: StudyFolder,
         journal: Journal,
-        rows: dict[int, Row],
+        there: Counter[str],
         *,
         tell: Tell | None,
         note: Note,
     ) -> None:
-        self._study, self._place, self._journal, self._rows = study, place, journal, rows
+        self._study, self._place, self._journal = study, place, journal
         self._tell, self._note = tell or (lambda _progress: None), note
         self._versions = {code_version()}
         self._began = self._written = time.monotonic()
         self._writing_s = 0.0
-        counts = Counter(row.status for row in rows.values())
-        self.progress = Progress(study.plan.count, Counter(counts))
+        self.progress = Progress(study.plan.count, there)
         self._tell(self.progress)
 
     def take(self, row: Row) -> None:
         """Keep a row."""
         self._journal.append(row)
-        self._rows[row.variant] = row
         if row.arcless_version not in self._versions:
             self._versions.add(row.arcless_version)
             self._note(f"a worker has version {row.arcless_version}, here is {code_version()}")
@@ -94,6 +102,6 @@ class Keeper:
     def write_table(self) -> None:
         """Write all rows into the table."""
         began = time.monotonic()
-        table.write(self._place.table, self._study, self._rows)
+        table.write(self._place.table, self._study, self._place.rows())
         self._written = time.monotonic()
         self._writing_s = self._written - began

@@ -11,7 +11,7 @@ from arcless.errors import ModelError
 from arcless.model import Scenario
 from arcless.model.documents import Document, dotted
 from arcless.model.fields import Part
-from arcless.model.overrides import unit_of
+from arcless.model.overrides import field_of
 from arcless.study.designs import Design, Plan
 from arcless.study.expressions import Expression
 from arcless.study.quantities import is_number, keys
@@ -127,11 +127,11 @@ class Study(Document):
         found = []
         for name, variable in self.variables.items():
             try:
-                unit = unit_of(self.base, variable.field)
+                whole, unit = field_of(self.base, variable.field)
             except ModelError as error:
                 raise _moved(error, ("variables", name, "field")) from None
             try:
-                found.append(axis(name, variable, unit))
+                found.append(axis(name, variable, whole, unit))
             except ModelError as error:
                 error.field = ("variables", name, *error.field)
                 raise
@@ -165,10 +165,22 @@ class Study(Document):
         return [*keys(self.base), *numeric]
 
     def changes_of(self, values: tuple[Any, ...]) -> dict[str, Any]:
-        """Return what a combination changes in the scenario, by dotted path."""
-        return {
-            axis.field: self._model(value) for axis, value in zip(self.axes, values, strict=True)
+        """Return what a combination changes in the scenario, by dotted path, groups first."""
+        changes = {
+            varied.field: self._model(value)
+            for varied, value in zip(self.axes, values, strict=True)
         }
+        changes |= {path: self._model(self.changes[path]) for path in self._set_inside}
+        return dict(sorted(changes.items(), key=lambda change: change[0].count(".")))
+
+    @cached_property
+    def _set_inside(self) -> list[str]:
+        """What is set inside of a group that is varied: each variant has to set it again."""
+        groups = tuple(f"{varied.field}." for varied in self.axes)
+        return [path for path in self.changes if self._whole(path).startswith(groups)]
+
+    def _whole(self, path: str) -> str:
+        return field_of(self.base, path)[0]
 
     @property
     def file(self) -> str | None:
@@ -185,19 +197,18 @@ class Study(Document):
     def _check_columns(self) -> None:
         taken: dict[str, str] = dict.fromkeys(COLUMNS, "a column that every table has")
         taken |= dict.fromkeys(keys(self.base), "a key of the assessment")
-        fields: dict[str, str] = {}
-        for name, variable in self.variables.items():
-            place = ("variables", name)
-            _check_name(name, taken, place, dots=False)
-            if variable.field in fields or variable.field in self.changes:
-                first = fields.get(variable.field)
-                got = show(variable.field)
-                other = "set has it, too" if first is None else f"variable {first} has it already"
-                expected = f"each field once; {other}"
+        fields = {self._whole(path): "set has it, too" for path in self.changes}
+        for varied in self.axes:
+            place = ("variables", varied.name)
+            _check_name(varied.name, taken, place, dots=False)
+            if varied.field in fields:
                 raise ModelError(
-                    "two values for one field", got=got, expected=expected, field=(*place, "field")
+                    "two values for one field",
+                    got=show(self.variables[varied.name].field),
+                    expected=f"each field once; {fields[varied.field]}",
+                    field=(*place, "field"),
                 )
-            fields[variable.field] = name
+            fields[varied.field] = f"variable {varied.name} has it already"
         taken = dict.fromkeys(COLUMNS, "a column that every table has")
         taken |= dict.fromkeys(self.variables, "a variable")
         for name in self.outputs:

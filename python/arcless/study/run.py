@@ -1,5 +1,6 @@
 """A study, begun or gone on with: what is missing is computed, every row is kept as it comes."""
 
+from collections import Counter
 from contextlib import suppress
 from pathlib import Path
 
@@ -12,7 +13,6 @@ from arcless.study.folder import StudyFolder
 from arcless.study.journal import Journal
 from arcless.study.keeper import Keeper, Progress, Tell
 from arcless.study.model import Execution, Study
-from arcless.study.rows import Row
 from arcless.study.variants import in_order, variant
 from arcless.study.version import code_version
 
@@ -69,18 +69,19 @@ def run(
     place = StudyFolder(study, folder)
     before = place.check_same() if resume else None
     if before is None:
-        _check_new(place, place.rows())
+        _check_new(place)
     computing = choose(executor or study.executor, say)
     place.make()
     with Journal(place.journal) as journal:
-        rows = _valid_rows(study, journal.rows(), retry_failed=retry_failed)
+        journal.mend()
+        there = _valid_rows(study, place, retry_failed=retry_failed)
         if before is None:
-            _check_new(place, rows)  # another process may have been faster
+            _check_new(place)  # another process may have been faster
             place.write_state()
         elif before["arcless_version"] != code_version():
             say(_other_version(before["arcless_version"]))
-        keeper = Keeper(study, place, journal, rows, tell=tell, note=say)
-        missing = [number for number in range(1, study.plan.count + 1) if number not in rows]
+        keeper = Keeper(study, place, journal, Counter(there.values()), tell=tell, note=say)
+        missing = [number for number in range(1, study.plan.count + 1) if number not in there]
         try:
             if missing:
                 task = Task.of(study, place.results if study.keep == "results" else None)
@@ -95,29 +96,33 @@ def run(
     return keeper.progress
 
 
-def _check_new(place: StudyFolder, rows: dict[int, Row]) -> None:
-    if rows:
+def _check_new(place: StudyFolder) -> None:
+    if next(place.rows(), None) is not None:
         raise StudyError(
             "a study was begun here already",
             where=str(place.path),
-            got=f"{len(rows)} rows",
+            got="rows of it",
             expected="a new folder",
             hint="go on with it by `arcless study resume`, or name another folder with `--out`",
         )
 
 
-def _valid_rows(study: Study, rows: dict[int, Row], *, retry_failed: bool) -> dict[int, Row]:
-    """Return the rows that need no computing; they must be of the variants of this study."""
-    for number, row in rows.items():
-        known = 1 <= number <= study.plan.count
-        if not known or variant(study, number).key != row.key:
+def _valid_rows(study: Study, place: StudyFolder, *, retry_failed: bool) -> dict[int, str]:
+    """Return the status of the rows that need no computing; all must be of this study."""
+    there: dict[int, str] = {}
+    for row in place.rows():
+        known = 1 <= row.variant <= study.plan.count
+        if not known or variant(study, row.variant).key != row.key:
             raise StudyError(
                 "the rows are of another study",
-                got=f"variant {number} with other values",
+                where=str(place.journal),
+                got=f"variant {row.variant} with other values",
                 expected="the values that the design gives it",
                 hint="begin anew in another folder with `--out`",
             )
-    return {n: row for n, row in rows.items() if not (retry_failed and row.status == "failed")}
+        if not (retry_failed and row.status == "failed"):
+            there[row.variant] = row.status
+    return there
 
 
 def _other_version(before: str) -> str:

@@ -64,9 +64,16 @@ def status(study: Study, folder: Path | None = None) -> StudyStatus:
     """
     place = StudyFolder(study, folder)
     place.check_same()
-    rows = place.rows()
-    counts = Counter(row.status for row in rows.values())
-    errors = Counter(row.error for row in rows.values() if row.status != "done")
+    counts: Counter[str] = Counter()
+    errors: Counter[str] = Counter()
+    versions: Counter[str] = Counter()
+    wall_time_s = 0.0
+    for row in place.rows():
+        counts[row.status] += 1
+        versions[row.arcless_version] += 1
+        wall_time_s += row.wall_time_s
+        if row.status != "done":
+            errors[row.error] += 1
     return StudyStatus(
         name=study.name,
         folder=str(place.path),
@@ -75,8 +82,8 @@ def status(study: Study, folder: Path | None = None) -> StudyStatus:
         done=counts["done"],
         invalid=counts["invalid"],
         failed=counts["failed"],
-        missing=study.plan.count - len(rows),
-        wall_time_s=sum(row.wall_time_s for row in rows.values()),
+        missing=study.plan.count - counts.total(),
+        wall_time_s=wall_time_s,
         errors=dict(errors.most_common()),
-        versions=dict(Counter(row.arcless_version for row in rows.values()).most_common()),
+        versions=dict(versions.most_common()),
     )

@@ -1,9 +1,10 @@
 """The table of a study: a Parquet file with a row for each variant, whole or absent."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable
 from io import BytesIO
+from itertools import islice
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from arcless.errors import StudyError
 from arcless.results.files import write_bytes
@@ -15,7 +16,8 @@ from arcless.study.variables import Axis
 if TYPE_CHECKING:
     import pyarrow
 
-NAME = "table.parquet"
+# Rows that are in memory at once; a group of rows of the file. Some tens of MB.
+PART = 20_000
 
 
 def check_available() -> None:
@@ -40,8 +42,8 @@ def needs(package: str, words: str) -> None:
         )
 
 
-def write(path: Path, study: Study, rows: Mapping[int, Row]) -> None:
-    """Write the table, in the order of the variants.
+def write(path: Path, study: Study, rows: Iterable[Row]) -> None:
+    """Write the table.
 
     Parameters
     ----------
@@ -50,7 +52,7 @@ def write(path: Path, study: Study, rows: Mapping[int, Row]) -> None:
     study
         Whose columns it has.
     rows
-        By variant.
+        In the order of the variants; some thousands at a time are in memory.
 
     Raises
     ------
@@ -59,43 +61,78 @@ def write(path: Path, study: Study, rows: Mapping[int, Row]) -> None:
     """
     import pyarrow.parquet
 
-    buffer = BytesIO()
-    pyarrow.parquet.write_table(table(study, rows), buffer, compression="zstd")
+    left, buffer = iter(rows), BytesIO()
+    part = table(study, islice(left, PART))
+    with pyarrow.parquet.ParquetWriter(buffer, part.schema, compression="zstd") as writer:
+        writer.write_table(part)
+        while part.num_rows == PART:
+            part = table(study, islice(left, PART))
+            writer.write_table(part)
     write_bytes(path, buffer.getbuffer())
 
 
-def table(study: Study, rows: Mapping[int, Row]) -> "pyarrow.Table":
-    """Return rows as an Arrow table; every column has its unit in its metadata."""
+def table(study: Study, rows: Iterable[Row]) -> "pyarrow.Table":
+    """Return rows as an Arrow table; every column has its unit and a description with it."""
     import pyarrow
 
-    ordered = [rows[number] for number in sorted(rows)]
-    fields, columns = [], []
-
-    def add(name: str, kind: Any, values: list[Any], unit: str, words: str) -> None:
-        about = {"unit": unit, "description": words}
-        fields.append(pyarrow.field(name, kind, metadata=about))
-        columns.append(pyarrow.array(values, kind))
-
-    add("variant", pyarrow.int64(), [row.variant for row in ordered], "", "Number, from 1.")
-    for axis in study.axes:
-        kind = _kind(axis)
-        values = [_cell(row.values[axis.name], kind) for row in ordered]
-        words = study.variables[axis.name].description or axis.field
-        add(axis.name, getattr(pyarrow, kind)(), values, axis.unit, words)
-    for name, output in study.outputs.items():
-        is_key = study.expressions[name].names == {output.expression.strip()}
-        unit = output.unit or (unit_of_key(output.expression.strip()) if is_key else "")
-        words = output.description or output.expression
-        add(name, pyarrow.float64(), [row.outputs.get(name) for row in ordered], unit, words)
-    text = pyarrow.string()
-    add("status", text, [row.status for row in ordered], "", "done, invalid or failed")
-    add("error", text, [row.error for row in ordered], "", "Why there is no value.")
-    times = [row.wall_time_s for row in ordered]
-    add("wall_time_s", pyarrow.float64(), times, "s", "Wall time of the variant.")
-    versions = [row.arcless_version for row in ordered]
-    add("arcless_version", text, versions, "", "Version that computed it, digest of its files.")
+    found = list(rows)
+    columns = _columns(study)
+    arrays = [pyarrow.array([column.of(row) for row in found], column.kind) for column in columns]
+    fields = [
+        pyarrow.field(c.name, c.kind, metadata={"unit": c.unit, "description": c.words})
+        for c in columns
+    ]
     about = {"study": study.name, "description": study.description}
-    return pyarrow.Table.from_arrays(columns, schema=pyarrow.schema(fields, metadata=about))
+    return pyarrow.Table.from_arrays(arrays, schema=pyarrow.schema(fields, metadata=about))
+
+
+class _Column(NamedTuple):
+    name: str
+    kind: Any
+    unit: str
+    words: str
+    of: Callable[[Row], Any]
+
+
+def _columns(study: Study) -> list[_Column]:
+    from pyarrow import float64, int64, string
+
+    number = _Column("variant", int64(), "", "Number, from 1.", lambda row: row.variant)
+    text = string()
+    status, error, time, version = (
+        _Column("status", text, "", "done, invalid or failed", lambda row: row.status),
+        _Column("error", text, "", "Why there is no value.", lambda row: row.error),
+        _Column("wall_time_s", float64(), "s", "Wall time.", lambda row: row.wall_time_s),
+        _Column(
+            "arcless_version", text, "", "Version that computed it, with a digest of its files.",
+            lambda row: row.arcless_version,
+        ),
+    )  # fmt: skip
+    varied = [_variable(study, axis) for axis in study.axes]
+    outputs = [_output(study, name) for name in study.outputs]
+    return [number, *varied, *outputs, status, error, time, version]
+
+
+def _variable(study: Study, axis: Axis) -> _Column:
+    import pyarrow
+
+    kind = _kind(axis)
+    words = study.variables[axis.name].description or axis.field
+    made = getattr(pyarrow, kind)()
+    return _Column(
+        axis.name, made, axis.unit, words, lambda row: _cell(row.values[axis.name], kind)
+    )
+
+
+def _output(study: Study, name: str) -> _Column:
+    import pyarrow
+
+    output = study.outputs[name]
+    text = output.expression.strip()
+    is_key = study.expressions[name].names == {text}
+    unit = output.unit or (unit_of_key(text) if is_key else "")
+    words = output.description or text
+    return _Column(name, pyarrow.float64(), unit, words, lambda row: row.outputs.get(name))
 
 
 def _kind(axis: Axis) -> str:

@@ -65,8 +65,8 @@ class Axis:
     quantile: Quantile
 
 
-def axis(name: str, variable: Variable, unit: Unit | None) -> Axis:
-    """Return a variable made ready by the unit of its field.
+def axis(name: str, variable: Variable, field: str, unit: Unit | None) -> Axis:
+    """Return a variable made ready by the whole path and the unit of its field.
 
     Raises
     ------
@@ -74,7 +74,7 @@ def axis(name: str, variable: Variable, unit: Unit | None) -> Axis:
         A value is no amount of that unit, or a range is empty; `field` says where below it.
     """
     levels, quantile = _values(variable, unit)
-    return Axis(name, variable.field, "" if unit is None else unit.label, levels, quantile)
+    return Axis(name, field, "" if unit is None else unit.label, levels, quantile)
 
 
 def _values(variable: Variable, unit: Unit | None) -> tuple[tuple[Any, ...] | None, Quantile]:

@@ -17,7 +17,7 @@ POINTS = (np.arange(20_000) + 0.5) / 20_000
 
 def made(unit: Unit | None = FORCE, **distribution: Any) -> Axis:
     variable = Variable(field="speed", distribution=distribution)  # type: ignore[arg-type]
-    return axis("x", variable, unit)
+    return axis("x", variable, "speed", unit)
 
 
 def drawn(**distribution: Any) -> np.ndarray:

@@ -139,6 +139,26 @@ def test_a_line_is_named_relative_to_the_file(tmp_path: Path) -> None:
     assert made["name"] == "other-line"
 
 
+def test_one_field_by_two_paths_is_refused() -> None:
+    mass = {"field": "pantographs.0.masses.0.mass", "values": [15]}
+    same = {"field": "pantographs.0.model.masses.0.mass", "values": [16]}
+    with pytest.raises(ModelError, match=r"two values for one field.*variable a has it already"):
+        study(variables={"a": mass, "b": same})
+
+
+def test_a_field_inside_of_a_varied_group_keeps_its_value() -> None:
+    made = study(
+        set={"line.contact_wire.tension": "23 kN"},
+        variables={
+            "messenger": {"field": "line.messenger_wire.tension", "values": ["15 kN"]},
+            "line": {"field": "line", "values": ["ac-simple-55", "ac-simple-55-3d"]},
+        },
+    )
+    one = made.base.with_(**variant(made, 2).changes).line
+    assert one.name == "ac-simple-55-3d"
+    assert (one.contact_wire.tension, one.messenger_wire.tension) == (23e3, 15e3)
+
+
 def test_variants_that_share_a_line_stand_together() -> None:
     found = study()
     tensions = [variant(found, n).values["tension"] for n in in_order(found, range(1, 7))]

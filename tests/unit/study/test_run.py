@@ -88,7 +88,7 @@ def test_a_torn_line_and_damage_cost_their_variants_only(whole: Path, tmp_path: 
 
 
 def test_beginning_twice_is_refused(whole: Path) -> None:
-    with pytest.raises(StudyError, match=r"begun here already: got 6 rows.*study resume"):
+    with pytest.raises(StudyError, match=r"begun here already.*study resume"):
         run(study(), whole)
 
 
@@ -221,3 +221,11 @@ def test_a_folder_that_cannot_be_made(tmp_path: Path) -> None:
 
 def test_the_folder_has_the_name_of_the_study() -> None:
     assert StudyFolder(study(name="a b/c")).path == Path("runs/studies/a-b-c")
+
+
+def test_the_table_is_written_part_by_part(whole: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    before = rows(whole / "table.parquet")
+    for part in (1, 2, 6):
+        monkeypatch.setattr("arcless.study.table.PART", part)
+        run(study(), whole, resume=True)
+        assert rows(whole / "table.parquet") == before

@@ -1,9 +1,13 @@
 """Threads of this process: no cluster, no other package."""
 
 from collections.abc import Iterator
+from itertools import islice
 
 from arcless.study.evaluate import Cancel, Take, Task, evaluate
 from arcless.study.variants import Variant
+
+# A batch remembers its members to the end; so many at once keep memory small, and waiting rare.
+AT_ONCE = 10_000
 
 
 class Threads:
@@ -22,5 +26,6 @@ class Threads:
         self, task: Task, variants: Iterator[Variant], count: int, take: Take, cancel: Cancel
     ) -> None:
         """Compute variants; see `Executor`."""
-        del count
-        evaluate(task, variants, take, workers=self._workers, cancel=cancel)
+        for _ in range(0, count, AT_ONCE):
+            some = islice(variants, AT_ONCE)
+            evaluate(task, some, take, workers=self._workers, cancel=cancel)
