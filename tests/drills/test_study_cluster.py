@@ -1,5 +1,10 @@
 """A study on a real scheduler with worker processes: the same table, whatever is killed."""
 
+import os
+import signal
+import subprocess
+import sys
+import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -9,7 +14,8 @@ import pytest
 from arcless.errors import ExecutorError
 from arcless.study import Execution, Progress, Study, load, run, status
 from tests.support.cluster import Cluster
-from tests.support.studies import VARIABLES, data, rows
+from tests.support.signals import interruptible
+from tests.support.studies import QUICK, VARIABLES, data, rows, written
 
 # 2 × 12 variants, two of them invalid.
 FORCES = {**VARIABLES["force"], "values": [-5, *range(60, 115, 5)]}
@@ -150,3 +156,23 @@ def test_a_variant_that_kills_its_worker_is_a_row(tmp_path: Path) -> None:
     found = rows(tmp_path / "out" / "table.parquet")
     assert [row["status"] for row in found] == ["done", "done", "failed", "done"]
     assert found[2]["error"] == "every worker that computed it died"
+
+
+def test_a_terminal_interrupts_worker_processes_too(tmp_path: Path) -> None:
+    file = written(tmp_path, variables={**VARIABLES, "force": FORCES},
+                   set={**QUICK, "solver.time_step": "0.5 ms"})  # fmt: skip
+    words = ["-m", "arcless", "study", "run", file.name, "--out", "out", "--executor", "dask"]
+    with interruptible():
+        running = subprocess.Popen(
+            [sys.executable, *words, "--workers", "2"], cwd=tmp_path, start_new_session=True,
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+        )  # fmt: skip
+    journal = tmp_path / "out" / "journal.jsonl"
+    while not journal.exists() or not journal.read_bytes():
+        assert running.poll() is None, running.communicate()
+        time.sleep(0.01)
+    os.killpg(running.pid, signal.SIGINT)  # as Ctrl-C does: all processes get it
+    out, err = running.communicate(timeout=60)
+    assert (running.returncode, out) == (1, "")
+    note = "rows so far: out/table.parquet; go on with `arcless study resume small.yaml`"
+    assert err.splitlines() == [note, "interrupted"]
