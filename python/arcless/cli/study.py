@@ -51,7 +51,7 @@ SchedulerOption = Annotated[
     ),
 ]
 # How long a study that is stopped may take to put its table and its workers in order, in s.
-_LEAVES_WITHIN_S = {"threads": 0.8, "dask": 5.0}
+_LEAVES_WITHIN_S = {"threads": 0.8, "dask": 20.0}
 
 
 @app.callback()

@@ -73,9 +73,8 @@ class Record:
         self.study = study
         self.place = StudyFolder(study, folder)
         self.state: dict[str, Any] = self.place.check_same()
-        rows = self.place.rows()
         self.status: StudyStatus = status(study, folder)
-        self.rows: list[Row] = [rows[number] for number in sorted(rows)]
+        self.rows: list[Row] = list(self.place.rows())
         self.done: list[Row] = [row for row in self.rows if row.status == "done"]
 
     @cached_property
