@@ -109,10 +109,14 @@ def resume(
 def status(file: FileArgument, *, out: FolderOption = None, json: JsonOption = False) -> None:
     """Say how far a study is, also while it is being computed."""
     from arcless import study as studies
+    from arcless.study.sensitivity import indices
 
-    found = studies.status(studies.load(file), out)
+    loaded = studies.load(file)
+    found = studies.status(loaded, out)
     if json:
-        console.data(console.json_text(found.to_dict()))
+        rows = studies.StudyFolder(loaded, out).rows()
+        more = {"sensitivity": indices(loaded, rows)}
+        console.data(console.json_text(found.to_dict() | more))
     else:
         _show_status(found)
 

@@ -5,7 +5,7 @@ from contextlib import suppress
 from pathlib import Path
 
 from arcless.errors import OutputError, StudyError
-from arcless.study import table
+from arcless.study import sensitivity, table
 from arcless.study.evaluate import Cancel, Task
 from arcless.study.executors import Note
 from arcless.study.executors import executor as choose
@@ -65,6 +65,7 @@ def run(
         The folder cannot be written, or its disk is full.
     """
     table.check_available()
+    sensitivity.check_available(study)
     say = note or (lambda _text: None)
     place = StudyFolder(study, folder)
     before = place.check_same() if resume else None
@@ -93,6 +94,7 @@ def run(
                 keeper.write_table()
             raise
         keeper.write_table()
+        sensitivity.write(study, place, rows)
     return keeper.progress
 
 

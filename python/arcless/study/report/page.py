@@ -15,6 +15,7 @@ from arcless.study.report.figures import (
     Drawing,
 )
 from arcless.study.report.record import Record
+from arcless.study.report.sensitivity import sections
 from arcless.study.version import code_version
 
 NAME = "report.html"
@@ -72,6 +73,9 @@ def _page(record: Record) -> str:
         for place, panel in enumerate(drawing.fronts()):
             fronts.append(f"front {place}")
             figures[fronts[-1]] = panel
+    sensitivity = sections(record)
+    for place, section in enumerate(sensitivity):
+        figures[f"sensitivity {place}"] = section.pop("figure")
     return render(
         "study.html",
         figures,
@@ -79,6 +83,7 @@ def _page(record: Record) -> str:
         **_texts(record, drawn),
         **groups,
         fronts=fronts,
+        sensitivity=sensitivity,
     )
 
 
