@@ -188,7 +188,7 @@ def design_text(study: Study) -> str:
     design = study.design
     fields = design.model_dump()
     words = [str(fields.pop("kind"))]
-    words += [f"{name.replace('_', ' ')} {value}" for name, value in fields.items()]
+    words += [f"{n.replace('_', ' ')} {str(v).lower()}" for n, v in fields.items()]
     words += [] if isinstance(design, Grid) or design.kind == "list" else [f"seed {study.seed}"]
     return ", ".join(words)
 
