@@ -94,7 +94,7 @@ def run(
                 keeper.write_table()
             raise
         keeper.write_table()
-        sensitivity.write(study, place, rows)
+        sensitivity.write(study, place)
     return keeper.progress
 
 

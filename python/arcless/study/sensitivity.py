@@ -5,7 +5,7 @@ or is not there yet is left out, and counted. Then the indices are those of the 
 """
 
 import json
-from collections.abc import Mapping
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from arcless.results.files import write_bytes
@@ -38,7 +38,7 @@ def check_available(study: Study) -> None:
         needs("SALib", "a sensitivity design")
 
 
-def indices(study: Study, rows: Mapping[int, Row]) -> dict[str, Any] | None:
+def indices(study: Study, rows: Iterable[Row]) -> dict[str, Any] | None:
     """Return the indices of every output over every variable.
 
     Parameters
@@ -46,7 +46,7 @@ def indices(study: Study, rows: Mapping[int, Row]) -> dict[str, Any] | None:
     study
         None is returned unless its design is one for indices.
     rows
-        By variant; those that are missing or not done take their blocks with them.
+        In any order; those that are missing or not done take their blocks with them.
 
     Returns
     -------
@@ -66,12 +66,14 @@ def indices(study: Study, rows: Mapping[int, Row]) -> dict[str, Any] | None:
     if not isinstance(design, SobolIndices | Morris):
         return None
     check_available(study)
+    found: dict[str, list[float | None]] = {
+        name: [None] * study.plan.count for name in study.outputs
+    }
+    for row in rows:
+        for name, values in found.items():
+            values[row.variant - 1] = row.outputs.get(name)
     outputs = {}
-    for name in study.outputs:
-        values = [
-            row.outputs.get(name) if (row := rows.get(number)) and row.status == "done" else None
-            for number in range(1, study.plan.count + 1)
-        ]
+    for name, values in found.items():
         outputs[name] = of_output(design, list(study.variables), values, study.seed)
     return {"method": design.kind, "confidence": CONFIDENCE, "outputs": outputs}
 
@@ -100,7 +102,7 @@ def of_output(
     return {**found, "indices": _morris(design, problem, points, kept.ravel(), seed)}
 
 
-def write(study: Study, place: StudyFolder, rows: Mapping[int, Row]) -> None:
+def write(study: Study, place: StudyFolder) -> None:
     """Write the indices beside the table, where the design is one for them.
 
     Raises
@@ -108,7 +110,7 @@ def write(study: Study, place: StudyFolder, rows: Mapping[int, Row]) -> None:
     OutputError
         The file cannot be written.
     """
-    found = indices(study, rows)
+    found = indices(study, place.rows())
     if found is not None:
         write_bytes(place.path / FILE, json.dumps(found, indent=1, allow_nan=False).encode())
 

@@ -158,9 +158,9 @@ def test_mean_force_is_shared_as_the_forces_that_make_it(tmp_path: Path) -> None
 
 def test_in_the_report(tmp_path: Path) -> None:
     shares = {"force": {"field": "pantographs.0.static_force", "range": [60, 90]}}
-    made = filled(tmp_path, variables=shares, design={"kind": "morris", "count": 8})
+    made = filled(tmp_path, of=15, variables=shares, design={"kind": "morris", "count": 8})
     page = html(made, tmp_path)
-    assert "8 blocks of the design are whole" in page
+    assert "7 blocks of the design are whole; 1 with a variant" in page
     assert "mean size μ*" in page
 
 

@@ -18,7 +18,7 @@ _MORRIS = {
 
 def sections(record: Record) -> list[dict[str, Any]]:
     """Return a table and a figure for every output; nothing for other designs."""
-    found = indices(record.study, {row.variant: row for row in record.rows})
+    found = indices(record.study, record.rows)
     if found is None:
         return []
     sobol = found["method"] == "sobol-indices"
