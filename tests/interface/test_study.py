@@ -135,3 +135,19 @@ def test_a_study_loads_no_cluster_and_no_plots(tmp_path: Path) -> None:
     )  # fmt: skip
     loaded = {name.partition(".")[0] for name in done.stderr.split()}
     assert not loaded & {"dask", "distributed", "bokeh", "scipy", "xarray", "matplotlib"}
+
+
+def test_an_optimisation_ends_with_its_best(arcless: Arcless, tmp_path: Path) -> None:
+    design = {"kind": "optimise", "trials": 4, "objectives": {"sigma": "minimise"}}
+    force = {"force": {"field": "pantographs.0.static_force", "range": [60, 120]}}
+    file = written(tmp_path, design=design, variables=force)
+    done = arcless("study", "run", file)
+    assert done.exit_code == 0, done.output
+    assert "best: variant " in done.stdout
+    found = json.loads(arcless("study", "resume", file, "--json").stdout)
+    table = rows(tmp_path / "runs/studies/small/table.parquet")
+    assert found["best"] == [min(table, key=lambda row: row["sigma"])["variant"]]
+    made = arcless("study", "variant", file, str(found["best"][0]))
+    force_N = json.loads(made.stdout)["pantographs"][0]["static_force"]
+    assert force_N == table[found["best"][0] - 1]["force"]
+    assert arcless("study", "report", file).exit_code == 0

@@ -13,7 +13,8 @@ from arcless.cli.scenario import JsonOption, QuietOption
 from arcless.cli.study_progress import progress
 
 if TYPE_CHECKING:
-    from arcless.study import Execution, Progress, Study, StudyStatus
+    from arcless.study import Execution, Progress, Study, StudyFolder, StudyStatus
+    from arcless.study.rows import Row
 
 app = typer.Typer(rich_markup_mode=None, add_completion=False, no_args_is_help=True)
 FileArgument = Annotated[
@@ -50,6 +51,8 @@ SchedulerOption = Annotated[
         show_default=False,
     ),
 ]
+# Variants of a front that are printed.
+_MOST_SHOWN = 10
 # How long a study that is stopped may take to put its table and its workers in order, in s.
 _LEAVES_WITHIN_S = {"threads": 0.8, "dask": 20.0}
 
@@ -148,6 +151,7 @@ def variant(
     file: FileArgument,
     number: Annotated[int, typer.Argument(metavar="NUMBER", help="Its number, from 1.", min=1)],
     *,
+    out: FolderOption = None,
     to: Annotated[
         Path | None,
         typer.Option(
@@ -163,7 +167,10 @@ def variant(
     from arcless.results.files import write_bytes
     from arcless.study.variants import scenario
 
-    made = scenario(studies.load(file), number)
+    loaded = studies.load(file)
+    if isinstance(loaded.design, studies.Optimise):
+        studies.StudyFolder(loaded, out).recall()
+    made = scenario(loaded, number)
     text = console.json_text(made.to_dict())  # JSON is YAML, and every digit stays
     if to is None:
         console.data(text)
@@ -202,10 +209,13 @@ def _compute(
                 )
             raise
     facts = _facts(loaded, place.path, done)
+    front = _front(loaded, place)
     if json:
-        console.data(console.json_text(facts | {"table": str(place.table)}))
+        best = {} if front is None else {"best": [row.variant for row in front]}
+        console.data(console.json_text(facts | best | {"table": str(place.table)}))
     else:
         _show_done(facts)
+        _show_front(front)
         console.data(f"wrote {place.table}")
     if not done.counts["done"]:
         raise typer.Exit(FAILED)
@@ -243,6 +253,31 @@ def _facts(loaded: "Study", folder: Path, done: "Progress") -> dict[str, Any]:
         "elapsed_s": round(done.elapsed_s, 3),
         "variants_per_s": None if done.rate is None else round(done.rate, 3),
     }
+
+
+def _front(loaded: "Study", place: "StudyFolder") -> "list[Row] | None":
+    """Return the best rows of an optimisation; None of other studies."""
+    from arcless import study as studies
+
+    design = loaded.design
+    return design.best(place.rows()) if isinstance(design, studies.Optimise) else None
+
+
+def _show_front(front: "list[Row] | None") -> None:
+    if front is None:
+        return
+    if not front:
+        console.data("best: no variant that keeps the constraints")
+    for row in front[:_MOST_SHOWN]:
+        numbers = (row.values | row.outputs).items()
+        values = ", ".join(f"{name} {_short(value)}" for name, value in numbers)
+        console.data(f"best: variant {row.variant}: {values}")
+    if len(front) > _MOST_SHOWN:
+        console.data(f"and {len(front) - _MOST_SHOWN} more, none of which surpasses another")
+
+
+def _short(value: Any) -> str:
+    return f"{value:.6g}" if isinstance(value, int | float) else str(value)
 
 
 def _show_done(facts: dict[str, Any]) -> None:

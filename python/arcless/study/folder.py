@@ -12,6 +12,7 @@ from arcless.results.files import write_bytes
 from arcless.study import journal
 from arcless.study.load import differences, digest, meaning
 from arcless.study.model import Study
+from arcless.study.optimise import Search
 from arcless.study.rows import Row
 from arcless.study.version import code_version
 
@@ -134,3 +135,8 @@ class StudyFolder:
     def rows(self) -> Iterator[Row]:
         """Yield the rows that are there, in the order of the variants."""
         return journal.rows(self.journal)
+
+    def recall(self) -> None:
+        """Let an optimisation know the values of the variants that have rows."""
+        if isinstance(self.study.plan, Search):
+            self.study.plan.recall(self.rows())

@@ -3,7 +3,7 @@
 import re
 from collections.abc import Mapping
 from functools import cached_property
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
 from pydantic import Field, PrivateAttr, ValidationInfo, model_validator
 
@@ -14,6 +14,7 @@ from arcless.model.fields import Part
 from arcless.model.overrides import field_of
 from arcless.study.designs import Design, Plan
 from arcless.study.expressions import Expression
+from arcless.study.optimise import Optimise
 from arcless.study.quantities import is_number, keys
 from arcless.study.variables import Axis, Variable, axis
 from arcless.units import show
@@ -75,7 +76,9 @@ class Study(Document):
         description="Other values of fields, the same in all variants, by dotted path.",
     )
     variables: dict[str, Variable] = Field(description="Variables by name.", min_length=1)
-    design: Design = Field(description="Which combinations are computed.")
+    design: Annotated[Design | Optimise, Field(discriminator="kind")] = Field(
+        description="Which combinations are computed."
+    )
     outputs: dict[str, StudyOutput] = Field(
         description="Keys of the assessment, or expressions of them by name.", min_length=1
     )
@@ -108,6 +111,8 @@ class Study(Document):
         _ = self.base
         self._check_columns()
         _ = self.axes, self.plan, self.expressions
+        if isinstance(self.design, Optimise):
+            self.design.check(list(self.outputs))
         return self
 
     @cached_property

@@ -1,6 +1,7 @@
 """A study, begun or gone on with: what is missing is computed, every row is kept as it comes."""
 
 from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from pathlib import Path
 
@@ -13,6 +14,8 @@ from arcless.study.folder import StudyFolder
 from arcless.study.journal import Journal
 from arcless.study.keeper import Keeper, Progress, Tell
 from arcless.study.model import Execution, Study
+from arcless.study.optimise import Search
+from arcless.study.rows import Row
 from arcless.study.variants import in_order, variant
 from arcless.study.version import code_version
 
@@ -66,6 +69,8 @@ def run(
     """
     table.check_available()
     sensitivity.check_available(study)
+    if isinstance(study.plan, Search):
+        table.needs("optuna", "a study that optimises")
     say = note or (lambda _text: None)
     place = StudyFolder(study, folder)
     before = place.check_same() if resume else None
@@ -82,13 +87,14 @@ def run(
         elif before["arcless_version"] != code_version():
             say(_other_version(before["arcless_version"]))
         keeper = Keeper(study, place, journal, Counter(there.values()), tell=tell, note=say)
-        missing = [number for number in range(1, study.plan.count + 1) if number not in there]
+        task = Task.of(study, place.results if study.keep == "results" else None)
+        stop = cancel or (lambda: False)
         try:
-            if missing:
-                task = Task.of(study, place.results if study.keep == "results" else None)
-                ordered = (variant(study, number) for number in in_order(study, missing))
-                stop = cancel or (lambda: False)
-                computing.compute(task, ordered, len(missing), keeper.take, stop)
+            for numbers in _rounds(study, place):
+                missing = [number for number in numbers if number not in there]
+                if missing:
+                    ordered = (variant(study, number) for number in in_order(study, missing))
+                    computing.compute(task, ordered, len(missing), keeper.take, stop)
         except BaseException:
             with suppress(OutputError):  # what ended the study is what is told
                 keeper.write_table()
@@ -96,6 +102,16 @@ def run(
         keeper.write_table()
         sensitivity.write(study, place)
     return keeper.progress
+
+
+def _rounds(study: Study, place: StudyFolder) -> Iterator[Sequence[int]]:
+    """Yield the numbers of variants in rounds; of most designs there is one with all of them."""
+    if not isinstance(study.plan, Search):
+        yield range(1, study.plan.count + 1)
+        return
+    for numbers in study.plan.rounds(place.rows):
+        _check_rows(study, place, (row for row in place.rows() if row.variant in numbers))
+        yield numbers
 
 
 def _check_new(place: StudyFolder) -> None:
@@ -111,8 +127,23 @@ def _check_new(place: StudyFolder) -> None:
 
 def _valid_rows(study: Study, place: StudyFolder, *, retry_failed: bool) -> dict[int, str]:
     """Return the status of the rows that need no computing; all must be of this study."""
-    there: dict[int, str] = {}
-    for row in place.rows():
+    if not isinstance(study.plan, Search):  # its rows follow from each other, round by round
+        _check_rows(study, place, place.rows())
+    elif retry_failed and any(row.status == "failed" for row in place.rows()):
+        raise StudyError(
+            "an optimisation does not compute failed variants again",
+            expected="resume without --retry-failed",
+            hint="later choices follow from their failure; begin anew with `--out`",
+        )
+    return {
+        row.variant: row.status
+        for row in place.rows()
+        if not (retry_failed and row.status == "failed")
+    }
+
+
+def _check_rows(study: Study, place: StudyFolder, rows: Iterable[Row]) -> None:
+    for row in rows:
         known = 1 <= row.variant <= study.plan.count
         if not known or variant(study, row.variant).key != row.key:
             raise StudyError(
@@ -122,9 +153,6 @@ def _valid_rows(study: Study, place: StudyFolder, *, retry_failed: bool) -> dict
                 expected="the values that the design gives it",
                 hint="begin anew in another folder with `--out`",
             )
-        if not (retry_failed and row.status == "failed"):
-            there[row.variant] = row.status
-    return there
 
 
 def _other_version(before: str) -> str:

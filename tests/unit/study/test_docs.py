@@ -22,7 +22,10 @@ def example(name: str, folder: Path) -> Study:
     return load(folder / name)
 
 
-@pytest.mark.parametrize(("name", "count"), [("force-and-tension.yaml", 9), ("scatter.yaml", 8)])
+@pytest.mark.parametrize(
+    ("name", "count"),
+    [("force-and-tension.yaml", 9), ("scatter.yaml", 8), ("least-scatter.yaml", 12)],
+)
 def test_the_examples_run(tmp_path: Path, name: str, count: int) -> None:
     made = example(name, tmp_path)
     assert run(made, tmp_path / "out").computed == count

@@ -73,6 +73,7 @@ class Record:
         self.study = study
         self.place = StudyFolder(study, folder)
         self.state: dict[str, Any] = self.place.check_same()
+        self.place.recall()
         self.status: StudyStatus = status(study, folder)
         self.rows: list[Row] = list(self.place.rows())
         self.done: list[Row] = [row for row in self.rows if row.status == "done"]
