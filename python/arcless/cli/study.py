@@ -112,13 +112,14 @@ def resume(
 def status(file: FileArgument, *, out: FolderOption = None, json: JsonOption = False) -> None:
     """Say how far a study is, also while it is being computed."""
     from arcless import study as studies
+    from arcless.study.percentiles import percentiles
     from arcless.study.sensitivity import indices
 
     loaded = studies.load(file)
     found = studies.status(loaded, out)
     if json:
-        rows = studies.StudyFolder(loaded, out).rows()
-        more = {"sensitivity": indices(loaded, rows)}
+        rows = list(studies.StudyFolder(loaded, out).rows())
+        more = {"sensitivity": indices(loaded, rows), "percentiles": percentiles(loaded, rows)}
         console.data(console.json_text(found.to_dict() | more))
     else:
         _show_status(found)

@@ -97,6 +97,7 @@ def _texts(record: Record, drawn: int) -> dict[str, Any]:
         "variables": tables.variable_rows(study),
         "changes": [(path, tables.written(value)) for path, value in study.changes.items()],
         "outputs": tables.output_rows(record),
+        "percentiles": tables.percentile_rows(record),
         "reasons": reasons[: tables.REASONS],
         "more_reasons": len(reasons) - tables.REASONS,
         "leaders": tables.leaders(record),

@@ -13,6 +13,7 @@ from arcless.report.style import models
 from arcless.study.designs import Grid
 from arcless.study.distributions import Choice
 from arcless.study.model import Study
+from arcless.study.percentiles import percentiles
 from arcless.study.report.commands import Commands
 from arcless.study.report.figures import Drawing
 from arcless.study.report.record import Column, Record
@@ -70,6 +71,21 @@ def output_rows(record: Record) -> list[dict[str, Any]]:
             numbers = [float(known.mean()), spread, float(known.min()), middle, float(known.max())]
         cells = [number(value) for value in numbers]
         rows.append({"column": out, "count": known.size, "cells": cells})
+    return rows
+
+
+def percentile_rows(record: Record) -> list[tuple[Column, list[tuple[str, str]]]]:
+    """Return the percentiles of every output with their intervals; nothing unless of a sample."""
+    found = percentiles(record.study, record.rows)
+    if found is None:
+        return []
+    rows = []
+    for out in record.outputs:
+        cells = []
+        for one in found["outputs"][out.name]["percentiles"]:
+            ends = (number(one["low"]), number(one["high"]))
+            cells.append((number(one["value"]), " to ".join(ends)))
+        rows.append((out, cells))
     return rows
 
 
