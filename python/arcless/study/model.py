@@ -16,6 +16,7 @@ from arcless.study.designs import Design, Plan
 from arcless.study.expressions import Expression
 from arcless.study.optimise import Optimise
 from arcless.study.quantities import is_number, keys
+from arcless.study.random_fields import length_errors
 from arcless.study.variables import Axis, Variable, axis
 from arcless.units import show
 
@@ -172,7 +173,7 @@ class Study(Document):
     def changes_of(self, values: tuple[Any, ...]) -> dict[str, Any]:
         """Return what a combination changes in the scenario, by dotted path, groups first."""
         changes = {
-            varied.field: self._model(value)
+            varied.field: self._made(varied.name, value)
             for varied, value in zip(self.axes, values, strict=True)
         }
         changes |= {path: self._model(self.changes[path]) for path in self._set_inside}
@@ -195,6 +196,11 @@ class Study(Document):
     def model_contents(self) -> dict[str, Any]:
         """Return the lines and pantographs that values name, as plain data."""
         return self._models
+
+    def _made(self, name: str, value: Any) -> Any:
+        """Return what a value stands for: a model that it names, a drawing of a random field."""
+        field = self.variables[name].random_field
+        return self._model(value) if field is None else length_errors(field, self.base.line, value)
 
     def _model(self, value: Any) -> Any:
         return self._models.get(value, value) if isinstance(value, str) else value

@@ -9,9 +9,10 @@ from arcless.errors import ModelError
 from arcless.model.fields import Part, Unit
 from arcless.study.amounts import Amount, number, plain
 from arcless.study.distributions import Choice, Distribution, Quantile, Uniform
+from arcless.study.random_fields import FIELD, RandomField, drawing
 from arcless.units import show
 
-WAYS = ("values", "range", "distribution")
+WAYS = ("values", "range", "distribution", "random_field")
 
 
 class Variable(Part):
@@ -30,6 +31,9 @@ class Variable(Part):
     distribution: Distribution | None = Field(
         default=None, description="Distribution that a sample is drawn from."
     )
+    random_field: RandomField | None = Field(
+        default=None, description="Errors along the line; for as_built.dropper_length_errors."
+    )
     description: str = Field(default="", description="What it stands for, in a sentence.")
 
     @model_validator(mode="after")
@@ -37,8 +41,12 @@ class Variable(Part):
         given = [name for name in WAYS if getattr(self, name) is not None]
         if len(given) != 1:
             what = f"both {' and '.join(given)} given" if given else "no values given"
-            expected = "values, or range, or distribution"
+            expected = "values, or range, or distribution, or random_field"
             raise ModelError(what, expected=expected, field=tuple(given[1:2]))
+        if self.random_field is not None and self.field != FIELD:
+            raise ModelError(
+                "random field", got=show(self.field), expected=show(FIELD), field=("field",)
+            )
         if self.count is not None and self.range is None:
             raise ModelError("count without range", expected="range: [low, high]", field=("count",))
         return self
@@ -90,6 +98,8 @@ def _values(variable: Variable, unit: Unit | None) -> tuple[tuple[Any, ...] | No
         return spaced(low, high, variable.count), Uniform(
             kind="uniform", low=low, high=high
         ).quantile
+    if variable.random_field is not None:
+        return None, drawing
     assert variable.distribution is not None
     try:
         ready = variable.distribution.in_si(unit)

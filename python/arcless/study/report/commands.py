@@ -66,7 +66,8 @@ class Commands:
     def _direct(self, number: int) -> list[str] | None:
         made = variant(self._study, number)
         named = {axis.field: made.values[axis.name] for axis in self._study.axes}
-        if self._scenario is None or set(made.changes) != set(named):
+        fields = any(one.random_field is not None for one in self._study.variables.values())
+        if self._scenario is None or fields or set(made.changes) != set(named):
             return None
         settings = []
         for path, value in {**self._study.changes, **named}.items():

@@ -186,6 +186,9 @@ def _ways(variable: Variable) -> str:
     if variable.range is not None:
         low, high = (_amount(end) for end in variable.range)
         return f"{low} to {high}" + (f", {variable.count} values" if variable.count else "")
+    if variable.random_field is not None:
+        spread, length = variable.random_field.model_dump().values()
+        return f"random field, standard deviation {spread:g} m, correlation length {length:g} m"
     given = variable.distribution
     assert given is not None
     if isinstance(given, Choice):
