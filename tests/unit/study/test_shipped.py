@@ -38,6 +38,19 @@ def test_every_coefficient_of_wear_is_marked() -> None:
             assert study.provenance[f"set.wear.{group}.{field}"].mark in ("assumed", "C")
 
 
+def test_the_line_as_it_is_shipped_is_among_the_dropper_designs() -> None:
+    study = load("dropper-spacing-and-pre-sag")
+    droppers = study.base.line.span_types["standard"].droppers
+    positions, presag = (axis.levels or () for axis in study.axes)
+    assert list(droppers.positions) in [list(values) for values in positions]
+    # Shipped to the millimetre, here to a tenth of it on a parabola.
+    assert any(
+        values == pytest.approx(list(droppers.presag or ()), abs=0.5e-3) for values in presag
+    )
+    for values in positions:
+        assert values[0] + values[-1] == pytest.approx(55.0, abs=1e-9)  # about the middle
+
+
 def test_arcs_wear_at_low_force_and_friction_at_high_force(tmp_path: Path) -> None:
     from pyarrow.parquet import read_table
 
