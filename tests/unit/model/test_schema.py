@@ -5,11 +5,11 @@ from typing import Any
 
 import pytest
 
-from arcless.model import json_schema
 from arcless.model.library import FOLDER
 from arcless.model.reader import parse, read_text
+from arcless.study import json_schema
 
-SCHEMA = json_schema()
+SCHEMA = json_schema()  # of models and studies
 TYPES: dict[str, Any] = {
     "object": dict,
     "array": list,
