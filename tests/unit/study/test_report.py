@@ -17,6 +17,7 @@ from arcless.study.report import html, write
 from arcless.study.report.commands import Commands
 from arcless.study.report.effects import effect
 from arcless.study.report.record import Column, Record, shortened
+from arcless.study.report.tables import best
 from tests.support.studies import VARIABLES, filled, rows, study, written
 
 
@@ -118,6 +119,21 @@ def test_the_command_computes_the_row_again(tmp_path: Path, monkeypatch: Any) ->
     again = arcless.run(load_scenario(words[2]).with_(**changes))
     row = rows(tmp_path / "out" / "table.parquet")[4]
     assert again.assessment.pantographs[0].std_force_N == row["sigma"]  # the same bits
+
+
+def test_the_best_of_an_optimisation(tmp_path: Path) -> None:
+    design = {"kind": "optimise", "trials": 6, "objectives": {"sigma": "minimise"}}
+    force = {"force": {**VARIABLES["force"], "values": None, "range": [60, 90]}}
+    made = study(variables=force, design=design)
+    run(made, tmp_path)
+    page = html(made, tmp_path)
+    record = Record(made, tmp_path)
+    assert "Best variants" in page
+    assert "optimise: minimise sigma; 6 variants" in page
+    lowest = min(record.done, key=lambda row: row.outputs["sigma"] or 0.0)
+    found = best(record)
+    assert found is not None
+    assert [leader.variant for leader in found] == [lowest.variant]
 
 
 def test_no_study_there(tmp_path: Path) -> None:

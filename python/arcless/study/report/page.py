@@ -101,6 +101,7 @@ def _texts(record: Record, drawn: int) -> dict[str, Any]:
         "reasons": reasons[: tables.REASONS],
         "more_reasons": len(reasons) - tables.REASONS,
         "leaders": tables.leaders(record),
+        "best": tables.best(record),
         "drawn": drawn,
         "status": status,
         "most": {

@@ -3,7 +3,7 @@
 import html
 import json
 from collections import defaultdict
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import floor, isfinite, log10
 from typing import Any
 
@@ -13,6 +13,7 @@ from arcless.report.style import models
 from arcless.study.designs import Grid
 from arcless.study.distributions import Choice
 from arcless.study.model import Study
+from arcless.study.optimise import Optimise
 from arcless.study.percentiles import percentiles
 from arcless.study.report.commands import Commands
 from arcless.study.report.figures import Drawing
@@ -124,6 +125,22 @@ def leaders(record: Record) -> list[tuple[Column, list[tuple[str, list[Leader]]]
     return found
 
 
+def best(record: Record) -> list[Leader] | None:
+    """Return the best variants of an optimisation, of several objectives the front; else None."""
+    design = record.study.design
+    if not isinstance(design, Optimise):
+        return None
+    found = {row.variant for row in design.best(record.rows)}
+    commands = Commands(record.study)
+    aims = [out for out in record.outputs if out.name in design.objectives]
+    leaders_ = []
+    for place in np.flatnonzero([int(variant) in found for variant in record.variants]):
+        each = [_leader(record, out, int(place), commands) for out in aims]
+        reached = [f"{out.name} = {one.value}" for out, one in zip(aims, each, strict=True)]
+        leaders_.append(replace(each[0], value=", ".join(reached)))
+    return leaders_
+
+
 def _leader(record: Record, out: Column, place: int, commands: Commands) -> Leader:
     variant = int(record.variants[place])
     values = []
@@ -206,6 +223,9 @@ def design_text(study: Study) -> str:
     """Return the design in words."""
     design = study.design
     fields = design.model_dump()
+    if isinstance(design, Optimise):
+        aims = ", ".join(f"{aim} {name}" for name, aim in design.objectives.items())
+        return f"optimise: {aims}; {design.trials} variants, seed {study.seed}"
     words = [str(fields.pop("kind"))]
     words += [f"{n.replace('_', ' ')} {str(v).lower()}" for n, v in fields.items()]
     words += [] if isinstance(design, Grid) or design.kind == "list" else [f"seed {study.seed}"]
