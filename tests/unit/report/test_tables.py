@@ -5,6 +5,7 @@ from arcless.model import load
 from arcless.report.model_data import MAX_ROWS, groups, marks_used
 from arcless.report.tables import (
     INDICATORS,
+    WEAR,
     criterion_rows,
     indicator_rows,
     number,
@@ -47,7 +48,7 @@ def test_every_indicator_has_a_row_and_every_pantograph_a_column() -> None:
     two = assess(synthetic_dataset(pantographs=("P1", "P2")))
     rows = indicator_rows(two)
     assert len(rows) == len(INDICATORS)
-    assert {key for key in vars(two.pantographs[0]) if key != "name"} == set(INDICATORS)
+    assert {key for key in vars(two.pantographs[0]) if key != "name"} == set(INDICATORS | WEAR)
     assert all(len(values) == 2 for _, _, values in rows)
 
 
