@@ -1,8 +1,8 @@
-//! Islands of a line: tension lengths side by side or one behind the other, which nothing couples.
+//! Islands of a line: wires side by side or one behind the other, which nothing couples.
 //!
 //! What no rider has reached stays at rest, exactly. So a step goes through the islands that are awake:
 //! those that a rider touches or has touched. One that every rider has left, and of which nothing more is
-//! recorded, is laid to rest again. A step then costs what one or two tension lengths cost, however
+//! recorded, is laid to rest again. A step then costs what one or two islands cost, however
 //! long the line, and the forces are those of stepping everything, bit for bit.
 
 use super::line::Line;

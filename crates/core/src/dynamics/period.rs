@@ -6,7 +6,7 @@
 //!
 //! in the place of M, a wave that tension alone carries has K = K_T, so its frequency becomes
 //! ω² / (1 − 2 c h² ω²): too fast by the same share, and the leading errors cancel. The remainder is
-//! O((ωh)⁴). Bending, droppers and axial waves keep their error.
+//! O((ωh)⁴). Bending, links and axial waves keep their error.
 //!
 //! A mass with stiffness in it is an old thought (Fox & Goodwin's method for u″ = −ω²u, Proc. Camb.
 //! Phil. Soc. 45 (1949) 373; Krenk, Comput. Methods Appl. Mech. Eng. 191 (2001) 975 with elements).
