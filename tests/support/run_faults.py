@@ -8,7 +8,7 @@ from unittest.mock import patch
 
 from arcless.simulate import equilibrium
 
-PREPARED = ("lanes", "scheme", "step", "contact_stiffness", "updated")
+PREPARED = ("lanes", "scheme", "step", "contact_stiffness", "updated", "corrected")
 RUN = (
     "riders", "distances", "positions", "speeds", "friction", "loads", "plan", "observe",
     "state", "until",
