@@ -10,10 +10,12 @@ from arcless.errors import (
     ContactError,
     ControlError,
     EquilibriumError,
+    ExecutorError,
     MeshError,
     ModelError,
     OutputError,
     ResultFormatError,
+    StudyError,
 )
 
 EXAMPLES = [
@@ -58,6 +60,16 @@ EXAMPLES = [
         ResultFormatError("not a result", where="x.nc", expected="a file of arcless run"),
         "x.nc: not a result: expected a file of arcless run",
         2,
+    ),
+    (
+        StudyError("a study was begun here already", where="runs/studies/x", got="rows of it"),
+        "runs/studies/x: a study was begun here already: got rows of it",
+        2,
+    ),
+    (
+        ExecutorError("the scheduler does not answer", where="tcp://localhost:1"),
+        "tcp://localhost:1: the scheduler does not answer",
+        1,
     ),
 ]
 

@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 create_exception!(
-    _core,
+    arcless._core,
     NativeError,
     PyException,
     "Failure in the core: kind, message, details."

@@ -1,6 +1,7 @@
 """Changes to a scenario by dotted path: ``line.contact_wire.tension=24 kN``."""
 
 from collections.abc import Mapping
+from copy import deepcopy
 from typing import Any
 
 from pydantic import BaseModel
@@ -100,7 +101,8 @@ def _set(data: dict[str, Any], path: str, value: Any, changed: set[str]) -> None
         if isinstance(place, dict) and "provenance" in place:
             document, inside = place, depth
     before, _, _ = path.rpartition(".")
-    place[last] = _named_model(last, value)
+    # A change further inside must not reach the mapping of whoever asked.
+    place[last] = deepcopy(_named_model(last, value))
     for other in _EXCLUSIVE.get(str(last), ()) if isinstance(place, dict) else ():
         if other in place and f"{before}.{other}".lstrip(".") not in changed:
             place[other] = None

@@ -46,6 +46,13 @@ def test_a_changed_copy() -> None:
     assert changed.line.messenger_wire == SCENARIO.line.messenger_wire
 
 
+def test_what_is_given_stays_as_it_is() -> None:
+    travel = {"start": "60 m", "end": "500 m"}
+    changed = SCENARIO.with_(**{"travel": travel, "travel.end": "400 m"})
+    assert changed.travel_range() == (60.0, 400.0)
+    assert travel == {"start": "60 m", "end": "500 m"}
+
+
 def test_no_change_is_equality() -> None:
     assert SCENARIO.with_() == SCENARIO
 
