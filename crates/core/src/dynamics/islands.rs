@@ -113,10 +113,14 @@ impl<const D: usize> LineState<D> {
 }
 
 impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
-    /// At the start, and when a state was put back: let sleep what has not moved and is not touched.
     /// Forces that are given, and updated kinematics, keep everything awake.
+    fn may_sleep(&self) -> bool {
+        self.p.updating.is_none() && self.travel.loads.is_empty()
+    }
+
+    /// At the start, and when a state was put back: let sleep what has not moved and is not touched.
     pub(super) fn let_sleep(&mut self) {
-        if self.p.updating.is_some() || !self.travel.loads.is_empty() {
+        if !self.may_sleep() {
             return;
         }
         for number in (0..self.p.islands.len()).rev() {
@@ -142,7 +146,7 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
         let Some(near) = &self.plan.near else {
             return;
         };
-        if self.plan.ledger || self.p.updating.is_some() || !self.travel.loads.is_empty() {
+        if self.plan.ledger || !self.may_sleep() {
             return;
         }
         let from = first_recorded(near, near.from(position, self.travel));

@@ -51,6 +51,8 @@ fn from_both_ends<const D: usize>(a: &SymmetricBlocks<D>) -> Vec<u32> {
 /// A matrix in the order of elimination, to factorise again and again with other values.
 #[derive(Debug, Clone)]
 pub struct Refactoring<const D: usize> {
+    /// Node eliminated at each position.
+    order: Vec<u32>,
     reordered: SymmetricBlocks<D>,
     /// For each block of the matrix as given: its place here, and whether it is transposed.
     places: Vec<(usize, bool)>,
@@ -78,7 +80,11 @@ impl<const D: usize> Refactoring<D> {
             (place.unwrap_or_default(), row < column)
         };
         let places = entries().map(place).collect();
-        Self { reordered, places }
+        Self {
+            order,
+            reordered,
+            places,
+        }
     }
 
     fn take(&mut self, a: &SymmetricBlocks<D>) {
@@ -101,7 +107,7 @@ impl<const D: usize> BlockLdl<D> {
         let mut refactoring = Refactoring::new(a);
         let (row_start, columns) = fill_pattern(&refactoring.reordered);
         let (pair_start, pairs) = common_columns(&row_start, &columns);
-        let order = from_both_ends(a);
+        let order = refactoring.order.clone();
         let mut factor = Self {
             substitution: Substitution::new(&order, &row_start, &columns),
             pair_start,
