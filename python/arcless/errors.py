@@ -6,7 +6,7 @@ the input is wrong.
 """
 
 from collections.abc import Sequence
-from typing import ClassVar
+from typing import ClassVar, Self
 
 
 class ArclessError(Exception):
@@ -99,6 +99,13 @@ class OutputError(ArclessError):
     """A result cannot be written where it was asked for."""
 
     exit_code = 2
+
+    @classmethod
+    def of(cls, error: OSError, what: str, where: object, hint: str | None = None) -> Self:
+        """Return what the system refused to write, and why, as one of ours."""
+        expected = "a folder that exists or can be made, is not read-only, and has room on its disk"
+        got = error.strerror or str(error)
+        return cls(what, where=str(where), got=got, expected=expected, hint=hint)
 
 
 class EquilibriumError(ArclessError):

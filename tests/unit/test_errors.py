@@ -101,3 +101,13 @@ def test_further_mistakes_follow_on_their_own_lines() -> None:
 def test_errors_survive_the_way_from_a_worker_process() -> None:
     error = EXAMPLES[0][0]
     assert str(pickle.loads(pickle.dumps(error))) == str(error)
+
+
+def test_what_the_system_refuses_to_write_is_said_in_one_way() -> None:
+    full = OSError(28, "No space left on device")
+    error = OutputError.of(full, "the file cannot be written", "runs/x.nc", "choose another place")
+    assert str(error) == (
+        "runs/x.nc: the file cannot be written: got No space left on device, expected a folder that"
+        " exists or can be made, is not read-only, and has room on its disk;"
+        " hint: choose another place"
+    )

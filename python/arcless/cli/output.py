@@ -129,10 +129,5 @@ class OutputFolder:
             time.sleep(_BETWEEN_TRIES_S)
 
     def _cannot_write(self, error: OSError) -> OutputError:
-        return OutputError(
-            "the output folder cannot be written",
-            where=str(self.path),
-            got=error.strerror or str(error),
-            expected="a folder that can be made and written",
-            hint="choose another one with `--out`",
-        )
+        what, hint = "the output folder cannot be written", "choose another one with `--out`"
+        return OutputError.of(error, what, self.path, hint)

@@ -73,13 +73,7 @@ def replacing(path: str | Path) -> Iterator[BinaryIO]:
 
 
 def _not_written(path: str | Path, error: OSError) -> OutputError:
-    return OutputError(
-        "the file cannot be written",
-        where=str(path),
-        got=error.strerror or str(error),
-        expected="a folder that exists and can be written, with room on its disk",
-        hint="choose another place",
-    )
+    return OutputError.of(error, "the file cannot be written", path, "choose another place")
 
 
 def check_writable(path: Path) -> None:

@@ -58,13 +58,8 @@ class StudyFolder:
             if self.study.keep == "results":
                 self.results.mkdir(exist_ok=True)
         except OSError as error:
-            raise OutputError(
-                "the folder of the study cannot be made",
-                where=str(self.path),
-                got=error.strerror or str(error),
-                expected="a folder that can be made and written",
-                hint="choose another one with `--out`",
-            ) from error
+            what, hint = "the folder of the study cannot be made", "choose another one with `--out`"
+            raise OutputError.of(error, what, self.path, hint) from error
 
     def write_state(self) -> None:
         """Write down what is asked: the study with all that it names, and a copy of the file."""

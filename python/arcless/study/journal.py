@@ -100,13 +100,9 @@ class Journal:
             raise self._not_written(error) from error
 
     def _not_written(self, error: OSError) -> OutputError:
-        return OutputError(
-            "the journal of the study cannot be written",
-            where=str(self.path),
-            got=error.strerror or str(error),
-            expected="a folder that can be written, with room on its disk",
-            hint="make room, then `arcless study resume`: nothing that was computed is lost",
-        )
+        hint = "make room, then `arcless study resume`: nothing that was computed is lost"
+        what = "the journal of the study cannot be written"
+        return OutputError.of(error, what, self.path, hint)
 
 
 def rows(path: Path) -> Iterator[Row]:

@@ -43,12 +43,8 @@ class Folder:
         try:
             self._path.mkdir(parents=True, exist_ok=True)
         except OSError as error:
-            raise OutputError(
-                "the folder of the batch cannot be made",
-                where=str(path),
-                got=error.strerror or str(error),
-                expected="a folder, or a place for a new one",
-            ) from error
+            what = "the folder of the batch cannot be made"
+            raise OutputError.of(error, what, path) from error
         check_writable(self._path / LIST)
 
     def file(self, key: str, ending: str | None = None) -> Path:
@@ -88,11 +84,8 @@ class Folder:
         try:
             target.parent.mkdir(exist_ok=True)
         except OSError as error:
-            raise OutputError(
-                "a folder of the batch cannot be made",
-                where=str(target.parent),
-                got=error.strerror or str(error),
-            ) from error
+            what = "a folder of the batch cannot be made"
+            raise OutputError.of(error, what, target.parent) from error
         if isinstance(done, Result):
             done.save(target)
         write_bytes(self.file(key, "json"), text.encode())
