@@ -27,6 +27,9 @@ class Executor(Protocol):
             Who computes went away; all rows that were taken stay.
         """
 
+    def close(self) -> None:
+        """Let go of what `compute` needed and left for its next call."""
+
 
 def executor(how: Execution, note: Note) -> Executor:
     """Return the executor that a study asks for; `note` is told what a user should know.

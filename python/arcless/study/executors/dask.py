@@ -43,6 +43,8 @@ class Dask:
     def __init__(self, how: Execution, note: Note) -> None:
         needs("distributed", "the executor dask")
         self._how, self._note = how, note
+        self._client: Client | None = None
+        self._open = ExitStack()
         _hush()
         if how.scheduler is not None:
             self._connect(how.scheduler).close()
@@ -51,12 +53,16 @@ class Dask:
         self, task: Task, variants: Iterator[Variant], count: int, take: Take, cancel: Cancel
     ) -> None:
         """Compute variants; see `Executor`."""
-        with ExitStack() as stack:
-            if self._how.scheduler is not None:
-                client = stack.enter_context(self._connect(self._how.scheduler))
-            else:
-                client = stack.enter_context(_local(self._how.workers))
-            Pieces(client, task, variants, count, self._note).compute(take, cancel)
+        if self._client is None:
+            # Once for all rounds of an optimisation: worker processes take seconds to start.
+            where = self._how.scheduler
+            found = _local(self._how.workers) if where is None else self._connect(where)
+            self._client = self._open.enter_context(found)
+        Pieces(self._client, task, variants, count, self._note).compute(take, cancel)
+
+    def close(self) -> None:
+        """Stop what was started; see `Executor`."""
+        self._open.close()
 
     @staticmethod
     def _connect(address: str) -> "Client":

@@ -29,3 +29,6 @@ class Threads:
         for _ in range(0, count, AT_ONCE):
             some = islice(variants, AT_ONCE)
             evaluate(task, some, take, workers=self._workers, cancel=cancel)
+
+    def close(self) -> None:
+        """Do nothing: no thread outlives `compute`."""
