@@ -1,0 +1,32 @@
+"""Designs: which combinations of values a study computes, and in which order they are counted.
+
+A design is a model of the file and a function `plan` that numbers its combinations. Another one is
+another class in `Design`.
+"""
+
+from typing import Annotated
+
+from pydantic import Field
+
+from arcless.study.designs.blocks import Morris, SobolIndices
+from arcless.study.designs.counted import Grid, Listed
+from arcless.study.designs.plan import MAX_VARIANTS, Plan
+from arcless.study.designs.samples import LatinHypercube, MonteCarlo, Sobol
+
+__all__ = [
+    "MAX_VARIANTS",
+    "Design",
+    "Grid",
+    "LatinHypercube",
+    "Listed",
+    "MonteCarlo",
+    "Morris",
+    "Plan",
+    "Sobol",
+    "SobolIndices",
+]
+
+Design = Annotated[
+    Grid | Listed | LatinHypercube | Sobol | MonteCarlo | SobolIndices | Morris,
+    Field(discriminator="kind"),
+]
