@@ -111,7 +111,7 @@ def assess(
     pantographs = _pantographs(dataset, record)
     wear = _wear(facts["scenario"].get("wear"), dataset["speed"].values, record, pantographs)
     pantographs = [replace(p, **asdict(wear[p.name])) if wear else p for p in pantographs]
-    line = _line_numbers(dataset, limits)
+    line = _line_numbers(dataset, limits, facts)
     speed = dataset["speed"].values[record.inside[:, 0]]
     notes = section_notes(dataset, limits, record, split_Hz)
     notes += _absences(line, facts["scenario"])
@@ -197,8 +197,7 @@ def _wear(
     }
 
 
-def _line_numbers(dataset: "Dataset", section: Section) -> dict[str, Any]:
-    facts = metadata(dataset)
+def _line_numbers(dataset: "Dataset", section: Section, facts: Mapping[str, Any]) -> dict[str, Any]:
     uplift = extreme_inside(dataset, "support_uplift_max", "support_x", section, largest=True)
     return {
         "max_uplift_at_support_mm": None if uplift is None else 1e3 * uplift,

@@ -73,10 +73,11 @@ def both_ways(cascade: Floats, signal: Floats, extension: int) -> Floats:
 
 def _steady(cascade: Floats) -> Floats:
     """Return the state of each section (n × 2) under a signal that was always 1."""
-    states, scale = [], 1.0
-    for b0, b1, b2, a1, a2 in cascade:
-        system = np.array([[1.0 + a1, -1.0], [a2, 1.0]])
-        state = np.linalg.solve(system, np.array([b1 - a1 * b0, b2 - a2 * b0]))
-        states.append(scale * state)
-        scale *= np.sum([b0, b1, b2]) / np.sum([1.0, a1, a2])
-    return np.array(states)
+    b0, b1, b2, a1, a2 = cascade.T
+    one = np.ones(len(cascade))
+    systems = np.stack([1.0 + a1, -one, a2, one], axis=-1).reshape(-1, 2, 2)
+    given = np.stack([b1 - a1 * b0, b2 - a2 * b0], axis=-1)
+    states: Floats = np.linalg.solve(systems, given[:, :, None])[:, :, 0]
+    gains = (b0 + b1 + b2) / (1.0 + a1 + a2)
+    scales = np.cumprod(np.concatenate([[1.0], gains[:-1]]))
+    return scales[:, None] * states

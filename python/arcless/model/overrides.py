@@ -63,7 +63,10 @@ def parse_override(text: str) -> tuple[str, Any]:
 
 def apply(scenario: Scenario, changes: Mapping[str, Any]) -> Scenario:
     """Return a validated copy of `scenario` with changed fields; see `Scenario.with_`."""
-    data = scenario.to_dict()
+    changed_groups = {path.partition(".")[0] for path in changes}
+    data = scenario.model_dump(mode="json", by_alias=True, include={"provenance", *changed_groups})
+    # What no change reaches into is valid as it is; to read a line again takes longest of all.
+    data = {name: data.get(name, getattr(scenario, name)) for name in type(scenario).model_fields}
     for path, value in changes.items():
         _set(data, path, value, set(changes))
     changed = build(data, "scenario")

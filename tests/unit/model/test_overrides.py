@@ -129,6 +129,28 @@ def test_a_change_may_bring_its_provenance() -> None:
 
 
 @pytest.mark.parametrize(
+    "changes",
+    [
+        {"speed": "300 km/h"},
+        {"pantographs.0.masses.1.mass": 7.5, "analysis.low_pass": "10 Hz"},
+        {"line.contact_wire.tension": "24 kN", "pantographs.0.static_force": "150 N"},
+        {"as_built.missing_droppers": ["span 3 dropper 2"], "name": "broken"},
+    ],
+)
+def test_what_no_change_reaches_is_taken_over(changes: dict[str, Any]) -> None:
+    changed = SCENARIO.with_(**changes)
+    # As a scenario is that is read again as a whole.
+    assert changed.to_dict() == type(SCENARIO).model_validate(changed.to_dict()).to_dict()
+    for group in ("line", "as_built", "solver", "analysis", "pantographs"):
+        is_reached = any(path.startswith(group) for path in changes)
+        assert (getattr(changed, group) is getattr(SCENARIO, group)) != is_reached or (
+            group == "pantographs"  # a tuple of the same placements
+            and not is_reached
+            and changed.pantographs[0] is SCENARIO.pantographs[0]
+        )
+
+
+@pytest.mark.parametrize(
     ("path", "value", "message"),
     [
         ("line.contact_wir.tension", 1, "hint: did you mean contact_wire?"),

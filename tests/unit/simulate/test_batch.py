@@ -13,7 +13,7 @@ import arcless
 from arcless.assess import Assessment
 from arcless.model import Scenario
 from arcless.simulate import equilibrium
-from arcless.simulate.batch.keys import member_key, shared_key
+from arcless.simulate.batch.keys import SharedKeys, member_key, shared_key
 from arcless.simulate.job import Line, ready_line
 from tests.support.small import differing
 
@@ -255,6 +255,16 @@ def test_what_is_shared_follows_from_the_data(short: Make) -> None:
     ]
     assert {shared_key(scenario) for scenario in same} == {shared_key(base)}
     assert len({shared_key(scenario) for scenario in [base, *other]}) == len(other) + 1
+    # What is remembered of one member is not taken for another one.
+    known, mixed = SharedKeys(), [base, *same, base, *other, base]
+    assert [known.of(scenario) for scenario in mixed] == [shared_key(s) for s in mixed]
+
+
+def test_a_time_step_that_follows_the_speed_is_part_of_what_is_shared(short: Make) -> None:
+    base = short(**{"solver.time_step": "one element", "solver.contact_wire_element": "0.5 m"})
+    known, faster = SharedKeys(), base.with_(speed="200 km/h")
+    assert faster.solver is base.solver
+    assert known.of(base) == shared_key(base) != known.of(faster) == shared_key(faster)
 
 
 class Noticed:

@@ -10,7 +10,7 @@ from arcless.errors import ModelError
 from arcless.model import Scenario
 from arcless.simulate.batch.crew import Crew
 from arcless.simulate.batch.groups import Groups, Member
-from arcless.simulate.batch.keys import member_key, shared_key
+from arcless.simulate.batch.keys import SharedKeys, member_key
 from arcless.simulate.batch.outcome import Keep, Outcome
 from arcless.simulate.batch.store import Folder
 from arcless.simulate.job import Cancel, Progress
@@ -77,7 +77,7 @@ def batch(
     _check(keep, workers)
     stored = None if folder is None else Folder(folder, keep)
     source = _Source(scenarios, stored)
-    groups = Groups(shared_key)
+    groups = Groups(SharedKeys().of)
     outcomes: dict[int, Outcome] = {}
     count = workers or len(os.sched_getaffinity(0))
     tell = _Telling(progress, length_hint(scenarios, 0))

@@ -13,6 +13,22 @@ from arcless.simulate import motion
 WORDS = ("name", "description", "sources", "provenance")
 
 
+class SharedKeys:
+    """Fingerprints of what members share; of members that share the very same parts, made once."""
+
+    def __init__(self) -> None:
+        self._parts: tuple[object, ...] = ()
+        self._key = ""
+
+    def of(self, scenario: Scenario) -> str:
+        """Return `shared_key` of a scenario."""
+        parts = (scenario.line, scenario.as_built, scenario.solver, scenario.contact)
+        known = len(self._parts) == len(parts) + 1 and self._parts[-1] == scenario.time_step_s
+        if not known or any(a is not b for a, b in zip(parts, self._parts, strict=False)):
+            self._parts, self._key = (*parts, scenario.time_step_s), shared_key(scenario)
+        return self._key
+
+
 def shared_key(scenario: Scenario) -> str:
     """Return the fingerprint of all that the line at rest and its factor are made from.
 
