@@ -12,7 +12,8 @@ from typer.testing import Result
 
 from arcless.cli.study_progress import words
 from arcless.study import Progress
-from tests.support.studies import SHORT, rows, written
+from arcless.study.journal import Journal
+from tests.support.studies import SHORT, filled, rows, written
 
 Arcless = Callable[..., Result]
 ALL = "small: 4 of 6 done, 2 invalid, 0 failed"
@@ -135,6 +136,23 @@ def test_a_study_loads_no_cluster_and_no_plots(tmp_path: Path) -> None:
     )  # fmt: skip
     loaded = {name.partition(".")[0] for name in done.stderr.split()}
     assert not loaded & {"dask", "distributed", "bokeh", "scipy", "xarray", "matplotlib"}
+
+
+def test_status_leaves_percentiles_of_what_is_there(arcless: Arcless, tmp_path: Path) -> None:
+    force = {"force": {"field": "pantographs.0.static_force", "range": [60, 120]}}
+    sample = {"variables": force, "design": {"kind": "monte-carlo", "count": 4}}
+    file = written(tmp_path, **sample)
+    filled(tmp_path / "here", of=3, **sample)
+    place = tmp_path / "here"
+    assert arcless("study", "status", file, "--out", place).exit_code == 0
+    left = json.loads((place / "percentiles.json").read_text("utf-8"))
+    shown = json.loads(arcless("study", "status", file, "--out", place, "--json").stdout)
+    assert shown["percentiles"] == left
+    assert left["outputs"]["sigma"]["values"] == 3
+    (place / "percentiles.json").unlink()
+    with Journal(place / "journal.jsonl"):  # who computes it writes them in the end
+        assert arcless("study", "status", file, "--out", place).exit_code == 0
+    assert not (place / "percentiles.json").exists()
 
 
 def test_an_optimisation_ends_with_its_best(arcless: Arcless, tmp_path: Path) -> None:

@@ -11,6 +11,7 @@ from arcless.cli.background import compute, unfinished
 from arcless.cli.guard import FAILED
 from arcless.cli.scenario import JsonOption, QuietOption
 from arcless.cli.study_progress import progress
+from arcless.errors import OutputError
 
 if TYPE_CHECKING:
     from arcless.study import Execution, Progress, Study, StudyFolder, StudyStatus
@@ -112,14 +113,16 @@ def resume(
 def status(file: FileArgument, *, out: FolderOption = None, json: JsonOption = False) -> None:
     """Say how far a study is, also while it is being computed."""
     from arcless import study as studies
-    from arcless.study.percentiles import percentiles
-    from arcless.study.sensitivity import indices
+    from arcless.study import findings
 
     loaded = studies.load(file)
-    found = studies.status(loaded, out)
+    found, more = findings.findings(loaded, out)
+    if not found.running:  # who computes it writes them in the end
+        try:
+            findings.write(studies.StudyFolder(loaded, out), more)
+        except OutputError as error:
+            console.warn(str(error))
     if json:
-        rows = list(studies.StudyFolder(loaded, out).rows())
-        more = {"sensitivity": indices(loaded, rows), "percentiles": percentiles(loaded, rows)}
         console.data(console.json_text(found.to_dict() | more))
     else:
         _show_status(found)

@@ -1,6 +1,6 @@
 """A row of a study: what came out of one variant."""
 
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from typing import Any, Literal
 
 Status = Literal["done", "invalid", "failed"]
@@ -36,5 +36,5 @@ class Row:
     arcless_version: str
 
     def to_dict(self) -> dict[str, Any]:
-        """Return it as plain values."""
-        return asdict(self)
+        """Return it as plain values, which are the row's own."""
+        return dict(vars(self))

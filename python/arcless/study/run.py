@@ -2,11 +2,11 @@
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
-from contextlib import suppress
+from contextlib import closing, suppress
 from pathlib import Path
 
 from arcless.errors import OutputError, StudyError
-from arcless.study import sensitivity, table
+from arcless.study import findings, sensitivity, table
 from arcless.study.evaluate import Cancel, Task
 from arcless.study.executors import Note
 from arcless.study.executors import executor as choose
@@ -78,7 +78,7 @@ def run(
         _check_new(place)
     computing = choose(executor or study.executor, say)
     place.make()
-    with Journal(place.journal) as journal:
+    with closing(computing), Journal(place.journal) as journal:
         journal.mend()
         there = _valid_rows(study, place, retry_failed=retry_failed)
         if before is None:
@@ -100,7 +100,7 @@ def run(
                 keeper.write_table()
             raise
         keeper.write_table()
-        sensitivity.write(study, place)
+        findings.write(place, findings.of(study, place.rows()))
     return keeper.progress
 
 

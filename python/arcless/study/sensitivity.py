@@ -4,13 +4,10 @@ A block (or trajectory) of the design needs all its points: one with a row that 
 or is not there yet is left out, and counted. Then the indices are those of the blocks that remain.
 """
 
-import json
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-from arcless.results.files import write_bytes
 from arcless.study.designs import Morris, SobolIndices
-from arcless.study.folder import StudyFolder
 from arcless.study.model import Study
 from arcless.study.rows import Row
 from arcless.study.table import needs
@@ -19,7 +16,6 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-FILE = "sensitivity.json"
 # With fewer blocks an interval says nothing.
 LEAST_BLOCKS = 4
 # Bootstrap samples that the confidence intervals are made of, and how sure they are.
@@ -100,19 +96,6 @@ def of_output(
         return {**found, "indices": _sobol(design, problem, kept.ravel(), seed)}
     points = design.points(0, len(names), seed).reshape(*blocks.shape, len(names))[whole]
     return {**found, "indices": _morris(design, problem, points, kept.ravel(), seed)}
-
-
-def write(study: Study, place: StudyFolder) -> None:
-    """Write the indices beside the table, where the design is one for them.
-
-    Raises
-    ------
-    OutputError
-        The file cannot be written.
-    """
-    found = indices(study, place.rows())
-    if found is not None:
-        write_bytes(place.path / FILE, json.dumps(found, indent=1, allow_nan=False).encode())
 
 
 def _sobol(

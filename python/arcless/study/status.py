@@ -1,6 +1,7 @@
 """How far a study is, from its folder alone."""
 
 from collections import Counter
+from collections.abc import Iterable, Iterator
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
@@ -8,6 +9,7 @@ from typing import Any
 from arcless.study import journal
 from arcless.study.folder import StudyFolder
 from arcless.study.model import Study
+from arcless.study.rows import Row
 
 
 @dataclass(frozen=True)
@@ -64,26 +66,44 @@ def status(study: Study, folder: Path | None = None) -> StudyStatus:
     """
     place = StudyFolder(study, folder)
     place.check_same()
-    counts: Counter[str] = Counter()
-    errors: Counter[str] = Counter()
-    versions: Counter[str] = Counter()
-    wall_time_s = 0.0
-    for row in place.rows():
-        counts[row.status] += 1
-        versions[row.arcless_version] += 1
-        wall_time_s += row.wall_time_s
-        if row.status != "done":
-            errors[row.error] += 1
-    return StudyStatus(
-        name=study.name,
-        folder=str(place.path),
-        running=journal.is_locked(place.journal),
-        total=study.plan.count,
-        done=counts["done"],
-        invalid=counts["invalid"],
-        failed=counts["failed"],
-        missing=study.plan.count - counts.total(),
-        wall_time_s=wall_time_s,
-        errors=dict(errors.most_common()),
-        versions=dict(versions.most_common()),
-    )
+    tally = Tally()
+    for _ in tally.of(place.rows()):
+        pass
+    return tally.status(study, place)
+
+
+class Tally:
+    """Counts rows while somebody else reads them."""
+
+    def __init__(self) -> None:
+        self._counts: Counter[str] = Counter()
+        self._errors: Counter[str] = Counter()
+        self._versions: Counter[str] = Counter()
+        self._wall_time_s = 0.0
+
+    def of(self, rows: Iterable[Row]) -> Iterator[Row]:
+        """Yield rows as they are, and count each."""
+        for row in rows:
+            self._counts[row.status] += 1
+            self._versions[row.arcless_version] += 1
+            self._wall_time_s += row.wall_time_s
+            if row.status != "done":
+                self._errors[row.error] += 1
+            yield row
+
+    def status(self, study: Study, place: StudyFolder) -> StudyStatus:
+        """Return what the rows that were read say of a study."""
+        counts = self._counts
+        return StudyStatus(
+            name=study.name,
+            folder=str(place.path),
+            running=journal.is_locked(place.journal),
+            total=study.plan.count,
+            done=counts["done"],
+            invalid=counts["invalid"],
+            failed=counts["failed"],
+            missing=study.plan.count - counts.total(),
+            wall_time_s=self._wall_time_s,
+            errors=dict(self._errors.most_common()),
+            versions=dict(self._versions.most_common()),
+        )

@@ -1,5 +1,7 @@
 """Optimisation: known optima, fronts, constraints, going on, and what is refused."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -7,6 +9,7 @@ import pytest
 
 from arcless.errors import ModelError, StudyError
 from arcless.study import Execution, Optimise, Progress, Study, StudyFolder, run
+from arcless.study.evaluate import Take, evaluate
 from arcless.study.rows import Row
 from arcless.study.variants import variant
 from tests.support.studies import rows, study
@@ -79,6 +82,32 @@ def test_cut_off_and_resumed_it_is_the_same_table(
     again = run(search(), tmp_path, resume=True, executor=Execution(workers=1))
     assert 0 < again.computed < 40
     assert rows(tmp_path / "table.parquet") == rows(found[1] / "table.parquet")
+
+
+def test_worker_processes_are_started_once(
+    found: tuple[Study, Path], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    told: list[str] = []
+
+    @contextmanager
+    def local(_workers: int | None) -> Iterator[str]:
+        told.append("started")
+        yield "client"
+        told.append("stopped")
+
+    class Pieces:
+        def __init__(self, _client: str, *what: Any) -> None:
+            self.task, self.variants, *_ = what
+
+        def compute(self, take: Take, _cancel: object) -> None:
+            told.append("a round")
+            evaluate(self.task, self.variants, take, workers=1)
+
+    monkeypatch.setattr("arcless.study.executors.dask._local", local)
+    monkeypatch.setattr("arcless.study.executors.dask.Pieces", Pieces)
+    run(search(design={"trials": 12}), tmp_path, executor=Execution(kind="dask"))
+    assert told == ["started", *["a round"] * 3, "stopped"]
+    assert rows(tmp_path / "table.parquet") == rows(found[1] / "table.parquet")[:12]
 
 
 def test_a_front_of_two_objectives_under_a_constraint(tmp_path: Path) -> None:

@@ -1,13 +1,16 @@
 """Percentiles of a sample: the intervals hold what they promise."""
 
+import json
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from arcless.study import StudyFolder
+from arcless.errors import OutputError
+from arcless.study import StudyFolder, run
+from arcless.study.findings import FILES, findings
 from arcless.study.percentiles import PERCENT, of_values, percentiles
-from arcless.study.report import html
+from arcless.study.report import html, write
 from tests.support.studies import VARIABLES, filled, study
 
 
@@ -54,3 +57,34 @@ def test_of_a_study_and_in_its_report(tmp_path: Path) -> None:
     assert "What is to be expected" in html(made, tmp_path)
     grid = study(variables=VARIABLES)
     assert percentiles(grid, []) is None
+
+
+SAMPLE = {
+    "variables": {"force": {"field": "pantographs.0.static_force", "range": [60, 90]}},
+    "design": {"kind": "monte-carlo", "count": 3},
+}
+
+
+def test_a_study_leaves_them_beside_its_table(tmp_path: Path) -> None:
+    made = study(**SAMPLE)
+    run(made, tmp_path)
+    state, found = findings(made, tmp_path)
+    assert state.done == 3
+    assert json.loads((tmp_path / "percentiles.json").read_text("utf-8")) == found["percentiles"]
+    assert found["sensitivity"] is None
+    assert not (tmp_path / FILES["sensitivity"]).exists()
+
+
+def test_a_report_writes_them_too_where_it_can(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    made = filled(tmp_path, of=2, **SAMPLE)
+    file = tmp_path / FILES["percentiles"]
+    write(made, tmp_path)
+    assert json.loads(file.read_text("utf-8"))["outputs"]["sigma"]["values"] == 2
+
+    def full(*_: object) -> None:
+        raise OutputError("the file cannot be written")
+
+    monkeypatch.setattr("arcless.study.findings.write_bytes", full)
+    assert write(made, tmp_path, tmp_path / "page.html").exists()

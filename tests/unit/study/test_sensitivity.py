@@ -12,8 +12,9 @@ import pytest
 from arcless.errors import ModelError, StudyError
 from arcless.study import load, run
 from arcless.study.designs import Morris, SobolIndices
+from arcless.study.findings import FILES
 from arcless.study.report import html
-from arcless.study.sensitivity import FILE, of_output
+from arcless.study.sensitivity import of_output
 from tests.support.studies import QUICK, data, filled, study
 
 NAMES = ["x1", "x2", "x3"]
@@ -144,7 +145,7 @@ def test_mean_force_is_shared_as_the_forces_that_make_it(tmp_path: Path) -> None
         )
     )
     run(made, tmp_path)
-    values = json.loads((tmp_path / FILE).read_text())["outputs"]["mean"]
+    values = json.loads((tmp_path / FILES["sensitivity"]).read_text())["outputs"]["mean"]
     assert (values["blocks"], values["left_out"]) == (32, 0)
     total = sum(width**2 for width in widths.values())
     for name, width in widths.items():

@@ -43,10 +43,7 @@ class Drawing:
         """Return, for each output, a figure over each variable; the stronger ones of many."""
         found = []
         for output in self.outputs[:MOST_OUTPUTS]:
-            varied = [variable for variable in self.record.variables if variable.varies]
-            if len(varied) > MOST_VARIABLES:
-                strongest = sorted(varied, key=lambda v: -_share(v, output))[:MOST_VARIABLES]
-                varied = [variable for variable in varied if variable in strongest]
+            varied = self._strongest(output, MOST_VARIABLES)
             figures = [self._effect(variable, output) for variable in varied]
             if figures:
                 found.append((output, figures))
@@ -56,10 +53,7 @@ class Drawing:
         """Return, for each output, figures of two variables each, coloured by the output."""
         found = []
         for output in [out for out in self.outputs if out.varies][:PAIRED_OUTPUTS]:
-            chosen = [variable for variable in self.record.variables if variable.varies]
-            if len(chosen) > PAIRED_VARIABLES:
-                strongest = sorted(chosen, key=lambda v: -_share(v, output))[:PAIRED_VARIABLES]
-                chosen = [variable for variable in chosen if variable in strongest]
+            chosen = self._strongest(output, PAIRED_VARIABLES)
             figures = [
                 self._pair(one, other, output)
                 for place, one in enumerate(chosen)
@@ -77,6 +71,14 @@ class Drawing:
             for place, one in enumerate(chosen)
             for other in chosen[place + 1 :]
         ]
+
+    def _strongest(self, output: Column, most: int) -> list[Column]:
+        """Return the variables that explain most of an output, in the order of the file."""
+        varied = [one for one in self.record.variables if one.varies and not one.is_drawn]
+        if len(varied) <= most:
+            return varied
+        strongest = sorted(varied, key=lambda one: -_share(one, output))[:most]
+        return [one for one in varied if one in strongest]
 
     def _columns(self) -> dict[str, Any]:
         data: dict[str, Any] = {"variant": self.record.variants[self.drawn].astype(np.int32)}

@@ -1,10 +1,13 @@
 """Tables and figures of a study → one HTML file that needs no network."""
 
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
+from arcless.errors import OutputError
 from arcless.report.template import render
 from arcless.results.files import write_bytes
+from arcless.study import findings
 from arcless.study.model import Study
 from arcless.study.report import tables
 from arcless.study.report.figures import (
@@ -48,6 +51,9 @@ def write(study: Study, folder: Path | None = None, path: Path | None = None) ->
     record = Record(study, folder)
     target = path or record.place.path / NAME
     write_bytes(target, _page(record).encode())
+    if not record.status.running:
+        with suppress(OutputError):  # the page may stand elsewhere, and has them too
+            findings.write(record.place, record.findings)
     return target
 
 

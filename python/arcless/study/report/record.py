@@ -10,11 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arcless.study import table
+from arcless.study.findings import Findings, of
 from arcless.study.folder import StudyFolder
 from arcless.study.model import Study
 from arcless.study.quantities import is_number
 from arcless.study.rows import Row
-from arcless.study.status import StudyStatus, status
+from arcless.study.status import StudyStatus, Tally
 
 Floats = NDArray[np.float64]
 _LONGEST_WORD = 28
@@ -32,6 +33,8 @@ class Column:
         Numbers, NaN for none; of words the place in `words`.
     words
         The values that are no numbers, in the order of the study file; None for numbers.
+    is_drawn
+        Whether the values are numbers of drawings, over which there is nothing to plot.
     """
 
     name: str
@@ -39,6 +42,7 @@ class Column:
     about: str
     values: Floats
     words: tuple[str, ...] | None = None
+    is_drawn: bool = False
 
     @property
     def label(self) -> str:
@@ -74,9 +78,15 @@ class Record:
         self.place = StudyFolder(study, folder)
         self.state: dict[str, Any] = self.place.check_same()
         self.place.recall()
-        self.status: StudyStatus = status(study, folder)
-        self.rows: list[Row] = list(self.place.rows())
+        tally = Tally()
+        self.rows: list[Row] = list(tally.of(self.place.rows()))
+        self.status: StudyStatus = tally.status(study, self.place)
         self.done: list[Row] = [row for row in self.rows if row.status == "done"]
+
+    @cached_property
+    def findings(self) -> Findings:
+        """What follows from all rows together."""
+        return of(self.study, self.rows)
 
     @cached_property
     def variants(self) -> NDArray[np.int64]:
@@ -92,7 +102,8 @@ class Record:
             given = [row.values[axis.name] for row in self.done]
             levels = axis.levels or ()
             if all(is_number(value) for value in levels):
-                found.append(Column(axis.name, axis.unit, about, np.array(given, dtype=float)))
+                numbers = np.array(given, dtype=float)
+                found.append(Column(axis.name, axis.unit, about, numbers, is_drawn=axis.is_drawn))
             else:
                 words = list(dict.fromkeys(_word(value) for value in levels))
                 codes = np.array([words.index(_word(value)) for value in given], dtype=float)

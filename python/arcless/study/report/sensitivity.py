@@ -5,7 +5,6 @@ from typing import Any
 from arcless.report.style import add_hover, add_legend, colour, figure, models, plain
 from arcless.study.report.record import Record
 from arcless.study.report.tables import number
-from arcless.study.sensitivity import indices
 
 # Column of the table → key of its value, and of the half width of its interval.
 _SOBOL = {"first order": ("first", "first_interval"), "total": ("total", "total_interval")}
@@ -18,7 +17,7 @@ _MORRIS = {
 
 def sections(record: Record) -> list[dict[str, Any]]:
     """Return a table and a figure for every output; nothing for other designs."""
-    found = indices(record.study, record.rows)
+    found = record.findings["sensitivity"]
     if found is None:
         return []
     sobol = found["method"] == "sobol-indices"

@@ -14,7 +14,6 @@ from arcless.study.designs import Grid
 from arcless.study.distributions import Choice
 from arcless.study.model import Study
 from arcless.study.optimise import Optimise
-from arcless.study.percentiles import percentiles
 from arcless.study.report.commands import Commands
 from arcless.study.report.figures import Drawing
 from arcless.study.report.record import Column, Record
@@ -77,7 +76,7 @@ def output_rows(record: Record) -> list[dict[str, Any]]:
 
 def percentile_rows(record: Record) -> list[tuple[Column, list[tuple[str, str]]]]:
     """Return the percentiles of every output with their intervals; nothing unless of a sample."""
-    found = percentiles(record.study, record.rows)
+    found = record.findings["percentiles"]
     if found is None:
         return []
     rows = []
