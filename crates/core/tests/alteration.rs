@@ -34,6 +34,8 @@ fn unchanged(s: &Structure) -> Alteration {
         load: vec![[0.0; 3]; elements],
         link_factor: vec![1.0; s.links.len()],
         link_offset: vec![0.0; s.links.len()],
+        spring_offset: vec![0.0; s.springs.len()],
+        strut_offset: vec![0.0; s.struts.len()],
         removed: Vec::new(),
     }
 }
@@ -247,6 +249,8 @@ fn lists_that_do_not_fit_are_refused() {
     assert_eq!(list(&|c| c.load = vec![[0.0; 3]; 2]), "load");
     assert_eq!(list(&|c| c.removed = vec![0]), "removed");
     assert_eq!(list(&|c| c.link_offset = short.clone()), "link_offset");
+    assert_eq!(list(&|c| c.spring_offset = short.clone()), "spring_offset");
+    assert_eq!(list(&|c| c.strut_offset = short.clone()), "strut_offset");
     assert_eq!(list(&|c| c.mass[2] = -1.0), "wires");
     assert_eq!(list(&|c| c.load[0][1] = f64::NAN), "wire_loads");
 }

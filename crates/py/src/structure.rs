@@ -122,6 +122,8 @@ pub fn alteration(arrays: &Bound<'_, PyDict>) -> PyResult<Alteration> {
         load: triples(&item("load")?.extract()?)?,
         link_factor: floats("link_factor")?,
         link_offset: floats("link_offset")?,
+        spring_offset: floats("spring_offset")?,
+        strut_offset: floats("strut_offset")?,
         removed: item("removed")?.extract()?,
     })
 }

@@ -1,7 +1,7 @@
 """The line as built and in the weather → changes of the designed structure, as arrays.
 
 What the arrays of the core are, one entry for each row of the table of wires (or segments), of the
-links, or of the bends:
+links, of the bends, of the springs or of the struts:
 
 ============== ==================================================== =============
 length_factor  factor on the rest length of each wire or segment
@@ -11,6 +11,8 @@ mass           mass per metre of rest length, in place of the old   kg/m
 load           steady force per metre of rest length (n × 3)        N/m
 link_factor    factor on the rest length of each link
 link_offset    added to that                                        m
+spring_offset  added to the rest coordinate of each spring          m
+strut_offset   added to the height of each strut's ground point     m
 removed        rows of the links that are gone
 ============== ==================================================== =============
 """
@@ -28,6 +30,7 @@ from arcless.model.as_built import AsBuilt
 from arcless.model.components import TensionedWire
 from arcless.model.dropper_names import DropperName, droppers_called, parse_name
 from arcless.model.line import Line
+from arcless.model.support_names import supports_called
 
 # Column of the mass per metre.
 MASS = {"wires": 3, "segments": 2}
@@ -62,6 +65,7 @@ def alteration(
         "mass": (bare + coats).tolist(),
         "load": _loads(mesh, line, built) + curve_loads(mesh, line, tension),
         **_of_links(mesh, line, built),
+        **_of_supports(mesh, line, built),
     }
 
 
@@ -168,3 +172,22 @@ def _of_links(mesh: Mesh, line: Line, built: AsBuilt) -> dict[str, Any]:
         "link_offset": offset.tolist(),
         "removed": sorted(row(parse_name(name)) for name in built.missing_droppers),
     }
+
+
+def _of_supports(mesh: Mesh, line: Line, built: AsBuilt) -> dict[str, Any]:
+    """Return by how much each spring and strut stands higher than drawn, in m."""
+    springs, (struts, _) = mesh.parts["springs"][0], mesh.parts["struts"]
+    higher, arms = np.zeros(len(springs)), np.zeros(len(struts))
+    for error in built.support_height_errors:
+        name = str(supports_called(line, error.name)[0])
+        for place in mesh.supports:
+            if place.name not in {name, f"{name} wire 1", f"{name} wire 2"}:
+                continue
+            held = {place.contact_node}
+            if place.messenger_spring is not None:
+                held.add(int(springs[place.messenger_spring, 0]))
+            upright = springs[:, 1] == mesh.dimension - 1
+            higher[upright & np.isin(springs[:, 0], list(held))] = error.height_error
+            if place.steady_arm is not None:
+                arms[place.steady_arm] = error.height_error
+    return {"spring_offset": higher.tolist(), "strut_offset": arms.tolist()}

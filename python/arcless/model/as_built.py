@@ -11,6 +11,8 @@ from arcless.model.fields import Part, Unit
 from arcless.model.gusts import Gusts
 from arcless.model.lists import check_behind
 from arcless.model.measured import MAX_HEIGHTS, MeasuredHeight
+from arcless.model.spans import MAX_SPANS
+from arcless.model.support_names import SupportName
 from arcless.units import WRONG_VALUE
 
 MAX_DROPPERS = 100_000
@@ -41,6 +43,23 @@ class DropperLengthError(Part):
     def name(self) -> DropperName:
         """What the dropper is called."""
         return DropperName(self.span, self.dropper, self.tension_length, self.wire)
+
+
+class SupportHeightError(Part):
+    """A support that stands higher or lower than drawn, and with it all that it holds."""
+
+    support: Number = Field(description="Number of the support, from 1.")
+    height_error: Annotated[float, Unit("m", minimum=-2, maximum=2)] = Field(
+        description="Height as built minus height as drawn."
+    )
+    tension_length: Number | None = Field(
+        default=None, description="Number of its tension length, needed in an overlap."
+    )
+
+    @property
+    def name(self) -> SupportName:
+        """What the support is called."""
+        return SupportName(self.support, self.tension_length)
 
 
 NamedDropper = Annotated[
@@ -136,6 +155,12 @@ class AsBuilt(Part):
         max_length=MAX_DROPPERS,
         json_schema_extra={"table": True},
     )
+    support_height_errors: tuple[SupportHeightError, ...] = Field(
+        default=(),
+        description="Supports at another height: a list, or a CSV file relative to this one.",
+        max_length=2 * MAX_SPANS,
+        json_schema_extra={"table": True},
+    )
     measured_heights: tuple[MeasuredHeight, ...] = Field(
         default=(),
         description="Of the contact wire at every dropper and support, in place of those drawn: a"
@@ -166,6 +191,7 @@ class AsBuilt(Part):
         return not (
             self.temperature_difference
             or self.dropper_length_errors
+            or self.support_height_errors
             or self.missing_droppers
             or self.ice.contact_wire
             or self.ice.messenger_wire

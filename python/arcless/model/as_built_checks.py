@@ -6,6 +6,7 @@ from arcless.errors import ModelError
 from arcless.model.dropper_names import DropperName, droppers_called, parse_name
 from arcless.model.line import POSITION_TOLERANCE
 from arcless.model.measured import check_measured
+from arcless.model.support_names import SupportName, supports_called
 from arcless.units import accepted
 
 if TYPE_CHECKING:
@@ -30,6 +31,7 @@ def check_as_built(scenario: "Scenario") -> None:
     if scenario.as_built.is_empty:
         return
     _check_droppers(scenario)
+    _check_supports(scenario)
     _check_wear(scenario)
     _check_ice(scenario)
 
@@ -79,6 +81,37 @@ def _unknown(scenario: "Scenario", name: DropperName, field: tuple[str | int, ..
         hint=f"{hint}span {near} has {count} droppers",
         field=field,
     )
+
+
+def _check_supports(scenario: "Scenario") -> None:
+    known = set[SupportName]()
+    for index, error in enumerate(scenario.as_built.support_height_errors):
+        field = ("as_built", "support_height_errors", index)
+        found = supports_called(scenario.line, error.name)
+        if not found:
+            last = len(scenario.line.support_positions())
+            raise ModelError(
+                "no support that holds wires",
+                got=str(error.name),
+                expected=f"one of the line's {last} supports that is no end of a tension length",
+                hint="at their ends wires are anchored at the height as drawn",
+                field=field,
+            )
+        if len(found) > 1:
+            raise ModelError(
+                "a name that fits several supports",
+                got=str(error.name),
+                expected=" or ".join(str(one) for one in found),
+                field=field,
+            )
+        if found[0] in known:
+            raise ModelError(
+                "support given twice",
+                got=str(error.name),
+                expected="each support once",
+                field=field,
+            )
+        known.add(found[0])
 
 
 def _check_wear(scenario: "Scenario") -> None:

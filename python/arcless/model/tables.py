@@ -65,6 +65,9 @@ DROPPER_ERRORS = Table(
     {"tension_length": None, "span": None, "dropper": None, "wire": None, "length_error": "m"},
     optional=("tension_length", "wire"),
 )
+SUPPORT_ERRORS = Table(
+    {"tension_length": None, "support": None, "height_error": "m"}, optional=("tension_length",)
+)
 GUSTS = Table(
     {"time": "s", "position": "m", "speed": "m/s", "vertical": "m/s"},
     optional=("position", "vertical"),
@@ -72,6 +75,7 @@ GUSTS = Table(
 # Fields of the section as_built that may name a file: each row is an entry, or each column a list.
 LISTS = {
     "dropper_length_errors": DROPPER_ERRORS,
+    "support_height_errors": SUPPORT_ERRORS,
     "measured_heights": Table({"position": "m", "height": "m"}),
 }
 COLUMNS = {"gusts": GUSTS}

@@ -8,7 +8,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, PrivateAttr, ValidationInfo, model_validator
 
 from arcless.errors import ModelError
-from arcless.model import Scenario
+from arcless.model import Line, Scenario
 from arcless.model.documents import Document, dotted
 from arcless.model.fields import Part
 from arcless.model.overrides import field_of
@@ -16,7 +16,7 @@ from arcless.study.designs import Design, Plan
 from arcless.study.expressions import Expression
 from arcless.study.optimise import Optimise
 from arcless.study.quantities import is_number, keys
-from arcless.study.random_fields import length_errors
+from arcless.study.random_fields import errors
 from arcless.study.variables import Axis, Variable, axis
 from arcless.units import show
 
@@ -172,11 +172,15 @@ class Study(Document):
 
     def changes_of(self, values: tuple[Any, ...]) -> dict[str, Any]:
         """Return what a combination changes in the scenario, by dotted path, groups first."""
-        changes = {
-            varied.field: self._made(varied.name, value)
-            for varied, value in zip(self.axes, values, strict=True)
-        }
+        chosen = list(zip(self.axes, values, strict=True))
+        changes = {one.field: self._model(value) for one, value in chosen if not one.is_drawn}
         changes |= {path: self._model(self.changes[path]) for path in self._set_inside}
+        drawn = [(one, value) for one, value in chosen if one.is_drawn]
+        line = self._line_with(changes) if drawn else self.base.line
+        for one, value in drawn:
+            field = self.variables[one.name].random_field
+            assert field is not None
+            changes[one.field] = errors(one.field, field, line, value)
         return dict(sorted(changes.items(), key=lambda change: change[0].count(".")))
 
     @cached_property
@@ -197,10 +201,14 @@ class Study(Document):
         """Return the lines and pantographs that values name, as plain data."""
         return self._models
 
-    def _made(self, name: str, value: Any) -> Any:
-        """Return what a value stands for: a model that it names, a drawing of a random field."""
-        field = self.variables[name].random_field
-        return self._model(value) if field is None else length_errors(field, self.base.line, value)
+    def _line_with(self, changes: Mapping[str, Any]) -> Line:
+        """Return the line whose droppers and supports have the errors of a variant."""
+        if not any(path.partition(".")[0] == "line" for path in changes):
+            return self.base.line
+        try:
+            return self.base.with_(**changes).line
+        except ModelError:
+            return self.base.line  # the variant is invalid, and its row will say so
 
     def _model(self, value: Any) -> Any:
         return self._models.get(value, value) if isinstance(value, str) else value

@@ -17,6 +17,7 @@ from pydantic import Field
 from arcless.errors import ModelError, StudyError
 from arcless.model.fields import Part, nearest
 from arcless.study.designs import MAX_VARIANTS, Plan
+from arcless.study.designs.plan import refuse_drawn
 from arcless.study.rows import Row
 from arcless.study.variables import Axis
 from arcless.units import show
@@ -65,6 +66,8 @@ class Optimise(Part):
 
     def plan(self, axes: Sequence[Axis], seed: int) -> "Search":
         """Return the plan, which fills as the search goes on."""
+        for axis in axes:
+            refuse_drawn(axis, "an optimisation")
         return Search.of(self, tuple(axes), seed)
 
     def check(self, outputs: Sequence[str]) -> None:

@@ -6,10 +6,10 @@ from typing import Any
 from pydantic import Field, model_validator
 
 from arcless.errors import ModelError
-from arcless.model.fields import Part, Unit
+from arcless.model.fields import Part, Unit, nearest
 from arcless.study.amounts import Amount, number, plain
 from arcless.study.distributions import Choice, Distribution, Quantile, Uniform
-from arcless.study.random_fields import FIELD, RandomField, drawing
+from arcless.study.random_fields import FIELDS, RandomField, drawing
 from arcless.units import show
 
 WAYS = ("values", "range", "distribution", "random_field")
@@ -32,7 +32,7 @@ class Variable(Part):
         default=None, description="Distribution that a sample is drawn from."
     )
     random_field: RandomField | None = Field(
-        default=None, description="Errors along the line; for as_built.dropper_length_errors."
+        default=None, description="Errors along the line, drawn anew in every variant."
     )
     description: str = Field(default="", description="What it stands for, in a sentence.")
 
@@ -43,9 +43,13 @@ class Variable(Part):
             what = f"both {' and '.join(given)} given" if given else "no values given"
             expected = "values, or range, or distribution, or random_field"
             raise ModelError(what, expected=expected, field=tuple(given[1:2]))
-        if self.random_field is not None and self.field != FIELD:
+        if self.random_field is not None and self.field not in FIELDS:
             raise ModelError(
-                "random field", got=show(self.field), expected=show(FIELD), field=("field",)
+                "random field",
+                got=show(self.field),
+                expected=" or ".join(FIELDS),
+                hint=nearest(self.field, list(FIELDS)),
+                field=("field",),
             )
         if self.count is not None and self.range is None:
             raise ModelError("count without range", expected="range: [low, high]", field=("count",))
@@ -71,6 +75,11 @@ class Axis:
     unit: str
     levels: tuple[Any, ...] | None
     quantile: Quantile
+
+    @property
+    def is_drawn(self) -> bool:
+        """Whether its values are numbers of drawings, of which none is near another one."""
+        return self.quantile is drawing
 
 
 def axis(name: str, variable: Variable, field: str, unit: Unit | None) -> Axis:

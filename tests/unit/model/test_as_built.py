@@ -89,6 +89,25 @@ def test_a_faulty_csv_file_is_refused(files: Path, text: str, parts: list[str]) 
     assert "scenario.yaml:8" in message
 
 
+def test_heights_of_supports_from_a_csv_file(files: Path) -> None:
+    (files / "heights.csv").write_text("support,height_error mm\n2,12\n5,-8.5\n", "utf-8")
+    scenario = load(built(files, "support_height_errors: heights.csv"))
+    found = [(e.support, e.height_error) for e in scenario.as_built.support_height_errors]
+    assert found == [(2, 0.012), (5, -0.0085)]
+    assert not scenario.as_built.is_empty
+
+
+def test_a_support_of_an_overlap_needs_its_tension_length() -> None:
+    base = load("ac-simple-overlap-275")
+    number = base.line.tension_length_list()[1].from_span + 1
+    error: dict[str, Any] = {"support": number, "height_error": "3 mm"}
+    with pytest.raises(ModelError, match=r"fits several supports.*tension length 1.* or tension"):
+        base.with_(**{"as_built.support_height_errors": [error]})
+    both = [{**error, "tension_length": length} for length in (1, 2)]
+    found = base.with_(**{"as_built.support_height_errors": both}).as_built
+    assert len(found.support_height_errors) == 2
+
+
 def test_a_csv_file_that_is_not_there(files: Path) -> None:
     message = complaint(files, "dropper_length_errors: eror.csv")
     assert "eror.csv" in message
@@ -108,6 +127,16 @@ def test_a_csv_file_that_is_not_there(files: Path) -> None:
             "  dropper_length_errors: [{span: 1, dropper: 1, length_error: 3 mm}]",
             ["length error of a missing dropper"],
         ),
+        (
+            "support_height_errors: [{support: 1, height_error: 3 mm}]",
+            ["no support that holds wires: got support 1", "9 supports", "anchored"],
+        ),
+        ("support_height_errors: [{support: 99, height_error: 3 mm}]", ["got support 99"]),
+        (
+            "support_height_errors: [{support: 2, height_error: 1}, {support: 2, height_error: 1}]",
+            ["support given twice: got support 2"],
+        ),
+        ("support_height_errors: [{support: 2, height_error: 3}]", ["at most 2 m"]),
         ("temperature_difference: 30 kg", ["a temperature difference (K)", "unit of a mass"]),
         ("ice: {contact_wire: 2 kg}", ["a mass per length"]),
         ("wear: []", ["unknown field", "contact_wire_wear"]),

@@ -91,6 +91,70 @@ def test_small_length_errors_add_up(short: Short) -> None:
     assert np.abs(both - first).max() > 2e-4, "the partner: the second one alone is missing"
 
 
+def lifted(*errors: tuple[int, float]) -> dict[str, Any]:
+    rows = [{"support": number, "height_error": error} for number, error in errors]
+    return {"as_built.support_height_errors": rows}
+
+
+def at_supports(found: equilibrium.Equilibrium) -> np.ndarray:
+    """Height of the contact wire at each support in m."""
+    return np.asarray(found.positions[[place.contact_node for place in found.mesh.supports], 2])
+
+
+@BOTH_MODELS
+@pytest.mark.parametrize("kind", ["spring", "arm"])
+def test_supports_in_a_ramp_shear_the_line(short: Short, wire_model: str, kind: str) -> None:
+    """With every support higher by g x nothing else changes: see `test_heights`."""
+    model: dict[str, Any] = {"solver.wire_model": wire_model}
+    if kind == "arm":
+        arm = {"kind": "arm", "length": 1.2, "slope": 0.2, "mass": 0.8}
+        model |= {"line.steady_arm": arm, "line.geometry.stagger_contact_wire": [0.2, -0.2]}
+    gradient = 1e-4
+    drawn = equilibrium.find(short(**model))
+    x = np.array([place.x for place in drawn.mesh.supports])
+    rows = [(number, gradient * x[number - 1]) for number in range(2, len(x))]
+    built = equilibrium.find(short(**model, **lifted(*rows)))
+    rise = at_supports(built) - at_supports(drawn)
+    # The last span comes down to its anchor, which stays as drawn, 30 mm in all: a kink of 6e-4
+    # that both wires carry into the spans beside it. Three spans away a thousandth is left.
+    np.testing.assert_allclose(rise[1:4], gradient * x[1:4], atol=2e-3 * gradient * x[-1])
+    assert rise[0] == rise[-1] == 0.0
+
+
+def test_the_wire_follows_its_support(short: Short) -> None:
+    drawn, error = equilibrium.find(short()), 10e-3
+    built = equilibrium.find(short(**lifted((4, error))))
+    rise = at_supports(built) - at_supports(drawn)
+    # The messenger wire does, as a string with a tip. The contact wire hangs from it 5 m to either
+    # side, where 1 − 5/50 of the tip is left; there the kink of the contact wire pulls with some
+    # 22 kN · 9 mm/45 m = 4 N at a dropper, under which the messenger wire yields by 1 mm.
+    assert 0.75 * error < rise[3] < 0.9 * error
+    np.testing.assert_allclose(rise[[2, 4]], 0.0, atol=0.1 * error)
+    np.testing.assert_allclose(rise[[1, 5]], 0.0, atol=0.02 * error)
+
+
+def test_errors_of_supports_do_not_depend_on_the_mesh(short: Short) -> None:
+    errors = lifted((2, 8e-3), (3, -5e-3), (4, 3e-3), (6, -9e-3))
+    finer = {"solver.contact_wire_element": "0.5 m", "solver.messenger_wire_element": "0.7 m"}
+    rises = [
+        at_supports(equilibrium.find(short(**mesh, **errors)))
+        - at_supports(equilibrium.find(short(**mesh)))
+        for mesh in ({}, finer)
+    ]
+    # Cubic elements of some metres: bending near the supports, a few per cent of the kinks there.
+    np.testing.assert_allclose(rises[1], rises[0], atol=0.1e-3)
+
+
+def test_a_rail_follows_its_supports() -> None:
+    base = arcless.load("conductor-rail-1-120")
+    drawn = equilibrium.find(base)
+    rows = [(number, 1e-3) for number in range(2, len(drawn.mesh.supports))]
+    built = equilibrium.find(base.with_(**lifted(*rows)))
+    rise = at_supports(built) - at_supports(drawn)
+    # A beam on supports that all stand higher: but for its ends it is lifted as it is.
+    np.testing.assert_allclose(rise[6:-6], 1e-3, atol=1e-6)
+
+
 @BOTH_MODELS
 def test_free_ends_travel_and_keep_the_tension(short: Short, wire_model: str) -> None:
     model = {"solver.wire_model": wire_model, "as_built.temperature_difference": 40.0}

@@ -1,5 +1,5 @@
 //! What is changed on a structure after its design: lengths, sections, masses, links that are gone,
-//! steady loads along the wires.
+//! where springs and struts stand, steady loads along the wires.
 //!
 //! Elements are counted as wires, or as segments where wires are chains of point masses. Where the
 //! new equilibrium is too far from the design to be found at once, half of every change is put on
@@ -26,6 +26,10 @@ pub struct Alteration {
     pub link_factor: Vec<f64>,
     /// Added to the rest length of each link after that, m.
     pub link_offset: Vec<f64>,
+    /// Added to the coordinate at which each spring is free of force, m.
+    pub spring_offset: Vec<f64>,
+    /// Added to the last component of the ground point of each strut, m.
+    pub strut_offset: Vec<f64>,
     /// Links that are taken away, in ascending order; the lists above still count them.
     pub removed: Vec<usize>,
 }
@@ -48,6 +52,8 @@ impl Alteration {
             ("load", self.load.len(), elements),
             ("link_factor", self.link_factor.len(), links),
             ("link_offset", self.link_offset.len(), links),
+            ("spring_offset", self.spring_offset.len(), s.springs.len()),
+            ("strut_offset", self.strut_offset.len(), s.struts.len()),
         ] {
             if found != expected {
                 let reason = format!("has {found} entries, expected {expected}");
@@ -85,6 +91,12 @@ impl Alteration {
         for (k, link) in s.links.iter_mut().enumerate() {
             let length = link.rest_length * factor(self.link_factor[k]);
             link.rest_length = length + share * self.link_offset[k];
+        }
+        for (spring, offset) in s.springs.iter_mut().zip(&self.spring_offset) {
+            spring.rest += share * offset;
+        }
+        for (strut, offset) in s.struts.iter_mut().zip(&self.strut_offset) {
+            strut.anchor[s.dim - 1] += share * offset;
         }
         for &gone in self.removed.iter().rev() {
             s.links.remove(gone);

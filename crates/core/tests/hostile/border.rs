@@ -121,7 +121,12 @@ fn altered<const DIM: usize, const D: usize>(
         link_factor: vec![feed.number(1.0); links],
         link_offset: vec![feed.number(0.0); links],
         removed: (0..feed.below(3)).collect(),
+        ..Alteration::default()
     };
+    // The same number again: what the corpus says further on keeps its place.
+    let offset = change.link_offset.first().copied().unwrap_or(0.0);
+    change.spring_offset = vec![offset; s.springs.len()];
+    change.strut_offset = vec![offset; s.struts.len()];
     if feed.flag() {
         let at = feed.below(4);
         let lists = [&mut change.length_factor, &mut change.mass];
