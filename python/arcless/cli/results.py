@@ -57,7 +57,7 @@ def assess(
     section = _quantity("--from", start, "m"), _quantity("--to", end, "m")
     cutoff = _quantity("--low-pass", low_pass, "Hz")
     opened = open_result(result)
-    found = assess_dataset(opened.dataset, section=_section(opened, *section), low_pass_Hz=cutoff)
+    found = assess_dataset(opened.latest, section=_section(opened, *section), low_pass_Hz=cutoff)
     if out is not None:
         write_bytes(out, found.to_json().encode())
     if json:

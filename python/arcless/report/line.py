@@ -83,7 +83,7 @@ def energy(scene: Scene) -> Any | None:
 
 def energy_terms(scene: Scene) -> list[tuple[str, str]]:
     """Return name and short label of the ledger's terms in the dataset."""
-    names = [str(name) for name in scene.dataset.data_vars if str(name).startswith("energy_")]
+    names = [str(name) for name in scene.dataset if str(name).startswith("energy_")]
     return [(name, name.removeprefix("energy_").replace("_", " ")) for name in names]
 
 

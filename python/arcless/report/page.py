@@ -71,7 +71,7 @@ def html(
     result: "Result", *, assessment: Assessment | None = None, reference_rows: Rows = ()
 ) -> str:
     """Return the report as one HTML text; see `write`."""
-    scene = Scene(result.dataset, assessment or result.assessment)
+    scene = Scene(result.latest, assessment or result.assessment)
     drawn = {name: draw(scene) for name, draw in FIGURES.items()}
     return render("page.html", drawn, **_texts(result, scene, reference_rows))
 

@@ -53,7 +53,7 @@ def write(
     OutputError
         The file cannot be written; nothing half-written stays behind.
     """
-    scenes = [Scene(result.dataset, result.assessment) for result in results]
+    scenes = [Scene(result.latest, result.assessment) for result in results]
     fast = [scene for scene in scenes if scene.assessment.speed_m_s > GAPS_ABOVE]
     drawn = {f"force {place}": force(scene) for place, scene in enumerate(scenes)}
     drawn |= {f"gap {place}": gap(scene) for place, scene in enumerate(fast)}

@@ -13,14 +13,14 @@ from arcless.assess.section import ForceRecord, force_record
 from arcless.report.style import models
 
 if TYPE_CHECKING:
-    import xarray
+    from arcless.results.plain import Dataset
 
 
 @dataclass(frozen=True)
 class Scene:
     """A result and its assessment, ready to be drawn."""
 
-    dataset: "xarray.Dataset"
+    dataset: "Dataset"
     assessment: Assessment
 
     @cached_property
@@ -38,7 +38,7 @@ class Scene:
     @cached_property
     def has_droppers(self) -> bool:
         """Whether the line has droppers."""
-        return self.dataset.sizes.get("dropper", 0) > 0
+        return self.values("dropper").size > 0
 
     @cached_property
     def rigid_contact(self) -> bool:
@@ -71,7 +71,7 @@ class Scene:
 
     def has(self, *names: str) -> bool:
         """Say whether the dataset holds all these variables."""
-        return all(name in self.dataset.variables for name in names)
+        return all(name in self.dataset for name in names)
 
     def values(self, name: str) -> NDArray[Any]:
         """Return a variable's values, empty if the dataset does not hold it."""

@@ -64,7 +64,8 @@ def dataset_from(
     return Plain.of(record, names, static, attrs).dataset()
 
 
-Described = dict[str, tuple[tuple[str, ...], NDArray[Any], dict[str, str]]]
+Entry = tuple[tuple[str, ...], NDArray[Any], dict[str, str]]
+Described = dict[str, Entry]
 
 
 def variables(given: Mapping[str, Any], names: Mapping[str, Any]) -> tuple[Described, Described]:
@@ -138,9 +139,7 @@ def _coordinates(names: Mapping[str, Any], sizes: dict[str, int]) -> dict[str, N
     return coords
 
 
-def _coordinate(
-    dim: str, values: NDArray[Any]
-) -> tuple[tuple[str, ...], NDArray[Any], dict[str, str]]:
+def _coordinate(dim: str, values: NDArray[Any]) -> Entry:
     entry = DIMENSIONS[dim]
     labels = values.astype(object) if entry.kind == "name" else values
     return (dim,), labels, {"units": entry.units, "long_name": entry.long_name}

@@ -10,20 +10,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 if TYPE_CHECKING:
-    import xarray
+    from arcless.results.plain import Dataset
 
 Place = Literal["dropper", "support"]
 CHANNELS = {"dropper": "dropper_force", "support": "support_uplift"}
 
 
-def is_recorded(dataset: "xarray.Dataset", place: Place) -> bool:
+def is_recorded(dataset: "Dataset", place: Place) -> bool:
     """Whether a dataset holds the forces of droppers or the uplift of supports over time."""
     channel = CHANNELS[place]
     return channel in dataset or f"near_{channel}" in dataset
 
 
 def passage(
-    dataset: "xarray.Dataset", place: Place, index: int
+    dataset: "Dataset", place: Place, index: int
 ) -> tuple[NDArray[np.intp], NDArray[np.float64]]:
     """Return the rows along `line_time` at which a place was recorded, and its values there.
 

@@ -4,13 +4,13 @@ What `arcless run` does with a record, assessing and saving, needs its arrays by
 xarray dataset when somebody asks for one.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from numpy.typing import NDArray
 
-from arcless.results.build import Described, attributes, check_complete, variables
+from arcless.results.build import Described, Entry, attributes, check_complete, variables
 
 if TYPE_CHECKING:
     import xarray
@@ -34,7 +34,9 @@ class Plain:
         Attributes of the whole, as they are stored.
     """
 
-    def __init__(self, data: Described, coords: Described, attrs: dict[str, Any]) -> None:
+    def __init__(
+        self, data: Mapping[str, Entry], coords: Mapping[str, Entry], attrs: dict[str, Any]
+    ) -> None:
         self._data, self._coords, self.attrs = data, coords, attrs
 
     def __contains__(self, name: object) -> bool:
@@ -63,6 +65,10 @@ class Plain:
         check_complete({**static, **record})
         return cls(*described, attributes(attrs))
 
+    def __iter__(self) -> Iterator[str]:
+        """Go through the names of variables and coordinates; none is read."""
+        return iter([*self._data, *self._coords])
+
     @property
     def dims(self) -> list[str]:
         """Names of the dimensions, which are those of the coordinates."""
@@ -77,7 +83,7 @@ class Plain:
         """Return the same as an xarray dataset; arrays are shared."""
         import xarray
 
-        return xarray.Dataset(self._data, self._coords, self.attrs)
+        return xarray.Dataset(dict(self._data), dict(self._coords), self.attrs)
 
 
 Dataset: TypeAlias = "xarray.Dataset | Plain"

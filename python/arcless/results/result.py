@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from arcless.results.passages import CHANNELS, Place, passage
 from arcless.results.plain import Plain
-from arcless.results.store import metadata, open_dataset, save
+from arcless.results.store import metadata, open_plain, save
 
 if TYPE_CHECKING:
     import xarray
@@ -39,8 +39,8 @@ class Result:
         return recorded.dataset() if isinstance(recorded, Plain) else recorded
 
     @property
-    def _latest(self) -> "Dataset":
-        """The dataset that somebody may have changed, once there is one."""
+    def latest(self) -> "Dataset":
+        """The same as `dataset`, which somebody may have changed, or arrays by name without one."""
         return self.dataset if "dataset" in self.__dict__ else self.recorded
 
     # The two stages below stand right of this module in the import order; they are imported when
@@ -50,7 +50,7 @@ class Result:
         """The run's indicators and criteria over its own analysis section."""
         from arcless.assess import assess
 
-        return assess(self._latest)
+        return assess(self.latest)
 
     def write_report(self, path: str | Path, **options: Any) -> None:
         """Write the HTML report; the options are those of `arcless.report.write`."""
@@ -93,7 +93,7 @@ class Result:
     @cached_property
     def metadata(self) -> dict[str, Any]:
         """The dataset's attributes as plain Python values."""
-        return metadata(self._latest)
+        return metadata(self.latest)
 
     @property
     def is_complete(self) -> bool:
@@ -102,7 +102,7 @@ class Result:
 
     def save(self, path: str | Path) -> None:
         """Save the dataset as NetCDF, whole or not at all."""
-        save(self._latest, path)
+        save(self.latest, path)
 
     def __repr__(self) -> str:
         facts = self.metadata
@@ -124,5 +124,5 @@ def open_result(path: str | Path) -> Result:
     """
     from arcless.model import load
 
-    dataset = open_dataset(path)
+    dataset = open_plain(path)
     return Result(dataset, load(metadata(dataset)["scenario"]))

@@ -32,8 +32,8 @@ def put(file: BinaryIO) -> None:
     file.write(MARK + digest.encode())
 
 
-def check(path: Path) -> None:
-    """Compare a file with the checksum at its end, if it has one.
+def check(path: Path) -> bool:
+    """Compare a file with the checksum at its end; returns whether it has one.
 
     Raises
     ------
@@ -45,11 +45,11 @@ def check(path: Path) -> None:
     with path.open("rb") as file:
         inner = path.stat().st_size - SIZE
         if inner < 0:
-            return
+            return False
         file.seek(inner)
         seal = file.read(SIZE)
         if not seal.startswith(MARK):
-            return
+            return False
         file.seek(0)
         if _digest(file, inner).encode() != seal.removeprefix(MARK):
             raise ResultFormatError(
@@ -59,6 +59,7 @@ def check(path: Path) -> None:
                 expected="the file as `arcless run` wrote it",
                 hint="copy it again, or run the scenario again",
             )
+    return True
 
 
 def _digest(file: BinaryIO, size: int) -> str:

@@ -1,11 +1,13 @@
 """Datasets as NetCDF files: saved atomically, checked when opened."""
 
 import json
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from arcless.errors import ResultFormatError
-from arcless.results import seal
+from arcless.results import saved, seal
 from arcless.results.build import missing_variables
 from arcless.results.files import write_bytes
 from arcless.results.plain import Plain
@@ -15,6 +17,7 @@ from arcless.results.whole import netcdf
 if TYPE_CHECKING:
     import xarray
 
+    from arcless.results.build import Entry
     from arcless.results.plain import Dataset
 
 # Level 2 with byte shuffling gains nearly all that level 9 does, at a fifth of its time.
@@ -64,28 +67,59 @@ def open_dataset(path: str | Path) -> "xarray.Dataset":
     ResultFormatError
         The file is missing, damaged, no NetCDF file, of another format version, or lacks variables.
     """
-    import xarray
+    return open_plain(path).dataset()
 
+
+def open_plain(path: str | Path) -> Plain:
+    """Open a saved dataset and check that it is one of ours.
+
+    A file that carries its checksum is read variable by variable, when somebody asks for one; any
+    other at once, since damage shows only when it is read.
+
+    Raises
+    ------
+    ResultFormatError
+        As `open_dataset`.
+    """
     file = Path(path)
     if not file.is_file():
         raise ResultFormatError(
             "no such result file", where=str(file), expected="a file written by `arcless run`"
         )
+    with _reading(file):
+        is_sealed = seal.check(file)
+        dataset = _opened(file)
+    _check(dataset, file)
+    if not is_sealed:
+        _ = dataset.variables
+    return dataset
+
+
+def _opened(file: Path) -> Plain:
+    import h5py
+
+    def read(variable: h5py.Dataset) -> "Entry":
+        with _reading(file):
+            return saved.entry(variable)
+
+    # Closed when nothing refers to its variables any more.
+    opened = h5py.File(file, "r")
+    data, coords = saved.split(opened)
+    return Plain(saved.Saved(data, read), saved.Saved(coords, read), saved.attributes(opened))
+
+
+@contextmanager
+def _reading(file: Path) -> Iterator[None]:
+    """Say in our words that a file cannot be read."""
     try:
-        seal.check(file)
-        with xarray.open_dataset(
-            file, engine="h5netcdf", decode_times=False, mask_and_scale=False
-        ) as opened:
-            dataset = opened.load()
-    except (OSError, ValueError, KeyError, RuntimeError) as error:
+        yield
+    except (OSError, ValueError, KeyError, RuntimeError, TypeError, IndexError) as error:
         raise ResultFormatError(
             "cannot read the result file",
             where=str(file),
             got=str(error).partition("\n")[0],
             expected="a whole NetCDF4 file written by `arcless run`",
         ) from error
-    _check(dataset, file)
-    return dataset
 
 
 def metadata(dataset: "Dataset") -> dict[str, Any]:
@@ -105,7 +139,7 @@ def _decoded(name: str, value: Any) -> Any:
     return {"integer": int, "number": float, "text": str}[kind](value)
 
 
-def _check(dataset: "xarray.Dataset", file: Path) -> None:
+def _check(dataset: Plain, file: Path) -> None:
     found = str(dataset.attrs.get("format", "no format mark"))
     if found != RESULT_FORMAT:
         raise ResultFormatError(
@@ -115,7 +149,7 @@ def _check(dataset: "xarray.Dataset", file: Path) -> None:
             expected=RESULT_FORMAT,
             hint="run the scenario again, or open the file with the version that wrote it",
         )
-    missing = missing_variables(dataset.variables)
+    missing = missing_variables(dataset)
     missing += [n for n, entry in ATTRIBUTES.items() if entry.required and n not in dataset.attrs]
     if missing:
         raise ResultFormatError(

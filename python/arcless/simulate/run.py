@@ -10,9 +10,10 @@ import numpy as np
 
 from arcless import _core
 from arcless.model import Scenario, scenario_warnings
-from arcless.results import Result, open_dataset
+from arcless.results import Result
 from arcless.results.files import replacing
 from arcless.results.plain import Plain
+from arcless.results.store import open_plain
 from arcless.simulate import joints, record, state
 from arcless.simulate.control import ControlFunction, Controllers
 from arcless.simulate.job import Cancel, Job, Progress, Take, lay_out, observer
@@ -159,7 +160,7 @@ class _Part:
             static, attributes = self._rest(raw)
             stream.finish(static | record.extremes(raw, self.job.found), attributes)
         tell(1.0, "done")
-        return Result(open_dataset(to), self.job.scenario)
+        return Result(open_plain(to), self.job.scenario)
 
     def _rest(self, raw: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
         """Return what is no series: the line at rest, the state of a part; and attributes."""
