@@ -405,10 +405,8 @@ impl<const DIM: usize, const D: usize> Kernel for Inertia<'_, DIM, D> {
             ..
         } = self.state;
         for island in self.p.awake(awake) {
-            let start = island.nodes.start;
-            for (k, d) in delta[island.nodes.clone()].iter_mut().enumerate() {
-                *d = self.p.line.mass.row(start + k, prepared);
-            }
+            let mass = &self.p.line.mass;
+            mass.multiply(island.nodes.clone(), prepared, delta);
         }
     }
 }
