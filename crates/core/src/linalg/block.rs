@@ -34,11 +34,13 @@ pub fn subtract_transposed_product<const D: usize>(y: &mut [f64; D], a: &Block<D
 #[inline(always)]
 #[must_use]
 pub fn transposed_product<const D: usize>(a: &Block<D>, x: &[f64; D]) -> [f64; D] {
-    // Pairs shorten the chain of dependent additions; a block of odd size has one row left over.
-    let mut y = [0.0; D];
-    for i in (0..D - D % 2).step_by(2) {
+    // Pairs shorten the chain of dependent additions; a block of odd size has one row left over. To
+    // begin with the first pair, not with zero, makes it one shorter still.
+    let pair = |i: usize, j: usize| a[i][j] * x[i] + a[i + 1][j] * x[i + 1];
+    let mut y: [f64; D] = std::array::from_fn(|j| pair(0, j));
+    for i in (2..D - D % 2).step_by(2) {
         for j in 0..D {
-            y[j] += a[i][j] * x[i] + a[i + 1][j] * x[i + 1];
+            y[j] += pair(i, j);
         }
     }
     if D % 2 == 1 {
