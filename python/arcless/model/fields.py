@@ -6,6 +6,7 @@ value comes from: ``{value: 22 kN, mark: A, source: S1, note: "…"}``; see `doc
 
 from collections.abc import Mapping
 from difflib import get_close_matches
+from functools import cache
 from typing import Annotated, Any, Literal, get_args
 
 from pydantic import (
@@ -155,24 +156,19 @@ class Part(BaseModel):
         if not isinstance(data, Mapping):
             expected = f"a mapping with {', '.join(cls.field_names())}"
             raise ModelError("not a mapping", got=show(data), expected=expected)
-        known = cls.field_names()
-        accepted_names = {*known, *cls.model_fields}
+        taken, needed = _names_of(cls)
         for key in data:
-            if key not in accepted_names:
+            if key not in taken:
                 raise ModelError(
                     "unknown field",
                     got=show(key),
                     expected=f"a field of {cls._title()}",
-                    hint=nearest(str(key), known),
+                    hint=nearest(str(key), cls.field_names()),
                     field=(key if isinstance(key, int) else str(key),),
                 )
-        for name, field in cls.model_fields.items():
-            if field.is_required() and not {name, field.alias} & set(data):
-                raise ModelError(
-                    "missing field",
-                    expected=cls._expected(name),
-                    field=(field.alias or name,),
-                )
+        for name, alias in needed:
+            if name not in data and alias not in data:
+                raise ModelError("missing field", expected=cls._expected(name), field=(alias,))
         return data
 
     @classmethod
@@ -200,6 +196,17 @@ class Part(BaseModel):
             unit = find_unit(field)
             if unit is not None:
                 field.json_schema_extra = {"unit": unit.label}
+
+
+@cache
+def _names_of(model: type[Part]) -> tuple[frozenset[str], list[tuple[str, str]]]:
+    """Return what keys of a model's data may be called; name and alias of those that must be there.
+
+    Found once: a table has thousands of rows, a study thousands of scenarios.
+    """
+    fields = model.model_fields.items()
+    needed = [(name, field.alias or name) for name, field in fields if field.is_required()]
+    return frozenset([*model.field_names(), *model.model_fields]), needed
 
 
 def find_unit(annotated: Any) -> Unit | None:

@@ -175,8 +175,10 @@ class Line(Document):
 
     def tension_length_list(self) -> list[TensionLength]:
         """Return the tension lengths in order; one over all spans where none are given."""
-        whole = TensionLength(from_span=1, to_span=len(self.span_list()))
-        return [whole] if self.tension_lengths is None else list(self.tension_lengths)
+        if self.tension_lengths is not None:
+            return list(self.tension_lengths)
+        # Asked for with every dropper that is named; there is nothing to check.
+        return [TensionLength.model_construct(from_span=1, to_span=len(self.span_list()))]
 
     def tension_lengths_over(self, first: float, last: float) -> list[int]:
         """Return the numbers, from 1, of the tension lengths whose wires cover a stretch in m."""
