@@ -16,7 +16,7 @@ from arcless.study.keeper import Keeper, Progress, Tell
 from arcless.study.model import Execution, Study
 from arcless.study.optimise import Search
 from arcless.study.rows import Row
-from arcless.study.variants import in_order, variant
+from arcless.study.variants import in_order, key, variant
 from arcless.study.version import code_version
 
 
@@ -145,7 +145,7 @@ def _valid_rows(study: Study, place: StudyFolder, *, retry_failed: bool) -> dict
 def _check_rows(study: Study, place: StudyFolder, rows: Iterable[Row]) -> None:
     for row in rows:
         known = 1 <= row.variant <= study.plan.count
-        if not known or variant(study, row.variant).key != row.key:
+        if not known or key(study, row.variant) != row.key:
             raise StudyError(
                 "the rows are of another study",
                 where=str(place.journal),

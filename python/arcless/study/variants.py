@@ -39,8 +39,16 @@ def variant(study: Study, number: int) -> Variant:
     """Return a variant by its number, from 1."""
     values = study.plan.values(number - 1)
     named = {axis.name: value for axis, value in zip(study.axes, values, strict=True)}
-    key = digest([[axis.field, value] for axis, value in zip(study.axes, values, strict=True)])
-    return Variant(number, key, named, study.changes_of(values))
+    return Variant(number, _key(study, values), named, study.changes_of(values))
+
+
+def key(study: Study, number: int) -> str:
+    """Return the identity of a variant by its number, from 1, without all that it changes."""
+    return _key(study, study.plan.values(number - 1))
+
+
+def _key(study: Study, values: tuple[Any, ...]) -> str:
+    return digest([[axis.field, value] for axis, value in zip(study.axes, values, strict=True)])
 
 
 def scenario(study: Study, number: int) -> Scenario:

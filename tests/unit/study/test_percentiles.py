@@ -9,7 +9,7 @@ import pytest
 from arcless.errors import OutputError
 from arcless.study import StudyFolder, run
 from arcless.study.findings import FILES, findings
-from arcless.study.percentiles import PERCENT, of_values, percentiles
+from arcless.study.percentiles import PERCENT, binomial_quantiles, of_values, percentiles
 from arcless.study.report import html, write
 from tests.support.studies import VARIABLES, filled, study
 
@@ -34,6 +34,16 @@ def test_known_order_statistics() -> None:
     median = of_values(np.arange(1.0, 101.0))[2]
     # The textbook's interval of the median of 100 values: the 40th and the 61st.
     assert median == {"percent": 50.0, "value": 50.5, "low": 40.0, "high": 61.0}
+
+
+@pytest.mark.parametrize("count", [1, 2, 7, 72, 368, 1000, 100_000])
+def test_binomial_quantiles_are_those_of_scipy(count: int) -> None:
+    from scipy.stats import binom
+
+    ends = (0.025, 0.975)
+    for percent in PERCENT:
+        exact = [int(binom.ppf(end, count, percent / 100.0)) for end in ends]
+        assert binomial_quantiles(count, percent / 100.0, ends) == exact
 
 
 def test_too_few_values_have_no_bound() -> None:
