@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 
+from arcless.model.reader import parse
 from arcless.study import Study, load, run, status
 from arcless.study.model import COLUMNS
 from arcless.study.quantities import keys
@@ -15,6 +16,10 @@ DOCS = Path(__file__).parents[3] / "docs"
 GUIDE = (DOCS / "guide/studies.md").read_text("utf-8")
 REFERENCE = (DOCS / "reference/study-files.md").read_text("utf-8")
 EXAMPLES = dict(re.findall(r"```yaml\n# (\S+\.yaml)\n(.*?)```", GUIDE, re.DOTALL))
+
+
+UNCERTAINTY = (DOCS / "guide/uncertainty.md").read_text("utf-8")
+SCATTER = dict(re.findall(r"```yaml\n# (\S+\.yaml)\n(.*?)```", UNCERTAINTY, re.DOTALL))
 
 
 def example(name: str, folder: Path) -> Study:
@@ -33,6 +38,25 @@ def test_the_examples_run(tmp_path: Path, name: str, count: int) -> None:
     assert [row["status"] for row in found] == ["done"] * count
     assert all(row[name] is not None for row in found for name in made.outputs)
     assert status(made, tmp_path / "out").done == count
+
+
+@pytest.mark.parametrize("name", SCATTER)
+def test_each_scatter_of_the_guide_reaches_its_outputs(tmp_path: Path, name: str) -> None:
+    data, _ = parse(SCATTER[name], "guide")
+    assert load(data).plan.count == data["design"]["count"]
+    # As the guide has them, but fewer and shorter.
+    spans = {"line.spans": [{"type": "standard", "count": 6}], "solver.time_step": "4 ms",
+             "travel": {"start": "60 m", "end": "160 m"}, "pantographs.0.static_force": "120 N",
+             "analysis": {"from": "80 m", "to": "150 m"}}  # fmt: skip
+    if "as_built.contact_wire_wear" in data["set"]:
+        data["set"]["as_built.contact_wire_wear"][0]["to"] = "330 m"
+    for varied in data["variables"]:
+        only = {**data, "set": data["set"] | spans, "design": {**data["design"], "count": 2}}
+        only["variables"] = {varied: data["variables"][varied]}
+        run(load(only), tmp_path / varied)
+        found = rows(tmp_path / varied / "table.parquet")
+        assert [row["status"] for row in found] == ["done", "done"]
+        assert found[0]["std_force_N"] != found[1]["std_force_N"]
 
 
 def test_the_difference_is_shown_as_in_the_guide(tmp_path: Path) -> None:
