@@ -19,6 +19,7 @@ pub mod dynamics;
 pub mod element;
 pub mod error;
 pub mod filter;
+pub mod flexibility;
 pub mod lcp;
 pub mod linalg;
 pub mod published;

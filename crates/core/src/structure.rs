@@ -171,6 +171,17 @@ pub struct PointMass {
     pub alpha: f64,
 }
 
+/// What cubic elements yield too little at point forces; see [`crate::flexibility`].
+#[derive(Debug, Clone, Default)]
+pub struct ResidualFlexibility {
+    /// Stiffness of each link by itself, N/m: that in the list of links is softer by R at both ends.
+    pub links: Vec<f64>,
+    /// The same of springs; those that are not vertical keep theirs.
+    pub springs: Vec<f64>,
+    /// R in m/N: node, node with a force, what the force raises the first by beyond the mesh.
+    pub pairs: Vec<(usize, usize, f64)>,
+}
+
 /// Complete description of a structure.
 #[derive(Debug, Clone, Default)]
 pub struct Structure {
@@ -203,6 +214,8 @@ pub struct Structure {
     /// Steady force per metre of rest length on each wire element or segment, N/m, beside its
     /// weight; empty where there is none.
     pub wire_loads: Vec<[f64; 3]>,
+    /// Residual flexibility, contained in links and springs; `None` when it is left out.
+    pub residual: Option<ResidualFlexibility>,
     /// Acceleration of gravity, m/s², acting against the last component.
     pub gravity: f64,
 }

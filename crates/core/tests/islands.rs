@@ -64,15 +64,23 @@ fn put_behind(s: &mut Structure, other: &Structure, shift: f64) {
     s.ends.append(&mut second.ends);
 }
 
-fn two_lengths() -> Prepared<2, 4> {
+/// With or without residual flexibility.
+fn two_lengths(yields: bool) -> Prepared<2, 4> {
     let (mut structure, path) = simple_line(3);
     let other = structure.clone();
     let behind = path.iter().map(|k| k + other.wires.len()).collect();
     put_behind(&mut structure, &other, SHIFT);
     let mut geometry = Geometry::<2, 4>::new(structure).expect("a valid structure");
+    if yields {
+        geometry.add_residual_flexibility().expect("cubic elements");
+    }
     let start = geometry.design().expect("the design converges");
     let shape = geometry.settle(&start).expect("the equilibrium converges");
-    let lanes = Path::lanes(&geometry, &shape, &[path, behind]).expect("two lanes");
+    let wires = [path, behind];
+    let mut lanes = Path::lanes(&geometry, &shape, &wires).expect("two lanes");
+    if yields {
+        lanes = Path::yielding(lanes, &geometry, &shape, &wires);
+    }
     let line = Line::new(&geometry, shape);
     Prepared::new(line, lanes, Scheme::hht(0.1), 1e-3, 5e4).expect("regular")
 }
@@ -116,7 +124,10 @@ fn run(
 
 #[test]
 fn what_sleeps_would_not_have_moved() {
-    let p = two_lengths();
+    [false, true].map(|yields| sleeps_as_if_awake(&two_lengths(yields)));
+}
+
+fn sleeps_as_if_awake(p: &Prepared<2, 4>) {
     let (plan, sleeping) = (plan(&p), way(1400));
     let awake = Travel {
         loads: vec![nothing(1400)],
@@ -129,7 +140,7 @@ fn what_sleeps_would_not_have_moved() {
 
 #[test]
 fn an_untouched_length_is_at_rest_exactly() {
-    let p = two_lengths();
+    let p = two_lengths(false);
     // Ends before the second one begins.
     let (_, _, state) = run(&p, &way(500), &plan(&p));
     let u = &state.numbers["line_displacement"];
@@ -162,7 +173,10 @@ fn near(p: &Prepared<2, 4>) -> Near {
 
 #[test]
 fn a_length_left_behind_is_laid_to_rest() {
-    let p = two_lengths();
+    [false, true].map(|yields| is_laid_to_rest(&two_lengths(yields)));
+}
+
+fn is_laid_to_rest(p: &Prepared<2, 4>) {
     let whole = plan(&p);
     let some = RecordPlan {
         near: Some(near(&p)),
@@ -186,10 +200,13 @@ fn a_length_left_behind_is_laid_to_rest() {
 
 #[test]
 fn parts_of_such_a_run_are_the_whole() {
-    let p = two_lengths();
+    [false, true].map(|yields| parts_are_the_whole(&two_lengths(yields)));
+}
+
+fn parts_are_the_whole(p: &Prepared<2, 4>) {
     let some = RecordPlan {
-        near: Some(near(&p)),
-        ..plan(&p)
+        near: Some(near(p)),
+        ..plan(p)
     };
     let riders = [three_masses(90.0)];
     for plan in [&plan(&p), &some] {

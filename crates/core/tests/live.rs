@@ -39,6 +39,11 @@ fn spatial() -> Arc<Prepared<3, 6>> {
     Arc::new(common::prepare_any(line, |_| (), scheme, H, 50e3))
 }
 
+/// Lines with residual flexibility.
+fn yielding(scheme: Scheme) -> Arc<Prepared<2, 4>> {
+    Arc::new(common::yielding(simple_line(5), |_| (), scheme, H, 50e3))
+}
+
 fn position(step: usize) -> f64 {
     START + SPEED * H * step as f64
 }
@@ -122,6 +127,7 @@ fn is_the_run<const DIM: usize, const D: usize>(p: &Arc<Prepared<DIM, D>>) {
 fn simulated_riders_step_as_in_a_run() {
     is_the_run(&planar(Scheme::generalised_alpha(0.9)));
     is_the_run(&spatial());
+    is_the_run(&yielding(Scheme::generalised_alpha(0.9)));
 }
 
 /// The contact forces of a run, given, move the wire as they did in the run. With Newmark's scheme a
@@ -129,9 +135,13 @@ fn simulated_riders_step_as_in_a_run() {
 /// friction, which a run takes from the force of the step before.)
 #[test]
 fn given_forces_of_a_run_move_the_wire_as_the_run() {
-    let p = planar(Scheme::newmark(0.3025, 0.6));
-    let record = run(&p, 700, 0.0);
-    let mut live = with_friction(&p, 0.0);
+    move_as_the_run(&planar(Scheme::newmark(0.3025, 0.6)));
+    move_as_the_run(&yielding(Scheme::newmark(0.3025, 0.6)));
+}
+
+fn move_as_the_run(p: &Arc<Prepared<2, 4>>) {
+    let record = run(p, 700, 0.0);
+    let mut live = with_friction(p, 0.0);
     let mut heights = Vec::new();
     for (step, forces) in record.force.chunks(2).enumerate() {
         live.step(forces, position(step + 1), SPEED)
@@ -152,8 +162,12 @@ fn given_forces_of_a_run_move_the_wire_as_the_run() {
 /// what happens within single steps: links go slack, the force moves on by 8 cm.
 #[test]
 fn the_rate_is_the_derivative_of_the_height() {
-    let p = planar(Scheme::generalised_alpha(0.9));
-    let mut live = with_forces(&p);
+    rate_is_derivative(&planar(Scheme::generalised_alpha(0.9)));
+    rate_is_derivative(&yielding(Scheme::generalised_alpha(0.9)));
+}
+
+fn rate_is_derivative(p: &Arc<Prepared<2, 4>>) {
+    let mut live = with_forces(p);
     let (mut height, mut sum) = (Vec::new(), vec![0.0]);
     let mut before = 0.0;
     for step in 0..800 {
@@ -194,6 +208,9 @@ fn a_step_allocates_nothing() {
     assert_eq!(allocations(with_riders(&p), -400.0), 0);
     assert_eq!(allocations(with_forces(&spatial()), 900.0), 0);
     assert_eq!(allocations(with_riders(&spatial()), -400.0), 0);
+    let p = yielding(Scheme::generalised_alpha(0.9));
+    assert_eq!(allocations(with_forces(&p), 900.0), 0);
+    assert_eq!(allocations(with_riders(&p), -400.0), 0);
     let counted = measure(|| drop(black_box(vec![1.0; 3])));
     assert_eq!(counted.count_total, 1, "allocations are noticed");
 }
@@ -268,6 +285,9 @@ fn a_state_put_back_repeats_what_followed() {
     repeats(with_forces(&p));
     repeats(with_riders(&p));
     repeats(with_riders(&spatial()));
+    let p = yielding(Scheme::generalised_alpha(0.9));
+    repeats(with_forces(&p));
+    repeats(with_riders(&p));
 }
 
 #[test]

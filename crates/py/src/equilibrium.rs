@@ -49,8 +49,10 @@ pub struct Equilibrium(Any);
 #[pymethods]
 impl Equilibrium {
     /// Find it; with `design`, unknown lengths are found first. Without Hermite elements in the
-    /// table `wires`, the wires are the chains in `segments` and `bends`.
+    /// table `wires`, the wires are the chains in `segments` and `bends`. With `residual_flexibility`,
+    /// what cubic elements yield too little under droppers, supports and contacts is added there.
     #[new]
+    #[pyo3(signature = (dim, positions, slopes, parts, gravity, design, residual_flexibility = false))]
     fn new(
         py: Python<'_>,
         dim: usize,
@@ -59,14 +61,16 @@ impl Equilibrium {
         parts: &Bound<'_, PyDict>,
         gravity: f64,
         design: bool,
+        residual_flexibility: bool,
     ) -> PyResult<Self> {
+        let how = (design, residual_flexibility);
         let s = structure::build(dim, &positions, &slopes, parts, gravity)?;
         let is_chain = s.wires.is_empty() && !s.segments.is_empty();
         let found = py.detach(|| match (dim, is_chain) {
-            (2, false) => Solved::new(s, design).map(Any::Planar),
-            (_, false) => Solved::new(s, design).map(Any::Spatial),
-            (2, true) => Solved::new(s, design).map(Any::PlanarChain),
-            (_, true) => Solved::new(s, design).map(Any::SpatialChain),
+            (2, false) => Solved::new(s, how).map(Any::Planar),
+            (_, false) => Solved::new(s, how).map(Any::Spatial),
+            (2, true) => Solved::new(s, how).map(Any::PlanarChain),
+            (_, true) => Solved::new(s, how).map(Any::SpatialChain),
         });
         found.map(Self).map_err(|e| convert(py, &e))
     }
@@ -175,8 +179,14 @@ fn read_scheme(name: &str, parameters: &[f64]) -> PyResult<Scheme> {
 }
 
 impl<const DIM: usize, const D: usize> Solved<DIM, D> {
-    fn new(s: arcless_core::structure::Structure, design: bool) -> Result<Self, CoreError> {
+    fn new(
+        s: arcless_core::structure::Structure,
+        (design, residual_flexibility): (bool, bool),
+    ) -> Result<Self, CoreError> {
         let mut geometry = Geometry::<DIM, D>::new(s)?;
+        if residual_flexibility {
+            geometry.add_residual_flexibility()?;
+        }
         let start = if design {
             geometry.design()?
         } else {
@@ -197,7 +207,11 @@ impl<const DIM: usize, const D: usize> Solved<DIM, D> {
     }
 
     fn lanes(&self, lanes: &[Vec<usize>]) -> Result<Vec<Path<DIM>>, CoreError> {
-        Path::lanes(&self.geometry, &self.shape, lanes)
+        let paths = Path::lanes(&self.geometry, &self.shape, lanes)?;
+        if self.geometry.structure.residual.is_none() {
+            return Ok(paths);
+        }
+        Ok(Path::yielding(paths, &self.geometry, &self.shape, lanes))
     }
 
     fn elasticity(
@@ -224,6 +238,12 @@ impl<const DIM: usize, const D: usize> Solved<DIM, D> {
         if with.period_correction {
             line = line.with_correct_period(geometry, &with.scheme, h);
         }
+        if with.updated && geometry.structure.residual.is_some() {
+            return Err(CoreError::Input {
+                array: "solver",
+                reason: "residual flexibility with updated kinematics".into(),
+            });
+        }
         if with.updated {
             let p = stepper::Prepared::updated(geometry, line, lanes, with.scheme, h, contact);
             return p.map(Arc::new);
@@ -234,7 +254,8 @@ impl<const DIM: usize, const D: usize> Solved<DIM, D> {
     fn arrays<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let s = &self.geometry.structure;
         let out = PyDict::new(py);
-        let positions = self.shape.iter().flat_map(|node| node[..DIM].to_vec());
+        let real = self.geometry.real_shape(&self.shape);
+        let positions = real.iter().flat_map(|node| node[..DIM].to_vec());
         // None where nodes have no slopes.
         let slopes = self.shape.iter().flat_map(|node| node[DIM..].to_vec());
         let links: Vec<_> = s
@@ -248,9 +269,10 @@ impl<const DIM: usize, const D: usize> Solved<DIM, D> {
         out.set_item("wire_rest_length", collect(self.rest_lengths()))?;
         out.set_item("wire_tension", collect(self.tensions()))?;
         out.set_item("wire_mass", collect(self.masses()))?;
+        let length = |l| Geometry::<DIM, D>::link_state(&real, l).length;
         out.set_item(
             "link_length",
-            collect(links.iter().map(|(_, b)| b.length).collect()),
+            collect(s.links.iter().map(length).collect()),
         )?;
         out.set_item(
             "link_rest_length",

@@ -144,6 +144,12 @@ class Solver(Part):
         description="Take the period error of the scheme from the mass of wires of cubic elements;"
         " no effect with schemes of first order and point masses.",
     )
+    residual_flexibility: bool = Field(
+        default=False,
+        strict=True,
+        description="Add what cubic elements yield too little under droppers, supports and contacts:"
+        " with linearised kinematics and wires of cubic elements.",
+    )
     kinematics: Literal["linearised", "updated"] = Field(
         default="linearised",
         description="Motion about the static equilibrium, or node coordinates and stiffness"
@@ -165,6 +171,23 @@ class Solver(Part):
     gravity: Annotated[float, Unit("m/s2", minimum=0, maximum=100)] = Field(
         default=9.81, description="Acceleration of gravity."
     )
+
+    @model_validator(mode="after")
+    def _check_flexibility(self) -> "Solver":
+        if not self.residual_flexibility:
+            return self
+        for key, value, needed in (
+            ("wire_model", self.wire_model, "hermite"),
+            ("kinematics", self.kinematics, "linearised"),
+        ):
+            if value != needed:
+                raise ModelError(
+                    "not together with residual_flexibility",
+                    got=value,
+                    expected=f"{needed}, or residual_flexibility: false",
+                    field=(key,),
+                )
+        return self
 
     @model_validator(mode="before")
     @classmethod

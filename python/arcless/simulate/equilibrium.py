@@ -175,7 +175,9 @@ def find(scenario: Scenario) -> Equilibrium:
     mesh = build_mesh(scenario.line, scenario.solver, heights)
     with _designed(mesh, scenario.line, heights):
         core = _core.Equilibrium(
-            mesh.dimension, mesh.positions, mesh.slopes, mesh.parts, mesh.gravity, design=True
+            *(mesh.dimension, mesh.positions, mesh.slopes, mesh.parts, mesh.gravity),
+            design=True,
+            residual_flexibility=scenario.solver.residual_flexibility,
         )
     if scenario.line.track.curves:
         check_arms(mesh, core.arrays()["strut_tension"])

@@ -305,6 +305,18 @@ def test_line(refused: Refused, old: str, new: str, message: str) -> None:
         ),
         (
             "speed:",
+            "solver: {residual_flexibility: true, wire_model: lumped}\nspeed:",
+            "scenario.yaml:6: solver.wire_model: not together with residual_flexibility: got lumped,"
+            " expected hermite, or residual_flexibility: false",
+        ),
+        (
+            "speed:",
+            "solver: {residual_flexibility: true, kinematics: updated}\nspeed:",
+            "scenario.yaml:6: solver.kinematics: not together with residual_flexibility: got updated,"
+            " expected linearised, or residual_flexibility: false",
+        ),
+        (
+            "speed:",
             "solver: {scheme: {name: newmark, beta: 0.25, gamma: 0.6}}\nspeed:",
             "scenario.yaml:6: solver.scheme.beta: not unconditionally stable: got 0.25, expected"
             " at least (gamma + 1/2)²/4 = 0.3025",

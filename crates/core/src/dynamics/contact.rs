@@ -10,6 +10,11 @@
 //! eᵀA_p⁻¹e couples the contacts of one rider. a = 1 − α_f, κ = a k + (a γ / β h) c of the link. Dividing by a and κ makes the diagonal blocks
 //! symmetric and the coupling skew, so the matrix is positive definite and the solution unique.
 //!
+//! Where wires yield beyond the mesh ([yields](super::yields)), C is that of s, the contacts have R̃/a as well, and
+//! the coupling to link d has −R_d k/κ in its row, +R_d/a in its column. That is skew but for damping of the
+//! link, κ > a k. The matrix stays positive definite: with D = R_d (1/a − k/κ) ≤ R_d/a, ¼D² is small
+//! against R̃/a + 1/(a k_c) times 1/κ, as R_d² ≤ R/k.
+//!
 //! Stop s of a rider: force σ ≥ 0 against opening s + σ/k_s ≥ 0. It moves its rider alone, so divided
 //! by a it joins the contacts: dᵀA_p⁻¹d + 1/(a k_s), coupled to the contacts of the same rider
 //! by −dᵀA_p⁻¹e in both directions, and to no link. The block stays symmetric and positive definite.
@@ -167,7 +172,8 @@ impl Unilateral {
         let (n, m) = (self.w.len(), contacts.active.len());
         for (j, contact) in contacts.active().enumerate() {
             for (i, other) in contacts.active().enumerate() {
-                let mut response = p.contact_on_contact(&contact.place, &other.place);
+                let residual = p.residual(contact, other) / p.coefficients.stiffness;
+                let mut response = p.contact_on_contact(contact, other) + residual;
                 if other.rider() == contact.rider() {
                     let compliance = f64::from(u8::from(i == j)) * p.contact_compliance;
                     response += inner(&other.vector, &contact.column) + compliance;
@@ -175,9 +181,10 @@ impl Unilateral {
                 self.h[i * n + j] = response;
             }
             for (k, &link) in self.links.iter().enumerate() {
-                let coupling = p.contact_on_link(&contact.place, link);
-                self.h[(m + k) * n + j] = coupling;
-                self.h[j * n + m + k] = -coupling;
+                let (pulled, rise) = (p.contact_on_link(contact, link), contact.yields.of(link));
+                let eased = p.eased(link, rise) / p.link_stiffness[link];
+                self.h[(m + k) * n + j] = pulled - eased;
+                self.h[j * n + m + k] = rise / p.coefficients.stiffness - pulled;
             }
         }
         for (j, &i) in contacts.active.iter().enumerate() {

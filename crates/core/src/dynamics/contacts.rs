@@ -8,6 +8,7 @@ use super::path::Path;
 use super::place::Place;
 use super::rider::{Rider, RiderState, inner};
 use super::strip::Strip;
+use super::yields::Yield;
 use crate::error::CoreError;
 
 /// A strip of a rider on a lane.
@@ -25,6 +26,8 @@ pub struct Contact<const DIM: usize> {
     pub(super) has_wire: bool,
     /// Where it acts, at the time of balance.
     pub(super) place: Place<DIM>,
+    /// What the wire yields there beyond the mesh.
+    pub(super) yields: Yield,
     /// The same before and after the step.
     pub(super) ends: [Place<DIM>; 2],
     /// Lateral place of the wire at the start of the step, m.
@@ -105,6 +108,7 @@ impl<const DIM: usize> Contacts<DIM> {
                     is_new: true,
                     has_wire: false,
                     place: Place::default(),
+                    yields: Yield::default(),
                     ends: [Place::default(); 2],
                     lateral: 0.0,
                     vector: strip.vectors[0].clone(),
@@ -163,7 +167,11 @@ impl<const DIM: usize> Contacts<DIM> {
     ) -> Result<(), CoreError> {
         self.active.clear();
         for (i, contact) in self.all.iter_mut().enumerate() {
-            contact.seek(contact.strip(riders), &lanes[contact.of[2]], u, positions);
+            let lane = &lanes[contact.of[2]];
+            contact.seek(contact.strip(riders), lane, u, positions);
+            if contact.has_wire {
+                contact.yields = lane.yield_at(&contact.place);
+            }
             if contact.meets {
                 self.active.push(i);
             }

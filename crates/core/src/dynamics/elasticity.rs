@@ -7,6 +7,7 @@
 use super::path::Path;
 use super::place::Place;
 use super::still::{Still, StillState};
+use super::yields::Yield;
 use crate::error::CoreError;
 use crate::linalg::dense;
 
@@ -38,7 +39,7 @@ impl<const DIM: usize, const D: usize> Still<'_, DIM, D> {
             });
         }
         let mut hints = vec![0; lanes.len()];
-        let rest = self.solve(&[], &[])?;
+        let rest = self.press(&[], &[])?;
         x.iter()
             .enumerate()
             .map(|(i, &position)| {
@@ -46,7 +47,7 @@ impl<const DIM: usize, const D: usize> Still<'_, DIM, D> {
                 for (lane, hint) in lanes.iter().zip(&mut hints) {
                     if let Some(place) = lane.locate(position, *hint) {
                         *hint = place.element;
-                        places.push(place);
+                        places.push((place, lane.yield_at(&place)));
                     }
                 }
                 match places[..] {
@@ -58,7 +59,7 @@ impl<const DIM: usize, const D: usize> Still<'_, DIM, D> {
                     [place] if force > 0.0 => Ok(self.rises(&[place], &[force], &rest)?[0] / force),
                     _ if force > 0.0 => self.together(&places, force, &rest),
                     _ => {
-                        let w = self.lifts(&places);
+                        let w = self.lifts_with_own(&places);
                         if places.len() == 1 {
                             return Ok(w[0]);
                         }
@@ -70,40 +71,39 @@ impl<const DIM: usize, const D: usize> Still<'_, DIM, D> {
     }
 
     /// Lift of each wire under a unit force on each: W, row by row.
-    fn lifts(&mut self, places: &[Place<DIM>]) -> Vec<f64> {
+    fn lifts_with_own(&self, places: &[(Place<DIM>, Yield)]) -> Vec<f64> {
         let n = places.len();
-        let mut w = vec![0.0; n * n];
-        for (j, place) in places.iter().enumerate() {
-            let u = self.lifted(place);
-            for (i, other) in places.iter().enumerate() {
-                w[i * n + j] = other.displacement(&u, DIM - 1);
-            }
+        let mut w = self.lifts(places);
+        for (i, (_, yields)) in places.iter().enumerate() {
+            w[i * n + i] += yields.own;
         }
         w
     }
 
     fn rises(
         &mut self,
-        places: &[Place<DIM>],
+        places: &[(Place<DIM>, Yield)],
         forces: &[f64],
         rest: &StillState<D>,
     ) -> Result<Vec<f64>, CoreError> {
-        let state = self.solve(places, forces)?;
-        let rise = |place: &Place<DIM>| {
-            place.displacement(&state.u, DIM - 1) - place.displacement(&rest.u, DIM - 1)
+        let state = self.press(places, forces)?;
+        let rise = |((place, yields), force): (&(Place<DIM>, Yield), &f64)| {
+            let moved = place.displacement(&state.u, DIM - 1) - place.displacement(&rest.u, DIM - 1);
+            let pulled = state.raised(self.line, yields) - rest.raised(self.line, yields);
+            moved + pulled + yields.own * force
         };
-        Ok(places.iter().map(rise).collect())
+        Ok(places.iter().zip(forces).map(rise).collect())
     }
 
     /// Common rise per force of several wires: Newton's method on how the force is shared.
     fn together(
         &mut self,
-        places: &[Place<DIM>],
+        places: &[(Place<DIM>, Yield)],
         force: f64,
         rest: &StillState<D>,
     ) -> Result<f64, CoreError> {
         let n = places.len();
-        let alone = shares(&self.lifts(places), n);
+        let alone = shares(&self.lifts_with_own(places), n);
         let mut forces = alone.ok_or_else(yield_as_one)?.0;
         forces.iter_mut().for_each(|f| *f *= force);
         for round in 0..ROUNDS {

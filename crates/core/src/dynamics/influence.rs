@@ -1,38 +1,88 @@
 //! Influence on one another of contacts and links, read from the columns A⁻¹c.
 
+use super::contacts::Contact;
 use super::line::Line;
 use super::place::{Place, slots};
 use super::stepper::Prepared;
+use super::yields::Yield;
 
 impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
-    /// Field of a unit contact force at `place`, read at a node.
+    /// Field of a unit contact force, read at a node.
     #[inline(always)]
-    fn contact_field(&self, place: &Place<DIM>, node: usize) -> [f64; D] {
+    fn contact_field(&self, source: &Contact<DIM>, node: usize) -> [f64; D] {
         let mut field = [0.0; D];
-        for (column, weight) in place.columns::<D>().zip(&place.weights) {
+        let mut add = |column: usize, weight: f64| {
             let value = self.columns.at(column, node);
             for c in 0..D {
                 field[c] += weight * value[c];
             }
+        };
+        for (column, weight) in source.place.columns::<D>().zip(&source.place.weights) {
+            add(column, *weight);
+        }
+        for (link, rise) in source.yields.pulls() {
+            add(self.link_column(link), self.eased(link, rise));
         }
         field
     }
 
-    /// What a unit force at `source` raises the wire at `target` by.
-    pub(super) fn contact_on_contact(&self, source: &Place<DIM>, target: &Place<DIM>) -> f64 {
+    /// R_d k, no number: what a unit contact force takes from the tension of a link.
+    #[inline(always)]
+    pub(super) fn eased(&self, link: usize, rise: f64) -> f64 {
+        rise * self.line.links[link].stiffness
+    }
+
+    /// R between two contacts, m/N.
+    pub(super) fn missing(&self, a: &Contact<DIM>, b: &Contact<DIM>) -> f64 {
+        if a.of == b.of {
+            a.yields.own
+        } else if a.of[2] == b.of[2] {
+            self.lanes[a.of[2]].between(&a.place, &b.place)
+        } else {
+            0.0
+        }
+    }
+
+    /// What links take of R between two places: Σ R_d k R_d, m/N.
+    pub(super) fn carried(&self, a: &Yield, b: &Yield) -> f64 {
+        let by_link = a.pulls().map(|(l, rise)| self.eased(l, rise) * b.of(l));
+        by_link.sum()
+    }
+
+    /// R̃ between two contacts, m/N: see [`yields`](super::yields).
+    pub(super) fn residual(&self, a: &Contact<DIM>, b: &Contact<DIM>) -> f64 {
+        self.missing(a, b) - self.carried(&a.yields, &b.yields)
+    }
+
+    /// sᵀx at a place: height of the wire in a displacement field, but for contact forces and
+    /// corrections.
+    #[inline(always)]
+    pub(super) fn felt(&self, place: &Place<DIM>, yields: &Yield, x: &[[f64; D]]) -> f64 {
+        let mut height = place.displacement(x, DIM - 1);
+        for (link, rise) in yields.pulls() {
+            height += self.eased(link, rise) * self.line.links[link].elongation(x);
+        }
+        height
+    }
+
+    /// What a unit force at `source` raises the wire at `target` by, but for R̃.
+    pub(super) fn contact_on_contact(&self, source: &Contact<DIM>, target: &Contact<DIM>) -> f64 {
         let slots = slots::<DIM, D>();
         let mut sum = 0.0;
         for side in 0..2 {
-            let field = self.contact_field(source, target.nodes[side]);
-            let share =
-                |slot: usize| target.weights[slots * side + slot] * field[slot * DIM + DIM - 1];
+            let field = self.contact_field(source, target.place.nodes[side]);
+            let weights = &target.place.weights;
+            let share = |slot: usize| weights[slots * side + slot] * field[slot * DIM + DIM - 1];
             sum += (0..slots).map(share).sum::<f64>();
+        }
+        for (link, rise) in target.yields.pulls() {
+            sum += self.eased(link, rise) * self.contact_on_link(source, link);
         }
         sum
     }
 
-    /// Elongation of a link for a unit force at `source`.
-    pub(super) fn contact_on_link(&self, source: &Place<DIM>, link: usize) -> f64 {
+    /// Elongation of a link for a unit force at `source`, of the mesh.
+    pub(super) fn contact_on_link(&self, source: &Contact<DIM>, link: usize) -> f64 {
         let line: &Line<DIM, D> = &self.line;
         let l = &line.links[link];
         let upper = self.contact_field(source, l.nodes[0]);

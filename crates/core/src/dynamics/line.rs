@@ -76,6 +76,13 @@ impl<const DIM: usize> LinearLink<DIM> {
         [(a, upper), (b, lower)]
     }
 
+    /// The same times a factor, number by number: node, component, force.
+    pub(super) fn shares(&self, factor: f64) -> impl Iterator<Item = (usize, usize, f64)> {
+        let ([a, b], n) = (self.nodes, self.direction);
+        let ends = [(a, -factor), (b, factor)].into_iter();
+        ends.flat_map(move |(node, force)| (0..DIM).map(move |c| (node, c, force * n[c])))
+    }
+
     /// `f += factor · g`
     pub fn add_to<const D: usize>(&self, factor: f64, f: &mut [[f64; D]]) {
         let [a, b] = self.nodes;

@@ -21,6 +21,8 @@ pub struct LinkMotion {
     pub tension_free: Vec<f64>,
     /// Part of the tension that does not depend on the increment, N.
     old_part: Vec<f64>,
+    /// What forces that are given for the step take from the tension of links: number, N.
+    pub(super) given: Vec<(usize, f64)>,
 }
 
 impl LinkMotion {
@@ -37,6 +39,7 @@ impl LinkMotion {
             tension: zero.clone(),
             tension_free: zero.clone(),
             old_part: zero,
+            given: Vec::new(),
         }
     }
 
@@ -67,10 +70,19 @@ impl LinkMotion {
     ) {
         let old = self.old_part[which.clone()].iter_mut();
         let old = old.zip(&self.elongation[which.clone()]);
-        for ((old, [e, rate, second]), l) in old.zip(&links[which]) {
+        for ((old, [e, rate, second]), l) in old.zip(&links[which.clone()]) {
             let rate = c.velocity_from_v * rate + c.velocity_from_a * second;
             *old = l.rest_tension + l.stiffness * e + l.viscosity * rate;
         }
+        for (link, by) in self.given.iter().filter(|(link, _)| which.contains(link)) {
+            self.old_part[*link] -= by;
+        }
+    }
+
+    /// Take from the tension of a link what a force on the wire beside it takes.
+    #[inline(always)]
+    pub(super) fn ease(&mut self, link: usize, by: f64) {
+        self.old_part[link] -= by;
     }
 
     /// Set the increment of those of some links that lie among the given nodes from a displacement

@@ -6,12 +6,14 @@ use super::live::STEP;
 use super::loads::Loads;
 use super::path::Path;
 use super::place::Place;
+use super::raised::Spot;
 use super::record::{Record, RecordPlan};
 use super::rider::{Rider, RiderState};
 use super::run::{Run, Travel};
 use super::stepper::{LineState, Prepared};
 use crate::error::CoreError;
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 
 /// The parts of a [`Run`] that borrow nothing.
 #[derive(Debug)]
@@ -23,6 +25,7 @@ pub(super) struct Parts<const DIM: usize, const D: usize> {
     pub(super) contacts: Contacts<DIM>,
     datum: f64,
     points: Vec<Place<DIM>>,
+    spots: BTreeMap<usize, Spot<DIM>>,
     watched: Vec<Vec<usize>>,
     gaps: Vec<f64>,
     friction: Vec<f64>,
@@ -40,6 +43,7 @@ impl<const DIM: usize, const D: usize> Parts<DIM, D> {
             contacts: run.contacts,
             datum: run.datum,
             points: run.points,
+            spots: run.spots,
             watched: run.watched,
             gaps: run.gaps,
             friction: run.friction,
@@ -94,6 +98,7 @@ impl<const DIM: usize, const D: usize> Parts<DIM, D> {
             datum: self.datum,
             contacts: self.contacts,
             points: self.points,
+            spots: self.spots,
             watched: self.watched,
             gaps: self.gaps,
             friction: self.friction,

@@ -16,6 +16,7 @@ impl<const DIM: usize, const D: usize> Live<DIM, D> {
             rider.actuator.force = *force;
         }
         parts.check_end(&self.p.lanes, self.travel.positions[STEP + 1])?;
+        parts.state.links.given.clear();
         let old = self.p.coefficients.old;
         let x = &self.travel.positions;
         let balance = (1.0 - old) * x[STEP + 1] + old * x[STEP];
@@ -35,8 +36,12 @@ impl<const DIM: usize, const D: usize> Live<DIM, D> {
                     step: STEP,
                 });
             }
-            let load = &mut self.travel.loads[number];
-            press::<DIM, D>(load, &place, self.travel.friction, forces[number]);
+            let (yields, load) = (lane.yield_at(&place), &mut self.travel.loads[number]);
+            let links = || yields.pulls().map(|(l, rise)| (l, self.p.eased(l, rise)));
+            let eased = links().map(|(link, share)| (link, share * forces[number]));
+            parts.state.links.given.extend(eased);
+            let pulled = links().flat_map(|(link, share)| self.p.line.links[link].shares(share));
+            press::<DIM, D>(load, &place, self.travel.friction, forces[number], pulled);
         }
         Ok(())
     }
@@ -65,19 +70,22 @@ pub(super) fn aside<const DIM: usize, const D: usize>(place: &Place<DIM>, u: &[[
     }
 }
 
-/// Let a load be a force F upwards at a place, with the friction μ F along.
+/// Let a load be a force F upwards at a place, with the friction μ F along, and what it takes from links.
 fn press<const DIM: usize, const D: usize>(
     load: &mut Load,
     place: &Place<DIM>,
     friction: f64,
     force: f64,
+    pulled: impl Iterator<Item = (usize, usize, f64)>,
 ) {
     load.sizes.fill(force);
     let up = place.shares::<D>(DIM - 1);
     let along = place
         .shares::<D>(0)
         .map(|(n, c, share)| (n, c, friction * share));
-    for (part, new) in load.pattern.iter_mut().zip(up.chain(along)) {
+    let rest = std::iter::repeat((0, 0, 0.0));
+    let all = up.chain(along).chain(pulled).chain(rest);
+    for (part, new) in load.pattern.iter_mut().zip(all) {
         *part = new;
     }
 }

@@ -67,6 +67,11 @@ impl Reading {
 impl<const DIM: usize, const D: usize> Live<DIM, D> {
     /// Read the line and the riders where they stand.
     pub(super) fn read(&mut self) -> Result<(), CoreError> {
+        self.read_mesh()?;
+        self.add_raised()
+    }
+
+    fn read_mesh(&mut self) -> Result<(), CoreError> {
         let parts = self.parts.as_ref().ok_or_else(lost)?;
         let (position, speed) = self.place();
         let (out, mut is_sound) = (&mut self.reading, true);

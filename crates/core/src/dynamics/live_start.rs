@@ -11,6 +11,7 @@ use super::rider::Rider;
 use super::run::{Run, Travel};
 use super::stepper::Prepared;
 use super::still::Still;
+use super::yields::MOST;
 use crate::error::CoreError;
 use crate::lcp::{PIVOTS_BASE, PIVOTS_PER_ROW};
 use std::sync::Arc;
@@ -51,14 +52,19 @@ impl<const DIM: usize, const D: usize> Live<DIM, D> {
         };
         let places = collectors.iter().enumerate().map(find);
         let places: Vec<Place<DIM>> = places.collect::<Result<_, _>>()?;
-        let still = Still::new(&p.line)?.solve(&places, forces)?;
+        let pressed = places.iter().map(|place| (*place, p.lanes[0].yield_at(place)));
+        let still = Still::new(&p.line)?.press(&pressed.collect::<Vec<_>>(), forces)?;
         let mut travel = stand(&begin, Vec::new());
-        travel.loads = forces.iter().map(|&force| load::<DIM, D>(force)).collect();
+        let is_rigid = p.lanes[0].yields.is_empty();
+        let links = if is_rigid { 0 } else { MOST };
+        let loads = forces.iter().map(|&force| load::<DIM, D>(force, links));
+        travel.loads = loads.collect();
         let plan = plan();
         let run = Run::blank(&p, &[], &travel, &plan)?;
         let mut parts = Parts::of(run);
         parts.state = p.at_rest(still.u);
         parts.unilateral.correction = still.correction;
+        parts.state.links.given.reserve(links * places.len());
         let reading = Reading::new(Vec::new(), places.len(), 0);
         Self::ready(
             p,
@@ -168,11 +174,11 @@ fn stand(begin: &Begin, distances: Vec<f64>) -> Travel {
     }
 }
 
-/// A load with room for the shares of a force upwards and of one along.
-fn load<const DIM: usize, const D: usize>(force: f64) -> Load {
+/// A load with room for the shares of a force upwards and of one along, and for those that links take.
+fn load<const DIM: usize, const D: usize>(force: f64, links: usize) -> Load {
     let shares = 2 * super::place::slots::<DIM, D>();
     Load {
-        pattern: vec![(0, 0, 0.0); 2 * shares],
+        pattern: vec![(0, 0, 0.0); 2 * shares + 2 * DIM * links],
         sizes: vec![force; STEP + 2],
     }
 }

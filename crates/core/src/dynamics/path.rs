@@ -5,8 +5,10 @@
 
 use super::path_element::{PathElement, element};
 use super::place::Place;
+use super::yields::ElementYield;
 use crate::error::CoreError;
 use crate::statics::assembly::{Geometry, Shape};
+use std::sync::Arc;
 
 /// Elements of a lane in the order of the track, in their static shape.
 #[derive(Debug, Clone)]
@@ -15,13 +17,15 @@ pub struct Path<const DIM: usize> {
     /// The same elements where they have moved to, with updated kinematics; else empty.
     moved: Vec<PathElement<DIM>>,
     /// Nodes of each element.
-    ends: Vec<[usize; 2]>,
+    pub(super) ends: Vec<[usize; 2]>,
     /// Wire of each element, counted along the lane.
-    wires: Vec<usize>,
+    pub(super) wires: Vec<usize>,
     /// Nodes along the lane, wire by wire: each wire has one more than it has elements.
     pub nodes: Vec<usize>,
     /// Number of nodes in the lanes before this one.
     before: usize,
+    /// What each element yields beyond the mesh; empty without residual flexibility.
+    pub(super) yields: Arc<Vec<ElementYield>>,
 }
 
 pub(super) fn refuse(reason: &str) -> CoreError {
@@ -80,6 +84,7 @@ impl<const DIM: usize> Path<DIM> {
             wires: Vec::with_capacity(wires.len()),
             nodes: Vec::with_capacity(wires.len() + 1),
             before: 0,
+            yields: Arc::default(),
         };
         for &number in wires {
             let (element, ends) = element(geometry, shape, number)?;
@@ -207,6 +212,23 @@ impl<const DIM: usize> Path<DIM> {
     /// Place on element `k` with known shape functions; `None` when there is no such element.
     pub(super) fn at(&self, k: usize, weights: [f64; 4]) -> Option<Place<DIM>> {
         (k < self.elements.len()).then(|| self.weighted(k, weights))
+    }
+
+    /// Whether a place is on this lane.
+    pub(super) fn holds(&self, place: &Place<DIM>) -> bool {
+        (self.before..self.before + self.nodes.len()).contains(&place.number)
+    }
+
+    /// The nodes of the lane with their places, those between two elements twice.
+    pub(super) fn ends(&self) -> impl Iterator<Item = (usize, Place<DIM>)> {
+        self.ends.iter().enumerate().flat_map(move |(k, nodes)| {
+            let at = |side: usize| {
+                let mut weights = [0.0; 4];
+                weights[2 * side] = 1.0;
+                (nodes[side], self.weighted(k, weights))
+            };
+            [at(0), at(1)]
+        })
     }
 
     fn weighted(&self, k: usize, weights: [f64; 4]) -> Place<DIM> {

@@ -7,11 +7,13 @@ use super::ledger::{Ledger, StepForces};
 use super::loads::{Load, Loads};
 use super::part::Part;
 use super::place::Place;
+use super::raised::Spot;
 use super::record::{Record, RecordPlan};
 use super::rider::{Rider, RiderState, inner};
 use super::stepper::{LineState, Prepared};
 use crate::error::CoreError;
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 
 /// Motion along the track and laws of the contact.
 #[derive(Debug, Clone)]
@@ -46,6 +48,8 @@ pub(super) struct Run<'a, const DIM: usize, const D: usize> {
     pub(super) datum: f64,
     pub(super) contacts: Contacts<DIM>,
     pub(super) points: Vec<Place<DIM>>,
+    /// Watched nodes on lanes, where wires yield beyond the mesh.
+    pub(super) spots: BTreeMap<usize, Spot<DIM>>,
     /// For each island, which of the watched nodes of the plan lie on it.
     pub(super) watched: Vec<Vec<usize>>,
     pub(super) gaps: Vec<f64>,
@@ -205,7 +209,8 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
             let contact = &self.contacts.all[i];
             let (rider, e) = (&self.riders[contact.rider()], &contact.vector);
             let strip = self.datum + inner(e, &rider.u) + keep * inner(e, &rider.delta);
-            self.gaps[i] = self.wire_at(contact, DIM - 1) - strip;
+            let raised = contact.yields.rise + self.raised_by_links(&contact.yields, keep);
+            self.gaps[i] = self.wire_at(contact, DIM - 1) + raised - strip;
         }
     }
 

@@ -13,7 +13,6 @@
 
 use super::contacts::{Contact, Contacts};
 use super::path::Path;
-use super::place::Place;
 use super::rest::{self, Rest};
 use super::rider::{Rider, inner, times};
 use super::run::Travel;
@@ -99,8 +98,9 @@ impl<'a, const DIM: usize, const D: usize> Start<'a, DIM, D> {
     fn line(&mut self) -> Result<StillState<D>, CoreError> {
         let position = self.travel.positions[0];
         if let Some(still) = &mut self.still {
-            let places: Vec<Place<DIM>> = self.contacts.active().map(|c| c.place).collect();
-            return still.solve(&places, &self.forces);
+            let places = self.contacts.active().map(|c| (c.place, c.yields));
+            let places: Vec<_> = places.collect();
+            return still.press(&places, &self.forces);
         }
         let Some(now) = &self.p.updating else {
             return Err(unshared());
@@ -133,8 +133,12 @@ impl<'a, const DIM: usize, const D: usize> Start<'a, DIM, D> {
 
     /// Height of the wire at a contact above the datum, m.
     fn wire(&self, i: usize, line: &StillState<D>) -> f64 {
-        let place = &self.contact(i).place;
-        place.height + place.displacement(&line.u, DIM - 1) - self.datum
+        let contact = self.contact(i);
+        let (place, yields) = (&contact.place, &contact.yields);
+        let active = self.contacts.active().zip(&self.forces);
+        let pressed = active.map(|(other, force)| self.p.missing(contact, other) * force);
+        let raised = yields.rise + line.raised(&self.p.line, yields) + pressed.sum::<f64>();
+        place.height + place.displacement(&line.u, DIM - 1) + raised - self.datum
     }
 
     /// A rider under its present forces: with one contact at the height of its wire, with several at
@@ -173,15 +177,18 @@ impl<'a, const DIM: usize, const D: usize> Start<'a, DIM, D> {
         let (own, rider, p) = (self.own(j), &self.riders[j], self.p);
         let (n, rest) = (own.len(), self.stand(j, line)?);
         let level = inner(&rider.preload, &rest.u);
-        let places: Vec<Place<DIM>> = own.iter().map(|&i| self.contact(i).place).collect();
-        let slack = p.line.stiffness_without(|link| line.correction[link] > 0.0);
-        let mut h = compliance(&p.line, &BlockLdl::new(&slack)?, &places);
+        let places = own.iter().map(|&i| self.contact(i));
+        let places: Vec<_> = places.map(|c| (c.place, c.yields)).collect();
+        let is_slack = |link: usize| line.correction[link] > 0.0;
+        let slack = p.line.stiffness_without(is_slack);
+        let mut h = compliance(&p.line, &BlockLdl::new(&slack)?, &places, is_slack);
         let rise = rest.respond(rider, vec![0.0; rider.size()], &rider.preload, 1.0)?;
         let (mut q, mut a) = (vec![0.0; n], vec![0.0; n]);
         for (k, &source) in own.iter().enumerate() {
             let push = times(-1.0, &self.contact(source).vector);
             let sunk = rest.respond(rider, push, &rider.preload, 0.0)?;
             for (l, &target) in own.iter().enumerate() {
+                h[l * n + k] += p.missing(self.contact(target), self.contact(source));
                 h[l * n + k] -= inner(&self.contact(target).vector, &sunk);
             }
             h[k * n + k] += p.contact_flexibility;

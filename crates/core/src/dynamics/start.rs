@@ -5,6 +5,7 @@ use super::contacts::Contacts;
 use super::loads::Loads;
 use super::path::Path;
 use super::place::Place;
+use super::raised::spots;
 use super::record::{Record, RecordPlan};
 use super::rest::Rest;
 use super::rider::{Rider, RiderState};
@@ -113,6 +114,7 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
             unilateral: Unilateral::new(count, vec![0.0; links]),
             datum: 0.0,
             points: Vec::new(),
+            spots: spots(&p.lanes, plan),
             watched,
             gaps: vec![0.0; count],
             friction: vec![0.0; count],

@@ -344,6 +344,11 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
             for (column, weight) in place.columns::<D>().zip(&place.weights) {
                 add(column, weight * change);
             }
+            for (link, rise) in contacts.all[j].yields.pulls() {
+                let eased = self.eased(link, rise) * change;
+                add(self.link_column(link), eased);
+                state.links.ease(link, eased);
+            }
         }
         for &link in &unilateral.links {
             let change = unilateral.correction[link] - unilateral.applied_correction[link];

@@ -8,6 +8,7 @@
 
 use super::line::Line;
 use super::place::Place;
+use super::yields::Yield;
 use crate::error::CoreError;
 use crate::lcp::LcpSolver;
 use crate::linalg::BlockLdl;
@@ -34,6 +35,20 @@ pub struct StillState<const D: usize> {
     pub u: Vec<[f64; D]>,
     /// Corrections of the links, N: positive where slack.
     pub correction: Vec<f64>,
+    /// Tensions of the links, N; empty with updated kinematics.
+    pub(super) tension: Vec<f64>,
+}
+
+impl<const D: usize> StillState<D> {
+    /// What links raise a place on a wire by beyond the mesh since the line was at rest, m.
+    pub(super) fn raised<const DIM: usize>(&self, line: &Line<DIM, D>, yields: &Yield) -> f64 {
+        let pulled = yields.pulls().map(|(link, rise)| {
+            let at_rest = &line.links[link];
+            let more = self.tension[link] - at_rest.rest_tension - at_rest.rest_correction();
+            rise * more
+        });
+        pulled.sum()
+    }
 }
 
 impl<'a, const DIM: usize, const D: usize> Still<'a, DIM, D> {
@@ -59,7 +74,8 @@ impl<'a, const DIM: usize, const D: usize> Still<'a, DIM, D> {
         })
     }
 
-    /// Displacement under vertical forces (N, upwards) at places.
+    /// Displacement under vertical forces (N, upwards) at places, of a mesh that yields no more than it
+    /// shows.
     ///
     /// # Errors
     /// [`CoreError::Lcp`] or [`CoreError::SlackSet`], as of step 0.
@@ -68,10 +84,26 @@ impl<'a, const DIM: usize, const D: usize> Still<'a, DIM, D> {
         places: &[Place<DIM>],
         forces: &[f64],
     ) -> Result<StillState<D>, CoreError> {
+        let places = places.iter().map(|place| (*place, Yield::default()));
+        self.press(&places.collect::<Vec<_>>(), forces)
+    }
+
+    /// The same at places where the wire yields beyond the mesh.
+    pub(super) fn press(
+        &mut self,
+        places: &[(Place<DIM>, Yield)],
+        forces: &[f64],
+    ) -> Result<StillState<D>, CoreError> {
         let links = &self.line.links;
         let mut free = vec![[0.0; D]; self.line.nodes()];
-        for (place, &force) in places.iter().zip(forces) {
+        let mut rest: Vec<f64> = links.iter().map(|l| l.rest_tension).collect();
+        for ((place, yields), &force) in places.iter().zip(forces) {
             place.add_force(force, DIM - 1, &mut free);
+            for (link, rise) in yields.pulls() {
+                let eased = links[link].stiffness * rise * force;
+                links[link].add_to(eased, &mut free);
+                rest[link] -= eased;
+            }
         }
         links
             .iter()
@@ -85,23 +117,30 @@ impl<'a, const DIM: usize, const D: usize> Still<'a, DIM, D> {
         for _ in 0..=links.len() {
             let pushes = |i: usize| {
                 let l = &links[i];
-                l.unilateral && l.rest_tension + l.stiffness * l.elongation(&u) < 0.0
+                l.unilateral && rest[i] + l.stiffness * l.elongation(&u) < 0.0
             };
             let new: Vec<usize> = (0..links.len())
                 .filter(|i| !active.contains(i) && pushes(*i))
                 .collect();
             if new.is_empty() {
-                return Ok(StillState { u, correction });
+                let tension = |(i, r): (usize, &f64)| {
+                    rest[i] + links[i].stiffness * links[i].elongation(&u) + r
+                };
+                return Ok(StillState {
+                    tension: correction.iter().enumerate().map(tension).collect(),
+                    u,
+                    correction,
+                });
             }
             active.extend(new);
-            self.correct(&active, &free, &mut u, &mut correction)?;
+            self.correct((&active, &rest), &free, &mut u, &mut correction)?;
         }
         Err(CoreError::SlackSet { step: 0, time: 0.0 })
     }
 
     fn correct(
         &mut self,
-        active: &[usize],
+        (active, rest): (&[usize], &[f64]),
         free: &[[f64; D]],
         u: &mut [[f64; D]],
         correction: &mut [f64],
@@ -118,7 +157,7 @@ impl<'a, const DIM: usize, const D: usize> Still<'a, DIM, D> {
                 h[a * n + b] = -self.pulls.get(j).map_or(0.0, |pull| l.elongation(pull));
             }
             h[a * n + a] += 1.0 / l.stiffness;
-            w[a] = l.rest_tension / l.stiffness + l.elongation(free);
+            w[a] = rest[i] / l.stiffness + l.elongation(free);
         }
         let (mut x, mut y) = (vec![0.0; n], vec![0.0; n]);
         self.solver
@@ -157,33 +196,44 @@ impl<'a, const DIM: usize, const D: usize> Still<'a, DIM, D> {
         }
     }
 
-    /// Displacement under a unit vertical force at a place, for small motion about the state at
-    /// rest: links slack there take no part.
-    pub(super) fn lifted(&mut self, place: &Place<DIM>) -> Vec<[f64; D]> {
-        let mut u = vec![[0.0; D]; self.line.nodes()];
-        place.add_force(1.0, DIM - 1, &mut u);
-        self.line.mask(&mut u);
+    /// Lift of places under unit vertical forces on them, m/N, row by row, for small motion about the
+    /// state at rest: links slack there take no part. R between places is left out.
+    pub(super) fn lifts(&self, places: &[(Place<DIM>, Yield)]) -> Vec<f64> {
         let factor = self.at_rest.as_ref().unwrap_or(&self.factor);
-        factor.solve(&mut u, &mut self.scratch);
-        u
+        let links = &self.line.links;
+        compliance(self.line, factor, places, |link| {
+            links[link].rest_correction() > 0.0
+        })
     }
 }
 
-/// What a unit force at place k raises place i by, m/N; row by row.
+/// What a unit force at place k raises place i by, m/N, but for R between them; row by row. `factor` is
+/// without the links that are slack.
 pub(super) fn compliance<const DIM: usize, const D: usize>(
     line: &Line<DIM, D>,
     factor: &BlockLdl<D>,
-    places: &[Place<DIM>],
+    places: &[(Place<DIM>, Yield)],
+    is_slack: impl Fn(usize) -> bool,
 ) -> Vec<f64> {
     let n = places.len();
     let (mut found, mut scratch) = (vec![0.0; n * n], vec![[0.0; D]; line.nodes()]);
-    for (k, source) in places.iter().enumerate() {
+    let taut = |y: &Yield| y.pulls().filter(|(link, _)| !is_slack(*link)).collect::<Vec<_>>();
+    for (k, (source, pressed)) in places.iter().enumerate() {
         let mut u = vec![[0.0; D]; line.nodes()];
         source.add_force(1.0, DIM - 1, &mut u);
+        for (link, rise) in taut(pressed) {
+            let link = &line.links[link];
+            link.add_to(link.stiffness * rise, &mut u);
+        }
         line.mask(&mut u);
         factor.solve(&mut u, &mut scratch);
-        for (i, target) in places.iter().enumerate() {
-            found[i * n + k] = target.displacement(&u, DIM - 1);
+        for (i, (target, raised)) in places.iter().enumerate() {
+            let mut lift = target.displacement(&u, DIM - 1);
+            for (link, rise) in taut(raised) {
+                let elongation = line.links[link].elongation(&u) - pressed.of(link);
+                lift += line.links[link].stiffness * rise * elongation;
+            }
+            found[i * n + k] = lift;
         }
     }
     found

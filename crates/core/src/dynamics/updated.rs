@@ -181,6 +181,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
             if moved == 0.0 {
                 return Ok(StillState {
                     correction: corrections(&geometry, &shape),
+                    tension: Vec::new(),
                     u,
                 });
             }

@@ -47,7 +47,8 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
     /// Uplift of a node at the time of balance.
     fn node_uplift(&self, node: usize) -> f64 {
         let keep = self.p.coefficients.stiffness;
-        self.state.u[node][DIM - 1] + keep * self.state.delta[node][DIM - 1]
+        let moved = self.state.u[node][DIM - 1] + keep * self.state.delta[node][DIM - 1];
+        moved + self.node_raised(node)
     }
 
     /// Update the extremes of some links.
@@ -96,7 +97,7 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
         for (i, contact) in self.contacts.all.iter().enumerate() {
             let (mut height, mut lateral) = (f64::NAN, f64::NAN);
             if contact.has_wire {
-                height = self.wire_at(contact, DIM - 1);
+                height = self.wire_at(contact, DIM - 1) + self.raised_at(contact, keep);
                 lateral = if DIM < 3 {
                     0.0
                 } else {
@@ -132,7 +133,8 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
                 place.displacement(&self.state.u, c)
                     + keep * place.displacement(&self.state.delta, c)
             };
-            self.record.point_uplift.push(moved(DIM - 1));
+            let raised = self.place_raised(place);
+            self.record.point_uplift.push(moved(DIM - 1) + raised);
             self.record.point_along.push(moved(0));
         }
         let slack = self

@@ -53,6 +53,40 @@ pub fn inverse(a: &[f64], n: usize) -> Option<Vec<f64>> {
     Some(inverse)
 }
 
+/// Cholesky's lower factor of a symmetric matrix; `None` when that is not positive definite.
+#[must_use]
+pub fn cholesky(a: &[f64], n: usize) -> Option<Vec<f64>> {
+    let mut lower = vec![0.0; n * n];
+    for i in 0..n {
+        for j in 0..=i {
+            let known: f64 = (0..j).map(|k| lower[i * n + k] * lower[j * n + k]).sum();
+            let rest = a[i * n + j] - known;
+            lower[i * n + j] = if i == j {
+                rest.sqrt()
+            } else {
+                rest / lower[j * n + j]
+            };
+        }
+        if !(lower[i * n + i].is_finite() && lower[i * n + i] > 0.0) {
+            return None;
+        }
+    }
+    Some(lower)
+}
+
+/// Solve `L Lᵀ x = b` in place.
+pub fn solve_cholesky(lower: &[f64], b: &mut [f64]) {
+    let n = b.len();
+    for i in 0..n {
+        let known: f64 = (0..i).map(|k| lower[i * n + k] * b[k]).sum();
+        b[i] = (b[i] - known) / lower[i * n + i];
+    }
+    for i in (0..n).rev() {
+        let known: f64 = (i + 1..n).map(|k| lower[k * n + i] * b[k]).sum();
+        b[i] = (b[i] - known) / lower[i * n + i];
+    }
+}
+
 /// Whether a symmetric matrix is positive definite to working precision: Cholesky's pivots, each
 /// above the rounding of what was subtracted from it.
 #[must_use]

@@ -100,6 +100,9 @@ impl Alteration {
         }
         for &gone in self.removed.iter().rev() {
             s.links.remove(gone);
+            if let Some(residual) = &mut s.residual {
+                residual.links.remove(gone);
+            }
         }
         if s.wire_loads.is_empty() {
             s.wire_loads = vec![[0.0; 3]; self.load.len()];
@@ -133,6 +136,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
                 Err(error) => return Err(error),
             }
         }
+        settled = geometry.resettle(settled)?;
         Ok((geometry, settled))
     }
 }

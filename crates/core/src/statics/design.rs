@@ -28,6 +28,10 @@ use crate::structure::{SpringMode, Wire};
 /// that hardly stretch.
 const RELAXATIONS: [f64; 2] = [0.4, 0.15];
 
+/// Change of a held height that no longer matters, m: forces of the tolerance times R, a few 1e-6 m/N,
+/// stay below it.
+const HEIGHT: f64 = 1e-9;
+
 impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
     /// Find the unstretched lengths and complete the structure with them; returns the shape.
     ///
@@ -70,7 +74,8 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
             if !worst.0.is_finite() {
                 break;
             }
-            if worst.0 <= tolerance && slack <= tolerance {
+            let moved = self.hold_real_heights(&mut shape);
+            if worst.0 <= tolerance && slack <= tolerance && moved <= HEIGHT {
                 self.complete(&shape, &held, &tensions)?;
                 return Ok(shape);
             }

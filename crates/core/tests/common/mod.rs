@@ -232,6 +232,25 @@ pub fn prepare_any<const DIM: usize, const D: usize>(
     Prepared::new(Line::new(&geometry, shape), lanes, scheme, h, contact).expect("regular")
 }
 
+/// The same with residual flexibility.
+pub fn yielding<const DIM: usize, const D: usize>(
+    (structure, path): (Structure, Vec<usize>),
+    change: impl FnOnce(&mut Structure),
+    scheme: Scheme,
+    h: f64,
+    contact: f64,
+) -> Prepared<DIM, D> {
+    let mut geometry = Geometry::<DIM, D>::new(structure).expect("a valid structure");
+    geometry.add_residual_flexibility().expect("cubic elements");
+    let start = geometry.design().expect("the design converges");
+    change(&mut geometry.structure);
+    let shape = geometry.settle(&start).expect("the equilibrium converges");
+    let lanes = [path];
+    let paths = Path::lanes(&geometry, &shape, &lanes).expect("the wire is a path");
+    let paths = Path::yielding(paths, &geometry, &shape, &lanes);
+    Prepared::new(Line::new(&geometry, shape), paths, scheme, h, contact).expect("regular")
+}
+
 /// One horizontal wire between fixed ends: nodes from left to right, all elements on the path.
 #[derive(Clone, Copy)]
 pub struct Single {
