@@ -4,13 +4,15 @@ use crate::common;
 
 use arcless_core::dynamics::live::{Begin, Collector, Live};
 use arcless_core::dynamics::rider::Rider;
-use arcless_core::dynamics::still::Still;
 use arcless_core::dynamics::stepper::Prepared;
+use arcless_core::dynamics::still::Still;
 use arcless_core::dynamics::strip::Strip;
 use arcless_core::scheme::Scheme;
 use arcless_core::statics::{Alteration, Geometry, Shape};
 use arcless_core::structure::Structure;
-use common::{SPAN, Single, everything, peak, prepare, run, simple_line_of, three_masses, travel};
+use common::{
+    SPAN, Single, difference, everything, peak, prepare, run, simple_line_of, three_masses, travel,
+};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -66,8 +68,16 @@ fn a_wire_yields_as_a_tensioned_beam_also_between_nodes() {
     let exact: Vec<f64> = exact.collect();
     let of = |yields: bool| elasticity(&prepared(WIRE.structure(2), yields), &x);
     // Green's strain couples the force to the stretch, T/EA = 1.5e-3 of the rest of the wire.
-    assert!(worst(&of(true), &exact) < 2e-4, "{}", worst(&of(true), &exact));
-    assert!(worst(&of(false), &exact) > 5e-3, "{}", worst(&of(false), &exact));
+    assert!(
+        worst(&of(true), &exact) < 2e-4,
+        "{}",
+        worst(&of(true), &exact)
+    );
+    assert!(
+        worst(&of(false), &exact) > 5e-3,
+        "{}",
+        worst(&of(false), &exact)
+    );
 }
 
 /// A whole line, droppers and supports too: long elements yield as short ones do, which need no correction.
@@ -92,8 +102,9 @@ fn strips_feel_one_another() {
         speed: 0.0,
         friction: 0.0,
     };
-    let heights = |elements: [f64; 2], yields: bool, position: f64| {
-        let p = Arc::new(prepared(simple_line_of(3, elements), yields));
+    let heights = |elements: usize, yields: bool, position: f64| {
+        let wire = Single { elements, ..WIRE };
+        let p = Arc::new(prepared(wire.structure(2), yields));
         let pair = [0.0, 0.6].map(|behind| Collector {
             behind,
             half_width: f64::INFINITY,
@@ -101,16 +112,17 @@ fn strips_feel_one_another() {
         let live = Live::with_forces(p, pair.into(), &[80.0, 80.0], begin(position));
         live.expect("it stands").reading().height.clone()
     };
-    for position in [72.3, 72.9, 76.4] {
-        let fine = heights([0.15, 0.3], true, position);
+    // On one element, on two, and with a node between them.
+    for position in [28.9, 30.2, 30.5] {
+        let fine = heights(600, true, position);
         let error = |yields: bool| {
-            let found = heights([1.45, 2.9], yields, position);
+            let found = heights(24, yields, position);
             let apart = found.iter().zip(&fine).map(|(a, b)| a - b);
             peak(&apart.collect::<Vec<_>>())
         };
-        // Of some 50 mm; without, each strip misses up to 0.04 ℓ/T = 2.6e-6 m/N of its own force.
-        assert!(error(true) < 3e-5, "{position}: {}", error(true));
-        assert!(error(false) > 2.0 * error(true), "{position}: {}", error(false));
+        // Of some 100 mm; without, each strip misses up to 0.03 ℓ/T of its own force, 0.3 mm.
+        assert!(error(true) < 2e-6, "{position}: {}", error(true));
+        assert!(error(false) > 5e-5, "{position}: {}", error(false));
     }
 }
 
@@ -184,19 +196,29 @@ fn a_contact_that_moves_loses_nothing() {
         H,
         CONTACT,
     );
-    let r = run(&p, &[three_masses(60.0)], &travel(75.0, 145.0, 30.0, H), &everything());
+    let r = run(
+        &p,
+        &[three_masses(60.0)],
+        &travel(75.0, 145.0, 30.0, H),
+        &everything(),
+    );
     assert!(r.slack_max == 0 && r.gap.iter().all(|&g| g == 0.0));
     let last = r.energy.last().expect("a ledger");
     // A step of 1 ms sees the slope of the wire at its middle: an error of its square.
-    assert!(last.switching.abs() < 1e-4 * r.energy_turnover, "{}", last.switching);
+    assert!(
+        last.switching.abs() < 1e-4 * r.energy_turnover,
+        "{}",
+        last.switching
+    );
 }
 
-/// A force that creeps along a wire meets its static height, inside elements as at nodes.
+/// A force that moves along a wire does not notice the elements.
 #[test]
-fn a_force_that_moves_slowly_meets_no_steps() {
-    let ripple = |yields: bool| {
-        let p = Arc::new(prepared(WIRE.structure(2), yields));
-        let (from, speed) = (25.0, 4.0);
+fn a_force_that_moves_meets_no_elements() {
+    let heights = |elements: usize, yields: bool| {
+        let wire = Single { elements, ..WIRE };
+        let p = Arc::new(prepared(wire.structure(2), yields));
+        let (from, speed) = (25.0, 20.0);
         let begin = Begin {
             position: from,
             speed,
@@ -207,20 +229,20 @@ fn a_force_that_moves_slowly_meets_no_steps() {
             half_width: f64::INFINITY,
         };
         let mut live = Live::with_forces(p, vec![one], &[100.0], begin).expect("it stands");
-        let apart = (1..2500).map(|step| {
+        let after = (1..400).map(|step| {
             let x = from + speed * H * f64::from(step);
             live.step(&[100.0], x, speed).expect("a step");
-            // String between fixed ends, less what the rounding of the kink takes.
-            let lambda = (WIRE.tension / WIRE.bending).sqrt();
-            let string = x * (WIRE.length - x) / WIRE.length - 0.5 / lambda;
-            live.reading().height[0] - 100.0 / WIRE.tension * string
+            live.reading().height[0]
         });
-        peak(&apart.collect::<Vec<_>>())
+        after.collect::<Vec<_>>()
     };
-    // (V/c)² = 1e-3 of 64 mm would be a factor on all; the start adds waves of that size: 0.13 mm.
-    assert!(ripple(true) < 1.5e-4, "{}", ripple(true));
-    // Missing: 0.03 ℓ/T · 100 N = 0.34 mm between nodes.
-    assert!(ripple(false) > 2.5e-4, "{}", ripple(false));
+    let fine = heights(400, true);
+    let (with, without) = (heights(24, true), heights(24, false));
+    // Missing: 0.03 ℓ/T · 100 N = 0.34 mm between nodes, twice that as the force moves on; what R leaves is
+    // inertia within the element, a tenth of it.
+    let apart = |found: &[f64]| difference(found, &fine) * peak(&fine);
+    let (with, without) = (apart(&with), apart(&without));
+    assert!(with < 1e-4 && without > 5e-4, "{with:e} {without:e}");
 }
 
 /// Settled under other tensions, R is that of those tensions.
@@ -264,6 +286,9 @@ fn the_design_puts_the_real_wire_where_it_is_drawn() {
         let node = link.nodes[1];
         // The tolerance of the design.
         assert!((real[node][1] - geometry.structure.positions[node][1]).abs() < 2e-9);
-        assert!(real[node][1] - shape[node][1] > 1e-5, "the clamp pulls a kink");
+        assert!(
+            real[node][1] - shape[node][1] > 1e-5,
+            "the clamp pulls a kink"
+        );
     }
 }

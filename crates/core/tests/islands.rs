@@ -124,17 +124,19 @@ fn run(
 
 #[test]
 fn what_sleeps_would_not_have_moved() {
-    [false, true].map(|yields| sleeps_as_if_awake(&two_lengths(yields)));
+    for yields in [false, true] {
+        sleeps_as_if_awake(&two_lengths(yields));
+    }
 }
 
 fn sleeps_as_if_awake(p: &Prepared<2, 4>) {
-    let (plan, sleeping) = (plan(&p), way(1400));
+    let (plan, sleeping) = (plan(p), way(1400));
     let awake = Travel {
         loads: vec![nothing(1400)],
         ..sleeping.clone()
     };
-    let (series, extremes, _) = run(&p, &sleeping, &plan);
-    let (all, all_extremes, _) = run(&p, &awake, &plan);
+    let (series, extremes, _) = run(p, &sleeping, &plan);
+    let (all, all_extremes, _) = run(p, &awake, &plan);
     assert!(series == all && extremes == all_extremes);
 }
 
@@ -173,19 +175,21 @@ fn near(p: &Prepared<2, 4>) -> Near {
 
 #[test]
 fn a_length_left_behind_is_laid_to_rest() {
-    [false, true].map(|yields| is_laid_to_rest(&two_lengths(yields)));
+    for yields in [false, true] {
+        is_laid_to_rest(&two_lengths(yields));
+    }
 }
 
 fn is_laid_to_rest(p: &Prepared<2, 4>) {
-    let whole = plan(&p);
+    let whole = plan(p);
     let some = RecordPlan {
-        near: Some(near(&p)),
+        near: Some(near(p)),
         ..whole.clone()
     };
     // The first one ends at 165 m.
     let travel = way(2300);
     let riders = [three_masses(90.0)];
-    let go = |plan| part(&p, &riders, (&travel, plan), Part::default()).expect("a run");
+    let go = |plan| part(p, &riders, (&travel, plan), Part::default()).expect("a run");
     let ((all, _), (cut, state)) = (go(&whole), go(&some));
     assert_eq!(bits(&all)[..9], bits(&cut)[..9], "contacts and riders");
     // Extremes are those of the time in which it was awake.
@@ -200,7 +204,9 @@ fn is_laid_to_rest(p: &Prepared<2, 4>) {
 
 #[test]
 fn parts_of_such_a_run_are_the_whole() {
-    [false, true].map(|yields| parts_are_the_whole(&two_lengths(yields)));
+    for yields in [false, true] {
+        parts_are_the_whole(&two_lengths(yields));
+    }
 }
 
 fn parts_are_the_whole(p: &Prepared<2, 4>) {
@@ -209,8 +215,8 @@ fn parts_are_the_whole(p: &Prepared<2, 4>) {
         ..plan(p)
     };
     let riders = [three_masses(90.0)];
-    for plan in [&plan(&p), &some] {
+    for plan in [&plan(p), &some] {
         // Before, in and behind the overlap, and where the first one sleeps again.
-        compare(&p, &riders, (&way(2300), plan), &[300, 800, 1290, 2100]);
+        compare(p, &riders, (&way(2300), plan), &[300, 800, 1290, 2100]);
     }
 }

@@ -159,21 +159,22 @@ fn move_as_the_run(p: &Arc<Prepared<2, 4>>) {
 }
 
 /// The rate dz/dt of the place that moves along adds up to the height. The trapezoidal rule misses it by
-/// what happens within single steps: links go slack, the force moves on by 8 cm.
+/// what happens within single steps: links go slack, the force moves on by 8 cm (by 2 cm where kinks are
+/// rounded over 9 cm).
 #[test]
 fn the_rate_is_the_derivative_of_the_height() {
-    rate_is_derivative(&planar(Scheme::generalised_alpha(0.9)));
-    rate_is_derivative(&yielding(Scheme::generalised_alpha(0.9)));
+    rate_is_derivative(&planar(Scheme::generalised_alpha(0.9)), SPEED);
+    rate_is_derivative(&yielding(Scheme::generalised_alpha(0.9)), 0.25 * SPEED);
 }
 
-fn rate_is_derivative(p: &Arc<Prepared<2, 4>>) {
+fn rate_is_derivative(p: &Arc<Prepared<2, 4>>, speed: f64) {
     let mut live = with_forces(p);
     let (mut height, mut sum) = (Vec::new(), vec![0.0]);
     let mut before = 0.0;
     for step in 0..800 {
         let force = 150.0 + 0.1 * step as f64;
-        live.step(&[force, 150.0], position(step + 1), SPEED)
-            .expect("a step");
+        let x = START + speed * H * (step + 1) as f64;
+        live.step(&[force, 150.0], x, speed).expect("a step");
         let rate = live.reading().rate[0];
         if step >= 200 {
             height.push(live.reading().height[0]);

@@ -270,10 +270,7 @@ impl<const DIM: usize, const D: usize> Solved<DIM, D> {
         out.set_item("wire_tension", collect(self.tensions()))?;
         out.set_item("wire_mass", collect(self.masses()))?;
         let length = |l| Geometry::<DIM, D>::link_state(&real, l).length;
-        out.set_item(
-            "link_length",
-            collect(s.links.iter().map(length).collect()),
-        )?;
+        out.set_item("link_length", collect(s.links.iter().map(length).collect()))?;
         out.set_item(
             "link_rest_length",
             collect(s.links.iter().map(|l| l.rest_length).collect()),

@@ -147,8 +147,8 @@ class Solver(Part):
     residual_flexibility: bool = Field(
         default=False,
         strict=True,
-        description="Add what cubic elements yield too little under droppers, supports and contacts:"
-        " with linearised kinematics and wires of cubic elements.",
+        description="Add what cubic elements yield too little under droppers, supports and"
+        " contacts: with linearised kinematics and wires of cubic elements.",
     )
     kinematics: Literal["linearised", "updated"] = Field(
         default="linearised",

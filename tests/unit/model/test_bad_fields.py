@@ -306,14 +306,14 @@ def test_line(refused: Refused, old: str, new: str, message: str) -> None:
         (
             "speed:",
             "solver: {residual_flexibility: true, wire_model: lumped}\nspeed:",
-            "scenario.yaml:6: solver.wire_model: not together with residual_flexibility: got lumped,"
-            " expected hermite, or residual_flexibility: false",
+            "scenario.yaml:6: solver.wire_model: not together with residual_flexibility: got"
+            " lumped, expected hermite, or residual_flexibility: false",
         ),
         (
             "speed:",
             "solver: {residual_flexibility: true, kinematics: updated}\nspeed:",
-            "scenario.yaml:6: solver.kinematics: not together with residual_flexibility: got updated,"
-            " expected linearised, or residual_flexibility: false",
+            "scenario.yaml:6: solver.kinematics: not together with residual_flexibility: got"
+            " updated, expected linearised, or residual_flexibility: false",
         ),
         (
             "speed:",

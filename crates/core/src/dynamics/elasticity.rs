@@ -88,7 +88,8 @@ impl<const DIM: usize, const D: usize> Still<'_, DIM, D> {
     ) -> Result<Vec<f64>, CoreError> {
         let state = self.press(places, forces)?;
         let rise = |((place, yields), force): (&(Place<DIM>, Yield), &f64)| {
-            let moved = place.displacement(&state.u, DIM - 1) - place.displacement(&rest.u, DIM - 1);
+            let moved =
+                place.displacement(&state.u, DIM - 1) - place.displacement(&rest.u, DIM - 1);
             let pulled = state.raised(self.line, yields) - rest.raised(self.line, yields);
             moved + pulled + yields.own * force
         };

@@ -33,7 +33,9 @@ impl<const DIM: usize, const D: usize> Live<DIM, D> {
                 }
             }
             let rates = &parts.state.links.elongation;
-            let pulled = yields.pulls().map(|(l, rise)| self.p.eased(l, rise) * rates[l][1]);
+            let pulled = yields
+                .pulls()
+                .map(|(l, rise)| self.p.eased(l, rise) * rates[l][1]);
             let rate = pulled.sum::<f64>() + if way > 0.0 { speed * slope / way } else { 0.0 };
             self.reading.height[number] += here;
             self.reading.rate[number] += rate;
@@ -53,7 +55,11 @@ impl<const DIM: usize, const D: usize> Live<DIM, D> {
             Some(c) => (0, position - c.behind, self.places[number].element),
             None => {
                 let contact = &parts.contacts.all[number];
-                (contact.of[2], contact.along(position), contact.ends[1].element)
+                (
+                    contact.of[2],
+                    contact.along(position),
+                    contact.ends[1].element,
+                )
             }
         };
         let place = self.p.lanes[lane].locate(x + shift, near)?;
@@ -74,7 +80,13 @@ impl<const DIM: usize, const D: usize> Live<DIM, D> {
             p.eased(l, rise) * parts.state.links.elongation[l][0] + rise * slack
         };
         let mut height = yields.rise + yields.pulls().map(by_link).sum::<f64>();
-        for (number, force) in self.reading.force.iter().enumerate().filter(|(_, f)| **f != 0.0) {
+        for (number, force) in self
+            .reading
+            .force
+            .iter()
+            .enumerate()
+            .filter(|(_, f)| **f != 0.0)
+        {
             if let Some((other, at, of)) = self.spot(parts, number, shift) {
                 let missing = if other == lane {
                     p.lanes[lane].between(place, &at)

@@ -52,7 +52,9 @@ impl<const DIM: usize, const D: usize> Live<DIM, D> {
         };
         let places = collectors.iter().enumerate().map(find);
         let places: Vec<Place<DIM>> = places.collect::<Result<_, _>>()?;
-        let pressed = places.iter().map(|place| (*place, p.lanes[0].yield_at(place)));
+        let pressed = places
+            .iter()
+            .map(|place| (*place, p.lanes[0].yield_at(place)));
         let still = Still::new(&p.line)?.press(&pressed.collect::<Vec<_>>(), forces)?;
         let mut travel = stand(&begin, Vec::new());
         let is_rigid = p.lanes[0].yields.is_empty();

@@ -217,7 +217,11 @@ pub(super) fn compliance<const DIM: usize, const D: usize>(
 ) -> Vec<f64> {
     let n = places.len();
     let (mut found, mut scratch) = (vec![0.0; n * n], vec![[0.0; D]; line.nodes()]);
-    let taut = |y: &Yield| y.pulls().filter(|(link, _)| !is_slack(*link)).collect::<Vec<_>>();
+    let taut = |y: &Yield| {
+        y.pulls()
+            .filter(|(link, _)| !is_slack(*link))
+            .collect::<Vec<_>>()
+    };
     for (k, (source, pressed)) in places.iter().enumerate() {
         let mut u = vec![[0.0; D]; line.nodes()];
         source.add_force(1.0, DIM - 1, &mut u);

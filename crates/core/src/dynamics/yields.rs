@@ -107,7 +107,10 @@ struct Sources {
 }
 
 impl Sources {
-    fn new<const DIM: usize, const D: usize>(geometry: &Geometry<DIM, D>, shape: &Shape<D>) -> Self {
+    fn new<const DIM: usize, const D: usize>(
+        geometry: &Geometry<DIM, D>,
+        shape: &Shape<D>,
+    ) -> Self {
         let all = geometry.point_forces(shape);
         let mut links = vec![Vec::new(); geometry.nodes()];
         for (number, link) in geometry.structure.links.iter().enumerate() {
@@ -195,7 +198,11 @@ impl<const DIM: usize> Path<DIM> {
 
     /// R between two places on the lane, m/N.
     pub(super) fn between(&self, a: &Place<DIM>, b: &Place<DIM>) -> f64 {
-        let (first, second) = if a.element <= b.element { (a, b) } else { (b, a) };
+        let (first, second) = if a.element <= b.element {
+            (a, b)
+        } else {
+            (b, a)
+        };
         let Some(own) = self.yields.get(first.element) else {
             return 0.0;
         };

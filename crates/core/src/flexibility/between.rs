@@ -91,9 +91,8 @@ impl Between {
     /// At two places on different elements, m/N.
     #[must_use]
     pub fn at(&self, x: &Shapes, y: &Shapes) -> f64 {
-        let form = |a: &Square, x: &Ends, y: &Ends| -> f64 {
-            (0..4).map(|i| x[i] * dot(&a[i], y)).sum()
-        };
+        let form =
+            |a: &Square, x: &Ends, y: &Ends| -> f64 { (0..4).map(|i| x[i] * dot(&a[i], y)).sum() };
         form(&self.exact, &x.exact, &y.exact) - form(&self.mesh, &x.mesh, &y.mesh)
     }
 
@@ -216,9 +215,15 @@ mod tests {
         for ahead in [1, 2] {
             let pair = Between::of(&patch, &responses, 5 + ahead);
             let at = x0 + (ahead as f64 + 0.4) * LENGTH;
-            close(pair.at(&shapes(0.3), &shapes(0.4)), direct(x0 + 0.3 * LENGTH, at));
+            close(
+                pair.at(&shapes(0.3), &shapes(0.4)),
+                direct(x0 + 0.3 * LENGTH, at),
+            );
         }
         let field = Field::of(&patch, &responses, 7);
-        close(field.at(&shapes(0.8)), direct(x0 + 0.8 * LENGTH, x0 + 2.0 * LENGTH));
+        close(
+            field.at(&shapes(0.8)),
+            direct(x0 + 0.8 * LENGTH, x0 + 2.0 * LENGTH),
+        );
     }
 }

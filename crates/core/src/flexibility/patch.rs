@@ -118,7 +118,8 @@ impl<'a> Patch<'a> {
     #[must_use]
     pub fn ends(&self, of: &Response, wire: usize) -> [Ends; 2] {
         let places = &self.web.wires[wire].1;
-        [&of.mesh, &of.exact].map(|x| places.map(|place| self.unknowns.get(&place).map_or(0.0, |&i| x[i])))
+        [&of.mesh, &of.exact]
+            .map(|x| places.map(|place| self.unknowns.get(&place).map_or(0.0, |&i| x[i])))
     }
 
     /// Displacement of a node: of the mesh and exact.

@@ -310,7 +310,11 @@ pub fn add_pair<const DIM: usize, const D: usize>(
 }
 
 /// Weight of a wire element, ∫ Sₖ μ g ds, as an internal force (it points up in the residual).
-pub(super) fn add_weight<const DIM: usize>(wire: &Wire, gravity: f64, force: &mut Coordinates<DIM>) {
+pub(super) fn add_weight<const DIM: usize>(
+    wire: &Wire,
+    gravity: f64,
+    force: &mut Coordinates<DIM>,
+) {
     let l = wire.section.rest_length;
     let w = wire.mass * gravity * l;
     for (k, factor) in [0.5, l / 12.0, 0.5, -l / 12.0].into_iter().enumerate() {

@@ -86,7 +86,11 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         let mut set = |stiffness: &mut f64, given: f64, r: f64| {
             let new = given / (1.0 + given * r);
             let change = (new - *stiffness).abs();
-            most = most.max(if change > 0.0 { change / given.abs() } else { 0.0 });
+            most = most.max(if change > 0.0 {
+                change / given.abs()
+            } else {
+                0.0
+            });
             *stiffness = new;
         };
         for (link, &given) in s.links.iter_mut().zip(&residual.links) {
