@@ -262,6 +262,8 @@ fn after_changes_the_line_yields_with_its_own_tension() {
         load: vec![[0.0; 3]; s.wires.len()],
         link_factor: vec![1.0; s.links.len()],
         link_offset: vec![0.0; s.links.len()],
+        spring_offset: vec![0.0; s.springs.len()],
+        strut_offset: vec![0.0; s.struts.len()],
         removed: vec![3],
     };
     let (altered, _): (_, Shape<4>) = geometry.altered(&shape, &longer).expect("it settles");
