@@ -15,6 +15,7 @@ Run = Callable[..., Result]
 Short = Callable[..., Scenario]
 
 ON: dict[str, Any] = {"solver.residual_flexibility": True}
+RIGID = {"name": "generalised-alpha", "spectral_radius": 0.0}
 LONG = {"solver.contact_wire_element": 1.45, "solver.messenger_wire_element": 2.9}
 FINE = {"solver.contact_wire_element": 0.3, "solver.messenger_wire_element": 0.5}
 
@@ -52,18 +53,18 @@ def test_energy_is_kept(run: Run) -> None:
 @pytest.mark.parametrize(
     "changes",
     [
-        {"as_built": {"dropper_length_errors": [{"span": 3, "dropper": 2, "error": "20 mm"}]}},
-        {"contact.law": "rigid", "solver.scheme": {"name": "generalised-alpha", "spectral_radius": 0.0}},
+        {"as_built": {"dropper_length_errors": [{"span": 3, "dropper": 2, "length_error": "20 mm"}]}},
+        {"contact.law": "rigid", "solver.scheme": RIGID},
         {"solver.dimension": "spatial"},
         {"output.points": [100.0, 101.3]},
     ],
     ids=["as built", "rigid", "in space", "points"],
 )
 def test_it_goes_with_other_choices(run: Run, changes: dict[str, Any]) -> None:
-    on, off = (run(**changes, **some) for some in (ON, {}))
+    on, off = (run(**LONG, **changes, **some) for some in (ON, {}))
     assert not np.array_equal(force(on), force(off))
-    # Some newtons, where single droppers slacken at other instants.
-    assert np.std(force(on) - force(off)) < 0.15 * np.std(force(off))
+    # Some newtons of 15 N: that is what long elements are wrong by.
+    assert np.std(force(on) - force(off)) < 0.4 * np.std(force(off))
     if "output.points" in changes:
         uplift = [r.dataset["point_uplift"].values.max(axis=0) for r in (on, off)]
         np.testing.assert_allclose(uplift[0], uplift[1], rtol=0.1)
@@ -73,7 +74,7 @@ def test_statics_and_dynamics_agree_on_the_elasticity(short: Short) -> None:
     """A pantograph that stands lifts the wire by its force times the elasticity, also with R."""
     found = statics(short(**ON))
     without = statics(short())
-    e, plain = (np.array(s.elasticity["m_per_N"]) for s in (found, without))
+    e, plain = (np.array(s.elasticity_m_per_N) for s in (found, without))
     # More by up to 0.03 of an element over T at the contact and at droppers: 2 % of 0.3 mm/N.
     assert np.all(e > plain * 0.999)
     assert 1.002 < np.mean(e / plain) < 1.05

@@ -38,8 +38,8 @@ impl<const D: usize> Ledger<D> {
             let aside = force * contact.slid;
             // Height of the wire under the contact, before and after the step.
             let height = |q: &Place<DIM>, y: &Yield, back: f64| {
-                let moved = p.felt(q, y, &state.u) - back * p.felt(q, y, &state.delta);
-                q.height + y.rise + moved
+                let height = q.height + y.rise + p.felt(q, y, &state.u);
+                height - back * p.felt(q, y, &state.delta)
             };
             let rise = height(after, &felt_after, 0.0) - height(before, &felt_before, 1.0);
             // Of the contact that moves while the wire does, the scheme keeps a share (½ − α_f).
