@@ -53,7 +53,7 @@ def test_energy_is_kept(run: Run) -> None:
 @pytest.mark.parametrize(
     "changes",
     [
-        {"as_built": {"dropper_length_errors": [{"span": 3, "dropper": 2, "length_error": "20 mm"}]}},
+        {"as_built.dropper_length_errors": [{"span": 3, "dropper": 2, "length_error": "20 mm"}]},
         {"contact.law": "rigid", "solver.scheme": RIGID},
         {"solver.dimension": "spatial"},
         {"output.points": [100.0, 101.3]},
@@ -62,9 +62,10 @@ def test_energy_is_kept(run: Run) -> None:
 )
 def test_it_goes_with_other_choices(run: Run, changes: dict[str, Any]) -> None:
     on, off = (run(**LONG, **changes, **some) for some in (ON, {}))
-    assert not np.array_equal(force(on), force(off))
-    # Some newtons of 15 N: that is what long elements are wrong by.
-    assert np.std(force(on) - force(off)) < 0.4 * np.std(force(off))
+    fine = force(run(**FINE, **changes, **ON))
+    with_it, without = (np.std(force(result) - fine) for result in (on, off))
+    # Measured: a third to a half, in the rigid contact of whole newtons.
+    assert with_it < 0.7 * without
     if "output.points" in changes:
         uplift = [r.dataset["point_uplift"].values.max(axis=0) for r in (on, off)]
         np.testing.assert_allclose(uplift[0], uplift[1], rtol=0.1)
