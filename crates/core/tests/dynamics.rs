@@ -3,6 +3,8 @@
 use crate::common;
 
 use arcless_core::dynamics::line::Line;
+use arcless_core::dynamics::path::Path;
+use arcless_core::linalg::dense::tridiagonal_eigenvalues;
 use arcless_core::statics::Geometry;
 use common::Single;
 use common::space::in_space;
@@ -117,4 +119,67 @@ fn a_structure_of_few_modes_has_few_frequencies() {
     };
     // Two free slopes of two components.
     assert_eq!(frequencies(&s, 20).len(), 4);
+}
+
+/// Eigenvalues θ of a tridiagonal matrix, and squares of the first components of its eigenvectors:
+/// Π (θ − μ)/Π (θ − θ′) over the eigenvalues μ of the matrix without its first row and column.
+fn gauss_rule(diagonal: &[f64], off: &[f64]) -> Vec<(f64, f64)> {
+    let all = tridiagonal_eigenvalues(diagonal, off);
+    let rest = tridiagonal_eigenvalues(&diagonal[1..], &off[1..]);
+    let weight = |j: usize| -> f64 {
+        let others = all.iter().enumerate().filter(|&(k, _)| k != j);
+        let pairs = others.zip(&rest);
+        pairs
+            .map(|((_, other), mu)| (all[j] - mu) / (all[j] - other))
+            .product()
+    };
+    (0..all.len()).map(|j| (all[j], weight(j))).collect()
+}
+
+/// A force in the middle of a string of lift e = L/4T there moves its odd modes only, mode n by
+/// 8/π²n² of e.
+#[test]
+fn modes_that_a_force_moves() {
+    let s = Single {
+        elements: 40,
+        bending: 0.0,
+        ..WIRE
+    };
+    let (structure, path) = s.structure(2);
+    let mut g = Geometry::<2, 4>::new(structure).expect("a valid structure");
+    let shape = g.design().expect("the design converges");
+    let lanes = Path::lanes(&g, &shape, &[path]).expect("a path");
+    let line = Line::new(&g, shape);
+    let middle = lanes[0].locate(0.5 * s.length, 0).expect("on the wire");
+    let found = line.modes_moved(&[middle], 20).expect("regular");
+    let mut rule = gauss_rule(&found.diagonal, &found.off);
+    // Even modes have nothing but rounding; mode 5 has (1/5)⁴ of what mode 1 has.
+    rule.retain(|&(_, weight)| weight > 1e-4);
+    rule.reverse();
+    let lift = 0.25 * s.length / s.tension;
+    for (k, (square, weight)) in rule.into_iter().take(3).enumerate() {
+        let n = 2 * k + 1;
+        let f = 1.0 / (square.sqrt() * 2.0 * PI);
+        // Cubic elements of an eighth of the shortest half wave.
+        assert!((f / exact(&s, n) - 1.0).abs() < 1e-5, "{n}: {f} Hz");
+        let share = found.squared_length * weight / square / lift;
+        // Half the wire's stretch of 0.15 %.
+        assert!(
+            (share * (PI * n as f64).powi(2) / 8.0 - 1.0).abs() < 2e-3,
+            "{n}: {share}"
+        );
+    }
+}
+
+#[test]
+fn a_force_on_a_fixed_node_moves_no_mode() {
+    let (structure, path) = WIRE.structure(2);
+    let mut g = Geometry::<2, 4>::new(structure).expect("a valid structure");
+    let shape = g.design().expect("the design converges");
+    let lanes = Path::lanes(&g, &shape, &[path]).expect("a path");
+    let end = lanes[0].locate(0.0, 0).expect("on the wire");
+    let line = Line::new(&g, shape);
+    let found = line.modes_moved(&[end], 30).expect("regular");
+    assert!(found.squared_length.abs() < f64::MIN_POSITIVE);
+    assert!(found.diagonal.is_empty() && found.off.is_empty());
 }

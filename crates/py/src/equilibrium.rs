@@ -9,6 +9,7 @@ use arcless_core::dynamics::path::Path;
 use arcless_core::dynamics::stepper;
 use arcless_core::dynamics::still::Still;
 use arcless_core::element::hermite;
+use arcless_core::linalg::lanczos::Recurrence;
 use arcless_core::scheme::Scheme;
 use arcless_core::statics::{Alteration, Geometry, Shape, assembly};
 use numpy::{PyReadonlyArray2, ToPyArray};
@@ -124,6 +125,20 @@ impl Equilibrium {
         found.map_err(|e| convert(py, &e))
     }
 
+    /// Modes that a vertical force of 1 N at coordinate `x` moves, shared alike by the wires of `lanes`:
+    /// square of the start vector's length, diagonal and off-diagonal of Lanczos' matrix of 1/ω².
+    fn modes_moved(
+        &self,
+        py: Python<'_>,
+        lanes: Vec<Vec<usize>>,
+        x: f64,
+        steps: usize,
+    ) -> PyResult<(f64, Vec<f64>, Vec<f64>)> {
+        let found = py.detach(|| either!(&self.0, s => s.modes_moved(&lanes, x, steps)));
+        let found = found.map_err(|e| convert(py, &e))?;
+        Ok((found.squared_length, found.diagonal, found.off))
+    }
+
     /// Factorise for stepping: wire elements of each lane in the order of the track, scheme as name and parameters, step in s, contact stiffness in N/m
     /// (infinite when rigid), updated or linearised kinematics, and whether the mass of the wires is
     /// corrected for the period error of the scheme.
@@ -226,6 +241,24 @@ impl<const DIM: usize, const D: usize> Solved<DIM, D> {
 
     fn frequencies(&self, count: usize) -> Result<Vec<f64>, CoreError> {
         self.line().frequencies(count)
+    }
+
+    fn modes_moved(
+        &self,
+        lanes: &[Vec<usize>],
+        x: f64,
+        steps: usize,
+    ) -> Result<Recurrence, CoreError> {
+        let lanes = self.lanes(lanes)?;
+        let places: Vec<_> = lanes.iter().filter_map(|lane| lane.locate(x, 0)).collect();
+        if places.is_empty() {
+            return Err(CoreError::OffWire {
+                rider: 0,
+                position: x,
+                step: 0,
+            });
+        }
+        self.line().modes_moved(&places, steps)
     }
 
     fn prepare(

@@ -1,6 +1,7 @@
 //! Natural frequencies of a line at rest.
 
 use super::line::Line;
+use super::place::Place;
 use crate::error::CoreError;
 use crate::linalg::{BlockLdl, lanczos};
 
@@ -25,5 +26,30 @@ impl<const DIM: usize, const D: usize> Line<DIM, D> {
         Ok(lanczos::lowest_frequencies(
             &factor, mass, nodes, free, count, below,
         ))
+    }
+    /// The modes that a vertical force of 1 N moves, shared alike by `places`: Lanczos' process begun
+    /// with the displacement under it. Links that are slack at rest take no part.
+    ///
+    /// # Errors
+    /// [`CoreError::Singular`] when the line is loose.
+    pub fn modes_moved(
+        &self,
+        places: &[Place<DIM>],
+        steps: usize,
+    ) -> Result<lanczos::Recurrence, CoreError> {
+        let k = self.stiffness_at_rest();
+        let factor = BlockLdl::new(&k.unwrap_or_else(|| self.combine(0.0, 0.0, 1.0)))?;
+        let (mut start, mut scratch) = (self.zeros(), self.zeros());
+        for place in places {
+            place.add_force(1.0 / places.len() as f64, DIM - 1, &mut start);
+        }
+        self.mask(&mut start);
+        factor.solve(&mut start, &mut scratch);
+        let free = |i: usize, c: usize| self.free[i][c];
+        Ok(lanczos::begun_with(&factor, &self.mass, free, start, steps))
+    }
+
+    fn zeros(&self) -> Vec<[f64; D]> {
+        vec![[0.0; D]; self.nodes()]
     }
 }

@@ -7,6 +7,14 @@
 //! Of modes with the same frequency, or nearly, one start vector holds one combination: the others
 //! grow out of rounding and come late. So modes are counted: K − σM has as many negative pivots as
 //! there are squares ω² below σ (Sylvester's law of inertia).
+//!
+//! Begun with x₀ = K⁻¹b instead, the process sees the modes that a force b moves, each as far as it
+//! does so: x₀ has the part φᵀb/ω² of mode φ. So the eigenvalues θ of the tridiagonal matrix, with
+//! squares τ of the first components of its eigenvectors, are a Gauss rule of the flexibility,
+//!
+//!   bᵀ(K − σM)⁻¹b = Σ (φᵀb)²/(ω² − σ) ≈ |x₀|² Σ (τ/θ)/(1 − θσ),   |x₀|² = x₀ᵀM x₀
+//!
+//! Source: Golub & Meurant, Matrices, Moments and Quadrature, chapters 6 and 7.
 
 use super::{BlockLdl, MassMatrix, dense};
 
@@ -68,6 +76,44 @@ pub fn lowest_frequencies<const DIM: usize, const D: usize>(
         .filter(|&&v| v > 0.0)
         .map(|v| 1.0 / (v.sqrt() * std::f64::consts::TAU))
         .collect()
+}
+
+/// Lanczos' process begun with one vector: its matrix, and the square of the vector's length.
+#[derive(Debug, Clone)]
+pub struct Recurrence {
+    /// |x₀|² = x₀ᵀM x₀.
+    pub squared_length: f64,
+    /// Diagonal of the tridiagonal matrix, s².
+    pub diagonal: Vec<f64>,
+    /// What is beside the diagonal, s².
+    pub off: Vec<f64>,
+}
+
+/// `steps` steps of the process begun with `start`, m; fewer when there are fewer modes, none for a
+/// start of zeros.
+#[must_use]
+pub fn begun_with<const DIM: usize, const D: usize>(
+    stiffness: &BlockLdl<D>,
+    mass: &MassMatrix<DIM, D>,
+    free: impl Fn(usize, usize) -> bool,
+    start: Vec<[f64; D]>,
+    steps: usize,
+) -> Recurrence {
+    let mut process = Process::new(stiffness, mass, start.len(), free);
+    process.vector = start;
+    let squared_length = process.weighted().1.powi(2);
+    process.extend(steps);
+    let (mut diagonal, mut off) = (process.diagonal, process.off);
+    // Beyond a coupling of zero are modes that the start has no part of.
+    if let Some(end) = off.iter().position(|&coupling| coupling <= 0.0) {
+        diagonal.truncate(end + 1);
+        off.truncate(end);
+    }
+    Recurrence {
+        squared_length,
+        diagonal,
+        off,
+    }
 }
 
 /// Whether the first values stand still and none is missing among them.

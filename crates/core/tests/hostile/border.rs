@@ -171,6 +171,13 @@ fn read_at_rest<const DIM: usize, const D: usize>(
     if let Some(found) = told(line.frequencies(feed.below(9))) {
         assert_finite("frequencies", found);
     }
+    let places: Vec<_> = paths
+        .iter()
+        .filter_map(|path| path.locate(x[0], 0))
+        .collect();
+    if let Some(found) = told(line.modes_moved(&places, 9)) {
+        assert_finite("modes moved", found.diagonal.into_iter().chain(found.off));
+    }
 }
 
 fn prepared<const DIM: usize, const D: usize>(
