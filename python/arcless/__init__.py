@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from arcless.simulate.batch import Outcome, batch
     from arcless.simulate.control import ControlInput
     from arcless.simulate.realtime import Realtime, RealtimeState, realtime
+    from arcless.simulate.resonance import ResonanceSpeeds, resonance_speeds
     from arcless.simulate.run import resume, run
     from arcless.simulate.statics import statics
 
@@ -50,6 +51,7 @@ __all__ = [
     "OutputError",
     "Realtime",
     "RealtimeState",
+    "ResonanceSpeeds",
     "Result",
     "ResultFormatError",
     "Scenario",
@@ -67,6 +69,7 @@ __all__ = [
     "open",
     "realtime",
     "report",
+    "resonance_speeds",
     "results",
     "resume",
     "run",
@@ -94,8 +97,10 @@ _SIMULATE = {
     "Outcome",
     "Realtime",
     "RealtimeState",
+    "ResonanceSpeeds",
     "batch",
     "realtime",
+    "resonance_speeds",
     "resume",
     "run",
     "statics",

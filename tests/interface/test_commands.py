@@ -148,6 +148,7 @@ def test_statics_prints_tables_and_json(arcless: Arcless, short: Path, tmp_path:
     printed = arcless("statics", short)
     assert printed.exit_code == 0
     assert "Droppers of span" in printed.stdout
+    assert "Resonance speeds" in printed.stdout
     assert "wave speed" in printed.stdout
 
 

@@ -26,6 +26,8 @@ def blocks(name: str, found: dict[str, Any]) -> "Iterator[RenderableType]":
     if bridles:
         yield _clamped("Bridles there", "hang at / m", "hangs_at_m", bridles)
     yield _summary(name, found)
+    if found["resonance_speeds"]["speeds"]:
+        yield _resonance(found["resonance_speeds"])
 
 
 def _droppers(droppers: list[dict[str, Any]], span: int, spans: int) -> "RenderableType":
@@ -74,6 +76,23 @@ def _supports(supports: list[dict[str, Any]]) -> "RenderableType":
             number(support["contact_wire_height_m"], 4),
             number(support[f"{held}_force_N"], 1),
             number(support["steady_arm_force_N"], 1),
+        )
+    return made
+
+
+def _resonance(found: dict[str, Any]) -> "RenderableType":
+    columns = ("speed / km/h", "from", "to", "f / Hz", "formula")
+    made = table("Resonance speeds", "what", "which", *columns, numbers=columns[:-1])
+    for one in found["speeds"]:
+        ends = (one["lowest_speed_m_s"], one["highest_speed_m_s"])
+        band = ends if ends[0] < ends[1] else (None, None)
+        made.add_row(
+            one["kind"],
+            one["name"],
+            number(3.6 * one["speed_m_s"], 0),
+            *(number(None if end is None else 3.6 * end, 0) for end in band),
+            number(one["frequency_Hz"], 2),
+            one["formula"],
         )
     return made
 

@@ -3,6 +3,7 @@
 from arcless.simulate.batch import Outcome, batch
 from arcless.simulate.control import ControlInput
 from arcless.simulate.realtime import Realtime, RealtimeState, realtime
+from arcless.simulate.resonance import ResonanceSpeeds, resonance_speeds
 from arcless.simulate.run import resume, run
 from arcless.simulate.statics import StaticsResult, statics
 from arcless.simulate.streaming import is_long
@@ -12,10 +13,12 @@ __all__ = [
     "Outcome",
     "Realtime",
     "RealtimeState",
+    "ResonanceSpeeds",
     "StaticsResult",
     "batch",
     "is_long",
     "realtime",
+    "resonance_speeds",
     "resume",
     "run",
     "statics",

@@ -108,6 +108,11 @@ class Equilibrium:
         with named(self.mesh):
             return np.array(self.core.frequencies(count))
 
+    def lanes_at(self, x: float) -> list[list[int]]:
+        """Lanes whose wires a strip below touches at a position in m."""
+        within = self._within_reach(np.array([x]))[0]
+        return [lane for lane, is_in in zip(self.mesh.lanes, within, strict=True) if is_in]
+
     def wave_speed(self) -> float:
         """Lowest wave speed along the contact wire in m/s: √(tension / mass per metre)."""
         tension = self.arrays["wire_tension"][self.mesh.contact_rows]
@@ -138,13 +143,19 @@ class Equilibrium:
         """Positions of the supports in m, each once."""
         return sorted({support.x for support in self.mesh.supports})
 
-    def middle_span(self) -> tuple[float, float]:
-        """Supports in m of the span in the middle, or of the next to it that is in no overlap."""
+    def middle_span(self, length: float | None = None) -> tuple[float, float]:
+        """Supports in m of the span in the middle, or of the next to it that is in no overlap.
+
+        With a length in m to the millimetre, of the spans of that length.
+        """
         spans = list(pairwise(self.support_places()))
         middle = (len(spans) - 1) // 2
         by_distance = sorted(range(len(spans)), key=lambda index: abs(index - middle))
+        if length is not None:
+            lengths = [round(right - left, 3) for left, right in spans]
+            by_distance = [index for index in by_distance if lengths[index] == length]
         alone = (index for index in by_distance if not self._overlaps(*spans[index]))
-        return spans[next(alone, middle)]
+        return spans[next(alone, by_distance[0])]
 
     def _overlaps(self, left: float, right: float) -> bool:
         """Whether wires of two tension lengths run between two places."""

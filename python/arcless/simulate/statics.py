@@ -2,7 +2,8 @@
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from typing import Any
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -10,6 +11,9 @@ from arcless.mesh import StitchPlace
 from arcless.model import Scenario
 from arcless.simulate import equilibrium
 from arcless.simulate.failure import replayable
+
+if TYPE_CHECKING:
+    from arcless.simulate.resonance import ResonanceSpeeds
 
 Progress = Callable[[float, str], None]
 
@@ -139,6 +143,13 @@ class StaticsResult:
             return design
         return self.equilibrium.wave_speed()
 
+    @cached_property
+    def resonance_speeds(self) -> "ResonanceSpeeds":
+        """Speeds at which this line and the scenario's pantographs may resonate."""
+        from arcless.simulate.resonance import resonance_speeds
+
+        return resonance_speeds(self)
+
     @property
     def as_built(self) -> dict[str, float] | None:
         """Tensions and travel of the wires' far ends as built; None for a line as designed."""
@@ -183,6 +194,7 @@ class StaticsResult:
             "contact_wire_sag_m": self.contact_wire_sag_m,
             "wave_speed_m_s": self.wave_speed,
             "natural_frequencies_Hz": self.natural_frequencies_Hz,
+            "resonance_speeds": self.resonance_speeds.to_dict(),
             "as_built": self.as_built,
         }
 

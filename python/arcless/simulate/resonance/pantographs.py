@@ -1,0 +1,106 @@
+"""Natural frequencies of a pantograph whose strip stands on the elasticity of the line.
+
+    (k_p + s e eᵀ − ω² m) φ = 0,   1/s = e_line + 1/(n k_c)
+
+with the matrices m, k_p of the pantograph, the vector e that picks the height of its strips, the
+elasticity e_line of the line, and n contacts of stiffness k_c. It is the line as a spring without
+mass: right where the pantograph swings slower than a span does, and a guess above that.
+Source: T. X. Wu & M. J. Brennan, J. Sound Vib. 219 (1999) 483 (abstract) for pantograph and line as
+one oscillator on a stiffness that varies along the span.
+"""
+
+from dataclasses import dataclass
+from math import inf, pi
+
+import numpy as np
+from numpy.typing import NDArray
+
+from arcless.model.pantograph import Pantograph
+from arcless.simulate import joints
+from arcless.simulate.resonance.spans import Band
+from arcless.simulate.riders import rider
+
+Floats = NDArray[np.float64]
+
+# Share of a mode's elastic energy that is the line's: with less, the line neither makes it nor
+# moves it.
+LEAST_SHARE = 0.01
+
+
+@dataclass(frozen=True)
+class PantographMode:
+    """A natural mode of a pantograph on the line.
+
+    Attributes
+    ----------
+    frequency
+        In Hz at the largest, the mean and the lowest elasticity.
+    damping_ratio
+        φᵀcφ/2ω of the pantograph's linear dampers, 1; friction, dampers with a table and the line
+        take energy away beyond it.
+    share
+        Share of its elastic energy that is in the line, 1.
+    """
+
+    frequency: Band
+    damping_ratio: float
+    share: float
+
+
+def why_no_modes(pantograph: Pantograph) -> str | None:
+    """Return why a pantograph has no natural frequencies of its own; None where it has."""
+    tables = [law.field for law in joints.laws(pantograph) if not law.data[1]]
+    if tables:
+        return f"{tables[0]} is no constant: it has no natural frequency for all amplitudes"
+    return None
+
+
+def modes(
+    pantograph: Pantograph, elasticity: Band, contact_stiffness: float
+) -> list[PantographMode]:
+    """Return the modes of a pantograph that the line takes part in, slowest first.
+
+    Parameters
+    ----------
+    pantograph
+        A chain of masses or matrices, without tables.
+    elasticity
+        Of the line, m/N.
+    contact_stiffness
+        Of one contact in N/m, infinite for a rigid one.
+    """
+    mass, damping, stiffness, strips, *_ = rider(pantograph, 0.0)
+    size = pantograph.size
+    m, c, k = (np.reshape(values, (size, size)) for values in (mass, damping, stiffness))
+    height = np.mean([_in_the_middle(places, rows) for _, _, places, rows in strips], axis=0)
+    contact = 0.0 if contact_stiffness == inf else 1.0 / (len(strips) * contact_stiffness)
+    found = [
+        _modes(m, c, k, height, 1.0 / (value + contact))
+        for value in (elasticity.high, elasticity.middle, elasticity.low)
+    ]
+    slow, mean, fast = (rows[:, 0] for rows in found)
+    return [
+        PantographMode(Band(*map(float, ends)), float(zeta), float(share))
+        for ends, (_, zeta, share) in zip(zip(slow, mean, fast, strict=True), found[1], strict=True)
+        if share >= LEAST_SHARE
+    ]
+
+
+def _modes(m: Floats, c: Floats, k: Floats, height: Floats, spring: float) -> Floats:
+    """Return frequency in Hz, damping ratio and share of the spring of each mode, row by row."""
+    lower = np.linalg.cholesky(m)
+    half = np.linalg.solve(lower, k + spring * np.outer(height, height))
+    squares, vectors = np.linalg.eigh(np.linalg.solve(lower, half.T))
+    omega = np.sqrt(np.maximum(squares, 0.0))
+    shapes = np.linalg.solve(lower.T, vectors)
+    moving = omega > 0.0
+    omega, shapes = omega[moving], shapes[:, moving]
+    zeta = np.einsum("ij,ik,kj->j", shapes, c, shapes) / (2.0 * omega)
+    share = spring * (height @ shapes) ** 2 / omega**2
+    return np.column_stack([omega / (2.0 * pi), zeta, share])
+
+
+def _in_the_middle(places: list[float], rows: list[list[float]]) -> list[float]:
+    """Return the coordinates that raise the middle of a strip."""
+    columns = np.array(rows).T
+    return [float(np.interp(0.0, places, column)) for column in columns]
