@@ -11,6 +11,7 @@ from arcless.report.reduce import every
 from arcless.report.style import INK, add_hover, colour, figure, models, plain, single
 from arcless.study.report.effects import effect
 from arcless.study.report.record import Column, Record, shortened
+from arcless.study.report.speeds import Marks
 
 # Bounds the size of the page whatever the number of variants, variables and outputs.
 MOST_POINTS = 4000
@@ -30,10 +31,12 @@ class Drawing:
     ----------
     record
         At least one row must be done.
+    speeds
+        Resonance speeds, drawn where the speed is an axis.
     """
 
-    def __init__(self, record: Record) -> None:
-        self.record = record
+    def __init__(self, record: Record, speeds: Marks | None = None) -> None:
+        self.record, self.speeds = record, speeds
         self.outputs = [out for out in record.outputs if np.isfinite(out.values).any()]
         self.drawn = every(len(record.done), MOST_POINTS)
         self.source = models().ColumnDataSource(self._columns())
@@ -108,8 +111,13 @@ class Drawing:
 
     def _effect(self, variable: Column, output: Column) -> Any:
         fig, _ = self._scatter(variable, output, f"{output.name} over {variable.name}")
+        if self.speeds is not None and variable is self.speeds.column:
+            self.speeds.draw(fig, self._range(output))
         found = effect(variable, output)
-        if found is not None:
+        if is_path(self.record.variables):
+            style = {"source": self.source, "color": colour(0), "line_width": 1.5}
+            fig.line(self.key(variable), self.key(output), nonselection_alpha=0.3, **style)
+        elif found is not None:
             ends = {"x": found.x, "low": found.mean - found.error, "high": found.mean + found.error}
             means = models().ColumnDataSource({**ends, "mean": found.mean})
             style = {"source": means, "color": colour(1), "line_width": 2}
@@ -181,6 +189,15 @@ class Drawing:
                 margin = 0.06 * (high - low) or 0.05 * abs(high) or 1.0
             self._ranges[key] = models().Range1d(low - margin, high + margin)
         return self._ranges[key]
+
+
+def is_path(variables: list[Column]) -> bool:
+    """Whether all that varies rises from variant to variant: a sweep, whose values are joined."""
+    varied = [variable for variable in variables if variable.varies]
+    return bool(varied) and all(
+        variable.words is None and bool((np.diff(variable.values) > 0.0).all())
+        for variable in varied
+    )
 
 
 def _share(variable: Column, output: Column) -> float:

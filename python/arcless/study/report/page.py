@@ -19,6 +19,7 @@ from arcless.study.report.figures import (
 )
 from arcless.study.report.record import Record
 from arcless.study.report.sensitivity import sections
+from arcless.study.report.speeds import WIDE, Marks, marks
 from arcless.study.version import code_version
 
 NAME = "report.html"
@@ -67,8 +68,9 @@ def _page(record: Record) -> str:
     groups: dict[str, list[Any]] = {"effects": [], "pairs": []}
     fronts: list[str] = []
     drawn = 0
+    speeds = marks(record) if record.done else None
     if record.done:
-        drawing = Drawing(record)
+        drawing = Drawing(record, speeds)
         drawn = len(drawing.drawn)
         figures["table"] = tables.data_table(drawing)
         for kind, found in (("effects", drawing.effects()), ("pairs", drawing.pairs())):
@@ -87,7 +89,9 @@ def _page(record: Record) -> str:
         figures,
         widgets=True,
         **_texts(record, drawn),
+        **_speeds(speeds),
         **groups,
+        wide=[name for name, made in figures.items() if made is not None and WIDE in made.tags],
         fronts=fronts,
         sensitivity=sensitivity,
     )
@@ -120,6 +124,10 @@ def _texts(record: Record, drawn: int) -> dict[str, Any]:
         "folder": str(record.place.path),
         "version": code_version(),
     }
+
+
+def _speeds(found: Marks | None) -> dict[str, Any]:
+    return {"speeds": found.rows() if found else [], "speed_notes": found.notes if found else ()}
 
 
 def _state(record: Record) -> tuple[str, str]:

@@ -1,0 +1,153 @@
+"""Resonance speeds in the report of a study that varies the speed: lines in figures, and a table.
+
+They are those of the scenario that the study varies, at rest: computed when the report is made.
+"""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from arcless.errors import ArclessError
+from arcless.report.style import INK, add_legend, colour
+from arcless.study.model import Study
+from arcless.study.report.record import Column, Record
+
+if TYPE_CHECKING:
+    from arcless.simulate import ResonanceSpeeds
+    from arcless.simulate.resonance import ResonanceSpeed
+
+FIELD = "speed"
+# Kind → legend, colour, dashes.
+_STYLES = {
+    "wave speed": ("wave speed", 7, "solid"),
+    "span of the line": ("span, line", 2, "dashed"),
+    "span and pantograph": ("span, pantograph", 3, "dashed"),
+    "droppers and pantograph": ("droppers, pantograph", 4, "dotted"),
+    "parametric": ("parametric", 6, "dashdot"),
+    "spacing, worst": ("spacing, worst", 6, "dashed"),
+    "spacing, best": ("spacing, best", 5, "dotted"),
+}
+# Numbers nearer than this share of the axis stand below one another; height of a row in px.
+_APART, _ROW, _ROWS = 0.02, 12, 4
+# A figure with them takes the whole width of the page, for its legend and numbers; height in px.
+WIDE = "wide"
+_HEIGHT = 330
+# Fields beside the speed that leave the speeds as they are.
+_FORCES = ("static_force", "mean_force")
+_KMH = 3.6
+
+
+@dataclass(frozen=True)
+class Marks:
+    """Resonance speeds of a study; those inside of its range of speed have a number, from 1."""
+
+    column: Column
+    numbered: tuple[tuple[int | None, "ResonanceSpeed"], ...]
+    notes: tuple[str, ...]
+
+    def rows(self) -> list[dict[str, str]]:
+        """Return the rows of the table."""
+        return [
+            {
+                "number": "" if number is None else str(number),
+                "kind": one.kind,
+                "name": one.name,
+                "speed": f"{_KMH * one.speed.middle:.0f}",
+                "band": _band(one),
+                "formula": one.formula,
+                "frequency": "" if one.frequency_Hz is None else f"{one.frequency_Hz:.2f}",
+                "about": one.about,
+                "source": one.source,
+            }
+            for number, one in self.numbered
+        ]
+
+    def draw(self, fig: Any, y_range: Any) -> None:
+        """Draw the numbered speeds as lines from top to bottom, with a legend above."""
+        drawn = [(number, one) for number, one in self.numbered if number is not None]
+        entries = []
+        for kind, (label, place, dash) in _STYLES.items():
+            x = [one.speed.middle for _, one in drawn if one.kind == kind]
+            if x:
+                line = fig.vspan(x=x, color=colour(place), line_dash=dash, line_width=1.5)
+                line.level = "underlay"
+                entries.append((label, [line]))
+        add_legend(fig, entries)
+        fig.tags, fig.height = [WIDE], _HEIGHT
+        x = [one.speed.middle for _, one in drawn]
+        fig.text(
+            x=x, y=[y_range.end] * len(x), text=[str(number) for number, _ in drawn],
+            x_offset=2, y_offset=[_ROW * row for row in rows_of(x, self._width)],
+            text_baseline="top", text_font_size="10px", text_color=INK,
+        )  # fmt: skip
+
+    @property
+    def _width(self) -> float:
+        return float(np.ptp(self.column.values))
+
+
+def marks(record: Record) -> Marks | None:
+    """Return the resonance speeds of a study; None where its speed is no variable.
+
+    A line without equilibrium has none, which the notes say: the report is made all the same.
+    """
+    column = speed_column(record)
+    if column is None:
+        return None
+    from arcless.simulate import ResonanceSpeeds, resonance_speeds
+
+    try:
+        found = resonance_speeds(record.study.base)
+    except ArclessError as error:
+        found = ResonanceSpeeds((), (f"no resonance speeds: {error}",))
+    return Marks(column, _numbered(column, found), (*found.notes, *_varied(record.study)))
+
+
+def speed_column(record: Record) -> Column | None:
+    """Return the variable that is the speed, where it takes different values."""
+    for axis, column in zip(record.study.axes, record.variables, strict=True):
+        if axis.field == FIELD and column.words is None and column.varies:
+            return column
+    return None
+
+
+def rows_of(places: list[float], width: float) -> list[int]:
+    """Return a row for each of some rising places, so that neighbours do not overlap."""
+    ends = [-np.inf] * _ROWS
+    rows = []
+    for x in places:
+        free = [row for row in range(_ROWS) if x - ends[row] >= _APART * width]
+        row = free[0] if free else int(np.argmin(ends))
+        ends[row] = x
+        rows.append(row)
+    return rows
+
+
+def _numbered(
+    column: Column, found: "ResonanceSpeeds"
+) -> tuple[tuple[int | None, "ResonanceSpeed"], ...]:
+    low, high = float(np.nanmin(column.values)), float(np.nanmax(column.values))
+    numbers = iter(range(1, len(found.speeds) + 1))
+    return tuple(
+        (next(numbers) if low <= one.speed.middle <= high else None, one) for one in found.speeds
+    )
+
+
+def _varied(study: Study) -> list[str]:
+    """Say which other variables the speeds would follow."""
+    others = [
+        axis.name
+        for axis in study.axes
+        if axis.field.startswith(("line", "as_built", "contact", "pantographs"))
+        and not axis.field.endswith(_FORCES)
+    ]
+    if not others:
+        return []
+    return [f"of the scenario with its own values of {', '.join(others)}, not those varied"]
+
+
+def _band(one: "ResonanceSpeed") -> str:
+    if one.speed.low == one.speed.high:
+        return ""
+    return f"{_KMH * one.speed.low:.0f} to {_KMH * one.speed.high:.0f}"
