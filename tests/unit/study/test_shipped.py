@@ -51,6 +51,25 @@ def test_the_line_as_it_is_shipped_is_among_the_dropper_designs() -> None:
         assert values[0] + values[-1] == pytest.approx(55.0, abs=1e-9)  # about the middle
 
 
+def test_the_forces_of_the_sweep_are_those_of_the_rule() -> None:
+    from arcless.assess.rules import RULES
+
+    study = load("speed-sweep")
+    speeds, forces = (axis.levels or () for axis in study.axes)
+    kmh = [3.6 * speed for speed in speeds]
+    assert kmh == pytest.approx(list(range(100, 401, 5)), abs=1e-9)  # rounding of units
+    for speed, force in zip(kmh, forces, strict=True):
+        (rule,) = [
+            rule
+            for rule in RULES
+            if rule.name == "mean_force"
+            and "AC 25 kV" in rule.supplies
+            and rule.speeds_km_h[0] < round(speed, 6) <= rule.speeds_km_h[1]
+        ]
+        limit = rule.limit.constant + rule.limit.per_speed_squared * speed**2
+        assert force == pytest.approx(limit, abs=0.05 + 1e-9)  # written to a tenth of a newton
+
+
 def test_arcs_wear_at_low_force_and_friction_at_high_force(tmp_path: Path) -> None:
     from pyarrow.parquet import read_table
 
