@@ -52,6 +52,16 @@ SchedulerOption = Annotated[
         show_default=False,
     ),
 ]
+StorageOption = Annotated[
+    str | None,
+    typer.Option(
+        "--storage",
+        metavar="URL",
+        help="Database for Optuna's trials, such as postgresql+psycopg://user@host/db; of a study "
+        "that optimises. A file in its folder if not named.",
+        show_default=False,
+    ),
+]
 # Variants of a front that are printed.
 _MOST_SHOWN = 10
 # How long a study that is stopped may take to put its table and its workers in order, in s.
@@ -75,6 +85,7 @@ def run(
     executor: ExecutorOption = None,
     workers: WorkersOption = None,
     scheduler: SchedulerOption = None,
+    storage: StorageOption = None,
     json: JsonOption = False,
     quiet: QuietOption = False,
 ) -> None:
@@ -83,7 +94,8 @@ def run(
     A variant that fails is a row with its error. Exit code 1 means that no variant has a value, or
     that the study was cut off.
     """
-    _compute(file, out, (executor, workers, scheduler), json=json, quiet=quiet)
+    how = (executor, workers, scheduler)
+    _compute(file, out, how, json=json, quiet=quiet, storage=storage)
 
 
 @app.command()
@@ -94,6 +106,7 @@ def resume(
     executor: ExecutorOption = None,
     workers: WorkersOption = None,
     scheduler: SchedulerOption = None,
+    storage: StorageOption = None,
     retry_failed: Annotated[
         bool, typer.Option("--retry-failed", help="Compute those again that failed.")
     ] = False,
@@ -106,7 +119,8 @@ def resume(
     may be another executor.
     """
     how = (executor, workers, scheduler)
-    _compute(file, out, how, resume=True, retry_failed=retry_failed, json=json, quiet=quiet)
+    more = {"resume": True, "retry_failed": retry_failed, "storage": storage}
+    _compute(file, out, how, json=json, quiet=quiet, **more)
 
 
 @app.command()
@@ -190,7 +204,7 @@ def _compute(
     *,
     json: bool,
     quiet: bool,
-    **options: bool,
+    **options: Any,
 ) -> None:
     from arcless import study as studies
 
@@ -212,7 +226,7 @@ def _compute(
                     f"rows so far: {place.table}; go on with `arcless study resume {file}`"
                 )
             raise
-    facts = _facts(loaded, place.path, done)
+    facts = _facts(loaded, place, done)
     front = _front(loaded, place)
     if json:
         best = {} if front is None else {"best": [row.variant for row in front]}
@@ -247,16 +261,29 @@ def _wait_for_end(longest_s: float) -> None:
         time.sleep(0.02)
 
 
-def _facts(loaded: "Study", folder: Path, done: "Progress") -> dict[str, Any]:
+def _facts(loaded: "Study", place: "StudyFolder", done: "Progress") -> dict[str, Any]:
     return {
         "study": loaded.name,
-        "folder": str(folder),
+        "folder": str(place.path),
         "total": done.total,
-        **{status: done.counts[status] for status in ("done", "invalid", "failed")},
+        **{status: done.counts[status] for status in ("done", "pruned", "invalid", "failed")},
         "computed": done.computed,
         "elapsed_s": round(done.elapsed_s, 3),
         "variants_per_s": None if done.rate is None else round(done.rate, 3),
+        **_saving(loaded, place),
     }
+
+
+def _saving(loaded: "Study", place: "StudyFolder") -> dict[str, Any]:
+    """Return what pruning has saved; nothing of a study whose runs nobody looks at."""
+    from arcless.study.status import saving_of
+
+    found = saving_of(loaded, place)
+    if found is None:
+        return {}
+    percent = round(found.percent, 2)
+    saved = round(found.saved)
+    return {"steps_taken": found.taken, "steps_saved": saved, "steps_saved_percent": percent}
 
 
 def _front(loaded: "Study", place: "StudyFolder") -> "list[Row] | None":
@@ -287,18 +314,26 @@ def _short(value: Any) -> str:
 def _show_done(facts: dict[str, Any]) -> None:
     rate = facts["variants_per_s"]
     speed = "" if rate is None else f" in {facts['elapsed_s']:.1f} s, {rate:.3g} variants/s"
+    pruned = f"{facts['pruned']} pruned, " if "steps_saved" in facts else ""
     console.data(
-        f"{facts['study']}: {facts['done']} of {facts['total']} done, {facts['invalid']} invalid, "
-        f"{facts['failed']} failed; computed {facts['computed']}{speed}"
+        f"{facts['study']}: {facts['done']} of {facts['total']} done, {pruned}"
+        f"{facts['invalid']} invalid, {facts['failed']} failed; "
+        f"computed {facts['computed']}{speed}"
     )
+    if "steps_saved" in facts:
+        share = f"{facts['steps_saved_percent']:.3g} % of all"
+        console.data(f"pruning saved some {facts['steps_saved']} steps, {share}")
 
 
 def _show_status(found: "StudyStatus") -> None:
     going = "being computed now" if found.running else "not being computed"
+    pruned = "" if found.steps_saved is None else f"{found.pruned} pruned, "
     console.data(
-        f"{found.name}: {found.done} of {found.total} done, {found.invalid} invalid, "
+        f"{found.name}: {found.done} of {found.total} done, {pruned}{found.invalid} invalid, "
         f"{found.failed} failed, {found.missing} missing; {going}"
     )
+    if found.pruned:
+        console.data(f"pruning saved some {found.steps_saved} steps; {found.steps_taken} taken")
     for error, count in list(found.errors.items())[:10]:
         console.data(f"  {count} × {error}")
     if len(found.versions) > 1:

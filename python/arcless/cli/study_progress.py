@@ -32,7 +32,9 @@ def progress(*, quiet: bool = False) -> "Iterator[Callable[[Progress], None] | N
 
 def words(now: "Progress") -> str:
     """Say rate, time to the end, and what went wrong."""
-    bad = [f"{now.counts[name]} {name}" for name in ("failed", "invalid") if now.counts[name]]
+    bad = [
+        f"{now.counts[name]} {name}" for name in ("failed", "invalid", "pruned") if now.counts[name]
+    ]
     if now.rate is None or now.remaining_s is None:
         return ", ".join(bad)
     minutes, seconds = divmod(round(now.remaining_s), 60)

@@ -1,5 +1,6 @@
 """What the core returns → variables of the result."""
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -16,6 +17,12 @@ Floats = NDArray[np.float64]
 
 # Dimensions that count the instants of a run.
 SERIES = ("time", "line_time")
+# Arrays of the core's record that grow with the run; the others are extremes and counts so far.
+GROWING = (
+    "time", "force", "gap", "height", "lateral", "position", "speed", "control", "masses",
+    "line_time", "link_force", "uplift", "link_first", "uplift_first", "point_uplift",
+    "point_along", "slack",
+)  # fmt: skip
 # Entries of the core's ledger whose names in the result are the field's own words.
 ENERGY_NAMES = {
     "riders": "pantograph",
@@ -96,6 +103,16 @@ def _line_series(
         out["point_uplift"] = raw["point_uplift"].reshape(rows, -1)
         out["point_along"] = raw["point_along"].reshape(rows, -1)
     return out
+
+
+def joined(pieces: Sequence[dict[str, Any]]) -> dict[str, Any]:
+    """Return a record from the pieces that the core handed on; the last one says how far it is."""
+    last = pieces[-1]
+    series = {name: np.concatenate([piece[name] for piece in pieces]) for name in GROWING}
+    energy = {
+        name: np.concatenate([piece["energy"][name] for piece in pieces]) for name in last["energy"]
+    }
+    return {**last, **series, "energy": energy}
 
 
 def put_behind(

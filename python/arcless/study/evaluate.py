@@ -2,7 +2,7 @@
 
 import time
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -11,10 +11,12 @@ from arcless.model import Scenario, load
 from arcless.simulate import Outcome, batch
 from arcless.study.expressions import Expression, UndefinedError
 from arcless.study.model import Study
+from arcless.study.pruning import Watch
 from arcless.study.quantities import is_number, values
 from arcless.study.rows import Row, Status
 from arcless.study.variants import Variant
 from arcless.study.version import code_version
+from arcless.study.watching import Watcher
 
 WRONG_INPUT = 2
 Take = Callable[[Row], None]
@@ -35,12 +37,15 @@ class Task:
         Names that they may use.
     results
         Folder for whole results; None keeps none.
+    watch
+        What runs are watched for while they step; None for nothing.
     """
 
     scenario: dict[str, Any]
     outputs: dict[str, str]
     known: list[str]
     results: str | None
+    watch: Watch | None = None
 
     @classmethod
     def of(cls, study: Study, results: Path | None) -> "Task":
@@ -79,7 +84,7 @@ def evaluate(
         A result cannot be kept.
     """
     work = _Work(task)
-    running: dict[int, Variant] = {}
+    running = work.running
 
     def scenarios() -> Iterator[Scenario]:
         for variant in variants:
@@ -99,6 +104,7 @@ def evaluate(
         workers=workers,
         cancel=cancel,
         take=lambda outcome: take(work.row(running.pop(outcome.index), outcome)),
+        watch=None if task.watch is None else work.watcher,
     )
 
 
@@ -107,6 +113,8 @@ class _Work:
 
     def __init__(self, task: Task) -> None:
         self.begun = 0
+        self.running: dict[int, Variant] = {}
+        self._watch, self._watchers = task.watch, dict[int, Watcher]()
         self._base = load(task.scenario)
         self._outputs = {name: Expression(text, task.known) for name, text in task.outputs.items()}
         self._results = None if task.results is None else Path(task.results)
@@ -121,9 +129,31 @@ class _Work:
         """
         return self._base.with_(**variant.changes)
 
+    def watcher(self, index: int, scenario: Scenario) -> Watcher:
+        """Return who watches the runs of a variant that is running."""
+        assert self._watch is not None
+        searches = any(placed.mean_force is not None for placed in scenario.pantographs)
+        numbers = _numbers(self.running[index])
+        made = Watcher(self._watch, self._outputs, numbers, searches=searches)
+        self._watchers[index] = made
+        return made
+
     def row(self, variant: Variant, outcome: Outcome) -> Row:
         """Return the row of a variant that was run; keep its result where that is asked for."""
+        watcher = self._watchers.pop(outcome.index, None)
+        row = self._row(variant, outcome)
+        if watcher is None:
+            return row
+        return replace(
+            row, so_far=watcher.so_far, steps=outcome.steps, steps_of_run=outcome.steps_of_run
+        )
+
+    def _row(self, variant: Variant, outcome: Outcome) -> Row:
         error, wall = outcome.error, outcome.wall_time_s
+        if outcome.stopped is not None:
+            at = outcome.stopped
+            row = _row(variant, "pruned", {}, at.why, wall)
+            return replace(row, stopped_at_m=at.position_m, stopped_after_s=at.time_s)
         if error is not None:
             # Input that only the mesh or the statics can refuse is input all the same.
             status: Status = "invalid" if error.exit_code == WRONG_INPUT else "failed"
@@ -132,7 +162,7 @@ class _Work:
         if self._results is not None and outcome.result is not None:
             outcome.result.save(self._results / f"{variant.number:07d}.nc")
         numbers: dict[str, float | None] = values(outcome.assessment)
-        numbers |= {name: v for name, v in variant.values.items() if is_number(v)}
+        numbers |= _numbers(variant)
         outputs: dict[str, float | None] = {}
         undefined = []
         for name, expression in self._outputs.items():
@@ -142,6 +172,11 @@ class _Work:
                 outputs[name] = None
                 undefined.append(f"{name}: {none}")
         return _row(variant, "done", outputs, "; ".join(undefined), wall)
+
+
+def _numbers(variant: Variant) -> dict[str, float]:
+    """Return the values of a variant that expressions may use."""
+    return {name: value for name, value in variant.values.items() if is_number(value)}
 
 
 def failed(variant: Variant, why: str) -> Row:

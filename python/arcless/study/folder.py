@@ -6,14 +6,16 @@ from collections.abc import Iterator
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
+from uuid import uuid4
 
 from arcless.errors import OutputError, StudyError
 from arcless.results.files import write_bytes
 from arcless.study import journal
+from arcless.study.database import secrets
 from arcless.study.load import differences, digest, meaning
 from arcless.study.model import Study
-from arcless.study.optimise import Search
 from arcless.study.rows import Row
+from arcless.study.search import Search
 from arcless.study.version import code_version
 
 _STATE, _COPY, _JOURNAL, _RESULTS = "study.json", "study.yaml", "journal.jsonl", "results"
@@ -67,14 +69,23 @@ class StudyFolder:
         state = {
             "format": "arcless-study-state/1",
             "name": self.study.name,
+            "id": uuid4().hex,
             "hash": digest(asked),
             "arcless_version": code_version(),
             "begun": datetime.now(UTC).isoformat(timespec="seconds"),
             "study": asked,
         }
         if self.study.file is not None:
-            write_bytes(self.path / _COPY, Path(self.study.file).read_bytes())
+            copy = Path(self.study.file).read_bytes()
+            for secret in self._secrets():
+                copy = copy.replace(secret.encode(), b"***")
+            write_bytes(self.path / _COPY, copy)
         write_bytes(self.path / _STATE, json.dumps(state, indent=1, ensure_ascii=False).encode())
+
+    def _secrets(self) -> set[str]:
+        """Return the passwords in the study file."""
+        url = getattr(self.study.design, "storage", None)
+        return set() if url is None else secrets(url)
 
     def state(self) -> dict[str, Any] | None:
         """Return what was asked when the study was begun; None where none was.

@@ -23,6 +23,8 @@ from arcless.units import show
 FORMAT: Literal["arcless-study/1"] = "arcless-study/1"
 # Columns of the table that are always there.
 COLUMNS = ("variant", "status", "error", "wall_time_s", "arcless_version")
+# Columns that are there where runs are watched while they step.
+WATCHED = ("pruned_at_m", "pruned_after_s", "steps_taken", "so_far")
 _NAME = re.compile(r"[^\W\d][\w.]*")
 
 
@@ -113,7 +115,8 @@ class Study(Document):
         self._check_columns()
         _ = self.axes, self.plan, self.expressions
         if isinstance(self.design, Optimise):
-            self.design.check(list(self.outputs))
+            expressions = {name: output.expression for name, output in self.outputs.items()}
+            self.design.check(expressions, self.base)
         return self
 
     @cached_property
@@ -147,6 +150,12 @@ class Study(Document):
     def plan(self) -> Plan:
         """The combinations, counted."""
         return self.design.plan(self.axes, self.seed)
+
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """The columns of the table that are neither variables nor outputs."""
+        watched = isinstance(self.design, Optimise) and self.design.watched
+        return (*COLUMNS, *WATCHED) if watched else COLUMNS
 
     @cached_property
     def expressions(self) -> dict[str, Expression]:
@@ -214,7 +223,7 @@ class Study(Document):
         return self._models.get(value, value) if isinstance(value, str) else value
 
     def _check_columns(self) -> None:
-        taken: dict[str, str] = dict.fromkeys(COLUMNS, "a column that every table has")
+        taken: dict[str, str] = dict.fromkeys(self.columns, "a column that every table has")
         taken |= dict.fromkeys(keys(self.base), "a key of the assessment")
         fields = {self._whole(path): "set has it, too" for path in self.changes}
         for varied in self.axes:
@@ -228,7 +237,7 @@ class Study(Document):
                     field=(*place, "field"),
                 )
             fields[varied.field] = f"variable {varied.name} has it already"
-        taken = dict.fromkeys(COLUMNS, "a column that every table has")
+        taken = dict.fromkeys(self.columns, "a column that every table has")
         taken |= dict.fromkeys(self.variables, "a variable")
         for name in self.outputs:
             _check_name(name, taken, ("outputs", name), dots=True)

@@ -1,9 +1,11 @@
 """A study, begun or gone on with: what is missing is computed, every row is kept as it comes."""
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
-from contextlib import closing, suppress
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import closing, contextmanager, suppress
+from dataclasses import replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from arcless.errors import OutputError, StudyError
 from arcless.study import findings, sensitivity, table
@@ -14,10 +16,15 @@ from arcless.study.folder import StudyFolder
 from arcless.study.journal import Journal
 from arcless.study.keeper import Keeper, Progress, Tell
 from arcless.study.model import Execution, Study
-from arcless.study.optimise import Search
+from arcless.study.optimise import Optimise
+from arcless.study.pruning import Watch
 from arcless.study.rows import Row
+from arcless.study.search import Search
 from arcless.study.variants import in_order, key, variant
 from arcless.study.version import code_version
+
+if TYPE_CHECKING:
+    from arcless.study.storage import Storage
 
 
 def run(
@@ -27,6 +34,7 @@ def run(
     resume: bool = False,
     retry_failed: bool = False,
     executor: Execution | None = None,
+    storage: str | None = None,
     tell: Tell | None = None,
     note: Note | None = None,
     cancel: Cancel | None = None,
@@ -45,6 +53,9 @@ def run(
         Compute those again that failed.
     executor
         What computes, in place of what the study says.
+    storage
+        URL of the database for Optuna's trials, in place of what the study says; only of a study
+        that optimises.
     tell
         Called with the progress after every row.
     note
@@ -61,24 +72,28 @@ def run(
     Raises
     ------
     StudyError
-        The folder holds a study already, none, or another one; a package is missing.
+        The folder or the storage holds a study already, none, or another one; a package is
+        missing.
     ExecutorError
         The scheduler does not answer, or went away.
+    StorageError
+        The database does not answer, or went away.
     OutputError
         The folder cannot be written, or its disk is full.
     """
     table.check_available()
     sensitivity.check_available(study)
-    if isinstance(study.plan, Search):
-        table.needs("optuna", "a study that optimises")
     say = note or (lambda _text: None)
     place = StudyFolder(study, folder)
     before = place.check_same() if resume else None
     if before is None:
         _check_new(place)
     computing = choose(executor or study.executor, say)
-    place.make()
-    with closing(computing), Journal(place.journal) as journal:
+    with (
+        closing(computing),
+        _storage(study, place, storage) as trials,
+        _journal(place) as journal,
+    ):
         journal.mend()
         there = _valid_rows(study, place, retry_failed=retry_failed)
         if before is None:
@@ -86,15 +101,21 @@ def run(
             place.write_state()
         elif before["arcless_version"] != code_version():
             say(_other_version(before["arcless_version"]))
-        keeper = Keeper(study, place, journal, Counter(there.values()), tell=tell, note=say)
+        also = None
+        if trials is not None:
+            trials.begin(anew=before is None)
+            also = trials.take
+        counts = Counter(there.values())
+        keeper = Keeper(study, place, journal, counts, tell=tell, note=say, also=also)
         task = Task.of(study, place.results if study.keep == "results" else None)
         stop = cancel or (lambda: False)
         try:
-            for numbers in _rounds(study, place):
+            for numbers, watch in _rounds(study, place, also):
                 missing = [number for number in numbers if number not in there]
                 if missing:
                     ordered = (variant(study, number) for number in in_order(study, missing))
-                    computing.compute(task, ordered, len(missing), keeper.take, stop)
+                    watched = replace(task, watch=watch)
+                    computing.compute(watched, ordered, len(missing), keeper.take, stop)
         except BaseException:
             with suppress(OutputError):  # what ended the study is what is told
                 keeper.write_table()
@@ -104,14 +125,52 @@ def run(
     return keeper.progress
 
 
-def _rounds(study: Study, place: StudyFolder) -> Iterator[Sequence[int]]:
-    """Yield the numbers of variants in rounds; of most designs there is one with all of them."""
+def _rounds(
+    study: Study, place: StudyFolder, told: Callable[[Row], None] | None
+) -> Iterator[tuple[Sequence[int], Watch | None]]:
+    """Yield numbers of variants in rounds, and what their runs are watched for.
+
+    Of most designs there is one with all of them. `told` is told the rows that are there already.
+    """
     if not isinstance(study.plan, Search):
-        yield range(1, study.plan.count + 1)
+        yield range(1, study.plan.count + 1), None
         return
-    for numbers in study.plan.rounds(place.rows):
-        _check_rows(study, place, (row for row in place.rows() if row.variant in numbers))
-        yield numbers
+    for numbers, watch in study.plan.rounds(place.rows):
+        there = [row for row in place.rows() if row.variant in numbers]
+        _check_rows(study, place, there)
+        for row in there:
+            if told is not None:
+                told(row)
+        yield numbers, watch
+
+
+@contextmanager
+def _storage(study: Study, place: StudyFolder, url: str | None) -> Iterator["Storage | None"]:
+    """Open the storage of a study that optimises, before anything is written for it."""
+    if not isinstance(study.design, Optimise):
+        if url is not None:
+            raise StudyError(
+                "a study that does not optimise has no storage",
+                got=f"design `{study.design.kind}`",
+                expected="design `optimise` with `--storage`",
+            )
+        yield None
+        return
+    table.needs("optuna", "a study that optimises")
+    from arcless.study.storage import Storage
+
+    opened = Storage(study, place, url or study.design.storage)
+    try:
+        yield opened
+    finally:
+        opened.close()
+
+
+@contextmanager
+def _journal(place: StudyFolder) -> Iterator[Journal]:
+    place.make()
+    with Journal(place.journal) as journal:
+        yield journal
 
 
 def _check_new(place: StudyFolder) -> None:

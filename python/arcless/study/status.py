@@ -9,6 +9,8 @@ from typing import Any
 from arcless.study import journal
 from arcless.study.folder import StudyFolder
 from arcless.study.model import Study
+from arcless.study.optimise import Optimise
+from arcless.study.pruning import Saving
 from arcless.study.rows import Row
 
 
@@ -22,8 +24,10 @@ class StudyStatus:
         The study and its folder.
     running
         Whether a process computes it just now.
-    total, done, invalid, failed, missing
+    total, done, pruned, invalid, failed, missing
         Variants: of the study, and by what came of them.
+    steps_taken, steps_saved
+        Steps of all runs, and those not taken as runs were pruned; None where nobody looked.
     wall_time_s
         Sum of the wall times of the rows, in s.
     errors
@@ -37,9 +41,12 @@ class StudyStatus:
     running: bool
     total: int
     done: int
+    pruned: int
     invalid: int
     failed: int
     missing: int
+    steps_taken: int | None
+    steps_saved: int | None
     wall_time_s: float
     errors: dict[str, int]
     versions: dict[str, int]
@@ -79,6 +86,8 @@ class Tally:
         self._counts: Counter[str] = Counter()
         self._errors: Counter[str] = Counter()
         self._versions: Counter[str] = Counter()
+        self._steps: Counter[str] = Counter()
+        self._of_run: Counter[str] = Counter()
         self._wall_time_s = 0.0
 
     def of(self, rows: Iterable[Row]) -> Iterator[Row]:
@@ -87,23 +96,36 @@ class Tally:
             self._counts[row.status] += 1
             self._versions[row.arcless_version] += 1
             self._wall_time_s += row.wall_time_s
-            if row.status != "done":
+            self._steps[row.status] += row.steps
+            self._of_run[row.status] += row.steps_of_run
+            if row.status in ("invalid", "failed"):
                 self._errors[row.error] += 1
             yield row
 
     def status(self, study: Study, place: StudyFolder) -> StudyStatus:
         """Return what the rows that were read say of a study."""
         counts = self._counts
+        watched = isinstance(study.design, Optimise) and study.design.watched
+        saving = Saving.of_counts(self._steps, self._of_run) if watched else None
         return StudyStatus(
             name=study.name,
             folder=str(place.path),
             running=journal.is_locked(place.journal),
             total=study.plan.count,
             done=counts["done"],
+            pruned=counts["pruned"],
             invalid=counts["invalid"],
             failed=counts["failed"],
             missing=study.plan.count - counts.total(),
+            steps_taken=None if saving is None else saving.taken,
+            steps_saved=None if saving is None else round(saving.saved),
             wall_time_s=self._wall_time_s,
             errors=dict(self._errors.most_common()),
             versions=dict(self._versions.most_common()),
         )
+
+
+def saving_of(study: Study, place: StudyFolder) -> Saving | None:
+    """Return what pruning has saved so far; None of a study whose runs nobody looks at."""
+    watched = isinstance(study.design, Optimise) and study.design.watched
+    return Saving.of(place.rows()) if watched else None

@@ -100,7 +100,7 @@ def _columns(study: Study) -> list[_Column]:
     number = _Column("variant", int64(), "", "Number, from 1.", lambda row: row.variant)
     text = string()
     status, error, time, version = (
-        _Column("status", text, "", "done, invalid or failed", lambda row: row.status),
+        _Column("status", text, "", "done, pruned, invalid or failed", lambda row: row.status),
         _Column("error", text, "", "Why there is no value.", lambda row: row.error),
         _Column("wall_time_s", float64(), "s", "Wall time.", lambda row: row.wall_time_s),
         _Column(
@@ -110,7 +110,24 @@ def _columns(study: Study) -> list[_Column]:
     )  # fmt: skip
     varied = [_variable(study, axis) for axis in study.axes]
     outputs = [_output(study, name) for name in study.outputs]
-    return [number, *varied, *outputs, status, error, time, version]
+    watched = _watched() if "so_far" in study.columns else []
+    return [number, *varied, *outputs, status, error, *watched, time, version]
+
+
+def _watched() -> list[_Column]:
+    """Return the columns of a study whose runs are watched while they step."""
+    from pyarrow import field, float64, int64, list_, map_, string
+
+    so_far = map_(string(), field("values", list_(float64())))
+    return [
+        _Column("pruned_at_m", float64(), "m", "Where the run was stopped.",
+                lambda row: row.stopped_at_m),
+        _Column("pruned_after_s", float64(), "s", "Time in the run when it was stopped.",
+                lambda row: row.stopped_after_s),
+        _Column("steps_taken", int64(), "", "Steps of all its runs.", lambda row: row.steps),
+        _Column("so_far", so_far, "", "Values over the part travelled, by output.",
+                lambda row: list(row.so_far.items())),
+    ]  # fmt: skip
 
 
 def _variable(study: Study, axis: Axis) -> _Column:

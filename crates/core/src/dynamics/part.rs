@@ -2,7 +2,8 @@
 //!
 //! Parts one after the other are the whole run, bit for bit. The series of a record are those of the
 //! part, its extremes and counts those of the run so far. The series of a long run may be handed on in
-//! pieces while it goes on: one after the other they are the whole series.
+//! pieces while it goes on: one after the other they are the whole series. A piece has the extremes and
+//! counts of the run so far.
 
 use super::actuator::Ask;
 use super::ledger::Ledger;
@@ -53,6 +54,7 @@ impl Callers<'_> {
             return Ok(());
         }
         run.record.check_energy(step)?;
+        run.read_laws();
         let go_on = take(run.record.take_series());
         go_on.then_some(()).ok_or(CoreError::Cancelled { step })
     }
@@ -67,6 +69,13 @@ impl Part<'_> {
         }
         let reason = format!("does not lie between step {first} and step {all}");
         Err(refuse(&format!("step {last}"), &reason))
+    }
+}
+
+impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
+    /// Record how far the laws of the riders have been moved.
+    fn read_laws(&mut self) {
+        self.record.law_ranges = self.riders.iter().flat_map(RiderState::law_ranges).collect();
     }
 }
 
@@ -131,7 +140,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         run.check_finite(until)?;
         run.record.check_energy(until)?;
         let state = run.take_down(until, ledger.as_mut())?;
-        run.record.law_ranges = run.riders.iter().flat_map(RiderState::law_ranges).collect();
+        run.read_laws();
         Ok((run.record, state))
     }
 }

@@ -117,16 +117,20 @@ impl Record {
         }
     }
 
-    /// Take the series away, so that those of later instants begin anew. Extremes and counts stay.
+    /// Take the series away, so that those of later instants begin anew. Extremes and counts stay, and
+    /// the piece has them as they are so far.
     pub(super) fn take_series(&mut self) -> Self {
-        let mut piece = Self {
-            contacts: self.contacts.clone(),
-            energy: take(&mut self.energy),
-            ..Self::default()
-        };
-        for (own, taken) in self.series_mut().into_iter().zip(piece.series_mut()) {
+        let energy = take(&mut self.energy);
+        let taken = self.series_mut().map(|own| {
             let as_many = Vec::with_capacity(own.len());
-            *taken = replace(own, as_many);
+            replace(own, as_many)
+        });
+        let mut piece = Self {
+            energy,
+            ..self.clone()
+        };
+        for (own, series) in piece.series_mut().into_iter().zip(taken) {
+            *own = series;
         }
         piece
     }

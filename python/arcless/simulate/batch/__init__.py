@@ -8,15 +8,16 @@ from pathlib import Path
 
 from arcless.errors import ModelError
 from arcless.model import Scenario
-from arcless.simulate.batch.crew import Crew
+from arcless.simulate.batch.course import Look, Watching
+from arcless.simulate.batch.crew import Crew, Watch
 from arcless.simulate.batch.groups import Groups, Member
 from arcless.simulate.batch.keys import SharedKeys, member_key
-from arcless.simulate.batch.outcome import Keep, Outcome
+from arcless.simulate.batch.outcome import Keep, Outcome, Stopped
 from arcless.simulate.batch.store import Folder
 from arcless.simulate.job import Cancel, Progress
 from arcless.units import show
 
-__all__ = ["Keep", "Outcome", "batch"]
+__all__ = ["Keep", "Look", "Outcome", "Stopped", "Watching", "batch"]
 
 # Members looked at before they are run, to find those that share a line, for each worker.
 AHEAD = 64
@@ -33,6 +34,7 @@ def batch(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
     take: Callable[[Outcome], None] | None = None,
+    watch: Watch | None = None,
 ) -> list[Outcome]:
     """Run many scenarios.
 
@@ -61,6 +63,10 @@ def batch(
         Called with each outcome as it comes, in any order, in the thread of the caller. What is
         returned at the end then has neither assessments nor results: however many members there
         are, memory holds few.
+    watch
+        Given index and scenario of a member, returns who looks at its runs while they step, see
+        `Watching`, or None. A member that is stopped is an outcome that says so, with neither
+        assessment nor result. What is not stopped is, bit for bit, what it is without.
 
     Returns
     -------
@@ -90,7 +96,7 @@ def batch(
         tell.done(outcome)
 
     try:
-        with Crew(groups, keep, stored, count) as crew:
+        with Crew(groups, keep, stored, count, watch) as crew:
             while source.goes_on or len(outcomes) < source.begun:
                 for outcome in source.refill(groups, source.begun - len(outcomes), AHEAD * count):
                     handed(outcome)

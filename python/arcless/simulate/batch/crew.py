@@ -3,11 +3,14 @@
 import queue
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from dataclasses import replace
 
 from arcless.assess import Assessment
 from arcless.errors import ArclessError
+from arcless.model import Scenario
 from arcless.results import Result
+from arcless.simulate.batch.course import Course, StoppedError, Watching
 from arcless.simulate.batch.groups import Group, Groups, Member
 from arcless.simulate.batch.member import records_all, running
 from arcless.simulate.batch.outcome import Keep, Outcome
@@ -17,13 +20,22 @@ from arcless.simulate.job import Job, lay_out
 
 # Workers that are told to stop do so after some steps; nobody waits for a line in the making.
 LEAVES_WITHIN_S = 0.3
+# Given index and scenario of a member, returns who looks at its runs.
+Watch = Callable[[int, Scenario], Watching | None]
 
 
 class Crew:
     """Threads at work on the members that wait in groups."""
 
-    def __init__(self, groups: Groups, keep: Keep, folder: Folder | None, workers: int) -> None:
-        self._groups, self._keep, self._folder = groups, keep, folder
+    def __init__(
+        self,
+        groups: Groups,
+        keep: Keep,
+        folder: Folder | None,
+        workers: int,
+        watch: Watch | None = None,
+    ) -> None:
+        self._groups, self._keep, self._folder, self._watch = groups, keep, folder, watch
         self._done: queue.SimpleQueue[Outcome | BaseException] = queue.SimpleQueue()
         self._stop = threading.Event()
         # A process that ends waits for no daemon: one may be in the midst of a long factorisation.
@@ -77,20 +89,34 @@ class Crew:
         """Run a member; an error is what came of it."""
         started = time.perf_counter()
         index, name = member.index, member.scenario.name
+        course: Course | None = None
         try:
             job = self._job(group, member)
-            run = running(job, self._keep, started)
-            full = records_all(job, self._keep)
-            try:
-                forces = next(run)
-                while True:
-                    forces = run.send(job.step(forces, full=full))
-            except StopIteration as end:
-                done = end.value
+            watching = None if self._watch is None else self._watch(index, member.scenario)
+            course = Course(job, watching)
+            done = self._done_of(job, course, started)
+        except StoppedError as stopped:
+            outcome = Outcome(index, name, stopped=stopped.at)
         except Exception as error:
-            wall = time.perf_counter() - started
-            return Outcome(index, name, error=_told(error), wall_time_s=wall)
-        return self._kept(member, done, time.perf_counter() - started)
+            outcome = Outcome(index, name, error=_told(error))
+        else:
+            outcome = self._kept(member, done, time.perf_counter() - started)
+        wall_time_s = outcome.wall_time_s or time.perf_counter() - started
+        if course is None or not course.steps:
+            return replace(outcome, wall_time_s=wall_time_s)
+        steps, of_run = course.steps, course.of_run
+        return replace(outcome, wall_time_s=wall_time_s, steps=steps, steps_of_run=of_run)
+
+    def _done_of(self, job: Job, course: Course, started: float) -> Assessment | Result:
+        """Run a member to its end."""
+        run, full = running(job, self._keep, started), records_all(job, self._keep)
+        try:
+            forces = next(run)
+            while True:
+                forces = run.send(course.step(forces, full=full))
+        except StopIteration as end:
+            done: Assessment | Result = end.value
+            return done
 
     def _job(self, group: Group, member: Member) -> Job:
         line = group.line(member.scenario)

@@ -53,6 +53,14 @@ def running(job: Job, keep: Keep, started: float) -> Running:
 def _assessed(job: Job, forces: list[float], raw: dict[str, Any], started: float) -> Assessment:
     """Assess a run from no more of its record than is read."""
     raw["setup_s"] = time.perf_counter() - started - raw["wall_s"]
+    return assess(dataset(job, forces, raw))
+
+
+def dataset(job: Job, forces: list[float], raw: dict[str, Any]) -> Plain:
+    """Return what an assessment reads of a record, which may be of a part of a run.
+
+    With the static forces in N; `raw` has wall_s and setup_s.
+    """
     count, mesh = len(job.scenario.pantographs), job.found.mesh
     channels = contacts.channels(raw, count)
     read: dict[str, Any] = {name: channels[name] for name in CHANNELS}
@@ -68,4 +76,4 @@ def _assessed(job: Job, forces: list[float], raw: dict[str, Any], started: float
         "dropper": [dropper.name for dropper in mesh.droppers],
         "support": [support.name for support in mesh.supports],
     }
-    return assess(Plain(*variables(read, names), attributes(attributes_of(job, raw, forces))))
+    return Plain(*variables(read, names), attributes(attributes_of(job, raw, forces)))

@@ -12,6 +12,18 @@ Keep = Literal["assessment", "result"]
 
 
 @dataclass(frozen=True, slots=True)
+class Stopped:
+    """Where a run was stopped by who looked at it: place in m, time since its start in s, and why.
+
+    The place is that of the first pantograph.
+    """
+
+    position_m: float
+    time_s: float
+    why: str
+
+
+@dataclass(frozen=True, slots=True)
 class Outcome:
     """What came of a member of a batch.
 
@@ -33,6 +45,11 @@ class Outcome:
         Time from its start to its end in s. Members run side by side, so these do not add up.
     was_there
         Whether an earlier, interrupted batch had done it.
+    stopped
+        Where it was stopped, and why; None where it was not.
+    steps, steps_of_run
+        Where it was looked at: the steps of all runs of a search for a static force, and those of
+        one run to its end.
     """
 
     index: int
@@ -43,3 +60,6 @@ class Outcome:
     error: ArclessError | None = None
     wall_time_s: float = 0.0
     was_there: bool = False
+    stopped: Stopped | None = None
+    steps: int = 0
+    steps_of_run: int = 0

@@ -20,6 +20,7 @@ from arcless.study.report.figures import (
 from arcless.study.report.record import Record
 from arcless.study.report.sensitivity import sections
 from arcless.study.report.speeds import WIDE, Marks, marks
+from arcless.study.status import StudyStatus
 from arcless.study.version import code_version
 
 NAME = "report.html"
@@ -99,7 +100,7 @@ def _page(record: Record) -> str:
 
 def _texts(record: Record, drawn: int) -> dict[str, Any]:
     study, status = record.study, record.status
-    reasons = tables.failures(record)
+    reasons, stops = tables.failures(record), tables.stops(record)
     return {
         "study": study,
         "state": _state(record),
@@ -108,6 +109,8 @@ def _texts(record: Record, drawn: int) -> dict[str, Any]:
         "changes": [(path, tables.written(value)) for path, value in study.changes.items()],
         "outputs": tables.output_rows(record),
         "percentiles": tables.percentile_rows(record),
+        "stops": stops[: tables.STOPS],
+        "more_stops": len(stops) - tables.STOPS,
         "reasons": reasons[: tables.REASONS],
         "more_reasons": len(reasons) - tables.REASONS,
         "leaders": tables.leaders(record),
@@ -134,6 +137,7 @@ def _state(record: Record) -> tuple[str, str]:
     """Return a class for the headline's colour, and the headline."""
     found = record.status
     parts = [f"{found.done} of {found.total} variants computed"]
+    parts += [f"{found.pruned} pruned"] if found.pruned else []
     parts += [f"{found.invalid} invalid"] if found.invalid else []
     parts += [f"{found.failed} failed"] if found.failed else []
     if found.missing:
@@ -142,7 +146,15 @@ def _state(record: Record) -> tuple[str, str]:
         return "open", f"Incomplete: {', '.join(parts)}; {how}"
     if not found.done:
         return "missed", f"No variant has a value: {', '.join(parts[1:])}"
-    return "met" if found.done == found.total else "open", f"Complete: {', '.join(parts)}"
+    whole = found.done + found.pruned == found.total
+    return "met" if whole else "open", f"Complete: {', '.join(parts)}"
+
+
+def _saving(status: StudyStatus) -> list[tuple[str, str]]:
+    if status.steps_saved is None or status.steps_taken is None:
+        return []
+    share = 100.0 * status.steps_saved / max(status.steps_taken + status.steps_saved, 1)
+    return [("steps saved by pruning", f"some {status.steps_saved}, {share:.3g} % of all")]
 
 
 def _facts(record: Record) -> list[tuple[str, str]]:
@@ -156,6 +168,7 @@ def _facts(record: Record) -> list[tuple[str, str]]:
         ("design", tables.design_text(study)),
         ("variants", f"{status.total:,}".replace(",", " ")),
         ("computing, sum of all variants", f"{status.wall_time_s:.1f} s"),
+        *_saving(status),
         ("begun", str(record.state.get("begun", "–")).replace("T", " ").replace("+00:00", " UTC")),
         ("computed by version", versions or "–"),
     ]

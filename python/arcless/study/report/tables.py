@@ -21,7 +21,7 @@ from arcless.study.variables import Variable
 from arcless.units import show
 
 # How many variants lead a list, for how many outputs, and how many reasons are told.
-LEADING, LED_OUTPUTS, REASONS = 3, 6, 20
+LEADING, LED_OUTPUTS, REASONS, STOPS = 3, 6, 20, 50
 _DIGITS, _SMALLEST, _LARGEST = 5, 1e-6, 1e9
 _NAMED = 12
 _HEIGHT, _ROW = 420, 26
@@ -89,11 +89,33 @@ def percentile_rows(record: Record) -> list[tuple[Column, list[tuple[str, str]]]
     return rows
 
 
+@dataclass(frozen=True)
+class Stop:
+    """A variant that was stopped while it ran: where, what it was so far, and why."""
+
+    variant: int
+    place: str
+    so_far: str
+    why: str
+
+
+def stops(record: Record) -> list[Stop]:
+    """Return the variants that were pruned."""
+    found = []
+    for row in record.rows:
+        if row.status == "pruned":
+            known = {name: values[-1] for name, values in row.so_far.items() if values}
+            so_far = ", ".join(f"{name} = {number(value)}" for name, value in known.items())
+            place = f"{number(row.stopped_at_m)} m, {number(row.stopped_after_s)} s"
+            found.append(Stop(row.variant, place, so_far, row.error))
+    return found
+
+
 def failures(record: Record) -> list[dict[str, Any]]:
     """Return why rows have no values: the reason, how many have it, and some of their numbers."""
     found = defaultdict(list)
     for row in record.rows:
-        if row.error:
+        if row.error and row.status != "pruned":
             found[(row.status, row.error)].append(row.variant)
     ordered = sorted(found.items(), key=lambda item: -len(item[1]))
     return [
@@ -224,7 +246,8 @@ def design_text(study: Study) -> str:
     fields = design.model_dump()
     if isinstance(design, Optimise):
         aims = ", ".join(f"{aim} {name}" for name, aim in design.objectives.items())
-        return f"optimise: {aims}; {design.trials} variants, seed {study.seed}"
+        rule = "" if design.pruning is None else f", pruning {design.pruning.kind}"
+        return f"optimise: {aims}; {design.trials} variants, seed {study.seed}{rule}"
     words = [str(fields.pop("kind"))]
     words += [f"{n.replace('_', ' ')} {str(v).lower()}" for n, v in fields.items()]
     words += [] if isinstance(design, Grid) or design.kind == "list" else [f"seed {study.seed}"]
