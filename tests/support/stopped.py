@@ -154,6 +154,10 @@ def main() -> None:
         os.chdir(folder)
         with redirect_stdout(io.StringIO()), suppress(SystemExit):
             arcless()  # imports whatever the work needs
+        with suppress(ImportError):
+            from arcless.study.database import Database
+
+            Database._import()  # and a study that optimises
         for line in sys.stdin:
             end = carry_out(Job(**json.loads(line)), Path(folder))
             print(json.dumps(asdict(end)), flush=True)  # noqa: T201

@@ -150,16 +150,16 @@ class Optimise(Part):
         """Return what runs of the next round are watched for, given the rows of earlier ones."""
         if not self.watched:
             return None
-        made: tuple[pruning.Test, ...] = ()
+        made: tuple[pruning.Comparison, ...] = ()
         if self.pruning is not None:
             ((name, goal),) = self.objectives.items()
             aim = (name, _SIGNS[goal])
-            made = pruning.tests(self.pruning, aim, self.constraints, earlier, self.feasible)
+            made = pruning.comparisons(self.pruning, aim, self.constraints, earlier, self.feasible)
         seen = (*self.objectives, *(bound.output for bound in self.constraints))
         return Watch(
             looks=pruning.LOOKS if self.pruning is None else self.pruning.looks,
             seen=tuple(dict.fromkeys(seen)),
-            tests=made,
+            comparisons=made,
             hard=tuple(bound for bound in self.constraints if bound.hard),
         )
 

@@ -64,7 +64,7 @@ class Bar:
 
 
 @dataclass(frozen=True)
-class Test:
+class Comparison:
     """An output, how it is measured, and the bar of each look.
 
     Attributes
@@ -98,7 +98,7 @@ class Watch:
         Parts of the section.
     seen
         Outputs whose values so far are kept.
-    tests
+    comparisons
         What they are compared with.
     hard
         Constraints that end a run once they are broken, on outputs that can only get worse.
@@ -106,17 +106,17 @@ class Watch:
 
     looks: int
     seen: tuple[str, ...]
-    tests: tuple[Test, ...]
+    comparisons: tuple[Comparison, ...]
     hard: "tuple[Constraint, ...]"
 
 
-def tests(
+def comparisons(
     rule: "OutOfReach | Percentile",
     objective: tuple[str, float],
     constraints: "Sequence[Constraint]",
     rows: Sequence[Row],
     feasible: Callable[[Row], bool],
-) -> tuple[Test, ...]:
+) -> tuple[Comparison, ...]:
     """Return what runs of the next round are compared with.
 
     Parameters
@@ -132,16 +132,16 @@ def tests(
     feasible
         Whether a row keeps all constraints.
     """
-    aim = Test(*objective, None, best_so_far=isinstance(rule, Percentile))
+    aim = Comparison(*objective, None, best_so_far=isinstance(rule, Percentile))
     if isinstance(rule, Percentile):
         return (_percentile(rule, aim, rows, feasible),)
-    bounds = [Test(one.output, 1.0, one, best_so_far=False) for one in constraints]
+    bounds = [Comparison(one.output, 1.0, one, best_so_far=False) for one in constraints]
     return tuple(_out_of_reach(rule, test, rows, feasible) for test in (aim, *bounds))
 
 
 def _out_of_reach(
-    rule: OutOfReach, test: Test, rows: Sequence[Row], feasible: Callable[[Row], bool]
-) -> Test:
+    rule: OutOfReach, test: Comparison, rows: Sequence[Row], feasible: Callable[[Row], bool]
+) -> Comparison:
     """Return a test with bars: go on while m_k ≤ best + max_i max(0, m_ik − m_i).
 
     m_ik is the measure of finished variant i at look k, m_i that at its end. Best is the least m_i
@@ -165,8 +165,8 @@ def _out_of_reach(
 
 
 def _percentile(
-    rule: Percentile, test: Test, rows: Sequence[Row], feasible: Callable[[Row], bool]
-) -> Test:
+    rule: Percentile, test: Comparison, rows: Sequence[Row], feasible: Callable[[Row], bool]
+) -> Comparison:
     """Return a test with bars: go on while the best look so far is within a percentile.
 
     Of variants that break a constraint nothing is learned: their objective may be as good as none

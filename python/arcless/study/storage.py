@@ -156,7 +156,7 @@ class Storage:
 
     def _trial(self, row: Row) -> "optuna.trial.FrozenTrial":
         """Return a row as a trial, with the values of the variables as the table has them."""
-        distributions = {axis.name: _distribution(axis) for axis in self._search.axes}
+        distributions = {axis.name: self._distribution(axis) for axis in self._search.axes}
         params = {axis.name: _param(axis, row.values[axis.name]) for axis in self._search.axes}
         about = {
             "key": row.key,
@@ -175,6 +175,17 @@ class Storage:
         trial.datetime_start = trial.datetime_complete - timedelta(seconds=row.wall_time_s)
         return trial
 
+    def _distribution(self, axis: Axis) -> "BaseDistribution":
+        """Return what values a variable has, in SI; groups as JSON."""
+        from optuna.distributions import CategoricalDistribution, FloatDistribution
+
+        if axis.levels is not None:
+            return CategoricalDistribution(
+                list(dict.fromkeys(_param(axis, v) for v in axis.levels))
+            )
+        edge = EDGE if self._study.variables[axis.name].range is None else 0.0
+        return FloatDistribution(axis.quantile(edge), axis.quantile(1.0 - edge))
+
     def _check_key(self, row: Row) -> None:
         if self._keys[row.variant - 1] != row.key:
             raise self._another(None)
@@ -190,15 +201,6 @@ class Storage:
             hint="give this study another `name`, another database with `--storage`, or delete"
             " the old one with `optuna delete-study`",
         )
-
-
-def _distribution(axis: Axis) -> "BaseDistribution":
-    """Return what values a variable has, in SI; groups as JSON."""
-    from optuna.distributions import CategoricalDistribution, FloatDistribution
-
-    if axis.levels is None:
-        return FloatDistribution(axis.quantile(EDGE), axis.quantile(1.0 - EDGE))
-    return CategoricalDistribution(list(dict.fromkeys(_param(axis, v) for v in axis.levels)))
 
 
 def _param(axis: Axis, value: Any) -> Any:

@@ -7,7 +7,7 @@ from arcless.simulate import Look
 from arcless.study.expressions import Expression, UndefinedError
 from arcless.study.hard import FILTERED, RISING, key_of
 from arcless.study.optimise import Constraint
-from arcless.study.pruning import Test, Watch
+from arcless.study.pruning import Comparison, Watch
 from arcless.study.quantities import values
 
 # What has faded, times a force of a million newtons.
@@ -59,10 +59,10 @@ class Watcher:
                 limit = bound.at_most if bound.at_most is not None else bound.at_least
                 found = f"{bound.output} is {value:.6g} {where}"
                 return f"{found}, {limit:g} is allowed: it can only get worse"
-        behind = (self._behind(test) for test in self._watch.tests)
+        behind = (self._behind(test) for test in self._watch.comparisons)
         return next((f"{why} ({where})" for why in behind if why is not None), None)
 
-    def _behind(self, test: Test) -> str | None:
+    def _behind(self, test: Comparison) -> str | None:
         """Return why a run is not as good as it has to be at its last look; None if it is."""
         known = self.so_far[test.output]
         if len(known) > len(test.bars) or known[-1] is None:
