@@ -39,11 +39,14 @@ def trials(folder: Path) -> list[tuple[str, list[float] | None, dict[int, float]
     """Return what Optuna finds in the storage."""
     import optuna
 
-    url = f"sqlite:///{folder / FOLDER / 'optuna.db'}"
+    storage = optuna.storages.RDBStorage(f"sqlite:///{folder / FOLDER / 'optuna.db'}")
     try:
-        found = optuna.load_study(study_name="small", storage=url).get_trials()
+        found = optuna.load_study(study_name="small", storage=storage).get_trials()
     except KeyError:
-        return []
+        found = []
+    finally:
+        storage.remove_session()
+        storage.engine.dispose()  # a disk with an open file stays mounted
     return [(one.state.name, one.values, one.intermediate_values) for one in found]
 
 

@@ -13,7 +13,7 @@ from typer.testing import Result
 from arcless.cli.study_progress import words
 from arcless.study import Progress
 from arcless.study.journal import Journal
-from tests.support.studies import SHORT, filled, rows, written
+from tests.support.studies import QUICK, SHORT, filled, rows, written
 
 Arcless = Callable[..., Result]
 ALL = "small: 4 of 6 done, 2 invalid, 0 failed"
@@ -73,6 +73,7 @@ def test_a_study_without_any_value_fails(arcless: Arcless, tmp_path: Path) -> No
             ["run", "small.yaml", "--executor", "threads", "--scheduler", "tcp://h:1"],
             "scheduler without Dask",
         ),
+        (["run", "small.yaml", "--storage", "sqlite:///x.db"], "does not optimise has no storage"),
         (["start", "small.yaml"], "No such command"),
     ],
 )  # fmt: skip
@@ -169,3 +170,24 @@ def test_an_optimisation_ends_with_its_best(arcless: Arcless, tmp_path: Path) ->
     force_N = json.loads(made.stdout)["pantographs"][0]["static_force"]
     assert force_N == table[found["best"][0] - 1]["force"]
     assert arcless("study", "report", file).exit_code == 0
+
+
+def test_a_search_tells_what_pruning_saved(arcless: Arcless, tmp_path: Path) -> None:
+    import optuna
+
+    design = {"kind": "optimise", "trials": 8, "objectives": {"sigma": "minimise"},
+              "pruning": {"kind": "percentile", "after": 2, "percentile": 20}}  # fmt: skip
+    force = {"force": {"field": "pantographs.0.static_force", "range": [60, 140]}}
+    fine = {**QUICK, "solver.time_step": "1 ms"}
+    file = written(tmp_path, design=design, variables=force, set=fine)
+    url = f"sqlite:///{tmp_path}/trials.db"
+    found = json.loads(arcless("study", "run", file, "--storage", url, "--json").stdout)
+    assert found["pruned"] > 0 and found["done"] + found["pruned"] == 8
+    assert 0 < found["steps_saved"] < found["steps_taken"]
+    done = arcless("study", "resume", file, "--storage", url)
+    assert f"{found['done']} of 8 done, {found['pruned']} pruned, 0 invalid" in done.stdout
+    assert f"pruning saved some {found['steps_saved']} steps" in done.stdout
+    status = arcless("study", "status", file)
+    assert f"saved some {found['steps_saved']} steps; {found['steps_taken']} taken" in status.stdout
+    assert len(optuna.load_study(study_name="small", storage=url).trials) == 8
+    assert not (tmp_path / "runs/studies/small/optuna.db").exists()

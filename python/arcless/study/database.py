@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 # A server that runs lets one in within milliseconds; a user is told within 10 s that none does.
 # What it is asked then may take its time: other programs, or a machine with much else to do.
-CONNECTS_WITHIN_S, ANSWERS_WITHIN_S = 8.0, 60.0
+CONNECTS_WITHIN_S, ANSWERS_WITHIN_S = 5.0, 60.0
 # As SQLAlchemy reads it: a password begins at the first colon and ends at the first @.
 _USER = re.compile(r"(://[^:/@]*):([^@]*)(?=@)")
 _SECRET = re.compile(r"([?&]\w*(?:password|passwd|pwd|secret|token)\w*)=([^&]*)", re.IGNORECASE)
@@ -123,7 +123,8 @@ class Database:
         try:
             return answer.result(within_s or ANSWERS_WITHIN_S)
         except TimeoutError:
-            raise self._silent(f"nothing for {within_s or ANSWERS_WITHIN_S:g} s") from None
+            silence = f"nothing for {within_s or ANSWERS_WITHIN_S:g} s"
+            raise self._gone("the database of the study does not answer", silence) from None
         except ArclessError:
             raise
         except Exception as error:
@@ -189,11 +190,11 @@ class Database:
                 hint="make room, or delete it if it is damaged, then `arcless study resume`: it is"
                 " made again from the journal",
             )
-        return self._silent(self._words(cause))
+        return self._gone("the database of the study cannot be used", self._words(cause))
 
-    def _silent(self, got: str) -> StorageError:
+    def _gone(self, what: str, got: str) -> StorageError:
         return StorageError(
-            "the database of the study does not answer",
+            what,
             where=self.shown,
             got=got,
             expected=f"one that lets us in within {CONNECTS_WITHIN_S:g} s, and answers",

@@ -8,14 +8,17 @@ import pytest
 
 from arcless.model.reader import parse
 from arcless.study import Study, load, run, status
-from arcless.study.model import COLUMNS
+from arcless.study.hard import FALLING, RISING
+from arcless.study.model import COLUMNS, WATCHED
+from arcless.study.optimise import Optimise
 from arcless.study.quantities import keys
 from tests.support.studies import rows
 
 DOCS = Path(__file__).parents[3] / "docs"
 GUIDE = (DOCS / "guide/studies.md").read_text("utf-8")
 REFERENCE = (DOCS / "reference/study-files.md").read_text("utf-8")
-EXAMPLES = dict(re.findall(r"```yaml\n# (\S+\.yaml)\n(.*?)```", GUIDE, re.DOTALL))
+PAGE = (DOCS / "guide/optimisation.md").read_text("utf-8")
+EXAMPLES = dict(re.findall(r"```yaml\n# (\S+\.yaml)\n(.*?)```", GUIDE + PAGE, re.DOTALL))
 
 
 UNCERTAINTY = (DOCS / "guide/uncertainty.md").read_text("utf-8")
@@ -82,8 +85,15 @@ def test_every_field_kind_and_column_is_named() -> None:
             if name in ("kind", "format", "keep"):
                 for word in getattr(field.annotation, "__args__", ()):
                     assert f"`{word}`" in REFERENCE, word
-    for column in COLUMNS:
+    for column in (*COLUMNS, *WATCHED, *RISING, *FALLING):
         assert f"`{column}`" in REFERENCE
+
+
+def test_the_example_of_pruning_is_one(tmp_path: Path) -> None:
+    made = example("least-scatter-early.yaml", tmp_path)
+    assert isinstance(made.design, Optimise) and made.design.watched
+    (bound,) = made.design.constraints
+    assert bound.hard and made.design.pruning is not None
 
 
 def test_every_key_is_named(tmp_path: Path) -> None:
