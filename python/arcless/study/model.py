@@ -116,7 +116,7 @@ class Study(Document):
         _ = self.axes, self.plan, self.expressions
         if isinstance(self.design, Optimise):
             expressions = {name: output.expression for name, output in self.outputs.items()}
-            self.design.check(expressions, self.base)
+            self.design.check(expressions, self.base, [varied.field for varied in self.axes])
         return self
 
     @cached_property

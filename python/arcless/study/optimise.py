@@ -4,7 +4,7 @@ What the study file says of it, which rows keep the constraints, and which are t
 """
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import Literal
 
 from pydantic import Field, model_validator
@@ -90,15 +90,17 @@ class Optimise(Part):
             refuse_drawn(axis, "an optimisation")
         return Search.of(self, tuple(axes), seed)
 
-    def check(self, outputs: Mapping[str, str], scenario: Scenario) -> None:
+    def check(
+        self, outputs: Mapping[str, str], scenario: Scenario, varied: Collection[str]
+    ) -> None:
         """Refuse objectives and constraints that there cannot be.
 
         Parameters
         ----------
         outputs
             Expressions by name.
-        scenario
-            The base.
+        scenario, varied
+            The base, and the fields that are varied.
 
         Raises
         ------
@@ -119,21 +121,26 @@ class Optimise(Part):
                 expected = "the name of an output"
                 raise ModelError("no output", got=show(name), expected=expected, hint=hint,
                                  field=place)  # fmt: skip
+        searches = any(
+            placed.mean_force is not None
+            and not {"pantographs", f"pantographs.{i}", f"pantographs.{i}.static_force"} & {*varied}
+            for i, placed in enumerate(scenario.pantographs)
+        )
         for index, bound in enumerate(self.constraints):
             try:
-                self._check_bound(bound, outputs[bound.output], scenario)
+                self._check_bound(bound, outputs[bound.output], searches=searches)
             except ModelError as error:
                 error.field = ("design", "constraints", str(index), *error.field)
                 raise
 
     @staticmethod
-    def _check_bound(bound: Constraint, expression: str, scenario: Scenario) -> None:
+    def _check_bound(bound: Constraint, expression: str, *, searches: bool) -> None:
         if bound.at_most is None and bound.at_least is None:
             raise ModelError("no bound", expected="at_most or at_least")
         if not bound.hard:
             return
         check_hard(bound, expression)
-        if any(placement.mean_force is not None for placement in scenario.pantographs):
+        if searches:
             raise ModelError(
                 "a hard constraint in a search for a mean force",
                 expected="static_force: none of several runs is known to be the one that counts",

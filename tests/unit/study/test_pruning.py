@@ -248,3 +248,15 @@ def test_refused(changes: dict[str, Any], message: str) -> None:
     with pytest.raises(ModelError) as refused:
         search(**changes)
     assert message in str(refused.value)
+
+
+def test_a_hard_constraint_needs_a_force_that_is_given() -> None:
+    at = {"pantographs.0.mean_force": "90 N", "pantographs.0.static_force": None}
+    hard = {"kind": "optimise", "trials": 2, "objectives": {"mean": "minimise"}, **HARD}
+    given: dict[str, Any] = {
+        "outputs": {"peak": "max_force_N", "mean": "mean_force_N"}, "design": hard,
+    }  # fmt: skip
+    tension = {"t": {"field": "line.contact_wire.tension", "range": ["20 kN", "21 kN"]}}
+    with pytest.raises(ModelError, match="in a search for a mean force"):
+        study(set=QUICK | at, variables=tension, **given)
+    study(set=QUICK | {"pantographs.0.mean_force": "90 N"}, variables=FORCE, **given)
