@@ -129,6 +129,24 @@ def test_interrupted(cluster: Cluster, tmp_path: Path, expected: list[dict[str, 
     assert rows(out / "table.parquet") == expected
 
 
+def test_a_search_with_pruning_is_the_same(cluster: Cluster, tmp_path: Path) -> None:
+    made = {
+        # Runs of 1600 steps: the core hands its record on six times, and they may be stopped.
+        "set": {**QUICK, "solver.time_step": "1 ms"},
+        "variables": {"force": {"field": "pantographs.0.static_force", "range": ["60 N", "140 N"]}},
+        "design": {
+            "kind": "optimise", "trials": 12, "objectives": {"sigma": "minimise"},
+            "pruning": {"kind": "out-of-reach", "after": 3},
+            "constraints": [{"output": "ratio", "at_most": 0.3}],
+        },
+    }  # fmt: skip
+    for name, how in (("threads", None), ("dask", on(cluster))):
+        done = run(load(data(**made)), tmp_path / name, executor=how)
+        assert done.counts["pruned"] > 0
+    tables = [rows(tmp_path / name / "table.parquet") for name in ("threads", "dask")]
+    assert tables[0] == tables[1]
+
+
 DEADLY = """\
 import os
 

@@ -63,9 +63,13 @@ class Database:
         )
         self._storage: optuna.storages.RDBStorage | None = None
         threading.Thread(target=self._answer, daemon=True).start()
-        self._import()
-        self._wait(self._connect, CONNECTS_WITHIN_S)
-        self._storage = self._wait(self._open)
+        try:
+            self._import()
+            self._wait(self._connect, CONNECTS_WITHIN_S)
+            self._storage = self._wait(self._open)
+        except BaseException:
+            self.close()
+            raise
 
     @classmethod
     def file(cls, path: Path) -> "Database":
