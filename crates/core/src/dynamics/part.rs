@@ -75,7 +75,11 @@ impl Part<'_> {
 impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
     /// Record how far the laws of the riders have been moved.
     fn read_laws(&mut self) {
-        self.record.law_ranges = self.riders.iter().flat_map(RiderState::law_ranges).collect();
+        self.record.law_ranges = self
+            .riders
+            .iter()
+            .flat_map(RiderState::law_ranges)
+            .collect();
     }
 }
 
