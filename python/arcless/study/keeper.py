@@ -83,6 +83,7 @@ class Keeper:
         self._study, self._place, self._journal = study, place, journal
         self._tell, self._note = tell or (lambda _progress: None), note
         self._also = also or (lambda _row: None)
+        table.make_ready()
         self._versions = {code_version()}
         self._began = self._written = time.monotonic()
         self._writing_s = 0.0

@@ -31,6 +31,13 @@ def check_available() -> None:
     needs("pyarrow", "the table of a study")
 
 
+def make_ready() -> None:
+    """Import what writing a table needs: who stops a study does not wait so long for its table."""
+    import pyarrow.parquet
+
+    pyarrow.array([0.0])  # the first array imports pandas, where it is installed
+
+
 def needs(package: str, words: str) -> None:
     """Refuse what needs a package that is not installed."""
     from importlib.util import find_spec
