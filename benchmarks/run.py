@@ -13,7 +13,17 @@ import argparse
 import sys
 from collections.abc import Callable
 
-from benchmarks import accuracy, batch, goals, kernels, machine, realtime, side_by_side, whole_runs
+from benchmarks import (
+    accuracy,
+    batch,
+    goals,
+    kernels,
+    machine,
+    realtime,
+    side_by_side,
+    studies,
+    whole_runs,
+)
 from benchmarks.tables import put, table
 
 
@@ -29,6 +39,7 @@ PARTS: dict[str, Callable[[], str]] = {
     "runs": lambda: table(whole_runs.HEAD, whole_runs.rows()),
     "spans": lambda: table(whole_runs.SPANS_HEAD, whole_runs.over_spans()),
     "batch": lambda: table(batch.HEAD, list(batch.rows())),
+    "studies": lambda: table(studies.HEAD, list(studies.rows())),
     "loop": lambda: table(realtime.HEAD, list(realtime.rows())),
     "sides": lambda: table(side_by_side.HEAD, side_by_side.rows(say)),
     "accuracy": lambda: table(accuracy.HEAD, accuracy.rows()),

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from benchmarks import kernels, tables
+from benchmarks import kernels, studies, tables
 from benchmarks.accuracy import finer
 from benchmarks.floor import floor
 from benchmarks.plain_scipy import Plain
@@ -45,6 +45,13 @@ def test_kernels_are_read_from_what_is_printed() -> None:
         ["complementarity problem: contact and droppers, 2", "0.501 µs", "0.511 µs"],
         ["solve, planar", "21.2 µs", "23.7 µs"],
     ]
+
+
+def test_a_study_is_measured_in_its_parts() -> None:
+    took = studies.once(1, count=2)
+    assert took.rate > 0.0
+    assert 0.0 < took.core < took.processor
+    assert 0.0 < took.kept < took.python
 
 
 def test_floor_of_one_block() -> None:
