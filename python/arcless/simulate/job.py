@@ -51,14 +51,14 @@ class Job:
         state: State | None = None,
         until: int | None = None,
         take: Take | None = None,
-        piece: int = PIECE,
+        piece: int | None = None,
     ) -> dict[str, Any]:
         """Run steps with the given static forces in N; `full` records everything.
 
         From the start or a state, to the end or until so many steps from the start are done. What
         the core returns has the state there, as a `State`, and the wall time in s. With `take` the
-        series are handed to it in pieces of at least so many numbers, and what is returned has the
-        last one; `arcless.simulate.record.joined` puts them together.
+        series are handed to it in pieces of at least so many numbers, 8 MB without, and what is
+        returned has the last one; `arcless.simulate.record.joined` puts them together.
         """
         placements, mesh = self.scenario.pantographs, self.found.mesh
         speed = float(self.travel.speeds[0])
@@ -85,7 +85,7 @@ class Job:
                 self.observe,
                 None if state is None else (state.step, numbers),
                 until,
-                *(() if take is None else ((piece, take),)),
+                *(() if take is None else ((piece or PIECE, take),)),
             )
         raw["wall_s"] = time.perf_counter() - began
         step, after = raw["state"]
