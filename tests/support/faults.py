@@ -38,12 +38,12 @@ def spoiled(spoil: Spoil) -> Iterator[None]:
     core = equilibrium._core
     built: list[int] = []
 
-    def build(dim: int, *arguments: Any, design: bool) -> Any:
+    def build(dim: int, *arguments: Any, **options: bool) -> Any:
         named = dict(zip(("positions", "slopes", "parts", "gravity"), arguments, strict=True))
         named = deepcopy(named)  # a mesh is used again
         if spoil(named) is not False:
             built.append(dim)
-        return core.Equilibrium(dim, **named, design=design)
+        return core.Equilibrium(dim, **named, **options)
 
     class Spoiled:
         Equilibrium = staticmethod(build)

@@ -163,15 +163,15 @@ CONTACTS = [
     Mutation(
         "contacts and slack droppers coupled symmetrically",
         "dynamics/contact.rs",
-        "self.h[j * n + m + k] = -coupling;",
-        "self.h[j * n + m + k] = coupling;",
+        "self.h[j * n + m + k] = rise / p.coefficients.stiffness - pulled;",
+        "self.h[j * n + m + k] = rise / p.coefficients.stiffness + pulled;",
         (CONTACT,),
     ),
     Mutation(
         "slack droppers left out of the gaps",
         "dynamics/contact.rs",
-        "self.h[j * n + m + k] = -coupling;",
-        "self.h[j * n + m + k] = 0.0 * coupling;",
+        "self.h[j * n + m + k] = rise / p.coefficients.stiffness - pulled;",
+        "self.h[j * n + m + k] = rise / p.coefficients.stiffness;",
         (CONTACT,),
     ),
     Mutation(
