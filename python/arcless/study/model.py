@@ -152,10 +152,14 @@ class Study(Document):
         return self.design.plan(self.axes, self.seed)
 
     @property
+    def watched(self) -> bool:
+        """Whether somebody looks at its runs while they step."""
+        return isinstance(self.design, Optimise) and self.design.watched
+
+    @property
     def columns(self) -> tuple[str, ...]:
         """The columns of the table that are neither variables nor outputs."""
-        watched = isinstance(self.design, Optimise) and self.design.watched
-        return (*COLUMNS, *WATCHED) if watched else COLUMNS
+        return (*COLUMNS, *WATCHED) if self.watched else COLUMNS
 
     @cached_property
     def expressions(self) -> dict[str, Expression]:

@@ -9,7 +9,6 @@ from typing import Any
 from arcless.study import journal
 from arcless.study.folder import StudyFolder
 from arcless.study.model import Study
-from arcless.study.optimise import Optimise
 from arcless.study.pruning import Saving
 from arcless.study.rows import Row
 
@@ -105,8 +104,7 @@ class Tally:
     def status(self, study: Study, place: StudyFolder) -> StudyStatus:
         """Return what the rows that were read say of a study."""
         counts = self._counts
-        watched = isinstance(study.design, Optimise) and study.design.watched
-        saving = Saving.of_counts(self._steps, self._of_run) if watched else None
+        saving = Saving.of_counts(self._steps, self._of_run) if study.watched else None
         return StudyStatus(
             name=study.name,
             folder=str(place.path),
@@ -127,5 +125,4 @@ class Tally:
 
 def saving_of(study: Study, place: StudyFolder) -> Saving | None:
     """Return what pruning has saved so far; None of a study whose runs nobody looks at."""
-    watched = isinstance(study.design, Optimise) and study.design.watched
-    return Saving.of(place.rows()) if watched else None
+    return Saving.of(place.rows()) if study.watched else None
