@@ -157,6 +157,7 @@ impl Equilibrium {
             scheme: read_scheme(&scheme.0, &scheme.1)?,
             step,
             contact_stiffness,
+            explicit: scheme.0 == EXPLICIT,
             updated,
             period_correction,
         };
@@ -175,9 +176,12 @@ struct Stepping {
     scheme: Scheme,
     step: f64,
     contact_stiffness: f64,
+    explicit: bool,
     updated: bool,
     period_correction: bool,
 }
+
+const EXPLICIT: &str = "central-difference";
 
 fn read_scheme(name: &str, parameters: &[f64]) -> PyResult<Scheme> {
     match (name, parameters) {
@@ -185,6 +189,8 @@ fn read_scheme(name: &str, parameters: &[f64]) -> PyResult<Scheme> {
         ("hht", &[alpha]) => Ok(Scheme::hht(alpha)),
         ("newmark", &[beta, gamma]) => Ok(Scheme::newmark(beta, gamma)),
         ("trapezoidal", &[]) => Ok(Scheme::generalised_alpha(1.0)),
+        // What they are beside the explicit part.
+        (EXPLICIT, &[]) => Ok(Scheme::newmark(0.25, 0.5)),
         ("backward-difference", &[]) => Ok(Scheme::BackwardDifference),
         _ => Err(PyValueError::new_err(format!(
             "unknown scheme {name} with {} parameters",
@@ -276,6 +282,10 @@ impl<const DIM: usize, const D: usize> Solved<DIM, D> {
                 array: "solver",
                 reason: "residual flexibility with updated kinematics".into(),
             });
+        }
+        if with.explicit {
+            let p = stepper::Prepared::explicit(geometry, line, lanes, h, contact);
+            return p.map(Arc::new);
         }
         if with.updated {
             let p = stepper::Prepared::updated(geometry, line, lanes, with.scheme, h, contact);

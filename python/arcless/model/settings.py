@@ -117,8 +117,19 @@ class BackwardDifference(Part):
     name: Literal["backward-difference"] = Field(description="Name of the scheme.")
 
 
+class CentralDifference(Part):
+    """Central differences: explicit, for wires of point masses; nothing damps."""
+
+    name: Literal["central-difference"] = Field(description="Name of the scheme.")
+
+
 Scheme = Annotated[
-    GeneralisedAlpha | HilberHughesTaylor | Newmark | Trapezoidal | BackwardDifference,
+    GeneralisedAlpha
+    | HilberHughesTaylor
+    | Newmark
+    | Trapezoidal
+    | BackwardDifference
+    | CentralDifference,
     Field(discriminator="name"),
 ]
 

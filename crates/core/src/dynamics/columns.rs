@@ -79,6 +79,21 @@ impl<const D: usize> Columns<D> {
         found.fill([0.0; D]);
     }
 
+    /// Keep a column that is given node by node.
+    pub fn keep(&mut self, column: usize, values: &std::collections::BTreeMap<usize, [f64; D]>) {
+        let (Some((&first, _)), Some((&last, _))) = (values.iter().next(), values.iter().last())
+        else {
+            return;
+        };
+        self.windows[column] = Window {
+            first,
+            offset: self.values.len(),
+            length: last + 1 - first,
+        };
+        let at = |node: usize| values.get(&node).copied().unwrap_or([0.0; D]);
+        self.values.extend((first..=last).map(at));
+    }
+
     /// Value at a node.
     #[inline(always)]
     #[must_use]

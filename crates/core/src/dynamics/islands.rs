@@ -175,6 +175,9 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
     fn put_to_sleep(&mut self, number: usize) {
         let island = &self.p.islands[number];
         self.state.lay(island);
+        if let (Some(steps), Some(grid)) = (&self.p.explicit, &mut self.state.grid) {
+            steps.lay(number, grid);
+        }
         for i in island.links.clone() {
             let link = &self.p.line.links[i];
             self.unilateral.correction[i] = link.rest_correction();

@@ -10,6 +10,7 @@ pub mod contacts;
 mod control;
 mod elasticity;
 pub mod entries;
+pub mod explicit;
 pub mod given;
 mod influence;
 pub mod islands;

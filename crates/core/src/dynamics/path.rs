@@ -113,6 +113,13 @@ impl<const DIM: usize> Path<DIM> {
         Ok(())
     }
 
+    /// Nodes of the element of a place and of those beside it.
+    pub(super) fn around(&self, place: &Place<DIM>) -> impl Iterator<Item = usize> + '_ {
+        let last = (place.element + 2).min(self.ends.len());
+        let elements = &self.ends[place.element.saturating_sub(1)..last];
+        elements.iter().flatten().copied()
+    }
+
     /// First and last coordinate along the track, m.
     #[must_use]
     pub fn range(&self) -> (f64, f64) {

@@ -198,8 +198,22 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
             .find(self.described, lanes, u, positions, step)?;
         self.contacts.slide(&self.riders);
         self.unilateral.choose(&self.contacts);
+        self.look();
         self.wake();
         Ok(())
+    }
+
+    /// Tell an explicit line where it is read.
+    fn look(&mut self) {
+        let (Some(steps), Some(grid)) = (&self.p.explicit, &mut self.state.grid) else {
+            return;
+        };
+        let lanes = &self.p.lanes;
+        let with_wire = self.contacts.all.iter().filter(|c| c.has_wire);
+        let nodes = with_wire.flat_map(|c| lanes[c.of[2]].around(&c.place));
+        if !self.contacts.all.is_empty() {
+            steps.look_at(grid, nodes);
+        }
     }
 
     /// Gaps that the motion without contact forces would open (or, negative, close).

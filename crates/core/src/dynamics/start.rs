@@ -64,6 +64,7 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
             points,
             ..Self::assemble(model, riders, travel, plan, states, start.contacts)
         };
+        run.watch_nodes_of_plan();
         run.let_sleep();
         Ok(run)
     }
@@ -87,10 +88,22 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
             None => Cow::Borrowed(p),
             Some(_) => Cow::Owned(p.clone()),
         };
-        Ok(Self {
+        let mut run = Self {
             points: points(&p.lanes, &plan.points)?,
             ..Self::assemble(model, riders, travel, plan, states, contacts)
-        })
+        };
+        run.watch_nodes_of_plan();
+        Ok(run)
+    }
+
+    /// Tell an explicit line what is read in every step.
+    fn watch_nodes_of_plan(&mut self) {
+        if let (Some(steps), Some(grid)) = (&self.p.explicit, &mut self.state.grid) {
+            let near = self.plan.near.iter().flat_map(|near| &near.nodes.of);
+            let points = self.points.iter().flat_map(|place| &place.nodes);
+            let nodes = self.plan.nodes.iter().chain(near).chain(points);
+            steps.watch(grid, nodes.copied());
+        }
     }
 
     /// A run of these riders with the line undisturbed, no force anywhere and no point watched.

@@ -13,6 +13,7 @@
 use super::columns::Columns;
 use super::contact::Unilateral;
 use super::contacts::Contacts;
+use super::explicit::{Explicit, Grid};
 use super::islands::Island;
 use super::line::Line;
 use super::links::LinkMotion;
@@ -22,6 +23,7 @@ use super::updated::Updating;
 use crate::error::CoreError;
 use crate::linalg::{BlockLdl, Kernel, widest};
 use crate::scheme::{Coefficients, Scheme};
+use crate::statics::Geometry;
 
 /// Everything that stays the same during a run, and may be shared by many runs.
 #[derive(Debug, Clone)]
@@ -47,6 +49,8 @@ pub struct Prepared<const DIM: usize, const D: usize> {
     pub contact_flexibility: f64,
     /// What updated kinematics need; `None` with linearised kinematics.
     pub(super) updating: Option<Updating<DIM, D>>,
+    /// What explicit steps need; `None` with a matrix to solve.
+    pub(super) explicit: Option<Explicit<DIM>>,
     pub(super) factor: BlockLdl<D>,
     /// What of the line nothing couples.
     pub(super) islands: Vec<Island>,
@@ -69,13 +73,15 @@ pub struct LineState<const D: usize> {
     pub delta: Vec<[f64; D]>,
     /// Elongations and tensions of the links.
     pub links: LinkMotion,
+    /// The line as explicit steps move it; then the fields above hold what others read of it.
+    pub(super) grid: Option<Grid>,
     /// Numbers of the islands that are stepped, ascending; all else is at rest.
     pub(super) awake: Vec<usize>,
     /// −(combination of u, v, a) whose product with M is the inertia of the next step.
     prepared: Vec<[f64; D]>,
     /// s/κ of the next step.
     shift: Vec<[f64; D]>,
-    work: Vec<[f64; D]>,
+    pub(super) work: Vec<[f64; D]>,
     scratch: Vec<[f64; D]>,
 }
 
@@ -84,6 +90,7 @@ impl<const D: usize> LineState<D> {
         let zero = vec![[0.0; D]; u.len()];
         Self {
             awake: (0..islands).collect(),
+            grid: None,
             links: LinkMotion::at_rest(&line.links, &u),
             v: zero.clone(),
             a: zero.clone(),
@@ -122,7 +129,24 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         h: f64,
         contact_stiffness: f64,
     ) -> Result<Self, CoreError> {
-        Self::assemble(line, lanes, scheme, h, contact_stiffness, None)
+        Self::assemble(line, lanes, scheme, h, contact_stiffness, (None, None))
+    }
+
+    /// The same for explicit steps of wires that are chains; see [`Explicit`].
+    ///
+    /// # Errors
+    /// [`CoreError::Input`] or [`CoreError::Singular`].
+    pub fn explicit(
+        geometry: &Geometry<DIM, D>,
+        line: Line<DIM, D>,
+        lanes: Vec<Path<DIM>>,
+        h: f64,
+        contact_stiffness: f64,
+    ) -> Result<Self, CoreError> {
+        let steps = Explicit::new(geometry, &line.shape, &line, h)?;
+        let scheme = Scheme::newmark(0.25, 0.5);
+        let with = (None, Some(steps));
+        Self::assemble(line, lanes, scheme, h, contact_stiffness, with)
     }
 
     pub(super) fn assemble(
@@ -131,7 +155,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         scheme: Scheme,
         h: f64,
         contact_stiffness: f64,
-        updating: Option<Updating<DIM, D>>,
+        (updating, explicit): (Option<Updating<DIM, D>>, Option<Explicit<DIM>>),
     ) -> Result<Self, CoreError> {
         scheme.check()?;
         if !(h.is_finite() && h > 0.0) || contact_stiffness.is_nan() || contact_stiffness <= 0.0 {
@@ -182,8 +206,19 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
             coefficients: c,
             factor,
             updating,
+            explicit,
         };
-        if prepared.updating.is_none() {
+        if let Some(steps) = &prepared.explicit {
+            let mut grid = steps.still();
+            for number in 0..prepared.columns.count() {
+                let load = prepared.unit_load(number);
+                let load = load.iter().flat_map(|(node, force)| {
+                    let shares = force.iter().enumerate().take(DIM);
+                    shares.map(move |(c, f)| (*node, c, *f))
+                });
+                steps.set_column(&mut prepared.columns, number, load, &mut grid);
+            }
+        } else if prepared.updating.is_none() {
             let mut space = prepared.space();
             for number in 0..prepared.columns.count() {
                 prepared.set_column(number, &mut space);
@@ -242,7 +277,15 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
     /// A state at rest in a displaced position, ready for the first step.
     #[must_use]
     pub fn at_rest(&self, u: Vec<[f64; D]>) -> LineState<D> {
+        let (grid, u) = match &self.explicit {
+            None => (None, u),
+            Some(steps) => steps.at_rest(&self.line, u),
+        };
         let mut state = LineState::at_rest(&self.line, self.islands.len(), u);
+        if grid.is_some() {
+            state.grid = grid;
+            return state;
+        }
         widest(Advance {
             p: self,
             state: &mut state,
@@ -253,6 +296,9 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
     /// Increment of the line without contact forces and corrections. `load` is called with the
     /// force vector to add given forces.
     pub fn free_increment(&self, state: &mut LineState<D>, load: impl FnOnce(&mut [[f64; D]])) {
+        if let Some(steps) = &self.explicit {
+            return self.free_explicit(steps, state, load);
+        }
         widest(Inertia { p: self, state });
         let LineState {
             u,
@@ -341,6 +387,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
             let place = &contacts.all[j].place;
             let change = unilateral.force[j] - unilateral.applied_force[j];
             unilateral.applied_force[j] = unilateral.force[j];
+            self.push(&mut state.grid, place.shares::<D>(DIM - 1), change);
             for (column, weight) in place.columns::<D>().zip(&place.weights) {
                 add(column, weight * change);
             }
@@ -354,6 +401,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
             let change = unilateral.correction[link] - unilateral.applied_correction[link];
             unilateral.applied_correction[link] = unilateral.correction[link];
             if change != 0.0 {
+                self.push(&mut state.grid, self.line.links[link].shares(1.0), -change);
                 add(self.link_column(link), -change);
             }
         }
@@ -368,6 +416,9 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
 
     /// What the next step starts from, for a state that was put back.
     pub(super) fn go_on(&self, state: &mut LineState<D>) {
+        if self.explicit.is_some() {
+            return;
+        }
         for i in 0..state.u.len() {
             for k in 0..D {
                 let at = [state.u[i][k], state.v[i][k], state.a[i][k]];
@@ -379,7 +430,10 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
 
     /// Take the step: new displacement, velocity, acceleration.
     pub fn advance(&self, state: &mut LineState<D>) {
-        widest(Advance { p: self, state });
+        match &self.explicit {
+            None => widest(Advance { p: self, state }),
+            Some(steps) => steps.advance(state),
+        }
         for island in self.awake(&state.awake) {
             state
                 .links

@@ -1,0 +1,78 @@
+//! Explicit steps in the place of those with a matrix.
+
+use super::{Explicit, Grid};
+use crate::dynamics::stepper::{LineState, Prepared};
+
+impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
+    /// As [`Prepared::free_increment`].
+    pub(in crate::dynamics) fn free_explicit(
+        &self,
+        steps: &Explicit<DIM>,
+        state: &mut LineState<D>,
+        load: impl FnOnce(&mut [[f64; D]]),
+    ) {
+        let LineState { u, delta, work, links, awake, grid: Some(grid), .. } = state else {
+            return;
+        };
+        for &island in &*awake {
+            steps.wire_forces(&steps.own[island], grid);
+        }
+        load(work);
+        // Work is empty before and after, as most steps leave it.
+        if work.iter().flatten().any(|f| *f != 0.0) {
+            for (node, force) in work.iter_mut().enumerate() {
+                for c in 0..DIM {
+                    steps.add_force(grid, steps.points[node], c, force[c]);
+                }
+                *force = [0.0; D];
+            }
+        }
+        for link in self.links_awake(awake) {
+            let link = &self.line.links[link];
+            let correction = link.rest_correction();
+            if correction > 0.0 {
+                for (node, c, force) in link.shares(correction) {
+                    steps.add_force(grid, steps.points[node], c, force);
+                }
+            }
+        }
+        for &island in &*awake {
+            steps.settle_clusters(island, grid);
+        }
+        steps.show(grid, awake, u, delta);
+        let all = &self.line.links;
+        for island in self.awake(awake) {
+            let which = island.links.clone();
+            links.begin(which.clone(), all, &self.coefficients);
+            links.follow(which.clone(), all, &self.link_stiffness, delta, &island.nodes);
+            links.tension_free[which.clone()].copy_from_slice(&links.tension[which]);
+        }
+    }
+
+    /// Add a share of forces on nodes to what moves the grid, if there is one.
+    pub(in crate::dynamics) fn push(
+        &self,
+        grid: &mut Option<Grid>,
+        shares: impl Iterator<Item = (usize, usize, f64)>,
+        factor: f64,
+    ) {
+        if let (Some(steps), Some(grid)) = (&self.explicit, grid) {
+            for (node, component, share) in shares {
+                steps.push(grid, node, component, factor * share);
+            }
+        }
+    }
+}
+
+impl<const DIM: usize> Explicit<DIM> {
+    /// As [`Prepared::advance`].
+    pub(in crate::dynamics) fn advance<const D: usize>(&self, state: &mut LineState<D>) {
+        let LineState { u, v, awake, grid: Some(grid), .. } = state else {
+            return;
+        };
+        self.take(grid, awake, u, v);
+        for &island in &*awake {
+            self.go(island, grid);
+        }
+    }
+}

@@ -1,0 +1,156 @@
+//! The static displacement of the chain as it is stepped, from that of the structure.
+//!
+//! Both are the same but for small terms: points between masters follow. With K that of the structure,
+//! which is factorised, and K′ that of the steps, u ← u + K⁻¹ (f − K′ u) takes the difference away by a
+//! factor of about ‖1 − K⁻¹K′‖ a round.
+
+use super::{Explicit, Grid};
+use crate::dynamics::line::Line;
+use crate::linalg::{BlockLdl, SymmetricBlocks};
+
+/// Rounds; each takes two digits or more.
+const ROUNDS: usize = 40;
+/// Forces that count as none, as a share of the largest given one: rounding of K times u.
+const ENOUGH: f64 = 1e-13;
+
+impl<const DIM: usize> Explicit<DIM> {
+    /// State at rest in the displaced position of a structure, `u`, and that position as the steps
+    /// have it.
+    pub(in crate::dynamics) fn at_rest<const D: usize>(
+        &self,
+        line: &Line<DIM, D>,
+        mut u: Vec<[f64; D]>,
+    ) -> (Option<Grid>, Vec<[f64; D]>) {
+        let mut grid = self.still();
+        let k = line.combine(0.0, 0.0, 1.0);
+        let given = times(&k, &u);
+        let largest = given.iter().flatten().fold(0.0_f64, |m, f| m.max(f.abs()));
+        // A line that is displaced was found with this factor.
+        let factor = (largest > 0.0).then(|| BlockLdl::new(&k).ok()).flatten();
+        let Some(factor) = factor else {
+            return (Some(grid), u);
+        };
+        self.read_from(&u, &mut grid);
+        let mut scratch = vec![[0.0; D]; u.len()];
+        for _ in 0..ROUNDS {
+            let (mut off, worst) = self.unbalanced(&given, &mut grid);
+            if worst <= ENOUGH * largest {
+                break;
+            }
+            line.mask(&mut off);
+            factor.solve(&mut off, &mut scratch);
+            let mut step = self.still();
+            self.read_from(&off, &mut step);
+            add(&mut grid, &step);
+        }
+        for point in super::PAD..self.nodes.len() - super::PAD {
+            let node = self.nodes[point];
+            u[node][0] = self.along[point].read(&grid.x[0]);
+            (0..DIM - 1).for_each(|c| u[node][c + 1] = grid.y[c][point]);
+        }
+        (Some(grid), u)
+    }
+
+    /// Masters and points from nodes.
+    fn read_from<const D: usize>(&self, u: &[[f64; D]], grid: &mut Grid) {
+        for point in super::PAD..self.nodes.len() - super::PAD {
+            let node = self.nodes[point];
+            (0..DIM - 1).for_each(|c| grid.y[c][point] = u[node][c + 1]);
+            let along = self.along[point];
+            if along.share == 0.0 {
+                grid.x[0][along.masters[0]] = u[node][0];
+            } else if along.share == 1.0 {
+                grid.x[0][along.masters[1]] = u[node][0];
+            }
+        }
+    }
+
+    /// Given forces that the chain does not carry, on nodes; those along on the nodes of masters.
+    fn unbalanced<const D: usize>(&self, given: &[[f64; D]], grid: &mut Grid) -> (Vec<[f64; D]>, f64) {
+        let mut off = vec![[0.0; D]; given.len()];
+        for own in &self.own {
+            self.wire_forces(own, grid);
+        }
+        let mut worst: f64 = 0.0;
+        for point in super::PAD..self.nodes.len() - super::PAD {
+            let node = self.nodes[point];
+            if self.points[node] != point {
+                continue;
+            }
+            for c in 0..DIM - 1 {
+                let inverse = self.inverse[c][point];
+                if inverse > 0.0 {
+                    off[node][c + 1] += given[node][c + 1] + grid.w[c][point] / inverse;
+                }
+            }
+            self.along[point].add(given[node][0], &mut grid.pull);
+        }
+        self.add_clusters(grid, &mut off);
+        for point in super::PAD..self.nodes.len() - super::PAD {
+            let (node, along) = (self.nodes[point], self.along[point]);
+            let master = match along.share {
+                0.0 => along.masters[0],
+                1.0 => along.masters[1],
+                _ => continue,
+            };
+            if self.points[node] == point && self.masters[master][0] > 0.0 {
+                off[node][0] = grid.pull[master];
+            }
+        }
+        for f in off.iter().flatten() {
+            worst = worst.max(f.abs());
+        }
+        (off, worst)
+    }
+
+    /// Forces of clusters in the displaced position: −K u.
+    fn add_clusters<const D: usize>(&self, grid: &mut Grid, off: &mut [[f64; D]]) {
+        for cluster in &self.clusters {
+            let n = cluster.points.len() * DIM;
+            let at = |row: usize| {
+                let (point, c) = (cluster.points[row / DIM], row % DIM);
+                match c {
+                    0 => self.along[point].read(&grid.x[0]),
+                    _ => grid.y[c - 1][point],
+                }
+            };
+            let place: Vec<f64> = (0..n).map(at).collect();
+            for row in 0..n {
+                let force: f64 = (0..n).map(|j| -cluster.stiffness[row * n + j] * place[j]).sum();
+                let (point, c) = (cluster.points[row / DIM], row % DIM);
+                match c {
+                    0 => self.along[point].add(force, &mut grid.pull),
+                    _ => off[self.nodes[point]][c] += force,
+                }
+            }
+        }
+    }
+}
+
+fn add(grid: &mut Grid, step: &Grid) {
+    for (y, more) in grid.y.iter_mut().flatten().zip(step.y.iter().flatten()) {
+        *y += more;
+    }
+    for (x, more) in grid.x[0].iter_mut().zip(&step.x[0]) {
+        *x += more;
+    }
+}
+
+/// A x
+fn times<const D: usize>(a: &SymmetricBlocks<D>, x: &[[f64; D]]) -> Vec<[f64; D]> {
+    let mut y = vec![[0.0; D]; x.len()];
+    for i in 0..a.rows() {
+        for k in a.row_start[i]..a.row_start[i + 1] {
+            let (j, block) = (a.columns[k], &a.blocks[k]);
+            for p in 0..D {
+                for q in 0..D {
+                    y[i][p] += block[p][q] * x[j][q];
+                    if i != j {
+                        y[j][q] += block[p][q] * x[i][p];
+                    }
+                }
+            }
+        }
+    }
+    y
+}
