@@ -41,7 +41,7 @@ fn turned(line: Line<2, 4>, lanes: Vec<Path<2>>, scheme: Scheme, waves: f64) -> 
     let stride = (1.0 / exact).round() as usize;
     let mut values = Vec::new();
     for _ in 0..200 + 3 * stride + 2 {
-        p.free_increment(&mut state, |_| ());
+        p.free_increment(&mut state, |_| false);
         p.advance(&mut state);
         values.push(at(&state.u));
     }

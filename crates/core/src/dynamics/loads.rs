@@ -72,6 +72,10 @@ impl<'a> Loads<'a> {
         }
     }
 
+    pub(super) fn is_empty(&self) -> bool {
+        self.given.is_empty()
+    }
+
     /// Add the forces; a load of size zero adds nothing, not even to a negative zero.
     pub(super) fn add_to<const D: usize>(&self, f: &mut [[f64; D]]) {
         for (load, size) in self.acting() {

@@ -174,6 +174,7 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
             for &i in contacts.active.iter().filter(|&&i| friction[i] != 0.0) {
                 contacts.all[i].place.add_force(friction[i], 0, f);
             }
+            !loads.is_empty() || friction.iter().any(|t| *t != 0.0)
         });
         for rider in &mut self.riders {
             rider.begin(&p.coefficients, step);

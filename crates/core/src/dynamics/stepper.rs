@@ -294,8 +294,12 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
     }
 
     /// Increment of the line without contact forces and corrections. `load` is called with the
-    /// force vector to add given forces.
-    pub fn free_increment(&self, state: &mut LineState<D>, load: impl FnOnce(&mut [[f64; D]])) {
+    /// force vector to add given forces; it tells whether there are any.
+    pub fn free_increment(
+        &self,
+        state: &mut LineState<D>,
+        load: impl FnOnce(&mut [[f64; D]]) -> bool,
+    ) {
         if let Some(steps) = &self.explicit {
             return self.free_explicit(steps, state, load);
         }

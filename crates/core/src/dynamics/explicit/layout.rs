@@ -1,7 +1,6 @@
 //! From the structure to the lists of points.
 
-use super::cluster::Cluster;
-use super::stepping::MOST;
+use super::cluster::{Cluster, Member};
 use super::{Along, Explicit, Own, PAD, Reach, refuse};
 use crate::dynamics::line::Line;
 use crate::error::CoreError;
@@ -10,8 +9,9 @@ use crate::linalg::islands::islands;
 use crate::statics::assembly::{Geometry, Shape, link_tension};
 use std::ops::Range;
 
-/// Shortest reach along the wire, in steps of the waves of tension: 2/1.15 of the 2 that are stable.
-const REACH: f64 = 1.15;
+/// Shortest reach along the wire, in those that are just stable; the frequency of a reach is then still
+/// above 100 Hz at 1 ms.
+const REACH: f64 = 1.2;
 
 /// Wires as lists of segments, end to end; all that go through a bend stay together.
 fn wires<const DIM: usize, const D: usize>(geometry: &Geometry<DIM, D>) -> Vec<Vec<usize>> {
@@ -126,6 +126,7 @@ impl<const DIM: usize> Explicit<DIM> {
         let across = || vec![zero.clone(); DIM - 1];
         let mut new = Self {
             h,
+            per_step: 1.0 / h,
             nodes: vec![usize::MAX; count],
             points: vec![usize::MAX; geometry.nodes()],
             own: Vec::new(),
@@ -264,9 +265,6 @@ impl<const DIM: usize> Explicit<DIM> {
         }
         for points in all {
             let n = points.len() * DIM;
-            if n > MOST {
-                return Err(refuse(&format!("{} points linked with each other", points.len())));
-            }
             let place = |at: usize| (self.nodes[points[at / DIM]], at % DIM);
             let dense = |m: &SymmetricBlocks<D>| -> Vec<f64> {
                 let entry = |at: usize| {
@@ -275,21 +273,25 @@ impl<const DIM: usize> Explicit<DIM> {
                 };
                 (0..n * n).map(entry).collect()
             };
-            let response = |at: usize| match at % DIM {
-                0 => 0.0,
-                c => self.response(points[at / DIM], c - 1),
-            };
-            let response: Vec<f64> = (0..n).map(response).collect();
             let (k, c) = (dense(&k), dense(&c));
-            self.clusters.push(Cluster::new(points, &k, &c, &response, self.h)?);
+            let members = points.iter().map(|&point| self.member(point)).collect();
+            self.clusters.push(Cluster::new(members, (&k, &c), self.h)?);
         }
         Ok(())
     }
 
-    /// Acceleration of a point for a unit force on it.
-    pub(super) fn response(&self, point: usize, across: usize) -> f64 {
-        let own = self.inverse[across][point];
-        own * (1.0 + own * (self.filter[point] + self.filter[point - 1]))
+    fn member(&self, point: usize) -> Member {
+        let filter = [self.filter[point - 1], self.filter[point]];
+        let mut inverse = [0.0; 2];
+        (0..DIM - 1).for_each(|c| inverse[c] = self.inverse[c][point]);
+        Member {
+            point,
+            node: self.nodes[point],
+            along: Along::default(),
+            inverse,
+            response: inverse.map(|own| own * (1.0 + own * (filter[0] + filter[1]))),
+            filter,
+        }
     }
 
     /// Masters, reaches, and where all points lie between them, island by island.
@@ -336,11 +338,14 @@ impl<const DIM: usize> Explicit<DIM> {
                 points: first..last,
                 reaches: reaches..self.reaches.len(),
                 masters: masters..self.masters.len(),
-                clusters: self.among(|k| self.clusters[k].points[0], self.clusters.len(), first..last),
+                clusters: self.among(|k| self.clusters[k].members[0].point, self.clusters.len(), first..last),
                 guests: self.among(|k| self.guests[k].0, self.guests.len(), first..last),
             });
         }
         self.own = own;
+        for member in self.clusters.iter_mut().flat_map(|c| &mut c.members) {
+            member.along = self.along[member.point];
+        }
         for (node, [mass, damped]) in masses.into_iter().enumerate() {
             let along = self.along[self.points[node]];
             for (m, share) in along.masters.into_iter().zip([1.0 - along.share, along.share]) {
@@ -388,14 +393,20 @@ impl<const DIM: usize> Explicit<DIM> {
             at[k + 1] = at[k] + segment.rest_length;
             fastest = fastest.max((segment.axial_stiffness / segment.mass).sqrt());
         }
-        let shortest = REACH * fastest * self.h;
+        // Damping is read a step late: see `stable`.
+        let late = 1.0 + 2.0 * self.lag[run.first + last / 2];
+        let shortest = REACH * fastest * self.h * late.sqrt();
         let mut places = vec![run.first];
         for pair in needed.windows(2) {
-            let length = at[pair[1]] - at[pair[0]];
-            let pieces = (length / shortest).floor().max(1.0);
-            for piece in 1..pieces as usize {
-                let wanted = at[pair[0]] + length * piece as f64 / pieces;
-                places.push(run.first + at.partition_point(|&x| x < wanted));
+            let (mut from, to) = (at[pair[0]], at[pair[1]]);
+            let pieces = ((to - from) / shortest).floor().max(1.0);
+            let wanted = ((to - from) / pieces).min(to - from);
+            for k in pair[0] + 1..pair[1] {
+                // Rounding must not make a piece longer by an element.
+                if at[k] - from > wanted * (1.0 - 1e-9) && to - at[k] >= shortest {
+                    places.push(run.first + k);
+                    from = at[k];
+                }
             }
             places.push(run.first + pair[1]);
         }
@@ -422,7 +433,7 @@ impl<const DIM: usize> Explicit<DIM> {
             for (k, place) in at.iter().enumerate() {
                 self.along[pair[0] + k] = Along { masters: ends, share: place / length };
             }
-            self.reaches.push(Reach { segments: pair[0]..pair[1], stiffness: 1.0 / flexibility });
+            self.reaches.push(Reach { masters: ends, segments: pair[0]..pair[1], stiffness: 1.0 / flexibility });
         }
     }
 }

@@ -9,7 +9,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         &self,
         steps: &Explicit<DIM>,
         state: &mut LineState<D>,
-        load: impl FnOnce(&mut [[f64; D]]),
+        load: impl FnOnce(&mut [[f64; D]]) -> bool,
     ) {
         let LineState { u, delta, work, links, awake, grid: Some(grid), .. } = state else {
             return;
@@ -17,9 +17,8 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         for &island in &*awake {
             steps.wire_forces(&steps.own[island], grid);
         }
-        load(work);
         // Work is empty before and after, as most steps leave it.
-        if work.iter().flatten().any(|f| *f != 0.0) {
+        if load(work) {
             for (node, force) in work.iter_mut().enumerate() {
                 for c in 0..DIM {
                     steps.add_force(grid, steps.points[node], c, force[c]);
@@ -37,9 +36,9 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
             }
         }
         for &island in &*awake {
-            steps.settle_clusters(island, grid);
+            steps.settle_clusters(island, grid, (u, delta));
         }
-        steps.show(grid, awake, u, delta);
+        steps.show(grid, (u, delta));
         let all = &self.line.links;
         for island in self.awake(awake) {
             let which = island.links.clone();
@@ -67,10 +66,10 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
 impl<const DIM: usize> Explicit<DIM> {
     /// As [`Prepared::advance`].
     pub(in crate::dynamics) fn advance<const D: usize>(&self, state: &mut LineState<D>) {
-        let LineState { u, v, awake, grid: Some(grid), .. } = state else {
+        let LineState { u, v, delta, awake, grid: Some(grid), .. } = state else {
             return;
         };
-        self.take(grid, awake, u, v);
+        self.take(grid, awake, (u, delta, v));
         for &island in &*awake {
             self.go(island, grid);
         }

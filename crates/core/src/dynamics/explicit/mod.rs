@@ -32,8 +32,10 @@ mod layout;
 mod line;
 mod push;
 mod rest;
+mod settle;
 mod stable;
 mod stepping;
+mod stretch;
 
 use cluster::Cluster;
 
@@ -70,6 +72,7 @@ impl Along {
 /// A piece of wire between two masters.
 #[derive(Debug, Clone)]
 struct Reach {
+    masters: [usize; 2],
     /// Its segments.
     segments: Range<usize>,
     /// k, N/m.
@@ -90,8 +93,9 @@ struct Own {
 /// wires meet in the numbering, its numbers are zero. `T` lists hold one for each direction across.
 #[derive(Debug, Clone)]
 pub struct Explicit<const DIM: usize> {
-    /// Step, s.
+    /// Step, s, and 1/h.
     h: f64,
+    per_step: f64,
     /// Node of each point.
     nodes: Vec<usize>,
     /// Point of each node.

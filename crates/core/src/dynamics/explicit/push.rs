@@ -7,9 +7,9 @@ impl<const DIM: usize> Explicit<DIM> {
     /// Acceleration of a point across, from w.
     #[inline(always)]
     pub(super) fn acceleration(&self, across: usize, point: usize, w: &[f64]) -> f64 {
-        let left = self.filter[point - 1] * (w[point] - w[point - 1]);
-        let right = self.filter[point] * (w[point + 1] - w[point]);
-        w[point] - self.inverse[across][point] * (right - left)
+        let (filter, w) = (&self.filter[point - 1..=point], &w[point - 1..=point + 1]);
+        let (left, right) = (filter[0] * (w[1] - w[0]), filter[1] * (w[2] - w[1]));
+        w[1] - self.inverse[across][point] * (right - left)
     }
 
     /// Add a force on a component of a node.
@@ -40,10 +40,10 @@ impl<const DIM: usize> Explicit<DIM> {
     /// What a cluster answers to the acceleration of one of its points.
     fn answer(&self, grid: &mut Grid, number: usize, column: usize, acceleration: f64) {
         let cluster = &self.clusters[number];
-        let n = cluster.points.len() * DIM;
+        let n = cluster.members.len() * DIM;
         for row in 0..n {
             let force = -cluster.of_change[row * n + column] * acceleration;
-            self.add_force(grid, cluster.points[row / DIM], row % DIM, force);
+            self.add_force(grid, cluster.members[row / DIM].point, row % DIM, force);
         }
     }
 
@@ -72,8 +72,8 @@ impl<const DIM: usize> Explicit<DIM> {
             for near in [point - 1, point, point + 1] {
                 moved.push(near);
                 if let Some((number, _)) = self.in_cluster[near] {
-                    for &p in &self.clusters[number].points {
-                        moved.extend([p - 1, p, p + 1]);
+                    for member in &self.clusters[number].members {
+                        moved.extend(member.point - 1..=member.point + 1);
                     }
                 }
             }

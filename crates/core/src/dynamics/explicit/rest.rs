@@ -106,9 +106,9 @@ impl<const DIM: usize> Explicit<DIM> {
     /// Forces of clusters in the displaced position: −K u.
     fn add_clusters<const D: usize>(&self, grid: &mut Grid, off: &mut [[f64; D]]) {
         for cluster in &self.clusters {
-            let n = cluster.points.len() * DIM;
+            let n = cluster.members.len() * DIM;
             let at = |row: usize| {
-                let (point, c) = (cluster.points[row / DIM], row % DIM);
+                let (point, c) = (cluster.members[row / DIM].point, row % DIM);
                 match c {
                     0 => self.along[point].read(&grid.x[0]),
                     _ => grid.y[c - 1][point],
@@ -117,7 +117,7 @@ impl<const DIM: usize> Explicit<DIM> {
             let place: Vec<f64> = (0..n).map(at).collect();
             for row in 0..n {
                 let force: f64 = (0..n).map(|j| -cluster.stiffness[row * n + j] * place[j]).sum();
-                let (point, c) = (cluster.points[row / DIM], row % DIM);
+                let (point, c) = (cluster.members[row / DIM].point, row % DIM);
                 match c {
                     0 => self.along[point].add(force, &mut grid.pull),
                     _ => off[self.nodes[point]][c] += force,

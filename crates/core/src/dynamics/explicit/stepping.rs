@@ -1,6 +1,8 @@
 //! A step, in the order of the pieces: forces, clusters; then, with contacts known, the motion.
 
 use super::kernels::{Forces, Lag, Move};
+use super::settle::Settle;
+use super::stretch::Stretch;
 use super::{BETA, Explicit, Grid, Own};
 use crate::linalg::widest;
 use std::ops::Range;
@@ -50,7 +52,7 @@ impl<const DIM: usize> Explicit<DIM> {
             });
         }
         grid.pull[own.masters.clone()].fill(0.0);
-        self.stretch(own, grid);
+        widest(Stretch { p: self, own, grid });
         for across in 0..DIM - 1 {
             widest(Forces {
                 p: self,
@@ -69,74 +71,52 @@ impl<const DIM: usize> Explicit<DIM> {
         }
     }
 
-    /// H of each reach.
-    fn stretch(&self, own: &Own, grid: &mut Grid) {
-        let lagged = |m: usize, x: &[Vec<f64>; 2]| x[0][m] + self.masters[m][2] * x[1][m];
-        for reach in &self.reaches[own.reaches.clone()] {
-            let Range { start, end } = reach.segments;
-            let [a, b] = self.along[start].masters;
-            let mut longer = lagged(b, &grid.x) - lagged(a, &grid.x);
-            for across in 0..DIM - 1 {
-                longer += rise(&self.slope[across][start..end], &grid.lagged[across][start..=end]);
-            }
-            let thrust = reach.stiffness * longer;
-            grid.thrust[start..end].fill(thrust);
-            grid.pull[a] += thrust;
-            grid.pull[b] -= thrust;
-        }
+    /// Forces of links, struts and springs; and the increments of their nodes, with `u` before the step.
+    pub(super) fn settle_clusters<const D: usize>(
+        &self,
+        island: usize,
+        grid: &mut Grid,
+        (u, delta): (&[[f64; D]], &mut [[f64; D]]),
+    ) {
+        widest(Settle { p: self, island, grid, u, delta });
     }
 
-    /// Forces of links, struts and springs.
-    pub(super) fn settle_clusters(&self, island: usize, grid: &mut Grid) {
-        for number in self.own[island].clusters.clone() {
-            self.settle_cluster(number, grid);
-        }
-    }
-
+    /// Place and velocity at the end of the step, from predictor, its last increment and acceleration.
     #[inline(always)]
-    fn settle_cluster(&self, number: usize, grid: &mut Grid) {
-        let cluster = &self.clusters[number];
-        let n = cluster.points.len() * DIM;
-        let mut state = [[0.0; 2]; MOST];
-        for (point, state) in cluster.points.iter().zip(state.chunks_mut(DIM)) {
-            state.copy_from_slice(&self.at(grid, *point));
-        }
-        for row in 0..n {
-            let (places, speeds) = (&cluster.of_place[row * n..][..n], &cluster.of_speed[row * n..][..n]);
-            let mut force = 0.0;
-            for ((k, c), [u, v]) in places.iter().zip(speeds).zip(&state[..n]) {
-                force -= k * u + c * v;
-            }
-            self.add_force(grid, cluster.points[row / DIM], row % DIM, force);
-        }
+    pub(super) fn ahead(&self, [y, d, a]: [f64; 3]) -> [f64; 2] {
+        let h = self.h;
+        [y + BETA * h * h * a, self.per_step * d + 0.5 * h * a]
     }
 
-    /// Read the nodes that others need: displacement `u` before the step, increment `delta`.
+    /// Increments of the other nodes that are read, with `u` before the step.
     pub(super) fn show<const D: usize>(
         &self,
         grid: &Grid,
-        awake: &[usize],
-        u: &[[f64; D]],
-        delta: &mut [[f64; D]],
+        (u, delta): (&[[f64; D]], &mut [[f64; D]]),
     ) {
-        for point in self.read(grid, awake) {
-            let node = self.nodes[point];
-            let new = self.at(grid, point);
+        for &point in grid.watched.iter().chain(&grid.near) {
+            let (node, new) = (self.nodes[point], self.at(grid, point));
             for c in 0..DIM {
                 delta[node][c] = new[c][0] - u[node][c];
             }
         }
     }
 
-    /// Put place and velocity at the end of the step where others read them.
+    /// Take the increments where others read them, and the velocities where contacts are.
     pub(super) fn take<const D: usize>(
         &self,
         grid: &Grid,
         awake: &[usize],
-        u: &mut [[f64; D]],
-        v: &mut [[f64; D]],
+        (u, delta, v): (&mut [[f64; D]], &[[f64; D]], &mut [[f64; D]]),
     ) {
-        for point in self.read(grid, awake) {
+        let of = |&island: &usize| &self.clusters[self.own[island].clusters.clone()];
+        for member in awake.iter().flat_map(of).flat_map(|c| &c.members) {
+            let (u, delta) = (&mut u[member.node], &delta[member.node]);
+            for c in 0..DIM {
+                u[c] += delta[c];
+            }
+        }
+        for &point in grid.watched.iter().chain(&grid.near) {
             let node = self.nodes[point];
             for (c, [place, speed]) in self.at(grid, point).into_iter().enumerate() {
                 (u[node][c], v[node][c]) = (place, speed);
@@ -147,21 +127,14 @@ impl<const DIM: usize> Explicit<DIM> {
     /// Place and velocity of a point at the end of the step, component by component.
     #[inline(always)]
     fn at(&self, grid: &Grid, point: usize) -> [[f64; 2]; DIM] {
-        let (along, squared) = (&self.along[point], BETA * self.h * self.h);
+        let along = &self.along[point];
         let mut found = [[0.0; 2]; DIM];
-        found[0] = [along.read(&grid.x[0]), along.read(&grid.x[1]) / self.h];
+        found[0] = [along.read(&grid.x[0]), self.per_step * along.read(&grid.x[1])];
         for across in 0..DIM - 1 {
             let a = self.acceleration(across, point, &grid.w[across]);
-            let (y, d) = (grid.y[across][point], grid.d[across][point]);
-            found[across + 1] = [y + squared * a, d / self.h + 0.5 * self.h * a];
+            found[across + 1] = self.ahead([grid.y[across][point], grid.d[across][point], a]);
         }
         found
-    }
-
-    fn read<'a>(&'a self, grid: &'a Grid, awake: &'a [usize]) -> impl Iterator<Item = usize> + 'a {
-        let clusters = awake.iter().flat_map(|&island| &self.clusters[self.own[island].clusters.clone()]);
-        let linked = clusters.flat_map(|c| &c.points);
-        linked.chain(&grid.watched).chain(&grid.near).copied()
     }
 
     /// Take the step on one island.
@@ -201,18 +174,3 @@ impl<const DIM: usize> Explicit<DIM> {
     }
 }
 
-/// Most components of a cluster.
-pub(super) const MOST: usize = 48;
-
-/// Σ tan φⱼ (sⱼ₊₁ − sⱼ)
-#[inline(always)]
-fn rise(slope: &[f64], s: &[f64]) -> f64 {
-    let mut sums = [0.0; 4];
-    let ends = s[1..].chunks(4).zip(s[..slope.len()].chunks(4));
-    for (slope, (next, s)) in slope.chunks(4).zip(ends) {
-        for k in 0..slope.len() {
-            sums[k] += slope[k] * (next[k] - s[k]);
-        }
-    }
-    sums.iter().sum()
-}
