@@ -117,6 +117,18 @@ impl<const DIM: usize> Explicit<DIM> {
         line: &Line<DIM, D>,
         h: f64,
     ) -> Result<Self, CoreError> {
+        let new = Self::laid(geometry, shape, line, h)?;
+        new.check_step(|h| Self::laid(geometry, shape, line, h))?;
+        Ok(new)
+    }
+
+    /// The same with steps of any length.
+    fn laid<const D: usize>(
+        geometry: &Geometry<DIM, D>,
+        shape: &Shape<D>,
+        line: &Line<DIM, D>,
+        h: f64,
+    ) -> Result<Self, CoreError> {
         if D != DIM {
             return Err(refuse("wires of cubic elements: explicit steps need point masses"));
         }
@@ -149,7 +161,6 @@ impl<const DIM: usize> Explicit<DIM> {
         new.add_masses(geometry, line, shape)?;
         new.cluster(geometry, shape, line)?;
         new.lay_along(geometry, shape, line, (&runs, islands))?;
-        new.check_step()?;
         Ok(new)
     }
 
@@ -386,7 +397,9 @@ impl<const DIM: usize> Explicit<DIM> {
         for (k, &number) in run.segments.iter().enumerate() {
             let segment = &segments[number];
             at[k + 1] = at[k] + segment.rest_length;
-            fastest = fastest.max((segment.axial_stiffness / segment.mass).sqrt());
+            // Damping shortens the longest step, see `stable`.
+            let damped = 1.0 + 2.0 * segment.damping.beta / self.h;
+            fastest = fastest.max((damped * segment.axial_stiffness / segment.mass).sqrt());
         }
         let shortest = REACH * fastest * self.h;
         let mut places = vec![run.first];
