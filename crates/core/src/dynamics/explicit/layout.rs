@@ -4,10 +4,12 @@ use super::cluster::Cluster;
 use super::stepping::MOST;
 use super::{Along, Explicit, Own, PAD, Reach, refuse};
 use crate::dynamics::line::Line;
+use crate::element::bar::BarState;
 use crate::error::CoreError;
 use crate::linalg::SymmetricBlocks;
 use crate::linalg::islands::islands;
 use crate::statics::assembly::{Geometry, Shape, link_tension};
+use crate::structure::Segment;
 use std::ops::Range;
 
 /// Shortest reach along the wire, in steps of the waves of tension: 2/1.15 of the 2 that are stable.
@@ -195,10 +197,11 @@ impl<const DIM: usize> Explicit<DIM> {
                 let state = Geometry::<DIM, D>::segment_state(shape, segment);
                 self.per_length[j] = 1.0 / segment.rest_length;
                 let (mass, tension) = (segment.mass * segment.rest_length, state.linear_tension);
+                let (stretch, turn, along) = along(segment, &state);
                 for c in 1..DIM {
-                    let slope = state.direction[c] / state.direction[0];
-                    self.slope[c - 1][j] = slope;
-                    self.tension[c - 1][j] = tension / state.length * (1.0 + slope * slope);
+                    let part = (stretch - turn) / along * state.direction[c];
+                    self.slope[c - 1][j] = part * state.direction[0];
+                    self.tension[c - 1][j] = turn * (1.0 + part * state.direction[c]);
                 }
                 let courant = tension / state.length * self.h * self.h / mass;
                 self.filter[j] = mass / 12.0 * (1.0 - courant);
@@ -427,8 +430,8 @@ impl<const DIM: usize> Explicit<DIM> {
             let (mut flexibility, mut at) = (0.0, vec![0.0]);
             for j in pair[0]..pair[1] {
                 let segment = &all[run.segments[j - run.first]];
-                let cosine = Geometry::<DIM, D>::segment_state(shape, segment).direction[0];
-                flexibility += 1.0 / (segment.stiffness() * cosine * cosine);
+                let state = Geometry::<DIM, D>::segment_state(shape, segment);
+                flexibility += 1.0 / along(segment, &state).2;
                 at.push(at[at.len() - 1] + segment.rest_length);
             }
             let length = at[at.len() - 1];
@@ -438,6 +441,15 @@ impl<const DIM: usize> Explicit<DIM> {
             self.reaches.push(Reach { segments: pair[0]..pair[1], stiffness: 1.0 / flexibility });
         }
     }
+}
+
+/// Stiffness of a segment for stretching, A, and for turning, B, and for a motion along the track,
+/// K = A cos² φ + B sin² φ, N/m. When H is given, what remains across is B (1 + (A − B) sin² φ/K), and
+/// tan φ is (A − B) sin φ cos φ/K.
+fn along<const DIM: usize>(segment: &Segment, state: &BarState<DIM>) -> (f64, f64, f64) {
+    let (stretch, turn) = (segment.stiffness(), state.linear_tension / state.length);
+    let squared = state.direction[0] * state.direction[0];
+    (stretch, turn, stretch * squared + turn * (1.0 - squared))
 }
 
 /// The node that stands for all that are linked with one.
