@@ -135,8 +135,8 @@ fn points_of_several_wires_move_as_in_implicit_steps() {
     });
     for (k, (coarse, fine)) in errors[0].iter().zip(&errors[1]).enumerate() {
         assert!(*fine < 0.7 * coarse, "{k}: it does not fade, {errors:?}");
-        // Spring and links send back waves of some 3 m. On the 40 m to the rider and back (kℓ)²/24 of
-        // their 80 rad is 1 rad: what they are of forces, some hundredths, and less of displacements.
+        // Estimate: lumped masses delay waves of 3 m, kℓ = 0.5, by (kℓ)²/24 = 1 %, over some radians
+        // some hundredths of a force; displacements hold less of such waves.
         let most = if k == 0 { 0.03 } else { 0.008 };
         assert!(*fine < most, "{k}: {errors:?}");
     }

@@ -35,9 +35,8 @@ fn apart<const DIM: usize, const D: usize>(chain: &Chain, h: f64) -> (f64, [Reco
     (found, [ours, fine])
 }
 
-/// The implicit chain delays waves by (kℓ)²/24, the explicit one does not; and a rider goes over a kink at
-/// every node of either. Short waves show the first order of kinks, long ones the second of the delay:
-/// a half takes away between a half and three quarters of the difference, or nearly so.
+/// The implicit chain delays waves by (kℓ)²/24, the explicit one does not, and a rider goes over a kink at
+/// every node of both. Between first order (0.5) and none (1); the partner, a lasting difference, gives 1.
 fn shrinks(errors: &[f64]) {
     assert!(errors.windows(2).all(|e| e[1] < 0.7 * e[0]), "{errors:?}");
 }
@@ -54,7 +53,7 @@ fn a_moving_rider_feels_the_line_of_implicit_steps() {
         found
     });
     shrinks(&errors);
-    // Waves of 2 m, 0.8 rad a node, are as short as those that count: (kℓ)²/24 of 2.5 waves in 5 m.
+    // Estimate: waves of 2 m, kℓ = 0.8, are late by (kℓ)²/24 = 3 %, longer ones by less.
     assert!(errors[2] < 0.1, "{errors:?}");
 }
 
