@@ -114,6 +114,9 @@ fn growth(chain: &Chain, h: f64) -> f64 {
         p.free_increment(&mut state, |_| ());
         p.advance(&mut state);
         let seen = state.u[STRING.elements / 2][1].abs();
+        if !seen.is_finite() {
+            return f64::INFINITY;
+        }
         if !(500..5500).contains(&step) {
             let part = &mut largest[usize::from(step >= 500)];
             *part = part.max(seen);
