@@ -8,6 +8,7 @@ mod contacts;
 mod control;
 mod dynamics;
 mod equivalence;
+mod explicit;
 mod flexibility;
 mod hostile;
 mod hostile_input;

@@ -19,7 +19,7 @@ use arcless_core::statics::Geometry;
 use arcless_core::structure::Structure;
 
 /// Where the second one begins, m: a span of the three of each is an overlap.
-const SHIFT: f64 = 110.0;
+pub const SHIFT: f64 = 110.0;
 
 #[test]
 fn islands_are_what_no_block_couples() {
@@ -37,7 +37,7 @@ fn islands_are_what_no_block_couples() {
 }
 
 /// A second line of the same kind, behind the first.
-fn put_behind(s: &mut Structure, other: &Structure, shift: f64) {
+pub fn put_behind(s: &mut Structure, other: &Structure, shift: f64) {
     let (nodes, wires) = (s.positions.len(), s.wires.len());
     let moved = other.positions.iter().map(|p| [p[0] + shift, p[1], p[2]]);
     s.positions.extend(moved);
@@ -104,7 +104,7 @@ fn nothing(instants: usize) -> Load {
     }
 }
 
-fn plan(p: &Prepared<2, 4>) -> RecordPlan {
+fn plan<const DIM: usize, const D: usize>(p: &Prepared<DIM, D>) -> RecordPlan {
     RecordPlan {
         nodes: vec![3, 11, p.line.nodes() - 5],
         ledger: false,
@@ -112,8 +112,8 @@ fn plan(p: &Prepared<2, 4>) -> RecordPlan {
     }
 }
 
-fn run(
-    p: &Prepared<2, 4>,
+fn run<const DIM: usize, const D: usize>(
+    p: &Prepared<DIM, D>,
     travel: &Travel,
     plan: &RecordPlan,
 ) -> (Vec<Vec<u64>>, Vec<Vec<u64>>, State) {
@@ -129,7 +129,7 @@ fn what_sleeps_would_not_have_moved() {
     }
 }
 
-fn sleeps_as_if_awake(p: &Prepared<2, 4>) {
+pub fn sleeps_as_if_awake<const DIM: usize, const D: usize>(p: &Prepared<DIM, D>) {
     let (plan, sleeping) = (plan(p), way(1400));
     let awake = Travel {
         loads: vec![nothing(1400)],
@@ -142,9 +142,12 @@ fn sleeps_as_if_awake(p: &Prepared<2, 4>) {
 
 #[test]
 fn an_untouched_length_is_at_rest_exactly() {
-    let p = two_lengths(false);
+    untouched_is_at_rest(&two_lengths(false));
+}
+
+pub fn untouched_is_at_rest<const DIM: usize, const D: usize>(p: &Prepared<DIM, D>) {
     // Ends before the second one begins.
-    let (_, _, state) = run(&p, &way(500), &plan(&p));
+    let (_, _, state) = run(p, &way(500), &plan(p));
     let u = &state.numbers["line_displacement"];
     let (touched, untouched) = u.split_at(u.len() / 2);
     assert!(touched.iter().any(|v| *v != 0.0));
@@ -152,7 +155,7 @@ fn an_untouched_length_is_at_rest_exactly() {
 }
 
 /// Only a few links and nodes behind the rider.
-fn near(p: &Prepared<2, 4>) -> Near {
+fn near<const DIM: usize, const D: usize>(p: &Prepared<DIM, D>) -> Near {
     let links = &p.line.links;
     let x = |i: usize| p.line.shape[links[i].nodes[0]][0];
     let mut order: Vec<usize> = (0..links.len()).collect();
@@ -180,7 +183,7 @@ fn a_length_left_behind_is_laid_to_rest() {
     }
 }
 
-fn is_laid_to_rest(p: &Prepared<2, 4>) {
+pub fn is_laid_to_rest<const DIM: usize, const D: usize>(p: &Prepared<DIM, D>) {
     let whole = plan(p);
     let some = RecordPlan {
         near: Some(near(p)),
@@ -209,7 +212,7 @@ fn parts_of_such_a_run_are_the_whole() {
     }
 }
 
-fn parts_are_the_whole(p: &Prepared<2, 4>) {
+pub fn parts_are_the_whole<const DIM: usize, const D: usize>(p: &Prepared<DIM, D>) {
     let some = RecordPlan {
         near: Some(near(p)),
         ..plan(p)

@@ -43,6 +43,30 @@ impl<const DIM: usize, const D: usize> Live<DIM, D> {
             let pulled = links().flat_map(|(link, share)| self.p.line.links[link].shares(share));
             press::<DIM, D>(load, &place, self.travel.friction, forces[number], pulled);
         }
+        self.look(balance)
+    }
+
+    /// Tell an explicit line where it is read.
+    fn look(&mut self, balance: f64) -> Result<(), CoreError> {
+        let grid = self
+            .parts
+            .as_mut()
+            .and_then(|parts| parts.state.grid.as_mut());
+        let (Some(steps), Some(grid)) = (&self.p.explicit, grid) else {
+            return Ok(());
+        };
+        if self.collectors.is_empty() {
+            return Ok(());
+        }
+        let lane = &self.p.lanes[0];
+        let found = self.places.iter_mut().zip(&self.collectors).enumerate();
+        for (number, (place, collector)) in found {
+            *place = locate(lane, balance - collector.behind, place.element, number)?;
+        }
+        steps.look_at(
+            grid,
+            self.places.iter().flat_map(|place| lane.around(place)),
+        );
         Ok(())
     }
 }

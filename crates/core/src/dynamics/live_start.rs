@@ -130,6 +130,9 @@ impl<const DIM: usize, const D: usize> Live<DIM, D> {
         let rows = (parts.contacts.all.len() + links + kinks).min(ROOM);
         parts.forget_extremes();
         parts.unilateral.reserve(rows);
+        if let Some(grid) = &mut parts.state.grid {
+            grid.reserve(parts.contacts.all.len() + collectors.len());
+        }
         parts
             .record
             .pivot_counts

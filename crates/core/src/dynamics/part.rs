@@ -113,7 +113,8 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         part: Part<'_>,
         mut callers: Callers<'_>,
     ) -> Result<(Record, State), CoreError> {
-        check(riders, travel, plan, self.updating.is_some())?;
+        let steps = (self.updating.is_some(), self.explicit.is_some());
+        check(riders, travel, plan, steps)?;
         check_nodes(&plan.nodes, self.line.nodes())?;
         if let Some(near) = &plan.near {
             near.check(self.line.links.len(), self.line.nodes())?;

@@ -101,7 +101,7 @@ pub(super) fn check(
     riders: &[Rider],
     travel: &Travel,
     plan: &RecordPlan,
-    updates: bool,
+    (updates, is_explicit): (bool, bool),
 ) -> Result<(), CoreError> {
     let refuse = |array, reason: &str| {
         Err(CoreError::Input {
@@ -124,6 +124,9 @@ pub(super) fn check(
     }
     if plan.ledger && updates {
         return refuse("plan", "an energy ledger with updated kinematics");
+    }
+    if plan.ledger && is_explicit {
+        return refuse("plan", "an energy ledger with explicit steps");
     }
     if plan.contact_every == 0 || plan.line_every == 0 {
         return refuse("plan", "a recording interval of zero steps");

@@ -3,10 +3,12 @@
 use super::cluster::{Cluster, Member};
 use super::{Along, Explicit, Own, PAD, Reach, refuse};
 use crate::dynamics::line::Line;
+use crate::element::bar::BarState;
 use crate::error::CoreError;
 use crate::linalg::SymmetricBlocks;
 use crate::linalg::islands::islands;
 use crate::statics::assembly::{Geometry, Shape, link_tension};
+use crate::structure::Segment;
 use std::ops::Range;
 
 /// Shortest reach along the wire, in those that are just stable; the frequency of a reach is then still
@@ -117,6 +119,18 @@ impl<const DIM: usize> Explicit<DIM> {
         line: &Line<DIM, D>,
         h: f64,
     ) -> Result<Self, CoreError> {
+        let new = Self::laid(geometry, shape, line, h)?;
+        new.check_step(|h| Self::laid(geometry, shape, line, h))?;
+        Ok(new)
+    }
+
+    /// The same with steps of any length.
+    fn laid<const D: usize>(
+        geometry: &Geometry<DIM, D>,
+        shape: &Shape<D>,
+        line: &Line<DIM, D>,
+        h: f64,
+    ) -> Result<Self, CoreError> {
         if D != DIM {
             return Err(refuse("wires of cubic elements: explicit steps need point masses"));
         }
@@ -150,7 +164,6 @@ impl<const DIM: usize> Explicit<DIM> {
         new.add_masses(geometry, line, shape)?;
         new.cluster(geometry, shape, line)?;
         new.lay_along(geometry, shape, line, (&runs, islands))?;
-        new.check_step()?;
         Ok(new)
     }
 
@@ -185,10 +198,11 @@ impl<const DIM: usize> Explicit<DIM> {
                 let state = Geometry::<DIM, D>::segment_state(shape, segment);
                 self.per_length[j] = 1.0 / segment.rest_length;
                 let (mass, tension) = (segment.mass * segment.rest_length, state.linear_tension);
+                let (stretch, turn, along) = along(segment, &state);
                 for c in 1..DIM {
-                    let slope = state.direction[c] / state.direction[0];
-                    self.slope[c - 1][j] = slope;
-                    self.tension[c - 1][j] = tension / state.length * (1.0 + slope * slope);
+                    let part = (stretch - turn) / along * state.direction[c];
+                    self.slope[c - 1][j] = part * state.direction[0];
+                    self.tension[c - 1][j] = turn * (1.0 + part * state.direction[c]);
                 }
                 let courant = tension / state.length * self.h * self.h / mass;
                 self.filter[j] = mass / 12.0 * (1.0 - courant);
@@ -391,7 +405,9 @@ impl<const DIM: usize> Explicit<DIM> {
         for (k, &number) in run.segments.iter().enumerate() {
             let segment = &segments[number];
             at[k + 1] = at[k] + segment.rest_length;
-            fastest = fastest.max((segment.axial_stiffness / segment.mass).sqrt());
+            // Damping shortens the longest step, see `stable`.
+            let damped = 1.0 + 2.0 * segment.damping.beta / self.h;
+            fastest = fastest.max((damped * segment.axial_stiffness / segment.mass).sqrt());
         }
         // Damping is read a step late: see `stable`.
         let late = 1.0 + 2.0 * self.lag[run.first + last / 2];
@@ -425,8 +441,8 @@ impl<const DIM: usize> Explicit<DIM> {
             let (mut flexibility, mut at) = (0.0, vec![0.0]);
             for j in pair[0]..pair[1] {
                 let segment = &all[run.segments[j - run.first]];
-                let cosine = Geometry::<DIM, D>::segment_state(shape, segment).direction[0];
-                flexibility += 1.0 / (segment.stiffness() * cosine * cosine);
+                let state = Geometry::<DIM, D>::segment_state(shape, segment);
+                flexibility += 1.0 / along(segment, &state).2;
                 at.push(at[at.len() - 1] + segment.rest_length);
             }
             let length = at[at.len() - 1];
@@ -436,6 +452,15 @@ impl<const DIM: usize> Explicit<DIM> {
             self.reaches.push(Reach { masters: ends, segments: pair[0]..pair[1], stiffness: 1.0 / flexibility });
         }
     }
+}
+
+/// Stiffness of a segment for stretching, A, and for turning, B, and for a motion along the track,
+/// K = A cos² φ + B sin² φ, N/m. When H is given, what remains across is B (1 + (A − B) sin² φ/K), and
+/// tan φ is (A − B) sin φ cos φ/K.
+fn along<const DIM: usize>(segment: &Segment, state: &BarState<DIM>) -> (f64, f64, f64) {
+    let (stretch, turn) = (segment.stiffness(), state.linear_tension / state.length);
+    let squared = state.direction[0] * state.direction[0];
+    (stretch, turn, stretch * squared + turn * (1.0 - squared))
 }
 
 /// The node that stands for all that are linked with one.

@@ -7,6 +7,13 @@ use super::{BETA, Explicit, Grid, Own};
 use crate::linalg::widest;
 use std::ops::Range;
 
+impl Grid {
+    /// Room for the nodes that are read at some places: those of three elements each.
+    pub(in crate::dynamics) fn reserve(&mut self, places: usize) {
+        self.near.reserve(6 * places);
+    }
+}
+
 impl<const DIM: usize> Explicit<DIM> {
     /// Nothing moves.
     pub(in crate::dynamics) fn still(&self) -> Grid {

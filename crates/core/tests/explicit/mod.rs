@@ -1,0 +1,112 @@
+//! Explicit steps of chains, against closed forms and against the implicit ones.
+
+mod growth;
+mod guests;
+mod islands;
+mod lines;
+mod live;
+mod refusals;
+mod rest;
+mod waves;
+
+use crate::common::chain::{lumped, settled};
+use crate::common::{Single, three_masses};
+use arcless_core::CoreError;
+use arcless_core::dynamics::line::Line;
+use arcless_core::dynamics::path::Path;
+use arcless_core::dynamics::record::{Record, RecordPlan};
+use arcless_core::dynamics::run::Travel;
+use arcless_core::dynamics::stepper::Prepared;
+use arcless_core::scheme::Scheme;
+use arcless_core::structure::{Spring, SpringMode, Structure};
+
+pub const CONTACT: f64 = 50e3;
+
+/// A chain and the wires of its lanes.
+pub type Chain = (Structure, Vec<Vec<usize>>);
+
+/// Explicit steps, if they can be.
+pub fn prepare<const DIM: usize, const D: usize>(
+    (structure, lanes): &Chain,
+    h: f64,
+) -> Result<Prepared<DIM, D>, CoreError> {
+    let (geometry, shape) = settled::<DIM, D>(structure.clone());
+    let lanes = Path::lanes(&geometry, &shape, lanes).expect("lanes");
+    Prepared::explicit(&geometry, Line::new(&geometry, shape), lanes, h, CONTACT)
+}
+
+pub fn explicit<const DIM: usize, const D: usize>(chain: &Chain, h: f64) -> Prepared<DIM, D> {
+    prepare(chain, h).expect("short steps")
+}
+
+/// The same chain with the trapezoidal rule.
+pub fn implicit<const DIM: usize, const D: usize>(
+    (structure, lanes): &Chain,
+    h: f64,
+) -> Prepared<DIM, D> {
+    let (geometry, shape) = settled::<DIM, D>(structure.clone());
+    let lanes = Path::lanes(&geometry, &shape, lanes).expect("lanes");
+    let scheme = Scheme::newmark(0.25, 0.5);
+    Prepared::new(Line::new(&geometry, shape), lanes, scheme, h, CONTACT).expect("regular")
+}
+
+/// A spring that does as good as nothing: steps tell of a node that has one.
+pub fn seen(node: usize, component: usize) -> Spring {
+    Spring {
+        node,
+        component,
+        stiffness: 1e-9,
+        viscosity: 0.0,
+        rest: 0.0,
+        mode: SpringMode::Unloaded,
+    }
+}
+
+/// A wire as a chain, of which the node in the middle is seen.
+pub fn seen_wire(s: &Single, dim: usize) -> Chain {
+    let (structure, path) = s.structure(dim);
+    let mut chain = lumped(&structure);
+    chain.springs.push(seen(s.elements / 2, dim - 1));
+    (chain, vec![path])
+}
+
+/// All that is recorded but energies, of which explicit steps keep no books.
+pub fn plan(nodes: Vec<usize>) -> RecordPlan {
+    RecordPlan {
+        contact_every: 1,
+        line_every: 1,
+        links: true,
+        nodes,
+        points: Vec::new(),
+        ledger: false,
+        near: None,
+    }
+}
+
+/// From a place, for some seconds, in steps of h.
+pub fn way(start: f64, speed: f64, h: f64, seconds: f64) -> Travel {
+    let steps = (seconds / h).round() as usize;
+    Travel {
+        positions: (0..=steps).map(|i| start + speed * h * i as f64).collect(),
+        speeds: vec![speed; steps + 1],
+        distances: vec![0.0],
+        friction: 0.0,
+        loads: Vec::new(),
+    }
+}
+
+/// A run of the three masses.
+pub fn pass<const DIM: usize, const D: usize>(
+    p: &Prepared<DIM, D>,
+    force: f64,
+    travel: &Travel,
+    plan: &RecordPlan,
+) -> Record {
+    let riders = [three_masses(force)];
+    p.run(&riders, travel, plan, &mut |_| true).expect("a run")
+}
+
+/// Every n-th value, the n-th first: the ends of long steps among short ones.
+pub fn every(n: usize, values: &[f64]) -> Vec<f64> {
+    values.iter().skip(n - 1).step_by(n).copied().collect()
+}

@@ -1,0 +1,96 @@
+//! What explicit steps cannot do is refused.
+
+use super::{Chain, explicit, plan, prepare, seen_wire, way};
+use crate::common::chain::settled;
+use crate::common::{Single, everything, simple_line, three_masses};
+use arcless_core::CoreError;
+use arcless_core::dynamics::line::Line;
+use arcless_core::dynamics::path::Path;
+use arcless_core::dynamics::stepper::Prepared;
+use arcless_core::structure::{Link, Rayleigh};
+
+const WIRE: Single = Single {
+    length: 50.0,
+    elements: 100,
+    mass: 1.35,
+    axial: 15e6,
+    bending: 195.0,
+    tension: 22e3,
+    gravity: 9.81,
+};
+
+const STEP: f64 = 1e-3;
+
+fn reason(refused: Result<Prepared<2, 2>, CoreError>) -> String {
+    match refused {
+        Err(CoreError::Input {
+            array: "solver",
+            reason,
+        }) => reason,
+        other => panic!("{:?}", other.map(|_| "it runs")),
+    }
+}
+
+#[test]
+fn cubic_elements_are_refused() {
+    let (structure, path) = simple_line(2);
+    let (geometry, shape) = settled::<2, 4>(structure);
+    let lanes = Path::lanes(&geometry, &shape, &[path]).expect("a path");
+    let line = Line::new(&geometry, shape);
+    let refused = Prepared::explicit(&geometry, line, lanes, STEP, 5e4);
+    let Err(CoreError::Input { array, reason }) = refused else {
+        panic!("cubic elements have no point masses");
+    };
+    assert_eq!(array, "solver");
+    assert!(reason.contains("cubic elements"), "{reason}");
+}
+
+fn link(nodes: [usize; 2], mass: f64) -> Link {
+    Link {
+        nodes,
+        rest_length: 1.0,
+        stiffness: 1e5,
+        viscosity: 0.0,
+        damping: Rayleigh::default(),
+        mass,
+        unilateral: false,
+        adjust: false,
+    }
+}
+
+/// A comb of links from one node of the wire to others of it.
+fn comb(others: usize) -> Chain {
+    let (mut s, lanes) = seen_wire(&WIRE, 2);
+    let nodes = (0..others).map(|k| 20 + 2 * k);
+    let links = nodes.map(|node| Link {
+        rest_length: 0.5 * (node - 10) as f64,
+        stiffness: 1e3,
+        ..link([10, node], 0.1)
+    });
+    s.links.extend(links);
+    (s, lanes)
+}
+
+/// A cluster of 48 components is the largest: 24 points in the plane.
+#[test]
+fn clusters_that_are_too_large_are_refused() {
+    let refused = reason(prepare(&comb(24), STEP));
+    assert!(
+        refused.contains("25 points linked with each other"),
+        "{refused}"
+    );
+    assert!(prepare::<2, 2>(&comb(23), STEP).is_ok());
+}
+
+#[test]
+fn a_ledger_is_refused() {
+    let p = explicit::<2, 2>(&seen_wire(&WIRE, 2), STEP);
+    let (riders, travel) = ([three_masses(90.0)], way(20.0, 10.0, STEP, 0.1));
+    let go = |plan| p.run(&riders, &travel, &plan, &mut |_| true);
+    let Err(CoreError::Input { array, reason }) = go(everything()) else {
+        panic!("explicit steps keep no books");
+    };
+    assert_eq!(array, "plan");
+    assert!(reason.contains("explicit steps"), "{reason}");
+    assert!(go(plan(Vec::new())).is_ok());
+}

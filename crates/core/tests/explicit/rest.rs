@@ -1,0 +1,94 @@
+//! At rest under a rider, and the sag that it takes away, as the implicit line has them.
+
+use super::{Chain, explicit, implicit, pass, plan, way};
+use crate::common::chain::lumped;
+use crate::common::space::{in_space, staggered};
+use crate::common::{Single, difference, peak, simple_line_of};
+
+const STEP: f64 = 1e-3;
+const FORCE: f64 = 90.0;
+
+/// A wire of 50 m that sags by 19 cm.
+const WIRE: Single = Single {
+    length: 50.0,
+    elements: 100,
+    mass: 1.35,
+    axial: 15e6,
+    bending: 195.0,
+    tension: 22e3,
+    gravity: 9.81,
+};
+
+fn planar() -> Chain {
+    let (structure, path) = WIRE.structure(2);
+    (lumped(&structure), vec![path])
+}
+
+fn spatial() -> Chain {
+    let (structure, path) = WIRE.structure(2);
+    (lumped(&in_space(&structure)), vec![path])
+}
+
+/// A line of two wires, links and arms, which hold it to the side.
+fn whole() -> Chain {
+    let (structure, path) = simple_line_of(3, [0.48, 0.48]);
+    (lumped(&staggered(&structure, 3, 0.2)), vec![path])
+}
+
+/// What may be apart, for the force or for the largest value: forces of both at rest, and the line.
+struct Close {
+    force: f64,
+    line: f64,
+}
+
+/// Nothing moves, and what hangs there hangs as with implicit steps: heights and forces of the start.
+fn stands<const DIM: usize, const D: usize>(chain: &Chain, at: f64, close: &Close) {
+    let [ours, theirs] = [
+        explicit::<DIM, D>(chain, STEP),
+        implicit::<DIM, D>(chain, STEP),
+    ]
+    .map(|p| {
+        let nodes = (0..p.line.nodes()).step_by(7).collect();
+        pass(&p, FORCE, &way(at, 0.0, STEP, 0.6), &plan(nodes))
+    });
+    // Rounding of forces of 15 MN, 1e-16 of them, on one of 90 N, in 600 steps: 1e-9 and less.
+    for (record, most) in [(&ours, close.force), (&theirs, 1e-9)] {
+        let moved: Vec<f64> = record.force.iter().map(|f| f / FORCE - 1.0).collect();
+        assert!(peak(&moved) < most, "{:e}", peak(&moved));
+        let all = record.uplift.len() / record.line_time.len();
+        let last = &record.uplift[record.uplift.len() - all..];
+        let apart = difference(last, &record.uplift[..all]);
+        assert!(apart < most, "it moves: {apart:e}");
+        assert!(peak(last) > 1e-2, "it is lifted");
+    }
+    let apart = [
+        difference(&ours.uplift, &theirs.uplift),
+        difference(&ours.height, &theirs.height),
+        difference(&ours.link_force, &theirs.link_force),
+    ];
+    assert!(apart.iter().all(|d| *d < close.line), "{apart:?}");
+}
+
+/// Estimate of what explicit steps leave out in the plane: bending along the wire, EI/L² = 780 N beside
+/// EA = 15 MN, 5e-5, through the square of slopes of 0.04 at most: 8e-8.
+#[test]
+fn a_rider_stands_on_a_sagging_wire() {
+    // The force shows the difference of 46 mm of lift through 50 kN/m on 90 N: 26 times as large.
+    let close = Close {
+        force: 2.6e-6,
+        line: 1e-7,
+    };
+    stands::<2, 2>(&planar(), 20.3, &close);
+    stands::<3, 3>(&spatial(), 20.3, &close);
+}
+
+/// Across and up are coupled by the product of their slopes, 0.007 and 0.04 at most, which is left out of
+/// what turns a segment: 3e-4 of T where both are largest. A tenth of it is allowed on the line.
+#[test]
+fn a_rider_stands_on_a_line_in_space() {
+    let close = Close {
+        force: 3e-4,
+        line: 3e-5,
+    };
+    stands::<3, 3>(&whole(), 70.3, &close);
+}
