@@ -21,6 +21,7 @@ from arcless.assess.section import (
 from arcless.assess.statistics import PantographAssessment, pantograph_assessment
 from arcless.assess.wear import WearRates, wear_notes, wear_rates
 from arcless.errors import ModelError
+from arcless.model.settings import EXPLICIT
 from arcless.results import metadata
 
 if TYPE_CHECKING:
@@ -145,6 +146,8 @@ def _absent(name: str, scenario: Mapping[str, Any]) -> str:
         return f"{name} is not in the record"
     if scenario["solver"]["kinematics"] == "updated":
         return "no energy ledger: with updated kinematics there is none"
+    if scenario["solver"]["scheme"]["name"] == EXPLICIT:
+        return f"no energy ledger: with the scheme {EXPLICIT} there is none"
     return "no energy ledger was kept; `output.energy: always` keeps one"
 
 

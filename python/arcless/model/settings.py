@@ -18,6 +18,9 @@ ONE_ELEMENT: Final = "one element"
 # What is recorded of the line: all of it, or all where that is not too much.
 WHOLE_LINE: Final = "whole line"
 AUTO: Final = "auto"
+# The scheme that steps without a matrix; what point masses need to be as right as cubic elements.
+EXPLICIT: Final = "central-difference"
+SHORT_ELEMENTS = "with contact_wire_element and messenger_wire_element of 0.45 m"
 
 
 class SpeedProfile(Part):
@@ -118,7 +121,7 @@ class BackwardDifference(Part):
 
 
 class CentralDifference(Part):
-    """Central differences: explicit, for wires of point masses; nothing damps."""
+    """Central differences: explicit, for wires of point masses with linearised kinematics."""
 
     name: Literal["central-difference"] = Field(description="Name of the scheme.")
 
@@ -184,6 +187,32 @@ class Solver(Part):
     )
 
     @model_validator(mode="after")
+    def _check_explicit(self) -> "Solver":
+        if self.scheme.name != EXPLICIT:
+            return self
+        if self.residual_flexibility:
+            raise ModelError(
+                f"not together with the scheme {EXPLICIT}",
+                got="true",
+                expected="false, or another scheme",
+                hint="it adds what cubic elements miss; explicit steps are those of point masses",
+                field=("residual_flexibility",),
+            )
+        for key, value, needed, hint in (
+            ("wire_model", self.wire_model, "lumped", SHORT_ELEMENTS),
+            ("kinematics", self.kinematics, "linearised", None),
+        ):
+            if value != needed:
+                raise ModelError(
+                    f"not together with the scheme {EXPLICIT}",
+                    got=value,
+                    expected=f"{needed}, or another scheme",
+                    hint=hint,
+                    field=(key,),
+                )
+        return self
+
+    @model_validator(mode="after")
     def _check_flexibility(self) -> "Solver":
         if not self.residual_flexibility:
             return self
@@ -231,7 +260,7 @@ class Output(Part):
     energy: Literal["auto", "always", "never"] = Field(
         default="auto",
         description="Energy ledger; auto: for the trapezoidal scheme, which conserves energy, with"
-        " linearised kinematics.",
+        " linearised kinematics; explicit steps keep none.",
     )
     points: Annotated[Lengths, Field(max_length=1000)] = Field(
         default=(), description="Points of the contact wire whose uplift is recorded."

@@ -1,6 +1,7 @@
 """Failures of a computation: named in the words of the line, and saved for a replay."""
 
 import json
+import re
 import tempfile
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -8,7 +9,13 @@ from pathlib import Path
 from typing import Any
 
 from arcless import _core
-from arcless.errors import ArclessError, ContactError, EquilibriumError, ResultFormatError
+from arcless.errors import (
+    ArclessError,
+    ContactError,
+    EquilibriumError,
+    ModelError,
+    ResultFormatError,
+)
 from arcless.mesh import Mesh
 from arcless.model import Scenario
 from arcless.model.scenario import PantographPlacement
@@ -31,6 +38,40 @@ STEPS = {
         "updated kinematics need a scheme that damps: try a smaller spectral_radius",
     ),
 }
+# How the core says that explicit steps are too long.
+TOO_LONG = re.compile(r"the longest stable one is (\S+) s")
+
+
+@contextmanager
+def preparing(scenario: Scenario) -> Iterator[None]:
+    """Turn what the core refuses of `solver`, for this line, into an error of the scenario."""
+    try:
+        yield
+    except _core.NativeError as error:
+        kind, message, details = error.args
+        if (kind, details.get("array")) != ("input", "solver"):
+            raise
+        raise _not_this_way(scenario, message) from error
+
+
+def _not_this_way(scenario: Scenario, message: str) -> ModelError:
+    longest = TOO_LONG.search(message)
+    if longest is None:
+        scheme = scenario.solver.scheme.name
+        return ModelError(
+            f"this line cannot be stepped with the scheme {scheme}",
+            where="solver.scheme",
+            got=message.partition("solver: ")[2] or message,
+            hint="another solver.scheme",
+        )
+    return ModelError(
+        "explicit steps too long for the elements",
+        where="solver.time_step",
+        got=f"{1e3 * scenario.time_step_s:.4g} ms",
+        expected=f"at most about {1e3 * float(longest[1]):.3g} ms, the longest stable step",
+        hint="solver.contact_wire_element and messenger_wire_element of 0.45 m go with 1 ms: much"
+        " longer ones are not stable, shorter ones need shorter steps",
+    )
 
 
 @contextmanager

@@ -8,9 +8,10 @@ from typing import Any
 
 from arcless import _core
 from arcless.model import Scenario
+from arcless.model.settings import EXPLICIT
 from arcless.simulate import equilibrium, gusts, motion, riders
 from arcless.simulate.control import Controllers
-from arcless.simulate.failure import replayable, stepping
+from arcless.simulate.failure import preparing, replayable, stepping
 from arcless.simulate.nearby import Nearby, nearby
 from arcless.simulate.state import State
 
@@ -144,15 +145,22 @@ def lay_out(
 
 
 def prepare(found: equilibrium.Equilibrium, scenario: Scenario) -> _core.Prepared:
-    """Factorise a line for the steps of a scenario."""
-    return found.core.prepare(
-        found.mesh.lanes,
-        motion.scheme_numbers(scenario.solver.scheme),
-        scenario.time_step_s,
-        motion.contact_stiffness(scenario),
-        scenario.solver.kinematics == "updated",
-        scenario.solver.period_correction,
-    )
+    """Factorise a line for the steps of a scenario, or lay it out for explicit ones.
+
+    Raises
+    ------
+    ModelError
+        The line cannot be stepped as `solver` asks.
+    """
+    with preparing(scenario):
+        return found.core.prepare(
+            found.mesh.lanes,
+            motion.scheme_numbers(scenario.solver.scheme),
+            scenario.time_step_s,
+            motion.contact_stiffness(scenario),
+            scenario.solver.kinematics == "updated",
+            scenario.solver.period_correction,
+        )
 
 
 def observer(steps: int, text: str, tell: Progress, cancel: Cancel | None) -> Callable[[int], bool]:
@@ -170,7 +178,8 @@ def observer(steps: int, text: str, tell: Progress, cancel: Cancel | None) -> Ca
 def keeps_ledger(scenario: Scenario) -> bool:
     """Whether energies are booked in a run of a scenario."""
     # The ledger costs about as much as the step itself; see docs/decisions.
-    if scenario.solver.kinematics == "updated":
+    # It books a balance that is solved for, about one stiffness: others have none.
+    if scenario.solver.kinematics == "updated" or scenario.solver.scheme.name == EXPLICIT:
         return False
     wanted = scenario.output.energy
     return wanted == "always" or (wanted == "auto" and scenario.solver.scheme.name == "trapezoidal")

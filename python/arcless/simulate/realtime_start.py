@@ -12,6 +12,7 @@ from arcless.errors import ModelError
 from arcless.mesh import Mesh
 from arcless.model import Scenario
 from arcless.model.scenario import PantographPlacement
+from arcless.model.settings import EXPLICIT
 from arcless.simulate import contacts, equilibrium, motion, riders
 from arcless.simulate.control import acts_on
 from arcless.simulate.failure import replayable, stepping, translated
@@ -132,6 +133,12 @@ def _check(scenario: Scenario, *, simulated: bool) -> None:
     """Refuse what a loop cannot do."""
     if scenario.solver.kinematics == "updated":
         raise _refusal("updated kinematics factorise in every step", "solver.kinematics")
+    if scenario.solver.scheme.name == EXPLICIT and not simulated:
+        raise _refusal(
+            "explicit steps show the wire where they look for contacts, and given forces have none",
+            "solver.scheme",
+            hint="realtime(scenario, simulated=True), or another solver.scheme",
+        )
     if scenario.as_built.gusts is not None:
         raise _refusal("gusts are given for a whole run", "as_built.gusts")
     for index, placement in enumerate(scenario.pantographs if simulated else ()):

@@ -15,10 +15,12 @@ Noticed = Callable[..., None]
 DEFAULT = "default"
 LEDGER = "trapezoidal rule with ledger and friction"
 CONTROLLED = "PID, sampled and late"
+EXPLICIT = "point masses, explicit steps"
 LOST = {
     "line_acceleration": DEFAULT,
     "contact_force": LEDGER,
     "controller_0": CONTROLLED,
+    "grid_across": EXPLICIT,
 }
 LOST_TOO = {
     "line_displacement": DEFAULT,
@@ -33,6 +35,7 @@ LOST_TOO = {
     "energy": LEDGER,
     "energy_sums": LEDGER,
     "rider_0_waiting": CONTROLLED,
+    "grid_along": EXPLICIT,
 }
 read = state.read
 

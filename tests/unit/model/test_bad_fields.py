@@ -317,6 +317,34 @@ def test_line(refused: Refused, old: str, new: str, message: str) -> None:
         ),
         (
             "speed:",
+            "solver: {scheme: central-difference}\nspeed:",
+            "scenario.yaml:6: solver.wire_model: not together with the scheme central-difference:"
+            " got hermite, expected lumped, or another scheme; hint: with contact_wire_element and"
+            " messenger_wire_element of 0.45 m",
+        ),
+        (
+            "speed:",
+            "solver: {scheme: central-difference, wire_model: lumped, kinematics: updated}\nspeed:",
+            "scenario.yaml:6: solver.kinematics: not together with the scheme central-difference:"
+            " got updated, expected linearised, or another scheme",
+        ),
+        (
+            "speed:",
+            "solver: {scheme: central-difference, residual_flexibility: true}\nspeed:",
+            "scenario.yaml:6: solver.residual_flexibility: not together with the scheme"
+            " central-difference: got true, expected false, or another scheme; hint: it adds what"
+            " cubic elements miss; explicit steps are those of point masses",
+        ),
+        (
+            "speed:",
+            "solver: {scheme: central-difference, wire_model: lumped}\noutput: {energy: always}\n"
+            "speed:",
+            "scenario.yaml:7: output.energy: no energy ledger with the scheme central-difference:"
+            " got always, expected auto or never, or another solver.scheme; hint: the ledger books"
+            " the balance of a step that is solved for",
+        ),
+        (
+            "speed:",
             "solver: {scheme: {name: newmark, beta: 0.25, gamma: 0.6}}\nspeed:",
             "scenario.yaml:6: solver.scheme.beta: not unconditionally stable: got 0.25, expected"
             " at least (gamma + 1/2)²/4 = 0.3025",

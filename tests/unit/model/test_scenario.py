@@ -9,6 +9,7 @@ import pytest
 from arcless.errors import ModelError
 from arcless.model import load, load_line, load_pantograph, scenario_warnings
 from arcless.model.advice import FEWEST_ELEMENTS, backward_difference_damping
+from tests.support.explicit import EXPLICIT
 
 SCENARIO = load("en50318-ac-simple-320")
 
@@ -192,6 +193,16 @@ def test_a_chain_needs_more_elements_between_droppers_than_cubic_elements_do() -
     for element, said in (("0.6 m", 1), ("0.55 m", 0)):
         finer = lumped.with_(**{"solver.contact_wire_element": element})
         assert len(scenario_warnings(finer)) == said
+
+
+def test_explicit_steps_need_as_many_elements_of_the_messenger_wire() -> None:
+    assert scenario_warnings(SCENARIO.with_(**EXPLICIT)) == []
+    # Shortest distance 4.5 m.
+    for wire in ("contact", "messenger"):
+        (said,) = scenario_warnings(
+            SCENARIO.with_(**{**EXPLICIT, f"solver.{wire}_wire_element": "0.6 m"})
+        )
+        assert said.startswith(f"solver.{wire}_wire_element: 0.6 m leaves fewer than eight")
 
 
 def test_the_reasons_given_for_the_length_of_links() -> None:

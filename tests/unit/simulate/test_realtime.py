@@ -12,6 +12,7 @@ import arcless
 from arcless import ContactError, ModelError
 from arcless.model import Scenario
 from arcless.simulate import Realtime
+from tests.support.explicit import EXPLICIT
 
 Short = Callable[..., Scenario]
 FORCE = 120.0
@@ -29,8 +30,9 @@ def loop(short: Short) -> Realtime:
     return arcless.realtime(short(**GIVEN))
 
 
-def test_simulated_pantographs_are_those_of_a_run(short: Short) -> None:
-    scenario = short(**GIVEN, **NEWMARK)
+@pytest.mark.parametrize("steps", [NEWMARK, EXPLICIT], ids=["newmark", "explicit"])
+def test_simulated_pantographs_are_those_of_a_run(short: Short, steps: dict[str, Any]) -> None:
+    scenario = short(**GIVEN, **steps)
     law = {"P1": lambda sample: pushed(sample.sample_number)}
     run = arcless.run(scenario, controllers=law).dataset
     loop = arcless.realtime(scenario, simulated=True)
@@ -38,7 +40,7 @@ def test_simulated_pantographs_are_those_of_a_run(short: Short) -> None:
         place = run["position"].values[number, 0]
         force = loop.step(pushed(number), position_m=place, speed_m_s=loop.speed_m_s)
         np.testing.assert_array_equal(force, run["contact_force"].values[number])
-    # Newmark balances at the end of a step, where the loop is read: the sums are made in another
+    # Both balance at the end of a step, where the loop is read: the sums are made in another
     # order, of heights of 5 m with a rounding of 1e-15.
     np.testing.assert_allclose(loop.height_m, run["contact_height"].values[399], atol=1e-12)
     moved = run["mass_displacement"].values[399, 0]
@@ -136,6 +138,7 @@ def test_a_loop_goes_on_after_leaving_the_wire(loop: Realtime) -> None:
 REFUSED: list[tuple[dict[str, Any], bool, str]] = [
     ({"pantographs.0.mean_force": FORCE}, True, "mean_force"),
     ({**GIVEN, "solver.kinematics": "updated", "solver.wire_model": "lumped"}, False, "kinematics"),
+    ({**GIVEN, **EXPLICIT}, False, "scheme"),
     (
         {
             **GIVEN,

@@ -11,8 +11,8 @@ middle of the events: droppers slack, contact lost, delayed forces of a controll
 All numbers of both results are compared, and their attributes but for times of day and wall
 times.
 
-Lines: four uneven spans in space (`tests/support/small.py`), once of point masses with updated
-kinematics, and two shipped scenarios cut short.
+Lines: four uneven spans in space (`tests/support/small.py`), of point masses once with updated
+kinematics and once with explicit steps, and two shipped scenarios cut short.
 """
 
 from pathlib import Path
@@ -22,6 +22,7 @@ import pytest
 
 import arcless
 from arcless.model import Scenario
+from tests.support.explicit import EXPLICIT
 from tests.support.parts import in_parts, unlike
 from tests.support.small import small
 
@@ -51,6 +52,7 @@ CHANGES: dict[str, dict[str, Any]] = {
         "solver.scheme": {"name": "backward-difference"},
         "solver.time_step": "4 ms",
     },
+    "point masses, explicit steps": EXPLICIT,
 }
 
 

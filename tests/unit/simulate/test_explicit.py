@@ -1,0 +1,131 @@
+"""Explicit steps: what they need, what they refuse, and that a run with them is a run."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+import arcless
+from arcless import _core
+from arcless.cli.app import app
+from arcless.errors import ModelError
+from arcless.model import Scenario
+from arcless.results import Result
+from arcless.simulate import failure
+from tests.support.explicit import EXPLICIT
+from tests.support.small import differing
+
+Run = Callable[..., Result]
+Short = Callable[..., Scenario]
+TOO_LONG = {**EXPLICIT, "solver.time_step": "4 ms"}
+STAGGER = {"line.geometry.stagger_contact_wire": [0.2, -0.2]}
+ARM = {"kind": "arm", "length": "1.2 m", "slope": "10 deg", "mass": "1 kg/m"}
+
+
+def force(result: Result) -> Any:
+    """Contact force, N."""
+    return result.dataset["contact_force"].values[:, 0]
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {},
+        {"contact.law": "rigid"},
+        {"contact.friction_coefficient": 0.3},
+        {**STAGGER, "line.steady_arm": ARM},
+    ],
+    ids=["compliant", "rigid", "friction", "in space"],
+)
+def test_a_run_is_near_that_of_steps_that_are_solved_for(run: Run, changes: dict[str, Any]) -> None:
+    solved, steps = run(**changes), run(**EXPLICIT, **changes)
+    one, other = solved.assessment.pantographs[0], steps.assessment.pantographs[0]
+    assert np.all(np.isfinite(force(steps)))
+    assert np.all(force(steps) >= 0)
+    gap = steps.dataset["contact_gap"].values[:, 0]
+    assert np.all((gap == 0) | (force(steps) == 0))
+    # A mean force is a balance of weights, up to the parts of a span at the ends of the section.
+    assert other.mean_force_N == pytest.approx(one.mean_force_N, rel=0.01)
+    # Steps of 2 ms and 1 ms, elements of 1.45 m and 0.45 m: some percent of what varies.
+    assert other.std_force_N == pytest.approx(one.std_force_N, rel=0.1)
+
+
+def test_there_is_no_ledger(run: Run) -> None:
+    result = run(**EXPLICIT)
+    assert not [name for name in result.dataset if str(name).startswith("energy")]
+    assert result.assessment.to_dict()["energy_residual_relative"] is None
+    notes = result.assessment.notes
+    assert "no energy ledger: with the scheme central-difference there is none" in notes
+
+
+def test_a_step_too_long_is_refused(short: Short) -> None:
+    with pytest.raises(ModelError) as caught:
+        arcless.run(short(**TOO_LONG))
+    error = caught.value
+    assert (error.where, error.got) == ("solver.time_step", "4 ms")
+    assert error.expected is not None
+    longest = float(error.expected.removeprefix("at most about ").partition(" ms")[0])
+    # A chain is stable for h < ℓ/c; the wires here carry waves with 128 and 122 m/s.
+    assert 0.5 < longest / (1e3 * 0.45 / 128.0) < 1.0
+    with pytest.raises(ModelError, match="too long for the elements"):
+        arcless.realtime(short(**TOO_LONG), simulated=True)
+    (outcome,) = arcless.batch([short(**TOO_LONG)])
+    assert "too long for the elements" in str(outcome.error)
+
+
+def test_elements_too_short_are_refused(short: Short) -> None:
+    with pytest.raises(ModelError, match=r"elements: got 1 ms.*hint: .*of 0\.45 m") as caught:
+        arcless.run(short(**{**EXPLICIT, "solver.contact_wire_element": 0.1}))
+    assert caught.value.where == "solver.time_step"
+
+
+def test_the_command_line_says_so_in_words(short: Short, tmp_path: Path) -> None:
+    files = Path(__file__).parents[2] / "interface" / "data"
+    words = [part for key, value in TOO_LONG.items() for part in ("--set", f"{key}={value}")]
+    out = ["--out", str(tmp_path / "out")]
+    done = CliRunner().invoke(app, ["run", str(files / "short.yaml"), *words, *out])
+    assert done.exit_code == ModelError.exit_code
+    assert "solver.time_step: explicit steps too long for the elements: got 4 ms" in done.stderr
+    assert "Traceback" not in done.stderr
+    assert not (tmp_path / "out").exists()
+
+
+def test_what_else_the_core_refuses_is_said(short: Short) -> None:
+    message = "input array solver: node 3 moves without mass"
+    with pytest.raises(ModelError) as caught, failure.preparing(short(**EXPLICIT)):
+        raise _core.NativeError("input", message, {"array": "solver"})
+    assert str(caught.value) == (
+        "solver.scheme: this line cannot be stepped with the scheme central-difference: got node 3"
+        " moves without mass; hint: another solver.scheme"
+    )
+    with pytest.raises(_core.NativeError), failure.preparing(short(**EXPLICIT)):
+        raise _core.NativeError("input", "input array lanes: none", {"array": "lanes"})
+
+
+def test_members_of_a_batch_are_what_they_are_alone(short: Short) -> None:
+    changes: list[dict[str, Any]] = [
+        {},
+        {"speed": "120 km/h"},
+        {"pantographs.0.static_force": "90 N"},
+        {"pantographs.0.mean_force": "80 N"},
+    ]
+    scenarios = [short(**EXPLICIT, **some) for some in changes]
+    outcomes = arcless.batch([short(), *scenarios], keep="result", workers=2)[1:]
+    for scenario, outcome in zip(scenarios, outcomes, strict=True):
+        assert outcome.result is not None
+        alone = arcless.run(scenario).dataset
+        assert set(outcome.result.dataset.variables) == set(alone.variables)
+        for name, variable in alone.data_vars.items():
+            assert differing(outcome.result.dataset[name], variable)[1] == 0, name
+
+
+def test_what_is_recorded_does_not_change_what_is_computed(short: Short) -> None:
+    """Explicit steps keep up to date what is read; what is not read must not matter."""
+    few = {"output.droppers": False, "output.supports": False, "output.line_every": 1000}
+    much = {"output.points": [80.0, 101.3, 133.0], "output.line_every": 1, "output.around": "30 m"}
+    one, *others = (arcless.run(short(**EXPLICIT, **some)) for some in ({}, few, much))
+    for other in others:
+        np.testing.assert_array_equal(force(other), force(one))
