@@ -12,7 +12,6 @@ from arcless.errors import ModelError
 from arcless.mesh import Mesh
 from arcless.model import Scenario
 from arcless.model.scenario import PantographPlacement
-from arcless.model.settings import EXPLICIT
 from arcless.simulate import contacts, equilibrium, motion, riders
 from arcless.simulate.control import acts_on
 from arcless.simulate.failure import replayable, stepping, translated
@@ -133,12 +132,6 @@ def _check(scenario: Scenario, *, simulated: bool) -> None:
     """Refuse what a loop cannot do."""
     if scenario.solver.kinematics == "updated":
         raise _refusal("updated kinematics factorise in every step", "solver.kinematics")
-    if scenario.solver.scheme.name == EXPLICIT and not simulated:
-        raise _refusal(
-            "explicit steps show the wire where they look for contacts, and given forces have none",
-            "solver.scheme",
-            hint="realtime(scenario, simulated=True), or another solver.scheme",
-        )
     if scenario.as_built.gusts is not None:
         raise _refusal("gusts are given for a whole run", "as_built.gusts")
     for index, placement in enumerate(scenario.pantographs if simulated else ()):
@@ -156,5 +149,5 @@ def _check(scenario: Scenario, *, simulated: bool) -> None:
             )
 
 
-def _refusal(what: str, where: str, hint: str | None = None) -> ModelError:
-    return ModelError(f"not in a real-time loop: {what}", where=where, hint=hint)
+def _refusal(what: str, where: str) -> ModelError:
+    return ModelError(f"not in a real-time loop: {what}", where=where)

@@ -124,9 +124,18 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
             return;
         }
         for number in (0..self.p.islands.len()).rev() {
-            if self.state.lies(&self.p.islands[number]) && !self.is_touched(number) {
+            let lies = self.state.lies(&self.p.islands[number]) && self.grid_lies(number);
+            if lies && !self.is_touched(number) {
                 self.put_to_sleep(number);
             }
+        }
+    }
+
+    /// Whether nothing of an island has moved that explicit steps alone know of.
+    fn grid_lies(&self, number: usize) -> bool {
+        match (&self.p.explicit, &self.state.grid) {
+            (Some(steps), Some(grid)) => steps.lies(number, grid),
+            _ => true,
         }
     }
 

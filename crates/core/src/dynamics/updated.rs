@@ -69,7 +69,14 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
             matrix: constant.clone(),
             constant,
         };
-        Self::assemble(line, lanes, scheme, h, contact_stiffness, (Some(updating), None))
+        Self::assemble(
+            line,
+            lanes,
+            scheme,
+            h,
+            contact_stiffness,
+            (Some(updating), None),
+        )
     }
 
     /// The same on lanes that have moved.

@@ -111,7 +111,7 @@ fn growth(chain: &Chain, h: f64) -> f64 {
     let mut state = p.at_rest(start);
     let mut largest = [0.0_f64; 2];
     for step in 0..6000 {
-        p.free_increment(&mut state, |_| ());
+        p.free_increment(&mut state, |_| false);
         p.advance(&mut state);
         let seen = state.u[STRING.elements / 2][1].abs();
         if !seen.is_finite() {

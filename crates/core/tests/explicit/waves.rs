@@ -37,7 +37,7 @@ fn angle(s: &Single, n: usize, h: f64, stride: usize) -> f64 {
     let mut state = p.at_rest(start);
     let mut seen = Vec::new();
     for _ in 0..6 * stride + 40 {
-        p.free_increment(&mut state, |_| ());
+        p.free_increment(&mut state, |_| false);
         p.advance(&mut state);
         seen.push(state.u[s.elements / 2][1]);
     }

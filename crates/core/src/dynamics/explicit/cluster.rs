@@ -32,7 +32,10 @@ impl Member {
     #[inline(always)]
     pub fn acceleration(&self, across: usize, w: &[f64]) -> f64 {
         let w = &w[self.point - 1..][..3];
-        let (left, right) = (self.filter[0] * (w[1] - w[0]), self.filter[1] * (w[2] - w[1]));
+        let (left, right) = (
+            self.filter[0] * (w[1] - w[0]),
+            self.filter[1] * (w[2] - w[1]),
+        );
         w[1] - self.inverse[across] * (right - left)
     }
 }
@@ -53,11 +56,7 @@ pub(super) struct Cluster {
 
 impl Cluster {
     /// From K, C and P, row by row.
-    pub fn new(
-        members: Vec<Member>,
-        (k, c): (&[f64], &[f64]),
-        h: f64,
-    ) -> Result<Self, CoreError> {
+    pub fn new(members: Vec<Member>, (k, c): (&[f64], &[f64]), h: f64) -> Result<Self, CoreError> {
         let response = members.iter().flat_map(|m| {
             let across = (k.len().isqrt() / members.len()) - 1;
             std::iter::once(0.0).chain(m.response.into_iter().take(across))
@@ -65,7 +64,8 @@ impl Cluster {
         let response: Vec<f64> = response.collect();
         let n = response.len();
         let width = [4, 8, WIDEST].into_iter().find(|&w| n <= w);
-        let width = width.ok_or_else(|| super::refuse(&format!("{n} components linked at once")))?;
+        let width =
+            width.ok_or_else(|| super::refuse(&format!("{n} components linked at once")))?;
         let matrix: Vec<f64> = (0..n * n)
             .map(|at| {
                 let one = f64::from(u8::from(at / n == at % n));

@@ -12,7 +12,10 @@ const CHUNK: usize = 128;
 
 fn chunks(range: &Range<usize>) -> impl Iterator<Item = (usize, usize)> + use<> {
     let end = range.end;
-    range.clone().step_by(CHUNK).map(move |a| (a, (a + CHUNK).min(end) - a))
+    range
+        .clone()
+        .step_by(CHUNK)
+        .map(move |a| (a, (a + CHUNK).min(end) - a))
 }
 
 /// w from s, H and d.
@@ -48,7 +51,10 @@ impl<const DIM: usize> Kernel for Forces<'_, DIM> {
             }
             let (s, next) = (&self.s[a - 1..][..n + 1], &self.s[a..][..n + 1]);
             let (tension, slope) = (&tension[a - 1..][..n + 1], &slope[a - 1..][..n + 1]);
-            let (per, thrust) = (&p.per_length[a - 1..][..n + 1], &self.thrust[a - 1..][..n + 1]);
+            let (per, thrust) = (
+                &p.per_length[a - 1..][..n + 1],
+                &self.thrust[a - 1..][..n + 1],
+            );
             let (left, right) = (&moment[..n + 1], &moment[1..][..n + 1]);
             let shear = &mut shear[..n + 1];
             for k in 0..n + 1 {

@@ -11,7 +11,16 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         state: &mut LineState<D>,
         load: impl FnOnce(&mut [[f64; D]]) -> bool,
     ) {
-        let LineState { u, delta, work, links, awake, grid: Some(grid), .. } = state else {
+        let LineState {
+            u,
+            delta,
+            work,
+            links,
+            awake,
+            grid: Some(grid),
+            ..
+        } = state
+        else {
             return;
         };
         for &island in &*awake {
@@ -43,7 +52,13 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         for island in self.awake(awake) {
             let which = island.links.clone();
             links.begin(which.clone(), all, &self.coefficients);
-            links.follow(which.clone(), all, &self.link_stiffness, delta, &island.nodes);
+            links.follow(
+                which.clone(),
+                all,
+                &self.link_stiffness,
+                delta,
+                &island.nodes,
+            );
             links.tension_free[which.clone()].copy_from_slice(&links.tension[which]);
         }
     }
@@ -66,10 +81,18 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
 impl<const DIM: usize> Explicit<DIM> {
     /// As [`Prepared::advance`].
     pub(in crate::dynamics) fn advance<const D: usize>(&self, state: &mut LineState<D>) {
-        let LineState { u, v, delta, awake, grid: Some(grid), .. } = state else {
+        let LineState {
+            u,
+            v,
+            delta,
+            awake,
+            grid: Some(grid),
+            ..
+        } = state
+        else {
             return;
         };
-        self.take(grid, awake, (u, delta, v));
+        self.take(grid, awake, delta, (u, v));
         for &island in &*awake {
             self.go(island, grid);
         }

@@ -26,7 +26,9 @@
 //! leading errors go; its inverse is taken as M⁻¹ + M⁻¹ E M⁻¹, the same to this order and positive. It
 //! filters all forces, so the statics stay.
 
+mod along;
 mod cluster;
+mod clusters;
 mod kernels;
 mod layout;
 mod line;

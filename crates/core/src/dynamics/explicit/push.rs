@@ -13,7 +13,13 @@ impl<const DIM: usize> Explicit<DIM> {
     }
 
     /// Add a force on a component of a node.
-    pub(in crate::dynamics) fn push(&self, grid: &mut Grid, node: usize, component: usize, force: f64) {
+    pub(in crate::dynamics) fn push(
+        &self,
+        grid: &mut Grid,
+        node: usize,
+        component: usize,
+        force: f64,
+    ) {
         let point = self.points[node];
         if component == 0 {
             self.along[point].add(force, &mut grid.pull);

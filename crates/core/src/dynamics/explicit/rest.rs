@@ -66,7 +66,11 @@ impl<const DIM: usize> Explicit<DIM> {
     }
 
     /// Given forces that the chain does not carry, on nodes; those along on the nodes of masters.
-    fn unbalanced<const D: usize>(&self, given: &[[f64; D]], grid: &mut Grid) -> (Vec<[f64; D]>, f64) {
+    fn unbalanced<const D: usize>(
+        &self,
+        given: &[[f64; D]],
+        grid: &mut Grid,
+    ) -> (Vec<[f64; D]>, f64) {
         let mut off = vec![[0.0; D]; given.len()];
         for own in &self.own {
             self.wire_forces(own, grid);
@@ -116,7 +120,9 @@ impl<const DIM: usize> Explicit<DIM> {
             };
             let place: Vec<f64> = (0..n).map(at).collect();
             for row in 0..n {
-                let force: f64 = (0..n).map(|j| -cluster.stiffness[row * n + j] * place[j]).sum();
+                let force: f64 = (0..n)
+                    .map(|j| -cluster.stiffness[row * n + j] * place[j])
+                    .sum();
                 let (point, c) = (cluster.members[row / DIM].point, row % DIM);
                 match c {
                     0 => self.along[point].add(force, &mut grid.pull),

@@ -33,7 +33,9 @@ impl<const DIM: usize, const D: usize> Settle<'_, DIM, D> {
     #[inline(always)]
     fn settle<const N: usize>(&mut self, cluster: &Cluster) {
         let (p, n) = (self.p, cluster.members.len() * DIM);
-        let Grid { y, d, x, w, pull, .. } = &mut *self.grid;
+        let Grid {
+            y, d, x, w, pull, ..
+        } = &mut *self.grid;
         let (mut place, mut speed) = ([0.0; N], [0.0; N]);
         let rows = place.chunks_exact_mut(DIM).zip(speed.chunks_exact_mut(DIM));
         for (m, (place, speed)) in cluster.members.iter().zip(rows) {

@@ -85,7 +85,13 @@ impl<const DIM: usize> Explicit<DIM> {
         grid: &mut Grid,
         (u, delta): (&[[f64; D]], &mut [[f64; D]]),
     ) {
-        widest(Settle { p: self, island, grid, u, delta });
+        widest(Settle {
+            p: self,
+            island,
+            grid,
+            u,
+            delta,
+        });
     }
 
     /// Place and velocity at the end of the step, from predictor, its last increment and acceleration.
@@ -114,7 +120,8 @@ impl<const DIM: usize> Explicit<DIM> {
         &self,
         grid: &Grid,
         awake: &[usize],
-        (u, delta, v): (&mut [[f64; D]], &[[f64; D]], &mut [[f64; D]]),
+        delta: &[[f64; D]],
+        (u, v): (&mut [[f64; D]], &mut [[f64; D]]),
     ) {
         let of = |&island: &usize| &self.clusters[self.own[island].clusters.clone()];
         for member in awake.iter().flat_map(of).flat_map(|c| &c.members) {
@@ -136,7 +143,10 @@ impl<const DIM: usize> Explicit<DIM> {
     fn at(&self, grid: &Grid, point: usize) -> [[f64; 2]; DIM] {
         let along = &self.along[point];
         let mut found = [[0.0; 2]; DIM];
-        found[0] = [along.read(&grid.x[0]), self.per_step * along.read(&grid.x[1])];
+        found[0] = [
+            along.read(&grid.x[0]),
+            self.per_step * along.read(&grid.x[1]),
+        ];
         for across in 0..DIM - 1 {
             let a = self.acceleration(across, point, &grid.w[across]);
             found[across + 1] = self.ahead([grid.y[across][point], grid.d[across][point], a]);
@@ -169,6 +179,18 @@ impl<const DIM: usize> Explicit<DIM> {
         }
     }
 
+    /// Whether an island is at rest where it was without any force.
+    pub(in crate::dynamics) fn lies(&self, island: usize, grid: &Grid) -> bool {
+        let own = &self.own[island];
+        let across = grid
+            .y
+            .iter()
+            .chain(&grid.d)
+            .flat_map(|list| &list[own.points.clone()]);
+        let along = grid.x.iter().flat_map(|list| &list[own.masters.clone()]);
+        across.chain(along).all(|v| *v == 0.0)
+    }
+
     /// Put an island back to rest.
     pub(in crate::dynamics) fn lay(&self, island: usize, grid: &mut Grid) {
         let own = &self.own[island];
@@ -180,4 +202,3 @@ impl<const DIM: usize> Explicit<DIM> {
         }
     }
 }
-

@@ -18,7 +18,12 @@ impl<const DIM: usize> Kernel for Stretch<'_, DIM> {
         let Range { start, end } = own.points;
         for across in 0..DIM - 1 {
             let (slope, s) = (&p.slope[across], &grid.lagged[across]);
-            rise(across == 0, &slope[start..end], &s[start..=end], &mut grid.thrust[start..end]);
+            rise(
+                across == 0,
+                &slope[start..end],
+                &s[start..=end],
+                &mut grid.thrust[start..end],
+            );
         }
         let [x, d] = &grid.x;
         for reach in &p.reaches[own.reaches.clone()] {
