@@ -32,42 +32,50 @@ impl<const DIM: usize, const D: usize> Settle<'_, DIM, D> {
     /// A cluster whose columns have `N` numbers.
     #[inline(always)]
     fn settle<const N: usize>(&mut self, cluster: &Cluster) {
-        let (p, n) = (self.p, cluster.members.len() * DIM);
+        let p = self.p;
         let Grid {
             y, d, x, w, pull, ..
         } = &mut *self.grid;
-        let (mut place, mut speed) = ([0.0; N], [0.0; N]);
-        let rows = place.chunks_exact_mut(DIM).zip(speed.chunks_exact_mut(DIM));
-        for (m, (place, speed)) in cluster.members.iter().zip(rows) {
-            (place[0], speed[0]) = (m.along.read(&x[0]), p.per_step * m.along.read(&x[1]));
-            for across in 0..DIM - 1 {
-                let a = m.acceleration(across, &w[across]);
-                let ahead = p.ahead([y[across][m.point], d[across][m.point], a]);
-                [place[across + 1], speed[across + 1]] = ahead;
-            }
-        }
-        let (mut force, mut by_speed) = ([0.0; N], [0.0; N]);
+        // The first and the last direction across: the only one, or both.
+        let last = DIM - 2;
+        let (y, d) = ([&y[0][..], &y[last][..]], [&d[0][..], &d[last][..]]);
+        let (mut place, mut force, mut by_speed) = ([0.0; N], [0.0; N], [0.0; N]);
+        let mut row = 0;
         let (columns, _) = cluster.columns.as_chunks::<N>();
-        let (columns, _) = columns.as_chunks::<2>();
-        for (([of_place, of_speed], u), v) in columns.iter().zip(&place[..n]).zip(&speed[..n]) {
-            for k in 0..N {
-                force[k] += of_place[k] * u;
-                by_speed[k] += of_speed[k] * v;
+        for m in &cluster.members {
+            for c in 0..DIM {
+                let [u, v] = if c == 0 {
+                    [m.along.read(&x[0]), p.per_step * m.along.read(&x[1])]
+                } else {
+                    let a = m.acceleration(c - 1, &w[c - 1]);
+                    p.ahead([y[c - 1][m.point], d[c - 1][m.point], a])
+                };
+                let (of_place, of_speed) = (&columns[2 * row], &columns[2 * row + 1]);
+                for k in 0..N {
+                    force[k] += of_place[k] * u;
+                    by_speed[k] += of_speed[k] * v;
+                }
+                place[row] = u;
+                row += 1;
             }
         }
         for k in 0..N {
             force[k] += by_speed[k];
         }
         let squared = BETA * p.h * p.h;
-        let rows = place.chunks_exact(DIM).zip(force.chunks_exact(DIM));
-        for (m, (place, force)) in cluster.members.iter().zip(rows) {
+        let mut row = 0;
+        for m in &cluster.members {
             let (u, delta) = (&self.u[m.node], &mut self.delta[m.node]);
-            delta[0] = place[0] - u[0];
-            m.along.add(force[0], pull);
-            for across in 0..DIM - 1 {
-                let c = across + 1;
-                delta[c] = place[c] + squared * m.response[across] * force[c] - u[c];
-                w[across][m.point] += m.inverse[across] * force[c];
+            for c in 0..DIM {
+                if c == 0 {
+                    delta[0] = place[row] - u[0];
+                    m.along.add(force[row], pull);
+                } else {
+                    let felt = squared * m.response[c - 1] * force[row];
+                    delta[c] = place[row] + felt - u[c];
+                    w[c - 1][m.point] += m.inverse[c - 1] * force[row];
+                }
+                row += 1;
             }
         }
     }
