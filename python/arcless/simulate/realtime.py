@@ -57,8 +57,7 @@ def realtime(scenario: Scenario, *, simulated: bool = False) -> "Realtime":
     ------
     ModelError
         What a loop cannot do: updated kinematics, gusts; contact forces on a line of several
-        contact wires, or with explicit steps; with simulated pantographs a moving roof, lift
-        tables, a `mean_force`.
+        contact wires; with simulated pantographs a moving roof, lift tables, a `mean_force`.
     MeshError, EquilibriumError, ContactError
         The line cannot be divided, has no equilibrium, or the start is not on it.
     """
