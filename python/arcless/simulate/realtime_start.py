@@ -149,5 +149,5 @@ def _check(scenario: Scenario, *, simulated: bool) -> None:
             )
 
 
-def _refusal(what: str, where: str) -> ModelError:
-    return ModelError(f"not in a real-time loop: {what}", where=where)
+def _refusal(what: str, where: str, hint: str | None = None) -> ModelError:
+    return ModelError(f"not in a real-time loop: {what}", where=where, hint=hint)

@@ -138,7 +138,6 @@ def test_a_loop_goes_on_after_leaving_the_wire(loop: Realtime) -> None:
 REFUSED: list[tuple[dict[str, Any], bool, str]] = [
     ({"pantographs.0.mean_force": FORCE}, True, "mean_force"),
     ({**GIVEN, "solver.kinematics": "updated", "solver.wire_model": "lumped"}, False, "kinematics"),
-    ({**GIVEN, **EXPLICIT}, False, "scheme"),
     (
         {
             **GIVEN,

@@ -64,8 +64,9 @@ impl Cluster {
         let response: Vec<f64> = response.collect();
         let n = response.len();
         let width = [4, 8, WIDEST].into_iter().find(|&w| n <= w);
-        let width =
-            width.ok_or_else(|| super::refuse(&format!("{n} components linked at once")))?;
+        let width = width.ok_or_else(|| {
+            super::refuse(&format!("{} points linked with each other", members.len()))
+        })?;
         let matrix: Vec<f64> = (0..n * n)
             .map(|at| {
                 let one = f64::from(u8::from(at / n == at % n));
