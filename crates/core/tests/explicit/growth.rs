@@ -82,8 +82,8 @@ fn named(chain: &Chain, h: f64) -> f64 {
         "{reason}"
     );
     let words = reason.split_whitespace();
-    let numbers = words.filter_map(|word| word.parse::<f64>().ok());
-    numbers.last().expect("a step")
+    let mut numbers = words.filter_map(|word| word.parse::<f64>().ok());
+    numbers.next_back().expect("a step")
 }
 
 /// Of ω h = 2, 0.95 may be used; a step is named with four figures, rounded down. The shortest wave of
