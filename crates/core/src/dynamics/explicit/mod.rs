@@ -7,10 +7,11 @@
 //! * *Stretching.* Tension runs at √(EA/m), 3 km/s. A chain of points hands it on as it comes: between
 //!   two points *along* the wire, some metres apart, the increment H of the horizontal force is constant,
 //!
-//!     H = k (x_b − x_a + Σ tan φⱼ (rⱼ₊₁ − rⱼ)),   1/k = Σ L/(EA cos² φ)
+//!     H = k (x_b − x_a + Σ tan φⱼ (rⱼ₊₁ − rⱼ)),   1/k = Σ 1/(A cos² φ + B sin² φ)
 //!
-//!   for r across (lateral, up) and slopes tan φ of the rest position; points between them follow. This
-//!   is static condensation of the motion along the wire (Guyan, AIAA Journal 3 (1965) 380).
+//!   for r across (lateral, up), slopes φ of the rest position, A = EA/L and B = T/ℓ; tan φ but for a
+//!   share of T/EA. Points between them follow. This is static condensation of the motion along the
+//!   wire (Guyan, AIAA Journal 3 (1965) 380).
 //! * *Links, struts and springs* on a few points: implicit, cluster by cluster, with a small dense matrix.
 //! * *Contacts and slack links:* in the complementarity problem, as always.
 //!
