@@ -337,6 +337,11 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         }
         let nodes = self.awake(awake).map(|island| island.nodes.clone());
         self.factor.solve_minus(nodes, delta, shift, work);
+        self.begin_links(awake, links, delta);
+    }
+
+    /// Tensions of links under the increment without contact forces and corrections.
+    pub(super) fn begin_links(&self, awake: &[usize], links: &mut LinkMotion, delta: &[[f64; D]]) {
         for Island {
             links: which,
             nodes,

@@ -336,6 +336,11 @@ pub fn free_mass(mass: f64, force: f64) -> Rider {
 /// Travel at constant speed.
 pub fn travel(start: f64, end: f64, speed: f64, h: f64) -> Travel {
     let steps = ((end - start) / (speed * h)).floor() as usize;
+    steady(start, speed, h, steps)
+}
+
+/// The same for a number of steps.
+pub fn steady(start: f64, speed: f64, h: f64, steps: usize) -> Travel {
     Travel {
         positions: (0..=steps).map(|i| start + speed * h * i as f64).collect(),
         speeds: vec![speed; steps + 1],

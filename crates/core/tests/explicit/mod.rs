@@ -10,7 +10,7 @@ mod rest;
 mod waves;
 
 use crate::common::chain::{lumped, settled};
-use crate::common::{Single, three_masses};
+use crate::common::{Single, steady, three_masses};
 use arcless_core::CoreError;
 use arcless_core::dynamics::line::Line;
 use arcless_core::dynamics::path::Path;
@@ -21,6 +21,17 @@ use arcless_core::scheme::Scheme;
 use arcless_core::structure::{Spring, SpringMode, Structure};
 
 pub const CONTACT: f64 = 50e3;
+
+/// A wire of 50 m that sags by 19 cm.
+pub const WIRE: Single = Single {
+    length: 50.0,
+    elements: 100,
+    mass: 1.35,
+    axial: 15e6,
+    bending: 195.0,
+    tension: 22e3,
+    gravity: 9.81,
+};
 
 /// A chain and the wires of its lanes.
 pub type Chain = (Structure, Vec<Vec<usize>>);
@@ -85,14 +96,7 @@ pub fn plan(nodes: Vec<usize>) -> RecordPlan {
 
 /// From a place, for some seconds, in steps of h.
 pub fn way(start: f64, speed: f64, h: f64, seconds: f64) -> Travel {
-    let steps = (seconds / h).round() as usize;
-    Travel {
-        positions: (0..=steps).map(|i| start + speed * h * i as f64).collect(),
-        speeds: vec![speed; steps + 1],
-        distances: vec![0.0],
-        friction: 0.0,
-        loads: Vec::new(),
-    }
+    steady(start, speed, h, (seconds / h).round() as usize)
 }
 
 /// A run of the three masses.

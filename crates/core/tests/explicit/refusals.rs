@@ -1,23 +1,13 @@
 //! What explicit steps cannot do is refused.
 
-use super::{Chain, explicit, plan, prepare, seen_wire, way};
+use super::{Chain, WIRE, explicit, plan, prepare, seen_wire, way};
 use crate::common::chain::settled;
-use crate::common::{Single, everything, simple_line, three_masses};
+use crate::common::{everything, simple_line, three_masses};
 use arcless_core::CoreError;
 use arcless_core::dynamics::line::Line;
 use arcless_core::dynamics::path::Path;
 use arcless_core::dynamics::stepper::Prepared;
 use arcless_core::structure::{Link, Rayleigh};
-
-const WIRE: Single = Single {
-    length: 50.0,
-    elements: 100,
-    mass: 1.35,
-    axial: 15e6,
-    bending: 195.0,
-    tension: 22e3,
-    gravity: 9.81,
-};
 
 const STEP: f64 = 1e-3;
 

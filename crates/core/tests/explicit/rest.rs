@@ -1,23 +1,12 @@
 //! At rest under a rider, and the sag that it takes away, as the implicit line has them.
 
-use super::{Chain, explicit, implicit, pass, plan, way};
+use super::{Chain, WIRE, explicit, implicit, pass, plan, way};
 use crate::common::chain::lumped;
 use crate::common::space::{in_space, staggered};
-use crate::common::{Single, difference, peak, simple_line_of};
+use crate::common::{difference, peak, simple_line_of};
 
 const STEP: f64 = 1e-3;
 const FORCE: f64 = 90.0;
-
-/// A wire of 50 m that sags by 19 cm.
-const WIRE: Single = Single {
-    length: 50.0,
-    elements: 100,
-    mass: 1.35,
-    axial: 15e6,
-    bending: 195.0,
-    tension: 22e3,
-    gravity: 9.81,
-};
 
 fn planar() -> Chain {
     let (structure, path) = WIRE.structure(2);

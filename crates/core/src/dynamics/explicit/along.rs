@@ -1,6 +1,6 @@
 //! Along the wire: masters, reaches between them, and where all points lie.
 
-use super::layout::{Run, along, masses};
+use super::layout::{Run, along};
 use super::{Along, Explicit, Own, PAD, Reach, refuse};
 use crate::dynamics::line::Line;
 use crate::error::CoreError;
@@ -19,6 +19,7 @@ impl<const DIM: usize> Explicit<DIM> {
         shape: &Shape<D>,
         line: &Line<DIM, D>,
         (runs, islands): (&[Run], usize),
+        masses: &[[f64; 2]],
     ) -> Result<(), CoreError> {
         let mut master = vec![usize::MAX; self.nodes.len()];
         let mut is_owner = vec![false; self.nodes.len()];
@@ -27,7 +28,6 @@ impl<const DIM: usize> Explicit<DIM> {
             .for_each(|&(_, owner)| is_owner[owner] = true);
         let mut lengths: Vec<(usize, Vec<usize>)> = Vec::new();
         let mut own = Vec::new();
-        let masses = masses(geometry, shape, line.common.alpha);
         for island in 0..islands {
             let of = || runs.iter().filter(|run| run.island == island);
             let (masters, reaches) = (self.masters.len(), self.reaches.len());
@@ -70,7 +70,7 @@ impl<const DIM: usize> Explicit<DIM> {
         for member in self.clusters.iter_mut().flat_map(|c| &mut c.members) {
             member.along = self.along[member.point];
         }
-        for (node, [mass, damped]) in masses.into_iter().enumerate() {
+        for (node, [mass, damped]) in masses.iter().enumerate() {
             let along = self.along[self.points[node]];
             for (m, share) in along
                 .masters
@@ -130,13 +130,11 @@ impl<const DIM: usize> Explicit<DIM> {
         for (k, &number) in run.segments.iter().enumerate() {
             let segment = &segments[number];
             at[k + 1] = at[k] + segment.rest_length;
-            // Damping shortens the longest step, see `stable`.
+            // Damping shortens the longest step by the root of this, see `stable`; as much again is room.
             let damped = 1.0 + 2.0 * segment.damping.beta / self.h;
-            fastest = fastest.max((damped * segment.axial_stiffness / segment.mass).sqrt());
+            fastest = fastest.max(damped * (segment.axial_stiffness / segment.mass).sqrt());
         }
-        // Damping is read a step late: see `stable`.
-        let late = 1.0 + 2.0 * self.lag[run.first + last / 2];
-        let shortest = REACH * fastest * self.h * late.sqrt();
+        let shortest = REACH * fastest * self.h;
         let mut places = vec![run.first];
         for pair in needed.windows(2) {
             let (mut from, to) = (at[pair[0]], at[pair[1]]);

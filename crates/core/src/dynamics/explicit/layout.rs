@@ -98,7 +98,7 @@ fn runs<const DIM: usize, const D: usize>(
 }
 
 /// Mass of each node and α times it.
-pub(super) fn masses<const DIM: usize, const D: usize>(
+fn masses<const DIM: usize, const D: usize>(
     geometry: &Geometry<DIM, D>,
     shape: &Shape<D>,
     common: f64,
@@ -183,9 +183,10 @@ impl<const DIM: usize> Explicit<DIM> {
         };
         new.number(&runs);
         new.add_segments(geometry, shape, &runs);
-        new.add_masses(geometry, line, shape)?;
+        let masses = masses(geometry, shape, line.common.alpha);
+        new.add_masses(line, &masses)?;
         new.cluster(geometry, shape, line)?;
-        new.lay_along(geometry, shape, line, (&runs, islands))?;
+        new.lay_along(geometry, shape, line, (&runs, islands), &masses)?;
         Ok(new)
     }
 
@@ -253,11 +254,9 @@ impl<const DIM: usize> Explicit<DIM> {
 
     fn add_masses<const D: usize>(
         &mut self,
-        geometry: &Geometry<DIM, D>,
         line: &Line<DIM, D>,
-        shape: &Shape<D>,
+        masses: &[[f64; 2]],
     ) -> Result<(), CoreError> {
-        let masses = masses(geometry, shape, line.common.alpha);
         for point in PAD..self.nodes.len() - PAD {
             let node = self.nodes[point];
             let ([mass, damped], is_guest) = (masses[node], self.points[node] != point);

@@ -48,19 +48,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
             steps.settle_clusters(island, grid, (u, delta));
         }
         steps.show(grid, (u, delta));
-        let all = &self.line.links;
-        for island in self.awake(awake) {
-            let which = island.links.clone();
-            links.begin(which.clone(), all, &self.coefficients);
-            links.follow(
-                which.clone(),
-                all,
-                &self.link_stiffness,
-                delta,
-                &island.nodes,
-            );
-            links.tension_free[which.clone()].copy_from_slice(&links.tension[which]);
-        }
+        self.begin_links(awake, links, delta);
     }
 
     /// Add a share of forces on nodes to what moves the grid, if there is one.
