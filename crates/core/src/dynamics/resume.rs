@@ -47,10 +47,7 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
         walk.numbers("line_velocity", line.v.as_flattened_mut().iter_mut())?;
         walk.numbers("line_acceleration", line.a.as_flattened_mut().iter_mut())?;
         if let Some(grid) = &mut line.grid {
-            walk.numbers(
-                "grid_across",
-                grid.y.iter_mut().chain(&mut grid.d).flatten(),
-            )?;
+            walk.numbers("grid_across", grid.across())?;
             walk.numbers("grid_along", grid.x.iter_mut().flatten())?;
         }
         let links = line.links.elongation.as_flattened_mut();

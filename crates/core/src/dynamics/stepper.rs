@@ -138,11 +138,12 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
     /// [`CoreError::Input`] or [`CoreError::Singular`].
     pub fn explicit(
         geometry: &Geometry<DIM, D>,
-        line: Line<DIM, D>,
+        mut line: Line<DIM, D>,
         lanes: Vec<Path<DIM>>,
         h: f64,
         contact_stiffness: f64,
     ) -> Result<Self, CoreError> {
+        line.fit_bends(geometry);
         let steps = Explicit::new(geometry, &line.shape, &line, h)?;
         let scheme = Scheme::newmark(0.25, 0.5);
         let with = (None, Some(steps));
@@ -425,7 +426,8 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
 
     /// What the next step starts from, for a state that was put back.
     pub(super) fn go_on(&self, state: &mut LineState<D>) {
-        if self.explicit.is_some() {
+        if let (Some(steps), Some(grid)) = (&self.explicit, &mut state.grid) {
+            (0..self.islands.len()).for_each(|island| steps.wire_forces(island, grid));
             return;
         }
         for i in 0..state.u.len() {

@@ -18,7 +18,8 @@ use arcless_core::dynamics::record::{Record, RecordPlan};
 use arcless_core::dynamics::run::Travel;
 use arcless_core::dynamics::stepper::Prepared;
 use arcless_core::scheme::Scheme;
-use arcless_core::structure::{Spring, SpringMode, Structure};
+use arcless_core::statics::Geometry;
+use arcless_core::structure::{Bend, Spring, SpringMode, Structure};
 
 pub const CONTACT: f64 = 50e3;
 
@@ -59,6 +60,29 @@ pub fn implicit<const DIM: usize, const D: usize>(
     let lanes = Path::lanes(&geometry, &shape, lanes).expect("lanes");
     let scheme = Scheme::newmark(0.25, 0.5);
     Prepared::new(Line::new(&geometry, shape), lanes, scheme, h, CONTACT).expect("regular")
+}
+
+/// The same with bends of EI x coth x, x = (ℓ/2)√(T/EI), about the same shape: what explicit steps have.
+pub fn fitted<const DIM: usize, const D: usize>(
+    (structure, lanes): &Chain,
+    h: f64,
+) -> Prepared<DIM, D> {
+    let (geometry, shape) = settled::<DIM, D>(structure.clone());
+    let lanes = Path::lanes(&geometry, &shape, lanes).expect("lanes");
+    let mut line = Line::new(&geometry, shape);
+    for bend in &geometry.structure.bends {
+        let [a, b] = bend.segments.map(|k| &geometry.structure.segments[k]);
+        let tension = |k| Geometry::<DIM, D>::segment_state(&line.shape, k).linear_tension;
+        let tension = 0.5 * (tension(a) + tension(b));
+        let x = 0.25 * (a.rest_length + b.rest_length) * (tension / bend.stiffness).sqrt();
+        let more = Bend {
+            stiffness: bend.stiffness * (x / x.tanh() - 1.0),
+            ..*bend
+        };
+        geometry.add_bend(&mut line.stiffness, &more, 1.0);
+    }
+    line.stiffness.keep_free(&line.free);
+    Prepared::new(line, lanes, Scheme::newmark(0.25, 0.5), h, CONTACT).expect("regular")
 }
 
 /// A spring that does as good as nothing: steps tell of a node that has one.

@@ -1,6 +1,6 @@
 //! At rest under a rider, and the sag that it takes away, as the implicit line has them.
 
-use super::{Chain, WIRE, explicit, implicit, pass, plan, way};
+use super::{Chain, WIRE, explicit, fitted, pass, plan, way};
 use crate::common::chain::lumped;
 use crate::common::space::{in_space, staggered};
 use crate::common::{difference, peak, simple_line_of};
@@ -30,11 +30,11 @@ struct Close {
     line: f64,
 }
 
-/// Nothing moves, and what hangs there hangs as with implicit steps: heights and forces of the start.
+/// Nothing moves, and what hangs there hangs as with implicit steps of the same bends: heights and forces of the start.
 fn stands<const DIM: usize, const D: usize>(chain: &Chain, at: f64, close: &Close) {
     let [ours, theirs] = [
         explicit::<DIM, D>(chain, STEP),
-        implicit::<DIM, D>(chain, STEP),
+        fitted::<DIM, D>(chain, STEP),
     ]
     .map(|p| {
         let nodes = (0..p.line.nodes()).step_by(7).collect();

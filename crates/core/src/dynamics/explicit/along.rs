@@ -1,7 +1,7 @@
 //! Along the wire: masters, reaches between them, and where all points lie.
 
-use super::layout::{Run, along};
-use super::{Along, Explicit, Own, PAD, Reach, refuse};
+use super::layout::{Chains, Ranges, Run, along};
+use super::{Along, refuse};
 use crate::dynamics::line::Line;
 use crate::error::CoreError;
 use crate::statics::assembly::{Geometry, Shape};
@@ -11,9 +11,18 @@ use std::ops::Range;
 /// above 100 Hz at 1 ms.
 const REACH: f64 = 1.2;
 
-impl<const DIM: usize> Explicit<DIM> {
+/// A piece of wire between two masters.
+pub(super) struct Reach {
+    pub masters: [usize; 2],
+    /// Its segments.
+    pub segments: Range<usize>,
+    /// k, N/m.
+    pub stiffness: f64,
+}
+
+impl Chains {
     /// Masters, reaches, and where all points lie between them, island by island.
-    pub(super) fn lay_along<const D: usize>(
+    pub(super) fn lay_along<const DIM: usize, const D: usize>(
         &mut self,
         geometry: &Geometry<DIM, D>,
         shape: &Shape<D>,
@@ -54,7 +63,7 @@ impl<const DIM: usize> Explicit<DIM> {
             let (Some(first), Some(last)) = (first, last) else {
                 return Err(refuse("an island without points"));
             };
-            own.push(Own {
+            own.push(Ranges {
                 points: first..last,
                 reaches: reaches..self.reaches.len(),
                 masters: masters..self.masters.len(),
@@ -82,7 +91,7 @@ impl<const DIM: usize> Explicit<DIM> {
             }
         }
         let mut held = vec![false; self.masters.len()];
-        for point in PAD..self.nodes.len() - PAD {
+        for point in self.all() {
             let owner = self.points[self.nodes[point]];
             if master[owner] != usize::MAX && !line.free[self.nodes[point]][0] {
                 held[master[owner]] = true;
@@ -93,7 +102,7 @@ impl<const DIM: usize> Explicit<DIM> {
             *numbers = if held || mass <= 0.0 {
                 [0.0; 3]
             } else {
-                [1.0 / mass, damped / mass / self.h, lag]
+                [self.h * self.h / mass, damped / mass * self.h, lag]
             };
         }
         Ok(())
@@ -112,7 +121,7 @@ impl<const DIM: usize> Explicit<DIM> {
 
     /// Points of a wire that become masters: its ends, what is held or has guests, and between them so
     /// many that reaches are equally long and long enough.
-    fn places_along<const D: usize>(
+    fn places_along<const DIM: usize, const D: usize>(
         &self,
         geometry: &Geometry<DIM, D>,
         line: &Line<DIM, D>,
@@ -153,7 +162,7 @@ impl<const DIM: usize> Explicit<DIM> {
         places
     }
 
-    fn add_reaches<const D: usize>(
+    fn add_reaches<const DIM: usize, const D: usize>(
         &mut self,
         geometry: &Geometry<DIM, D>,
         shape: &Shape<D>,

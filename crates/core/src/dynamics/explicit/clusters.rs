@@ -1,14 +1,15 @@
 //! Which points links, struts and springs couple, and how.
 
+use super::Along;
 use super::cluster::{Cluster, Member};
-use super::{Along, Explicit, PAD};
+use super::layout::Chains;
 use crate::dynamics::line::Line;
 use crate::error::CoreError;
 use crate::linalg::SymmetricBlocks;
 use crate::statics::assembly::{Geometry, Shape, link_tension};
 
-impl<const DIM: usize> Explicit<DIM> {
-    pub(super) fn cluster<const D: usize>(
+impl Chains {
+    pub(super) fn cluster<const DIM: usize, const D: usize>(
         &mut self,
         geometry: &Geometry<DIM, D>,
         shape: &Shape<D>,
@@ -46,7 +47,7 @@ impl<const DIM: usize> Explicit<DIM> {
             }
         }
         // What would couple two clusters within a step keeps its lumped mass.
-        for j in PAD..self.nodes.len() - PAD {
+        for j in self.all() {
             if self.in_cluster[j].is_some() && self.in_cluster[j + 1].is_some() {
                 self.filter[j] = 0.0;
             }
@@ -71,7 +72,10 @@ impl<const DIM: usize> Explicit<DIM> {
     fn member(&self, point: usize) -> Member {
         let filter = [self.filter[point - 1], self.filter[point]];
         let mut inverse = [0.0; 2];
-        (0..DIM - 1).for_each(|c| inverse[c] = self.inverse[c][point]);
+        self.inverse
+            .iter()
+            .zip(&mut inverse)
+            .for_each(|(all, own)| *own = all[point]);
         Member {
             point,
             node: self.nodes[point],
@@ -79,6 +83,7 @@ impl<const DIM: usize> Explicit<DIM> {
             inverse,
             response: inverse.map(|own| own * (1.0 + own * (filter[0] + filter[1]))),
             filter,
+            lag: self.lag[point],
         }
     }
 }

@@ -1,125 +1,183 @@
-//! The two passes over all points.
+//! What a step does with rows, one after the other, in one direction across.
 //!
 //!   Qⱼ = Tⱼ (sⱼ₊₁ − sⱼ) − (mⱼ₊₁ − mⱼ)/L + H tan φⱼ,   mᵢ = (EI/ℓ̄) (s′ᵢ − s′ᵢ₋₁),   s′ⱼ = (sⱼ₊₁ − sⱼ)/L
-//!   w = M⁻¹ (Qᵢ − Qᵢ₋₁) − α v,        a = w + M⁻¹ E w
+//!   w = h² M⁻¹ (Qᵢ − Qᵢ₋₁) − α h d,        h² a = w + M⁻¹ E w
+//!
+//! Each takes some rows and leaves what the next ones need, so that rows may come in pieces.
 
-use super::Explicit;
-use crate::linalg::Kernel;
+use super::rows::{Across, Common, LANES, Moving, Tensed, Wide};
 use std::ops::Range;
 
-/// Points taken at a time: what lies between the passes stays in the nearest cache.
-const CHUNK: usize = 128;
-
-fn chunks(range: &Range<usize>) -> impl Iterator<Item = (usize, usize)> + use<> {
-    let end = range.end;
-    range
-        .clone()
-        .step_by(CHUNK)
-        .map(move |a| (a, (a + CHUNK).min(end) - a))
+/// Lane by lane. A loop of its own: what the library maps arrays with may not be compiled for wide lanes.
+#[inline(always)]
+fn each(of: impl Fn(usize) -> f64) -> Wide {
+    let mut all = Wide::default();
+    for l in 0..LANES {
+        all[l] = of(l);
+    }
+    all
 }
 
-/// w from s, H and d.
-pub(super) struct Forces<'a, const DIM: usize> {
-    pub p: &'a Explicit<DIM>,
-    pub across: usize,
-    pub range: Range<usize>,
-    pub s: &'a [f64],
-    pub d: &'a [f64],
-    pub thrust: &'a [f64],
-    pub w: &'a mut [f64],
+/// Numbers of a direction that stay, row by row.
+#[derive(Clone, Copy)]
+pub(super) struct Fixed<'a> {
+    pub common: &'a [Common],
+    pub across: &'a [Across],
 }
 
-impl<const DIM: usize> Kernel for Forces<'_, DIM> {
+/// Forces of wires, on their way through the rows.
+#[derive(Clone, Copy)]
+pub(super) struct Forces {
+    /// s of the next row; s, s′ of the segment behind it; moment and shear before that, H.
+    s: Wide,
+    by: Wide,
+    slope: Wide,
+    moment: Wide,
+    shear: Wide,
+    thrust: Wide,
+}
+
+impl Forces {
+    /// Before a row, with H of the segment before the one that ends there.
+    ///
+    /// The first row finds the shear for the second one; its own w is of no use.
     #[inline(always)]
-    fn run(self) {
-        let p = self.p;
-        let (tension, slope) = (&p.tension[self.across], &p.slope[self.across]);
-        let inverse = &p.inverse[self.across];
-        let (mut first, mut moment, mut shear) =
-            ([0.0; CHUNK + 3], [0.0; CHUNK + 2], [0.0; CHUNK + 1]);
-        for (a, n) in chunks(&self.range) {
-            let (s, next) = (&self.s[a - 2..][..n + 3], &self.s[a - 1..][..n + 3]);
-            let per = &p.per_length[a - 2..][..n + 3];
-            let first = &mut first[..n + 3];
-            for k in 0..n + 3 {
-                first[k] = (next[k] - s[k]) * per[k];
-            }
-            let (bending, moment) = (&p.bending[a - 1..][..n + 2], &mut moment[..n + 2]);
-            let (left, right) = (&first[..n + 2], &first[1..][..n + 2]);
-            for k in 0..n + 2 {
-                moment[k] = bending[k] * (right[k] - left[k]);
-            }
-            let (s, next) = (&self.s[a - 1..][..n + 1], &self.s[a..][..n + 1]);
-            let (tension, slope) = (&tension[a - 1..][..n + 1], &slope[a - 1..][..n + 1]);
-            let (per, thrust) = (
-                &p.per_length[a - 1..][..n + 1],
-                &self.thrust[a - 1..][..n + 1],
-            );
-            let (left, right) = (&moment[..n + 1], &moment[1..][..n + 1]);
-            let shear = &mut shear[..n + 1];
-            for k in 0..n + 1 {
-                shear[k] = tension[k] * (next[k] - s[k]) - (right[k] - left[k]) * per[k]
-                    + thrust[k] * slope[k];
-            }
-            let (left, right) = (&shear[..n], &shear[1..][..n]);
-            let (inverse, damping) = (&inverse[a..][..n], &p.damping[a..][..n]);
-            let (d, w) = (&self.d[a..][..n], &mut self.w[a..][..n]);
-            for k in 0..n {
-                w[k] = inverse[k] * (right[k] - left[k]) - damping[k] * d[k];
-            }
+    pub fn before(row: usize, fixed: Fixed<'_>, rows: &[Moving], thrust: Wide) -> Self {
+        let common = &fixed.common[row - 1..=row];
+        let rows = &rows[row - 1..=row + 1];
+        let (_, before) = turn(&rows[0].s, &rows[1].s, &common[0]);
+        let (by, slope) = turn(&rows[1].s, &rows[2].s, &common[1]);
+        Self {
+            s: rows[2].s,
+            by,
+            slope,
+            moment: each(|l| common[1].bending[l] * (slope[l] - before[l])),
+            shear: Wide::default(),
+            thrust,
         }
     }
-}
 
-/// Take the step: a from w, then d and y.
-pub(super) struct Move<'a, const DIM: usize> {
-    pub p: &'a Explicit<DIM>,
-    pub across: usize,
-    pub range: Range<usize>,
-    pub w: &'a [f64],
-    pub d: &'a mut [f64],
-    pub y: &'a mut [f64],
-}
-
-impl<const DIM: usize> Kernel for Move<'_, DIM> {
+    /// w of some rows, from s, H and d.
     #[inline(always)]
-    fn run(self) {
-        let (p, squared) = (self.p, self.p.h * self.p.h);
-        let inverse = &p.inverse[self.across];
-        let mut shared = [0.0; CHUNK + 1];
-        for (a, n) in chunks(&self.range) {
-            let (w, next) = (&self.w[a - 1..][..n + 1], &self.w[a..][..n + 1]);
-            let (filter, shared) = (&p.filter[a - 1..][..n + 1], &mut shared[..n + 1]);
-            for k in 0..n + 1 {
-                shared[k] = filter[k] * (next[k] - w[k]);
-            }
-            let (left, right, w) = (&shared[..n], &shared[1..][..n], &self.w[a..][..n]);
-            let inverse = &inverse[a..][..n];
-            let (d, y) = (&mut self.d[a..][..n], &mut self.y[a..][..n]);
-            for k in 0..n {
-                let moved = d[k] + squared * (w[k] - inverse[k] * (right[k] - left[k]));
-                d[k] = moved;
-                y[k] += moved;
-            }
-        }
-    }
-}
-
-/// s = y + (β/h) d.
-pub(super) struct Lag<'a> {
-    pub lag: &'a [f64],
-    pub y: &'a [f64],
-    pub d: &'a [f64],
-    pub s: &'a mut [f64],
-}
-
-impl Kernel for Lag<'_> {
-    #[inline(always)]
-    fn run(self) {
-        let n = self.s.len();
-        let (lag, y, d) = (&self.lag[..n], &self.y[..n], &self.d[..n]);
+    pub fn go(
+        &mut self,
+        rows: Range<usize>,
+        fixed: Fixed<'_>,
+        tensed: &[Tensed],
+        moving: &mut [Moving],
+    ) {
+        let n = rows.len();
+        let common = &fixed.common[rows.start..][..n + 1];
+        let (across, tensed) = (&fixed.across[rows.start..][..n], &tensed[rows.start..][..n]);
+        let moving = &mut moving[rows.start..][..n + 2];
+        let mut at = *self;
         for k in 0..n {
-            self.s[k] = y[k] + lag[k] * d[k];
+            let next = moving[k + 2].s;
+            let (by, slope) = turn(&at.s, &next, &common[k + 1]);
+            let bending = &common[k + 1].bending;
+            let moment: Wide = each(|l| bending[l] * (slope[l] - at.slope[l]));
+            let (here, this) = (&common[k], &across[k]);
+            at.thrust = each(|l| at.thrust[l] + tensed[k].more[l]);
+            let shear: Wide = each(|l| {
+                this.tension[l] * at.by[l] - (moment[l] - at.moment[l]) * here.per_length[l]
+                    + at.thrust[l] * this.slope[l]
+            });
+            let d = moving[k].d;
+            moving[k].w =
+                each(|l| this.inverse[l] * (shear[l] - at.shear[l]) - here.damping[l] * d[l]);
+            (at.by, at.slope, at.moment, at.shear, at.s) = (by, slope, moment, shear, next);
         }
+        *self = at;
+    }
+}
+
+/// Difference and slope of a segment.
+#[inline(always)]
+fn turn(from: &Wide, to: &Wide, common: &Common) -> (Wide, Wide) {
+    let by: Wide = each(|l| to[l] - from[l]);
+    (by, each(|l| by[l] * common.per_length[l]))
+}
+
+/// The motion of a step, on its way through the rows: a from w, then d and s, and the rise of the wire.
+#[derive(Clone, Copy)]
+pub(super) struct Motion {
+    /// w of the next row; q of the segment before it times the difference of w over that.
+    w: Wide,
+    shared: Wide,
+    rise: Rise,
+}
+
+impl Motion {
+    /// Before a row.
+    #[inline(always)]
+    pub fn before(row: usize, common: &[Common], rows: &[Moving]) -> Self {
+        let (before, w, filter) = (&rows[row - 1].w, rows[row].w, &common[row - 1].filter);
+        Self {
+            w,
+            shared: each(|l| filter[l] * (w[l] - before[l])),
+            rise: Rise::begin(),
+        }
+    }
+
+    /// Move some rows. Directions but the `FIRST` add their rise to what is there.
+    #[inline(always)]
+    pub fn go<const FIRST: bool>(
+        &mut self,
+        rows: Range<usize>,
+        fixed: Fixed<'_>,
+        tensed: &mut [Tensed],
+        moving: &mut [Moving],
+    ) {
+        let (n, before) = (rows.len(), rows.start - 1);
+        let (common, across) = (
+            &fixed.common[rows.start..][..n],
+            &fixed.across[before..][..n + 1],
+        );
+        let tensed = &mut tensed[rows.start..][..n];
+        let moving = &mut moving[rows.start..][..n + 1];
+        let mut at = *self;
+        for k in 0..n {
+            let next = moving[k + 1].w;
+            let filter = &common[k].filter;
+            let shared: Wide = each(|l| filter[l] * (next[l] - at.w[l]));
+            let (inverse, lag) = (&across[k + 1].inverse, &common[k].lag);
+            let a: Wide = each(|l| at.w[l] - inverse[l] * (shared[l] - at.shared[l]));
+            let row = &mut moving[k];
+            row.d = each(|l| row.d[l] + a[l]);
+            row.s = each(|l| row.s[l] + (row.d[l] + lag[l] * a[l]));
+            at.rise.go_on::<FIRST>(&across[k], &row.s, &mut tensed[k]);
+            (at.w, at.shared) = (next, shared);
+        }
+        *self = at;
+    }
+}
+
+/// Σ tan φ Δs, from the first point of a strand on.
+#[derive(Clone, Copy)]
+pub(super) struct Rise {
+    sum: Wide,
+    /// s of the last row.
+    s: Option<Wide>,
+}
+
+impl Rise {
+    pub fn begin() -> Self {
+        Self {
+            sum: Wide::default(),
+            s: None,
+        }
+    }
+
+    /// On to a row, with the segment that ends there.
+    #[inline(always)]
+    pub fn go_on<const FIRST: bool>(&mut self, segment: &Across, s: &Wide, tensed: &mut Tensed) {
+        let before = self.s.unwrap_or(*s);
+        self.sum = each(|l| self.sum[l] + segment.slope[l] * (s[l] - before[l]));
+        self.s = Some(*s);
+        tensed.rise = if FIRST {
+            self.sum
+        } else {
+            each(|l| tensed.rise[l] + self.sum[l])
+        };
     }
 }

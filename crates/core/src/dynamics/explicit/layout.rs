@@ -1,12 +1,19 @@
-//! From the structure to the lists of points.
+//! From the structure to lists of points, wire behind wire.
 
-use super::{Along, Explicit, PAD, refuse};
+use super::along::Reach;
+use super::bends::Fit;
+use super::cluster::Cluster;
+use super::{Along, Explicit, refuse};
 use crate::dynamics::line::Line;
 use crate::element::bar::BarState;
 use crate::error::CoreError;
 use crate::linalg::islands::islands;
 use crate::statics::assembly::{Geometry, Shape};
 use crate::structure::Segment;
+use std::ops::Range;
+
+/// Points of no wire before the first and behind the last.
+const PAD: usize = 2;
 
 /// Wires as lists of segments, end to end; all that go through a bend stay together.
 fn wires<const DIM: usize, const D: usize>(geometry: &Geometry<DIM, D>) -> Vec<Vec<usize>> {
@@ -128,6 +135,52 @@ fn masses<const DIM: usize, const D: usize>(
     all
 }
 
+/// What belongs to one island.
+pub(super) struct Ranges {
+    pub points: Range<usize>,
+    pub reaches: Range<usize>,
+    pub masters: Range<usize>,
+    pub clusters: Range<usize>,
+    pub guests: Range<usize>,
+}
+
+/// A line of chains, point by point. Segment j lies between points j and j + 1; where two wires meet in
+/// the numbering, its numbers are zero. Lists of lists hold one for each direction across.
+pub(super) struct Chains {
+    /// Step, s.
+    pub h: f64,
+    /// Node of each point.
+    pub nodes: Vec<usize>,
+    /// Point of each node.
+    pub points: Vec<usize>,
+    pub own: Vec<Ranges>,
+    /// h²/m of each point, s²/kg; zero where held; one for a guest.
+    pub inverse: Vec<Vec<f64>>,
+    /// α h of each point.
+    pub damping: Vec<f64>,
+    /// β/h of each point.
+    pub lag: Vec<f64>,
+    /// Stiffness of a segment under tension, N/m.
+    pub tension: Vec<Vec<f64>>,
+    /// 1/L of a segment, 1/m.
+    pub per_length: Vec<f64>,
+    /// EI/ℓ̄ of a point, N·m.
+    pub bending: Vec<f64>,
+    /// tan φ of a segment.
+    pub slope: Vec<Vec<f64>>,
+    /// q/h² of a segment, kg/s².
+    pub filter: Vec<f64>,
+    pub reaches: Vec<Reach>,
+    pub along: Vec<Along>,
+    /// h²/m of each master along the wire, s²/kg; α h; β/h.
+    pub masters: Vec<[f64; 3]>,
+    pub clusters: Vec<Cluster>,
+    /// Cluster of each point, and which of its points it is.
+    pub in_cluster: Vec<Option<(usize, usize)>>,
+    /// Ends of wires at a point of another: guest, owner.
+    pub guests: Vec<(usize, usize)>,
+}
+
 impl<const DIM: usize> Explicit<DIM> {
     /// From a structure whose wires are chains, about `shape`; steps of `h` seconds.
     ///
@@ -139,13 +192,16 @@ impl<const DIM: usize> Explicit<DIM> {
         line: &Line<DIM, D>,
         h: f64,
     ) -> Result<Self, CoreError> {
-        let new = Self::laid(geometry, shape, line, h)?;
-        new.check_step(|h| Self::laid(geometry, shape, line, h))?;
+        let with = |h| Ok(Chains::new(geometry, shape, line, h)?.dealt());
+        let new: Self = with(h)?;
+        new.check_step(with)?;
         Ok(new)
     }
+}
 
-    /// The same with steps of any length.
-    fn laid<const D: usize>(
+impl Chains {
+    /// For steps of any length.
+    fn new<const DIM: usize, const D: usize>(
         geometry: &Geometry<DIM, D>,
         shape: &Shape<D>,
         line: &Line<DIM, D>,
@@ -162,7 +218,6 @@ impl<const DIM: usize> Explicit<DIM> {
         let across = || vec![zero.clone(); DIM - 1];
         let mut new = Self {
             h,
-            per_step: 1.0 / h,
             nodes: vec![usize::MAX; count],
             points: vec![usize::MAX; geometry.nodes()],
             own: Vec::new(),
@@ -205,7 +260,7 @@ impl<const DIM: usize> Explicit<DIM> {
                 }
             }
         }
-        for point in PAD..self.nodes.len() - PAD {
+        for point in self.all() {
             let owner = self.points[self.nodes[point]];
             if owner != point {
                 self.guests.push((point, owner));
@@ -213,7 +268,7 @@ impl<const DIM: usize> Explicit<DIM> {
         }
     }
 
-    fn add_segments<const D: usize>(
+    fn add_segments<const DIM: usize, const D: usize>(
         &mut self,
         geometry: &Geometry<DIM, D>,
         shape: &Shape<D>,
@@ -247,21 +302,31 @@ impl<const DIM: usize> Explicit<DIM> {
                 .for_each(|(k, &n)| point_behind[n] = run.first + k + 1);
         }
         for bend in &s.bends {
-            let [a, b] = bend.segments.map(|k| s.segments[k].rest_length);
-            self.bending[point_behind[bend.segments[0]]] = 2.0 * bend.stiffness / (a + b);
+            let Fit {
+                bending,
+                longer,
+                length,
+                ..
+            } = Fit::new(geometry, shape, bend);
+            let point = point_behind[bend.segments[0]];
+            self.bending[point] = bending / length;
+            for (j, k) in [point - 1, point].into_iter().zip(bend.segments) {
+                let segment = &s.segments[k];
+                self.filter[j] -= 0.5 * segment.mass / segment.rest_length * longer;
+            }
         }
     }
 
-    fn add_masses<const D: usize>(
+    fn add_masses<const DIM: usize, const D: usize>(
         &mut self,
         line: &Line<DIM, D>,
         masses: &[[f64; 2]],
     ) -> Result<(), CoreError> {
-        for point in PAD..self.nodes.len() - PAD {
+        for point in self.all() {
             let node = self.nodes[point];
             let ([mass, damped], is_guest) = (masses[node], self.points[node] != point);
             if mass > 0.0 && !is_guest {
-                self.damping[point] = damped / mass / self.h;
+                self.damping[point] = damped / mass * self.h;
             }
             for c in 1..DIM {
                 let free = line.free[node][c];
@@ -270,7 +335,7 @@ impl<const DIM: usize> Explicit<DIM> {
                 }
                 self.inverse[c - 1][point] = match (is_guest, free) {
                     (true, _) => 1.0,
-                    (false, true) => 1.0 / mass,
+                    (false, true) => self.h * self.h / mass,
                     (false, false) => 0.0,
                 };
             }
@@ -278,7 +343,13 @@ impl<const DIM: usize> Explicit<DIM> {
         for &(guest, _) in &self.guests {
             (self.filter[guest], self.filter[guest - 1]) = (0.0, 0.0);
         }
+        self.filter.iter_mut().for_each(|q| *q /= self.h * self.h);
         Ok(())
+    }
+
+    /// Points that are there, without those of no wire at both ends.
+    pub fn all(&self) -> Range<usize> {
+        PAD..self.nodes.len() - PAD
     }
 }
 

@@ -23,9 +23,6 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         else {
             return;
         };
-        for &island in &*awake {
-            steps.wire_forces(&steps.own[island], grid);
-        }
         // Work is empty before and after, as most steps leave it.
         if load(work) {
             for (node, force) in work.iter_mut().enumerate() {

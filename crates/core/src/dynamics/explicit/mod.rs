@@ -26,28 +26,40 @@
 //! speed it up by (ω h)²/24. With the mass M − E, E = Σ q [1 −1; −1 1], q = (m ℓ/12)(1 − (c h/ℓ)²), both
 //! leading errors go; its inverse is taken as M⁻¹ + M⁻¹ E M⁻¹, the same to this order and positive. It
 //! filters all forces, so the statics stay.
+//!
+//! **Points yield like the wire.** A wire of tension T and bending stiffness EI under a force has the kink of a
+//! string, rounded over λ = √(EI/T), some 10 cm. A chain rounds it over ℓ instead and yields too much at its points.
+//! With EI x coth x in the place of EI, x = ℓ/2λ, forces on points displace points as they do on the wire, but
+//! for terms in (k ℓ)⁴ (the interpolation of Allen & Southwell, Q. J. Mech. Appl. Math. 8 (1955) 129, for this
+//! equation); what that adds to the speed of waves is taken from q.
 
 mod along;
+mod bends;
 mod cluster;
 mod clusters;
+mod deal;
+mod groups;
 mod kernels;
 mod layout;
 mod line;
+mod plan;
 mod push;
 mod rest;
+mod rows;
 mod settle;
 mod stable;
 mod stepping;
 mod stretch;
+mod sweep;
 
 use cluster::Cluster;
-
+use groups::Groups;
+use plan::Plan;
+use rows::{Across, Common, Moving, Tensed};
 use std::ops::Range;
 
 /// Newmark's β.
 const BETA: f64 = 0.25;
-/// Points of no wire before the first and behind the last.
-const PAD: usize = 2;
 
 /// Where a point lies along its wire: between two masters.
 #[derive(Debug, Clone, Copy, Default)]
@@ -72,60 +84,81 @@ impl Along {
     }
 }
 
-/// A piece of wire between two masters.
-#[derive(Debug, Clone)]
+/// A piece of wire between two masters, and the slots of its ends.
+#[derive(Debug, Clone, Copy)]
 struct Reach {
-    masters: [usize; 2],
-    /// Its segments.
-    segments: Range<usize>,
+    masters: [u32; 2],
+    ends: [u32; 2],
+    /// Number of the one before it in its strand; of none behind the last of all.
+    before: u32,
     /// k, N/m.
     stiffness: f64,
+}
+
+/// Where a wire goes on from one strand to the next.
+#[derive(Debug, Clone, Copy)]
+struct Cut {
+    /// The last point before it, as the second strand has it.
+    head: usize,
+    /// The first point behind it, as the first strand has it.
+    tail: usize,
+    /// The last reach that begins before it.
+    last: Option<usize>,
+    /// The reach that goes over it.
+    over: Option<usize>,
+    /// The first reach that begins behind it, in the second strand.
+    next: Option<usize>,
 }
 
 /// What belongs to one island.
 #[derive(Debug, Clone)]
 struct Own {
-    points: Range<usize>,
+    rows: Range<usize>,
+    /// Slots of copies, and of what they are copies of; and those beside a cut alone.
+    copies: Vec<[usize; 2]>,
+    beside: Vec<[usize; 2]>,
+    cuts: Vec<Cut>,
+    plan: Plan,
+    /// As they end, those over cuts last.
     reaches: Range<usize>,
     masters: Range<usize>,
-    clusters: Range<usize>,
     guests: Range<usize>,
+    groups: Groups,
+    /// Nodes of all clusters.
+    linked: Vec<usize>,
 }
 
-/// A line of chains, ready for explicit steps. Segment j lies between points j and j + 1; where two
-/// wires meet in the numbering, its numbers are zero. `T` lists hold one for each direction across.
+/// Masters along the wire.
+#[derive(Debug, Clone)]
+struct Masters {
+    /// h²/m, s²/kg.
+    inverse: Vec<f64>,
+    /// α h.
+    damping: Vec<f64>,
+    /// β/h.
+    lag: Vec<f64>,
+}
+
+/// A line of chains, ready for explicit steps: see [`rows`]. Lists of lists hold one for each direction across.
 #[derive(Debug, Clone)]
 pub struct Explicit<const DIM: usize> {
     /// Step, s, and 1/h.
     h: f64,
     per_step: f64,
-    /// Node of each point.
+    /// Node of each slot; none where there is no point, or a copy.
     nodes: Vec<usize>,
-    /// Point of each node.
+    /// Slot of each node.
     points: Vec<usize>,
+    /// Slot of which each is a copy, or its own.
+    home: Vec<usize>,
     own: Vec<Own>,
-    /// 1/m of each point, 1/kg; zero where held; one for a guest.
-    inverse: Vec<Vec<f64>>,
-    /// α/h of each point, 1/s².
-    damping: Vec<f64>,
-    /// β/h of each point.
-    lag: Vec<f64>,
-    /// Stiffness of a segment under tension, N/m.
-    tension: Vec<Vec<f64>>,
-    /// 1/L of a segment, 1/m.
-    per_length: Vec<f64>,
-    /// EI/ℓ̄ of a point, N·m.
-    bending: Vec<f64>,
-    /// tan φ of a segment.
-    slope: Vec<Vec<f64>>,
-    /// q of a segment, kg.
-    filter: Vec<f64>,
-    reaches: Vec<Reach>,
+    common: Vec<Common>,
+    across: Vec<Vec<Across>>,
     along: Vec<Along>,
-    /// 1/m of each master along the wire, 1/kg; α/h; β/h.
-    masters: Vec<[f64; 3]>,
+    reaches: Vec<Reach>,
+    masters: Masters,
     clusters: Vec<Cluster>,
-    /// Cluster of each point, and which of its points it is.
+    /// Cluster of each slot, and which of its points it is.
     in_cluster: Vec<Option<(usize, usize)>>,
     /// Ends of wires at a point of another: guest, owner.
     guests: Vec<(usize, usize)>,
@@ -134,23 +167,28 @@ pub struct Explicit<const DIM: usize> {
 /// What moves.
 #[derive(Debug, Clone)]
 pub struct Grid {
-    /// Predictor y across, m; of the coming step.
-    pub(super) y: Vec<Vec<f64>>,
-    /// Its increment in the last step, m.
-    pub(super) d: Vec<Vec<f64>>,
-    /// The same along, of the masters.
+    /// Rows of each direction across.
+    moving: Vec<Vec<Moving>>,
+    tensed: Vec<Tensed>,
+    /// Predictor of the masters along, and its last increment, m.
     pub(super) x: [Vec<f64>; 2],
-    /// y + (β/h) d.
-    lagged: Vec<Vec<f64>>,
-    /// M⁻¹ f, m/s².
-    w: Vec<Vec<f64>>,
+    /// x + (β/h) d, m.
+    lagged: Vec<f64>,
     /// Force along on the masters, N.
     pull: Vec<f64>,
-    /// H of each segment, N.
+    /// H of each reach, N, and behind them a zero.
     thrust: Vec<f64>,
-    /// Points that others read beside those of clusters: where contacts are, and always.
+    /// Slots that others read beside those of clusters: where contacts are, and always.
     near: Vec<usize>,
     watched: Vec<usize>,
+}
+
+impl Grid {
+    /// Numbers that a later run goes on with.
+    pub(super) fn across(&mut self) -> impl Iterator<Item = &mut f64> {
+        let rows = self.moving.iter_mut().flatten();
+        rows.flat_map(|row| row.s.iter_mut().chain(row.d.iter_mut()))
+    }
 }
 
 fn refuse(reason: &str) -> crate::error::CoreError {

@@ -1,17 +1,10 @@
 //! Forces on single points, with what the clusters beside them answer at once.
 
+use super::rows::{LANES, place};
 use super::{BETA, Explicit, Grid};
 use crate::dynamics::columns::Columns;
 
 impl<const DIM: usize> Explicit<DIM> {
-    /// Acceleration of a point across, from w.
-    #[inline(always)]
-    pub(super) fn acceleration(&self, across: usize, point: usize, w: &[f64]) -> f64 {
-        let (filter, w) = (&self.filter[point - 1..=point], &w[point - 1..=point + 1]);
-        let (left, right) = (filter[0] * (w[1] - w[0]), filter[1] * (w[2] - w[1]));
-        w[1] - self.inverse[across][point] * (right - left)
-    }
-
     /// Add a force on a component of a node.
     pub(in crate::dynamics) fn push(
         &self,
@@ -20,33 +13,37 @@ impl<const DIM: usize> Explicit<DIM> {
         component: usize,
         force: f64,
     ) {
-        let point = self.points[node];
+        let slot = self.points[node];
         if component == 0 {
-            self.along[point].add(force, &mut grid.pull);
+            self.along[slot].add(force, &mut grid.pull);
             return;
         }
         let across = component - 1;
-        let change = self.inverse[across][point] * force;
-        grid.w[across][point] += change;
-        for neighbour in [point - 1, point, point + 1] {
-            let Some((number, place)) = self.in_cluster[neighbour] else {
-                continue;
-            };
-            // One column of the matrix of Explicit::acceleration.
-            let inverse = self.inverse[across][neighbour];
-            let felt = if neighbour == point {
-                1.0 + inverse * (self.filter[point] + self.filter[point - 1])
-            } else {
-                -inverse * self.filter[point.min(neighbour)]
-            };
-            self.answer(grid, number, place * DIM + component, felt * change);
+        let inverse = |slot: usize| {
+            let (row, lane) = place(slot);
+            self.across[across][row].inverse[lane]
+        };
+        let (row, lane) = place(slot);
+        let change = inverse(slot) * force;
+        grid.moving[across][row].w[lane] += change;
+        let [before, behind] = [row - 1, row].map(|row| self.common[row].filter[lane]);
+        // One column of the matrix of Explicit::acceleration.
+        let felt = [
+            (slot - LANES, -inverse(slot - LANES) * before),
+            (slot, 1.0 + inverse(slot) * (behind + before)),
+            (slot + LANES, -inverse(slot + LANES) * behind),
+        ];
+        for (near, felt) in felt {
+            if let Some((number, place)) = self.in_cluster[near] {
+                self.answer(grid, number, place * DIM + component, felt * change);
+            }
         }
     }
 
-    /// What a cluster answers to the acceleration of one of its points.
+    /// What a cluster answers to the acceleration of one of its points, times h².
     fn answer(&self, grid: &mut Grid, number: usize, column: usize, acceleration: f64) {
         let cluster = &self.clusters[number];
-        let n = cluster.members.len() * DIM;
+        let n = cluster.size;
         for row in 0..n {
             let force = -cluster.of_change[row * n + column] * acceleration;
             self.add_force(grid, cluster.members[row / DIM].point, row % DIM, force);
@@ -55,10 +52,14 @@ impl<const DIM: usize> Explicit<DIM> {
 
     /// Add a force on a point, without the answer of clusters.
     #[inline(always)]
-    pub(super) fn add_force(&self, grid: &mut Grid, point: usize, component: usize, force: f64) {
+    pub(super) fn add_force(&self, grid: &mut Grid, slot: usize, component: usize, force: f64) {
         match component.checked_sub(1) {
-            None => self.along[point].add(force, &mut grid.pull),
-            Some(across) => grid.w[across][point] += self.inverse[across][point] * force,
+            None => self.along[slot].add(force, &mut grid.pull),
+            Some(across) => {
+                let (row, lane) = place(slot);
+                let inverse = self.across[across][row].inverse[lane];
+                grid.moving[across][row].w[lane] += inverse * force;
+            }
         }
     }
 
@@ -71,34 +72,35 @@ impl<const DIM: usize> Explicit<DIM> {
         load: impl Iterator<Item = (usize, usize, f64)>,
         grid: &mut Grid,
     ) {
+        let beside = |slot: usize| [slot - LANES, slot, slot + LANES].map(|near| self.home[near]);
         let mut moved = Vec::new();
         for (node, component, force) in load {
             self.push(grid, node, component, force);
-            let point = self.points[node];
-            for near in [point - 1, point, point + 1] {
+            for near in beside(self.points[node]) {
                 moved.push(near);
                 if let Some((number, _)) = self.in_cluster[near] {
-                    for member in &self.clusters[number].members {
-                        moved.extend(member.point - 1..=member.point + 1);
-                    }
+                    let members = &self.clusters[number].members;
+                    moved.extend(members.iter().flat_map(|m| beside(m.point)));
                 }
             }
         }
         let mut found = std::collections::BTreeMap::<usize, [f64; D]>::new();
-        let squared = BETA * self.h * self.h;
-        for &point in &moved {
-            let node = self.nodes[point];
-            if node == usize::MAX || self.points[node] != point {
+        for &slot in &moved {
+            let node = self.nodes[slot];
+            if node == usize::MAX || self.points[node] != slot {
                 continue;
             }
             let row = found.entry(node).or_insert([0.0; D]);
-            for across in 0..DIM - 1 {
-                row[across + 1] = squared * self.acceleration(across, point, &grid.w[across]);
+            for (across, rows) in grid.moving.iter().enumerate() {
+                row[across + 1] = BETA * self.acceleration(across, slot, rows);
             }
         }
-        for point in moved {
-            grid.w.iter_mut().for_each(|w| w[point] = 0.0);
-            let [a, b] = self.along[point].masters;
+        for slot in moved {
+            let (row, lane) = place(slot);
+            grid.moving
+                .iter_mut()
+                .for_each(|rows| rows[row].w[lane] = 0.0);
+            let [a, b] = self.along[slot].masters;
             (grid.pull[a], grid.pull[b]) = (0.0, 0.0);
         }
         columns.keep(number, &found);

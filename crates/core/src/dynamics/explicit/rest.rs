@@ -4,6 +4,7 @@
 //! which is factorised, and K′ that of the steps, u ← u + K⁻¹ (f − K′ u) takes the difference away by a
 //! factor of about ‖1 − K⁻¹K′‖ a round.
 
+use super::rows::place;
 use super::{Explicit, Grid};
 use crate::dynamics::line::Line;
 use crate::linalg::{BlockLdl, SymmetricBlocks};
@@ -43,20 +44,26 @@ impl<const DIM: usize> Explicit<DIM> {
             self.read_from(&off, &mut step);
             add(&mut grid, &step);
         }
-        for point in super::PAD..self.nodes.len() - super::PAD {
-            let node = self.nodes[point];
-            u[node][0] = self.along[point].read(&grid.x[0]);
-            (0..DIM - 1).for_each(|c| u[node][c + 1] = grid.y[c][point]);
+        (0..self.own.len()).for_each(|island| self.wire_forces(island, &mut grid));
+        for (slot, node) in self.all() {
+            u[node][0] = self.along[slot].read(&grid.x[0]);
+            (0..DIM - 1).for_each(|c| u[node][c + 1] = at(&grid, c, slot));
         }
         (Some(grid), u)
     }
 
+    /// Slots of points, with their nodes.
+    pub(super) fn all(&self) -> impl Iterator<Item = (usize, usize)> {
+        let all = self.nodes.iter().copied().enumerate();
+        all.filter(|(_, node)| *node != usize::MAX)
+    }
+
     /// Masters and points from nodes.
     fn read_from<const D: usize>(&self, u: &[[f64; D]], grid: &mut Grid) {
-        for point in super::PAD..self.nodes.len() - super::PAD {
-            let node = self.nodes[point];
-            (0..DIM - 1).for_each(|c| grid.y[c][point] = u[node][c + 1]);
-            let along = self.along[point];
+        for (slot, node) in self.all() {
+            let (row, lane) = place(slot);
+            (0..DIM - 1).for_each(|c| grid.moving[c][row].s[lane] = u[node][c + 1]);
+            let along = self.along[slot];
             if along.share == 0.0 {
                 grid.x[0][along.masters[0]] = u[node][0];
             } else if along.share == 1.0 {
@@ -72,32 +79,28 @@ impl<const DIM: usize> Explicit<DIM> {
         grid: &mut Grid,
     ) -> (Vec<[f64; D]>, f64) {
         let mut off = vec![[0.0; D]; given.len()];
-        for own in &self.own {
-            self.wire_forces(own, grid);
-        }
+        (0..self.own.len()).for_each(|island| self.wire_forces(island, grid));
+        let owners = || self.all().filter(|&(slot, node)| self.points[node] == slot);
         let mut worst: f64 = 0.0;
-        for point in super::PAD..self.nodes.len() - super::PAD {
-            let node = self.nodes[point];
-            if self.points[node] != point {
-                continue;
-            }
+        for (slot, node) in owners() {
+            let (row, lane) = place(slot);
             for c in 0..DIM - 1 {
-                let inverse = self.inverse[c][point];
+                let inverse = self.across[c][row].inverse[lane];
                 if inverse > 0.0 {
-                    off[node][c + 1] += given[node][c + 1] + grid.w[c][point] / inverse;
+                    off[node][c + 1] += given[node][c + 1] + grid.moving[c][row].w[lane] / inverse;
                 }
             }
-            self.along[point].add(given[node][0], &mut grid.pull);
+            self.along[slot].add(given[node][0], &mut grid.pull);
         }
         self.add_clusters(grid, &mut off);
-        for point in super::PAD..self.nodes.len() - super::PAD {
-            let (node, along) = (self.nodes[point], self.along[point]);
+        for (slot, node) in owners() {
+            let along = self.along[slot];
             let master = match along.share {
                 0.0 => along.masters[0],
                 1.0 => along.masters[1],
                 _ => continue,
             };
-            if self.points[node] == point && self.masters[master][0] > 0.0 {
+            if self.masters.inverse[master] > 0.0 {
                 off[node][0] = grid.pull[master];
             }
         }
@@ -110,12 +113,12 @@ impl<const DIM: usize> Explicit<DIM> {
     /// Forces of clusters in the displaced position: −K u.
     fn add_clusters<const D: usize>(&self, grid: &mut Grid, off: &mut [[f64; D]]) {
         for cluster in &self.clusters {
-            let n = cluster.members.len() * DIM;
+            let n = cluster.size;
             let at = |row: usize| {
-                let (point, c) = (cluster.members[row / DIM].point, row % DIM);
+                let (slot, c) = (cluster.members[row / DIM].point, row % DIM);
                 match c {
-                    0 => self.along[point].read(&grid.x[0]),
-                    _ => grid.y[c - 1][point],
+                    0 => self.along[slot].read(&grid.x[0]),
+                    _ => at(grid, c - 1, slot),
                 }
             };
             let place: Vec<f64> = (0..n).map(at).collect();
@@ -133,9 +136,19 @@ impl<const DIM: usize> Explicit<DIM> {
     }
 }
 
+/// A place across, at rest.
+fn at(grid: &Grid, across: usize, slot: usize) -> f64 {
+    let (row, lane) = place(slot);
+    grid.moving[across][row].s[lane]
+}
+
 fn add(grid: &mut Grid, step: &Grid) {
-    for (y, more) in grid.y.iter_mut().flatten().zip(step.y.iter().flatten()) {
-        *y += more;
+    let steps = step.moving.iter().flatten();
+    for (row, more) in grid.moving.iter_mut().flatten().zip(steps) {
+        row.s
+            .iter_mut()
+            .zip(more.s.iter())
+            .for_each(|(s, more)| *s += more);
     }
     for (x, more) in grid.x[0].iter_mut().zip(&step.x[0]) {
         *x += more;

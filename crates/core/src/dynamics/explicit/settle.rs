@@ -1,82 +1,158 @@
-//! Forces of links, struts and springs, cluster by cluster.
+//! Forces of links, struts and springs, group by group.
 
-use super::cluster::{Cluster, WIDEST};
-use super::{BETA, Explicit, Grid};
+use super::cluster::WIDEST;
+use super::groups::{Group, Points};
+use super::rows::{LANES, Moving};
+use super::{BETA, Grid, Own};
 use crate::linalg::Kernel;
 
 /// Adds the forces of the clusters of an island to the grid, and sets the increments of their nodes from
-/// `u` before the step.
-pub(super) struct Settle<'a, const DIM: usize, const D: usize> {
-    pub p: &'a Explicit<DIM>,
-    pub island: usize,
+/// `u` before the step. Nodes of chains have no slopes: `D` directions.
+pub(super) struct Settle<'a, const D: usize> {
+    pub own: &'a Own,
     pub grid: &'a mut Grid,
     pub u: &'a [[f64; D]],
     pub delta: &'a mut [[f64; D]],
 }
 
-impl<const DIM: usize, const D: usize> Kernel for Settle<'_, DIM, D> {
+impl<const D: usize> Kernel for Settle<'_, D> {
     #[inline(always)]
     fn run(mut self) {
-        let p = self.p;
-        for cluster in &p.clusters[p.own[self.island].clusters.clone()] {
-            match cluster.width {
-                4 => self.settle::<4>(cluster),
-                8 => self.settle::<8>(cluster),
-                _ => self.settle::<WIDEST>(cluster),
+        for group in &self.own.groups.wide {
+            self.group(group);
+        }
+        for group in &self.own.groups.single {
+            self.group(group);
+        }
+    }
+}
+
+/// One number for each cluster of a group. A loop of its own: what the library maps arrays with is not
+/// compiled for wide lanes.
+#[inline(always)]
+fn each<const L: usize>(of: impl Fn(usize) -> f64) -> [f64; L] {
+    let mut all = [0.0; L];
+    for l in 0..L {
+        all[l] = of(l);
+    }
+    all
+}
+
+impl<const D: usize> Settle<'_, D> {
+    /// With its number of points known to the compiler for those that are many.
+    #[inline(always)]
+    fn group<const L: usize>(&mut self, group: &Group<L>) {
+        let points = &group.points[..];
+        if let Ok(points) = <&[Points<L>; 1]>::try_from(points) {
+            self.settle::<L, D>(points, &group.columns);
+        } else if let Ok(points) = <&[Points<L>; 2]>::try_from(points) {
+            self.settle::<L, 6>(points, &group.columns);
+        } else {
+            self.settle::<L, WIDEST>(points, &group.columns);
+        }
+    }
+
+    /// Clusters of no more than `N` components.
+    #[inline(always)]
+    fn settle<const L: usize, const N: usize>(
+        &mut self,
+        points: &[Points<L>],
+        columns: &[[f64; L]],
+    ) {
+        let size = points.len() * D;
+        let (mut at, mut force) = ([[0.0; L]; N], [[0.0; L]; N]);
+        let mut columns = columns.chunks_exact(2 * size);
+        for (k, point) in points.iter().enumerate() {
+            for c in 0..D {
+                let (u, v) = match c.checked_sub(1) {
+                    None => self.along(point),
+                    Some(across) => ahead(point, across, &self.grid.moving[across]),
+                };
+                at[k * D + c] = u;
+                let Some(column) = columns.next() else {
+                    return;
+                };
+                let (of_place, of_speed) = column.split_at(size);
+                for i in 0..size {
+                    for l in 0..L {
+                        force[i][l] += of_place[i][l] * u[l] + of_speed[i][l] * v[l];
+                    }
+                }
+            }
+        }
+        for (k, point) in points.iter().enumerate() {
+            self.put(point, &mut at[k * D..][..D], &force[k * D..][..D]);
+        }
+    }
+
+    /// Place and increment along the wire.
+    #[inline(always)]
+    fn along<const L: usize>(&self, point: &Points<L>) -> ([f64; L], [f64; L]) {
+        let [x, d] = &self.grid.x;
+        let x = &x[..d.len()];
+        let (mut from, mut to) = ([[0.0; L]; 2], [[0.0; L]; 2]);
+        for l in 0..L {
+            let (a, b) = (point.masters[0][l] as usize, point.masters[1][l] as usize);
+            (from[0][l], from[1][l]) = (x[a], d[a]);
+            (to[0][l], to[1][l]) = (x[b], d[b]);
+        }
+        let share = &point.share;
+        let between = |k: usize| each(|l| (1.0 - share[l]) * from[k][l] + share[l] * to[k][l]);
+        (between(0), between(1))
+    }
+
+    /// Take the forces on a point, and its increments.
+    #[inline(always)]
+    fn put<const L: usize>(&mut self, point: &Points<L>, at: &mut [[f64; L]], force: &[[f64; L]]) {
+        let second: [f64; L] = each(|l| point.share[l] * force[0][l]);
+        let first: [f64; L] = each(|l| (1.0 - point.share[l]) * force[0][l]);
+        let pull = &mut self.grid.pull;
+        for l in 0..L {
+            pull[point.masters[0][l] as usize] += first[l];
+            pull[point.masters[1][l] as usize] += second[l];
+        }
+        for c in 1..D {
+            let (force, at) = (&force[c], &mut at[c]);
+            let (inverse, response) = (&point.inverse[c - 1], &point.response[c - 1]);
+            let moved: [f64; L] = each(|l| inverse[l] * force[l]);
+            *at = each(|l| at[l] + BETA * response[l] * force[l]);
+            let rows = &mut self.grid.moving[c - 1][..];
+            for l in 0..L {
+                rows[point.row[l] as usize].w[point.lane[l] as usize % LANES] += moved[l];
+            }
+        }
+        for l in 0..L {
+            let node = point.node[l] as usize;
+            let (u, delta) = (&self.u[node], &mut self.delta[node]);
+            for c in 0..D {
+                delta[c] = at[c][l] - u[c];
             }
         }
     }
 }
 
-impl<const DIM: usize, const D: usize> Settle<'_, DIM, D> {
-    /// A cluster whose columns have `N` numbers.
-    #[inline(always)]
-    fn settle<const N: usize>(&mut self, cluster: &Cluster) {
-        let p = self.p;
-        let Grid {
-            y, d, x, w, pull, ..
-        } = &mut *self.grid;
-        // The first and the last direction across: the only one, or both.
-        let last = DIM - 2;
-        let (y, d) = ([&y[0][..], &y[last][..]], [&d[0][..], &d[last][..]]);
-        let (mut place, mut force, mut by_speed) = ([0.0; N], [0.0; N], [0.0; N]);
-        let mut row = 0;
-        let (columns, _) = cluster.columns.as_chunks::<N>();
-        for m in &cluster.members {
-            for c in 0..DIM {
-                let [u, v] = if c == 0 {
-                    [m.along.read(&x[0]), p.per_step * m.along.read(&x[1])]
-                } else {
-                    let a = m.acceleration(c - 1, &w[c - 1]);
-                    p.ahead([y[c - 1][m.point], d[c - 1][m.point], a])
-                };
-                let (of_place, of_speed) = (&columns[2 * row], &columns[2 * row + 1]);
-                for k in 0..N {
-                    force[k] += of_place[k] * u;
-                    by_speed[k] += of_speed[k] * v;
-                }
-                place[row] = u;
-                row += 1;
-            }
-        }
-        for k in 0..N {
-            force[k] += by_speed[k];
-        }
-        let squared = BETA * p.h * p.h;
-        let mut row = 0;
-        for m in &cluster.members {
-            let (u, delta) = (&self.u[m.node], &mut self.delta[m.node]);
-            for c in 0..DIM {
-                if c == 0 {
-                    delta[0] = place[row] - u[0];
-                    m.along.add(force[row], pull);
-                } else {
-                    let felt = squared * m.response[c - 1] * force[row];
-                    delta[c] = place[row] + felt - u[c];
-                    w[c - 1][m.point] += m.inverse[c - 1] * force[row];
-                }
-                row += 1;
-            }
-        }
+/// Place and h times velocity across at the end of the step, without the forces of the cluster.
+#[inline(always)]
+fn ahead<const L: usize>(
+    point: &Points<L>,
+    across: usize,
+    rows: &[Moving],
+) -> ([f64; L], [f64; L]) {
+    let (mut s, mut d, mut w) = ([0.0; L], [0.0; L], [[0.0; L]; 3]);
+    for l in 0..L {
+        let (row, lane) = (point.row[l] as usize, point.lane[l] as usize % LANES);
+        let near = &rows[row - 1..][..3];
+        (s[l], d[l]) = (near[1].s[lane], near[1].d[lane]);
+        (w[0][l], w[1][l], w[2][l]) = (near[0].w[lane], near[1].w[lane], near[2].w[lane]);
     }
+    let [before, behind] = &point.filter[across];
+    let a: [f64; L] = each(|l| {
+        let (left, right) = (
+            before[l] * (w[1][l] - w[0][l]),
+            behind[l] * (w[2][l] - w[1][l]),
+        );
+        w[1][l] - (right - left)
+    });
+    let y: [f64; L] = each(|l| s[l] - point.lag[l] * d[l]);
+    (each(|l| y[l] + BETA * a[l]), each(|l| d[l] + 0.5 * a[l]))
 }

@@ -2,7 +2,8 @@
 //! the step before, which shortens it: what changes its sign in every step has the increment d = 2 y, so
 //! that 4 = ω² h² (1 + 2β/h) + 2 α h there.
 
-use super::{Explicit, refuse};
+use super::rows::place;
+use super::{Explicit, Grid, Own, refuse};
 use crate::error::CoreError;
 
 /// Share of the limit that may be used: the rest is for contacts and links, which add no mass.
@@ -48,18 +49,20 @@ impl<const DIM: usize> Explicit<DIM> {
     }
 
     fn is_short(&self) -> bool {
-        self.h * self.fastest() < 2.0 * SHARE
+        self.fastest() < 2.0 * SHARE
     }
 
-    /// Highest frequency of the explicit part, 1/s, that which damping adds included.
+    /// Highest frequency of the explicit part times h, that which damping adds included.
     fn fastest(&self) -> f64 {
         let mut grid = self.still();
         // Neighbours by turns, and no regular pattern.
-        for (c, list) in grid.y.iter_mut().enumerate() {
-            for (point, y) in list.iter_mut().enumerate() {
-                let sign = if point % 2 == 0 { 1.0 } else { -1.0 };
-                let free = f64::from(u8::from(self.inverse[c][point] > 0.0));
-                *y = free * sign * (1.0 + 0.1 * ((point * point) as f64).sin());
+        let mut y: Vec<[f64; DIM]> = vec![[0.0; DIM]; self.nodes.len()];
+        for (slot, _) in self.all() {
+            let ((row, lane), number) = (place(slot), self.along_strands(slot));
+            let sign = if number % 2 == 0 { 1.0 } else { -1.0 };
+            for (c, across) in self.across.iter().enumerate() {
+                let free = f64::from(u8::from(across[row].inverse[lane] > 0.0));
+                y[slot][c + 1] = free * sign * (1.0 + 0.1 * ((number * number) as f64).sin());
             }
         }
         for (m, x) in grid.x[0].iter_mut().enumerate() {
@@ -67,35 +70,51 @@ impl<const DIM: usize> Explicit<DIM> {
         }
         let mut squared = 0.0;
         for _ in 0..ROUNDS {
-            let places = grid.y.iter().chain(&grid.x[..1]).flatten();
-            let twice: Vec<f64> = places.map(|y| 2.0 * y).collect();
-            let increments = grid.d.iter_mut().chain(&mut grid.x[1..]).flatten();
-            increments.zip(&twice).for_each(|(d, y)| *d = *y);
-            for own in &self.own {
-                for &(guest, owner) in &self.guests[own.guests.clone()] {
-                    grid.y.iter_mut().for_each(|y| y[guest] = y[owner]);
-                }
-                self.wire_forces(own, &mut grid);
-            }
-            let size = |lists: &[Vec<f64>], x: &[f64]| -> f64 {
-                let all = lists.iter().flatten().chain(x);
-                all.map(|v| v * v).sum::<f64>().sqrt()
-            };
-            let before = size(&grid.y, &grid.x[0]);
-            let mut new = grid.y.clone();
-            for (c, list) in new.iter_mut().enumerate() {
-                for point in super::PAD..self.nodes.len() - super::PAD {
-                    list[point] = self.acceleration(c, point, &grid.w[c]);
+            self.shake(&y, &mut grid);
+            let before = size(y.iter().flatten().chain(&grid.x[0]));
+            for (slot, _) in self.all() {
+                for (c, rows) in grid.moving.iter().enumerate() {
+                    y[slot][c + 1] = self.acceleration(c, slot, rows);
                 }
             }
-            let along = grid.pull.iter().zip(&self.masters).zip(&grid.x[1]);
-            let along: Vec<f64> = along.map(|((f, m), d)| f * m[0] - m[1] * d).collect();
-            squared = size(&new, &along) / before;
-            for (y, new) in grid.y.iter_mut().zip(new) {
-                *y = new.into_iter().map(|v| v / (before * squared)).collect();
-            }
-            grid.x[0] = along.into_iter().map(|v| v / (before * squared)).collect();
+            let numbers = self.masters.inverse.iter().zip(&self.masters.damping);
+            let moving = grid.pull.iter().zip(&grid.x[1]).zip(numbers);
+            let along = moving.map(|((f, d), (inverse, damping))| f * inverse - damping * d);
+            grid.x[0] = along.collect();
+            squared = size(y.iter().flatten().chain(&grid.x[0])) / before;
+            let all = y.iter_mut().flatten().chain(&mut grid.x[0]);
+            all.for_each(|v| *v /= before * squared);
         }
         squared.sqrt()
     }
+
+    /// Number of a point in its island, one strand behind the other.
+    fn along_strands(&self, slot: usize) -> usize {
+        let (row, lane) = place(slot);
+        let own = self.own.partition_point(|own| own.rows.end <= row);
+        let Own { rows, plan, .. } = &self.own[own];
+        lane * plan.rows.len() + row - rows.start
+    }
+
+    /// Forces of wires whose points were as far on the other side a step ago.
+    fn shake(&self, y: &[[f64; DIM]], grid: &mut Grid) {
+        for (slot, node) in self.all() {
+            let ((row, lane), y) = (place(slot), &y[self.points[node]]);
+            for (c, rows) in grid.moving.iter_mut().enumerate() {
+                let (y, d) = (y[c + 1], 2.0 * y[c + 1]);
+                rows[row].d[lane] = d;
+                rows[row].s[lane] = y + self.common[row].lag[lane] * d;
+            }
+        }
+        let [x, d] = &mut grid.x;
+        x.iter().zip(d).for_each(|(x, d)| *d = 2.0 * x);
+        for (island, own) in self.own.iter().enumerate() {
+            self.wire_forces(island, grid);
+            self.copy_forces(own, grid);
+        }
+    }
+}
+
+fn size<'a>(numbers: impl Iterator<Item = &'a f64>) -> f64 {
+    numbers.map(|v| v * v).sum::<f64>().sqrt()
 }

@@ -1,11 +1,11 @@
-//! A step, in the order of the pieces: forces, clusters; then, with contacts known, the motion.
+//! A step, in the order of the pieces: clusters; then, with contacts known, the motion, and the forces of wires
+//! for the next one.
 
-use super::kernels::{Forces, Lag, Move};
+use super::rows::{LANES, Moving, Tensed, place};
 use super::settle::Settle;
-use super::stretch::Stretch;
+use super::sweep::{On, Stand, Sweep};
 use super::{BETA, Explicit, Grid, Own};
 use crate::linalg::widest;
-use std::ops::Range;
 
 impl Grid {
     /// Room for the nodes that are read at some places: those of three elements each.
@@ -17,17 +17,14 @@ impl Grid {
 impl<const DIM: usize> Explicit<DIM> {
     /// Nothing moves.
     pub(in crate::dynamics) fn still(&self) -> Grid {
-        let zero = vec![0.0; self.nodes.len()];
-        let across = || vec![zero.clone(); DIM - 1];
-        let along = vec![0.0; self.masters.len()];
+        let along = vec![0.0; self.masters.lag.len()];
         Grid {
-            y: across(),
-            d: across(),
+            moving: vec![vec![Moving::default(); self.common.len()]; DIM - 1],
+            tensed: vec![Tensed::default(); self.common.len()],
             x: [along.clone(), along.clone()],
-            lagged: across(),
-            w: across(),
+            lagged: along.clone(),
             pull: along,
-            thrust: zero,
+            thrust: vec![0.0; self.reaches.len() + 1],
             near: Vec::new(),
             watched: Vec::new(),
         }
@@ -47,33 +44,22 @@ impl<const DIM: usize> Explicit<DIM> {
         grid.near.extend(nodes.map(|node| self.points[node]));
     }
 
-    /// Forces of wires on all points of an island, and those along on the masters.
-    pub(super) fn wire_forces(&self, own: &Own, grid: &mut Grid) {
-        let Range { start, end } = own.points;
-        for across in 0..DIM - 1 {
-            widest(Lag {
-                lag: &self.lag[start..end],
-                y: &grid.y[across][start..end],
-                d: &grid.d[across][start..end],
-                s: &mut grid.lagged[across][start..end],
-            });
-        }
-        grid.pull[own.masters.clone()].fill(0.0);
-        widest(Stretch { p: self, own, grid });
-        for across in 0..DIM - 1 {
-            widest(Forces {
-                p: self,
-                across,
-                range: own.points.clone(),
-                s: &grid.lagged[across],
-                d: &grid.d[across],
-                thrust: &grid.thrust,
-                w: &mut grid.w[across],
-            });
+    /// Forces of wires on the points of an island where they are, and those along on the masters. Every step
+    /// leaves them.
+    pub(in crate::dynamics) fn wire_forces(&self, island: usize, grid: &mut Grid) {
+        let own = &self.own[island];
+        let on = On { p: self, own, grid };
+        widest(Stand(on));
+        self.hand_over(own, grid);
+    }
+
+    /// What pulls at guests pulls at their owners.
+    fn hand_over(&self, own: &Own, grid: &mut Grid) {
+        for (across, rows) in self.across.iter().zip(&mut grid.moving) {
             for &(guest, owner) in &self.guests[own.guests.clone()] {
-                let w = &mut grid.w[across];
-                w[owner] += self.inverse[across][owner] * w[guest];
-                w[guest] = 0.0;
+                let ((row, lane), (of, its)) = (place(guest), place(owner));
+                let felt = std::mem::take(&mut rows[row].w[lane]);
+                rows[of].w[its] += across[of].inverse[its] * felt;
             }
         }
     }
@@ -85,20 +71,61 @@ impl<const DIM: usize> Explicit<DIM> {
         grid: &mut Grid,
         (u, delta): (&[[f64; D]], &mut [[f64; D]]),
     ) {
+        let own = &self.own[island];
+        self.copy_forces(own, grid);
         widest(Settle {
-            p: self,
-            island,
+            own,
             grid,
             u,
             delta,
         });
     }
 
-    /// Place and velocity at the end of the step, from predictor, its last increment and acceleration.
+    /// s of the points beyond cuts, as their strands have it.
+    pub(super) fn copy_places(&self, own: &Own, grid: &mut Grid) {
+        for rows in &mut grid.moving {
+            for &[copy, home] in &own.copies {
+                let ((to, lane), (from, its)) = (place(copy), place(home));
+                rows[to].s[lane] = rows[from].s[its];
+            }
+        }
+    }
+
+    /// The same of w.
+    pub(super) fn copy_forces(&self, own: &Own, grid: &mut Grid) {
+        for rows in &mut grid.moving {
+            for &[copy, home] in &own.beside {
+                let ((to, lane), (from, its)) = (place(copy), place(home));
+                rows[to].w[lane] = rows[from].w[its];
+            }
+        }
+    }
+
+    /// Rises up to the points behind cuts, which are copies there.
+    pub(super) fn rise_to_tails(&self, own: &Own, grid: &mut Grid) {
+        for cut in &own.cuts {
+            let (row, lane) = place(cut.tail);
+            let mut rise = grid.tensed[row - 1].rise[lane];
+            for (across, rows) in self.across.iter().zip(&grid.moving) {
+                let by = rows[row].s[lane] - rows[row - 1].s[lane];
+                rise += across[row - 1].slope[lane] * by;
+            }
+            grid.tensed[row].rise[lane] = rise;
+        }
+    }
+
+    /// h² times the acceleration of a point across, from w.
     #[inline(always)]
-    pub(super) fn ahead(&self, [y, d, a]: [f64; 3]) -> [f64; 2] {
-        let h = self.h;
-        [y + BETA * h * h * a, self.per_step * d + 0.5 * h * a]
+    pub(super) fn acceleration(&self, across: usize, slot: usize, rows: &[Moving]) -> f64 {
+        let w = |slot: usize| {
+            let (row, lane) = place(self.home[slot]);
+            rows[row].w[lane]
+        };
+        let (row, lane) = place(slot);
+        let (before, own, behind) = (w(slot - LANES), w(slot), w(slot + LANES));
+        let left = self.common[row - 1].filter[lane] * (own - before);
+        let right = self.common[row].filter[lane] * (behind - own);
+        own - self.across[across][row].inverse[lane] * (right - left)
     }
 
     /// Increments of the other nodes that are read, with `u` before the step.
@@ -107,8 +134,8 @@ impl<const DIM: usize> Explicit<DIM> {
         grid: &Grid,
         (u, delta): (&[[f64; D]], &mut [[f64; D]]),
     ) {
-        for &point in grid.watched.iter().chain(&grid.near) {
-            let (node, new) = (self.nodes[point], self.at(grid, point));
+        for &slot in grid.watched.iter().chain(&grid.near) {
+            let (node, new) = (self.nodes[slot], self.at(grid, slot));
             for c in 0..DIM {
                 delta[node][c] = new[c][0] - u[node][c];
             }
@@ -123,16 +150,15 @@ impl<const DIM: usize> Explicit<DIM> {
         delta: &[[f64; D]],
         (u, v): (&mut [[f64; D]], &mut [[f64; D]]),
     ) {
-        let of = |&island: &usize| &self.clusters[self.own[island].clusters.clone()];
-        for member in awake.iter().flat_map(of).flat_map(|c| &c.members) {
-            let (u, delta) = (&mut u[member.node], &delta[member.node]);
+        for &node in awake.iter().flat_map(|&island| &self.own[island].linked) {
+            let (u, delta) = (&mut u[node], &delta[node]);
             for c in 0..DIM {
                 u[c] += delta[c];
             }
         }
-        for &point in grid.watched.iter().chain(&grid.near) {
-            let node = self.nodes[point];
-            for (c, [place, speed]) in self.at(grid, point).into_iter().enumerate() {
+        for &slot in grid.watched.iter().chain(&grid.near) {
+            let node = self.nodes[slot];
+            for (c, [place, speed]) in self.at(grid, slot).into_iter().enumerate() {
                 (u[node][c], v[node][c]) = (place, speed);
             }
         }
@@ -140,53 +166,42 @@ impl<const DIM: usize> Explicit<DIM> {
 
     /// Place and velocity of a point at the end of the step, component by component.
     #[inline(always)]
-    fn at(&self, grid: &Grid, point: usize) -> [[f64; 2]; DIM] {
-        let along = &self.along[point];
+    fn at(&self, grid: &Grid, slot: usize) -> [[f64; 2]; DIM] {
+        let (along, (row, lane)) = (&self.along[slot], place(slot));
         let mut found = [[0.0; 2]; DIM];
         found[0] = [
             along.read(&grid.x[0]),
             self.per_step * along.read(&grid.x[1]),
         ];
-        for across in 0..DIM - 1 {
-            let a = self.acceleration(across, point, &grid.w[across]);
-            found[across + 1] = self.ahead([grid.y[across][point], grid.d[across][point], a]);
+        for (across, rows) in grid.moving.iter().enumerate() {
+            let a = self.acceleration(across, slot, rows);
+            let (s, d) = (rows[row].s[lane], rows[row].d[lane]);
+            let y = s - self.common[row].lag[lane] * d;
+            found[across + 1] = [y + BETA * a, self.per_step * (d + 0.5 * a)];
         }
         found
     }
 
-    /// Take the step on one island.
+    /// Take the step on one island, and find the forces of its wires for the next one.
     pub(super) fn go(&self, island: usize, grid: &mut Grid) {
         let own = &self.own[island];
-        for across in 0..DIM - 1 {
-            widest(Move {
-                p: self,
-                across,
-                range: own.points.clone(),
-                w: &grid.w[across],
-                d: &mut grid.d[across],
-                y: &mut grid.y[across],
-            });
-            for &(guest, owner) in &self.guests[own.guests.clone()] {
-                grid.y[across][guest] = grid.y[across][owner];
-                grid.d[across][guest] = grid.d[across][owner];
+        for &(guest, owner) in &self.guests[own.guests.clone()] {
+            // It has no mass of its own, and nothing that filters.
+            for (across, rows) in grid.moving.iter_mut().enumerate() {
+                let ((row, lane), a) = (place(guest), self.acceleration(across, owner, rows));
+                rows[row].w[lane] = a;
             }
         }
-        let [x, d] = &mut grid.x;
-        for m in own.masters.clone() {
-            let [inverse, damping, _] = self.masters[m];
-            d[m] += self.h * self.h * (inverse * grid.pull[m] - damping * d[m]);
-            x[m] += d[m];
-        }
+        self.copy_forces(own, grid);
+        widest(Sweep(On { p: self, own, grid }));
+        self.hand_over(own, grid);
     }
 
     /// Whether an island is at rest where it was without any force.
     pub(in crate::dynamics) fn lies(&self, island: usize, grid: &Grid) -> bool {
         let own = &self.own[island];
-        let across = grid
-            .y
-            .iter()
-            .chain(&grid.d)
-            .flat_map(|list| &list[own.points.clone()]);
+        let rows = grid.moving.iter().flat_map(|all| &all[own.rows.clone()]);
+        let across = rows.flat_map(|row| row.s.iter().chain(row.d.iter()));
         let along = grid.x.iter().flat_map(|list| &list[own.masters.clone()]);
         across.chain(along).all(|v| *v == 0.0)
     }
@@ -194,9 +209,10 @@ impl<const DIM: usize> Explicit<DIM> {
     /// Put an island back to rest.
     pub(in crate::dynamics) fn lay(&self, island: usize, grid: &mut Grid) {
         let own = &self.own[island];
-        for list in grid.y.iter_mut().chain(&mut grid.d).chain(&mut grid.w) {
-            list[own.points.clone()].fill(0.0);
+        for rows in &mut grid.moving {
+            rows[own.rows.clone()].fill(Moving::default());
         }
+        grid.tensed[own.rows.clone()].fill(Tensed::default());
         for list in grid.x.iter_mut().chain([&mut grid.pull]) {
             list[own.masters.clone()].fill(0.0);
         }

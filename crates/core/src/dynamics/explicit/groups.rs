@@ -1,0 +1,87 @@
+//! Clusters of equally many points side by side in the lanes.
+
+use super::cluster::Cluster;
+use super::rows::{LANES, place};
+
+/// A point of each cluster of a group.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Points<const L: usize> {
+    pub row: [u32; L],
+    pub lane: [u32; L],
+    pub node: [u32; L],
+    pub masters: [[u32; L]; 2],
+    /// Share of the second master.
+    pub share: [f64; L],
+    pub lag: [f64; L],
+    /// q/m of the segments before and behind, for each direction across.
+    pub filter: [[[f64; L]; 2]; 2],
+    /// h²/m and P across, s²/kg.
+    pub inverse: [[f64; L]; 2],
+    pub response: [[f64; L]; 2],
+}
+
+/// Clusters whose numbers lie side by side.
+#[derive(Debug, Clone)]
+pub(super) struct Group<const L: usize> {
+    pub points: Vec<Points<L>>,
+    /// −W K and −W C/h, column by column: of each the numbers for u°, then those for h v°.
+    pub columns: Vec<[f64; L]>,
+}
+
+/// All clusters of an island.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Groups {
+    pub wide: Vec<Group<LANES>>,
+    pub single: Vec<Group<1>>,
+}
+
+impl Groups {
+    pub fn new(clusters: &[Cluster]) -> Self {
+        let mut by_size = std::collections::BTreeMap::<usize, Vec<&Cluster>>::new();
+        for cluster in clusters {
+            by_size.entry(cluster.size).or_default().push(cluster);
+        }
+        let mut new = Self::default();
+        for alike in by_size.values() {
+            let (wide, rest) = alike.as_chunks::<LANES>();
+            new.wide.extend(wide.iter().map(Group::new));
+            new.single
+                .extend(rest.iter().map(|one| Group::new(&[*one])));
+        }
+        new
+    }
+}
+
+impl<const L: usize> Group<L> {
+    /// From clusters with as many points each.
+    fn new(clusters: &[&Cluster; L]) -> Self {
+        let points = |k: usize| {
+            let members = clusters.map(|c| &c.members[k]);
+            Points {
+                row: members.map(|m| place(m.point).0 as u32),
+                lane: members.map(|m| place(m.point).1 as u32),
+                node: members.map(|m| m.node as u32),
+                masters: [0, 1].map(|end| members.map(|m| m.along.masters[end] as u32)),
+                share: members.map(|m| m.along.share),
+                lag: members.map(|m| m.lag),
+                filter: [0, 1]
+                    .map(|c| [0, 1].map(|side| members.map(|m| m.inverse[c] * m.filter[side]))),
+                inverse: [0, 1].map(|c| members.map(|m| m.inverse[c])),
+                response: [0, 1].map(|c| members.map(|m| m.response[c])),
+            }
+        };
+        let size = clusters[0].size;
+        let column = |j: usize| {
+            let of = |i: usize| clusters.map(|c| c.of_place[i * size + j]);
+            let by_speed = |i: usize| clusters.map(|c| c.of_speed[i * size + j]);
+            (0..size)
+                .map(of)
+                .chain((0..size).map(by_speed))
+                .collect::<Vec<_>>()
+        };
+        Self {
+            points: (0..clusters[0].members.len()).map(points).collect(),
+            columns: (0..size).flat_map(column).collect(),
+        }
+    }
+}

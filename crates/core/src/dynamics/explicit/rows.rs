@@ -1,0 +1,86 @@
+//! Points side by side in the lanes of the processor.
+//!
+//! An island is cut into as many strands as there are lanes, equally long but for the last. Points of
+//! the same number in their strands make a row, so the points beside all of a row are the rows before
+//! and behind, and what a step hands on from point to point stays in registers. Copies of the points
+//! beyond a cut stand before and behind each strand.
+//!
+//! A place in the rows is called a slot: [`LANES`] × row + lane. The points beside it are [`LANES`] off.
+
+/// Lanes, and strands of an island.
+pub(super) const LANES: usize = 4;
+/// Rows of copies before, and behind: bending reaches two points far.
+pub(super) const HALO: usize = 2;
+
+/// A number for each lane; none lies across two lines of a cache.
+#[derive(Debug, Clone, Copy, Default)]
+#[repr(align(32))]
+pub struct Wide(pub [f64; LANES]);
+
+impl std::ops::Deref for Wide {
+    type Target = [f64; LANES];
+
+    #[inline(always)]
+    fn deref(&self) -> &Self::Target {
+        &self.0
+    }
+}
+
+impl std::ops::DerefMut for Wide {
+    #[inline(always)]
+    fn deref_mut(&mut self) -> &mut Self::Target {
+        &mut self.0
+    }
+}
+
+/// What is the same across in all directions. Segments have the row of their first point.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Common {
+    /// q/h² of the segment, kg/s².
+    pub filter: Wide,
+    /// 1/L of the segment, 1/m.
+    pub per_length: Wide,
+    /// EI/ℓ̄ of the point, N·m.
+    pub bending: Wide,
+    /// α h of the point.
+    pub damping: Wide,
+    /// β/h of the point.
+    pub lag: Wide,
+}
+
+/// What belongs to a direction across.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Across {
+    /// h²/m of the point, s²/kg.
+    pub inverse: Wide,
+    /// Stiffness of the segment under tension, N/m.
+    pub tension: Wide,
+    /// tan φ of the segment.
+    pub slope: Wide,
+}
+
+/// What moves in a direction across.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Moving {
+    /// y + (β/h) d, m, with y the predictor of the coming step.
+    pub(super) s: Wide,
+    /// Increment of y in the last step, m.
+    pub(super) d: Wide,
+    /// h² M⁻¹ f, m.
+    pub(super) w: Wide,
+}
+
+/// What couples the directions: the increment of the horizontal force.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Tensed {
+    /// Σ tan φ Δs of all directions, from the begin of the strand to the point, m.
+    pub rise: Wide,
+    /// H of the segment less that of the one before, N.
+    pub more: Wide,
+}
+
+/// Row and lane of a slot.
+#[inline(always)]
+pub(super) const fn place(slot: usize) -> (usize, usize) {
+    (slot / LANES, slot % LANES)
+}
