@@ -66,15 +66,18 @@ impl Forces {
         tensed: &[Tensed],
         moving: &mut [Moving],
     ) {
-        let n = rows.len();
-        let common = &fixed.common[rows.start..][..n + 1];
+        let moving = &mut moving[rows.start..rows.end + 2];
+        let Some(n) = moving.len().checked_sub(2) else {
+            return;
+        };
+        let (common, behind) = (&fixed.common[rows.start..], &fixed.common[rows.start + 1..]);
+        let (common, behind) = (&common[..n], &behind[..n]);
         let (across, tensed) = (&fixed.across[rows.start..][..n], &tensed[rows.start..][..n]);
-        let moving = &mut moving[rows.start..][..n + 2];
         let mut at = *self;
         for k in 0..n {
             let next = moving[k + 2].s;
-            let (by, slope) = turn(&at.s, &next, &common[k + 1]);
-            let bending = &common[k + 1].bending;
+            let (by, slope) = turn(&at.s, &next, &behind[k]);
+            let bending = &behind[k].bending;
             let moment: Wide = each(|l| bending[l] * (slope[l] - at.slope[l]));
             let (here, this) = (&common[k], &across[k]);
             at.thrust = each(|l| at.thrust[l] + tensed[k].more[l]);
@@ -128,24 +131,25 @@ impl Motion {
         tensed: &mut [Tensed],
         moving: &mut [Moving],
     ) {
-        let (n, before) = (rows.len(), rows.start - 1);
-        let (common, across) = (
-            &fixed.common[rows.start..][..n],
-            &fixed.across[before..][..n + 1],
-        );
-        let tensed = &mut tensed[rows.start..][..n];
-        let moving = &mut moving[rows.start..][..n + 1];
+        let moving = &mut moving[rows.start..rows.end + 1];
+        let Some(n) = moving.len().checked_sub(1) else {
+            return;
+        };
+        let (common, tensed) = (&fixed.common[rows.start..], &mut tensed[rows.start..]);
+        let (common, tensed) = (&common[..n], &mut tensed[..n]);
+        let (before, across) = (&fixed.across[rows.start - 1..], &fixed.across[rows.start..]);
+        let (before, across) = (&before[..n], &across[..n]);
         let mut at = *self;
         for k in 0..n {
             let next = moving[k + 1].w;
             let filter = &common[k].filter;
             let shared: Wide = each(|l| filter[l] * (next[l] - at.w[l]));
-            let (inverse, lag) = (&across[k + 1].inverse, &common[k].lag);
+            let (inverse, lag) = (&across[k].inverse, &common[k].lag);
             let a: Wide = each(|l| at.w[l] - inverse[l] * (shared[l] - at.shared[l]));
             let row = &mut moving[k];
             row.d = each(|l| row.d[l] + a[l]);
             row.s = each(|l| row.s[l] + (row.d[l] + lag[l] * a[l]));
-            at.rise.go_on::<FIRST>(&across[k], &row.s, &mut tensed[k]);
+            at.rise.go_on::<FIRST>(&before[k], &row.s, &mut tensed[k]);
             (at.w, at.shared) = (next, shared);
         }
         *self = at;
@@ -172,12 +176,11 @@ impl Rise {
     #[inline(always)]
     pub fn go_on<const FIRST: bool>(&mut self, segment: &Across, s: &Wide, tensed: &mut Tensed) {
         let before = self.s.unwrap_or(*s);
-        self.sum = each(|l| self.sum[l] + segment.slope[l] * (s[l] - before[l]));
-        self.s = Some(*s);
-        tensed.rise = if FIRST {
-            self.sum
-        } else {
-            each(|l| tensed.rise[l] + self.sum[l])
-        };
+        let sum = each(|l| self.sum[l] + segment.slope[l] * (s[l] - before[l]));
+        let rise = &mut tensed.rise;
+        for l in 0..LANES {
+            rise[l] = if FIRST { sum[l] } else { rise[l] + sum[l] };
+        }
+        *self = Self { sum, s: Some(*s) };
     }
 }

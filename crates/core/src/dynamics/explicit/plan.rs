@@ -68,10 +68,10 @@ impl Plan {
     }
 
     fn stage(&mut self, spans: &[Span], inside: usize, number: usize) {
-        let (mut moved, mut stretched) = (self.rows.start, 0);
+        let mut moved = self.rows.start;
         while moved < self.rows.end {
             moved = (moved + STRIDE).min(self.rows.end);
-            stretched = spans[..inside].partition_point(|span| span.rows[1] < moved);
+            let stretched = spans[..inside].partition_point(|span| span.rows[1] < moved);
             let waits = spans[stretched..].iter().map(|span| span.rows[0]).min();
             let forced = waits.unwrap_or(moved).min(moved - HALO);
             self.stages.push(Stage {
