@@ -210,8 +210,8 @@ def _about_solver(scenario: Scenario) -> list[str]:
     gap = _shortest_gap(scenario.line)
     fewest = FEWEST_ELEMENTS[solver.wire_model]
     elements = {"contact_wire_element": solver.contact_wire_element}
-    # Explicit steps of AC simple at 320 km/h: the least force is 34 N with messenger elements of
-    # 1.5 m, 39 N with 0.9 m and 42 N with 0.45 m.
+    # Explicit steps of AC simple at 320 km/h: the least force is 35 N with messenger elements of
+    # 1.5 m, 41 N with 0.9 m and 44 N with 0.45 m.
     if solver.scheme.name == EXPLICIT and scenario.line.messenger_wire is not None:
         elements["messenger_wire_element"] = solver.messenger_wire_element
     found += [

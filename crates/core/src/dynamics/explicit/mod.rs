@@ -30,8 +30,7 @@
 //! **Points yield like the wire.** A wire of tension T and bending stiffness EI under a force has the kink of a
 //! string, rounded over λ = √(EI/T), some 10 cm. A chain rounds it over ℓ instead and yields too much at its points.
 //! With EI x coth x in the place of EI, x = ℓ/2λ, forces on points displace points as they do on the wire, but
-//! for terms in (k ℓ)⁴ (the interpolation of Allen & Southwell, Q. J. Mech. Appl. Math. 8 (1955) 129, for this
-//! equation); what that adds to the speed of waves is taken from q.
+//! for terms in (k ℓ)⁴; what that adds to the speed of waves is taken from q. docs/theory/dynamics.md derives it.
 
 mod along;
 mod bends;

@@ -17,14 +17,36 @@ pub(super) struct Settle<'a, const D: usize> {
 
 impl<const D: usize> Kernel for Settle<'_, D> {
     #[inline(always)]
-    fn run(mut self) {
+    fn run(self) {
+        let Grid {
+            moving, x, pull, ..
+        } = self.grid;
+        let mut directions = moving.iter_mut();
+        let mut direction = || directions.next().map_or(&mut [][..], |rows| &mut rows[..]);
+        let mut on = On {
+            moving: [direction(), direction()],
+            x: [&x[0], &x[1]],
+            pull,
+            u: self.u,
+            delta: self.delta,
+        };
         for group in &self.own.groups.wide {
-            self.group(group);
+            on.group(group);
         }
         for group in &self.own.groups.single {
-            self.group(group);
+            on.group(group);
         }
     }
+}
+
+/// What clusters read and write. Slices: a list that is written to might be another one for all the compiler
+/// knows, and be looked up anew.
+struct On<'a, const D: usize> {
+    moving: [&'a mut [Moving]; 2],
+    x: [&'a [f64]; 2],
+    pull: &'a mut [f64],
+    u: &'a [[f64; D]],
+    delta: &'a mut [[f64; D]],
 }
 
 /// One number for each cluster of a group. A loop of its own: what the library maps arrays with is not
@@ -38,7 +60,7 @@ fn each<const L: usize>(of: impl Fn(usize) -> f64) -> [f64; L] {
     all
 }
 
-impl<const D: usize> Settle<'_, D> {
+impl<const D: usize> On<'_, D> {
     /// With its number of points known to the compiler for those that are many.
     #[inline(always)]
     fn group<const L: usize>(&mut self, group: &Group<L>) {
@@ -66,7 +88,7 @@ impl<const D: usize> Settle<'_, D> {
             for c in 0..D {
                 let (u, v) = match c.checked_sub(1) {
                     None => self.along(point),
-                    Some(across) => ahead(point, across, &self.grid.moving[across]),
+                    Some(across) => ahead(point, across, self.moving[across]),
                 };
                 at[k * D + c] = u;
                 let Some(column) = columns.next() else {
@@ -88,7 +110,7 @@ impl<const D: usize> Settle<'_, D> {
     /// Place and increment along the wire.
     #[inline(always)]
     fn along<const L: usize>(&self, point: &Points<L>) -> ([f64; L], [f64; L]) {
-        let [x, d] = &self.grid.x;
+        let [x, d] = self.x;
         let x = &x[..d.len()];
         let (mut from, mut to) = ([[0.0; L]; 2], [[0.0; L]; 2]);
         for l in 0..L {
@@ -106,17 +128,16 @@ impl<const D: usize> Settle<'_, D> {
     fn put<const L: usize>(&mut self, point: &Points<L>, at: &mut [[f64; L]], force: &[[f64; L]]) {
         let second: [f64; L] = each(|l| point.share[l] * force[0][l]);
         let first: [f64; L] = each(|l| (1.0 - point.share[l]) * force[0][l]);
-        let pull = &mut self.grid.pull;
         for l in 0..L {
-            pull[point.masters[0][l] as usize] += first[l];
-            pull[point.masters[1][l] as usize] += second[l];
+            self.pull[point.masters[0][l] as usize] += first[l];
+            self.pull[point.masters[1][l] as usize] += second[l];
         }
         for c in 1..D {
             let (force, at) = (&force[c], &mut at[c]);
             let (inverse, response) = (&point.inverse[c - 1], &point.response[c - 1]);
             let moved: [f64; L] = each(|l| inverse[l] * force[l]);
             *at = each(|l| at[l] + BETA * response[l] * force[l]);
-            let rows = &mut self.grid.moving[c - 1][..];
+            let rows = &mut *self.moving[c - 1];
             for l in 0..L {
                 rows[point.row[l] as usize].w[point.lane[l] as usize % LANES] += moved[l];
             }

@@ -1,7 +1,7 @@
 //! H of each reach, and the motion of the masters.
 
 use super::rows::{Tensed, place};
-use super::{Explicit, Grid, Own};
+use super::{Explicit, Grid, Own, Reach};
 use std::ops::Range;
 
 #[inline(always)]
@@ -42,23 +42,10 @@ impl<const DIM: usize> Explicit<DIM> {
     /// H of some reaches, and what they pull the masters along by.
     #[inline(always)]
     pub(super) fn stretch(&self, reaches: Range<usize>, grid: &mut Grid) {
-        for number in reaches {
-            self.stretch_one(number, 0.0, grid);
+        let mut pulled = Pulled::of(grid);
+        for (number, reach) in reaches.clone().zip(&self.reaches[reaches]) {
+            pulled.stretch(number, reach, 0.0);
         }
-    }
-
-    /// The same of one, with the rise of the strands before the one that it ends in.
-    #[inline(always)]
-    fn stretch_one(&self, number: usize, before: f64, grid: &mut Grid) {
-        let reach = &self.reaches[number];
-        let [a, b] = reach.masters.map(|m| m as usize);
-        let [from, to] = reach.ends.map(|slot| slot as usize);
-        let risen = rise(&grid.tensed, to) - rise(&grid.tensed, from) + before;
-        let force = reach.stiffness * (grid.lagged[b] - grid.lagged[a] + risen);
-        grid.pull[a] += force;
-        grid.pull[b] -= force;
-        more(grid, from, force - grid.thrust[reach.before as usize]);
-        grid.thrust[number] = force;
     }
 
     /// The same of those that go over cuts, and H on both sides of cuts.
@@ -67,14 +54,14 @@ impl<const DIM: usize> Explicit<DIM> {
         for number in own.plan.within..own.reaches.end {
             let tails = own.cuts.iter().filter(|cut| cut.over == Some(number));
             let before = tails.map(|cut| rise(&grid.tensed, cut.tail)).sum();
-            self.stretch_one(number, before, grid);
+            Pulled::of(grid).stretch(number, &self.reaches[number], before);
         }
         for cut in &own.cuts {
             let last = cut.last.map_or(0.0, |number| grid.thrust[number]);
-            more(grid, cut.head, last);
+            more(&mut grid.tensed, cut.head, last);
             if let Some(next) = cut.next {
                 let from = self.reaches[next].ends[0] as usize;
-                more(grid, from, grid.thrust[next] - last);
+                more(&mut grid.tensed, from, grid.thrust[next] - last);
             }
         }
     }
@@ -82,7 +69,45 @@ impl<const DIM: usize> Explicit<DIM> {
 
 /// Set what a segment has more than the one before it.
 #[inline(always)]
-fn more(grid: &mut Grid, slot: usize, thrust: f64) {
+fn more(tensed: &mut [Tensed], slot: usize, thrust: f64) {
     let (row, lane) = place(slot);
-    grid.tensed[row].more[lane] = thrust;
+    tensed[row].more[lane] = thrust;
+}
+
+/// What reaches read and write. Slices: a list that is written to might be another one for all the compiler
+/// knows, and be looked up anew.
+struct Pulled<'a> {
+    tensed: &'a mut [Tensed],
+    lagged: &'a [f64],
+    pull: &'a mut [f64],
+    thrust: &'a mut [f64],
+}
+
+impl<'a> Pulled<'a> {
+    #[inline(always)]
+    fn of(grid: &'a mut Grid) -> Self {
+        Self {
+            tensed: &mut grid.tensed,
+            lagged: &grid.lagged,
+            pull: &mut grid.pull,
+            thrust: &mut grid.thrust,
+        }
+    }
+
+    /// H of one, with the rise of the strands before the one that it ends in.
+    #[inline(always)]
+    fn stretch(&mut self, number: usize, reach: &Reach, before: f64) {
+        let [a, b] = reach.masters.map(|m| m as usize);
+        let [from, to] = reach.ends.map(|slot| slot as usize);
+        let risen = rise(self.tensed, to) - rise(self.tensed, from) + before;
+        let force = reach.stiffness * (self.lagged[b] - self.lagged[a] + risen);
+        self.pull[a] += force;
+        self.pull[b] -= force;
+        more(
+            self.tensed,
+            from,
+            force - self.thrust[reach.before as usize],
+        );
+        self.thrust[number] = force;
+    }
 }
