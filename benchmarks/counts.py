@@ -23,6 +23,8 @@ STORED = ROOT / "benchmarks" / "counts.json"
 CASES = {
     "step-planar": "step, planar, 20 spans",
     "step-spatial": "step, three dimensions, 20 spans",
+    "step-explicit-planar": "explicit step, planar, 20 spans, 0.45 m",
+    "step-explicit-spatial": "explicit step, three dimensions, 20 spans, 0.45 m",
     "step-forces-given": "step, planar, contact force given",
     "solve-planar": "solution with a ready factor, planar",
     "solve-spatial": "solution, three dimensions",
