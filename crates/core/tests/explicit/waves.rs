@@ -108,6 +108,21 @@ fn each_wave_turns_by_the_angle_of_the_closed_form() {
     }
 }
 
+/// Points lie in strands side by side, of which short wires fill some only, or with a point each.
+#[test]
+fn so_it_does_with_any_number_of_points() {
+    for elements in 2..24 {
+        let s = Single { elements, ..WIRE };
+        let h = step(&s, 0.6);
+        let (found, exact) = (angle(&s, 1, h, 1), of_the_steps(&s, 1, h));
+        let rounding = 1e-11 / exact;
+        assert!(
+            (found - exact).abs() < rounding,
+            "{elements}: {found} {exact}"
+        );
+    }
+}
+
 /// Both leading errors go: what is left of a wave is of fourth order in element and step together.
 #[test]
 fn waves_of_tension_keep_their_speed_to_fourth_order() {
