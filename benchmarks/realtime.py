@@ -14,6 +14,7 @@ import math
 import os
 import time
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,10 +22,13 @@ from numpy.typing import NDArray
 from arcless.model import load
 from arcless.simulate import Realtime, realtime
 from benchmarks.tables import table
+from benchmarks.whole_runs import EXPLICIT
 
-CASES = (
-    ("AC simple, 20 spans, planar", "en50318-ac-simple-320", 1_000_000),
-    ("the same in three dimensions", "ac-simple-3d-320", 100_000),
+CASES: tuple[tuple[str, str, dict[str, Any], int], ...] = (
+    ("AC simple, 20 spans, planar", "en50318-ac-simple-320", {}, 1_000_000),
+    ("the same with explicit steps of 0.45 m", "en50318-ac-simple-320", EXPLICIT, 1_000_000),
+    ("in three dimensions", "ac-simple-3d-320", {}, 100_000),
+    ("in three dimensions, explicit steps", "ac-simple-3d-320", EXPLICIT, 100_000),
 )
 HEAD = ("µs per step", "steps", "least", "median", "99 %", "99.99 %", "largest", "over 100 µs")
 LIMIT = 100.0  # the goal for the 99.99th percentile, µs
@@ -45,8 +49,9 @@ def rows(steps: int | None = None) -> Iterator[list[str]]:
     """Yield a line of the table for each measurement."""
     gc.disable()  # a collection of Python's own takes milliseconds; the loop makes no cycles
     try:
-        for title, name, count in CASES:
-            wall, own = measure(realtime(load(name)), steps or count)
+        for title, name, changes, count in CASES:
+            loop = realtime(load(name).with_(**changes))
+            wall, own = measure(loop, steps or count)
             yield row(f"{title}: clock", wall)
             yield row(f"{title}: processor time", own)
             yield row("a loop that does nothing, as long", idle(float(wall.sum())))

@@ -113,6 +113,6 @@ def test_explicit_steps_feel_the_same_gust(run: Run) -> None:
         swings.append((gusty.dataset["contact_lateral"] - calm.dataset["contact_lateral"]).values)
     most = np.abs(swings[1]).max()
     assert most > 5e-3
-    # Chains with a matrix slow waves of 10 m by (kℓ)²/24 = 0.3 %: 0.1 rad after five turns, and such waves
-    # are a tenth or two of the swing.
+    # Chains with a matrix slow waves of 10 m by (kℓ)²/24 = 0.3 %: 0.1 rad after five turns, and
+    # such waves are a tenth or two of the swing.
     np.testing.assert_allclose(swings[0], swings[1], rtol=0, atol=0.02 * most)

@@ -25,7 +25,9 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         };
         // Work is empty before and after, as most steps leave it.
         if load(work) {
-            for (node, force) in work.iter_mut().enumerate() {
+            // Forces of collectors are on a few nodes, those of wind on all.
+            let loaded = work.iter_mut().enumerate();
+            for (node, force) in loaded.filter(|(_, force)| **force != [0.0; D]) {
                 for c in 0..DIM {
                     steps.add_force(grid, steps.points[node], c, force[c]);
                 }
