@@ -20,8 +20,8 @@ from arcless.units import show
 MAX_BYTES = 5_000_000
 # Nodes after aliases are expanded; a speed profile of 50 000 points fits.
 MAX_NODES = 150_000
-# Reading takes a microsecond a character. So many files of at most so many characters are kept as
-# read: a scenario with its parts, no long tables. More would cost memory, less time.
+# Files, each of at most so many characters, that are kept as read: two scenarios with their parts,
+# no long tables. More would cost memory; with less, what takes 2 µs a character is done again.
 MOST_KEPT, LONGEST_KEPT = 8, 50_000
 
 _NULL = {"", "~", "null", "Null", "NULL"}
