@@ -2,7 +2,7 @@
 
 import sys
 
-from arcless.cli import interrupts
+from arcless.cli import interrupts, start
 
 __all__ = ["main"]
 
@@ -10,8 +10,10 @@ __all__ = ["main"]
 def main() -> None:
     """Run the command `arcless` and leave with its exit code."""
     interrupts.answer_once()
+    start.own_process()
     try:
-        from arcless.cli.app import app
+        with start.staying():
+            from arcless.cli.app import app
 
         app(prog_name="arcless")
     except KeyboardInterrupt:  # while the commands themselves are still being imported

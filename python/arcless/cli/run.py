@@ -19,6 +19,7 @@ from arcless.cli.scenario import (
     folder_of,
     load,
 )
+from arcless.cli.start import staying
 
 if TYPE_CHECKING:
     from arcless.model import Scenario
@@ -115,7 +116,8 @@ def statics(
 def _simulate(
     scenario: "Scenario", until: str | None, file: Path, command: str, *, quiet: bool
 ) -> "Result":
-    from arcless import simulate
+    with staying():
+        from arcless import simulate
 
     to = file if simulate.is_long(scenario) else None
     with console.progress(quiet=quiet) as progress:
@@ -127,7 +129,8 @@ def _simulate(
 
 
 def _find_statics(scenario: "Scenario", *, quiet: bool) -> "StaticsResult":
-    from arcless import simulate
+    with staying():
+        from arcless import simulate
 
     with console.progress(quiet=quiet) as progress:
         return compute(lambda _cancel: simulate.statics(scenario, progress=progress))

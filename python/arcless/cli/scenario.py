@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from arcless.cli import console
+from arcless.cli.start import staying
 
 if TYPE_CHECKING:
     from arcless.model import Scenario
@@ -44,9 +45,10 @@ def load(
     name: str, *, speed: str | None = None, changes: list[str] | None = None, quiet: bool = False
 ) -> "Scenario":
     """Load a scenario, apply the changes of the command line, and print its warnings."""
-    from arcless import model
+    with staying():
+        from arcless import model
 
-    scenario = model.load(name)
+        scenario = model.load(name)
     overrides = dict(model.parse_override(text) for text in changes or [])
     if speed is not None:
         overrides["speed"] = speed

@@ -8,6 +8,7 @@ import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from functools import lru_cache
 from pathlib import Path as FilePath
 from typing import Any, NamedTuple
 
@@ -19,6 +20,9 @@ from arcless.units import show
 MAX_BYTES = 5_000_000
 # Nodes after aliases are expanded; a speed profile of 50 000 points fits.
 MAX_NODES = 150_000
+# Files, each of at most so many characters, that are kept as read: two scenarios with their parts,
+# no long tables. More would cost memory; with less, what takes 2 µs a character is done again.
+MOST_KEPT, LONGEST_KEPT = 8, 50_000
 
 _NULL = {"", "~", "null", "Null", "NULL"}
 _BOOL = {"true": True, "True": True, "TRUE": True, "false": False, "False": False, "FALSE": False}
@@ -116,8 +120,7 @@ def parse(text: str, label: str) -> tuple[dict[str, Any], dict[Path, Position]]:
     ModelError
         Empty, not YAML, not a mapping, duplicate keys, tags, too deep, or too many nodes.
     """
-    composer = _Composer(_events(text, label), label)
-    root = composer.document()
+    root = _kept(text, label) if len(text) <= LONGEST_KEPT else _composed(text, label)
     if root is None:
         raise ModelError(
             "empty file", where=label, expected="a model file that starts with format:"
@@ -158,6 +161,14 @@ class _Node:
     position: Position
     value: Any
     size: int
+
+
+def _composed(text: str, label: str) -> _Node | None:
+    return _Composer(_events(text, label), label).document()
+
+
+# A run looks at its shipped scenario again, for published ranges; nobody changes a node.
+_kept = lru_cache(MOST_KEPT)(_composed)
 
 
 def _events(text: str, label: str) -> Iterator[Any]:

@@ -1,12 +1,19 @@
 """The arrow: scenario → mesh → equilibrium → record → dataset. Only this package knows all."""
 
-from arcless.simulate.batch import Look, Outcome, Stopped, Watching, batch
+import importlib
+import sys
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
 from arcless.simulate.control import ControlInput
-from arcless.simulate.realtime import Realtime, RealtimeState, realtime
-from arcless.simulate.resonance import ResonanceSpeeds, resonance_speeds
 from arcless.simulate.run import resume, run
 from arcless.simulate.statics import StaticsResult, statics
 from arcless.simulate.streaming import is_long
+
+if TYPE_CHECKING:
+    from arcless.simulate.batch import Look, Outcome, Stopped, Watching, batch
+    from arcless.simulate.realtime import Realtime, RealtimeState, realtime
+    from arcless.simulate.resonance import ResonanceSpeeds, resonance_speeds
 
 __all__ = [
     "ControlInput",
@@ -26,3 +33,30 @@ __all__ = [
     "run",
     "statics",
 ]
+
+# What one run does without: name → module.
+_LATER = {
+    **dict.fromkeys(("Look", "Outcome", "Stopped", "Watching", "batch"), "batch"),
+    **dict.fromkeys(("Realtime", "RealtimeState", "realtime"), "realtime"),
+    **dict.fromkeys(("ResonanceSpeeds", "resonance_speeds"), "resonance"),
+}
+
+
+def __getattr__(name: str) -> Any:
+    """Import a name at its first use: one run must not wait for what runs many."""
+    if name not in _LATER:
+        raise AttributeError(f"module `{__name__}` has no attribute `{name}`")
+    value = getattr(importlib.import_module(f"{__name__}.{_LATER[name]}"), name)
+    globals()[name] = value
+    return value
+
+
+class _Package(ModuleType):
+    """Keeps `batch` and `realtime` the functions: an import would put their modules there."""
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        if not (name in _LATER and isinstance(value, ModuleType)):
+            super().__setattr__(name, value)
+
+
+sys.modules[__name__].__class__ = _Package

@@ -69,7 +69,8 @@ class Equilibrium:
     def _elasticity(self, x: Floats, force: float) -> Floats:
         found = np.zeros(len(x))
         within = self._within_reach(x)
-        for lanes in np.unique(within, axis=0):
+        # By hand: `np.unique` imports masked arrays, which takes longer than all of this.
+        for lanes in sorted(set(map(tuple, within.tolist()))):
             here = np.flatnonzero((within == lanes).all(axis=1))
             touched = [lane for lane, is_in in zip(self.mesh.lanes, lanes, strict=True) if is_in]
             with named(self.mesh):

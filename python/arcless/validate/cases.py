@@ -6,7 +6,6 @@ from typing import Any
 from arcless.errors import ModelError
 from arcless.model import Scenario, load
 from arcless.results.files import check_writable
-from arcless.validate import seed
 from arcless.validate.reference import CASES, DROPPERS, Case, Range
 from arcless.validate.rows import Progress, Row, part
 
@@ -33,6 +32,8 @@ def run(
     list of Row
         One row for each published range, and for each part of a conclusion.
     """
+    from arcless.validate import seed
+
     if which not in SUITES:
         raise ModelError("reference cases", got=f"`{which}`", expected=" or ".join(SUITES))
     if report is not None:

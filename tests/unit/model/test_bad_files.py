@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from arcless.errors import ModelError
 from arcless.model import load
-from arcless.model.reader import MAX_BYTES, MAX_NODES, parse
+from arcless.model.reader import LONGEST_KEPT, MAX_BYTES, MAX_NODES, parse
 
 BOMB = "a: &a [x, x, x, x, x, x, x, x, x]\n" + "\n".join(
     f"{name}: &{name} [{', '.join([f'*{before}'] * 9)}]"
@@ -99,6 +99,23 @@ def test_scenarios_that_name_each_other(tmp_path: Path) -> None:
         caught.value
     )
     assert f"named in {tmp_path / 'a.yaml'}:3" in str(caught.value)
+
+
+@pytest.mark.parametrize("length", [0, 2 * LONGEST_KEPT])
+def test_a_text_read_twice_gives_data_of_its_own(length: int) -> None:
+    text = f"a: &a [1, {{b: 2}}]\nc: *a\n#{'x' * length}"
+    first, positions = parse(text, "x.yaml")
+    first["a"][1]["b"], first["d"] = 3, 4
+    positions.clear()
+    again, where = parse(text, "x.yaml")
+    assert again == {"a": [1, {"b": 2}], "c": [1, {"b": 2}]}
+    assert where[("c",)] == (2, 1)
+
+
+def test_a_text_under_two_names_is_refused_by_each() -> None:
+    for name in ("x.yaml", "y.yaml", "y.yaml"):
+        with pytest.raises(ModelError, match=f"{name}:1: not a model file"):
+            parse("a: *b", name)
 
 
 def test_data_that_contain_themselves() -> None:
