@@ -35,6 +35,11 @@ impl Strands {
         LANES * row + strand
     }
 
+    /// Strands with points, and the length of all but the last of them.
+    fn counts(&self) -> (usize, usize) {
+        (self.points.len().div_ceil(self.length), self.length)
+    }
+
     /// Points of a strand.
     fn strand(&self, strand: usize) -> Range<usize> {
         let end = self.points.end;
@@ -165,7 +170,7 @@ impl Chains {
                 beside: copies.iter().copied().filter(beside).collect(),
                 copies,
                 cuts: strands.cuts(reaches, &numbers),
-                plan: Plan::new(&spans, strands.length, own.reaches.start, none),
+                plan: Plan::new(&spans, strands.counts(), own.reaches.start, none),
                 reaches: own.reaches.clone(),
                 masters: own.masters.clone(),
                 guests: own.guests.clone(),

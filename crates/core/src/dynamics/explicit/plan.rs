@@ -40,15 +40,22 @@ pub(super) struct Plan {
 }
 
 impl Plan {
-    /// For spans in their order, the first of which has a number; `none` is that of no reach.
-    pub fn new(spans: &[Span], length: usize, number: usize, none: usize) -> Self {
+    /// For spans in their order, the first of which has a number, and so many strands of a length; `none` is
+    /// the number of no reach.
+    pub fn new(
+        spans: &[Span],
+        (strands, length): (usize, usize),
+        number: usize,
+        none: usize,
+    ) -> Self {
         let rows = HALO..HALO + length;
         let inside = spans.partition_point(|span| !span.is_over_cut);
+        // A strand in which none begins has H of one before it all along, and waits.
         let begins = |strand: usize| {
-            let of = spans.iter().filter(move |span| span.strand == strand);
-            of.map(|span| span.rows[0]).min()
+            let of = spans.iter().filter(|span| span.strand == strand);
+            of.map(|span| span.rows[0]).min().unwrap_or(rows.end)
         };
-        let first = (0..LANES).filter_map(begins).max();
+        let first = (0..strands).map(begins).max();
         let first = first.map_or(rows.end, |row| (row + 2).min(rows.end));
         let thrust = |strand: usize| {
             let is_in = |span: &Span| span.strand == strand && span.rows[0] + 2 <= first;
