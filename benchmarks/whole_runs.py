@@ -4,8 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from arcless.model import Scenario, load
-from arcless.model.settings import Solver
+from arcless.model import Scenario, load, settings
 from arcless.simulate import equilibrium, motion, riders
 from arcless.simulate.control import Controllers
 from arcless.simulate.job import Job, prepare
@@ -13,7 +12,7 @@ from benchmarks.clock import Taken, interleaved, timed
 from benchmarks.floor import Floor, floor, mass_entries
 
 EXPLICIT: dict[str, Any] = {
-    "solver.scheme": "central-difference",
+    "solver.scheme": settings.EXPLICIT,
     "solver.wire_model": "lumped",
     "solver.contact_wire_element": "0.45 m",
     "solver.messenger_wire_element": "0.45 m",
@@ -80,8 +79,8 @@ def rows(cases: Sequence[tuple[str, str, dict[str, Any]]] = CASES) -> list[list[
     ]
 
 
-def _solves(solver: Solver) -> str:
-    if solver.scheme.name == EXPLICIT["solver.scheme"]:
+def _solves(solver: settings.Solver) -> str:
+    if solver.scheme.name == settings.EXPLICIT:
         return "0"
     # Updated kinematics factorise in every step.
     return "1" if solver.kinematics == "linearised" else "1, with a new factor"

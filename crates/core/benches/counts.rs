@@ -7,15 +7,13 @@
 #[path = "../tests/common/mod.rs"]
 mod common;
 
-use arcless_core::dynamics::line::Line;
 use arcless_core::dynamics::live::{Begin, Collector, Live};
-use arcless_core::dynamics::path::Path;
 use arcless_core::dynamics::stepper::Prepared;
 use arcless_core::lcp::LcpSolver;
 use arcless_core::linalg::BlockLdl;
 use arcless_core::scheme::Scheme;
 use arcless_core::structure::Structure;
-use common::chain::{lumped, settled};
+use common::chain::lumped;
 use common::space::staggered;
 use std::hint::black_box;
 use std::sync::Arc;
@@ -42,15 +40,8 @@ fn main() {
     let done = match case.as_deref() {
         Some("step-planar") => steps(riders(&planar())),
         Some("step-spatial") => steps(riders(&spatial())),
-        Some("step-explicit-planar") => {
-            let (structure, path) = chain();
-            steps(riders(&explicit::<2, 2>(structure, path)))
-        }
-        Some("step-explicit-spatial") => {
-            let (structure, path) = chain();
-            let structure = staggered(&structure, SPANS, 0.2);
-            steps(riders(&explicit::<3, 3>(structure, path)))
-        }
+        Some("step-explicit-planar") => steps(riders(&explicit::<2, 2>())),
+        Some("step-explicit-spatial") => steps(riders(&explicit::<3, 3>())),
         Some("step-forces-given") => steps(forces(&planar())),
         Some("solve-planar") => solutions(&planar()),
         Some("solve-spatial") => solutions(&spatial()),
@@ -75,18 +66,18 @@ fn spatial() -> Arc<Prepared<3, 6>> {
     Arc::new(common::prepare_any(line, |_| (), scheme(), H, 50e3))
 }
 
-fn chain() -> (Structure, Vec<usize>) {
-    common::simple_line_of(SPANS, [0.45; 2])
+/// A chain and its lane; in space with stagger.
+fn chain(is_spatial: bool) -> (Structure, Vec<Vec<usize>>) {
+    let (mut structure, path) = common::simple_line_of(SPANS, [0.45; 2]);
+    if is_spatial {
+        structure = staggered(&structure, SPANS, 0.2);
+    }
+    (lumped(&structure), vec![path])
 }
 
-fn explicit<const DIM: usize, const D: usize>(
-    structure: Structure,
-    path: Vec<usize>,
-) -> Arc<Prepared<DIM, D>> {
-    let (geometry, shape) = settled::<DIM, D>(lumped(&structure));
-    let lanes = Path::lanes(&geometry, &shape, &[path]).expect("a lane");
-    let line = Line::new(&geometry, shape);
-    Arc::new(Prepared::explicit(&geometry, line, lanes, H, 50e3).expect("short steps"))
+fn explicit<const DIM: usize, const D: usize>() -> Arc<Prepared<DIM, D>> {
+    let steps = common::chain::explicit(&chain(DIM == 3), H, 50e3);
+    Arc::new(steps.expect("short steps"))
 }
 
 fn begin() -> Begin {

@@ -1,5 +1,9 @@
 //! The same wires as chains of point masses.
 
+use arcless_core::CoreError;
+use arcless_core::dynamics::line::Line;
+use arcless_core::dynamics::path::Path;
+use arcless_core::dynamics::stepper::Prepared;
 use arcless_core::statics::{Geometry, Shape};
 use arcless_core::structure::{Bend, Segment, Structure};
 
@@ -35,4 +39,16 @@ pub fn settled<const DIM: usize, const D: usize>(s: Structure) -> (Geometry<DIM,
     let start = geometry.design().expect("the design converges");
     let shape = geometry.settle(&start).expect("the equilibrium converges");
     (geometry, shape)
+}
+
+/// Explicit steps of a chain, if they can be.
+pub fn explicit<const DIM: usize, const D: usize>(
+    (structure, lanes): &(Structure, Vec<Vec<usize>>),
+    h: f64,
+    contact_stiffness: f64,
+) -> Result<Prepared<DIM, D>, CoreError> {
+    let (geometry, shape) = settled::<DIM, D>(structure.clone());
+    let lanes = Path::lanes(&geometry, &shape, lanes).expect("lanes");
+    let line = Line::new(&geometry, shape);
+    Prepared::explicit(&geometry, line, lanes, h, contact_stiffness)
 }

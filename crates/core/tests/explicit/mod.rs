@@ -9,7 +9,7 @@ mod refusals;
 mod rest;
 mod waves;
 
-use crate::common::chain::{lumped, settled};
+use crate::common::chain::{self, lumped, settled};
 use crate::common::{Single, steady, three_masses};
 use arcless_core::CoreError;
 use arcless_core::dynamics::line::Line;
@@ -39,12 +39,10 @@ pub type Chain = (Structure, Vec<Vec<usize>>);
 
 /// Explicit steps, if they can be.
 pub fn prepare<const DIM: usize, const D: usize>(
-    (structure, lanes): &Chain,
+    chain: &Chain,
     h: f64,
 ) -> Result<Prepared<DIM, D>, CoreError> {
-    let (geometry, shape) = settled::<DIM, D>(structure.clone());
-    let lanes = Path::lanes(&geometry, &shape, lanes).expect("lanes");
-    Prepared::explicit(&geometry, Line::new(&geometry, shape), lanes, h, CONTACT)
+    chain::explicit(chain, h, CONTACT)
 }
 
 pub fn explicit<const DIM: usize, const D: usize>(chain: &Chain, h: f64) -> Prepared<DIM, D> {
@@ -52,36 +50,43 @@ pub fn explicit<const DIM: usize, const D: usize>(chain: &Chain, h: f64) -> Prep
 }
 
 /// The same chain with the trapezoidal rule.
-pub fn implicit<const DIM: usize, const D: usize>(
-    (structure, lanes): &Chain,
-    h: f64,
-) -> Prepared<DIM, D> {
-    let (geometry, shape) = settled::<DIM, D>(structure.clone());
-    let lanes = Path::lanes(&geometry, &shape, lanes).expect("lanes");
-    let scheme = Scheme::newmark(0.25, 0.5);
-    Prepared::new(Line::new(&geometry, shape), lanes, scheme, h, CONTACT).expect("regular")
+pub fn implicit<const DIM: usize, const D: usize>(chain: &Chain, h: f64) -> Prepared<DIM, D> {
+    solved(chain, h, |_, _| ())
 }
 
-/// The same with bends of EI x coth x, x = (ℓ/2)√(T/EI), about the same shape: what explicit steps have.
-pub fn fitted<const DIM: usize, const D: usize>(
+/// The same with bends of EI x coth x about the same shape: what explicit steps have.
+pub fn fitted<const DIM: usize, const D: usize>(chain: &Chain, h: f64) -> Prepared<DIM, D> {
+    solved(chain, h, |geometry, line| {
+        for bend in &geometry.structure.bends {
+            let [a, b] = bend.segments.map(|k| &geometry.structure.segments[k]);
+            let tension = |k| Geometry::<DIM, D>::segment_state(&line.shape, k).linear_tension;
+            let tension = 0.5 * (tension(a) + tension(b));
+            let length = 0.5 * (a.rest_length + b.rest_length);
+            let more = Bend {
+                stiffness: stiffer(bend.stiffness, tension, length) - bend.stiffness,
+                ..*bend
+            };
+            geometry.add_bend(&mut line.stiffness, &more, 1.0);
+        }
+        line.stiffness.keep_free(&line.free);
+    })
+}
+
+/// EI x coth x, x = (ℓ/2)√(T/EI).
+pub fn stiffer(bending: f64, tension: f64, length: f64) -> f64 {
+    let x = 0.5 * length * (tension / bending).sqrt();
+    bending * x / x.tanh()
+}
+
+fn solved<const DIM: usize, const D: usize>(
     (structure, lanes): &Chain,
     h: f64,
+    change: impl FnOnce(&Geometry<DIM, D>, &mut Line<DIM, D>),
 ) -> Prepared<DIM, D> {
     let (geometry, shape) = settled::<DIM, D>(structure.clone());
     let lanes = Path::lanes(&geometry, &shape, lanes).expect("lanes");
     let mut line = Line::new(&geometry, shape);
-    for bend in &geometry.structure.bends {
-        let [a, b] = bend.segments.map(|k| &geometry.structure.segments[k]);
-        let tension = |k| Geometry::<DIM, D>::segment_state(&line.shape, k).linear_tension;
-        let tension = 0.5 * (tension(a) + tension(b));
-        let x = 0.25 * (a.rest_length + b.rest_length) * (tension / bend.stiffness).sqrt();
-        let more = Bend {
-            stiffness: bend.stiffness * (x / x.tanh() - 1.0),
-            ..*bend
-        };
-        geometry.add_bend(&mut line.stiffness, &more, 1.0);
-    }
-    line.stiffness.keep_free(&line.free);
+    change(&geometry, &mut line);
     Prepared::new(line, lanes, Scheme::newmark(0.25, 0.5), h, CONTACT).expect("regular")
 }
 

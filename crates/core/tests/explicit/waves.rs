@@ -1,6 +1,6 @@
 //! Standing waves against the closed forms of the chain and of the wire.
 
-use super::{explicit, seen_wire};
+use super::{explicit, seen_wire, stiffer};
 use crate::common::{Single, orders};
 use std::f64::consts::PI;
 
@@ -51,13 +51,12 @@ fn angle(s: &Single, n: usize, h: f64, stride: usize) -> f64 {
     (product / square).acos() / stride as f64
 }
 
-/// EI x coth x with x = (L/2)√(T/EI), which stands for EI, and what that has more than EI over T L².
+/// EI x coth x, which stands for EI, and what that has more than EI over T L².
 fn fitted(s: &Single, rest: f64) -> (f64, f64) {
     if s.bending == 0.0 {
         return (0.0, 0.0);
     }
-    let x = 0.5 * rest * (s.tension / s.bending).sqrt();
-    let fitted = s.bending * x / x.tanh();
+    let fitted = stiffer(s.bending, s.tension, rest);
     (fitted, (fitted - s.bending) / (s.tension * rest * rest))
 }
 

@@ -2,7 +2,7 @@
 
 use super::along;
 use super::groups::Groups;
-use super::layout::Chains;
+use super::layout::{Chains, Ranges};
 use super::plan::{Plan, Span};
 use super::rows::{Across, Common, HALO, LANES, place};
 use super::{Along, Cut, Explicit, Masters, Own, Reach};
@@ -85,8 +85,7 @@ impl Strands {
         order
     }
 
-    /// Places between two strands, for reaches in their order along the wires, the first of which has a
-    /// number; `new` says which they get.
+    /// Places between two strands, for reaches in their order along the wires; `new` says which numbers they get.
     fn cuts(&self, reaches: &[along::Reach], new: &[usize]) -> Vec<Cut> {
         let firsts = (1..LANES).map(|strand| (strand, self.strand(strand)));
         let firsts = firsts.filter(|(_, own)| !own.is_empty());
@@ -144,33 +143,13 @@ impl Chains {
             }
             let edges = [strands.first, strands.rows().end - 1];
             let beside = |copy: &[usize; 2]| !edges.contains(&place(copy[0]).0);
-            let reaches = &self.reaches[own.reaches.clone()];
-            let order = strands.order(reaches);
-            let number = |k: usize| own.reaches.start + k;
-            let none = self.reaches.len();
-            let mut numbers = vec![none; reaches.len()];
-            order
-                .iter()
-                .enumerate()
-                .for_each(|(k, &old)| numbers[old] = number(k));
-            let spans: Vec<Span> = order.iter().map(|&k| strands.span(&reaches[k])).collect();
-            for (&k, span) in order.iter().zip(&spans) {
-                let before = k.checked_sub(1);
-                let before = before.filter(|&k| strands.span(&reaches[k]).strand == span.strand);
-                new.reaches.push(Reach {
-                    masters: reaches[k].masters.map(|m| m as u32),
-                    ends: [reaches[k].segments.start, reaches[k].segments.end]
-                        .map(|point| slots[point] as u32),
-                    before: before.map_or(none, |k| numbers[k]) as u32,
-                    stiffness: reaches[k].stiffness,
-                });
-            }
+            let (cuts, plan) = self.deal_reaches(own, strands, &slots, &mut new.reaches);
             new.own.push(Own {
                 rows: strands.rows(),
                 beside: copies.iter().copied().filter(beside).collect(),
                 copies,
-                cuts: strands.cuts(reaches, &numbers),
-                plan: Plan::new(&spans, strands.counts(), own.reaches.start, none),
+                cuts,
+                plan,
                 reaches: own.reaches.clone(),
                 masters: own.masters.clone(),
                 guests: own.guests.clone(),
@@ -179,6 +158,36 @@ impl Chains {
             });
         }
         new
+    }
+
+    /// Reaches of an island in the order of their ends; what lies between strands, and what comes when.
+    fn deal_reaches(
+        &self,
+        own: &Ranges,
+        strands: &Strands,
+        slots: &[usize],
+        to: &mut Vec<Reach>,
+    ) -> (Vec<Cut>, Plan) {
+        let (reaches, first) = (&self.reaches[own.reaches.clone()], own.reaches.start);
+        let (order, none) = (strands.order(reaches), self.reaches.len());
+        let mut numbers = vec![none; reaches.len()];
+        for (k, &old) in order.iter().enumerate() {
+            numbers[old] = first + k;
+        }
+        let spans: Vec<Span> = order.iter().map(|&k| strands.span(&reaches[k])).collect();
+        for (&k, span) in order.iter().zip(&spans) {
+            let before = k.checked_sub(1);
+            let before = before.filter(|&k| strands.span(&reaches[k]).strand == span.strand);
+            let Range { start, end } = reaches[k].segments;
+            to.push(Reach {
+                masters: reaches[k].masters.map(|m| m as u32),
+                ends: [slots[start] as u32, slots[end] as u32],
+                before: before.map_or(none, |k| numbers[k]) as u32,
+                stiffness: reaches[k].stiffness,
+            });
+        }
+        let plan = Plan::new(&spans, strands.counts(), first, none);
+        (strands.cuts(reaches, &numbers), plan)
     }
 
     /// Everything but rows and what belongs to islands.

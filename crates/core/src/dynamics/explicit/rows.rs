@@ -40,7 +40,7 @@ pub(super) struct Common {
     pub filter: Wide,
     /// 1/L of the segment, 1/m.
     pub per_length: Wide,
-    /// EI/ℓ̄ of the point, N·m.
+    /// EI*/ℓ̄ of the point, N·m; see [`bends`](super::bends).
     pub bending: Wide,
     /// α h of the point.
     pub damping: Wide,
