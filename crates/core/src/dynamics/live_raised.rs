@@ -2,6 +2,7 @@
 
 use super::live::{Live, lost};
 use super::live_parts::Parts;
+use super::path::Path;
 use super::place::Place;
 use super::yields::Yield;
 use crate::error::CoreError;
@@ -13,7 +14,7 @@ const NEARBY: f64 = 1e-4;
 impl<const DIM: usize, const D: usize> Live<DIM, D> {
     /// Add to the heights and their rates what the wires are higher than the mesh.
     pub(super) fn add_raised(&mut self) -> Result<(), CoreError> {
-        if self.p.lanes.iter().all(|lane| lane.yields.is_empty()) {
+        if self.p.lanes.iter().all(Path::is_rigid) {
             return Ok(());
         }
         let parts = self.parts.as_ref().ok_or_else(lost)?;

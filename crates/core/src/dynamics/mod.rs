@@ -44,6 +44,7 @@ mod resume;
 pub mod rider;
 pub mod rider_energy;
 mod rider_kinks;
+mod rounded;
 pub mod run;
 mod share;
 mod standing;

@@ -146,6 +146,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         line.fit_bends(geometry);
         let steps = Explicit::new(geometry, &line.shape, &line, h)?;
         let scheme = Scheme::newmark(0.25, 0.5);
+        let lanes = Path::rounded(lanes, geometry, &line.shape);
         let with = (None, Some(steps));
         Self::assemble(line, lanes, scheme, h, contact_stiffness, with)
     }

@@ -8,15 +8,20 @@ use crate::structure::Bend;
 /// Below this x coth x is 1 + x²/3, and that 1, to rounding.
 const SMALL: f64 = 1e-6;
 
+/// Largest ε: as good as no tension.
+const LARGEST: f64 = 1e6;
+
 /// What stands in the place of a bend.
 pub(super) struct Fit {
     /// EI of the wire, and EI x coth x, N·m².
     of_wire: f64,
     pub bending: f64,
-    /// Their difference over T, m².
+    /// Their difference over T, m², also without tension.
     pub longer: f64,
     /// ℓ̄, m.
     pub length: f64,
+    /// ε = EI/(T ℓ̄²).
+    pub share: f64,
 }
 
 impl Fit {
@@ -43,6 +48,7 @@ impl Fit {
             (bend.stiffness, squared / 3.0)
         };
         Self {
+            share: (0.25 / (x * x)).min(LARGEST),
             of_wire: bend.stiffness,
             bending,
             longer,

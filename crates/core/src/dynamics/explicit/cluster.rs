@@ -25,6 +25,8 @@ pub(super) struct Member {
     pub response: [f64; 2],
     /// q/h² of the segments before and behind, kg/s².
     pub filter: [f64; 2],
+    /// r/h² of the points before and behind and of its own, kg/s², in their order.
+    pub second: [f64; 3],
     /// β/h of the wire.
     pub lag: f64,
 }

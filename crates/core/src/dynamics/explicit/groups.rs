@@ -15,6 +15,8 @@ pub(super) struct Points<const L: usize> {
     pub lag: [f64; L],
     /// q/m of the segments before and behind, for each direction across.
     pub filter: [[[f64; L]; 2]; 2],
+    /// r/m of the points before and behind and of its own, in their order.
+    pub second: [[[f64; L]; 3]; 2],
     /// h²/m and P across, s²/kg.
     pub inverse: [[f64; L]; 2],
     pub response: [[f64; L]; 2],
@@ -66,6 +68,8 @@ impl<const L: usize> Group<L> {
                 lag: members.map(|m| m.lag),
                 filter: [0, 1]
                     .map(|c| [0, 1].map(|side| members.map(|m| m.inverse[c] * m.filter[side]))),
+                second: [0, 1]
+                    .map(|c| [0, 1, 2].map(|k| members.map(|m| m.inverse[c] * m.second[k]))),
                 inverse: [0, 1].map(|c| members.map(|m| m.inverse[c])),
                 response: [0, 1].map(|c| members.map(|m| m.response[c])),
             }

@@ -50,6 +50,7 @@ mod stable;
 mod stepping;
 mod stretch;
 mod sweep;
+mod waves;
 
 use cluster::Cluster;
 use groups::Groups;
@@ -113,9 +114,8 @@ struct Cut {
 #[derive(Debug, Clone)]
 struct Own {
     rows: Range<usize>,
-    /// Slots of copies, and of what they are copies of; and those beside a cut alone.
+    /// Slots of copies, and of what they are copies of.
     copies: Vec<[usize; 2]>,
-    beside: Vec<[usize; 2]>,
     cuts: Vec<Cut>,
     plan: Plan,
     /// As they end, those over cuts last.

@@ -159,20 +159,22 @@ fn ahead<const L: usize>(
     across: usize,
     rows: &[Moving],
 ) -> ([f64; L], [f64; L]) {
-    let (mut s, mut d, mut w) = ([0.0; L], [0.0; L], [[0.0; L]; 3]);
+    let (mut s, mut d, mut w) = ([0.0; L], [0.0; L], [[0.0; L]; 5]);
     for l in 0..L {
         let (row, lane) = (point.row[l] as usize, point.lane[l] as usize % LANES);
-        let near = &rows[row - 1..][..3];
-        (s[l], d[l]) = (near[1].s[lane], near[1].d[lane]);
-        (w[0][l], w[1][l], w[2][l]) = (near[0].w[lane], near[1].w[lane], near[2].w[lane]);
+        let near = &rows[row - 2..][..5];
+        (s[l], d[l]) = (near[2].s[lane], near[2].d[lane]);
+        for k in 0..5 {
+            w[k][l] = near[k].w[lane];
+        }
     }
-    let [before, behind] = &point.filter[across];
+    let ([before, behind], [r0, r1, r2]) = (&point.filter[across], &point.second[across]);
     let a: [f64; L] = each(|l| {
-        let (left, right) = (
-            before[l] * (w[1][l] - w[0][l]),
-            behind[l] * (w[2][l] - w[1][l]),
-        );
-        w[1][l] - (right - left)
+        let (b0, b1) = (w[1][l] - w[0][l], w[2][l] - w[1][l]);
+        let (b2, b3) = (w[3][l] - w[2][l], w[4][l] - w[3][l]);
+        let (t0, t1, t2) = (r0[l] * (b1 - b0), r1[l] * (b2 - b1), r2[l] * (b3 - b2));
+        let (left, right) = (before[l] * b1 - (t1 - t0), behind[l] * b2 - (t2 - t1));
+        w[2][l] - (right - left)
     });
     let y: [f64; L] = each(|l| s[l] - point.lag[l] * d[l]);
     (each(|l| y[l] + BETA * a[l]), each(|l| d[l] + 0.5 * a[l]))
