@@ -33,10 +33,10 @@ impl<const DIM: usize, const D: usize> Live<DIM, D> {
                     way += NEARBY;
                 }
             }
-            let rates = &parts.state.links.elongation;
+            let rates = &parts.state.links.rate;
             let pulled = yields
                 .pulls()
-                .map(|(l, rise)| self.p.eased(l, rise) * rates[l][1]);
+                .map(|(l, rise)| self.p.eased(l, rise) * rates[l]);
             let rate = pulled.sum::<f64>() + if way > 0.0 { speed * slope / way } else { 0.0 };
             self.reading.height[number] += here;
             self.reading.rate[number] += rate;
@@ -78,7 +78,7 @@ impl<const DIM: usize, const D: usize> Live<DIM, D> {
         let (p, correction) = (&self.p, &parts.unilateral.correction);
         let by_link = |(l, rise): (usize, f64)| {
             let slack = correction[l] - p.line.links[l].rest_correction();
-            p.eased(l, rise) * parts.state.links.elongation[l][0] + rise * slack
+            p.eased(l, rise) * parts.state.links.elongation[l] + rise * slack
         };
         let mut height = yields.rise + yields.pulls().map(by_link).sum::<f64>();
         for (number, force) in self

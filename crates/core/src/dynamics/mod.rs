@@ -20,6 +20,7 @@ pub mod law;
 mod law_tests;
 pub mod ledger;
 pub mod line;
+mod link_table;
 pub mod links;
 pub mod live;
 mod live_parts;

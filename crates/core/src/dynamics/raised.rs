@@ -51,7 +51,7 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
     pub(super) fn raised_by_links(&self, yields: &Yield, share: f64) -> f64 {
         let motion = &self.state.links;
         let by_link = |(link, rise): (usize, f64)| {
-            let elongation = motion.elongation[link][0] + share * motion.delta[link];
+            let elongation = motion.elongation[link] + share * motion.delta[link];
             let slack = self.p.line.links[link].rest_correction();
             self.p.eased(link, rise) * elongation - rise * slack
         };

@@ -209,12 +209,12 @@ impl<const DIM: usize> Rounded<DIM> {
 
     /// R(x, y) between a place on this element and one on another, m/N.
     pub(super) fn missing(&self, shares: &[f64; 4], other: &Self, its: &[f64; 4]) -> f64 {
-        let [x, y] = [self.point(shares)[0], other.point(its)[0]];
-        // Beyond the points beside them g is |s|/2, which both meet.
-        if (x - y).abs() > 3.0 * (self.length() + other.length()) {
+        let (last, its_last) = (self.count - 1, other.count - 1);
+        // Where no point of one lies among those of the other, g is |s|/2 but for λ, which both meet.
+        if self.x(0) > other.x(its_last) || other.x(0) > self.x(last) {
             return 0.0;
         }
-        let (last, its_last) = (self.count - 1, other.count - 1);
+        let [x, y] = [self.point(shares)[0], other.point(its)[0]];
         let at = |i: usize, j: usize| self.x(i.min(last)) - other.x(j.min(its_last));
         let g = weighted(shares, its, |i, j| self.taut.kink(at(i, j)));
         (g - self.taut.kink(x - y)) / self.taut.tension

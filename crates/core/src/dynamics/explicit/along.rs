@@ -9,7 +9,7 @@ use std::ops::Range;
 
 /// Shortest reach along the wire, in those that are just stable; the frequency of a reach is then still
 /// above 100 Hz at 1 ms.
-const REACH: f64 = 1.2;
+const REACH: f64 = 2.4;
 
 /// A piece of wire between two masters.
 pub(super) struct Reach {

@@ -1,7 +1,7 @@
 //! Forces of links, struts and springs, group by group.
 
 use super::cluster::WIDEST;
-use super::groups::{Group, Points};
+use super::groups::{Couples, Group, Points};
 use super::rows::{LANES, Moving};
 use super::{BETA, Grid, Own};
 use crate::linalg::Kernel;
@@ -30,6 +30,9 @@ impl<const D: usize> Kernel for Settle<'_, D> {
             u: self.u,
             delta: self.delta,
         };
+        for couples in &self.own.groups.couples {
+            on.couples(couples);
+        }
         for group in &self.own.groups.wide {
             on.group(group);
         }
@@ -61,6 +64,41 @@ fn each<const L: usize>(of: impl Fn(usize) -> f64) -> [f64; L] {
 }
 
 impl<const D: usize> On<'_, D> {
+    /// Couples: what is between two points pulls at both.
+    #[inline(always)]
+    fn couples<const L: usize>(&mut self, couples: &Couples<L>) {
+        let [first, second] = &couples.points;
+        let (mut at, mut force) = ([[[0.0; L]; D]; 2], [[0.0; L]; D]);
+        let mut columns = couples.columns.chunks_exact(2 * D);
+        for c in 0..D {
+            let ((a, before), (b, behind)) = (self.free(first, c), self.free(second, c));
+            (at[0][c], at[1][c]) = (a, b);
+            let (u, v): ([f64; L], [f64; L]) =
+                (each(|l| b[l] - a[l]), each(|l| behind[l] - before[l]));
+            let Some(column) = columns.next() else {
+                return;
+            };
+            let (of_place, of_speed) = column.split_at(D);
+            for i in 0..D {
+                force[i] = each(|l| force[i][l] + (of_place[i][l] * u[l] + of_speed[i][l] * v[l]));
+            }
+        }
+        self.put(second, &mut at[1], &force);
+        for f in &mut force {
+            *f = each(|l| -f[l]);
+        }
+        self.put(first, &mut at[0], &force);
+    }
+
+    /// Place and h times velocity of points at the end of the step, without the forces of their clusters.
+    #[inline(always)]
+    fn free<const L: usize>(&self, point: &Points<L>, component: usize) -> ([f64; L], [f64; L]) {
+        match component.checked_sub(1) {
+            None => self.along(point),
+            Some(across) => ahead(point, across, self.moving[across]),
+        }
+    }
+
     /// With its number of points known to the compiler for those that are many.
     #[inline(always)]
     fn group<const L: usize>(&mut self, group: &Group<L>) {
@@ -86,10 +124,7 @@ impl<const D: usize> On<'_, D> {
         let mut columns = columns.chunks_exact(2 * size);
         for (k, point) in points.iter().enumerate() {
             for c in 0..D {
-                let (u, v) = match c.checked_sub(1) {
-                    None => self.along(point),
-                    Some(across) => ahead(point, across, self.moving[across]),
-                };
+                let (u, v) = self.free(point, c);
                 at[k * D + c] = u;
                 let Some(column) = columns.next() else {
                     return;
