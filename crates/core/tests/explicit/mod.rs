@@ -7,6 +7,7 @@ mod lines;
 mod live;
 mod refusals;
 mod rest;
+mod rounded;
 mod waves;
 
 use crate::common::chain::{self, lumped, settled};
