@@ -16,7 +16,7 @@
 use super::bends::Fit;
 use super::layout::{Chains, Run};
 
-/// Largest b. Where it would be more elements are shorter than 2 λ, and need no such care; the step would shrink.
+/// Largest b. Where it would be more elements are shorter than 2.6 λ, and need no such care; the step would shrink.
 const MOST: f64 = 1.0 / 30.0;
 
 /// What waves depend on, segment by segment and point by point.
@@ -48,8 +48,15 @@ impl Chains {
     pub(super) fn keep_speed(&mut self, runs: &[Run], waves: &Waves) {
         for run in runs {
             let points = run.first..run.first + run.nodes.len();
+            // Hinged ends have no bend; beyond them a standing wave goes on as it is before, with its sign changed.
+            let inside = |point: usize| match point {
+                p if p == points.start => p + 1,
+                p if p + 1 == points.end => p - 1,
+                p => p,
+            };
             for j in points.start..points.end - 1 {
-                let longer = 0.5 * (waves.bends[j][1] + waves.bends[j + 1][1]);
+                let longer = [j, j + 1].map(|p| waves.bends[inside(p)][1]);
+                let longer = 0.5 * (longer[0] + longer[1]);
                 let [a, _] = shares(waves.courant[j], 0.0, longer * self.per_length[j].powi(2));
                 self.filter[j] = waves.mass[j] * a;
             }
