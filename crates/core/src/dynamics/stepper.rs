@@ -138,12 +138,11 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
     /// [`CoreError::Input`] or [`CoreError::Singular`].
     pub fn explicit(
         geometry: &Geometry<DIM, D>,
-        mut line: Line<DIM, D>,
+        line: Line<DIM, D>,
         lanes: Vec<Path<DIM>>,
         h: f64,
         contact_stiffness: f64,
     ) -> Result<Self, CoreError> {
-        line.fit_bends(geometry);
         let steps = Explicit::new(geometry, &line.shape, &line, h)?;
         let scheme = Scheme::newmark(0.25, 0.5);
         let lanes = Path::rounded(lanes, geometry, &line.shape);
