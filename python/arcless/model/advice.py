@@ -29,8 +29,8 @@ LOUD_DAMPING = 0.02
 # chain of n straight ones misses 1/n² of the sag between droppers (its links are chords of a
 # parabola), and the wave as long as the distance between droppers travels (π/n)²/6 too slowly
 # (ω = 2c/a sin(ka/2)): with eight, 1.6 % and 2.6 %. Explicit steps give waves their speed and
-# contacts the sag back, so on the messenger wire five do. On the contact wire they do not, since the
-# waves that run ahead of a pantograph are shorter, by V/(c − V).
+# contacts the sag back, so on the messenger wire five do. On the contact wire they do not: the
+# waves that run ahead of a pantograph are shorter, by c/(c − V).
 FEWEST_ELEMENTS = {"hermite": 2, "lumped": 8}
 FEWEST_OF_MESSENGER = 5
 # A tenth of the static forces of pantographs, 60 to 120 N.

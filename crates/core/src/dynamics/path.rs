@@ -111,10 +111,10 @@ impl<const DIM: usize> Path<DIM> {
         Ok(())
     }
 
-    /// Nodes of the element of a place and of those beside it.
+    /// Nodes of the element of a place and of two on each side: where it acts now, and in the next step.
     pub(super) fn around(&self, place: &Place<DIM>) -> impl Iterator<Item = usize> + '_ {
-        let last = (place.element + 2).min(self.ends.len());
-        let elements = &self.ends[place.element.saturating_sub(1)..last];
+        let last = (place.element + 3).min(self.ends.len());
+        let elements = &self.ends[place.element.saturating_sub(2)..last];
         elements.iter().flatten().copied()
     }
 

@@ -104,8 +104,9 @@ fn turn(from: &Wide, to: &Wide, common: &Common) -> (Wide, Wide) {
 /// The motion of a step, on its way through the rows: a from w, then d and s, and the rise of the wire.
 #[derive(Clone, Copy)]
 pub(super) struct Motion {
-    /// w of the next row, and by how much the one behind it has more.
+    /// w of the next row and of the one behind it, and by how much that has more.
     w: Wide,
+    ahead: Wide,
     by: Wide,
     /// r times the difference of two such steps, at the next row.
     turn: Wide,
@@ -127,6 +128,7 @@ impl Motion {
         let filter = &common[row - 1].filter;
         Self {
             w: *rows[2],
+            ahead: *rows[3],
             by: by[2],
             turn: turn[1],
             shared: each(|l| filter[l] * by[1][l] - (turn[1][l] - turn[0][l])),
@@ -154,8 +156,8 @@ impl Motion {
         let (before, across) = (&before[..n], &across[..n]);
         let mut at = *self;
         for k in 0..n {
-            let next: Wide = each(|l| at.w[l] + at.by[l]);
-            let by: Wide = each(|l| moving[k + 2].w[l] - next[l]);
+            let next = moving[k + 2].w;
+            let by: Wide = each(|l| next[l] - at.ahead[l]);
             let (filter, second) = (&common[k].filter, &behind[k].second);
             let turn: Wide = each(|l| second[l] * (by[l] - at.by[l]));
             let shared: Wide = each(|l| filter[l] * at.by[l] - (turn[l] - at.turn[l]));
@@ -165,7 +167,8 @@ impl Motion {
             row.d = each(|l| row.d[l] + a[l]);
             row.s = each(|l| row.s[l] + (row.d[l] + lag[l] * a[l]));
             at.rise.go_on::<FIRST>(&before[k], &row.s, &mut tensed[k]);
-            (at.w, at.by, at.turn, at.shared) = (next, by, turn, shared);
+            (at.w, at.ahead, at.by) = (at.ahead, next, by);
+            (at.turn, at.shared) = (turn, shared);
         }
         *self = at;
     }

@@ -9,7 +9,7 @@ use std::ops::Range;
 
 /// Rows moved at a time. With those that forces are behind, 22 in a reach, they fill 32 KiB; with half of it each
 /// stage begins anew twice as often, which costs more.
-const STRIDE: usize = 32;
+const STRIDE: usize = 20;
 
 /// A reach as the order of things sees it: strand, and rows of its first and last point in their strands.
 #[derive(Debug, Clone, Copy)]

@@ -8,9 +8,9 @@ use super::{BETA, Explicit, Grid, Own};
 use crate::linalg::widest;
 
 impl Grid {
-    /// Room for the nodes that are read at some places: those of three elements each.
+    /// Room for the nodes that are read at some places: those of five elements each.
     pub(in crate::dynamics) fn reserve(&mut self, places: usize) {
-        self.near.reserve(6 * places);
+        self.near.reserve(10 * places);
     }
 }
 

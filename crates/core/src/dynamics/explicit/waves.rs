@@ -7,7 +7,7 @@
 //!   a = (1 − C²)/12 − (ε* − ε)
 //!   b = (ε* + a)/6 − a ε* − (1 − C⁴)/360 − C² ε/6
 //!
-//! make ω the same up to (kℓ)⁶. A pantograph at 0.7 of the wave speed sends waves ahead that are 3.3 times as short
+//! make ω the same up to (kℓ)⁶. What presses and moves at 0.7 of the wave speed sends waves ahead 3.3 times as short
 //! as those of a wire that is shaken where it is: 15 Hz are 50 Hz there, and b is what counts for them.
 //!
 //! On a line, a is q/m of the segments and b is r/m of the points: E = Σ q [1 −1; −1 1] + Σ r [1 −2 1]ᵀ[1 −2 1] is
