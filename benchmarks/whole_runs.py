@@ -15,14 +15,15 @@ EXPLICIT: dict[str, Any] = {
     "solver.scheme": settings.EXPLICIT,
     "solver.wire_model": "lumped",
     "solver.contact_wire_element": "0.45 m",
-    "solver.messenger_wire_element": "0.45 m",
+    "solver.messenger_wire_element": "0.6 m",
 }
+EXPLICIT_IN_SPACE: dict[str, Any] = {**EXPLICIT, "solver.messenger_wire_element": "0.9 m"}
 CASES: tuple[tuple[str, str, dict[str, Any]], ...] = (
     ("AC simple, 20 spans, planar", "en50318-ac-simple-320", {}),
     ("the same with energy ledger", "en50318-ac-simple-320", {"output.energy": "always"}),
     ("the same in three dimensions, stagger, steady arms", "ac-simple-3d-320", {}),
-    ("planar, explicit steps of 0.45 m", "en50318-ac-simple-320", EXPLICIT),
-    ("in three dimensions, explicit steps of 0.45 m", "ac-simple-3d-320", EXPLICIT),
+    ("planar, explicit steps of 0.45 and 0.6 m", "en50318-ac-simple-320", EXPLICIT),
+    ("in space, explicit steps of 0.45 and 0.9 m", "ac-simple-3d-320", EXPLICIT_IN_SPACE),
     ("two pantographs, planar", "ac-simple-320-two-pantographs", {}),
     ("EN 50318:2002, 10 spans", "en50318-2002-300", {}),
     ("PRAKS, 30 spans, 180 km/h, published method", "praks-180", {}),

@@ -6,6 +6,6 @@ EXPLICIT: dict[str, Any] = {
     "solver.scheme": "central-difference",
     "solver.wire_model": "lumped",
     "solver.contact_wire_element": 0.45,
-    "solver.messenger_wire_element": 0.45,
+    "solver.messenger_wire_element": 0.6,
     "solver.time_step": "1 ms",
 }

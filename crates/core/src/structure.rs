@@ -214,6 +214,9 @@ pub struct Structure {
     /// Steady force per metre of rest length on each wire element or segment, N/m, beside its
     /// weight; empty where there is none.
     pub wire_loads: Vec<[f64; 3]>,
+    /// Whether chains yield under forces on their points as their wires do: see
+    /// [`Geometry::bending`](crate::statics::Geometry::bending).
+    pub fitted_bends: bool,
     /// Residual flexibility, contained in links and springs; `None` when it is left out.
     pub residual: Option<ResidualFlexibility>,
     /// Acceleration of gravity, m/s², acting against the last component.

@@ -51,9 +51,10 @@ pub struct Equilibrium(Any);
 impl Equilibrium {
     /// Find it; with `design`, unknown lengths are found first. Without Hermite elements in the
     /// table `wires`, the wires are the chains in `segments` and `bends`. With `residual_flexibility`,
-    /// what cubic elements yield too little under droppers, supports and contacts is added there.
+    /// what cubic elements yield too little under droppers, supports and contacts is added there;
+    /// with `fitted_bends`, points of chains yield as those of their wires do.
     #[new]
-    #[pyo3(signature = (dim, positions, slopes, parts, gravity, design, residual_flexibility = false))]
+    #[pyo3(signature = (dim, positions, slopes, parts, gravity, design, residual_flexibility = false, fitted_bends = false))]
     fn new(
         py: Python<'_>,
         dim: usize,
@@ -63,9 +64,11 @@ impl Equilibrium {
         gravity: f64,
         design: bool,
         residual_flexibility: bool,
+        fitted_bends: bool,
     ) -> PyResult<Self> {
         let how = (design, residual_flexibility);
-        let s = structure::build(dim, &positions, &slopes, parts, gravity)?;
+        let mut s = structure::build(dim, &positions, &slopes, parts, gravity)?;
+        s.fitted_bends = fitted_bends;
         let is_chain = s.wires.is_empty() && !s.segments.is_empty();
         let found = py.detach(|| match (dim, is_chain) {
             (2, false) => Solved::new(s, how).map(Any::Planar),

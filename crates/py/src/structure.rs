@@ -103,6 +103,7 @@ pub fn build(
         wire_loads: each(&table(parts, "wire_loads", [0, 3])?, |_, f| {
             [f[0], f[1], f[2]]
         }),
+        fitted_bends: false,
         residual: None,
         gravity,
     })

@@ -20,7 +20,7 @@ WHOLE_LINE: Final = "whole line"
 AUTO: Final = "auto"
 # The scheme that steps without a matrix; what point masses need to be as right as cubic elements.
 EXPLICIT: Final = "central-difference"
-SHORT_ELEMENTS = "with contact_wire_element and messenger_wire_element of 0.45 m"
+SHORT_ELEMENTS = "with contact_wire_element of 0.45 m and messenger_wire_element of 0.6 m"
 
 
 class SpeedProfile(Part):

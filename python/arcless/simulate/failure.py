@@ -69,8 +69,8 @@ def _not_this_way(scenario: Scenario, message: str) -> ModelError:
         where="solver.time_step",
         got=f"{1e3 * scenario.time_step_s:.4g} ms",
         expected=f"at most about {1e3 * float(longest[1]):.3g} ms, the longest stable step",
-        hint="solver.contact_wire_element and messenger_wire_element of 0.45 m go with 1 ms: much"
-        " longer ones are not stable, shorter ones need shorter steps",
+        hint="solver.contact_wire_element of 0.45 m and messenger_wire_element of 0.6 m go with"
+        " 1 ms: much longer ones are not stable, shorter ones need shorter steps",
     )
 
 

@@ -36,8 +36,8 @@ CONSERVED = [
     Mutation(
         "damping of a dropper times its elongation, not its rate",
         "dynamics/links.rs",
-        "l.stiffness * e + l.viscosity * rate;",
-        "l.stiffness * e + l.viscosity * (e + 0.0 * rate);",
+        "k[i] * e[i] + viscosity[i] * rate;",
+        "k[i] * e[i] + viscosity[i] * (e[i] + 0.0 * rate);",
         ("conservation/test_units.py::test_mass_and_time",),
     ),
     Mutation(

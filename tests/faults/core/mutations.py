@@ -149,8 +149,8 @@ CONTACTS = [
     Mutation(
         "influence columns of the element before",
         "dynamics/path.rs",
-        "number: self.before + k + self.wires[k],",
-        "number: self.before + k.saturating_sub(1) + self.wires[k],",
+        "number: self.before + number,",
+        "number: self.before + number.saturating_sub(1),",
         (LEDGER,),
     ),
     Mutation(

@@ -319,8 +319,8 @@ def test_line(refused: Refused, old: str, new: str, message: str) -> None:
             "speed:",
             "solver: {scheme: central-difference}\nspeed:",
             "scenario.yaml:6: solver.wire_model: not together with the scheme central-difference:"
-            " got hermite, expected lumped, or another scheme; hint: with contact_wire_element and"
-            " messenger_wire_element of 0.45 m",
+            " got hermite, expected lumped, or another scheme; hint: with contact_wire_element of"
+            " 0.45 m and messenger_wire_element of 0.6 m",
         ),
         (
             "speed:",

@@ -195,14 +195,15 @@ def test_a_chain_needs_more_elements_between_droppers_than_cubic_elements_do() -
         assert len(scenario_warnings(finer)) == said
 
 
-def test_explicit_steps_need_as_many_elements_of_the_messenger_wire() -> None:
+def test_explicit_steps_need_elements_of_the_messenger_wire_too() -> None:
     assert scenario_warnings(SCENARIO.with_(**EXPLICIT)) == []
     # Shortest distance 4.5 m.
-    for wire in ("contact", "messenger"):
+    for wire, length, fewest in (("contact", 0.6, "eight"), ("messenger", 0.95, "five")):
         (said,) = scenario_warnings(
-            SCENARIO.with_(**{**EXPLICIT, f"solver.{wire}_wire_element": "0.6 m"})
+            SCENARIO.with_(**{**EXPLICIT, f"solver.{wire}_wire_element": length})
         )
-        assert said.startswith(f"solver.{wire}_wire_element: 0.6 m leaves fewer than eight")
+        begin = f"solver.{wire}_wire_element: {length} m leaves fewer than {fewest}"
+        assert said.startswith(begin)
 
 
 def test_the_reasons_given_for_the_length_of_links() -> None:

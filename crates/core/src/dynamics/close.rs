@@ -16,10 +16,8 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
     /// [`CoreError::Lcp`] or [`CoreError::SlackSet`].
     pub(super) fn close(&mut self, step: usize) -> Result<LcpStats, CoreError> {
         let time = (step + 1) as f64 * self.p.h;
-        let (links, tension) = (&self.p.line.links, &self.state.links.tension);
-        let awake = self.p.links_awake(&self.state.awake);
-        self.unilateral
-            .collect(awake, |i| links[i].unilateral && tension[i] < 0.0);
+        self.unilateral.clear();
+        self.collect();
         let mut total = LcpStats::default();
         for _ in 0..self.most_rounds() {
             self.provide_columns();
@@ -44,10 +42,7 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
             total.residual = total.residual.max(stats.residual);
             self.p
                 .respond(&mut self.state, &mut self.unilateral, &self.contacts);
-            let (links, tension) = (&self.p.line.links, &self.state.links.tension);
-            let pushes = |i: usize| links[i].unilateral && tension[i] < 0.0;
-            let awake = self.p.links_awake(&self.state.awake);
-            if !self.unilateral.extend(awake, pushes) {
+            if !self.collect() {
                 for (contact, force) in self.contacts.all.iter().zip(&self.unilateral.force) {
                     if contact.meets {
                         self.riders[contact.rider()].add_contact(*force, &contact.column);
@@ -60,6 +55,14 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
             }
         }
         Err(CoreError::SlackSet { step, time })
+    }
+
+    /// Let links enter that have to; tells whether there are new ones.
+    fn collect(&mut self) -> bool {
+        let awake = self.p.awake(&self.state.awake);
+        let links = (&self.state.links, &self.p.table);
+        self.unilateral
+            .collect(awake.map(|island| island.links.clone()), links)
     }
 
     /// Every round adds at least one link or turns a law; between two links the laws take every

@@ -21,9 +21,12 @@
 //! So does a hardening [kink](super::kink) of a spring or damper; a softening one joins the links.
 
 use super::contacts::Contacts;
+use super::link_table::LinkTable;
+use super::links::LinkMotion;
 use super::rider::{RiderState, inner};
 use super::stepper::Prepared;
 use crate::lcp::{LcpFailure, LcpSolver, LcpStats};
+use std::ops::Range;
 
 /// Unknowns and workspace of the complementarity problem; nothing is allocated during a run
 /// once the vectors have grown.
@@ -83,33 +86,35 @@ impl Unilateral {
         }
     }
 
-    /// Choose those of the given links that enter: those that would push, and those slack a step ago.
-    pub fn collect(&mut self, among: impl Iterator<Item = usize>, pushes: impl Fn(usize) -> bool) {
+    /// Forget what entered in the step before.
+    pub(super) fn clear(&mut self) {
         self.applied_force.fill(0.0);
         for i in self.links.drain(..) {
             self.applied_correction[i] = 0.0;
             self.is_in[i] = false;
         }
-        for i in among {
-            self.is_in[i] = self.correction[i] > 0.0 || pushes(i);
-            if self.is_in[i] {
-                self.links.push(i);
-            }
-        }
     }
 
-    /// Add those of the given links that were left out but would push; tells whether there were any.
-    pub fn extend(
+    /// Let those of the given links enter that would push, and those slack a step ago, if they have not yet; tells
+    /// whether there were any.
+    pub(super) fn collect(
         &mut self,
-        among: impl Iterator<Item = usize>,
-        pushes: impl Fn(usize) -> bool,
+        among: impl Iterator<Item = Range<usize>>,
+        (motion, table): (&LinkMotion, &LinkTable),
     ) -> bool {
         let before = self.links.len();
-        for i in among {
-            if !self.is_in[i] && pushes(i) {
-                self.is_in[i] = true;
-                self.links.push(i);
-            }
+        let Self {
+            links,
+            is_in,
+            correction,
+            ..
+        } = self;
+        for which in among {
+            motion.unusual(which, (table, correction), |i| {
+                if !std::mem::replace(&mut is_in[i], true) {
+                    links.push(i);
+                }
+            });
         }
         self.links.len() > before
     }
@@ -139,8 +144,8 @@ impl Unilateral {
             for (l, &other) in self.links.iter().enumerate() {
                 self.h[(m + k) * n + m + l] = -p.link_on_link(other, link);
             }
-            self.h[(m + k) * n + m + k] += 1.0 / p.link_stiffness[link];
-            self.w[m + k] = tension_free[link] / p.link_stiffness[link];
+            self.h[(m + k) * n + m + k] += 1.0 / p.table.of_increment[link];
+            self.w[m + k] = tension_free[link] / p.table.of_increment[link];
             self.warm[m + k] = self.correction[link] > 0.0;
         }
         self.enter_kinks(contacts, riders, first_stop);
@@ -182,7 +187,7 @@ impl Unilateral {
             }
             for (k, &link) in self.links.iter().enumerate() {
                 let (pulled, rise) = (p.contact_on_link(contact, link), contact.yields.of(link));
-                let eased = p.eased(link, rise) / p.link_stiffness[link];
+                let eased = p.eased(link, rise) / p.table.of_increment[link];
                 self.h[(m + k) * n + j] = pulled - eased;
                 self.h[j * n + m + k] = rise / p.coefficients.stiffness - pulled;
             }

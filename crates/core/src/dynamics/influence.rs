@@ -69,7 +69,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
     pub(super) fn contact_on_contact(&self, source: &Contact<DIM>, target: &Contact<DIM>) -> f64 {
         let slots = slots::<DIM, D>();
         let mut sum = 0.0;
-        for side in 0..2 {
+        for side in 0..target.place.count {
             let field = self.contact_field(source, target.place.nodes[side]);
             let weights = &target.place.weights;
             let share = |slot: usize| weights[slots * side + slot] * field[slot * DIM + DIM - 1];

@@ -79,14 +79,6 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         numbers.iter().map(|&number| &self.islands[number])
     }
 
-    /// Links of islands.
-    pub(super) fn links_awake<'a>(
-        &'a self,
-        numbers: &'a [usize],
-    ) -> impl Iterator<Item = usize> + 'a {
-        self.awake(numbers).flat_map(|island| island.links.clone())
-    }
-
     /// Number of the island of a node.
     pub(super) fn island_of(&self, node: usize) -> usize {
         self.islands.partition_point(|one| one.nodes.end <= node)

@@ -180,14 +180,11 @@ impl<const D: usize> Ledger<D> {
         self.scheme_elastic += (0.5 - c.old) * own;
         self.entries.dissipated_line += common.alpha * by_mass + common.beta * by_stiffness;
         self.entries.dissipated_line += self.rest_form(p, state);
-        for (work, (link, (&d, s))) in self.link_work.iter_mut().zip(
-            p.line
-                .links
-                .iter()
-                .zip(state.links.delta.iter().zip(&state.links.elongation)),
-        ) {
-            let rate = c.damping * d + c.velocity_from_v * s[1] + c.velocity_from_a * s[2];
-            *work = link.viscosity * rate * d;
+        let links = &state.links;
+        for (i, link) in p.line.links.iter().enumerate() {
+            let (d, old) = (links.delta[i], [links.rate[i], links.second[i]]);
+            let rate = c.damping * d + c.velocity_from_v * old[0] + c.velocity_from_a * old[1];
+            self.link_work[i] = link.viscosity * rate * d;
         }
     }
 
@@ -307,7 +304,7 @@ fn slack_energy<const DIM: usize, const D: usize>(
     state: &LineState<D>,
 ) -> f64 {
     let mut energy = 0.0;
-    for (link, [e, _, _]) in p.line.links.iter().zip(&state.links.elongation) {
+    for (link, e) in p.line.links.iter().zip(&state.links.elongation) {
         let tension = link.rest_tension + link.stiffness * e;
         if link.unilateral {
             energy -= 0.5 * tension.min(0.0).powi(2) / link.stiffness;

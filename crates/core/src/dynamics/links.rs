@@ -5,14 +5,21 @@
 //!   T = T₀ + k e_f + c ė_f = [T₀ + k e + c (velocity terms of the old state)] + κ Δe
 
 use super::line::LinearLink;
+use super::link_table::LinkTable;
+use crate::linalg::{Kernel, widest};
 use crate::scheme::Coefficients;
 use std::ops::Range;
+
+/// Links looked at together when all are searched for a few.
+const LOOK: usize = 8;
 
 /// Elongations of all links, and the tensions that follow from them.
 #[derive(Debug, Clone)]
 pub struct LinkMotion {
-    /// Elongation since the static shape in m, its rate and second rate.
-    pub elongation: Vec<[f64; 3]>,
+    /// Elongation since the static shape in m, its rate, and its second rate.
+    pub elongation: Vec<f64>,
+    pub(super) rate: Vec<f64>,
+    pub(super) second: Vec<f64>,
     /// Elongation increment of the current step, m.
     pub delta: Vec<f64>,
     /// Tension at the time of balance without correction, N; negative where the link would push.
@@ -34,7 +41,9 @@ impl LinkMotion {
     ) -> Self {
         let zero = vec![0.0; links.len()];
         Self {
-            elongation: links.iter().map(|l| [l.elongation(u), 0.0, 0.0]).collect(),
+            elongation: links.iter().map(|l| l.elongation(u)).collect(),
+            rate: zero.clone(),
+            second: zero.clone(),
             delta: zero.clone(),
             tension: zero.clone(),
             tension_free: zero.clone(),
@@ -50,32 +59,60 @@ impl LinkMotion {
         v: &[[f64; D]],
         a: &[[f64; D]],
     ) {
-        for (elongation, link) in self.elongation.iter_mut().zip(links) {
-            *elongation = [0.0, link.elongation(v), link.elongation(a)];
+        for (i, link) in links.iter().enumerate() {
+            self.elongation[i] = 0.0;
+            (self.rate[i], self.second[i]) = (link.elongation(v), link.elongation(a));
         }
     }
 
     /// Put some links back to rest.
     pub(super) fn lay(&mut self, which: Range<usize>) {
-        self.elongation[which.clone()].fill([0.0; 3]);
-        self.delta[which].fill(0.0);
+        let Self {
+            elongation,
+            rate,
+            second,
+            delta,
+            ..
+        } = self;
+        for list in [elongation, rate, second, delta] {
+            list[which.clone()].fill(0.0);
+        }
     }
 
-    /// Prepare the next step of some links from their present elongations.
-    pub fn begin<const DIM: usize>(
+    /// Elongation, rate and second rate, link by link.
+    pub(super) fn numbers(&mut self) -> impl Iterator<Item = &mut f64> {
+        let rates = self.rate.iter_mut().zip(&mut self.second);
+        let all = self.elongation.iter_mut().zip(rates);
+        all.flat_map(|(elongation, (rate, second))| [elongation, rate, second])
+    }
+
+    /// Begin a step with some links, with increments of their nodes but for contact forces and corrections.
+    pub(super) fn begin<const DIM: usize, const D: usize>(
         &mut self,
         which: Range<usize>,
-        links: &[LinearLink<DIM>],
+        (links, table): (&[LinearLink<DIM>], &LinkTable),
         c: &Coefficients,
+        delta: &[[f64; D]],
     ) {
-        let old = self.old_part[which.clone()].iter_mut();
-        let old = old.zip(&self.elongation[which.clone()]);
-        for ((old, [e, rate, second]), l) in old.zip(&links[which.clone()]) {
-            let rate = c.velocity_from_v * rate + c.velocity_from_a * second;
-            *old = l.rest_tension + l.stiffness * e + l.viscosity * rate;
+        for (d, link) in self.delta[which.clone()]
+            .iter_mut()
+            .zip(&links[which.clone()])
+        {
+            *d = link.elongation(delta);
         }
-        for (link, by) in self.given.iter().filter(|(link, _)| which.contains(link)) {
-            self.old_part[*link] -= by;
+        widest(Begin {
+            motion: self,
+            which: which.clone(),
+            table,
+            c,
+        });
+        for k in 0..self.given.len() {
+            let (link, by) = self.given[k];
+            if which.contains(&link) {
+                self.ease(link, by);
+                self.pull(link, table);
+                self.tension_free[link] = self.tension[link];
+            }
         }
     }
 
@@ -85,34 +122,118 @@ impl LinkMotion {
         self.old_part[link] -= by;
     }
 
-    /// Set the increment of those of some links that lie among the given nodes from a displacement
-    /// increment; `stiffness` is κ of each link.
-    pub fn follow<const DIM: usize, const D: usize>(
+    /// Find the tension from the increment.
+    #[inline(always)]
+    fn pull(&mut self, link: usize, table: &LinkTable) {
+        self.tension[link] = self.old_part[link] + table.of_increment[link] * self.delta[link];
+    }
+
+    /// Set the increments of links near some nodes anew, from those of the nodes.
+    pub(super) fn follow<const DIM: usize, const D: usize>(
         &mut self,
-        which: Range<usize>,
-        links: &[LinearLink<DIM>],
-        stiffness: &[f64],
+        nodes: Range<usize>,
+        (links, table): (&[LinearLink<DIM>], &LinkTable),
         delta: &[[f64; D]],
-        among: &Range<usize>,
     ) {
-        for i in which {
-            let link = &links[i];
-            if among.contains(&link.nodes[0]) || among.contains(&link.nodes[1]) {
-                let d = link.elongation(delta);
-                self.delta[i] = d;
-                self.tension[i] = self.old_part[i] + stiffness[i] * d;
-            }
+        for link in table.around(nodes) {
+            self.delta[link] = links[link].elongation(delta);
+            self.pull(link, table);
         }
     }
 
     /// Take the step with some links.
-    pub fn advance(&mut self, which: Range<usize>, c: &Coefficients) {
-        let increments = &self.delta[which.clone()];
-        for ([e, rate, second], &d) in self.elongation[which].iter_mut().zip(increments) {
-            let (new_rate, new_second) = c.advance(d, *rate, *second);
-            *e += d;
-            *rate = new_rate;
-            *second = new_second;
+    pub(super) fn advance(&mut self, which: Range<usize>, c: &Coefficients) {
+        widest(Advance {
+            motion: self,
+            which,
+            c,
+        });
+    }
+
+    /// Find those of some links that would push, or have a correction.
+    #[inline]
+    pub(super) fn unusual(
+        &self,
+        which: Range<usize>,
+        (table, correction): (&LinkTable, &[f64]),
+        mut found: impl FnMut(usize),
+    ) {
+        let (tension, least) = (&self.tension, &table.least);
+        for from in which.clone().step_by(LOOK) {
+            let group = from..(from + LOOK).min(which.end);
+            let both = tension[group.clone()].iter().zip(&least[group.clone()]);
+            let all = both.zip(&correction[group.clone()]);
+            let any = all.fold(false, |any, ((tension, least), correction)| {
+                any | (tension < least) | (*correction > 0.0)
+            });
+            if any {
+                let is_one = |&i: &usize| tension[i] < least[i] || correction[i] > 0.0;
+                group.filter(is_one).for_each(&mut found);
+            }
         }
     }
+}
+
+struct Begin<'a> {
+    motion: &'a mut LinkMotion,
+    which: Range<usize>,
+    table: &'a LinkTable,
+    c: &'a Coefficients,
+}
+
+impl Kernel for Begin<'_> {
+    #[inline(always)]
+    fn run(self) {
+        let (which, table, c) = (self.which, self.table, self.c);
+        let of = |list| part(list, &which);
+        let LinkMotion {
+            elongation,
+            rate,
+            second,
+            delta,
+            tension,
+            tension_free,
+            old_part,
+            ..
+        } = self.motion;
+        let [e, rate, second, delta] = [elongation, rate, second, delta].map(|list| of(list));
+        let [rest, k] = [&table.rest_tension, &table.stiffness].map(|list| of(list));
+        let [viscosity, kappa] = [&table.viscosity, &table.of_increment].map(|list| of(list));
+        let old = &mut old_part[which.clone()][..e.len()];
+        let tension = &mut tension[which.clone()][..e.len()];
+        let free = &mut tension_free[which.clone()][..e.len()];
+        for i in 0..e.len() {
+            let rate = c.velocity_from_v * rate[i] + c.velocity_from_a * second[i];
+            old[i] = rest[i] + k[i] * e[i] + viscosity[i] * rate;
+            tension[i] = old[i] + kappa[i] * delta[i];
+            free[i] = tension[i];
+        }
+    }
+}
+
+struct Advance<'a> {
+    motion: &'a mut LinkMotion,
+    which: Range<usize>,
+    c: &'a Coefficients,
+}
+
+impl Kernel for Advance<'_> {
+    #[inline(always)]
+    fn run(self) {
+        let (which, c) = (self.which, self.c);
+        let delta = part(&self.motion.delta, &which);
+        let e = &mut self.motion.elongation[which.clone()][..delta.len()];
+        let rate = &mut self.motion.rate[which.clone()][..delta.len()];
+        let second = &mut self.motion.second[which.clone()][..delta.len()];
+        for i in 0..delta.len() {
+            e[i] += delta[i];
+            (rate[i], second[i]) = c.advance(delta[i], rate[i], second[i]);
+        }
+    }
+}
+
+/// Part of a list, of a length that the compiler sees to be the same for all lists.
+#[inline(always)]
+fn part<'a>(list: &'a [f64], which: &Range<usize>) -> &'a [f64] {
+    &list[which.clone()][..which.len()]
 }

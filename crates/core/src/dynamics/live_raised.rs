@@ -2,6 +2,7 @@
 
 use super::live::{Live, lost};
 use super::live_parts::Parts;
+use super::path::Path;
 use super::place::Place;
 use super::yields::Yield;
 use crate::error::CoreError;
@@ -13,7 +14,7 @@ const NEARBY: f64 = 1e-4;
 impl<const DIM: usize, const D: usize> Live<DIM, D> {
     /// Add to the heights and their rates what the wires are higher than the mesh.
     pub(super) fn add_raised(&mut self) -> Result<(), CoreError> {
-        if self.p.lanes.iter().all(|lane| lane.yields.is_empty()) {
+        if self.p.lanes.iter().all(Path::is_rigid) {
             return Ok(());
         }
         let parts = self.parts.as_ref().ok_or_else(lost)?;
@@ -32,10 +33,10 @@ impl<const DIM: usize, const D: usize> Live<DIM, D> {
                     way += NEARBY;
                 }
             }
-            let rates = &parts.state.links.elongation;
+            let rates = &parts.state.links.rate;
             let pulled = yields
                 .pulls()
-                .map(|(l, rise)| self.p.eased(l, rise) * rates[l][1]);
+                .map(|(l, rise)| self.p.eased(l, rise) * rates[l]);
             let rate = pulled.sum::<f64>() + if way > 0.0 { speed * slope / way } else { 0.0 };
             self.reading.height[number] += here;
             self.reading.rate[number] += rate;
@@ -77,7 +78,7 @@ impl<const DIM: usize, const D: usize> Live<DIM, D> {
         let (p, correction) = (&self.p, &parts.unilateral.correction);
         let by_link = |(l, rise): (usize, f64)| {
             let slack = correction[l] - p.line.links[l].rest_correction();
-            p.eased(l, rise) * parts.state.links.elongation[l][0] + rise * slack
+            p.eased(l, rise) * parts.state.links.elongation[l] + rise * slack
         };
         let mut height = yields.rise + yields.pulls().map(by_link).sum::<f64>();
         for (number, force) in self

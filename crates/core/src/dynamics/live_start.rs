@@ -57,7 +57,7 @@ impl<const DIM: usize, const D: usize> Live<DIM, D> {
             .map(|place| (*place, p.lanes[0].yield_at(place)));
         let still = Still::new(&p.line)?.press(&pressed.collect::<Vec<_>>(), forces)?;
         let mut travel = stand(&begin, Vec::new());
-        let is_rigid = p.lanes[0].yields.is_empty();
+        let is_rigid = p.lanes[0].is_rigid();
         let links = if is_rigid { 0 } else { MOST };
         let loads = forces.iter().map(|&force| load::<DIM, D>(force, links));
         travel.loads = loads.collect();
@@ -181,7 +181,8 @@ fn stand(begin: &Begin, distances: Vec<f64>) -> Travel {
 
 /// A load with room for the shares of a force upwards and of one along, and for those that links take.
 fn load<const DIM: usize, const D: usize>(force: f64, links: usize) -> Load {
-    let shares = 2 * super::place::slots::<DIM, D>();
+    // Of a place, in each of two directions.
+    let shares = 4;
     Load {
         pattern: vec![(0, 0, 0.0); 2 * shares + 2 * DIM * links],
         sizes: vec![force; STEP + 2],

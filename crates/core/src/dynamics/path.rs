@@ -5,15 +5,14 @@
 
 use super::path_element::{PathElement, element};
 use super::place::Place;
-use super::yields::ElementYield;
+use super::yields::Yields;
 use crate::error::CoreError;
 use crate::statics::assembly::{Geometry, Shape};
-use std::sync::Arc;
 
 /// Elements of a lane in the order of the track, in their static shape.
 #[derive(Debug, Clone)]
 pub struct Path<const DIM: usize> {
-    elements: Vec<PathElement<DIM>>,
+    pub(super) elements: Vec<PathElement<DIM>>,
     /// The same elements where they have moved to, with updated kinematics; else empty.
     moved: Vec<PathElement<DIM>>,
     /// Nodes of each element.
@@ -24,8 +23,7 @@ pub struct Path<const DIM: usize> {
     pub nodes: Vec<usize>,
     /// Number of nodes in the lanes before this one.
     before: usize,
-    /// What each element yields beyond the mesh; empty without residual flexibility.
-    pub(super) yields: Arc<Vec<ElementYield>>,
+    pub(super) yields: Yields,
 }
 
 pub(super) fn refuse(reason: &str) -> CoreError {
@@ -84,7 +82,7 @@ impl<const DIM: usize> Path<DIM> {
             wires: Vec::with_capacity(wires.len()),
             nodes: Vec::with_capacity(wires.len() + 1),
             before: 0,
-            yields: Arc::default(),
+            yields: Yields::default(),
         };
         for &number in wires {
             let (element, ends) = element(geometry, shape, number)?;
@@ -113,10 +111,10 @@ impl<const DIM: usize> Path<DIM> {
         Ok(())
     }
 
-    /// Nodes of the element of a place and of those beside it.
+    /// Nodes of the element of a place and of two on each side: where it acts now, and in the next step.
     pub(super) fn around(&self, place: &Place<DIM>) -> impl Iterator<Item = usize> + '_ {
-        let last = (place.element + 2).min(self.ends.len());
-        let elements = &self.ends[place.element.saturating_sub(1)..last];
+        let last = (place.element + 3).min(self.ends.len());
+        let elements = &self.ends[place.element.saturating_sub(2)..last];
         elements.iter().flatten().copied()
     }
 
@@ -229,11 +227,7 @@ impl<const DIM: usize> Path<DIM> {
     /// The nodes of the lane with their places, those between two elements twice.
     pub(super) fn ends(&self) -> impl Iterator<Item = (usize, Place<DIM>)> {
         self.ends.iter().enumerate().flat_map(move |(k, nodes)| {
-            let at = |side: usize| {
-                let mut weights = [0.0; 4];
-                weights[2 * side] = 1.0;
-                (nodes[side], self.weighted(k, weights))
-            };
+            let at = |side: usize| (nodes[side], self.weighted(k, self.elements[k].end(side)));
             [at(0), at(1)]
         })
     }
@@ -241,10 +235,14 @@ impl<const DIM: usize> Path<DIM> {
     fn weighted(&self, k: usize, weights: [f64; 4]) -> Place<DIM> {
         // The static point with these weights: displacements are added by whoever asks for them.
         let r = self.elements[k].point(&weights);
+        let (first, count) = self.elements[k].window();
+        // Place of its first node along the lane.
+        let number = k + self.wires[k] - first;
         Place {
             element: k,
-            nodes: self.ends[k],
-            number: self.before + k + self.wires[k],
+            nodes: std::array::from_fn(|i| self.nodes[number + i.min(count - 1)]),
+            count,
+            number: self.before + number,
             weights,
             height: r[DIM - 1],
             lateral: if DIM == 3 { r[1] } else { 0.0 },

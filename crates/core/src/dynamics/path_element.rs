@@ -2,6 +2,7 @@
 
 use super::path::refuse;
 use super::place::slots;
+use super::rounded::Rounded;
 use crate::element::hermite;
 use crate::error::CoreError;
 use crate::statics::assembly::{Geometry, Shape};
@@ -16,6 +17,8 @@ pub(super) enum PathElement<const DIM: usize> {
     },
     /// Segment of a chain, between its two ends.
     Chord([[f64; DIM]; 2]),
+    /// The same, as a curve: with explicit steps.
+    Rounded(Box<Rounded<DIM>>),
 }
 
 /// Newton steps that invert x(ξ); the wire is nearly straight, three reach rounding.
@@ -27,6 +30,7 @@ impl<const DIM: usize> PathElement<DIM> {
         match self {
             Self::Curve { coordinates: e, .. } => (e[0][0], e[2][0]),
             Self::Chord(ends) => (ends[0][0], ends[1][0]),
+            Self::Rounded(it) => it.range(),
         }
     }
 
@@ -36,6 +40,7 @@ impl<const DIM: usize> PathElement<DIM> {
         match self {
             Self::Curve { rest_length: l, .. } => hermite::shape(xi, *l),
             Self::Chord(_) => [1.0 - xi, xi, 0.0, 0.0],
+            Self::Rounded(it) => it.shares(xi),
         }
     }
 
@@ -55,6 +60,7 @@ impl<const DIM: usize> PathElement<DIM> {
                 let per_length = 1.0 / (b[0] - a[0]);
                 [-per_length, per_length, 0.0, 0.0]
             }
+            Self::Rounded(it) => it.share_slopes(xi),
         }
     }
 
@@ -90,6 +96,8 @@ impl<const DIM: usize> PathElement<DIM> {
                         e[2 * side + 1][c] += end[DIM + c];
                     }
                     Self::Chord(points) => points[side][c] += end[c],
+                    // Explicit steps keep the kinematics of the position at rest.
+                    Self::Rounded(_) => (),
                 }
             }
         }
@@ -100,6 +108,51 @@ impl<const DIM: usize> PathElement<DIM> {
         match self {
             Self::Curve { coordinates, .. } => hermite::interpolate(weights, coordinates),
             Self::Chord([a, b]) => std::array::from_fn(|c| weights[0] * a[c] + weights[1] * b[c]),
+            Self::Rounded(it) => it.point(weights),
+        }
+    }
+
+    /// How many nodes take part before its own, and in all.
+    pub(super) fn window(&self) -> (usize, usize) {
+        match self {
+            Self::Curve { .. } | Self::Chord(_) => (0, 2),
+            Self::Rounded(it) => it.window(),
+        }
+    }
+
+    /// Shape functions at one of its ends.
+    pub(super) fn end(&self, side: usize) -> [f64; 4] {
+        let mut weights = [0.0; 4];
+        let number = match self {
+            Self::Curve { .. } => 2 * side,
+            Self::Chord(_) => side,
+            Self::Rounded(it) => it.window().0 + side,
+        };
+        weights[number] = 1.0;
+        weights
+    }
+
+    /// R(x, x) of a chain, m/N.
+    pub(super) fn missing(&self, weights: &[f64; 4]) -> f64 {
+        match self {
+            Self::Rounded(it) => it.own(weights),
+            _ => 0.0,
+        }
+    }
+
+    /// R(x, y) of a chain, m/N.
+    pub(super) fn missing_between(&self, weights: &[f64; 4], other: &Self, its: &[f64; 4]) -> f64 {
+        match (self, other) {
+            (Self::Rounded(it), Self::Rounded(other)) => it.missing(weights, other, its),
+            _ => 0.0,
+        }
+    }
+
+    /// Both ends of a segment of a chain.
+    pub(super) fn chord(&self) -> Option<[[f64; DIM]; 2]> {
+        match self {
+            Self::Chord(ends) => Some(*ends),
+            _ => None,
         }
     }
 }

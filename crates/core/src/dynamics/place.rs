@@ -12,11 +12,13 @@ pub const fn slots<const DIM: usize, const D: usize>() -> usize {
 pub struct Place<const DIM: usize> {
     /// Element of the lane.
     pub element: usize,
-    /// Both nodes of the element.
-    pub nodes: [usize; 2],
+    /// Nodes that take part, the last one again where there are fewer than four.
+    pub nodes: [usize; 4],
+    /// How many they are.
+    pub count: usize,
     /// Number of its first node among the nodes of all lanes, for influence columns.
     pub number: usize,
-    /// Shape functions: with S [`slots`], number k belongs to slot k % S of node k / S of the two.
+    /// Shape functions: with S [`slots`], number k belongs to slot k % S of node k / S.
     pub weights: [f64; 4],
     /// Static height, m.
     pub height: f64,
@@ -29,10 +31,11 @@ impl<const DIM: usize> Place<DIM> {
     #[inline(always)]
     #[must_use]
     pub fn displacement<const D: usize>(&self, x: &[[f64; D]], c: usize) -> f64 {
-        let (a, b) = (&x[self.nodes[0]], &x[self.nodes[1]]);
-        let w = &self.weights;
+        let (w, [n0, n1, n2, n3]) = (&self.weights, self.nodes);
+        let (a, b) = (&x[n0], &x[n1]);
         if slots::<DIM, D>() == 1 {
-            return w[0] * a[c] + w[1] * b[c];
+            let outer = w[2] * x[n2][c] + w[3] * x[n3][c];
+            return w[0] * a[c] + w[1] * b[c] + outer;
         }
         w[0] * a[c] + w[1] * a[DIM + c] + w[2] * b[c] + w[3] * b[DIM + c]
     }
@@ -42,13 +45,13 @@ impl<const DIM: usize> Place<DIM> {
     #[must_use]
     pub fn columns<const D: usize>(&self) -> std::ops::Range<usize> {
         let slots = slots::<DIM, D>();
-        slots * self.number..slots * (self.number + 2)
+        slots * self.number..slots * (self.number + self.count)
     }
 
     /// Degrees of freedom that share component `c` of a force: node, component, share.
     pub fn shares<const D: usize>(&self, c: usize) -> impl Iterator<Item = (usize, usize, f64)> {
         let (slots, nodes, weights) = (slots::<DIM, D>(), self.nodes, self.weights);
-        (0..2 * slots).map(move |k| (nodes[k / slots], k % slots * DIM + c, weights[k]))
+        (0..self.count * slots).map(move |k| (nodes[k / slots], k % slots * DIM + c, weights[k]))
     }
 
     /// Add a force on component `c`.

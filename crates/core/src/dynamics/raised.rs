@@ -18,10 +18,10 @@ pub(super) struct Spot<const DIM: usize> {
 }
 
 impl<const DIM: usize> Spot<DIM> {
-    /// A place on one of the lanes; `None` without residual flexibility.
+    /// A place on one of the lanes; `None` where it yields as the mesh does.
     fn new(lanes: &[Path<DIM>], place: &Place<DIM>) -> Option<Self> {
         let lane = lanes.iter().position(|lane| lane.holds(place))?;
-        let is_rigid = lanes[lane].yields.is_empty();
+        let is_rigid = lanes[lane].is_rigid();
         (!is_rigid).then(|| Self {
             lane,
             place: *place,
@@ -35,7 +35,7 @@ pub(super) fn spots<const DIM: usize>(
     lanes: &[Path<DIM>],
     plan: &RecordPlan,
 ) -> BTreeMap<usize, Spot<DIM>> {
-    if lanes.iter().all(|lane| lane.yields.is_empty()) {
+    if lanes.iter().all(Path::is_rigid) {
         return BTreeMap::new();
     }
     let near = plan.near.iter().flat_map(|near| &near.nodes.of);
@@ -51,7 +51,7 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
     pub(super) fn raised_by_links(&self, yields: &Yield, share: f64) -> f64 {
         let motion = &self.state.links;
         let by_link = |(link, rise): (usize, f64)| {
-            let elongation = motion.elongation[link][0] + share * motion.delta[link];
+            let elongation = motion.elongation[link] + share * motion.delta[link];
             let slack = self.p.line.links[link].rest_correction();
             self.p.eased(link, rise) * elongation - rise * slack
         };
@@ -71,7 +71,7 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
 
     /// Height of the wire at a contact above the mesh, m.
     pub(super) fn raised_at(&self, contact: &Contact<DIM>, share: f64) -> f64 {
-        if self.p.lanes[contact.of[2]].yields.is_empty() {
+        if self.p.lanes[contact.of[2]].is_rigid() {
             return 0.0;
         }
         let residual = |other: &Contact<DIM>| self.p.residual(contact, other);

@@ -50,8 +50,7 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
             walk.numbers("grid_across", grid.across())?;
             walk.numbers("grid_along", grid.x.iter_mut().flatten())?;
         }
-        let links = line.links.elongation.as_flattened_mut();
-        walk.numbers("link_elongation", links.iter_mut())?;
+        walk.numbers("link_elongation", line.links.numbers())?;
         walk.numbers("link_correction", self.unilateral.correction.iter_mut())?;
         walk.numbers("contact_force", self.unilateral.force.iter_mut())?;
         walk.numbers("datum", std::iter::once(&mut self.datum))?;

@@ -16,6 +16,7 @@ use super::contacts::Contacts;
 use super::explicit::{Explicit, Grid};
 use super::islands::Island;
 use super::line::Line;
+use super::link_table::LinkTable;
 use super::links::LinkMotion;
 use super::path::Path;
 use super::place::slots;
@@ -41,8 +42,7 @@ pub struct Prepared<const DIM: usize, const D: usize> {
     pub columns: Columns<D>,
     /// Columns of the lanes.
     pub(super) lane_columns: usize,
-    /// κ of each link, N/m.
-    pub link_stiffness: Vec<f64>,
+    pub(super) table: LinkTable,
     /// 1/(a k_c), m/N; zero for rigid contact.
     pub contact_compliance: f64,
     /// 1/k_c, m/N.
@@ -138,14 +138,14 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
     /// [`CoreError::Input`] or [`CoreError::Singular`].
     pub fn explicit(
         geometry: &Geometry<DIM, D>,
-        mut line: Line<DIM, D>,
+        line: Line<DIM, D>,
         lanes: Vec<Path<DIM>>,
         h: f64,
         contact_stiffness: f64,
     ) -> Result<Self, CoreError> {
-        line.fit_bends(geometry);
         let steps = Explicit::new(geometry, &line.shape, &line, h)?;
         let scheme = Scheme::newmark(0.25, 0.5);
+        let lanes = Path::rounded(lanes, geometry, &line.shape);
         let with = (None, Some(steps));
         Self::assemble(line, lanes, scheme, h, contact_stiffness, with)
     }
@@ -192,11 +192,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
             from_mass: [0, 1, 2].map(combine),
             from_damping: [0, 1, 2].map(|k| old_v[k] - c.damping / kappa * s[k]),
             shift: s.map(|v| v / kappa),
-            link_stiffness: line
-                .links
-                .iter()
-                .map(|l| c.stiffness * l.stiffness + c.damping * l.viscosity)
-                .collect(),
+            table: LinkTable::new(&line.links, &c),
             contact_compliance: 1.0 / (contact_stiffness * c.stiffness),
             contact_flexibility: 1.0 / contact_stiffness,
             columns: Columns::new(lane_columns + line.links.len()),
@@ -343,16 +339,9 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
 
     /// Tensions of links under the increment without contact forces and corrections.
     pub(super) fn begin_links(&self, awake: &[usize], links: &mut LinkMotion, delta: &[[f64; D]]) {
-        for Island {
-            links: which,
-            nodes,
-            ..
-        } in self.awake(awake)
-        {
-            let all = &self.line.links;
-            links.begin(which.clone(), all, &self.coefficients);
-            links.follow(which.clone(), all, &self.link_stiffness, delta, nodes);
-            links.tension_free[which.clone()].copy_from_slice(&links.tension[which.clone()]);
+        let of = (&self.line.links[..], &self.table);
+        for island in self.awake(awake) {
+            links.begin(island.links.clone(), of, &self.coefficients, delta);
         }
     }
 
@@ -415,13 +404,8 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
                 add(self.link_column(link), -change);
             }
         }
-        let (links, stiffness) = (&self.line.links, &self.link_stiffness);
-        for island in self.awake(&state.awake) {
-            let which = island.links.clone();
-            state
-                .links
-                .follow(which, links, stiffness, &state.delta, &moved);
-        }
+        let of = (&self.line.links[..], &self.table);
+        state.links.follow(moved, of, &state.delta);
     }
 
     /// What the next step starts from, for a state that was put back.

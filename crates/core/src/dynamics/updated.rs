@@ -12,6 +12,7 @@
 
 use super::contacts::Contacts;
 use super::line::Line;
+use super::link_table::LinkTable;
 use super::path::Path;
 use super::stepper::{LineState, Prepared};
 use super::still::StillState;
@@ -118,6 +119,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         now.matrix.hold(&now.held);
         self.factor.refactorise(&mut now.refactoring, &now.matrix)?;
         self.columns.forget();
+        self.table = LinkTable::new(&self.line.links, &self.coefficients);
         state.links.restart(&self.line.links, &state.v, &state.a);
         Ok(())
     }

@@ -4,6 +4,7 @@ use super::contacts::Contact;
 use super::near::Near;
 use super::run::Run;
 use crate::lcp::LcpStats;
+use crate::linalg::{Kernel, widest};
 
 impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
     /// Coordinate `c` of the wire at a contact, at the time of balance with the current increment.
@@ -53,11 +54,12 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
 
     /// Update the extremes of some links.
     pub(super) fn watch_links(&mut self, which: std::ops::Range<usize>) {
-        for i in which {
-            let tension = self.tension(i);
-            self.record.link_min[i] = self.record.link_min[i].min(tension);
-            self.record.link_max[i] = self.record.link_max[i].max(tension);
-        }
+        widest(Extremes {
+            tension: &self.state.links.tension[which.clone()],
+            correction: &self.unilateral.correction[which.clone()],
+            min: &mut self.record.link_min[which.clone()],
+            max: &mut self.record.link_max[which],
+        });
     }
 
     /// Update the extremes of the watched nodes of an island.
@@ -174,6 +176,27 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
         for &node in &self.plan.nodes {
             let uplift = self.node_uplift(node);
             self.record.uplift.push(uplift);
+        }
+    }
+}
+
+/// Extremes of the tensions of links, which slack ones do not have.
+struct Extremes<'a> {
+    tension: &'a [f64],
+    correction: &'a [f64],
+    min: &'a mut [f64],
+    max: &'a mut [f64],
+}
+
+impl Kernel for Extremes<'_> {
+    #[inline(always)]
+    fn run(self) {
+        let both = self.tension.iter().zip(self.correction);
+        let extremes = self.min.iter_mut().zip(self.max);
+        for ((tension, correction), (min, max)) in both.zip(extremes) {
+            let tension = if *correction > 0.0 { 0.0 } else { *tension };
+            *min = if tension < *min { tension } else { *min };
+            *max = if tension > *max { tension } else { *max };
         }
     }
 }

@@ -34,6 +34,17 @@ const FAINT: f64 = 2e-3;
 /// Elements ahead on which R of a second place is known: further on it is below 1 %.
 const AHEAD: usize = 3;
 
+/// What contacts with a lane meet beyond its mesh.
+#[derive(Debug, Clone, Default)]
+pub(super) enum Yields {
+    #[default]
+    Nothing,
+    /// Residual flexibility, element by element.
+    OfCubics(Arc<Vec<ElementYield>>),
+    /// That of a chain between its points: see [`rounded`](super::rounded).
+    OfChains,
+}
+
 /// Fields of one element of a lane.
 #[derive(Debug)]
 pub(super) struct ElementYield {
@@ -166,6 +177,25 @@ fn element(
     found
 }
 
+/// R between two places on cubic elements, m/N.
+fn between<const DIM: usize>(
+    elements: &[ElementYield],
+    first: &Place<DIM>,
+    second: &Place<DIM>,
+) -> f64 {
+    let own = &elements[first.element];
+    let Some(pair) = own.pairs.get(second.element - first.element) else {
+        return 0.0;
+    };
+    let x = own.shapes(&first.weights);
+    let y = elements[second.element].shapes(&second.weights);
+    if first.element == second.element {
+        pair.within(&own.taut, &x, &y)
+    } else {
+        pair.at(&x, &y)
+    }
+}
+
 impl<const DIM: usize> Path<DIM> {
     /// Lanes on which contacts meet what their wires yield beyond the mesh; `lanes` are their wires.
     #[must_use]
@@ -184,7 +214,7 @@ impl<const DIM: usize> Path<DIM> {
                 let ahead: Vec<usize> = next.map(|k| wires[k]).collect();
                 element(&web, &sources, (wire, &path.ends[k]), &ahead)
             });
-            path.yields = Arc::new(yields.collect());
+            path.yields = Yields::OfCubics(Arc::new(yields.collect()));
         }
         paths
     }
@@ -192,8 +222,19 @@ impl<const DIM: usize> Path<DIM> {
     /// What the wire yields at a place beyond the mesh.
     #[inline]
     pub(super) fn yield_at(&self, place: &Place<DIM>) -> Yield {
-        let element = self.yields.get(place.element);
-        element.map_or_else(Yield::default, |element| element.at(&place.weights))
+        match &self.yields {
+            Yields::Nothing => Yield::default(),
+            Yields::OfCubics(elements) => elements[place.element].at(&place.weights),
+            Yields::OfChains => Yield {
+                own: self.elements[place.element].missing(&place.weights),
+                ..Yield::default()
+            },
+        }
+    }
+
+    /// Whether places on the lane yield as the mesh does.
+    pub(super) fn is_rigid(&self) -> bool {
+        matches!(self.yields, Yields::Nothing)
     }
 
     /// R between two places on the lane, m/N.
@@ -203,18 +244,13 @@ impl<const DIM: usize> Path<DIM> {
         } else {
             (b, a)
         };
-        let Some(own) = self.yields.get(first.element) else {
-            return 0.0;
-        };
-        let Some(pair) = own.pairs.get(second.element - first.element) else {
-            return 0.0;
-        };
-        let x = own.shapes(&first.weights);
-        let y = self.yields[second.element].shapes(&second.weights);
-        if first.element == second.element {
-            pair.within(&own.taut, &x, &y)
-        } else {
-            pair.at(&x, &y)
+        match &self.yields {
+            Yields::Nothing => 0.0,
+            Yields::OfCubics(elements) => between(elements, first, second),
+            Yields::OfChains => {
+                let [own, other] = [first, second].map(|at| &self.elements[at.element]);
+                own.missing_between(&first.weights, other, &second.weights)
+            }
         }
     }
 }

@@ -7,6 +7,9 @@ use crate::element::chain::BendElement;
 use crate::linalg::SymmetricBlocks;
 use crate::structure::{Bend, Segment};
 
+/// x below which x coth x is 1 to rounding.
+const SMALL: f64 = 1e-8;
+
 impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
     /// State of a segment.
     #[must_use]
@@ -18,7 +21,29 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
     fn bend_element(&self, bend: &Bend) -> BendElement {
         let segments = &self.structure.segments;
         let lengths = bend.segments.map(|k| segments[k].rest_length);
-        BendElement::new(bend.stiffness, lengths)
+        BendElement::new(self.bending(bend), lengths)
+    }
+
+    /// Stiffness of a bend, N·m²: EI of the wire, or with fitted bends
+    ///
+    ///   EI* = EI x coth x,   x = (ℓ/2) √(T/EI)
+    ///
+    /// A wire under tension T and a point force has a corner that is rounded over √(EI/T), a chain with EI one that
+    /// is rounded over its elements of ℓ: its points yield too much, and corners at rest are too sharp. With EI*
+    /// forces on points displace points as they do on the wire (docs/theory/dynamics.md#explicit-steps).
+    #[must_use]
+    pub fn bending(&self, bend: &Bend) -> f64 {
+        let s = &self.structure;
+        let [before, behind] = bend.segments.map(|k| &s.segments[k]);
+        let tension = 0.5 * (before.design_tension + behind.design_tension);
+        let length = 0.5 * (before.rest_length + behind.rest_length);
+        let x = 0.5 * length * (tension / bend.stiffness).sqrt();
+        // Without tension, or bending stiffness, there is nothing to fit; x coth x is 1 + x²/3.
+        if s.fitted_bends && x.is_finite() && x > SMALL {
+            bend.stiffness * x / x.tanh()
+        } else {
+            bend.stiffness
+        }
     }
 
     /// Nodes of a bend and the forces on them.

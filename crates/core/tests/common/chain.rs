@@ -41,13 +41,21 @@ pub fn settled<const DIM: usize, const D: usize>(s: Structure) -> (Geometry<DIM,
     (geometry, shape)
 }
 
+/// The same chain with points that yield as those of the wire do.
+pub fn yielding(chain: &Structure) -> Structure {
+    Structure {
+        fitted_bends: true,
+        ..chain.clone()
+    }
+}
+
 /// Explicit steps of a chain, if they can be.
 pub fn explicit<const DIM: usize, const D: usize>(
     (structure, lanes): &(Structure, Vec<Vec<usize>>),
     h: f64,
     contact_stiffness: f64,
 ) -> Result<Prepared<DIM, D>, CoreError> {
-    let (geometry, shape) = settled::<DIM, D>(structure.clone());
+    let (geometry, shape) = settled::<DIM, D>(yielding(structure));
     let lanes = Path::lanes(&geometry, &shape, lanes).expect("lanes");
     let line = Line::new(&geometry, shape);
     Prepared::explicit(&geometry, line, lanes, h, contact_stiffness)

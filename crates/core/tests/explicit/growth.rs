@@ -1,9 +1,9 @@
 //! The longest step, by the closed form of a uniform string.
 //!
-//! A wave with q = 4 sin²(kℓ/2) has ω² h² = C² q (1 + (1 − C²) q/12), C = c h/ℓ. That grows with q, which
-//! is below 4: ω h < 2 C √((4 − C²)/3), which is 2 for C = 1. With a damping β of stiffness, of the velocity
-//! of the step before, and α of mass, the shortest wave that changes its sign in every step has
-//! (4 C² (1 + 2β/h) + 2 α h) (4 − C²)/3 = 4.
+//! A wave with q = 4 sin²(kℓ/2) has ω² h² = C² q f(q), f(q) = 1 + (1 − C²) q/12 + (1 − C²)(4 − C²) q²/360,
+//! C = c h/ℓ (see `waves`). That grows with q, which is below 4: ω h < 2 C √f(4), which is 2 for C = 1. With a
+//! damping β of stiffness, of the velocity of the step before, and α of mass, the shortest wave that changes its
+//! sign in every step has (4 C² (1 + 2β/h) + 2 α h) f(4) = 4.
 
 use super::{Chain, prepare, seen_wire};
 use crate::common::Single;
@@ -32,7 +32,8 @@ fn step_of(share: f64, damping: Rayleigh) -> f64 {
     let used = |h: f64| {
         let c = courant(h).powi(2);
         let all = 4.0 * c * (1.0 + 2.0 * damping.beta / h) + 2.0 * damping.alpha * h;
-        all * (4.0 - c) / 3.0 / 4.0
+        let filter = 1.0 + (1.0 - c) / 3.0 * (1.0 + 2.0 * (4.0 - c) / 15.0);
+        all * filter / 4.0
     };
     let (mut low, mut high) = (0.0, 1.0 / courant(1.0));
     for _ in 0..60 {

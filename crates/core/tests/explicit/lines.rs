@@ -1,6 +1,6 @@
-//! A rider under a line with links: the forces of implicit steps of the same chain, as elements shrink.
+//! A rider under a line with links: the forces of implicit steps of the same chain and curves, as elements shrink.
 
-use super::{Chain, every, explicit, implicit, pass, plan, way};
+use super::{Chain, every, explicit, fitted, pass, plan, way};
 use crate::common::chain::lumped;
 use crate::common::simple_line_of;
 use crate::common::space::staggered;
@@ -21,7 +21,7 @@ fn apart<const DIM: usize, const D: usize>(chain: &Chain, h: f64) -> (f64, [Reco
         &way(60.0, speed, h, seconds),
         &plan(Vec::new()),
     );
-    let fine = implicit::<DIM, D>(chain, 0.25 * h);
+    let fine = fitted::<DIM, D>(chain, 0.25 * h);
     let fine = pass(
         &fine,
         force,
@@ -35,10 +35,10 @@ fn apart<const DIM: usize, const D: usize>(chain: &Chain, h: f64) -> (f64, [Reco
     (found, [ours, fine])
 }
 
-/// The implicit chain delays waves by (kℓ)²/24, the explicit one does not, and a rider goes over a kink at
-/// every node of both. Between first order (0.5) and none (1); the partner, a lasting difference, gives 1.
+/// The implicit chain delays waves by (kℓ)²/24, the explicit one does not; points and curves of both are the same.
+/// Second order is 0.25, once waves are long for all elements; the partner, a lasting difference, gives 1.
 fn shrinks(errors: &[f64]) {
-    assert!(errors.windows(2).all(|e| e[1] < 0.7 * e[0]), "{errors:?}");
+    assert!(errors.windows(2).all(|e| e[1] < 0.5 * e[0]), "{errors:?}");
 }
 
 #[test]
@@ -54,7 +54,7 @@ fn a_moving_rider_feels_the_line_of_implicit_steps() {
     });
     shrinks(&errors);
     // Estimate: waves of 2 m, kℓ = 0.8, are late by (kℓ)²/24 = 3 %, longer ones by less.
-    assert!(errors[2] < 0.1, "{errors:?}");
+    assert!(errors[2] < 0.05, "{errors:?}");
 }
 
 #[test]

@@ -7,9 +7,10 @@ mod lines;
 mod live;
 mod refusals;
 mod rest;
+mod rounded;
 mod waves;
 
-use crate::common::chain::{self, lumped, settled};
+use crate::common::chain::{self, lumped, settled, yielding};
 use crate::common::{Single, steady, three_masses};
 use arcless_core::CoreError;
 use arcless_core::dynamics::line::Line;
@@ -18,8 +19,8 @@ use arcless_core::dynamics::record::{Record, RecordPlan};
 use arcless_core::dynamics::run::Travel;
 use arcless_core::dynamics::stepper::Prepared;
 use arcless_core::scheme::Scheme;
-use arcless_core::statics::Geometry;
-use arcless_core::structure::{Bend, Spring, SpringMode, Structure};
+use arcless_core::statics::{Geometry, Shape};
+use arcless_core::structure::{Spring, SpringMode, Structure};
 
 pub const CONTACT: f64 = 50e3;
 
@@ -49,26 +50,29 @@ pub fn explicit<const DIM: usize, const D: usize>(chain: &Chain, h: f64) -> Prep
     prepare(chain, h).expect("short steps")
 }
 
-/// The same chain with the trapezoidal rule.
-pub fn implicit<const DIM: usize, const D: usize>(chain: &Chain, h: f64) -> Prepared<DIM, D> {
-    solved(chain, h, |_, _| ())
+/// The same chain with the trapezoidal rule, its bends and chords between its points.
+pub fn implicit<const DIM: usize, const D: usize>(
+    (structure, lanes): &Chain,
+    h: f64,
+) -> Prepared<DIM, D> {
+    solved(structure.clone(), lanes, h, |_, _, lanes| lanes)
 }
 
-/// The same with bends of EI x coth x about the same shape: what explicit steps have.
-pub fn fitted<const DIM: usize, const D: usize>(chain: &Chain, h: f64) -> Prepared<DIM, D> {
-    solved(chain, h, |geometry, line| {
-        for bend in &geometry.structure.bends {
-            let [a, b] = bend.segments.map(|k| &geometry.structure.segments[k]);
-            let tension = |k| Geometry::<DIM, D>::segment_state(&line.shape, k).linear_tension;
-            let tension = 0.5 * (tension(a) + tension(b));
-            let length = 0.5 * (a.rest_length + b.rest_length);
-            let more = Bend {
-                stiffness: stiffer(bend.stiffness, tension, length) - bend.stiffness,
-                ..*bend
-            };
-            geometry.add_bend(&mut line.stiffness, &more, 1.0);
-        }
-        line.stiffness.keep_free(&line.free);
+/// The same with points that yield as those of the wire do.
+pub fn angular<const DIM: usize, const D: usize>(
+    (structure, lanes): &Chain,
+    h: f64,
+) -> Prepared<DIM, D> {
+    solved(yielding(structure), lanes, h, |_, _, lanes| lanes)
+}
+
+/// The same with curves between points: all that explicit steps have.
+pub fn fitted<const DIM: usize, const D: usize>(
+    (structure, lanes): &Chain,
+    h: f64,
+) -> Prepared<DIM, D> {
+    solved(yielding(structure), lanes, h, |geometry, shape, lanes| {
+        Path::rounded(lanes, geometry, shape)
     })
 }
 
@@ -79,14 +83,15 @@ pub fn stiffer(bending: f64, tension: f64, length: f64) -> f64 {
 }
 
 fn solved<const DIM: usize, const D: usize>(
-    (structure, lanes): &Chain,
+    structure: Structure,
+    lanes: &[Vec<usize>],
     h: f64,
-    change: impl FnOnce(&Geometry<DIM, D>, &mut Line<DIM, D>),
+    change: impl FnOnce(&Geometry<DIM, D>, &Shape<D>, Vec<Path<DIM>>) -> Vec<Path<DIM>>,
 ) -> Prepared<DIM, D> {
-    let (geometry, shape) = settled::<DIM, D>(structure.clone());
+    let (geometry, shape) = settled::<DIM, D>(structure);
     let lanes = Path::lanes(&geometry, &shape, lanes).expect("lanes");
-    let mut line = Line::new(&geometry, shape);
-    change(&geometry, &mut line);
+    let lanes = change(&geometry, &shape, lanes);
+    let line = Line::new(&geometry, shape);
     Prepared::new(line, lanes, Scheme::newmark(0.25, 0.5), h, CONTACT).expect("regular")
 }
 

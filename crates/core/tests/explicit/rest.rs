@@ -30,7 +30,8 @@ struct Close {
     line: f64,
 }
 
-/// Nothing moves, and what hangs there hangs as with implicit steps of the same bends: heights and forces of the start.
+/// Nothing moves, and what hangs there hangs as with implicit steps of the same bends and curves: heights and forces
+/// of the start.
 fn stands<const DIM: usize, const D: usize>(chain: &Chain, h: f64, at: f64, close: &Close) {
     let every = if chain.0.segments.len() > 50 { 7 } else { 2 };
     let [ours, theirs] = [explicit::<DIM, D>(chain, h), fitted::<DIM, D>(chain, h)].map(|p| {

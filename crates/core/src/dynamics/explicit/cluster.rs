@@ -10,6 +10,8 @@ use super::Along;
 use crate::error::CoreError;
 use crate::linalg::dense::inverse;
 
+/// Share of the largest entry of a matrix that is rounding of the tangent of a link.
+const ROUNDING: f64 = 1e-13;
 /// Components of the largest cluster.
 pub(super) const WIDEST: usize = 48;
 
@@ -25,8 +27,17 @@ pub(super) struct Member {
     pub response: [f64; 2],
     /// q/h² of the segments before and behind, kg/s².
     pub filter: [f64; 2],
+    /// r/h² of the points before and behind and of its own, kg/s², in their order.
+    pub second: [f64; 3],
     /// β/h of the wire.
     pub lag: f64,
+}
+
+impl Member {
+    /// P, component by component, along the track first.
+    fn responses(&self, across: usize) -> impl Iterator<Item = f64> {
+        std::iter::once(0.0).chain(self.response.into_iter().take(across))
+    }
 }
 
 /// Matrices of a cluster: one row and column for each component of each point, along the track first.
@@ -42,6 +53,19 @@ pub(super) struct Cluster {
     pub of_speed: Vec<f64>,
     /// β W K + ½ W C/h: what a change of the acceleration without q, times h², changes in −q.
     pub of_change: Vec<f64>,
+    /// If it is one.
+    pub couple: Option<Couple>,
+}
+
+/// The same for two points of which nothing but their difference Δ = u₂ − u₁ counts, as with a single link:
+/// K = [k −k; −k k], and C likewise, so q₂ = −q₁ = −w (k Δu° + c Δv°), w = (1 + (β k + c/2h) (P₁ + P₂))⁻¹.
+#[derive(Debug, Clone)]
+pub(super) struct Couple {
+    /// Rows.
+    pub size: usize,
+    /// −w k and −w c/h, N/m.
+    pub of_place: Vec<f64>,
+    pub of_speed: Vec<f64>,
 }
 
 impl Cluster {
@@ -55,24 +79,9 @@ impl Cluster {
             )));
         }
         let across = n / members.len() - 1;
-        let of = |m: &Member| std::iter::once(0.0).chain(m.response.into_iter().take(across));
-        let response: Vec<f64> = members.iter().flat_map(of).collect();
-        let step = |k: f64, c: f64| super::BETA * k + 0.5 / h * c;
-        let matrix: Vec<f64> = (0..n * n)
-            .map(|at| {
-                let one = f64::from(u8::from(at / n == at % n));
-                one + step(k[at], c[at]) * response[at % n]
-            })
-            .collect();
-        let w = inverse(&matrix, n).ok_or_else(|| super::refuse("links that nothing moves"))?;
-        let times = |m: &[f64], factor: f64| -> Vec<f64> {
-            let entry = |at: usize| {
-                let products = (0..n).map(|j| w[at / n * n + j] * m[j * n + at % n]);
-                factor * products.sum::<f64>()
-            };
-            (0..n * n).map(entry).collect()
-        };
-        let (of_place, of_speed) = (times(k, -1.0), times(c, -1.0 / h));
+        let response: Vec<f64> = members.iter().flat_map(|m| m.responses(across)).collect();
+        let [of_place, of_speed] = forces((k, c), &response, h)?;
+        let couple = Couple::new(&members, (k, c), h)?;
         let both = of_place.iter().zip(&of_speed);
         let of_change = both.map(|(k, c)| -(super::BETA * k + 0.5 * c)).collect();
         Ok(Self {
@@ -82,6 +91,67 @@ impl Cluster {
             of_place,
             of_speed,
             of_change,
+            couple,
         })
     }
+}
+
+impl Couple {
+    fn new(
+        members: &[Member],
+        (k, c): (&[f64], &[f64]),
+        h: f64,
+    ) -> Result<Option<Self>, CoreError> {
+        let [first, second] = members else {
+            return Ok(None);
+        };
+        let n = k.len().isqrt() / 2;
+        let is_relative = |m: &[f64]| {
+            let at = |row: usize, column: usize| m[row * 2 * n + column];
+            let most = ROUNDING * m.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
+            let of = |(i, j): (usize, usize)| {
+                let (own, across) = (at(i, j), [at(n + i, j), at(i, n + j)]);
+                let apart = across.map(|other| own + other);
+                let apart = apart.into_iter().chain([own - at(n + i, n + j)]);
+                apart.fold(0.0_f64, |all, v| all.max(v.abs())) <= most
+            };
+            (0..n * n).all(|place| of((place / n, place % n)))
+        };
+        if !is_relative(k) || !is_relative(c) {
+            return Ok(None);
+        }
+        let of_difference = |m: &[f64]| -> Vec<f64> {
+            let entry = |place: usize| m[place / n * 2 * n + place % n];
+            (0..n * n).map(entry).collect()
+        };
+        let both = first.responses(n - 1).zip(second.responses(n - 1));
+        let response: Vec<f64> = both.map(|(a, b)| a + b).collect();
+        let [of_place, of_speed] = forces((&of_difference(k), &of_difference(c)), &response, h)?;
+        Ok(Some(Self {
+            size: n,
+            of_place,
+            of_speed,
+        }))
+    }
+}
+
+/// −W K and −W C/h with W = (1 + (β K + C/2h) P)⁻¹, row by row, for P of each component.
+fn forces((k, c): (&[f64], &[f64]), response: &[f64], h: f64) -> Result<[Vec<f64>; 2], CoreError> {
+    let n = response.len();
+    let step = |k: f64, c: f64| super::BETA * k + 0.5 / h * c;
+    let matrix: Vec<f64> = (0..n * n)
+        .map(|at| {
+            let one = f64::from(u8::from(at / n == at % n));
+            one + step(k[at], c[at]) * response[at % n]
+        })
+        .collect();
+    let w = inverse(&matrix, n).ok_or_else(|| super::refuse("links that nothing moves"))?;
+    let times = |m: &[f64], factor: f64| -> Vec<f64> {
+        let entry = |at: usize| {
+            let products = (0..n).map(|j| w[at / n * n + j] * m[j * n + at % n]);
+            factor * products.sum::<f64>()
+        };
+        (0..n * n).map(entry).collect()
+    };
+    Ok([times(k, -1.0), times(c, -1.0 / h)])
 }

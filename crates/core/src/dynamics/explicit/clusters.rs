@@ -51,6 +51,10 @@ impl Chains {
             if self.in_cluster[j].is_some() && self.in_cluster[j + 1].is_some() {
                 self.filter[j] = 0.0;
             }
+            let near = [j - 1, j, j + 1].map(|j| usize::from(self.in_cluster[j].is_some()));
+            if near.iter().sum::<usize>() > 1 {
+                self.second[j] = 0.0;
+            }
         }
         for points in all {
             let n = points.len() * DIM;
@@ -71,6 +75,8 @@ impl Chains {
 
     fn member(&self, point: usize) -> Member {
         let filter = [self.filter[point - 1], self.filter[point]];
+        let second = [point - 1, point, point + 1].map(|j| self.second[j]);
+        let felt = filter[0] + filter[1] + second[0] + 4.0 * second[1] + second[2];
         let mut inverse = [0.0; 2];
         self.inverse
             .iter()
@@ -81,8 +87,9 @@ impl Chains {
             node: self.nodes[point],
             along: Along::default(),
             inverse,
-            response: inverse.map(|own| own * (1.0 + own * (filter[0] + filter[1]))),
+            response: inverse.map(|own| own * (1.0 + own * felt)),
             filter,
+            second,
             lag: self.lag[point],
         }
     }

@@ -141,12 +141,9 @@ impl Chains {
                 *point = slots[*point];
                 new.home[*copy] = *point;
             }
-            let edges = [strands.first, strands.rows().end - 1];
-            let beside = |copy: &[usize; 2]| !edges.contains(&place(copy[0]).0);
             let (cuts, plan) = self.deal_reaches(own, strands, &slots, &mut new.reaches);
             new.own.push(Own {
                 rows: strands.rows(),
-                beside: copies.iter().copied().filter(beside).collect(),
                 copies,
                 cuts,
                 plan,
@@ -223,6 +220,7 @@ impl Chains {
         let (row, lane) = place(slot);
         let common = &mut to.common[row];
         common.filter[lane] = self.filter[point];
+        common.second[lane] = self.second[point];
         common.per_length[lane] = self.per_length[point];
         common.bending[lane] = self.bending[point];
         common.damping[lane] = self.damping[point];

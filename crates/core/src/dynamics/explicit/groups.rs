@@ -15,6 +15,8 @@ pub(super) struct Points<const L: usize> {
     pub lag: [f64; L],
     /// q/m of the segments before and behind, for each direction across.
     pub filter: [[[f64; L]; 2]; 2],
+    /// r/m of the points before and behind and of its own, in their order.
+    pub second: [[[f64; L]; 3]; 2],
     /// h²/m and P across, s²/kg.
     pub inverse: [[f64; L]; 2],
     pub response: [[f64; L]; 2],
@@ -28,20 +30,34 @@ pub(super) struct Group<const L: usize> {
     pub columns: Vec<[f64; L]>,
 }
 
+/// The same of couples, with matrices for the differences.
+#[derive(Debug, Clone)]
+pub(super) struct Couples<const L: usize> {
+    pub points: [Points<L>; 2],
+    pub columns: Vec<[f64; L]>,
+}
+
 /// All clusters of an island.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Groups {
+    pub couples: Vec<Couples<LANES>>,
     pub wide: Vec<Group<LANES>>,
     pub single: Vec<Group<1>>,
 }
 
 impl Groups {
     pub fn new(clusters: &[Cluster]) -> Self {
+        let couples: Vec<&Cluster> = clusters.iter().filter(|c| c.couple.is_some()).collect();
+        let (couples, over) = couples.as_chunks::<LANES>();
         let mut by_size = std::collections::BTreeMap::<usize, Vec<&Cluster>>::new();
-        for cluster in clusters {
+        let others = clusters.iter().filter(|c| c.couple.is_none());
+        for cluster in others.chain(over.iter().copied()) {
             by_size.entry(cluster.size).or_default().push(cluster);
         }
-        let mut new = Self::default();
+        let mut new = Self {
+            couples: couples.iter().filter_map(Couples::new).collect(),
+            ..Self::default()
+        };
         for alike in by_size.values() {
             let (wide, rest) = alike.as_chunks::<LANES>();
             new.wide.extend(wide.iter().map(Group::new));
@@ -52,36 +68,58 @@ impl Groups {
     }
 }
 
+impl<const L: usize> Points<L> {
+    /// Point `k` of each cluster.
+    fn new(clusters: &[&Cluster; L], k: usize) -> Self {
+        let members = clusters.map(|c| &c.members[k]);
+        Self {
+            row: members.map(|m| place(m.point).0 as u32),
+            lane: members.map(|m| place(m.point).1 as u32),
+            node: members.map(|m| m.node as u32),
+            masters: [0, 1].map(|end| members.map(|m| m.along.masters[end] as u32)),
+            share: members.map(|m| m.along.share),
+            lag: members.map(|m| m.lag),
+            filter: [0, 1]
+                .map(|c| [0, 1].map(|side| members.map(|m| m.inverse[c] * m.filter[side]))),
+            second: [0, 1].map(|c| [0, 1, 2].map(|k| members.map(|m| m.inverse[c] * m.second[k]))),
+            inverse: [0, 1].map(|c| members.map(|m| m.inverse[c])),
+            response: [0, 1].map(|c| members.map(|m| m.response[c])),
+        }
+    }
+}
+
+/// Columns of matrices side by side: of each the numbers for places, then those for speeds.
+fn columns<const L: usize>(size: usize, matrices: [[&[f64]; 2]; L]) -> Vec<[f64; L]> {
+    let of = |j: usize, kind: usize| {
+        (0..size).map(move |i| matrices.map(|both| both[kind][i * size + j]))
+    };
+    (0..size).flat_map(|j| of(j, 0).chain(of(j, 1))).collect()
+}
+
 impl<const L: usize> Group<L> {
     /// From clusters with as many points each.
     fn new(clusters: &[&Cluster; L]) -> Self {
-        let points = |k: usize| {
-            let members = clusters.map(|c| &c.members[k]);
-            Points {
-                row: members.map(|m| place(m.point).0 as u32),
-                lane: members.map(|m| place(m.point).1 as u32),
-                node: members.map(|m| m.node as u32),
-                masters: [0, 1].map(|end| members.map(|m| m.along.masters[end] as u32)),
-                share: members.map(|m| m.along.share),
-                lag: members.map(|m| m.lag),
-                filter: [0, 1]
-                    .map(|c| [0, 1].map(|side| members.map(|m| m.inverse[c] * m.filter[side]))),
-                inverse: [0, 1].map(|c| members.map(|m| m.inverse[c])),
-                response: [0, 1].map(|c| members.map(|m| m.response[c])),
-            }
-        };
-        let size = clusters[0].size;
-        let column = |j: usize| {
-            let of = |i: usize| clusters.map(|c| c.of_place[i * size + j]);
-            let by_speed = |i: usize| clusters.map(|c| c.of_speed[i * size + j]);
-            (0..size)
-                .map(of)
-                .chain((0..size).map(by_speed))
-                .collect::<Vec<_>>()
-        };
+        let points = 0..clusters[0].members.len();
+        let matrices = clusters.map(|c| [&c.of_place[..], &c.of_speed[..]]);
         Self {
-            points: (0..clusters[0].members.len()).map(points).collect(),
-            columns: (0..size).flat_map(column).collect(),
+            points: points.map(|k| Points::new(clusters, k)).collect(),
+            columns: columns(clusters[0].size, matrices),
         }
+    }
+}
+
+impl<const L: usize> Couples<L> {
+    /// None unless all are couples.
+    fn new(clusters: &[&Cluster; L]) -> Option<Self> {
+        let mut matrices = [[&[][..]; 2]; L];
+        let mut size = 0;
+        for (of, cluster) in matrices.iter_mut().zip(clusters) {
+            let couple = cluster.couple.as_ref()?;
+            (size, *of) = (couple.size, [&couple.of_place[..], &couple.of_speed[..]]);
+        }
+        Some(Self {
+            points: [0, 1].map(|k| Points::new(clusters, k)),
+            columns: columns(size, matrices),
+        })
     }
 }

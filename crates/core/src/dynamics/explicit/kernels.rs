@@ -104,8 +104,13 @@ fn turn(from: &Wide, to: &Wide, common: &Common) -> (Wide, Wide) {
 /// The motion of a step, on its way through the rows: a from w, then d and s, and the rise of the wire.
 #[derive(Clone, Copy)]
 pub(super) struct Motion {
-    /// w of the next row; q of the segment before it times the difference of w over that.
+    /// w of the next row and of the one behind it, and by how much that has more.
     w: Wide,
+    ahead: Wide,
+    by: Wide,
+    /// r times the difference of two such steps, at the next row.
+    turn: Wide,
+    /// What the segment before it shares.
     shared: Wide,
     rise: Rise,
 }
@@ -114,10 +119,19 @@ impl Motion {
     /// Before a row.
     #[inline(always)]
     pub fn before(row: usize, common: &[Common], rows: &[Moving]) -> Self {
-        let (before, w, filter) = (&rows[row - 1].w, rows[row].w, &common[row - 1].filter);
+        let rows: [&Wide; 4] = std::array::from_fn(|k| &rows[row + k - 2].w);
+        let by: [Wide; 3] = std::array::from_fn(|k| each(|l| rows[k + 1][l] - rows[k][l]));
+        let turn: [Wide; 2] = std::array::from_fn(|k| {
+            let second = &common[row + k - 1].second;
+            each(|l| second[l] * (by[k + 1][l] - by[k][l]))
+        });
+        let filter = &common[row - 1].filter;
         Self {
-            w,
-            shared: each(|l| filter[l] * (w[l] - before[l])),
+            w: *rows[2],
+            ahead: *rows[3],
+            by: by[2],
+            turn: turn[1],
+            shared: each(|l| filter[l] * by[1][l] - (turn[1][l] - turn[0][l])),
             rise: Rise::begin(),
         }
     }
@@ -131,26 +145,30 @@ impl Motion {
         tensed: &mut [Tensed],
         moving: &mut [Moving],
     ) {
-        let moving = &mut moving[rows.start..rows.end + 1];
-        let Some(n) = moving.len().checked_sub(1) else {
+        let moving = &mut moving[rows.start..rows.end + 2];
+        let Some(n) = moving.len().checked_sub(2) else {
             return;
         };
-        let (common, tensed) = (&fixed.common[rows.start..], &mut tensed[rows.start..]);
-        let (common, tensed) = (&common[..n], &mut tensed[..n]);
+        let (common, behind) = (&fixed.common[rows.start..], &fixed.common[rows.start + 1..]);
+        let (common, behind) = (&common[..n], &behind[..n]);
+        let tensed = &mut tensed[rows.start..][..n];
         let (before, across) = (&fixed.across[rows.start - 1..], &fixed.across[rows.start..]);
         let (before, across) = (&before[..n], &across[..n]);
         let mut at = *self;
         for k in 0..n {
-            let next = moving[k + 1].w;
-            let filter = &common[k].filter;
-            let shared: Wide = each(|l| filter[l] * (next[l] - at.w[l]));
+            let next = moving[k + 2].w;
+            let by: Wide = each(|l| next[l] - at.ahead[l]);
+            let (filter, second) = (&common[k].filter, &behind[k].second);
+            let turn: Wide = each(|l| second[l] * (by[l] - at.by[l]));
+            let shared: Wide = each(|l| filter[l] * at.by[l] - (turn[l] - at.turn[l]));
             let (inverse, lag) = (&across[k].inverse, &common[k].lag);
             let a: Wide = each(|l| at.w[l] - inverse[l] * (shared[l] - at.shared[l]));
             let row = &mut moving[k];
             row.d = each(|l| row.d[l] + a[l]);
             row.s = each(|l| row.s[l] + (row.d[l] + lag[l] * a[l]));
             at.rise.go_on::<FIRST>(&before[k], &row.s, &mut tensed[k]);
-            (at.w, at.shared) = (next, shared);
+            (at.w, at.ahead, at.by) = (at.ahead, next, by);
+            (at.turn, at.shared) = (turn, shared);
         }
         *self = at;
     }

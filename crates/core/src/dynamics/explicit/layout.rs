@@ -3,6 +3,7 @@
 use super::along::Reach;
 use super::bends::Fit;
 use super::cluster::Cluster;
+use super::waves::Waves;
 use super::{Along, Explicit, refuse};
 use crate::dynamics::line::Line;
 use crate::element::bar::BarState;
@@ -170,6 +171,8 @@ pub(super) struct Chains {
     pub slope: Vec<Vec<f64>>,
     /// q/h² of a segment, kg/s².
     pub filter: Vec<f64>,
+    /// r/h² of a point, kg/s².
+    pub second: Vec<f64>,
     pub reaches: Vec<Reach>,
     pub along: Vec<Along>,
     /// h²/m of each master along the wire, s²/kg; α h; β/h.
@@ -229,6 +232,7 @@ impl Chains {
             bending: zero.clone(),
             slope: across(),
             filter: zero.clone(),
+            second: zero.clone(),
             reaches: Vec::new(),
             along: vec![Along::default(); count],
             masters: Vec::new(),
@@ -275,6 +279,7 @@ impl Chains {
         runs: &[Run],
     ) {
         let s = &geometry.structure;
+        let mut waves = Waves::none(self.nodes.len());
         for run in runs {
             for (k, &number) in run.segments.iter().enumerate() {
                 let (j, segment) = (run.first + k, &s.segments[number]);
@@ -288,7 +293,7 @@ impl Chains {
                     self.tension[c - 1][j] = turn * (1.0 + part * state.direction[c]);
                 }
                 let courant = tension / state.length * self.h * self.h / mass;
-                self.filter[j] = mass / 12.0 * (1.0 - courant);
+                (waves.mass[j], waves.courant[j]) = (mass, courant);
                 for point in [j, j + 1] {
                     self.lag[point] = segment.damping.beta / self.h;
                 }
@@ -302,19 +307,12 @@ impl Chains {
                 .for_each(|(k, &n)| point_behind[n] = run.first + k + 1);
         }
         for bend in &s.bends {
-            let Fit {
-                bending,
-                longer,
-                length,
-                ..
-            } = Fit::new(geometry, shape, bend);
+            let fit = Fit::new(geometry, shape, bend);
             let point = point_behind[bend.segments[0]];
-            self.bending[point] = bending / length;
-            for (j, k) in [point - 1, point].into_iter().zip(bend.segments) {
-                let segment = &s.segments[k];
-                self.filter[j] -= 0.5 * segment.mass / segment.rest_length * longer;
-            }
+            self.bending[point] = fit.bending / fit.length;
+            waves.bend(point, &fit);
         }
+        self.keep_speed(runs, &waves);
     }
 
     fn add_masses<const DIM: usize, const D: usize>(
@@ -342,8 +340,10 @@ impl Chains {
         }
         for &(guest, _) in &self.guests {
             (self.filter[guest], self.filter[guest - 1]) = (0.0, 0.0);
+            self.second[guest - 1..=guest + 1].fill(0.0);
         }
-        self.filter.iter_mut().for_each(|q| *q /= self.h * self.h);
+        let both = self.filter.iter_mut().chain(&mut self.second);
+        both.for_each(|q| *q /= self.h * self.h);
         Ok(())
     }
 

@@ -1,6 +1,7 @@
 //! Explicit steps in the place of those with a matrix.
 
 use super::{Explicit, Grid};
+use crate::dynamics::islands::Island;
 use crate::dynamics::stepper::{LineState, Prepared};
 
 impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
@@ -34,11 +35,10 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
                 *force = [0.0; D];
             }
         }
-        for link in self.links_awake(awake) {
-            let link = &self.line.links[link];
-            let correction = link.rest_correction();
-            if correction > 0.0 {
-                for (node, c, force) in link.shares(correction) {
+        for &(link, correction) in &self.table.corrected {
+            let is_in = |island: &Island| island.links.contains(&link);
+            if self.awake(awake).any(is_in) {
+                for (node, c, force) in self.line.links[link].shares(correction) {
                     steps.add_force(grid, steps.points[node], c, force);
                 }
             }

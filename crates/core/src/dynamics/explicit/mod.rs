@@ -23,14 +23,15 @@
 //! yₙ₊₂ − 2 yₙ₊₁ + yₙ = h² aₙ₊₁: stable for ω h < 2 of the explicit part, without damping of its own.
 //!
 //! **Waves keep their speed.** Lumped masses slow a wave of number k by (k ℓ)²/24, central differences
-//! speed it up by (ω h)²/24. With the mass M − E, E = Σ q [1 −1; −1 1], q = (m ℓ/12)(1 − (c h/ℓ)²), both
-//! leading errors go; its inverse is taken as M⁻¹ + M⁻¹ E M⁻¹, the same to this order and positive. It
-//! filters all forces, so the statics stay.
+//! speed it up by (ω h)²/24. A filter of all forces, M⁻¹ + M⁻¹ E M⁻¹ in the place of M⁻¹, takes that away and the
+//! next order too ([`waves`]); the statics stay.
+//!
+//! **Contacts meet curves** between points, not chords: [`rounded`](super::rounded).
 //!
 //! **Points yield like the wire.** A wire of tension T and bending stiffness EI under a force has the kink of a
 //! string, rounded over λ = √(EI/T), some 10 cm. A chain rounds it over ℓ instead and yields too much at its points.
 //! With EI x coth x in the place of EI, x = ℓ/2λ, forces on points displace points as they do on the wire, but
-//! for terms in (k ℓ)⁴; what that adds to the speed of waves is taken from q. docs/theory/dynamics.md derives it.
+//! for terms in (k ℓ)⁴; what that adds to the speed of waves is taken back by the filter. docs/theory/dynamics.md derives it.
 
 mod along;
 mod bends;
@@ -50,6 +51,7 @@ mod stable;
 mod stepping;
 mod stretch;
 mod sweep;
+mod waves;
 
 use cluster::Cluster;
 use groups::Groups;
@@ -113,9 +115,8 @@ struct Cut {
 #[derive(Debug, Clone)]
 struct Own {
     rows: Range<usize>,
-    /// Slots of copies, and of what they are copies of; and those beside a cut alone.
+    /// Slots of copies, and of what they are copies of.
     copies: Vec<[usize; 2]>,
-    beside: Vec<[usize; 2]>,
     cuts: Vec<Cut>,
     plan: Plan,
     /// As they end, those over cuts last.

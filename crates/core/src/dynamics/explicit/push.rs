@@ -26,14 +26,20 @@ impl<const DIM: usize> Explicit<DIM> {
         let (row, lane) = place(slot);
         let change = inverse(slot) * force;
         grid.moving[across][row].w[lane] += change;
-        let [before, behind] = [row - 1, row].map(|row| self.common[row].filter[lane]);
+        let near = &self.common[row - 1..=row + 1];
+        let [before, behind, _] = [0, 1, 2].map(|k| near[k].filter[lane]);
+        let [left, own, right] = [0, 1, 2].map(|k| near[k].second[lane]);
         // One column of the matrix of Explicit::acceleration.
         let felt = [
-            (slot - LANES, -inverse(slot - LANES) * before),
-            (slot, 1.0 + inverse(slot) * (behind + before)),
-            (slot + LANES, -inverse(slot + LANES) * behind),
+            left,
+            -before - 2.0 * (left + own),
+            before + behind + left + 4.0 * own + right,
+            -behind - 2.0 * (own + right),
+            right,
         ];
-        for (near, felt) in felt {
+        for (k, felt) in felt.into_iter().enumerate() {
+            let near = slot + LANES * k - 2 * LANES;
+            let felt = f64::from(u8::from(k == 2)) + inverse(near) * felt;
             if let Some((number, place)) = self.in_cluster[near] {
                 self.answer(grid, number, place * DIM + component, felt * change);
             }
@@ -72,7 +78,7 @@ impl<const DIM: usize> Explicit<DIM> {
         load: impl Iterator<Item = (usize, usize, f64)>,
         grid: &mut Grid,
     ) {
-        let beside = |slot: usize| [slot - LANES, slot, slot + LANES].map(|near| self.home[near]);
+        let beside = |slot: usize| [0, 1, 2, 3, 4].map(|k| self.home[slot + LANES * k - 2 * LANES]);
         let mut moved = Vec::new();
         for (node, component, force) in load {
             self.push(grid, node, component, force);

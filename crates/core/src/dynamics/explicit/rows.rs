@@ -38,6 +38,8 @@ impl std::ops::DerefMut for Wide {
 pub(super) struct Common {
     /// q/h² of the segment, kg/s².
     pub filter: Wide,
+    /// r/h² of the point, kg/s².
+    pub second: Wide,
     /// 1/L of the segment, 1/m.
     pub per_length: Wide,
     /// EI*/ℓ̄ of the point, N·m; see [`bends`](super::bends).

@@ -1,7 +1,7 @@
 //! Forces of links, struts and springs, group by group.
 
 use super::cluster::WIDEST;
-use super::groups::{Group, Points};
+use super::groups::{Couples, Group, Points};
 use super::rows::{LANES, Moving};
 use super::{BETA, Grid, Own};
 use crate::linalg::Kernel;
@@ -30,6 +30,9 @@ impl<const D: usize> Kernel for Settle<'_, D> {
             u: self.u,
             delta: self.delta,
         };
+        for couples in &self.own.groups.couples {
+            on.couples(couples);
+        }
         for group in &self.own.groups.wide {
             on.group(group);
         }
@@ -61,6 +64,41 @@ fn each<const L: usize>(of: impl Fn(usize) -> f64) -> [f64; L] {
 }
 
 impl<const D: usize> On<'_, D> {
+    /// Couples: what is between two points pulls at both.
+    #[inline(always)]
+    fn couples<const L: usize>(&mut self, couples: &Couples<L>) {
+        let [first, second] = &couples.points;
+        let (mut at, mut force) = ([[[0.0; L]; D]; 2], [[0.0; L]; D]);
+        let mut columns = couples.columns.chunks_exact(2 * D);
+        for c in 0..D {
+            let ((a, before), (b, behind)) = (self.free(first, c), self.free(second, c));
+            (at[0][c], at[1][c]) = (a, b);
+            let (u, v): ([f64; L], [f64; L]) =
+                (each(|l| b[l] - a[l]), each(|l| behind[l] - before[l]));
+            let Some(column) = columns.next() else {
+                return;
+            };
+            let (of_place, of_speed) = column.split_at(D);
+            for i in 0..D {
+                force[i] = each(|l| force[i][l] + (of_place[i][l] * u[l] + of_speed[i][l] * v[l]));
+            }
+        }
+        self.put(second, &mut at[1], &force);
+        for f in &mut force {
+            *f = each(|l| -f[l]);
+        }
+        self.put(first, &mut at[0], &force);
+    }
+
+    /// Place and h times velocity of points at the end of the step, without the forces of their clusters.
+    #[inline(always)]
+    fn free<const L: usize>(&self, point: &Points<L>, component: usize) -> ([f64; L], [f64; L]) {
+        match component.checked_sub(1) {
+            None => self.along(point),
+            Some(across) => ahead(point, across, self.moving[across]),
+        }
+    }
+
     /// With its number of points known to the compiler for those that are many.
     #[inline(always)]
     fn group<const L: usize>(&mut self, group: &Group<L>) {
@@ -86,10 +124,7 @@ impl<const D: usize> On<'_, D> {
         let mut columns = columns.chunks_exact(2 * size);
         for (k, point) in points.iter().enumerate() {
             for c in 0..D {
-                let (u, v) = match c.checked_sub(1) {
-                    None => self.along(point),
-                    Some(across) => ahead(point, across, self.moving[across]),
-                };
+                let (u, v) = self.free(point, c);
                 at[k * D + c] = u;
                 let Some(column) = columns.next() else {
                     return;
@@ -159,20 +194,22 @@ fn ahead<const L: usize>(
     across: usize,
     rows: &[Moving],
 ) -> ([f64; L], [f64; L]) {
-    let (mut s, mut d, mut w) = ([0.0; L], [0.0; L], [[0.0; L]; 3]);
+    let (mut s, mut d, mut w) = ([0.0; L], [0.0; L], [[0.0; L]; 5]);
     for l in 0..L {
         let (row, lane) = (point.row[l] as usize, point.lane[l] as usize % LANES);
-        let near = &rows[row - 1..][..3];
-        (s[l], d[l]) = (near[1].s[lane], near[1].d[lane]);
-        (w[0][l], w[1][l], w[2][l]) = (near[0].w[lane], near[1].w[lane], near[2].w[lane]);
+        let near = &rows[row - 2..][..5];
+        (s[l], d[l]) = (near[2].s[lane], near[2].d[lane]);
+        for k in 0..5 {
+            w[k][l] = near[k].w[lane];
+        }
     }
-    let [before, behind] = &point.filter[across];
+    let ([before, behind], [r0, r1, r2]) = (&point.filter[across], &point.second[across]);
     let a: [f64; L] = each(|l| {
-        let (left, right) = (
-            before[l] * (w[1][l] - w[0][l]),
-            behind[l] * (w[2][l] - w[1][l]),
-        );
-        w[1][l] - (right - left)
+        let (b0, b1) = (w[1][l] - w[0][l], w[2][l] - w[1][l]);
+        let (b2, b3) = (w[3][l] - w[2][l], w[4][l] - w[3][l]);
+        let (t0, t1, t2) = (r0[l] * (b1 - b0), r1[l] * (b2 - b1), r2[l] * (b3 - b2));
+        let (left, right) = (before[l] * b1 - (t1 - t0), behind[l] * b2 - (t2 - t1));
+        w[2][l] - (right - left)
     });
     let y: [f64; L] = each(|l| s[l] - point.lag[l] * d[l]);
     (each(|l| y[l] + BETA * a[l]), each(|l| d[l] + 0.5 * a[l]))

@@ -8,9 +8,9 @@ use super::{BETA, Explicit, Grid, Own};
 use crate::linalg::widest;
 
 impl Grid {
-    /// Room for the nodes that are read at some places: those of three elements each.
+    /// Room for the nodes that are read at some places: those of five elements each.
     pub(in crate::dynamics) fn reserve(&mut self, places: usize) {
-        self.near.reserve(6 * places);
+        self.near.reserve(10 * places);
     }
 }
 
@@ -94,7 +94,7 @@ impl<const DIM: usize> Explicit<DIM> {
     /// The same of w.
     pub(super) fn copy_forces(&self, own: &Own, grid: &mut Grid) {
         for rows in &mut grid.moving {
-            for &[copy, home] in &own.beside {
+            for &[copy, home] in &own.copies {
                 let ((to, lane), (from, its)) = (place(copy), place(home));
                 rows[to].w[lane] = rows[from].w[its];
             }
@@ -117,15 +117,17 @@ impl<const DIM: usize> Explicit<DIM> {
     /// h² times the acceleration of a point across, from w.
     #[inline(always)]
     pub(super) fn acceleration(&self, across: usize, slot: usize, rows: &[Moving]) -> f64 {
-        let w = |slot: usize| {
-            let (row, lane) = place(self.home[slot]);
-            rows[row].w[lane]
-        };
         let (row, lane) = place(slot);
-        let (before, own, behind) = (w(slot - LANES), w(slot), w(slot + LANES));
-        let left = self.common[row - 1].filter[lane] * (own - before);
-        let right = self.common[row].filter[lane] * (behind - own);
-        own - self.across[across][row].inverse[lane] * (right - left)
+        let w: [f64; 5] = std::array::from_fn(|k| {
+            let (row, lane) = place(self.home[slot + LANES * k - 2 * LANES]);
+            rows[row].w[lane]
+        });
+        let near = &self.common[row - 1..=row + 1];
+        let by: [f64; 4] = std::array::from_fn(|k| w[k + 1] - w[k]);
+        let turn: [f64; 3] = std::array::from_fn(|k| near[k].second[lane] * (by[k + 1] - by[k]));
+        let left = near[0].filter[lane] * by[1] - (turn[1] - turn[0]);
+        let right = near[1].filter[lane] * by[2] - (turn[2] - turn[1]);
+        w[2] - self.across[across][row].inverse[lane] * (right - left)
     }
 
     /// Increments of the other nodes that are read, with `u` before the step.

@@ -1,0 +1,313 @@
+//! A chain between its points: the curve that contacts meet in explicit steps.
+//!
+//! Chords have a corner at every point, and yield less between points than the wire. Here a place x between the
+//! points 1 and 2, ℓ apart along the track, lies on a cubic with the slopes of parabolas through three points
+//! each (Catmull & Rom 1974; Keys, IEEE Trans. ASSP 29 (1981) 1153),
+//!
+//!   u(x) = h₀₀ u₁ + ℓ h₁₀ s₁ + h₀₁ u₂ + ℓ h₁₁ s₂,   sᵢ = (b Δ₋ + a Δ₊)/(a + b)
+//!
+//! with h those of Hermite, a and b the lengths before and behind point i, Δ₋ and Δ₊ the slopes of the chords
+//! there. A parabola is met exactly, and slopes do not jump.
+//!
+//! **Kinks.** Where something holds the wire it has a kink κ, rounded over λ = √(EI/T):
+//!
+//!   κ g(s),   g(s) = (|s| + λ e^{−|s|/λ})/2,   T g″ − EI g⁗ = T δ
+//!
+//! What the cubic makes of g is taken out and g put in. Chords turn by Δ₊ − Δ₋ there, less than by κ as they cut
+//! the corner: κ is that for what it is of g. The slope at the far end of the element stays that of the cubic, which
+//! the next element has as well: g is missed by 2λ/27 at most, and slopes do not jump there either.
+//!
+//! **Yield.** G(x, y) = c − g(x − y)/T is what a force at y raises the wire at x by, near y. The points of the
+//! chain yield like those of the wire ([`bends`](super::explicit)), so with φ the shares of the points in a place
+//! it misses
+//!
+//!   R(x, y) = G(x, y) − Σ φᵢ(x) φⱼ(y) Gᵢⱼ = (Σ φᵢ(x) φⱼ(y) g(xᵢ − yⱼ) − g(x − y))/T
+//!
+//! zero at points, 2 µm/N between points 0.45 m apart on a contact wire, and gone one element further. It is put
+//! where that of cubic elements is ([`yields`](super::yields)).
+
+use super::path::Path;
+use super::path_element::PathElement;
+use super::yields::Yields;
+use crate::element::hermite;
+use crate::statics::assembly::{Geometry, Shape};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Tension of a piece of wire, N, and λ, m.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Taut {
+    tension: f64,
+    radius: f64,
+}
+
+impl Taut {
+    /// g(s), m.
+    fn kink(&self, s: f64) -> f64 {
+        0.5 * (s.abs() + self.radius * self.faded(s))
+    }
+
+    /// g′(s).
+    fn kink_slope(&self, s: f64) -> f64 {
+        0.5 * s.signum() * (1.0 - self.faded(s))
+    }
+
+    /// e^{−|s|/λ}
+    fn faded(&self, s: f64) -> f64 {
+        if self.radius > 0.0 {
+            (-s.abs() / self.radius).exp()
+        } else {
+            0.0
+        }
+    }
+}
+
+/// An element between two points, with the points beside them.
+#[derive(Debug, Clone)]
+pub(super) struct Rounded<const DIM: usize> {
+    taut: Taut,
+    /// In the order of the track; of no use beyond `count`.
+    points: [[f64; DIM]; 4],
+    /// Two to four.
+    count: usize,
+    /// The point that begins the element: 1, or 0 where a wire begins.
+    first: usize,
+    /// Shares of the points in the slopes at both ends, 1/m.
+    slopes: [[f64; 4]; 2],
+    /// Those in κ at both ends, 1/m, where the wire is held.
+    kinks: [Option<[f64; 4]>; 2],
+    /// g(xᵢ − xⱼ), m.
+    between: [[f64; 4]; 4],
+}
+
+impl<const DIM: usize> Rounded<DIM> {
+    /// On two to four points, of which `first` and the next one are its ends; `held` tells which of the two are.
+    fn new(taut: Taut, on: &[[f64; DIM]], first: usize, held: [bool; 2]) -> Self {
+        let mut new = Self {
+            taut,
+            points: [[0.0; DIM]; 4],
+            count: on.len(),
+            first,
+            slopes: [[0.0; 4]; 2],
+            kinks: [None; 2],
+            between: [[0.0; 4]; 4],
+        };
+        new.points[..on.len()].copy_from_slice(on);
+        let chord = new.chord(first);
+        // Where a wire ends its last three points make one parabola.
+        let turned = |slope: [f64; 4]| std::array::from_fn(|k| 2.0 * chord[k] - slope[k]);
+        new.slopes = match [first, first + 1].map(|point| new.slope(point)) {
+            [Some(a), Some(b)] => [a, b],
+            [Some(a), None] => [a, turned(a)],
+            [None, Some(b)] => [turned(b), b],
+            [None, None] => [chord; 2],
+        };
+        for i in 0..on.len() {
+            new.between[i] = std::array::from_fn(|j| taut.kink(new.x(i) - new.x(j)));
+        }
+        new.kinks = std::array::from_fn(|end| {
+            let point = Some(first + end).filter(|_| held[end]);
+            point.and_then(|point| new.kink(point))
+        });
+        new
+    }
+
+    fn x(&self, point: usize) -> f64 {
+        self.points[point][0]
+    }
+
+    fn is_inside(&self, point: usize) -> bool {
+        (1..self.count - 1).contains(&point)
+    }
+
+    /// Shares in the slope of the chord behind a point.
+    fn chord(&self, point: usize) -> [f64; 4] {
+        let mut shares = [0.0; 4];
+        let per_length = 1.0 / (self.x(point + 1) - self.x(point));
+        (shares[point], shares[point + 1]) = (-per_length, per_length);
+        shares
+    }
+
+    /// Shares in the slope at a point.
+    fn slope(&self, point: usize) -> Option<[f64; 4]> {
+        self.is_inside(point).then(|| {
+            let (before, behind) = (self.chord(point - 1), self.chord(point));
+            let [from, at, to] = [point - 1, point, point + 1].map(|k| self.x(k));
+            let weight = (to - at) / (to - from);
+            std::array::from_fn(|k| weight * before[k] + (1.0 - weight) * behind[k])
+        })
+    }
+
+    /// Shares in κ at a point.
+    fn kink(&self, point: usize) -> Option<[f64; 4]> {
+        self.is_inside(point).then(|| {
+            let (before, behind) = (self.chord(point - 1), self.chord(point));
+            let turn: [f64; 4] = std::array::from_fn(|k| behind[k] - before[k]);
+            let of_one: f64 = (0..4).map(|k| turn[k] * self.between[k][point]).sum();
+            turn.map(|share| share / of_one)
+        })
+    }
+
+    /// Both ends along the track, m.
+    pub(super) fn range(&self) -> (f64, f64) {
+        (self.x(self.first), self.x(self.first + 1))
+    }
+
+    /// Points that take part before its own, and in all.
+    pub(super) fn window(&self) -> (usize, usize) {
+        (self.first, self.count)
+    }
+
+    /// Shares φ of the points at ξ from 0 to 1.
+    pub(super) fn shares(&self, xi: f64) -> [f64; 4] {
+        let functions = hermite::shape(xi, self.length());
+        self.with_kinks(xi, &functions, |s| self.taut.kink(s))
+    }
+
+    /// Their derivatives along the track, 1/m.
+    pub(super) fn share_slopes(&self, xi: f64) -> [f64; 4] {
+        let functions = hermite::shape_slope(xi, self.length());
+        self.with_kinks(xi, &functions, |s| self.taut.kink_slope(s))
+    }
+
+    fn length(&self) -> f64 {
+        let (from, to) = self.range();
+        to - from
+    }
+
+    /// Shares from the functions of Hermite, or from their derivatives.
+    fn smooth(&self, functions: &[f64; 4]) -> [f64; 4] {
+        let [before, behind] = &self.slopes;
+        let of = |k: usize| functions[1] * before[k] + functions[3] * behind[k];
+        let mut shares: [f64; 4] = std::array::from_fn(of);
+        shares[self.first] += functions[0];
+        shares[self.first + 1] += functions[2];
+        shares
+    }
+
+    /// With g, or its derivative, in the place of what the cubic makes of it, but for the slope at the other end: the
+    /// next element has it too, and knows nothing of the kink.
+    fn with_kinks(&self, xi: f64, functions: &[f64; 4], g: impl Fn(f64) -> f64) -> [f64; 4] {
+        let smooth = self.smooth(functions);
+        let mut shares = smooth;
+        for (end, kink) in self.kinks.iter().enumerate() {
+            let Some(kink) = kink else {
+                continue;
+            };
+            let other = 1 - end;
+            let met = |by: &[f64; 4]| -> f64 {
+                let of = |k: usize| by[k] * self.between[k][self.first + end];
+                (0..self.count).map(of).sum()
+            };
+            let away = |xi: f64| (xi - end as f64) * self.length();
+            let bent = self.taut.kink_slope(away(other as f64)) - met(&self.slopes[other]);
+            let more = g(away(xi)) - met(&smooth) - bent * functions[1 + 2 * other];
+            (0..4).for_each(|k| shares[k] += more * kink[k]);
+        }
+        shares
+    }
+
+    /// Static position for given shares.
+    pub(super) fn point(&self, shares: &[f64; 4]) -> [f64; DIM] {
+        std::array::from_fn(|c| (0..self.count).map(|k| shares[k] * self.points[k][c]).sum())
+    }
+
+    /// R(x, x), m/N.
+    pub(super) fn own(&self, shares: &[f64; 4]) -> f64 {
+        let g = weighted(shares, shares, |i, j| self.between[i][j]);
+        (g - self.taut.kink(0.0)) / self.taut.tension
+    }
+
+    /// R(x, y) between a place on this element and one on another, m/N.
+    pub(super) fn missing(&self, shares: &[f64; 4], other: &Self, its: &[f64; 4]) -> f64 {
+        let (last, its_last) = (self.count - 1, other.count - 1);
+        let apart = (other.x(0) - self.x(last)).max(self.x(0) - other.x(its_last));
+        // Beyond the points beside them g is |s|/2, which both meet, and what e⁻¹⁰ leaves.
+        if apart > 10.0 * self.taut.radius.max(other.taut.radius) {
+            return 0.0;
+        }
+        let [x, y] = [self.point(shares)[0], other.point(its)[0]];
+        let at = |i: usize, j: usize| self.x(i.min(last)) - other.x(j.min(its_last));
+        let g = weighted(shares, its, |i, j| self.taut.kink(at(i, j)));
+        (g - self.taut.kink(x - y)) / self.taut.tension
+    }
+}
+
+/// Σ aᵢ bⱼ gᵢⱼ
+fn weighted(a: &[f64; 4], b: &[f64; 4], g: impl Fn(usize, usize) -> f64) -> f64 {
+    let row = |i: usize| (0..4).map(|j| b[j] * g(i, j)).sum::<f64>();
+    (0..4).map(|i| a[i] * row(i)).sum()
+}
+
+/// What the elements of lanes need to know of a structure.
+struct Structured<'a, const DIM: usize, const D: usize> {
+    geometry: &'a Geometry<DIM, D>,
+    shape: &'a Shape<D>,
+    /// Segment between two nodes.
+    segments: BTreeMap<[usize; 2], usize>,
+    /// EI at a node, N·m².
+    bending: BTreeMap<usize, f64>,
+    held: BTreeSet<usize>,
+}
+
+impl<'a, const DIM: usize, const D: usize> Structured<'a, DIM, D> {
+    fn new(geometry: &'a Geometry<DIM, D>, shape: &'a Shape<D>) -> Self {
+        let s = &geometry.structure;
+        let segments = s.segments.iter().enumerate();
+        let node = |k: usize| s.segments[k].nodes[1];
+        Self {
+            geometry,
+            shape,
+            segments: segments.map(|(k, segment)| (segment.nodes, k)).collect(),
+            bending: s
+                .bends
+                .iter()
+                .map(|b| (node(b.segments[0]), b.stiffness))
+                .collect(),
+            held: geometry.loaded(),
+        }
+    }
+
+    /// Of the segment between two nodes; none without tension.
+    fn taut(&self, nodes: &[usize; 2]) -> Option<Taut> {
+        let segment = &self.geometry.structure.segments[*self.segments.get(nodes)?];
+        let tension = Geometry::<DIM, D>::segment_state(self.shape, segment).linear_tension;
+        let bending = nodes.map(|node| self.bending.get(&node).copied().unwrap_or(0.0));
+        (tension > 0.0).then(|| Taut {
+            tension,
+            // A wire that ends at a node does not bend there.
+            radius: (bending[0].max(bending[1]) / tension).sqrt(),
+        })
+    }
+}
+
+impl<const DIM: usize> Path<DIM> {
+    /// Lanes of chains on which contacts meet curves in the place of chords.
+    #[must_use]
+    pub fn rounded<const D: usize>(
+        mut lanes: Vec<Self>,
+        geometry: &Geometry<DIM, D>,
+        shape: &Shape<D>,
+    ) -> Vec<Self> {
+        let of = Structured::new(geometry, shape);
+        for lane in &mut lanes {
+            lane.yields = Yields::OfChains;
+            let chords: Vec<_> = lane.elements.iter().map(PathElement::chord).collect();
+            for k in 0..chords.len() {
+                if let (Some(chord), Some(taut)) = (chords[k], of.taut(&lane.ends[k])) {
+                    let held = lane.ends[k].map(|node| of.held.contains(&node));
+                    let beside = |other: usize| {
+                        let is_one = lane.wires.get(other) == Some(&lane.wires[k]);
+                        chords.get(other).copied().flatten().filter(|_| is_one)
+                    };
+                    let before = k.checked_sub(1).and_then(beside).map(|c| c[0]);
+                    let points = before.into_iter().chain(chord);
+                    let points: Vec<_> = points.chain(beside(k + 1).map(|c| c[1])).collect();
+                    let first = usize::from(before.is_some());
+                    let rounded = Rounded::new(taut, &points, first, held);
+                    lane.elements[k] = PathElement::Rounded(Box::new(rounded));
+                }
+            }
+        }
+        lanes
+    }
+}
