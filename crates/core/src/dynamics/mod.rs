@@ -46,6 +46,7 @@ pub mod rider;
 pub mod rider_energy;
 mod rider_kinks;
 mod rounded;
+mod rounding;
 pub mod run;
 mod share;
 mod standing;

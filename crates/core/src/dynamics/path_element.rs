@@ -6,6 +6,7 @@ use super::rounded::Rounded;
 use crate::element::hermite;
 use crate::error::CoreError;
 use crate::statics::assembly::{Geometry, Shape};
+use std::sync::Arc;
 
 /// An element in its static shape, or where it has moved to.
 #[derive(Debug, Clone)]
@@ -18,7 +19,7 @@ pub(super) enum PathElement<const DIM: usize> {
     /// Segment of a chain, between its two ends.
     Chord([[f64; DIM]; 2]),
     /// The same, as a curve: with explicit steps.
-    Rounded(Box<Rounded<DIM>>),
+    Rounded(Arc<Rounded<DIM>>),
 }
 
 /// Newton steps that invert x(ξ); the wire is nearly straight, three reach rounding.

@@ -53,14 +53,14 @@ pub(super) struct Cluster {
     pub of_speed: Vec<f64>,
     /// β W K + ½ W C/h: what a change of the acceleration without q, times h², changes in −q.
     pub of_change: Vec<f64>,
-    /// If it is one.
-    pub couple: Option<Couple>,
+    /// What it is as a pair, if it is one.
+    pub pair: Option<Pair>,
 }
 
 /// The same for two points of which nothing but their difference Δ = u₂ − u₁ counts, as with a single link:
 /// K = [k −k; −k k], and C likewise, so q₂ = −q₁ = −w (k Δu° + c Δv°), w = (1 + (β k + c/2h) (P₁ + P₂))⁻¹.
 #[derive(Debug, Clone)]
-pub(super) struct Couple {
+pub(super) struct Pair {
     /// Rows.
     pub size: usize,
     /// −w k and −w c/h, N/m.
@@ -81,7 +81,7 @@ impl Cluster {
         let across = n / members.len() - 1;
         let response: Vec<f64> = members.iter().flat_map(|m| m.responses(across)).collect();
         let [of_place, of_speed] = forces((k, c), &response, h)?;
-        let couple = Couple::new(&members, (k, c), h)?;
+        let pair = Pair::new(&members, (k, c), h)?;
         let both = of_place.iter().zip(&of_speed);
         let of_change = both.map(|(k, c)| -(super::BETA * k + 0.5 * c)).collect();
         Ok(Self {
@@ -91,12 +91,12 @@ impl Cluster {
             of_place,
             of_speed,
             of_change,
-            couple,
+            pair,
         })
     }
 }
 
-impl Couple {
+impl Pair {
     fn new(
         members: &[Member],
         (k, c): (&[f64], &[f64]),

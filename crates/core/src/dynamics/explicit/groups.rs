@@ -30,9 +30,9 @@ pub(super) struct Group<const L: usize> {
     pub columns: Vec<[f64; L]>,
 }
 
-/// The same of couples, with matrices for the differences.
+/// The same of pairs, with matrices for the differences.
 #[derive(Debug, Clone)]
-pub(super) struct Couples<const L: usize> {
+pub(super) struct Pairs<const L: usize> {
     pub points: [Points<L>; 2],
     pub columns: Vec<[f64; L]>,
 }
@@ -40,22 +40,22 @@ pub(super) struct Couples<const L: usize> {
 /// All clusters of an island.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Groups {
-    pub couples: Vec<Couples<LANES>>,
+    pub pairs: Vec<Pairs<LANES>>,
     pub wide: Vec<Group<LANES>>,
     pub single: Vec<Group<1>>,
 }
 
 impl Groups {
     pub fn new(clusters: &[Cluster]) -> Self {
-        let couples: Vec<&Cluster> = clusters.iter().filter(|c| c.couple.is_some()).collect();
-        let (couples, over) = couples.as_chunks::<LANES>();
+        let pairs: Vec<&Cluster> = clusters.iter().filter(|c| c.pair.is_some()).collect();
+        let (pairs, over) = pairs.as_chunks::<LANES>();
         let mut by_size = std::collections::BTreeMap::<usize, Vec<&Cluster>>::new();
-        let others = clusters.iter().filter(|c| c.couple.is_none());
+        let others = clusters.iter().filter(|c| c.pair.is_none());
         for cluster in others.chain(over.iter().copied()) {
             by_size.entry(cluster.size).or_default().push(cluster);
         }
         let mut new = Self {
-            couples: couples.iter().filter_map(Couples::new).collect(),
+            pairs: pairs.iter().filter_map(Pairs::new).collect(),
             ..Self::default()
         };
         for alike in by_size.values() {
@@ -108,14 +108,14 @@ impl<const L: usize> Group<L> {
     }
 }
 
-impl<const L: usize> Couples<L> {
-    /// None unless all are couples.
+impl<const L: usize> Pairs<L> {
+    /// None unless all are pairs.
     fn new(clusters: &[&Cluster; L]) -> Option<Self> {
         let mut matrices = [[&[][..]; 2]; L];
         let mut size = 0;
         for (of, cluster) in matrices.iter_mut().zip(clusters) {
-            let couple = cluster.couple.as_ref()?;
-            (size, *of) = (couple.size, [&couple.of_place[..], &couple.of_speed[..]]);
+            let pair = cluster.pair.as_ref()?;
+            (size, *of) = (pair.size, [&pair.of_place[..], &pair.of_speed[..]]);
         }
         Some(Self {
             points: [0, 1].map(|k| Points::new(clusters, k)),

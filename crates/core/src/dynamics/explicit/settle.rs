@@ -1,7 +1,7 @@
 //! Forces of links, struts and springs, group by group.
 
 use super::cluster::WIDEST;
-use super::groups::{Couples, Group, Points};
+use super::groups::{Group, Pairs, Points};
 use super::rows::{LANES, Moving};
 use super::{BETA, Grid, Own};
 use crate::linalg::Kernel;
@@ -30,8 +30,8 @@ impl<const D: usize> Kernel for Settle<'_, D> {
             u: self.u,
             delta: self.delta,
         };
-        for couples in &self.own.groups.couples {
-            on.couples(couples);
+        for pairs in &self.own.groups.pairs {
+            on.pairs(pairs);
         }
         for group in &self.own.groups.wide {
             on.group(group);
@@ -64,12 +64,12 @@ fn each<const L: usize>(of: impl Fn(usize) -> f64) -> [f64; L] {
 }
 
 impl<const D: usize> On<'_, D> {
-    /// Couples: what is between two points pulls at both.
+    /// Pairs: what is between two points pulls at both.
     #[inline(always)]
-    fn couples<const L: usize>(&mut self, couples: &Couples<L>) {
-        let [first, second] = &couples.points;
+    fn pairs<const L: usize>(&mut self, pairs: &Pairs<L>) {
+        let [first, second] = &pairs.points;
         let (mut at, mut force) = ([[[0.0; L]; D]; 2], [[0.0; L]; D]);
-        let mut columns = couples.columns.chunks_exact(2 * D);
+        let mut columns = pairs.columns.chunks_exact(2 * D);
         for c in 0..D {
             let ((a, before), (b, behind)) = (self.free(first, c), self.free(second, c));
             (at[0][c], at[1][c]) = (a, b);
