@@ -10,7 +10,8 @@ const LARGEST: f64 = 1e6;
 pub(super) struct Fit {
     /// EI*, N·m².
     pub bending: f64,
-    /// (EI* − EI)/T, m².
+    /// (EI* − EI)/T, m²: at most ℓ̄²/12, which it tends to without tension. EI* has the tension of the design,
+    /// so a wire that has lost it would have more than all numbers.
     pub longer: f64,
     /// ℓ̄, m.
     pub length: f64,
@@ -39,7 +40,7 @@ impl Fit {
         };
         Self {
             bending,
-            longer: over(bending - bend.stiffness),
+            longer: over(bending - bend.stiffness).min(length * length / 12.0),
             length,
             share: (over(bend.stiffness) / (length * length)).min(LARGEST),
         }

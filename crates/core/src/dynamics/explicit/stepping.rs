@@ -1,11 +1,22 @@
 //! A step, in the order of the pieces: clusters; then, with contacts known, the motion, and the forces of wires
 //! for the next one.
 
-use super::rows::{LANES, Moving, Tensed, place};
+use super::rows::{LANES, Moving, Tensed, Wide, place};
 use super::settle::Settle;
 use super::sweep::{On, Stand, Sweep};
 use super::{BETA, Explicit, Grid, Own};
 use crate::linalg::widest;
+
+/// Take what is of points beyond cuts from where they are at home.
+#[inline(always)]
+fn copy(own: &Own, grid: &mut Grid, of: impl Fn(&mut Moving) -> &mut Wide) {
+    for rows in &mut grid.moving {
+        for &[copy, home] in &own.copies {
+            let ((to, lane), (from, its)) = (place(copy), place(home));
+            of(&mut rows[to])[lane] = of(&mut rows[from])[its];
+        }
+    }
+}
 
 impl Grid {
     /// Room for the nodes that are read at some places: those of five elements each.
@@ -83,22 +94,12 @@ impl<const DIM: usize> Explicit<DIM> {
 
     /// s of the points beyond cuts, as their strands have it.
     pub(super) fn copy_places(&self, own: &Own, grid: &mut Grid) {
-        for rows in &mut grid.moving {
-            for &[copy, home] in &own.copies {
-                let ((to, lane), (from, its)) = (place(copy), place(home));
-                rows[to].s[lane] = rows[from].s[its];
-            }
-        }
+        copy(own, grid, |row| &mut row.s);
     }
 
     /// The same of w.
     pub(super) fn copy_forces(&self, own: &Own, grid: &mut Grid) {
-        for rows in &mut grid.moving {
-            for &[copy, home] in &own.copies {
-                let ((to, lane), (from, its)) = (place(copy), place(home));
-                rows[to].w[lane] = rows[from].w[its];
-            }
-        }
+        copy(own, grid, |row| &mut row.w);
     }
 
     /// Rises up to the points behind cuts, which are copies there.
