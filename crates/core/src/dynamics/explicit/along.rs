@@ -1,7 +1,8 @@
 //! Along the wire: masters, reaches between them, and where all points lie.
 
-use super::layout::{Chains, Ranges, Run, along};
-use super::{Along, refuse};
+use super::Along;
+use super::blocks::Run;
+use super::layout::{Chains, along};
 use crate::dynamics::line::Line;
 use crate::error::CoreError;
 use crate::statics::assembly::{Geometry, Shape};
@@ -58,22 +59,7 @@ impl Chains {
                 let places = lengths[at].1.clone();
                 self.add_reaches(geometry, shape, run, &places, &master);
             }
-            let first = of().map(|run| run.first).min();
-            let last = of().map(|run| run.first + run.nodes.len()).max();
-            let (Some(first), Some(last)) = (first, last) else {
-                return Err(refuse("an island without points"));
-            };
-            own.push(Ranges {
-                points: first..last,
-                reaches: reaches..self.reaches.len(),
-                masters: masters..self.masters.len(),
-                clusters: self.among(
-                    |k| self.clusters[k].members[0].point,
-                    self.clusters.len(),
-                    first..last,
-                ),
-                guests: self.among(|k| self.guests[k].0, self.guests.len(), first..last),
-            });
+            own.push(self.ranges(of(), [masters, reaches])?);
         }
         self.own = own;
         for member in self.clusters.iter_mut().flat_map(|c| &mut c.members) {
@@ -106,17 +92,6 @@ impl Chains {
             };
         }
         Ok(())
-    }
-
-    fn among(
-        &self,
-        of: impl Fn(usize) -> usize,
-        count: usize,
-        range: Range<usize>,
-    ) -> Range<usize> {
-        let inside = |k: &usize| range.contains(&of(*k));
-        let first = (0..count).find(inside).unwrap_or(0);
-        first..first + (0..count).filter(inside).count()
     }
 
     /// Points of a wire that become masters: its ends, what is held or has guests, and between them so

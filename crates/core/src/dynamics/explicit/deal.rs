@@ -1,125 +1,21 @@
 //! From lists of points to rows: see [`rows`](super::rows).
 
-use super::along;
 use super::groups::Groups;
-use super::layout::{Chains, Ranges};
+use super::layout::Chains;
 use super::plan::{Plan, Span};
-use super::rows::{Across, Common, HALO, LANES, place};
-use super::{Along, Cut, Explicit, Masters, Own, Reach};
+use super::rows::{Across, Common, LANES, place};
+use super::strands::Strands;
+use super::{Along, Block, Cut, Explicit, Masters, Own, Reach};
 use std::ops::Range;
-
-/// Where the points of an island lie.
-struct Strands {
-    points: Range<usize>,
-    /// Its first row.
-    first: usize,
-    /// Points of a strand.
-    length: usize,
-}
-
-impl Strands {
-    /// Rows, those of copies included.
-    fn rows(&self) -> Range<usize> {
-        self.first..self.first + self.length + 2 * HALO
-    }
-
-    /// Slot of a point in its own strand.
-    fn slot(&self, point: usize) -> usize {
-        let number = point - self.points.start;
-        self.slot_in(number / self.length, point)
-    }
-
-    /// Slot of a point as a strand has it, of its own or as a copy.
-    fn slot_in(&self, strand: usize, point: usize) -> usize {
-        let row = self.first + HALO + point - self.points.start - strand * self.length;
-        LANES * row + strand
-    }
-
-    /// Strands with points, and the length of all but the last of them.
-    fn counts(&self) -> (usize, usize) {
-        (self.points.len().div_ceil(self.length), self.length)
-    }
-
-    /// Points of a strand.
-    fn strand(&self, strand: usize) -> Range<usize> {
-        let end = self.points.end;
-        let first = (self.points.start + strand * self.length).min(end);
-        first..(first + self.length).min(end)
-    }
-
-    /// Slots of copies, and the points that they are copies of.
-    fn copies(&self) -> Vec<[usize; 2]> {
-        let Range { start, end } = self.points;
-        let of = |strand: usize| {
-            let own = self.strand(strand);
-            let (mut before, mut behind) = (0..0, 0..0);
-            if !own.is_empty() {
-                before = own.start.saturating_sub(HALO).max(start)..own.start;
-                behind = own.end..(own.end + HALO).min(end);
-            }
-            let copy = move |point| [self.slot_in(strand, point), point];
-            before.chain(behind).map(copy)
-        };
-        (0..LANES).flat_map(of).collect()
-    }
-
-    /// How a reach lies in the strands.
-    fn span(&self, reach: &along::Reach) -> Span {
-        let Range { start, end } = reach.segments;
-        let strand = (start - self.points.start) / self.length;
-        let row = |point: usize| place(self.slot_in(strand, point)).0 - self.first;
-        Span {
-            strand,
-            rows: [row(start), row(end)],
-            is_over_cut: !self.strand(strand).contains(&end),
-        }
-    }
-
-    /// Reaches as they end, those over cuts last.
-    fn order(&self, reaches: &[along::Reach]) -> Vec<usize> {
-        let mut order: Vec<usize> = (0..reaches.len()).collect();
-        order.sort_by_key(|&k| {
-            let span = self.span(&reaches[k]);
-            (span.is_over_cut, span.rows[1])
-        });
-        order
-    }
-
-    /// Places between two strands, for reaches in their order along the wires; `new` says which numbers they get.
-    fn cuts(&self, reaches: &[along::Reach], new: &[usize]) -> Vec<Cut> {
-        let firsts = (1..LANES).map(|strand| (strand, self.strand(strand)));
-        let firsts = firsts.filter(|(_, own)| !own.is_empty());
-        let cut = |(strand, own): (usize, Range<usize>)| {
-            let behind = own.start;
-            let next = reaches.partition_point(|r| r.segments.start < behind);
-            let is_over = |k: &usize| reaches[*k].segments.end >= behind;
-            let is_next = |k: &usize| own.contains(&reaches[*k].segments.start);
-            let last = next.checked_sub(1);
-            Cut {
-                head: self.slot_in(strand, behind - 1),
-                tail: self.slot_in(strand - 1, behind),
-                last: last.map(|k| new[k]),
-                over: last.filter(is_over).map(|k| new[k]),
-                next: Some(next)
-                    .filter(|k| *k < reaches.len())
-                    .filter(is_next)
-                    .map(|k| new[k]),
-            }
-        };
-        firsts.map(cut).collect()
-    }
-}
 
 impl Chains {
     /// The same in rows.
     pub fn dealt<const DIM: usize>(mut self) -> Explicit<DIM> {
         let mut all: Vec<Strands> = Vec::new();
-        for own in &self.own {
-            all.push(Strands {
-                points: own.points.clone(),
-                first: all.last().map_or(0, |s| s.rows().end),
-                length: own.points.len().div_ceil(LANES),
-            });
+        for [points, _] in self.own.iter().flat_map(|own| &own.blocks) {
+            let first = all.last().map_or(0, |s| s.rows().end);
+            let is_linked = |point: usize| self.in_cluster[point].is_some();
+            all.push(Strands::new(points.clone(), first, is_linked));
         }
         let mut slots = vec![usize::MAX; self.nodes.len()];
         for strands in &all {
@@ -129,25 +25,18 @@ impl Chains {
         let clusters = self.clusters.iter_mut().flat_map(|c| &mut c.members);
         clusters.for_each(|m| m.point = slots[m.point]);
         let mut new = self.empty(&slots, all.last().map_or(0, |s| s.rows().end));
-        for (strands, own) in all.iter().zip(&self.own) {
-            for point in strands.points.clone() {
-                let slot = slots[point];
-                self.put(point, slot, &mut new);
-                new.nodes[slot] = self.nodes[point];
-            }
-            let mut copies = strands.copies();
-            for [copy, point] in &mut copies {
-                self.put(*point, *copy, &mut new);
-                *point = slots[*point];
-                new.home[*copy] = *point;
-            }
-            let (cuts, plan) = self.deal_reaches(own, strands, &slots, &mut new.reaches);
+        let mut all = all.iter();
+        for own in &self.own {
+            let first = new.own.last().map_or(0, |own| own.rows.end);
+            let strands = all.by_ref().zip(&own.blocks);
+            let of = |(strands, [_, reaches]): (&Strands, &[Range<usize>; 2])| {
+                self.block(strands, reaches.clone(), &slots, &mut new)
+            };
+            let blocks: Vec<Block> = strands.map(of).collect();
+            let rows = first..blocks.last().map_or(first, |block| block.rows.end);
             new.own.push(Own {
-                rows: strands.rows(),
-                copies,
-                cuts,
-                plan,
-                reaches: own.reaches.clone(),
+                blocks,
+                rows,
                 masters: own.masters.clone(),
                 guests: own.guests.clone(),
                 groups: Groups::new(&new.clusters[own.clusters.clone()]),
@@ -157,15 +46,44 @@ impl Chains {
         new
     }
 
-    /// Reaches of an island in the order of their ends; what lies between strands, and what comes when.
+    /// Deal out the points and reaches of a block.
+    fn block<const DIM: usize>(
+        &self,
+        strands: &Strands,
+        reaches: Range<usize>,
+        slots: &[usize],
+        to: &mut Explicit<DIM>,
+    ) -> Block {
+        for point in strands.points.clone() {
+            let slot = slots[point];
+            self.put(point, slot, to);
+            to.nodes[slot] = self.nodes[point];
+        }
+        let mut copies = strands.copies();
+        for [copy, point] in &mut copies {
+            self.put(*point, *copy, to);
+            *point = slots[*point];
+            to.home[*copy] = *point;
+        }
+        let (cuts, plan) = self.deal_reaches(reaches.clone(), strands, slots, &mut to.reaches);
+        Block {
+            rows: strands.rows(),
+            copies,
+            cuts,
+            plan,
+            reaches,
+        }
+    }
+
+    /// Reaches of a block in the order of their ends; what lies between strands, and what comes when.
     fn deal_reaches(
         &self,
-        own: &Ranges,
+        numbers: Range<usize>,
         strands: &Strands,
         slots: &[usize],
         to: &mut Vec<Reach>,
     ) -> (Vec<Cut>, Plan) {
-        let (reaches, first) = (&self.reaches[own.reaches.clone()], own.reaches.start);
+        let (reaches, first) = (&self.reaches[numbers.clone()], numbers.start);
         let (order, none) = (strands.order(reaches), self.reaches.len());
         let mut numbers = vec![none; reaches.len()];
         for (k, &old) in order.iter().enumerate() {

@@ -1,13 +1,16 @@
 //! Clusters of equally many points side by side in the lanes.
 
-use super::cluster::Cluster;
+use super::cluster::{Cluster, Member};
 use super::rows::{LANES, place};
+use std::collections::BTreeMap;
 
 /// A point of each cluster of a group.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Points<const L: usize> {
     pub row: [u32; L],
     pub lane: [u32; L],
+    /// Whether they fill a row, each in the lane of its number.
+    pub is_row: bool,
     pub node: [u32; L],
     pub masters: [[u32; L]; 2],
     /// Share of the second master.
@@ -47,25 +50,65 @@ pub(super) struct Groups {
 
 impl Groups {
     pub fn new(clusters: &[Cluster]) -> Self {
-        let pairs: Vec<&Cluster> = clusters.iter().filter(|c| c.pair.is_some()).collect();
-        let (pairs, over) = pairs.as_chunks::<LANES>();
-        let mut by_size = std::collections::BTreeMap::<usize, Vec<&Cluster>>::new();
+        let pairs = clusters.iter().filter(|c| c.pair.is_some());
+        let (pairs, over) = fours(pairs.collect());
+        let mut by_size = BTreeMap::<usize, Vec<&Cluster>>::new();
         let others = clusters.iter().filter(|c| c.pair.is_none());
-        for cluster in others.chain(over.iter().copied()) {
+        for cluster in others.chain(over) {
             by_size.entry(cluster.size).or_default().push(cluster);
         }
         let mut new = Self {
             pairs: pairs.iter().filter_map(Pairs::new).collect(),
             ..Self::default()
         };
-        for alike in by_size.values() {
-            let (wide, rest) = alike.as_chunks::<LANES>();
+        for alike in by_size.into_values() {
+            let (wide, rest) = fours(alike);
             new.wide.extend(wide.iter().map(Group::new));
             new.single
-                .extend(rest.iter().map(|one| Group::new(&[*one])));
+                .extend(rest.into_iter().map(|one| Group::new(&[one])));
         }
         new
     }
+}
+
+/// Four and four of them, those that fill rows of points first; and what is left over.
+fn fours(mut all: Vec<&Cluster>) -> (Vec<[&Cluster; LANES]>, Vec<&Cluster>) {
+    let rows = |c: &Cluster| -> Vec<usize> { c.members.iter().map(|m| place(m.point).0).collect() };
+    let lanes =
+        |c: &Cluster| -> Vec<usize> { c.members.iter().map(|m| place(m.point).1).collect() };
+    all.sort_by_cached_key(|c| (rows(c), lanes(c)));
+    let (mut found, mut others) = (Vec::new(), Vec::new());
+    let mut left = &all[..];
+    while let Some((first, behind)) = left.split_first() {
+        left = match left.split_first_chunk::<LANES>() {
+            Some((four, behind)) if fill_rows(four) => {
+                found.push(*four);
+                behind
+            }
+            _ => {
+                others.push(*first);
+                behind
+            }
+        };
+    }
+    let (more, over) = others.as_chunks::<LANES>();
+    found.extend(more);
+    (found, over.to_vec())
+}
+
+fn fill_rows(clusters: &[&Cluster; LANES]) -> bool {
+    let points = 0..clusters[0].members.len();
+    let has_all = |k: usize| clusters.iter().all(|c| k < c.members.len());
+    points
+        .into_iter()
+        .all(|k| has_all(k) && is_row(&clusters.map(|c| &c.members[k])))
+}
+
+/// Whether points lie in one row, each in the lane of its number.
+fn is_row<const L: usize>(members: &[&Member; L]) -> bool {
+    let (first, _) = place(members[0].point);
+    let is_next = |(lane, m): (usize, &&Member)| place(m.point) == (first, lane);
+    L == LANES && members.iter().enumerate().all(is_next)
 }
 
 impl<const L: usize> Points<L> {
@@ -73,6 +116,7 @@ impl<const L: usize> Points<L> {
     fn new(clusters: &[&Cluster; L], k: usize) -> Self {
         let members = clusters.map(|c| &c.members[k]);
         Self {
+            is_row: is_row(&members),
             row: members.map(|m| place(m.point).0 as u32),
             lane: members.map(|m| place(m.point).1 as u32),
             node: members.map(|m| m.node as u32),

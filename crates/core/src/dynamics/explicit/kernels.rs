@@ -82,12 +82,13 @@ impl Forces {
             let (here, this) = (&common[k], &across[k]);
             at.thrust = each(|l| at.thrust[l] + tensed[k].more[l]);
             let shear: Wide = each(|l| {
-                this.tension[l] * at.by[l] - (moment[l] - at.moment[l]) * here.per_length[l]
-                    + at.thrust[l] * this.slope[l]
+                let bent = (at.moment[l] - moment[l])
+                    .mul_add(here.per_length[l], at.thrust[l] * this.slope[l]);
+                this.tension[l].mul_add(at.by[l], bent)
             });
             let d = moving[k].d;
             moving[k].w =
-                each(|l| this.inverse[l] * (shear[l] - at.shear[l]) - here.damping[l] * d[l]);
+                each(|l| this.inverse[l].mul_add(shear[l] - at.shear[l], -here.damping[l] * d[l]));
             (at.by, at.slope, at.moment, at.shear, at.s) = (by, slope, moment, shear, next);
         }
         *self = at;
@@ -160,12 +161,12 @@ impl Motion {
             let by: Wide = each(|l| next[l] - at.ahead[l]);
             let (filter, second) = (&common[k].filter, &behind[k].second);
             let turn: Wide = each(|l| second[l] * (by[l] - at.by[l]));
-            let shared: Wide = each(|l| filter[l] * at.by[l] - (turn[l] - at.turn[l]));
+            let shared: Wide = each(|l| filter[l].mul_add(at.by[l], at.turn[l] - turn[l]));
             let (inverse, lag) = (&across[k].inverse, &common[k].lag);
-            let a: Wide = each(|l| at.w[l] - inverse[l] * (shared[l] - at.shared[l]));
+            let a: Wide = each(|l| inverse[l].mul_add(at.shared[l] - shared[l], at.w[l]));
             let row = &mut moving[k];
             row.d = each(|l| row.d[l] + a[l]);
-            row.s = each(|l| row.s[l] + (row.d[l] + lag[l] * a[l]));
+            row.s = each(|l| row.s[l] + lag[l].mul_add(a[l], row.d[l]));
             at.rise.go_on::<FIRST>(&before[k], &row.s, &mut tensed[k]);
             (at.w, at.ahead, at.by) = (at.ahead, next, by);
             (at.turn, at.shared) = (turn, shared);
@@ -194,7 +195,7 @@ impl Rise {
     #[inline(always)]
     pub fn go_on<const FIRST: bool>(&mut self, segment: &Across, s: &Wide, tensed: &mut Tensed) {
         let before = self.s.unwrap_or(*s);
-        let sum = each(|l| self.sum[l] + segment.slope[l] * (s[l] - before[l]));
+        let sum = each(|l| segment.slope[l].mul_add(s[l] - before[l], self.sum[l]));
         let rise = &mut tensed.rise;
         for l in 0..LANES {
             rise[l] = if FIRST { sum[l] } else { rise[l] + sum[l] };

@@ -2,6 +2,7 @@
 
 use super::along::Reach;
 use super::bends::Fit;
+use super::blocks::{Ranges, Run};
 use super::cluster::Cluster;
 use super::waves::Waves;
 use super::{Along, Explicit, refuse};
@@ -60,14 +61,6 @@ fn nodes_of<const DIM: usize, const D: usize>(
         .collect()
 }
 
-/// A wire, or a node of none, with the island it is in.
-pub(super) struct Run {
-    pub island: usize,
-    pub segments: Vec<usize>,
-    pub nodes: Vec<usize>,
-    pub first: usize,
-}
-
 fn runs<const DIM: usize, const D: usize>(
     geometry: &Geometry<DIM, D>,
     line: &Line<DIM, D>,
@@ -96,7 +89,7 @@ fn runs<const DIM: usize, const D: usize>(
         nodes: vec![node],
         first: 0,
     }));
-    all.sort_by_key(|run| run.island);
+    all.sort_by_key(|run| (run.island, !run.is_long()));
     let mut at = PAD;
     for run in &mut all {
         run.first = at;
@@ -134,15 +127,6 @@ fn masses<const DIM: usize, const D: usize>(
         .iter()
         .for_each(|strut| add(strut.node, strut.moving_mass, common));
     all
-}
-
-/// What belongs to one island.
-pub(super) struct Ranges {
-    pub points: Range<usize>,
-    pub reaches: Range<usize>,
-    pub masters: Range<usize>,
-    pub clusters: Range<usize>,
-    pub guests: Range<usize>,
 }
 
 /// A line of chains, point by point. Segment j lies between points j and j + 1; where two wires meet in

@@ -35,6 +35,7 @@
 
 mod along;
 mod bends;
+mod blocks;
 mod cluster;
 mod clusters;
 mod deal;
@@ -49,6 +50,7 @@ mod rows;
 mod settle;
 mod stable;
 mod stepping;
+mod strands;
 mod stretch;
 mod sweep;
 mod waves;
@@ -111,9 +113,9 @@ struct Cut {
     next: Option<usize>,
 }
 
-/// What belongs to one island.
+/// A wire, or some short ones one behind the other, cut into strands.
 #[derive(Debug, Clone)]
-struct Own {
+struct Block {
     rows: Range<usize>,
     /// Slots of copies, and of what they are copies of.
     copies: Vec<[usize; 2]>,
@@ -121,6 +123,14 @@ struct Own {
     plan: Plan,
     /// As they end, those over cuts last.
     reaches: Range<usize>,
+}
+
+/// What belongs to one island.
+#[derive(Debug, Clone)]
+struct Own {
+    blocks: Vec<Block>,
+    /// Those of all blocks.
+    rows: Range<usize>,
     masters: Range<usize>,
     guests: Range<usize>,
     groups: Groups,

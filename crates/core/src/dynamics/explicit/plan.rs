@@ -9,7 +9,7 @@ use std::ops::Range;
 
 /// Rows moved at a time. With those that forces are behind, 22 in a reach, they fill most of 32 KiB; from 12 to 40 no
 /// difference could be measured.
-const STRIDE: usize = 20;
+const STRIDE: usize = 32;
 
 /// A reach as the order of things sees it: strand, and rows of its first and last point in their strands.
 #[derive(Debug, Clone, Copy)]
@@ -41,15 +41,15 @@ pub(super) struct Plan {
 }
 
 impl Plan {
-    /// For spans in their order, the first of which has a number, and so many strands of a length; `none` is
-    /// the number of no reach.
+    /// For spans in their order, the first of which has a number, and so many strands: points of all but the last
+    /// one, and of the longest; `none` is the number of no reach.
     pub fn new(
         spans: &[Span],
-        (strands, length): (usize, usize),
+        [strands, length, longest]: [usize; 3],
         number: usize,
         none: usize,
     ) -> Self {
-        let rows = HALO..HALO + length;
+        let rows = HALO..HALO + longest;
         let inside = spans.partition_point(|span| !span.is_over_cut);
         // A strand in which none begins has H of one before it all along, and waits.
         let begins = |strand: usize| {
@@ -71,17 +71,18 @@ impl Plan {
             thrusts: std::array::from_fn(thrust),
             rows,
         };
-        new.stage(spans, inside, number);
+        new.stage(spans, inside, number, length);
         new
     }
 
-    fn stage(&mut self, spans: &[Span], inside: usize, number: usize) {
+    fn stage(&mut self, spans: &[Span], inside: usize, number: usize, length: usize) {
         let mut moved = self.rows.start;
         while moved < self.rows.end {
             moved = (moved + STRIDE).min(self.rows.end);
             let stretched = spans[..inside].partition_point(|span| span.rows[1] < moved);
             let waits = spans[stretched..].iter().map(|span| span.rows[0]).min();
-            let forced = waits.unwrap_or(moved).min(moved - HALO);
+            // Rows that bend with points behind cuts need where those are.
+            let forced = waits.unwrap_or(moved).min(moved - HALO).min(length);
             self.stages.push(Stage {
                 moved,
                 stretched: number + stretched,

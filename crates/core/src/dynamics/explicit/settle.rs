@@ -173,8 +173,15 @@ impl<const D: usize> On<'_, D> {
             let moved: [f64; L] = each(|l| inverse[l] * force[l]);
             *at = each(|l| at[l] + BETA * response[l] * force[l]);
             let rows = &mut *self.moving[c - 1];
-            for l in 0..L {
-                rows[point.row[l] as usize].w[point.lane[l] as usize % LANES] += moved[l];
+            if point.is_row {
+                let w = &mut rows[point.row[0] as usize].w;
+                for l in 0..L {
+                    w[l % LANES] += moved[l];
+                }
+            } else {
+                for l in 0..L {
+                    rows[point.row[l] as usize].w[point.lane[l] as usize % LANES] += moved[l];
+                }
             }
         }
         for l in 0..L {
@@ -187,6 +194,39 @@ impl<const D: usize> On<'_, D> {
     }
 }
 
+/// What moves at points, and w of the two points on both sides.
+struct Beside<const L: usize> {
+    s: [f64; L],
+    d: [f64; L],
+    w: [[f64; L]; 5],
+}
+
+impl<const L: usize> Beside<L> {
+    /// Whole rows where the points fill one.
+    #[inline(always)]
+    fn of(point: &Points<L>, rows: &[Moving]) -> Self {
+        let (mut s, mut d, mut w) = ([0.0; L], [0.0; L], [[0.0; L]; 5]);
+        if point.is_row {
+            let near = &rows[point.row[0] as usize - 2..][..5];
+            s = each(|l| near[2].s[l % LANES]);
+            d = each(|l| near[2].d[l % LANES]);
+            for k in 0..5 {
+                w[k] = each(|l| near[k].w[l % LANES]);
+            }
+        } else {
+            for l in 0..L {
+                let (row, lane) = (point.row[l] as usize, point.lane[l] as usize % LANES);
+                let near = &rows[row - 2..][..5];
+                (s[l], d[l]) = (near[2].s[lane], near[2].d[lane]);
+                for k in 0..5 {
+                    w[k][l] = near[k].w[lane];
+                }
+            }
+        }
+        Self { s, d, w }
+    }
+}
+
 /// Place and h times velocity across at the end of the step, without the forces of the cluster.
 #[inline(always)]
 fn ahead<const L: usize>(
@@ -194,15 +234,7 @@ fn ahead<const L: usize>(
     across: usize,
     rows: &[Moving],
 ) -> ([f64; L], [f64; L]) {
-    let (mut s, mut d, mut w) = ([0.0; L], [0.0; L], [[0.0; L]; 5]);
-    for l in 0..L {
-        let (row, lane) = (point.row[l] as usize, point.lane[l] as usize % LANES);
-        let near = &rows[row - 2..][..5];
-        (s[l], d[l]) = (near[2].s[lane], near[2].d[lane]);
-        for k in 0..5 {
-            w[k][l] = near[k].w[lane];
-        }
-    }
+    let Beside { s, d, w } = Beside::of(point, rows);
     let ([before, behind], [r0, r1, r2]) = (&point.filter[across], &point.second[across]);
     let a: [f64; L] = each(|l| {
         let (b0, b1) = (w[1][l] - w[0][l], w[2][l] - w[1][l]);

@@ -3,7 +3,7 @@
 //! that 4 = ω² h² (1 + 2β/h) + 2 α h there.
 
 use super::rows::place;
-use super::{Explicit, Grid, Own, refuse};
+use super::{Explicit, Grid, refuse};
 use crate::error::CoreError;
 
 /// Share of the limit that may be used: the rest is for contacts and links, which add no mass.
@@ -88,12 +88,14 @@ impl<const DIM: usize> Explicit<DIM> {
         squared.sqrt()
     }
 
-    /// Number of a point in its island, one strand behind the other.
+    /// Number of a point in its block, one strand behind the other.
     fn along_strands(&self, slot: usize) -> usize {
         let (row, lane) = place(slot);
-        let own = self.own.partition_point(|own| own.rows.end <= row);
-        let Own { rows, plan, .. } = &self.own[own];
-        lane * plan.rows.len() + row - rows.start
+        let mut blocks = self.own.iter().flat_map(|own| &own.blocks);
+        let block = blocks.find(|block| block.rows.contains(&row));
+        block.map_or(0, |block| {
+            lane * block.plan.rows.len() + row - block.rows.start
+        })
     }
 
     /// Forces of wires whose points were as far on the other side a step ago.

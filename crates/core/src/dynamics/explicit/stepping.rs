@@ -3,13 +3,13 @@
 
 use super::rows::{LANES, Moving, Tensed, Wide, place};
 use super::settle::Settle;
-use super::sweep::{On, Stand, Sweep};
-use super::{BETA, Explicit, Grid, Own};
+use super::sweep::{Stand, Sweep};
+use super::{BETA, Block, Explicit, Grid, Own};
 use crate::linalg::widest;
 
 /// Take what is of points beyond cuts from where they are at home.
 #[inline(always)]
-fn copy(own: &Own, grid: &mut Grid, of: impl Fn(&mut Moving) -> &mut Wide) {
+fn copy(own: &Block, grid: &mut Grid, of: impl Fn(&mut Moving) -> &mut Wide) {
     for rows in &mut grid.moving {
         for &[copy, home] in &own.copies {
             let ((to, lane), (from, its)) = (place(copy), place(home));
@@ -59,8 +59,7 @@ impl<const DIM: usize> Explicit<DIM> {
     /// leaves them.
     pub(in crate::dynamics) fn wire_forces(&self, island: usize, grid: &mut Grid) {
         let own = &self.own[island];
-        let on = On { p: self, own, grid };
-        widest(Stand(on));
+        widest(Stand(Sweep { p: self, own, grid }));
         self.hand_over(own, grid);
     }
 
@@ -92,18 +91,22 @@ impl<const DIM: usize> Explicit<DIM> {
         });
     }
 
-    /// s of the points beyond cuts, as their strands have it.
-    pub(super) fn copy_places(&self, own: &Own, grid: &mut Grid) {
+    /// s of the points beyond cuts, as their strands have it; and d, as strands may be longer than others, which
+    /// moves what is in the same rows.
+    pub(super) fn copy_places(&self, own: &Block, grid: &mut Grid) {
         copy(own, grid, |row| &mut row.s);
+        copy(own, grid, |row| &mut row.d);
     }
 
     /// The same of w.
     pub(super) fn copy_forces(&self, own: &Own, grid: &mut Grid) {
-        copy(own, grid, |row| &mut row.w);
+        own.blocks
+            .iter()
+            .for_each(|own| copy(own, grid, |row| &mut row.w));
     }
 
     /// Rises up to the points behind cuts, which are copies there.
-    pub(super) fn rise_to_tails(&self, own: &Own, grid: &mut Grid) {
+    pub(super) fn rise_to_tails(&self, own: &Block, grid: &mut Grid) {
         for cut in &own.cuts {
             let (row, lane) = place(cut.tail);
             let mut rise = grid.tensed[row - 1].rise[lane];
@@ -196,7 +199,7 @@ impl<const DIM: usize> Explicit<DIM> {
             }
         }
         self.copy_forces(own, grid);
-        widest(Sweep(On { p: self, own, grid }));
+        widest(Sweep { p: self, own, grid });
         self.hand_over(own, grid);
     }
 

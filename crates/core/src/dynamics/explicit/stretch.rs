@@ -1,7 +1,7 @@
 //! H of each reach, and the motion of the masters.
 
 use super::rows::{Tensed, place};
-use super::{Explicit, Grid, Own, Reach};
+use super::{Block, Explicit, Grid, Own, Reach};
 use std::ops::Range;
 
 #[inline(always)]
@@ -50,7 +50,7 @@ impl<const DIM: usize> Explicit<DIM> {
 
     /// The same of those that go over cuts, and H on both sides of cuts.
     #[inline(always)]
-    pub(super) fn stretch_over_cuts(&self, own: &Own, grid: &mut Grid) {
+    pub(super) fn stretch_over_cuts(&self, own: &Block, grid: &mut Grid) {
         for number in own.plan.within..own.reaches.end {
             let tails = own.cuts.iter().filter(|cut| cut.over == Some(number));
             let before = tails.map(|cut| rise(&grid.tensed, cut.tail)).sum();

@@ -1,68 +1,86 @@
-//! The sweep over the points of an island that takes a step and finds the forces for the next one, stage by
-//! stage: see [`plan`](super::plan).
+//! The sweep over the points of an island that takes a step and finds the forces for the next one, block by block
+//! and stage by stage: see [`plan`](super::plan).
 
 use super::kernels::{Fixed, Forces, Motion, Rise};
 use super::rows::{HALO, LANES, Moving, Tensed, Wide};
-use super::{Explicit, Grid, Own};
+use super::{Block, Explicit, Grid, Own};
 use crate::linalg::Kernel;
 use std::ops::Range;
 
-/// An island and what moves there.
-pub(super) struct On<'a, const DIM: usize> {
+/// Take a step, and find the forces for the next one.
+pub(super) struct Sweep<'a, const DIM: usize> {
     pub p: &'a Explicit<DIM>,
     pub own: &'a Own,
     pub grid: &'a mut Grid,
 }
 
-/// Take a step, and find the forces for the next one.
-pub(super) struct Sweep<'a, const DIM: usize>(pub On<'a, DIM>);
-
 /// Find the forces where the points are.
-pub(super) struct Stand<'a, const DIM: usize>(pub On<'a, DIM>);
+pub(super) struct Stand<'a, const DIM: usize>(pub Sweep<'a, DIM>);
+
+/// A block and what moves there.
+struct On<'a, const DIM: usize> {
+    p: &'a Explicit<DIM>,
+    own: &'a Block,
+    grid: &'a mut Grid,
+}
 
 impl<const DIM: usize> Kernel for Sweep<'_, DIM> {
     #[inline(always)]
     fn run(self) {
-        let mut on = self.0;
-        let (p, own, plan) = (on.p, on.own, &on.own.plan);
-        p.slide(own, on.grid);
-        p.release(own, on.grid);
-        let mut motions = [on.motion(0), on.motion(DIM - 2)];
-        let (mut forces, mut forced) = (None, plan.first - 1);
-        let (mut moved, mut stretched) = (HALO, own.reaches.start);
-        for stage in &plan.stages {
-            on.move_rows(&mut motions, moved..stage.moved);
-            p.stretch(stretched..stage.stretched, on.grid);
-            (moved, stretched) = (stage.moved, stage.stretched);
-            if stage.forced > plan.first {
-                let mut all = forces.unwrap_or_else(|| on.forces());
-                on.force_rows(&mut all, forced..stage.forced);
-                (forces, forced) = (Some(all), stage.forced);
-            }
+        let Self { p, own, grid } = self;
+        p.slide(own, grid);
+        p.release(own, grid);
+        for own in &own.blocks {
+            On { p, own, grid }.step();
         }
-        p.copy_places(own, on.grid);
-        p.rise_to_tails(own, on.grid);
-        on.finish(forces, forced);
     }
 }
 
 impl<const DIM: usize> Kernel for Stand<'_, DIM> {
     #[inline(always)]
     fn run(self) {
-        let mut on = self.0;
-        let (p, own, plan) = (on.p, on.own, &on.own.plan);
-        p.copy_places(own, on.grid);
-        for c in 0..DIM - 1 {
-            on.measure(c);
+        let Sweep { p, own, grid } = self.0;
+        p.release(own, grid);
+        for own in &own.blocks {
+            On { p, own, grid }.stand();
         }
-        p.rise_to_tails(own, on.grid);
-        p.release(own, on.grid);
-        p.stretch(own.reaches.start..plan.within, on.grid);
-        on.finish(None, plan.first - 1);
     }
 }
 
 impl<const DIM: usize> On<'_, DIM> {
+    #[inline(always)]
+    fn step(mut self) {
+        let (own, plan) = (self.own, &self.own.plan);
+        let mut motions = [self.motion(0), self.motion(DIM - 2)];
+        let (mut forces, mut forced) = (None, plan.first - 1);
+        let (mut moved, mut stretched) = (HALO, own.reaches.start);
+        for stage in &plan.stages {
+            self.move_rows(&mut motions, moved..stage.moved);
+            self.p.stretch(stretched..stage.stretched, self.grid);
+            (moved, stretched) = (stage.moved, stage.stretched);
+            if stage.forced > plan.first {
+                let mut all = forces.unwrap_or_else(|| self.forces());
+                self.force_rows(&mut all, forced..stage.forced);
+                (forces, forced) = (Some(all), stage.forced);
+            }
+        }
+        self.p.copy_places(own, self.grid);
+        self.p.rise_to_tails(own, self.grid);
+        self.finish(forces, forced);
+    }
+
+    #[inline(always)]
+    fn stand(mut self) {
+        let (own, plan) = (self.own, &self.own.plan);
+        self.p.copy_places(own, self.grid);
+        for c in 0..DIM - 1 {
+            self.measure(c);
+        }
+        self.p.rise_to_tails(own, self.grid);
+        self.p.stretch(own.reaches.start..plan.within, self.grid);
+        self.finish(None, plan.first - 1);
+    }
+
     /// Rows of a direction across.
     #[inline(always)]
     fn rows(&mut self, across: usize) -> (Fixed<'_>, &mut [Tensed], &mut [Moving]) {

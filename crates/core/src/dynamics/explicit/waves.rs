@@ -14,7 +14,8 @@
 //! symmetric, and M⁻¹ + M⁻¹ E M⁻¹ filters.
 
 use super::bends::Fit;
-use super::layout::{Chains, Run};
+use super::blocks::Run;
+use super::layout::Chains;
 
 /// Largest b. Where it would be more elements are shorter than 2.6 λ, and need no such care; the step would shrink.
 const MOST: f64 = 1.0 / 30.0;

@@ -1,0 +1,87 @@
+//! What of an island is cut into strands together.
+//!
+//! A long wire by itself: cut at equal parts of a regular line, its droppers then lie in the same rows of all strands.
+
+use super::layout::Chains;
+use super::refuse;
+use crate::error::CoreError;
+use std::ops::Range;
+
+/// Nodes of a wire that is cut into strands by itself.
+const LONG: usize = 64;
+
+/// A wire, or a node of none, with the island it is in.
+pub(super) struct Run {
+    pub island: usize,
+    pub segments: Vec<usize>,
+    pub nodes: Vec<usize>,
+    pub first: usize,
+}
+
+impl Run {
+    pub fn is_long(&self) -> bool {
+        self.nodes.len() >= LONG
+    }
+
+    fn points(&self) -> Range<usize> {
+        self.first..self.first + self.nodes.len()
+    }
+}
+
+/// Points that are cut into strands together: those of a long wire, or of all short ones.
+fn blocks<'a>(runs: impl Iterator<Item = &'a Run>) -> Vec<Range<usize>> {
+    let mut all: Vec<Range<usize>> = Vec::new();
+    let mut is_open = false;
+    for run in runs {
+        match all.last_mut().filter(|_| is_open) {
+            Some(last) => last.end = run.points().end,
+            None => all.push(run.points()),
+        }
+        is_open = !run.is_long();
+    }
+    all
+}
+
+/// What belongs to one island.
+pub(super) struct Ranges {
+    /// Points and reaches of each block.
+    pub blocks: Vec<[Range<usize>; 2]>,
+    pub masters: Range<usize>,
+    pub clusters: Range<usize>,
+    pub guests: Range<usize>,
+}
+
+impl Chains {
+    /// What belongs to the island of some runs, whose masters and reaches are the last ones, from a number on.
+    pub(super) fn ranges<'a>(
+        &self,
+        runs: impl Iterator<Item = &'a Run>,
+        [masters, mut reaches]: [usize; 2],
+    ) -> Result<Ranges, CoreError> {
+        let blocks = blocks(runs);
+        let (Some(first), Some(last)) = (blocks.first(), blocks.last()) else {
+            return Err(refuse("an island without points"));
+        };
+        let points = first.start..last.end;
+        let with_reaches = blocks.iter().map(|points| {
+            let begin = reaches;
+            let own = self.reaches[begin..].iter();
+            reaches += own.take_while(|r| r.segments.start < points.end).count();
+            [points.clone(), begin..reaches]
+        });
+        Ok(Ranges {
+            blocks: with_reaches.collect(),
+            masters: masters..self.masters.len(),
+            clusters: within(self.clusters.iter().map(|c| c.members[0].point), &points),
+            guests: within(self.guests.iter().map(|g| g.0), &points),
+        })
+    }
+}
+
+/// Numbers of those, one behind the other, that are in a range.
+fn within(of: impl Iterator<Item = usize>, range: &Range<usize>) -> Range<usize> {
+    let inside = of.enumerate().filter(|(_, point)| range.contains(point));
+    let mut numbers = inside.map(|(number, _)| number);
+    let first = numbers.next();
+    first.map_or(0..0, |first| first..first + 1 + numbers.count())
+}
