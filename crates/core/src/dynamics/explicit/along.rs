@@ -3,6 +3,7 @@
 use super::Along;
 use super::blocks::Run;
 use super::layout::{Chains, along};
+use super::rows::LANES;
 use crate::dynamics::line::Line;
 use crate::error::CoreError;
 use crate::statics::assembly::{Geometry, Shape};
@@ -36,35 +37,45 @@ impl Chains {
         self.guests
             .iter()
             .for_each(|&(_, owner)| is_owner[owner] = true);
-        let mut lengths: Vec<(usize, Vec<usize>)> = Vec::new();
         let mut own = Vec::new();
         for island in 0..islands {
             let of = || runs.iter().filter(|run| run.island == island);
-            let (masters, reaches) = (self.masters.len(), self.reaches.len());
-            for run in of() {
-                for point in self.places_along(geometry, line, run, &is_owner) {
-                    let owner = self.points[self.nodes[point]];
-                    if master[owner] == usize::MAX {
-                        master[owner] = self.masters.len();
-                        self.masters.push([0.0, 0.0, self.lag[owner]]);
-                    }
-                    match lengths.last_mut() {
-                        Some((first, points)) if *first == run.first => points.push(point),
-                        _ => lengths.push((run.first, vec![point])),
-                    }
-                }
+            let firsts = [self.masters.len(), self.reaches.len()];
+            let places = |run| self.places_along(geometry, line, run, &is_owner);
+            let places: Vec<Vec<usize>> = of().map(places).collect();
+            self.number_masters(places.concat(), &mut master);
+            for (run, places) in of().zip(&places) {
+                self.add_reaches(geometry, shape, run, places, &master);
             }
-            for run in of() {
-                let at = lengths.partition_point(|(first, _)| *first < run.first);
-                let places = lengths[at].1.clone();
-                self.add_reaches(geometry, shape, run, &places, &master);
-            }
-            own.push(self.ranges(of(), [masters, reaches])?);
+            own.push(self.ranges(of(), firsts)?);
         }
         self.own = own;
         for member in self.clusters.iter_mut().flat_map(|c| &mut c.members) {
             member.along = self.along[member.point];
         }
+        self.weigh_masters(line, masses, &master);
+        Ok(())
+    }
+
+    /// A master for each place, in the order of rows, so that those of four strands stand together.
+    fn number_masters(&mut self, mut places: Vec<usize>, master: &mut [usize]) {
+        places.sort_by_key(|&point| self.slots[point]);
+        for point in places {
+            let owner = self.points[self.nodes[point]];
+            if master[owner] == usize::MAX {
+                master[owner] = self.masters.len();
+                self.masters.push([0.0, 0.0, self.lag[owner]]);
+            }
+        }
+    }
+
+    /// Masses of masters, with those of the points between them.
+    fn weigh_masters<const DIM: usize, const D: usize>(
+        &mut self,
+        line: &Line<DIM, D>,
+        masses: &[[f64; 2]],
+        master: &[usize],
+    ) {
         for (node, [mass, damped]) in masses.iter().enumerate() {
             let along = self.along[self.points[node]];
             for (m, share) in along
@@ -91,7 +102,6 @@ impl Chains {
                 [self.h * self.h / mass, damped / mass * self.h, lag]
             };
         }
-        Ok(())
     }
 
     /// Points of a wire that become masters: its ends, what is held or has guests, and between them so
@@ -119,22 +129,12 @@ impl Chains {
             fastest = fastest.max(damped * (segment.axial_stiffness / segment.mass).sqrt());
         }
         let shortest = REACH * fastest * self.h;
-        let mut places = vec![run.first];
-        for pair in needed.windows(2) {
-            let (mut from, to) = (at[pair[0]], at[pair[1]]);
-            let pieces = ((to - from) / shortest).floor().max(1.0);
-            let wanted = ((to - from) / pieces).min(to - from);
-            for k in pair[0] + 1..pair[1] {
-                // Rounding must not make a piece longer by an element.
-                if at[k] - from > wanted * (1.0 - 1e-9) && to - at[k] >= shortest {
-                    places.push(run.first + k);
-                    from = at[k];
-                }
-            }
-            places.push(run.first + pair[1]);
-        }
-        places.dedup();
-        places
+        let alike = self.strands_of(run).and_then(|strands| {
+            let [_, length, _] = strands.counts();
+            alike(&needed, &at, shortest, length)
+        });
+        let places = alike.unwrap_or_else(|| pieces(&needed, &at, shortest));
+        places.into_iter().map(|k| run.first + k).collect()
     }
 
     fn add_reaches<const DIM: usize, const D: usize>(
@@ -176,4 +176,42 @@ impl Chains {
             });
         }
     }
+}
+
+/// Places among points at some distances: those that are needed, and between them so many that reaches are equally
+/// long and long enough.
+fn pieces(needed: &[usize], at: &[f64], shortest: f64) -> Vec<usize> {
+    let mut places = vec![0];
+    for pair in needed.windows(2) {
+        let (mut from, to) = (at[pair[0]], at[pair[1]]);
+        let pieces = ((to - from) / shortest).floor().max(1.0);
+        let wanted = ((to - from) / pieces).min(to - from);
+        for k in pair[0] + 1..pair[1] {
+            // Rounding must not make a piece longer by an element.
+            if at[k] - from > wanted * (1.0 - 1e-9) && to - at[k] >= shortest {
+                places.push(k);
+                from = at[k];
+            }
+        }
+        places.push(pair[1]);
+    }
+    places.dedup();
+    places
+}
+
+/// The same in strands of a length, with places in the same rows of all; none where reaches would be too short.
+fn alike(needed: &[usize], at: &[f64], shortest: f64, length: usize) -> Option<Vec<usize>> {
+    let in_strand = |k: &usize| k - (k / length).min(LANES - 1) * length;
+    let mut rows: Vec<usize> = needed.iter().map(in_strand).chain([0, length]).collect();
+    rows.sort_unstable();
+    rows.dedup();
+    let rows = pieces(&rows, at, shortest);
+    let strands = (0..LANES).map(|strand| (strand * length, strand + 1 == LANES));
+    let places = strands.flat_map(|(first, is_last)| {
+        let own = rows.iter().filter(move |&&row| is_last || row < length);
+        own.map(move |row| first + row)
+    });
+    let places: Vec<usize> = places.filter(|&k| k < at.len()).collect();
+    let is_long = |pair: &[usize]| at[pair[1]] - at[pair[0]] >= shortest * (1.0 - 1e-9);
+    places.windows(2).all(is_long).then_some(places)
 }

@@ -4,6 +4,7 @@
 
 use super::layout::Chains;
 use super::refuse;
+use super::strands::Strands;
 use crate::error::CoreError;
 use std::ops::Range;
 
@@ -52,6 +53,25 @@ pub(super) struct Ranges {
 }
 
 impl Chains {
+    /// Cut all blocks into strands, and place their points.
+    pub(super) fn cut(&mut self, runs: &[Run], islands: usize) {
+        for island in 0..islands {
+            for points in blocks(runs.iter().filter(|run| run.island == island)) {
+                let first = self.strands.last().map_or(0, |s| s.rows().end);
+                let is_linked = |point: usize| self.in_cluster[point].is_some();
+                let strands = Strands::new(points.clone(), first, is_linked);
+                points.for_each(|point| self.slots[point] = strands.slot(point));
+                self.strands.push(strands);
+            }
+        }
+    }
+
+    /// How a wire is cut that is cut by itself.
+    pub(super) fn strands_of(&self, run: &Run) -> Option<&Strands> {
+        let own = self.strands.iter().find(|s| s.points == run.points());
+        own.filter(|_| run.is_long())
+    }
+
     /// What belongs to the island of some runs, whose masters and reaches are the last ones, from a number on.
     pub(super) fn ranges<'a>(
         &self,

@@ -11,17 +11,10 @@ use std::ops::Range;
 impl Chains {
     /// The same in rows.
     pub fn dealt<const DIM: usize>(mut self) -> Explicit<DIM> {
-        let mut all: Vec<Strands> = Vec::new();
-        for [points, _] in self.own.iter().flat_map(|own| &own.blocks) {
-            let first = all.last().map_or(0, |s| s.rows().end);
-            let is_linked = |point: usize| self.in_cluster[point].is_some();
-            all.push(Strands::new(points.clone(), first, is_linked));
-        }
-        let mut slots = vec![usize::MAX; self.nodes.len()];
-        for strands in &all {
-            let points = strands.points.clone();
-            points.for_each(|point| slots[point] = strands.slot(point));
-        }
+        let (all, slots) = (
+            std::mem::take(&mut self.strands),
+            std::mem::take(&mut self.slots),
+        );
         let clusters = self.clusters.iter_mut().flat_map(|c| &mut c.members);
         clusters.for_each(|m| m.point = slots[m.point]);
         let mut new = self.empty(&slots, all.last().map_or(0, |s| s.rows().end));
@@ -99,9 +92,11 @@ impl Chains {
                 ends: [slots[start] as u32, slots[end] as u32],
                 before: before.map_or(none, |k| numbers[k]) as u32,
                 stiffness: reaches[k].stiffness,
+                is_row: false,
             });
         }
         let plan = Plan::new(&spans, strands.counts(), first, none);
+        mark_rows(&mut to[first..plan.within]);
         (strands.cuts(reaches, &numbers), plan)
     }
 
@@ -158,5 +153,23 @@ impl<const DIM: usize> Explicit<DIM> {
     fn linked(&self, clusters: Range<usize>) -> Vec<usize> {
         let members = self.clusters[clusters].iter().flat_map(|c| &c.members);
         members.map(|m| m.node).collect()
+    }
+}
+
+/// Find four reaches each of which all is beside each other.
+fn mark_rows(reaches: &mut [Reach]) {
+    let mut k = 0;
+    while k + LANES <= reaches.len() {
+        let four = &reaches[k..k + LANES];
+        let first = four[0];
+        let is_next = |(lane, reach): (usize, &Reach)| {
+            let beside = |a: u32, b: u32| b as usize == a as usize + lane;
+            let [masters, ends] = [(first.masters, reach.masters), (first.ends, reach.ends)];
+            (0..2).all(|k| beside(masters.0[k], masters.1[k]) && beside(ends.0[k], ends.1[k]))
+                && beside(first.before, reach.before)
+        };
+        let is_row = place(first.ends[0] as usize).1 == 0 && four.iter().enumerate().all(is_next);
+        reaches[k].is_row = is_row;
+        k += if is_row { LANES } else { 1 };
     }
 }

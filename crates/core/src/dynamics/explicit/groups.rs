@@ -9,8 +9,6 @@ use std::collections::BTreeMap;
 pub(super) struct Points<const L: usize> {
     pub row: [u32; L],
     pub lane: [u32; L],
-    /// Whether they fill a row, each in the lane of its number.
-    pub is_row: bool,
     pub node: [u32; L],
     pub masters: [[u32; L]; 2],
     /// Share of the second master.
@@ -43,6 +41,8 @@ pub(super) struct Pairs<const L: usize> {
 /// All clusters of an island.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Groups {
+    /// Those whose points fill rows, each in the lane of its number, with masters one behind the other.
+    pub rows: Vec<Pairs<LANES>>,
     pub pairs: Vec<Pairs<LANES>>,
     pub wide: Vec<Group<LANES>>,
     pub single: Vec<Group<1>>,
@@ -51,36 +51,39 @@ pub(super) struct Groups {
 impl Groups {
     pub fn new(clusters: &[Cluster]) -> Self {
         let pairs = clusters.iter().filter(|c| c.pair.is_some());
-        let (pairs, over) = fours(pairs.collect());
+        let (rows, others) = rows(pairs.collect());
+        let (pairs, over) = others.as_chunks::<LANES>();
         let mut by_size = BTreeMap::<usize, Vec<&Cluster>>::new();
         let others = clusters.iter().filter(|c| c.pair.is_none());
-        for cluster in others.chain(over) {
+        for cluster in others.chain(over.iter().copied()) {
             by_size.entry(cluster.size).or_default().push(cluster);
         }
         let mut new = Self {
+            rows: rows.iter().filter_map(Pairs::new).collect(),
             pairs: pairs.iter().filter_map(Pairs::new).collect(),
             ..Self::default()
         };
-        for alike in by_size.into_values() {
-            let (wide, rest) = fours(alike);
+        for alike in by_size.values() {
+            let (wide, rest) = alike.as_chunks::<LANES>();
             new.wide.extend(wide.iter().map(Group::new));
             new.single
-                .extend(rest.into_iter().map(|one| Group::new(&[one])));
+                .extend(rest.iter().map(|one| Group::new(&[*one])));
         }
         new
     }
 }
 
-/// Four and four of them, those that fill rows of points first; and what is left over.
-fn fours(mut all: Vec<&Cluster>) -> (Vec<[&Cluster; LANES]>, Vec<&Cluster>) {
-    let rows = |c: &Cluster| -> Vec<usize> { c.members.iter().map(|m| place(m.point).0).collect() };
-    let lanes =
-        |c: &Cluster| -> Vec<usize> { c.members.iter().map(|m| place(m.point).1).collect() };
-    all.sort_by_cached_key(|c| (rows(c), lanes(c)));
+/// Four and four pairs that fill rows, and the others.
+fn rows(mut all: Vec<&Cluster>) -> (Vec<[&Cluster; LANES]>, Vec<&Cluster>) {
+    let slots = |c: &Cluster| [0, 1].map(|k| place(c.members[k].point));
+    all.sort_by_cached_key(|c| {
+        let [(first, lane), (second, its)] = slots(c);
+        [first, second, lane, its]
+    });
     let (mut found, mut others) = (Vec::new(), Vec::new());
     let mut left = &all[..];
     while let Some((first, behind)) = left.split_first() {
-        left = match left.split_first_chunk::<LANES>() {
+        left = match left.split_first_chunk() {
             Some((four, behind)) if fill_rows(four) => {
                 found.push(*four);
                 behind
@@ -91,24 +94,19 @@ fn fours(mut all: Vec<&Cluster>) -> (Vec<[&Cluster; LANES]>, Vec<&Cluster>) {
             }
         };
     }
-    let (more, over) = others.as_chunks::<LANES>();
-    found.extend(more);
-    (found, over.to_vec())
+    (found, others)
 }
 
-fn fill_rows(clusters: &[&Cluster; LANES]) -> bool {
-    let points = 0..clusters[0].members.len();
-    let has_all = |k: usize| clusters.iter().all(|c| k < c.members.len());
-    points
-        .into_iter()
-        .all(|k| has_all(k) && is_row(&clusters.map(|c| &c.members[k])))
-}
-
-/// Whether points lie in one row, each in the lane of its number.
-fn is_row<const L: usize>(members: &[&Member; L]) -> bool {
-    let (first, _) = place(members[0].point);
-    let is_next = |(lane, m): (usize, &&Member)| place(m.point) == (first, lane);
-    L == LANES && members.iter().enumerate().all(is_next)
+/// Whether points lie in one row, each in the lane of its number, and their masters one behind the other.
+fn fill_rows(pairs: &[&Cluster; LANES]) -> bool {
+    (0..2).all(|k| {
+        let members = pairs.map(|c| &c.members[k]);
+        let (row, masters) = (place(members[0].point).0, members[0].along.masters);
+        let is_next = |(lane, m): (usize, &&Member)| {
+            place(m.point) == (row, lane) && m.along.masters == masters.map(|master| master + lane)
+        };
+        members.iter().enumerate().all(is_next)
+    })
 }
 
 impl<const L: usize> Points<L> {
@@ -116,7 +114,6 @@ impl<const L: usize> Points<L> {
     fn new(clusters: &[&Cluster; L], k: usize) -> Self {
         let members = clusters.map(|c| &c.members[k]);
         Self {
-            is_row: is_row(&members),
             row: members.map(|m| place(m.point).0 as u32),
             lane: members.map(|m| place(m.point).1 as u32),
             node: members.map(|m| m.node as u32),

@@ -5,18 +5,8 @@
 //!
 //! Each takes some rows and leaves what the next ones need, so that rows may come in pieces.
 
-use super::rows::{Across, Common, LANES, Moving, Tensed, Wide};
+use super::rows::{Across, Common, LANES, Moving, Tensed, Wide, each};
 use std::ops::Range;
-
-/// Lane by lane. A loop of its own: what the library maps arrays with may not be compiled for wide lanes.
-#[inline(always)]
-fn each(of: impl Fn(usize) -> f64) -> Wide {
-    let mut all = Wide::default();
-    for l in 0..LANES {
-        all[l] = of(l);
-    }
-    all
-}
 
 /// Numbers of a direction that stay, row by row.
 #[derive(Clone, Copy)]

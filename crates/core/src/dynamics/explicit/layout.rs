@@ -4,6 +4,7 @@ use super::along::Reach;
 use super::bends::Fit;
 use super::blocks::{Ranges, Run};
 use super::cluster::Cluster;
+use super::strands::Strands;
 use super::waves::Waves;
 use super::{Along, Explicit, refuse};
 use crate::dynamics::line::Line;
@@ -166,6 +167,9 @@ pub(super) struct Chains {
     pub in_cluster: Vec<Option<(usize, usize)>>,
     /// Ends of wires at a point of another: guest, owner.
     pub guests: Vec<(usize, usize)>,
+    /// How each block is cut, and the slot of each point.
+    pub strands: Vec<Strands>,
+    pub slots: Vec<usize>,
 }
 
 impl<const DIM: usize> Explicit<DIM> {
@@ -223,12 +227,15 @@ impl Chains {
             clusters: Vec::new(),
             in_cluster: vec![None; count],
             guests: Vec::new(),
+            strands: Vec::new(),
+            slots: vec![usize::MAX; count],
         };
         new.number(&runs);
         new.add_segments(geometry, shape, &runs);
         let masses = masses(geometry, shape, line.common.alpha);
         new.add_masses(line, &masses)?;
         new.cluster(geometry, shape, line)?;
+        new.cut(&runs, islands);
         new.lay_along(geometry, shape, line, (&runs, islands), &masses)?;
         Ok(new)
     }

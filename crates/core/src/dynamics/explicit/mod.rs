@@ -96,6 +96,9 @@ struct Reach {
     before: u32,
     /// k, N/m.
     stiffness: f64,
+    /// Whether it and the next three have the same rows, in the lanes from the first on, and all that belongs to them
+    /// is numbered likewise.
+    is_row: bool,
 }
 
 /// Where a wire goes on from one strand to the next.

@@ -33,6 +33,16 @@ impl std::ops::DerefMut for Wide {
     }
 }
 
+/// Lane by lane. A loop of its own: what the library maps arrays with may not be compiled for wide lanes.
+#[inline(always)]
+pub(super) fn each(of: impl Fn(usize) -> f64) -> Wide {
+    let mut all = Wide::default();
+    for l in 0..LANES {
+        all[l] = of(l);
+    }
+    all
+}
+
 /// What is the same across in all directions. Segments have the row of their first point.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Common {

@@ -30,8 +30,11 @@ impl<const D: usize> Kernel for Settle<'_, D> {
             u: self.u,
             delta: self.delta,
         };
+        for pairs in &self.own.groups.rows {
+            on.pairs::<LANES, true>(pairs);
+        }
         for pairs in &self.own.groups.pairs {
-            on.pairs(pairs);
+            on.pairs::<LANES, false>(pairs);
         }
         for group in &self.own.groups.wide {
             on.group(group);
@@ -64,14 +67,17 @@ fn each<const L: usize>(of: impl Fn(usize) -> f64) -> [f64; L] {
 }
 
 impl<const D: usize> On<'_, D> {
-    /// Pairs: what is between two points pulls at both.
+    /// Pairs: what is between two points pulls at both. In a `ROW` they are read and written side by side.
     #[inline(always)]
-    fn pairs<const L: usize>(&mut self, pairs: &Pairs<L>) {
+    fn pairs<const L: usize, const ROW: bool>(&mut self, pairs: &Pairs<L>) {
         let [first, second] = &pairs.points;
         let (mut at, mut force) = ([[[0.0; L]; D]; 2], [[0.0; L]; D]);
         let mut columns = pairs.columns.chunks_exact(2 * D);
         for c in 0..D {
-            let ((a, before), (b, behind)) = (self.free(first, c), self.free(second, c));
+            let ((a, before), (b, behind)) = (
+                self.free::<L, ROW>(first, c),
+                self.free::<L, ROW>(second, c),
+            );
             (at[0][c], at[1][c]) = (a, b);
             let (u, v): ([f64; L], [f64; L]) =
                 (each(|l| b[l] - a[l]), each(|l| behind[l] - before[l]));
@@ -83,19 +89,23 @@ impl<const D: usize> On<'_, D> {
                 force[i] = each(|l| force[i][l] + (of_place[i][l] * u[l] + of_speed[i][l] * v[l]));
             }
         }
-        self.put(second, &mut at[1], &force);
+        self.put::<L, ROW>(second, &mut at[1], &force);
         for f in &mut force {
             *f = each(|l| -f[l]);
         }
-        self.put(first, &mut at[0], &force);
+        self.put::<L, ROW>(first, &mut at[0], &force);
     }
 
     /// Place and h times velocity of points at the end of the step, without the forces of their clusters.
     #[inline(always)]
-    fn free<const L: usize>(&self, point: &Points<L>, component: usize) -> ([f64; L], [f64; L]) {
+    fn free<const L: usize, const ROW: bool>(
+        &self,
+        point: &Points<L>,
+        component: usize,
+    ) -> ([f64; L], [f64; L]) {
         match component.checked_sub(1) {
-            None => self.along(point),
-            Some(across) => ahead(point, across, self.moving[across]),
+            None => self.along::<L, ROW>(point),
+            Some(across) => ahead::<L, ROW>(point, across, self.moving[across]),
         }
     }
 
@@ -124,7 +134,7 @@ impl<const D: usize> On<'_, D> {
         let mut columns = columns.chunks_exact(2 * size);
         for (k, point) in points.iter().enumerate() {
             for c in 0..D {
-                let (u, v) = self.free(point, c);
+                let (u, v) = self.free::<L, false>(point, c);
                 at[k * D + c] = u;
                 let Some(column) = columns.next() else {
                     return;
@@ -138,20 +148,29 @@ impl<const D: usize> On<'_, D> {
             }
         }
         for (k, point) in points.iter().enumerate() {
-            self.put(point, &mut at[k * D..][..D], &force[k * D..][..D]);
+            self.put::<L, false>(point, &mut at[k * D..][..D], &force[k * D..][..D]);
         }
     }
 
     /// Place and increment along the wire.
     #[inline(always)]
-    fn along<const L: usize>(&self, point: &Points<L>) -> ([f64; L], [f64; L]) {
+    fn along<const L: usize, const ROW: bool>(&self, point: &Points<L>) -> ([f64; L], [f64; L]) {
         let [x, d] = self.x;
         let x = &x[..d.len()];
         let (mut from, mut to) = ([[0.0; L]; 2], [[0.0; L]; 2]);
-        for l in 0..L {
-            let (a, b) = (point.masters[0][l] as usize, point.masters[1][l] as usize);
-            (from[0][l], from[1][l]) = (x[a], d[a]);
-            (to[0][l], to[1][l]) = (x[b], d[b]);
+        if ROW {
+            let [a, b] = point.masters.map(|of| of[0] as usize);
+            let read = |list: &[f64], first: usize| -> [f64; L] {
+                let list = &list[first..][..L];
+                each(|l| list[l])
+            };
+            (from, to) = ([read(x, a), read(d, a)], [read(x, b), read(d, b)]);
+        } else {
+            for l in 0..L {
+                let (a, b) = (point.masters[0][l] as usize, point.masters[1][l] as usize);
+                (from[0][l], from[1][l]) = (x[a], d[a]);
+                (to[0][l], to[1][l]) = (x[b], d[b]);
+            }
         }
         let share = &point.share;
         let between = |k: usize| each(|l| (1.0 - share[l]) * from[k][l] + share[l] * to[k][l]);
@@ -160,12 +179,24 @@ impl<const D: usize> On<'_, D> {
 
     /// Take the forces on a point, and its increments.
     #[inline(always)]
-    fn put<const L: usize>(&mut self, point: &Points<L>, at: &mut [[f64; L]], force: &[[f64; L]]) {
+    fn put<const L: usize, const ROW: bool>(
+        &mut self,
+        point: &Points<L>,
+        at: &mut [[f64; L]],
+        force: &[[f64; L]],
+    ) {
         let second: [f64; L] = each(|l| point.share[l] * force[0][l]);
         let first: [f64; L] = each(|l| (1.0 - point.share[l]) * force[0][l]);
-        for l in 0..L {
-            self.pull[point.masters[0][l] as usize] += first[l];
-            self.pull[point.masters[1][l] as usize] += second[l];
+        if ROW {
+            for (of, force) in point.masters.iter().zip([first, second]) {
+                let pull = &mut self.pull[of[0] as usize..][..L];
+                (0..L).for_each(|l| pull[l] += force[l]);
+            }
+        } else {
+            for l in 0..L {
+                self.pull[point.masters[0][l] as usize] += first[l];
+                self.pull[point.masters[1][l] as usize] += second[l];
+            }
         }
         for c in 1..D {
             let (force, at) = (&force[c], &mut at[c]);
@@ -173,7 +204,7 @@ impl<const D: usize> On<'_, D> {
             let moved: [f64; L] = each(|l| inverse[l] * force[l]);
             *at = each(|l| at[l] + BETA * response[l] * force[l]);
             let rows = &mut *self.moving[c - 1];
-            if point.is_row {
+            if ROW {
                 let w = &mut rows[point.row[0] as usize].w;
                 for l in 0..L {
                     w[l % LANES] += moved[l];
@@ -202,11 +233,10 @@ struct Beside<const L: usize> {
 }
 
 impl<const L: usize> Beside<L> {
-    /// Whole rows where the points fill one.
     #[inline(always)]
-    fn of(point: &Points<L>, rows: &[Moving]) -> Self {
+    fn of<const ROW: bool>(point: &Points<L>, rows: &[Moving]) -> Self {
         let (mut s, mut d, mut w) = ([0.0; L], [0.0; L], [[0.0; L]; 5]);
-        if point.is_row {
+        if ROW {
             let near = &rows[point.row[0] as usize - 2..][..5];
             s = each(|l| near[2].s[l % LANES]);
             d = each(|l| near[2].d[l % LANES]);
@@ -229,12 +259,12 @@ impl<const L: usize> Beside<L> {
 
 /// Place and h times velocity across at the end of the step, without the forces of the cluster.
 #[inline(always)]
-fn ahead<const L: usize>(
+fn ahead<const L: usize, const ROW: bool>(
     point: &Points<L>,
     across: usize,
     rows: &[Moving],
 ) -> ([f64; L], [f64; L]) {
-    let Beside { s, d, w } = Beside::of(point, rows);
+    let Beside { s, d, w } = Beside::of::<ROW>(point, rows);
     let ([before, behind], [r0, r1, r2]) = (&point.filter[across], &point.second[across]);
     let a: [f64; L] = each(|l| {
         let (b0, b1) = (w[1][l] - w[0][l], w[2][l] - w[1][l]);

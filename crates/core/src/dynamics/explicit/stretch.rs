@@ -1,6 +1,6 @@
 //! H of each reach, and the motion of the masters.
 
-use super::rows::{Tensed, place};
+use super::rows::{LANES, Tensed, Wide, each, place};
 use super::{Block, Explicit, Grid, Own, Reach};
 use std::ops::Range;
 
@@ -43,8 +43,18 @@ impl<const DIM: usize> Explicit<DIM> {
     #[inline(always)]
     pub(super) fn stretch(&self, reaches: Range<usize>, grid: &mut Grid) {
         let mut pulled = Pulled::of(grid);
-        for (number, reach) in reaches.clone().zip(&self.reaches[reaches]) {
-            pulled.stretch(number, reach, 0.0);
+        let (mut number, mut left) = (reaches.start, &self.reaches[reaches]);
+        while let [reach, behind @ ..] = left {
+            match left.split_first_chunk::<LANES>() {
+                Some((four, behind)) if reach.is_row => {
+                    pulled.stretch_row(number, four);
+                    (number, left) = (number + LANES, behind);
+                }
+                _ => {
+                    pulled.stretch(number, reach, 0.0);
+                    (number, left) = (number + 1, behind);
+                }
+            }
         }
     }
 
@@ -92,6 +102,27 @@ impl<'a> Pulled<'a> {
             pull: &mut grid.pull,
             thrust: &mut grid.thrust,
         }
+    }
+
+    /// H of four that are a row.
+    #[inline(always)]
+    fn stretch_row(&mut self, number: usize, reaches: &[Reach; LANES]) {
+        let first = &reaches[0];
+        let [a, b] = first.masters.map(|m| m as usize);
+        let [from, to] = first.ends.map(|slot| place(slot as usize).0);
+        let risen: Wide = {
+            let (from, to) = (&self.tensed[from].rise, &self.tensed[to].rise);
+            each(|l| to[l] - from[l])
+        };
+        let (lagged, further) = (&self.lagged[a..][..LANES], &self.lagged[b..][..LANES]);
+        let force = each(|l| reaches[l].stiffness * (further[l] - lagged[l] + risen[l]));
+        let pull = &mut self.pull[a..][..LANES];
+        (0..LANES).for_each(|l| pull[l] += force[l]);
+        let pull = &mut self.pull[b..][..LANES];
+        (0..LANES).for_each(|l| pull[l] -= force[l]);
+        let before = &self.thrust[first.before as usize..][..LANES];
+        self.tensed[from].more = each(|l| force[l] - before[l]);
+        self.thrust[number..][..LANES].copy_from_slice(&force[..]);
     }
 
     /// H of one, with the rise of the strands before the one that it ends in.
