@@ -3,10 +3,13 @@
 use super::groups::Groups;
 use super::layout::Chains;
 use super::plan::{Plan, Span};
-use super::rows::{Across, Common, LANES, place};
+use super::rows::{Across, Common, Damped, LANES, each, place};
 use super::strands::Strands;
 use super::{Along, Block, Cut, Explicit, Masters, Own, Reach};
 use std::ops::Range;
+
+/// Share of a number that is rounding of a mean of equal ones.
+const ROUNDING: f64 = 1e-12;
 
 impl Chains {
     /// The same in rows.
@@ -65,7 +68,25 @@ impl Chains {
             cuts,
             plan,
             reaches,
+            is_even: self.even_out(strands, &mut to.damped[strands.rows()]),
         }
+    }
+
+    /// Give all rows of a block the same damping, if all its points have that but for rounding.
+    fn even_out(&self, strands: &Strands, rows: &mut [Damped]) -> bool {
+        let is_even = |list: &[f64]| {
+            let list = &list[strands.points.clone()];
+            let largest = list.iter().fold(0.0_f64, |all, v| all.max(v.abs()));
+            let apart = list.iter().map(|v| (v - list[0]).abs());
+            apart.fold(0.0_f64, f64::max) <= ROUNDING * largest
+        };
+        let is_even = is_even(&self.damping) && is_even(&self.lag);
+        if is_even {
+            let first = strands.points.start;
+            let [alpha, lag] = [self.damping[first], self.lag[first]].map(|v| each(|_| v));
+            rows.fill(Damped { alpha, lag });
+        }
+        is_even
     }
 
     /// Reaches of a block in the order of their ends; what lies between strands, and what comes when.
@@ -114,6 +135,7 @@ impl Chains {
             home: (0..numbers).collect(),
             own: Vec::new(),
             common: vec![Common::default(); rows],
+            damped: vec![Damped::default(); rows],
             across: vec![vec![Across::default(); rows]; DIM - 1],
             along: vec![Along::default(); numbers],
             reaches: Vec::new(),
@@ -136,8 +158,8 @@ impl Chains {
         common.second[lane] = self.second[point];
         common.per_length[lane] = self.per_length[point];
         common.bending[lane] = self.bending[point];
-        common.damping[lane] = self.damping[point];
-        common.lag[lane] = self.lag[point];
+        to.damped[row].alpha[lane] = self.damping[point];
+        to.damped[row].lag[lane] = self.lag[point];
         for (c, across) in to.across.iter_mut().enumerate() {
             across[row].inverse[lane] = self.inverse[c][point];
             across[row].tension[lane] = self.tension[c][point];

@@ -5,14 +5,26 @@
 //!
 //! Each takes some rows and leaves what the next ones need, so that rows may come in pieces.
 
-use super::rows::{Across, Common, LANES, Moving, Tensed, Wide, each};
+use super::rows::{Across, Common, Damped, Moving, Wide, each};
 use std::ops::Range;
 
 /// Numbers of a direction that stay, row by row.
 #[derive(Clone, Copy)]
 pub(super) struct Fixed<'a> {
     pub common: &'a [Common],
+    pub damped: &'a [Damped],
     pub across: &'a [Across],
+}
+
+impl<'a> Fixed<'a> {
+    /// What damps some rows, of which an `EVEN` block has one for all.
+    #[inline(always)]
+    fn damped<const EVEN: bool>(&self, rows: &Range<usize>) -> &'a [Damped] {
+        match EVEN {
+            true => &self.damped[..1],
+            false => &self.damped[rows.start..rows.end],
+        }
+    }
 }
 
 /// Forces of wires, on their way through the rows.
@@ -47,13 +59,13 @@ impl Forces {
         }
     }
 
-    /// w of some rows, from s, H and d.
+    /// w of some rows, from s, d, and what H has more in a segment than in the one before it.
     #[inline(always)]
-    pub fn go(
+    pub fn go<const EVEN: bool>(
         &mut self,
         rows: Range<usize>,
         fixed: Fixed<'_>,
-        tensed: &[Tensed],
+        more: &[Wide],
         moving: &mut [Moving],
     ) {
         let moving = &mut moving[rows.start..rows.end + 2];
@@ -62,7 +74,8 @@ impl Forces {
         };
         let (common, behind) = (&fixed.common[rows.start..], &fixed.common[rows.start + 1..]);
         let (common, behind) = (&common[..n], &behind[..n]);
-        let (across, tensed) = (&fixed.across[rows.start..][..n], &tensed[rows.start..][..n]);
+        let (across, more) = (&fixed.across[rows.start..][..n], &more[rows.start..][..n]);
+        let damped = fixed.damped::<EVEN>(&rows);
         let mut at = *self;
         for k in 0..n {
             let next = moving[k + 2].s;
@@ -70,15 +83,15 @@ impl Forces {
             let bending = &behind[k].bending;
             let moment: Wide = each(|l| bending[l] * (slope[l] - at.slope[l]));
             let (here, this) = (&common[k], &across[k]);
-            at.thrust = each(|l| at.thrust[l] + tensed[k].more[l]);
+            at.thrust = each(|l| at.thrust[l] + more[k][l]);
             let shear: Wide = each(|l| {
                 let bent = (at.moment[l] - moment[l])
                     .mul_add(here.per_length[l], at.thrust[l] * this.slope[l]);
                 this.tension[l].mul_add(at.by[l], bent)
             });
-            let d = moving[k].d;
+            let (d, alpha) = (moving[k].d, &damped[if EVEN { 0 } else { k }].alpha);
             moving[k].w =
-                each(|l| this.inverse[l].mul_add(shear[l] - at.shear[l], -here.damping[l] * d[l]));
+                each(|l| this.inverse[l].mul_add(shear[l] - at.shear[l], -alpha[l] * d[l]));
             (at.by, at.slope, at.moment, at.shear, at.s) = (by, slope, moment, shear, next);
         }
         *self = at;
@@ -127,14 +140,14 @@ impl Motion {
         }
     }
 
-    /// Move some rows. Directions but the `FIRST` add their rise to what is there.
+    /// Move some rows. The rise takes the place of w; that of a second direction is added to that of the first.
     #[inline(always)]
-    pub fn go<const FIRST: bool>(
+    pub fn go<const EVEN: bool>(
         &mut self,
         rows: Range<usize>,
         fixed: Fixed<'_>,
-        tensed: &mut [Tensed],
         moving: &mut [Moving],
+        first: Option<&mut [Moving]>,
     ) {
         let moving = &mut moving[rows.start..rows.end + 2];
         let Some(n) = moving.len().checked_sub(2) else {
@@ -142,7 +155,8 @@ impl Motion {
         };
         let (common, behind) = (&fixed.common[rows.start..], &fixed.common[rows.start + 1..]);
         let (common, behind) = (&common[..n], &behind[..n]);
-        let tensed = &mut tensed[rows.start..][..n];
+        let damped = fixed.damped::<EVEN>(&rows);
+        let mut first = first.map(|first| &mut first[rows.start..][..n]);
         let (before, across) = (&fixed.across[rows.start - 1..], &fixed.across[rows.start..]);
         let (before, across) = (&before[..n], &across[..n]);
         let mut at = *self;
@@ -152,12 +166,17 @@ impl Motion {
             let (filter, second) = (&common[k].filter, &behind[k].second);
             let turn: Wide = each(|l| second[l] * (by[l] - at.by[l]));
             let shared: Wide = each(|l| filter[l].mul_add(at.by[l], at.turn[l] - turn[l]));
-            let (inverse, lag) = (&across[k].inverse, &common[k].lag);
+            let (inverse, lag) = (&across[k].inverse, &damped[if EVEN { 0 } else { k }].lag);
             let a: Wide = each(|l| inverse[l].mul_add(at.shared[l] - shared[l], at.w[l]));
             let row = &mut moving[k];
-            row.d = each(|l| row.d[l] + a[l]);
-            row.s = each(|l| row.s[l] + lag[l].mul_add(a[l], row.d[l]));
-            at.rise.go_on::<FIRST>(&before[k], &row.s, &mut tensed[k]);
+            let d = each(|l| row.d[l] + a[l]);
+            let s = each(|l| row.s[l] + lag[l].mul_add(a[l], d[l]));
+            (row.s, row.d) = (s, d);
+            let rise = at.rise.go_on(&before[k], s);
+            match &mut first {
+                None => row.w = rise,
+                Some(first) => first[k].w = each(|l| first[k].w[l] + rise[l]),
+            }
             (at.w, at.ahead, at.by) = (at.ahead, next, by);
             (at.turn, at.shared) = (turn, shared);
         }
@@ -183,13 +202,10 @@ impl Rise {
 
     /// On to a row, with the segment that ends there.
     #[inline(always)]
-    pub fn go_on<const FIRST: bool>(&mut self, segment: &Across, s: &Wide, tensed: &mut Tensed) {
-        let before = self.s.unwrap_or(*s);
+    pub fn go_on(&mut self, segment: &Across, s: Wide) -> Wide {
+        let before = self.s.unwrap_or(s);
         let sum = each(|l| segment.slope[l].mul_add(s[l] - before[l], self.sum[l]));
-        let rise = &mut tensed.rise;
-        for l in 0..LANES {
-            rise[l] = if FIRST { sum[l] } else { rise[l] + sum[l] };
-        }
-        *self = Self { sum, s: Some(*s) };
+        *self = Self { sum, s: Some(s) };
+        sum
     }
 }

@@ -58,7 +58,7 @@ mod waves;
 use cluster::Cluster;
 use groups::Groups;
 use plan::Plan;
-use rows::{Across, Common, Moving, Tensed};
+use rows::{Across, Common, Damped, Moving, Wide};
 use std::ops::Range;
 
 /// Newmark's β.
@@ -126,6 +126,8 @@ struct Block {
     plan: Plan,
     /// As they end, those over cuts last.
     reaches: Range<usize>,
+    /// Whether all rows have the same damping.
+    is_even: bool,
 }
 
 /// What belongs to one island.
@@ -166,6 +168,7 @@ pub struct Explicit<const DIM: usize> {
     home: Vec<usize>,
     own: Vec<Own>,
     common: Vec<Common>,
+    damped: Vec<Damped>,
     across: Vec<Vec<Across>>,
     along: Vec<Along>,
     reaches: Vec<Reach>,
@@ -182,7 +185,8 @@ pub struct Explicit<const DIM: usize> {
 pub struct Grid {
     /// Rows of each direction across.
     moving: Vec<Vec<Moving>>,
-    tensed: Vec<Tensed>,
+    /// H of each segment less that of the one before it, N.
+    more: Vec<Wide>,
     /// Predictor of the masters along, and its last increment, m.
     pub(super) x: [Vec<f64>; 2],
     /// x + (β/h) d, m.

@@ -54,9 +54,14 @@ pub(super) struct Common {
     pub per_length: Wide,
     /// EI*/ℓ̄ of the point, N·m; see [`bends`](super::bends).
     pub bending: Wide,
-    /// α h of the point.
-    pub damping: Wide,
-    /// β/h of the point.
+}
+
+/// What damps a point. Where it is the same for all points of a block, one row is read for all.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Damped {
+    /// α h.
+    pub alpha: Wide,
+    /// β/h.
     pub lag: Wide,
 }
 
@@ -78,17 +83,9 @@ pub struct Moving {
     pub(super) s: Wide,
     /// Increment of y in the last step, m.
     pub(super) d: Wide,
-    /// h² M⁻¹ f, m.
+    /// h² M⁻¹ f, m. Between the motion and the forces, in the first direction: Σ tan φ Δs of all directions, from
+    /// the begin of the strand to the point.
     pub(super) w: Wide,
-}
-
-/// What couples the directions: the increment of the horizontal force.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Tensed {
-    /// Σ tan φ Δs of all directions, from the begin of the strand to the point, m.
-    pub rise: Wide,
-    /// H of the segment less that of the one before, N.
-    pub more: Wide,
 }
 
 /// Row and lane of a slot.

@@ -86,7 +86,10 @@ impl<const D: usize> On<'_, D> {
             };
             let (of_place, of_speed) = column.split_at(D);
             for i in 0..D {
-                force[i] = each(|l| force[i][l] + (of_place[i][l] * u[l] + of_speed[i][l] * v[l]));
+                force[i] = each(|l| {
+                    let of_speed = of_speed[i][l].mul_add(v[l], force[i][l]);
+                    of_place[i][l].mul_add(u[l], of_speed)
+                });
             }
         }
         self.put::<L, ROW>(second, &mut at[1], &force);
@@ -142,7 +145,8 @@ impl<const D: usize> On<'_, D> {
                 let (of_place, of_speed) = column.split_at(size);
                 for i in 0..size {
                     for l in 0..L {
-                        force[i][l] += of_place[i][l] * u[l] + of_speed[i][l] * v[l];
+                        let of_speed = of_speed[i][l].mul_add(v[l], force[i][l]);
+                        force[i][l] = of_place[i][l].mul_add(u[l], of_speed);
                     }
                 }
             }
@@ -173,7 +177,7 @@ impl<const D: usize> On<'_, D> {
             }
         }
         let share = &point.share;
-        let between = |k: usize| each(|l| (1.0 - share[l]) * from[k][l] + share[l] * to[k][l]);
+        let between = |k: usize| each(|l| share[l].mul_add(to[k][l] - from[k][l], from[k][l]));
         (between(0), between(1))
     }
 
@@ -270,9 +274,13 @@ fn ahead<const L: usize, const ROW: bool>(
         let (b0, b1) = (w[1][l] - w[0][l], w[2][l] - w[1][l]);
         let (b2, b3) = (w[3][l] - w[2][l], w[4][l] - w[3][l]);
         let (t0, t1, t2) = (r0[l] * (b1 - b0), r1[l] * (b2 - b1), r2[l] * (b3 - b2));
-        let (left, right) = (before[l] * b1 - (t1 - t0), behind[l] * b2 - (t2 - t1));
+        let left = before[l].mul_add(b1, t0 - t1);
+        let right = behind[l].mul_add(b2, t1 - t2);
         w[2][l] - (right - left)
     });
-    let y: [f64; L] = each(|l| s[l] - point.lag[l] * d[l]);
-    (each(|l| y[l] + BETA * a[l]), each(|l| d[l] + 0.5 * a[l]))
+    let y: [f64; L] = each(|l| d[l].mul_add(-point.lag[l], s[l]));
+    (
+        each(|l| a[l].mul_add(BETA, y[l])),
+        each(|l| a[l].mul_add(0.5, d[l])),
+    )
 }

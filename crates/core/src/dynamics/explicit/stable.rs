@@ -105,7 +105,7 @@ impl<const DIM: usize> Explicit<DIM> {
             for (c, rows) in grid.moving.iter_mut().enumerate() {
                 let (y, d) = (y[c + 1], 2.0 * y[c + 1]);
                 rows[row].d[lane] = d;
-                rows[row].s[lane] = y + self.common[row].lag[lane] * d;
+                rows[row].s[lane] = y + self.damped[row].lag[lane] * d;
             }
         }
         let [x, d] = &mut grid.x;

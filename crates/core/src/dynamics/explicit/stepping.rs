@@ -1,7 +1,7 @@
 //! A step, in the order of the pieces: clusters; then, with contacts known, the motion, and the forces of wires
 //! for the next one.
 
-use super::rows::{LANES, Moving, Tensed, Wide, place};
+use super::rows::{LANES, Moving, Wide, place};
 use super::settle::Settle;
 use super::sweep::{Stand, Sweep};
 use super::{BETA, Block, Explicit, Grid, Own};
@@ -31,7 +31,7 @@ impl<const DIM: usize> Explicit<DIM> {
         let along = vec![0.0; self.masters.lag.len()];
         Grid {
             moving: vec![vec![Moving::default(); self.common.len()]; DIM - 1],
-            tensed: vec![Tensed::default(); self.common.len()],
+            more: vec![Wide::default(); self.common.len()],
             x: [along.clone(), along.clone()],
             lagged: along.clone(),
             pull: along,
@@ -109,12 +109,12 @@ impl<const DIM: usize> Explicit<DIM> {
     pub(super) fn rise_to_tails(&self, own: &Block, grid: &mut Grid) {
         for cut in &own.cuts {
             let (row, lane) = place(cut.tail);
-            let mut rise = grid.tensed[row - 1].rise[lane];
+            let mut rise = grid.moving[0][row - 1].w[lane];
             for (across, rows) in self.across.iter().zip(&grid.moving) {
                 let by = rows[row].s[lane] - rows[row - 1].s[lane];
                 rise += across[row - 1].slope[lane] * by;
             }
-            grid.tensed[row].rise[lane] = rise;
+            grid.moving[0][row].w[lane] = rise;
         }
     }
 
@@ -182,7 +182,7 @@ impl<const DIM: usize> Explicit<DIM> {
         for (across, rows) in grid.moving.iter().enumerate() {
             let a = self.acceleration(across, slot, rows);
             let (s, d) = (rows[row].s[lane], rows[row].d[lane]);
-            let y = s - self.common[row].lag[lane] * d;
+            let y = s - self.damped[row].lag[lane] * d;
             found[across + 1] = [y + BETA * a, self.per_step * (d + 0.5 * a)];
         }
         found
@@ -218,7 +218,7 @@ impl<const DIM: usize> Explicit<DIM> {
         for rows in &mut grid.moving {
             rows[own.rows.clone()].fill(Moving::default());
         }
-        grid.tensed[own.rows.clone()].fill(Tensed::default());
+        grid.more[own.rows.clone()].fill(Wide::default());
         for list in grid.x.iter_mut().chain([&mut grid.pull]) {
             list[own.masters.clone()].fill(0.0);
         }

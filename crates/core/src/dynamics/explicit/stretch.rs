@@ -1,13 +1,13 @@
 //! H of each reach, and the motion of the masters.
 
-use super::rows::{LANES, Tensed, Wide, each, place};
+use super::rows::{LANES, Moving, Wide, each, place};
 use super::{Block, Explicit, Grid, Own, Reach};
 use std::ops::Range;
 
 #[inline(always)]
-fn rise(tensed: &[Tensed], slot: usize) -> f64 {
+fn rise(first: &[Moving], slot: usize) -> f64 {
     let (row, lane) = place(slot);
-    tensed[row].rise[lane]
+    first[row].w[lane]
 }
 
 impl<const DIM: usize> Explicit<DIM> {
@@ -63,15 +63,15 @@ impl<const DIM: usize> Explicit<DIM> {
     pub(super) fn stretch_over_cuts(&self, own: &Block, grid: &mut Grid) {
         for number in own.plan.within..own.reaches.end {
             let tails = own.cuts.iter().filter(|cut| cut.over == Some(number));
-            let before = tails.map(|cut| rise(&grid.tensed, cut.tail)).sum();
+            let before = tails.map(|cut| rise(&grid.moving[0], cut.tail)).sum();
             Pulled::of(grid).stretch(number, &self.reaches[number], before);
         }
         for cut in &own.cuts {
             let last = cut.last.map_or(0.0, |number| grid.thrust[number]);
-            more(&mut grid.tensed, cut.head, last);
+            more(&mut grid.more, cut.head, last);
             if let Some(next) = cut.next {
                 let from = self.reaches[next].ends[0] as usize;
-                more(&mut grid.tensed, from, grid.thrust[next] - last);
+                more(&mut grid.more, from, grid.thrust[next] - last);
             }
         }
     }
@@ -79,15 +79,17 @@ impl<const DIM: usize> Explicit<DIM> {
 
 /// Set what a segment has more than the one before it.
 #[inline(always)]
-fn more(tensed: &mut [Tensed], slot: usize, thrust: f64) {
+fn more(list: &mut [Wide], slot: usize, thrust: f64) {
     let (row, lane) = place(slot);
-    tensed[row].more[lane] = thrust;
+    list[row][lane] = thrust;
 }
 
 /// What reaches read and write. Slices: a list that is written to might be another one for all the compiler
 /// knows, and be looked up anew.
 struct Pulled<'a> {
-    tensed: &'a mut [Tensed],
+    /// Rows of the first direction, which have the rise.
+    first: &'a [Moving],
+    more: &'a mut [Wide],
     lagged: &'a [f64],
     pull: &'a mut [f64],
     thrust: &'a mut [f64],
@@ -97,7 +99,8 @@ impl<'a> Pulled<'a> {
     #[inline(always)]
     fn of(grid: &'a mut Grid) -> Self {
         Self {
-            tensed: &mut grid.tensed,
+            first: &grid.moving[0],
+            more: &mut grid.more,
             lagged: &grid.lagged,
             pull: &mut grid.pull,
             thrust: &mut grid.thrust,
@@ -111,7 +114,7 @@ impl<'a> Pulled<'a> {
         let [a, b] = first.masters.map(|m| m as usize);
         let [from, to] = first.ends.map(|slot| place(slot as usize).0);
         let risen: Wide = {
-            let (from, to) = (&self.tensed[from].rise, &self.tensed[to].rise);
+            let (from, to) = (&self.first[from].w, &self.first[to].w);
             each(|l| to[l] - from[l])
         };
         let (lagged, further) = (&self.lagged[a..][..LANES], &self.lagged[b..][..LANES]);
@@ -121,7 +124,7 @@ impl<'a> Pulled<'a> {
         let pull = &mut self.pull[b..][..LANES];
         (0..LANES).for_each(|l| pull[l] -= force[l]);
         let before = &self.thrust[first.before as usize..][..LANES];
-        self.tensed[from].more = each(|l| force[l] - before[l]);
+        self.more[from] = each(|l| force[l] - before[l]);
         self.thrust[number..][..LANES].copy_from_slice(&force[..]);
     }
 
@@ -130,15 +133,11 @@ impl<'a> Pulled<'a> {
     fn stretch(&mut self, number: usize, reach: &Reach, before: f64) {
         let [a, b] = reach.masters.map(|m| m as usize);
         let [from, to] = reach.ends.map(|slot| slot as usize);
-        let risen = rise(self.tensed, to) - rise(self.tensed, from) + before;
+        let risen = rise(self.first, to) - rise(self.first, from) + before;
         let force = reach.stiffness * (self.lagged[b] - self.lagged[a] + risen);
         self.pull[a] += force;
         self.pull[b] -= force;
-        more(
-            self.tensed,
-            from,
-            force - self.thrust[reach.before as usize],
-        );
+        more(self.more, from, force - self.thrust[reach.before as usize]);
         self.thrust[number] = force;
     }
 }

@@ -2,7 +2,7 @@
 //! and stage by stage: see [`plan`](super::plan).
 
 use super::kernels::{Fixed, Forces, Motion, Rise};
-use super::rows::{HALO, LANES, Moving, Tensed, Wide};
+use super::rows::{HALO, LANES, Moving, Wide, each};
 use super::{Block, Explicit, Grid, Own};
 use crate::linalg::Kernel;
 use std::ops::Range;
@@ -31,7 +31,11 @@ impl<const DIM: usize> Kernel for Sweep<'_, DIM> {
         p.slide(own, grid);
         p.release(own, grid);
         for own in &own.blocks {
-            On { p, own, grid }.step();
+            let on = On { p, own, grid };
+            match own.is_even {
+                true => on.step::<true>(),
+                false => on.step::<false>(),
+            }
         }
     }
 }
@@ -47,81 +51,84 @@ impl<const DIM: usize> Kernel for Stand<'_, DIM> {
     }
 }
 
-impl<const DIM: usize> On<'_, DIM> {
+impl<'a, const DIM: usize> On<'a, DIM> {
+    /// Take a step; blocks that are `EVEN` have the same damping everywhere.
     #[inline(always)]
-    fn step(mut self) {
+    fn step<const EVEN: bool>(mut self) {
         let (own, plan) = (self.own, &self.own.plan);
         let mut motions = [self.motion(0), self.motion(DIM - 2)];
         let (mut forces, mut forced) = (None, plan.first - 1);
         let (mut moved, mut stretched) = (HALO, own.reaches.start);
         for stage in &plan.stages {
-            self.move_rows(&mut motions, moved..stage.moved);
+            self.move_rows::<EVEN>(&mut motions, moved..stage.moved);
             self.p.stretch(stretched..stage.stretched, self.grid);
             (moved, stretched) = (stage.moved, stage.stretched);
             if stage.forced > plan.first {
                 let mut all = forces.unwrap_or_else(|| self.forces());
-                self.force_rows(&mut all, forced..stage.forced);
+                self.force_rows::<EVEN>(&mut all, forced..stage.forced);
                 (forces, forced) = (Some(all), stage.forced);
             }
         }
         self.p.copy_places(own, self.grid);
         self.p.rise_to_tails(own, self.grid);
-        self.finish(forces, forced);
+        self.finish::<EVEN>(forces, forced);
     }
 
     #[inline(always)]
     fn stand(mut self) {
         let (own, plan) = (self.own, &self.own.plan);
         self.p.copy_places(own, self.grid);
-        for c in 0..DIM - 1 {
-            self.measure(c);
-        }
+        self.measure();
         self.p.rise_to_tails(own, self.grid);
         self.p.stretch(own.reaches.start..plan.within, self.grid);
-        self.finish(None, plan.first - 1);
+        self.finish::<false>(None, plan.first - 1);
     }
 
-    /// Rows of a direction across.
+    /// What stays of the rows of a direction across.
     #[inline(always)]
-    fn rows(&mut self, across: usize) -> (Fixed<'_>, &mut [Tensed], &mut [Moving]) {
-        let which = self.own.rows.clone();
-        let fixed = Fixed {
-            common: &self.p.common[which.clone()],
-            across: &self.p.across[across][which.clone()],
-        };
-        let tensed = &mut self.grid.tensed[which.clone()];
-        (fixed, tensed, &mut self.grid.moving[across][which])
+    fn fixed(&self, across: usize) -> Fixed<'a> {
+        let (p, which) = (self.p, self.own.rows.clone());
+        Fixed {
+            common: &p.common[which.clone()],
+            damped: &p.damped[which.clone()],
+            across: &p.across[across][which],
+        }
+    }
+
+    /// What moves there.
+    #[inline(always)]
+    fn rows(&mut self, across: usize) -> &mut [Moving] {
+        &mut self.grid.moving[across][self.own.rows.clone()]
     }
 
     #[inline(always)]
     fn motion(&mut self, across: usize) -> Motion {
-        let (fixed, _, rows) = self.rows(across);
-        Motion::before(HALO, fixed.common, rows)
+        Motion::before(HALO, self.fixed(across).common, self.rows(across))
     }
 
     #[inline(always)]
-    fn move_rows(&mut self, motions: &mut [Motion; 2], which: Range<usize>) {
-        for c in 0..DIM - 1 {
-            let (fixed, tensed, rows) = self.rows(c);
-            if c == 0 {
-                motions[c].go::<true>(which.clone(), fixed, tensed, rows);
-            } else {
-                motions[c].go::<false>(which.clone(), fixed, tensed, rows);
+    fn move_rows<const EVEN: bool>(&mut self, motions: &mut [Motion; 2], which: Range<usize>) {
+        let fixed = self.fixed(0);
+        motions[0].go::<EVEN>(which.clone(), fixed, self.rows(0), None);
+        if DIM == 3 {
+            let (fixed, own) = (self.fixed(1), &self.own.rows);
+            if let [first, second] = &mut self.grid.moving[..] {
+                let (first, second) = (&mut first[own.clone()], &mut second[own.clone()]);
+                motions[1].go::<EVEN>(which, fixed, second, Some(first));
             }
         }
     }
 
     /// The rise of the wire up to each point, from where they are.
     #[inline(always)]
-    fn measure(&mut self, c: usize) {
-        let own = self.own.plan.rows.clone();
-        let (fixed, tensed, rows) = self.rows(c);
-        let mut rise = Rise::begin();
-        for k in own {
-            if c == 0 {
-                rise.go_on::<true>(&fixed.across[k - 1], &rows[k].s, &mut tensed[k]);
-            } else {
-                rise.go_on::<false>(&fixed.across[k - 1], &rows[k].s, &mut tensed[k]);
+    fn measure(&mut self) {
+        for c in 0..DIM - 1 {
+            let fixed = self.fixed(c);
+            let mut rise = Rise::begin();
+            for k in self.own.plan.rows.clone() {
+                let more = rise.go_on(&fixed.across[k - 1], self.rows(c)[k].s);
+                let first = &mut self.rows(0)[k].w;
+                *first = each(|l| if c == 0 { more[l] } else { first[l] + more[l] });
             }
         }
     }
@@ -134,34 +141,34 @@ impl<const DIM: usize> On<'_, DIM> {
         for l in 0..LANES {
             thrust[l] = self.grid.thrust[plan.thrusts[l]];
         }
-        let mut of = |c: usize| {
-            let (fixed, _, rows) = self.rows(c);
-            Forces::before(plan.first - 1, fixed, rows, thrust)
-        };
+        let mut of = |c| Forces::before(plan.first - 1, self.fixed(c), self.rows(c), thrust);
         [of(0), of(DIM - 2)]
     }
 
     #[inline(always)]
-    fn force_rows(&mut self, forces: &mut [Forces; 2], which: Range<usize>) {
+    fn force_rows<const EVEN: bool>(&mut self, forces: &mut [Forces; 2], which: Range<usize>) {
         for c in 0..DIM - 1 {
-            let (fixed, tensed, rows) = self.rows(c);
-            forces[c].go(which.clone(), fixed, tensed, rows);
+            let (fixed, own) = (self.fixed(c), &self.own.rows);
+            let Grid { moving, more, .. } = &mut *self.grid;
+            let (more, rows) = (&more[own.clone()], &mut moving[c][own.clone()]);
+            forces[c].go::<EVEN>(which.clone(), fixed, more, rows);
         }
     }
 
     /// Forces of the other rows: the last ones, and those that wait.
     #[inline(always)]
-    fn finish(&mut self, begun: Option<[Forces; 2]>, forced: usize) {
+    fn finish<const EVEN: bool>(&mut self, begun: Option<[Forces; 2]>, forced: usize) {
         let plan = &self.own.plan;
         self.p.stretch_over_cuts(self.own, self.grid);
         if plan.first < plan.rows.end {
             let mut forces = begun.unwrap_or_else(|| self.forces());
-            self.force_rows(&mut forces, forced..plan.rows.end);
+            self.force_rows::<EVEN>(&mut forces, forced..plan.rows.end);
         }
-        for c in 0..DIM - 1 {
-            let (fixed, tensed, rows) = self.rows(c);
-            let mut early = Forces::before(HALO - 1, fixed, rows, Wide::default());
-            early.go(HALO - 1..plan.first, fixed, tensed, rows);
-        }
+        let mut of = |c| {
+            let fixed = self.fixed(c);
+            Forces::before(HALO - 1, fixed, self.rows(c), Wide::default())
+        };
+        let mut early = [of(0), of(DIM - 2)];
+        self.force_rows::<EVEN>(&mut early, HALO - 1..plan.first);
     }
 }
