@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from arcless.model import Scenario, load, settings
+from arcless.model import Scenario, Solver, load, schemes
 from arcless.simulate import equilibrium, motion, riders
 from arcless.simulate.control import Controllers
 from arcless.simulate.job import Job, prepare
@@ -12,7 +12,7 @@ from benchmarks.clock import Taken, interleaved, timed
 from benchmarks.floor import Floor, floor, mass_entries
 
 EXPLICIT: dict[str, Any] = {
-    "solver.scheme": settings.EXPLICIT,
+    "solver.scheme": schemes.EXPLICIT,
     "solver.wire_model": "lumped",
     "solver.contact_wire_element": "0.45 m",
     "solver.messenger_wire_element": "0.6 m",
@@ -80,8 +80,8 @@ def rows(cases: Sequence[tuple[str, str, dict[str, Any]]] = CASES) -> list[list[
     ]
 
 
-def _solves(solver: settings.Solver) -> str:
-    if solver.scheme.name == settings.EXPLICIT:
+def _solves(solver: Solver) -> str:
+    if solver.scheme.name == schemes.EXPLICIT:
         return "0"
     # Updated kinematics factorise in every step.
     return "1" if solver.kinematics == "linearised" else "1, with a new factor"

@@ -6,7 +6,8 @@ from math import atan, hypot, log1p, pi
 from arcless.model.heights import gradient_warnings
 from arcless.model.line import Line
 from arcless.model.scenario import Scenario
-from arcless.model.settings import EXPLICIT, ONE_ELEMENT
+from arcless.model.schemes import EXPLICIT
+from arcless.model.settings import ONE_ELEMENT
 from arcless.model.track_checks import deviation_warnings
 
 # EN 50119:2009, 5.2.4: speed at most 70 % of the wave speed of the contact wire.

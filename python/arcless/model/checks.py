@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from arcless.errors import ModelError
 from arcless.model.line import POSITION_TOLERANCE
-from arcless.model.settings import EXPLICIT
+from arcless.model.schemes import EXPLICIT
 from arcless.units import show
 
 if TYPE_CHECKING:

@@ -8,6 +8,7 @@ from pydantic import Field, model_validator
 from arcless.errors import ModelError
 from arcless.model.fields import Lengths, Part, Unit
 from arcless.model.lists import check_count
+from arcless.model.schemes import EXPLICIT, GeneralisedAlpha, Scheme
 from arcless.units import WRONG_VALUE
 
 # 1080 km/h: above any train, and a speed in km/h written without its unit is often above it.
@@ -18,8 +19,7 @@ ONE_ELEMENT: Final = "one element"
 # What is recorded of the line: all of it, or all where that is not too much.
 WHOLE_LINE: Final = "whole line"
 AUTO: Final = "auto"
-# The scheme that steps without a matrix; what point masses need to be as right as cubic elements.
-EXPLICIT: Final = "central-difference"
+# What point masses need to be as right as cubic elements.
 SHORT_ELEMENTS = "with contact_wire_element of 0.45 m and messenger_wire_element of 0.6 m"
 
 
@@ -64,77 +64,6 @@ class Contact(Part):
     friction_coefficient: Annotated[float, Unit("1", minimum=0, maximum=2)] = Field(
         default=0.0, description="Friction along the wire."
     )
-
-
-class GeneralisedAlpha(Part):
-    """Generalised-alpha scheme (Chung and Hulbert)."""
-
-    name: Literal["generalised-alpha"] = Field(description="Name of the scheme.")
-    spectral_radius: Annotated[float, Unit("1", minimum=0, maximum=1)] = Field(
-        default=0.9, description="Spectral radius at infinite frequency; 1 damps nothing."
-    )
-
-
-class HilberHughesTaylor(Part):
-    """Hilber-Hughes-Taylor scheme."""
-
-    name: Literal["hht"] = Field(description="Name of the scheme.")
-    alpha: Annotated[float, Unit("1", minimum=-1 / 3, maximum=0)] = Field(
-        default=-0.05, description="Damping parameter, from -1/3 to 0 (none)."
-    )
-
-
-class Newmark(Part):
-    """Newmark scheme, unconditionally stable members only."""
-
-    name: Literal["newmark"] = Field(description="Name of the scheme.")
-    beta: Annotated[float, Unit("1", minimum=0.25, maximum=1)] = Field(
-        default=0.25, description="Newmark's beta."
-    )
-    gamma: Annotated[float, Unit("1", minimum=0.5, maximum=1)] = Field(
-        default=0.5, description="Newmark's gamma; above 0.5 damps and is of first order."
-    )
-
-    @model_validator(mode="after")
-    def _check_stable(self) -> "Newmark":
-        lowest = (self.gamma + 0.5) ** 2 / 4
-        if self.beta < lowest - 1e-12:
-            raise ModelError(
-                "not unconditionally stable",
-                got=f"{self.beta:g}",
-                expected=f"at least (gamma + 1/2)²/4 = {lowest:g}",
-                field=("beta",),
-            )
-        return self
-
-
-class Trapezoidal(Part):
-    """Trapezoidal rule: conserves energy."""
-
-    name: Literal["trapezoidal"] = Field(description="Name of the scheme.")
-
-
-class BackwardDifference(Part):
-    """Backward differences for velocity and acceleration: first order, dissipative."""
-
-    name: Literal["backward-difference"] = Field(description="Name of the scheme.")
-
-
-class CentralDifference(Part):
-    """Central differences: explicit, for wires of point masses with linearised kinematics."""
-
-    name: Literal["central-difference"] = Field(description="Name of the scheme.")
-
-
-Scheme = Annotated[
-    GeneralisedAlpha
-    | HilberHughesTaylor
-    | Newmark
-    | Trapezoidal
-    | BackwardDifference
-    | CentralDifference,
-    Field(discriminator="name"),
-]
 
 
 class Solver(Part):
