@@ -47,8 +47,8 @@ def finer(scenario: Scenario, elements: float = FINER, step: float = FINER) -> S
     """Divide element lengths and the time step."""
     solver = scenario.solver
     return scenario.with_(**{
-        "solver.contact_wire_element": solver.contact_wire_element / elements,
-        "solver.messenger_wire_element": solver.messenger_wire_element / elements,
+        "solver.contact_wire_element": solver.contact_wire_element_m / elements,
+        "solver.messenger_wire_element": solver.messenger_wire_element_m / elements,
         "solver.time_step": scenario.time_step_s / step,
     })  # fmt: skip
 
@@ -93,7 +93,7 @@ def _head(title: str, scenario: Scenario) -> list[str]:
     solver, one = scenario.solver, Stepping.of(scenario)
     return [
         title,
-        f"{solver.contact_wire_element:.3g}, {solver.messenger_wire_element:.3g}",
+        f"{solver.contact_wire_element_m:.3g}, {solver.messenger_wire_element_m:.3g}",
         f"{1e3 * scenario.time_step_s:g}",
         f"{one.job.travel.duration / timed(one.run, 3).processor:.2g}",
     ]

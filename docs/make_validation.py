@@ -86,11 +86,8 @@ def sensitivity_table(cases: Iterable[Any], variants: list[tuple[str, Changes]])
 
 
 def lengths_table() -> str:
-    halved = {
-        f"solver.{wire}_element": getattr(arcless.load(DROPPERS.scenario).solver, f"{wire}_element")
-        / 2
-        for wire in WIRES
-    }
+    solver = arcless.load(DROPPERS.scenario).solver
+    halved = {f"solver.{wire}_element": getattr(solver, f"{wire}_element_m") / 2 for wire in WIRES}
 
     def found(name: str, changes: Changes) -> list[float]:
         droppers = arcless.statics(arcless.load(name).with_(**changes)).droppers
@@ -142,11 +139,11 @@ def halving_table() -> str:
         base = run(case.scenario)
         solver = base.scenario.solver
         fixed = force(base.metadata["static_force_found"]["P1"])
-        fine = elements(solver.contact_wire_element / 2)
+        fine = elements(solver.contact_wire_element_m / 2)
         step = {"solver.time_step": solver.time_step / 2}
         reference = numbers(base)
         for title, changes in (
-            (f"{solver.contact_wire_element:g} m, {solver.time_step * 1e3:g} ms", None),
+            (f"{solver.contact_wire_element_m:g} m, {solver.time_step * 1e3:g} ms", None),
             ("elements halved", fine),
             ("time step halved", step),
             ("both halved", {**fine, **step}),

@@ -1,7 +1,7 @@
 """How a run moves, computes and records: speed profile, contact law, solver, output."""
 
 from itertools import pairwise
-from typing import Annotated, Any, Final, Literal
+from typing import Annotated, Any, Final, Literal, NamedTuple, TypeAlias
 
 from pydantic import Field, model_validator
 
@@ -18,9 +18,26 @@ MAX_PROFILE = 50_000
 ONE_ELEMENT: Final = "one element"
 # What is recorded of the line: all of it, or all where that is not too much.
 WHOLE_LINE: Final = "whole line"
+# What follows from other settings.
 AUTO: Final = "auto"
-# What point masses need to be as right as cubic elements.
-SHORT_ELEMENTS = "with contact_wire_element of 0.45 m and messenger_wire_element of 0.6 m"
+WireModel: TypeAlias = Literal["hermite", "lumped"]
+ElementLength: TypeAlias = Annotated[
+    float | Literal["auto"], Unit("m", minimum=0.05, maximum=20, words=(AUTO,))
+]
+
+
+class Division(NamedTuple):
+    """How wires are divided: wire model, longest elements of contact and messenger wire in m."""
+
+    wires: WireModel
+    contact_wire: float
+    messenger_wire: float
+
+
+# What `auto` stands for. Explicit steps are those of point masses, and need so many of them to be
+# as right as cubic elements.
+BY_MATRIX = Division("hermite", 1.45, 2.9)
+BY_STEPS = Division("lumped", 0.45, 0.6)
 
 
 class SpeedProfile(Part):
@@ -98,18 +115,23 @@ class Solver(Part):
         description="Motion about the static equilibrium, or node coordinates and stiffness"
         " updated in each step.",
     )
-    wire_model: Literal["hermite", "lumped"] = Field(
-        default="hermite",
-        description="Wire elements: cubic with slopes, or point masses on a chain.",
+    wire_model: Literal["auto", "hermite", "lumped"] = Field(
+        default="auto",
+        description="Wire elements: cubic with slopes, or point masses on a chain; auto: hermite,"
+        f" but lumped with the scheme {EXPLICIT}.",
     )
     dimension: Literal["auto", "planar", "spatial"] = Field(
         default="auto", description="Planar or spatial; auto looks at stagger and steady arms."
     )
-    contact_wire_element: Annotated[float, Unit("m", minimum=0.05, maximum=20)] = Field(
-        default=1.45, description="Longest element of the contact wire."
+    contact_wire_element: ElementLength = Field(
+        default="auto",
+        description=f"Longest element of the contact wire; auto: {BY_MATRIX.contact_wire:g} m, but"
+        f" {BY_STEPS.contact_wire:g} m with the scheme {EXPLICIT}.",
     )
-    messenger_wire_element: Annotated[float, Unit("m", minimum=0.05, maximum=20)] = Field(
-        default=2.9, description="Longest element of the messenger wire."
+    messenger_wire_element: ElementLength = Field(
+        default="auto",
+        description=f"Longest element of the messenger wire; auto: {BY_MATRIX.messenger_wire:g} m,"
+        f" but {BY_STEPS.messenger_wire:g} m with the scheme {EXPLICIT}.",
     )
     gravity: Annotated[float, Unit("m/s2", minimum=0, maximum=100)] = Field(
         default=9.81, description="Acceleration of gravity."
@@ -128,7 +150,7 @@ class Solver(Part):
                 field=("residual_flexibility",),
             )
         for key, value, needed, hint in (
-            ("wire_model", self.wire_model, "lumped", SHORT_ELEMENTS),
+            ("wire_model", self.wires, "lumped", "leave it out: auto takes what the scheme needs"),
             ("kinematics", self.kinematics, "linearised", None),
         ):
             if value != needed:
@@ -146,7 +168,7 @@ class Solver(Part):
         if not self.residual_flexibility:
             return self
         for key, value, needed in (
-            ("wire_model", self.wire_model, "hermite"),
+            ("wire_model", self.wires, "hermite"),
             ("kinematics", self.kinematics, "linearised"),
         ):
             if value != needed:
@@ -164,6 +186,38 @@ class Solver(Part):
         if isinstance(data, dict) and isinstance(data.get("scheme"), str):
             return {**data, "scheme": {"name": data["scheme"]}}
         return data
+
+    @property
+    def wires(self) -> WireModel:
+        """Wire model, also where it follows from the scheme."""
+        return self._division.wires if self.wire_model == AUTO else self.wire_model
+
+    @property
+    def contact_wire_element_m(self) -> float:
+        """Longest element of the contact wire in m, also where it follows from the scheme."""
+        given = self.contact_wire_element
+        return self._division.contact_wire if isinstance(given, str) else given
+
+    @property
+    def messenger_wire_element_m(self) -> float:
+        """Longest element of the messenger wire in m, also where it follows from the scheme."""
+        given = self.messenger_wire_element
+        return self._division.messenger_wire if isinstance(given, str) else given
+
+    @property
+    def resolved(self) -> "Solver":
+        """The same with nothing left to the scheme: two that are equal then compute alike."""
+        return self.model_copy(
+            update={
+                "wire_model": self.wires,
+                "contact_wire_element": self.contact_wire_element_m,
+                "messenger_wire_element": self.messenger_wire_element_m,
+            }
+        )
+
+    @property
+    def _division(self) -> Division:
+        return BY_STEPS if self.scheme.name == EXPLICIT else BY_MATRIX
 
 
 class Output(Part):
