@@ -1,26 +1,37 @@
 """How far a discretisation is from one with a quarter of element length and time step.
 
-Both runs have the same static force, that which gives the mean force asked for with the
-discretisation of the scenario.
+All runs of a line have the same static force, that which gives the mean force asked for with cubic
+elements. Finer cubic elements are the reference of explicit steps too.
 """
 
 from collections.abc import Sequence
+from typing import Any, NamedTuple
 
 from arcless.model import Scenario, load
 from arcless.results import Result
 from arcless.simulate import run
 from benchmarks.clock import timed
-from benchmarks.whole_runs import Stepping
+from benchmarks.whole_runs import EXPLICIT, SOLVED_IN_SPACE, Stepping
 
 FINER = 4.0
-NAMES = {
-    "AC simple, planar": "en50318-ac-simple-320",
-    "AC simple, three-dimensional": "ac-simple-3d-320",
-}
-# Elements of contact and messenger wire in m that residual flexibility makes long enough.
-FLEXIBLE = {
-    "AC simple, planar": (0.96, 1.45),
-    "AC simple, three-dimensional": (0.72, 1.45),
+
+
+class Line(NamedTuple):
+    """A scenario, and what gives it a matrix, and explicit steps.
+
+    With the elements of contact and messenger wire in m that residual flexibility makes long
+    enough.
+    """
+
+    name: str
+    solved: dict[str, Any]
+    explicit: dict[str, Any]
+    flexible: tuple[float, float]
+
+
+LINES = {
+    "AC simple, planar": Line("en50318-ac-simple-320", {}, EXPLICIT, (0.96, 1.45)),
+    "AC simple, three-dimensional": Line("ac-simple-3d-320", SOLVED_IN_SPACE, {}, (0.72, 1.45)),
 }
 HEAD = ("run", "elements m", "step ms", "× real time", "F_m", "σ", "max", "min", "uplift")
 UNITS = ("N", "N", "N", "N", "mm")
@@ -47,8 +58,8 @@ def finer(scenario: Scenario, elements: float = FINER, step: float = FINER) -> S
     """Divide element lengths and the time step."""
     solver = scenario.solver
     return scenario.with_(**{
-        "solver.contact_wire_element": solver.contact_wire_element / elements,
-        "solver.messenger_wire_element": solver.messenger_wire_element / elements,
+        "solver.contact_wire_element": solver.contact_wire_element_m / elements,
+        "solver.messenger_wire_element": solver.messenger_wire_element_m / elements,
         "solver.time_step": scenario.time_step_s / step,
     })  # fmt: skip
 
@@ -64,20 +75,23 @@ def flexible(scenario: Scenario, contact: float, messenger: float) -> Scenario:
 
 def rows() -> list[list[str]]:
     """Compare what is shipped, and some of it finer, with the finest."""
-    return [row for title, name in NAMES.items() for row in compared(title, with_force(load(name)))]
+    return [row for title, line in LINES.items() for row in compared(title, line)]
 
 
-def compared(title: str, shipped: Scenario) -> list[list[str]]:
-    """Return rows for a scenario with a given static force; the first one is the reference."""
-    finest = finer(shipped)
+def compared(title: str, line: Line) -> list[list[str]]:
+    """Return rows for a line; the first one is the reference."""
+    solved = with_force(load(line.name).with_(**line.solved))
+    force = {"pantographs.0.static_force": solved.pantographs[0].static_force}
+    finest = finer(solved)
     exact = numbers(run(finest))
     values = [f"{value:.1f} {unit}" for value, unit in zip(exact, UNITS, strict=True)]
     found = [_head(f"{title}, reference", finest) + values]
     for name, scenario in (
-        ("as shipped", shipped),
-        ("elements halved", finer(shipped, 2.0, 1.0)),
-        ("both halved", finer(shipped, 2.0, 2.0)),
-        ("with residual flexibility", flexible(shipped, *FLEXIBLE[title])),
+        ("cubic elements", solved),
+        ("elements halved", finer(solved, 2.0, 1.0)),
+        ("both halved", finer(solved, 2.0, 2.0)),
+        ("with residual flexibility", flexible(solved, *line.flexible)),
+        ("explicit steps", load(line.name).with_(**line.explicit, **force)),
     ):
         found.append(_head(name, scenario) + apart(numbers(run(scenario)), exact))
     return found
@@ -93,7 +107,7 @@ def _head(title: str, scenario: Scenario) -> list[str]:
     solver, one = scenario.solver, Stepping.of(scenario)
     return [
         title,
-        f"{solver.contact_wire_element:.3g}, {solver.messenger_wire_element:.3g}",
+        f"{solver.contact_wire_element_m:.3g}, {solver.messenger_wire_element_m:.3g}",
         f"{1e3 * scenario.time_step_s:g}",
         f"{one.job.travel.duration / timed(one.run, 3).processor:.2g}",
     ]

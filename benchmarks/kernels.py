@@ -7,10 +7,11 @@ warm step is what a longer run takes more than a shorter one, in processor time.
 import re
 import subprocess
 from pathlib import Path
+from typing import Any
 
 from arcless.model import load
 from benchmarks.clock import REPEATS, timed
-from benchmarks.whole_runs import Stepping
+from benchmarks.whole_runs import EXPLICIT, SOLVED_IN_SPACE, Stepping
 
 ROOT = Path(__file__).parents[1]
 HEAD = ("kernel", "fastest", "median")
@@ -22,7 +23,12 @@ NAMES = {
     "new_state": "new state",
     "lcp_warm": "complementarity problem: contact and droppers,",
 }
-LINES = {"planar": "en50318-ac-simple-320", "spatial": "ac-simple-3d-320"}
+LINES: dict[str, tuple[str, dict[str, Any]]] = {
+    "planar": ("en50318-ac-simple-320", {}),
+    "spatial": ("ac-simple-3d-320", SOLVED_IN_SPACE),
+    "planar, explicit": ("en50318-ac-simple-320", EXPLICIT),
+    "spatial, explicit": ("ac-simple-3d-320", {}),
+}
 SHORT, LONG = 1000, 3000  # steps
 SECONDS = {"ns": 1e-9, "µs": 1e-6, "us": 1e-6, "ms": 1e-3, "s": 1.0}
 LINE = re.compile(r"([├╰])─ (\w+)\s*([\d.]+) (\ws|s) *│ [\d.]+ \w+ *│ ([\d.]+) (\ws|s)")
@@ -42,7 +48,7 @@ def output() -> str:
 
 def rows() -> list[list[str]]:
     """Return kernels, then warm steps."""
-    return [*read(output()), *(_warm(title, name) for title, name in LINES.items())]
+    return [*read(output()), *(_warm(title, *line) for title, line in LINES.items())]
 
 
 def read(printed: str) -> list[list[str]]:
@@ -64,9 +70,9 @@ def read(printed: str) -> list[list[str]]:
     return found
 
 
-def _warm(title: str, name: str) -> list[str]:
+def _warm(title: str, name: str, changes: dict[str, Any]) -> list[str]:
     """Time a step as the difference of two runs of the same start."""
-    scenario = load(name).with_(**{"analysis.spans": None})
+    scenario = load(name).with_(**changes, **{"analysis.spans": None})
     start, length = scenario.travel_range()[0], scenario.speed * scenario.time_step_s
     ends = [start + (count + 0.5) * length for count in (SHORT, LONG)]
     runs = [Stepping.of(scenario.with_(**{"travel.end": end})).run for end in ends]

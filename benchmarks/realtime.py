@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from arcless.model import load
 from arcless.simulate import Realtime, realtime
 from benchmarks.tables import table
-from benchmarks.whole_runs import EXPLICIT, EXPLICIT_IN_SPACE
+from benchmarks.whole_runs import EXPLICIT, SOLVED_IN_SPACE
 
 CASES: tuple[tuple[str, str, dict[str, Any], int], ...] = (
     ("AC simple, 20 spans, planar", "en50318-ac-simple-320", {}, 1_000_000),
@@ -32,8 +32,8 @@ CASES: tuple[tuple[str, str, dict[str, Any], int], ...] = (
         EXPLICIT,
         1_000_000,
     ),
-    ("in three dimensions", "ac-simple-3d-320", {}, 100_000),
-    ("in space, explicit steps of 0.45 and 0.9 m", "ac-simple-3d-320", EXPLICIT_IN_SPACE, 100_000),
+    ("in three dimensions", "ac-simple-3d-320", SOLVED_IN_SPACE, 100_000),
+    ("in space, explicit steps of 0.45 and 0.9 m", "ac-simple-3d-320", {}, 100_000),
 )
 HEAD = ("µs per step", "steps", "least", "median", "99 %", "99.99 %", "largest", "over 100 µs")
 LIMIT = 100.0  # the goal for the 99.99th percentile, µs

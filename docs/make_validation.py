@@ -14,6 +14,7 @@ import numpy as np
 from validation import converging, library, praks, shipped, spacing
 from validation.runs import run, table
 from validation.variants import (
+    SOLVED,
     WIRES,
     Changes,
     ac_variants,
@@ -86,11 +87,8 @@ def sensitivity_table(cases: Iterable[Any], variants: list[tuple[str, Changes]])
 
 
 def lengths_table() -> str:
-    halved = {
-        f"solver.{wire}_element": getattr(arcless.load(DROPPERS.scenario).solver, f"{wire}_element")
-        / 2
-        for wire in WIRES
-    }
+    solver = arcless.load(DROPPERS.scenario).solver
+    halved = {f"solver.{wire}_element": getattr(solver, f"{wire}_element_m") / 2 for wire in WIRES}
 
     def found(name: str, changes: Changes) -> list[float]:
         droppers = arcless.statics(arcless.load(name).with_(**changes)).droppers
@@ -99,7 +97,7 @@ def lengths_table() -> str:
     columns = [
         found(DROPPERS.scenario, {}),
         found(DROPPERS.scenario, halved),
-        found("ac-simple-3d-320", {}),
+        found("ac-simple-3d-320", SOLVED),
     ]
     rows = [
         (
@@ -124,7 +122,7 @@ def elasticity_table() -> str:
             "en50318-ac-simple-320",
             {"line.steady_arm.vertical_stiffness": 267.36},
         ),
-        "3-D, hinged arm": ("ac-simple-3d-320", {}),
+        "3-D, hinged arm": ("ac-simple-3d-320", SOLVED),
     }
     rows = []
     for title, (name, changes) in cases.items():
@@ -142,11 +140,11 @@ def halving_table() -> str:
         base = run(case.scenario)
         solver = base.scenario.solver
         fixed = force(base.metadata["static_force_found"]["P1"])
-        fine = elements(solver.contact_wire_element / 2)
+        fine = elements(solver.contact_wire_element_m / 2)
         step = {"solver.time_step": solver.time_step / 2}
         reference = numbers(base)
         for title, changes in (
-            (f"{solver.contact_wire_element:g} m, {solver.time_step * 1e3:g} ms", None),
+            (f"{solver.contact_wire_element_m:g} m, {solver.time_step * 1e3:g} ms", None),
             ("elements halved", fine),
             ("time step halved", step),
             ("both halved", {**fine, **step}),

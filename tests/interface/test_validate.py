@@ -114,6 +114,18 @@ def test_ranges_belong_to_the_unchanged_scenario() -> None:
     assert [row.verdict for row in compare(case, middle(case))] == ["inside"] * 8
 
 
+def test_ranges_belong_to_the_numbers_that_stand_for_a_word() -> None:
+    """As in results of the time when elements were numbers by default."""
+    import arcless
+
+    shipped = arcless.load("en50318-ac-simple-320")
+    assert shipped.solver.contact_wire_element == "auto"
+    numbers = {"contact_wire_element": 1.45, "messenger_wire_element": 2.9, "wire_model": "hermite"}
+    given = shipped.with_(**{f"solver.{name}": value for name, value in numbers.items()})
+    assert cases.case_of(given) == cases.case_of(shipped) is not None
+    assert cases.case_of(given.with_(**{"solver.contact_wire_element": 1.4})) is None
+
+
 def test_limits_as_text() -> None:
     def limit(low: float | None, high: float | None, **options: Any) -> str:
         return reference.Range("key", "label", "N", low, high, "A", **options).limit

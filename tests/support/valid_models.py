@@ -195,8 +195,8 @@ def scenarios(draw: Draw) -> Data:
                 {
                     "scheme": SCHEMES,
                     "kinematics": st.sampled_from(["linearised", "updated"]),
-                    "wire_model": st.sampled_from(["hermite", "lumped"]),
-                    "contact_wire_element": quantity(1.0, 3.0, "m"),
+                    "wire_model": st.sampled_from(["auto", "hermite", "lumped"]),
+                    "contact_wire_element": quantity(1.0, 3.0, "m") | st.just("auto"),
                 }
             )
         ),

@@ -64,7 +64,7 @@ def test_floor_of_one_block() -> None:
 
 def test_reference_is_four_times_finer() -> None:
     solver = finer(arcless.load("en50318-ac-simple-320")).solver
-    assert (solver.contact_wire_element, solver.time_step) == (1.45 / 4, 0.25e-3)
+    assert (solver.contact_wire_element_m, solver.time_step) == (1.45 / 4, 0.25e-3)
 
 
 def test_tables_go_between_their_marks(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -21,7 +21,7 @@ from arcless.assess.section import (
 from arcless.assess.statistics import PantographAssessment, pantograph_assessment
 from arcless.assess.wear import WearRates, wear_notes, wear_rates
 from arcless.errors import ModelError
-from arcless.model.settings import EXPLICIT
+from arcless.model.schemes import EXPLICIT
 from arcless.results import metadata
 
 if TYPE_CHECKING:

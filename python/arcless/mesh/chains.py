@@ -19,7 +19,7 @@ def make_chains(
 ) -> tuple[list[Chains], Nodes]:
     """Divide the wires of all systems and number their nodes along the track."""
     systems = [_Division(line, solver, own).chains() for own in places]
-    return systems, number(systems, lumped=solver.wire_model == "lumped")
+    return systems, number(systems, lumped=solver.wires == "lumped")
 
 
 class _Division:
@@ -41,7 +41,7 @@ class _Division:
         return np.column_stack([x, y, self.guess.of(wire, x)])
 
     def contact(self, name: str) -> Chain:
-        x = wires.divide(self.places.along(name), self.solver.contact_wire_element)
+        x = wires.divide(self.places.along(name), self.solver.contact_wire_element_m)
         wire, bridle = self.line.contact_wire, self.line.bridle
         points = self.points(name, x, self.system.stagger_of(name))
         own = inserts(self.line, self.system, name)
@@ -54,7 +54,7 @@ class _Division:
         line, places = self.line, self.places
         if line.messenger_wire is None:
             return None
-        x = wires.divide(places.along(MESSENGER), self.solver.messenger_wire_element)
+        x = wires.divide(places.along(MESSENGER), self.solver.messenger_wire_element_m)
         points = self.points(MESSENGER, x, self.system.messenger_stagger)
         own = inserts(line, self.system, MESSENGER)
         chain = Chain(points, line.messenger_wire, clamps=places.clamps, inserts=own)
@@ -70,7 +70,7 @@ class _Division:
         wire = self.line.auxiliary_wire
         if wire is None:
             return None
-        x = wires.divide(self.places.along(AUXILIARY), self.solver.messenger_wire_element)
+        x = wires.divide(self.places.along(AUXILIARY), self.solver.messenger_wire_element_m)
         own = inserts(self.line, self.system, AUXILIARY)
         return Chain(self.points(AUXILIARY, x, self.system.auxiliary_stagger), wire, inserts=own)
 
@@ -81,7 +81,7 @@ class _Division:
         hung = np.array(self.places.along(STITCH))
         for first, last in self.places.clamps:
             own = hung[(hung >= first) & (hung <= last)]
-            x = wires.divide(own.tolist(), self.solver.messenger_wire_element)
+            x = wires.divide(own.tolist(), self.solver.messenger_wire_element_m)
             made = self.points(STITCH, x, self.system.messenger_stagger)
             made[[0, -1]] = messenger.points[[messenger.row(first), messenger.row(last)]]
             stitch = Chain(made, wire)
@@ -98,7 +98,7 @@ class _Division:
         for support, (first, last) in zip(
             self.places.supports[1:-1], self.places.bridles, strict=True
         ):
-            x = wires.divide([first, support, last], self.solver.messenger_wire_element)
+            x = wires.divide([first, support, last], self.solver.messenger_wire_element_m)
             made = self.points(BRIDLE, x, self.system.contact_stagger)
             made[[0, -1]] = contact.points[[contact.row(first), contact.row(last)]]
             bridle = Chain(made, wire)

@@ -30,4 +30,4 @@ class Kit:
     @property
     def lumped(self) -> bool:
         """Whether wires are chains of point masses."""
-        return self.solver.wire_model == "lumped"
+        return self.solver.wires == "lumped"

@@ -23,16 +23,8 @@ from arcless.model.overrides import parse_override
 from arcless.model.pantograph import Pantograph, PantographMass
 from arcless.model.scenario import Analysis, PantographPlacement, Scenario, Travel
 from arcless.model.schema import json_schema
-from arcless.model.settings import (
-    Contact,
-    GeneralisedAlpha,
-    HilberHughesTaylor,
-    Newmark,
-    Output,
-    Solver,
-    SpeedProfile,
-    Trapezoidal,
-)
+from arcless.model.schemes import GeneralisedAlpha, HilberHughesTaylor, Newmark, Trapezoidal
+from arcless.model.settings import Contact, Output, Solver, SpeedProfile
 from arcless.model.spans import SpanDroppers, SpanRun, SpanType
 from arcless.model.tension_lengths import Overlap, TensionLength
 from arcless.model.track import Curve, Track

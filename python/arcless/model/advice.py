@@ -6,7 +6,8 @@ from math import atan, hypot, log1p, pi
 from arcless.model.heights import gradient_warnings
 from arcless.model.line import Line
 from arcless.model.scenario import Scenario
-from arcless.model.settings import EXPLICIT, ONE_ELEMENT
+from arcless.model.schemes import EXPLICIT
+from arcless.model.settings import ONE_ELEMENT
 from arcless.model.track_checks import deviation_warnings
 
 # EN 50119:2009, 5.2.4: speed at most 70 % of the wave speed of the contact wire.
@@ -178,7 +179,7 @@ def _about_growth(scenario: Scenario) -> list[str]:
         or (scheme.name == "newmark" and scheme.gamma < STEADY_GAMMA)
         or scheme.name == "trapezoidal"
     )
-    if solver.kinematics == "linearised" or solver.wire_model == "hermite" or not lively:
+    if solver.kinematics == "linearised" or solver.wires == "hermite" or not lively:
         return []
     return [
         "solver.scheme: with updated kinematics each step is linear about its start, and the finest"
@@ -204,16 +205,16 @@ def _about_numerical_damping(scenario: Scenario) -> list[str]:
 def _about_solver(scenario: Scenario) -> list[str]:
     solver, found = scenario.solver, []
     way = scenario.top_speed * scenario.time_step_s
-    if solver.time_step != ONE_ELEMENT and way > solver.contact_wire_element / 2:
+    if solver.time_step != ONE_ELEMENT and way > solver.contact_wire_element_m / 2:
         found.append(
             f"solver.time_step: the pantograph moves {way:.2g} m in a step, more than half an"
-            f" element of the contact wire ({solver.contact_wire_element:g} m)"
+            f" element of the contact wire ({solver.contact_wire_element_m:g} m)"
         )
     gap = _shortest_gap(scenario.line)
-    fewest = FEWEST_ELEMENTS[solver.wire_model]
-    elements = [("contact_wire_element", solver.contact_wire_element, fewest)]
+    fewest = FEWEST_ELEMENTS[solver.wires]
+    elements = [("contact_wire_element", solver.contact_wire_element_m, fewest)]
     if solver.scheme.name == EXPLICIT and scenario.line.messenger_wire is not None:
-        of_messenger = ("messenger_wire_element", solver.messenger_wire_element)
+        of_messenger = ("messenger_wire_element", solver.messenger_wire_element_m)
         elements.append((*of_messenger, FEWEST_OF_MESSENGER))
     found += [
         f"solver.{name}: {element:g} m leaves fewer than {IN_WORDS[fewest]} elements in the"

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from arcless.errors import ModelError
 from arcless.model.line import POSITION_TOLERANCE
-from arcless.model.settings import EXPLICIT
+from arcless.model.schemes import EXPLICIT
 from arcless.units import show
 
 if TYPE_CHECKING:
@@ -216,8 +216,8 @@ def _check_elements(scenario: "Scenario") -> None:
     )
     wires_above = sum(wire is not None for wire in (line.messenger_wire, line.auxiliary_wire))
     wires_below = 1 if line.twin_contact_wires is None else 2
-    elements = wires_below * length / solver.contact_wire_element
-    elements += wires_above * length / solver.messenger_wire_element
+    elements = wires_below * length / solver.contact_wire_element_m
+    elements += wires_above * length / solver.messenger_wire_element_m
     if elements > MAX_ELEMENTS:
         raise ModelError(
             "too many elements",
@@ -237,7 +237,7 @@ def _check_step(scenario: "Scenario") -> None:
             expected="a time: with a changing speed, one element takes no fixed time",
             field=field,
         )
-    way, element = scenario.top_speed * scenario.time_step_s, solver.contact_wire_element
+    way, element = scenario.top_speed * scenario.time_step_s, solver.contact_wire_element_m
     if way > element * (1 + ROUNDING):
         raise ModelError(
             "step longer than an element",

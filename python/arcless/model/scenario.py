@@ -189,7 +189,7 @@ class Scenario(Document):
         if not isinstance(step, str):
             return step
         assert self.speed is not None  # a speed profile is refused then, see checks
-        return self.solver.contact_wire_element / self.speed
+        return self.solver.contact_wire_element_m / self.speed
 
     @property
     def top_speed(self) -> float:

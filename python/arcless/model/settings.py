@@ -1,13 +1,14 @@
 """How a run moves, computes and records: speed profile, contact law, solver, output."""
 
 from itertools import pairwise
-from typing import Annotated, Any, Final, Literal
+from typing import Annotated, Any, Final, Literal, NamedTuple, TypeAlias
 
 from pydantic import Field, model_validator
 
 from arcless.errors import ModelError
 from arcless.model.fields import Lengths, Part, Unit
 from arcless.model.lists import check_count
+from arcless.model.schemes import EXPLICIT, GeneralisedAlpha, Scheme
 from arcless.units import WRONG_VALUE
 
 # 1080 km/h: above any train, and a speed in km/h written without its unit is often above it.
@@ -17,10 +18,26 @@ MAX_PROFILE = 50_000
 ONE_ELEMENT: Final = "one element"
 # What is recorded of the line: all of it, or all where that is not too much.
 WHOLE_LINE: Final = "whole line"
+# What follows from other settings.
 AUTO: Final = "auto"
-# The scheme that steps without a matrix; what point masses need to be as right as cubic elements.
-EXPLICIT: Final = "central-difference"
-SHORT_ELEMENTS = "with contact_wire_element of 0.45 m and messenger_wire_element of 0.6 m"
+WireModel: TypeAlias = Literal["hermite", "lumped"]
+ElementLength: TypeAlias = Annotated[
+    float | Literal["auto"], Unit("m", minimum=0.05, maximum=20, words=(AUTO,))
+]
+
+
+class Division(NamedTuple):
+    """How wires are divided: wire model, longest elements of contact and messenger wire in m."""
+
+    wires: WireModel
+    contact_wire: float
+    messenger_wire: float
+
+
+# What `auto` stands for. Explicit steps are those of point masses, and need so many of them to be
+# as right as cubic elements.
+BY_MATRIX = Division("hermite", 1.45, 2.9)
+BY_STEPS = Division("lumped", 0.45, 0.6)
 
 
 class SpeedProfile(Part):
@@ -66,77 +83,6 @@ class Contact(Part):
     )
 
 
-class GeneralisedAlpha(Part):
-    """Generalised-alpha scheme (Chung and Hulbert)."""
-
-    name: Literal["generalised-alpha"] = Field(description="Name of the scheme.")
-    spectral_radius: Annotated[float, Unit("1", minimum=0, maximum=1)] = Field(
-        default=0.9, description="Spectral radius at infinite frequency; 1 damps nothing."
-    )
-
-
-class HilberHughesTaylor(Part):
-    """Hilber-Hughes-Taylor scheme."""
-
-    name: Literal["hht"] = Field(description="Name of the scheme.")
-    alpha: Annotated[float, Unit("1", minimum=-1 / 3, maximum=0)] = Field(
-        default=-0.05, description="Damping parameter, from -1/3 to 0 (none)."
-    )
-
-
-class Newmark(Part):
-    """Newmark scheme, unconditionally stable members only."""
-
-    name: Literal["newmark"] = Field(description="Name of the scheme.")
-    beta: Annotated[float, Unit("1", minimum=0.25, maximum=1)] = Field(
-        default=0.25, description="Newmark's beta."
-    )
-    gamma: Annotated[float, Unit("1", minimum=0.5, maximum=1)] = Field(
-        default=0.5, description="Newmark's gamma; above 0.5 damps and is of first order."
-    )
-
-    @model_validator(mode="after")
-    def _check_stable(self) -> "Newmark":
-        lowest = (self.gamma + 0.5) ** 2 / 4
-        if self.beta < lowest - 1e-12:
-            raise ModelError(
-                "not unconditionally stable",
-                got=f"{self.beta:g}",
-                expected=f"at least (gamma + 1/2)²/4 = {lowest:g}",
-                field=("beta",),
-            )
-        return self
-
-
-class Trapezoidal(Part):
-    """Trapezoidal rule: conserves energy."""
-
-    name: Literal["trapezoidal"] = Field(description="Name of the scheme.")
-
-
-class BackwardDifference(Part):
-    """Backward differences for velocity and acceleration: first order, dissipative."""
-
-    name: Literal["backward-difference"] = Field(description="Name of the scheme.")
-
-
-class CentralDifference(Part):
-    """Central differences: explicit, for wires of point masses with linearised kinematics."""
-
-    name: Literal["central-difference"] = Field(description="Name of the scheme.")
-
-
-Scheme = Annotated[
-    GeneralisedAlpha
-    | HilberHughesTaylor
-    | Newmark
-    | Trapezoidal
-    | BackwardDifference
-    | CentralDifference,
-    Field(discriminator="name"),
-]
-
-
 class Solver(Part):
     """How the motion is computed."""
 
@@ -169,18 +115,23 @@ class Solver(Part):
         description="Motion about the static equilibrium, or node coordinates and stiffness"
         " updated in each step.",
     )
-    wire_model: Literal["hermite", "lumped"] = Field(
-        default="hermite",
-        description="Wire elements: cubic with slopes, or point masses on a chain.",
+    wire_model: Literal["auto", "hermite", "lumped"] = Field(
+        default="auto",
+        description="Wire elements: cubic with slopes, or point masses on a chain; auto: hermite,"
+        f" but lumped with the scheme {EXPLICIT}.",
     )
     dimension: Literal["auto", "planar", "spatial"] = Field(
         default="auto", description="Planar or spatial; auto looks at stagger and steady arms."
     )
-    contact_wire_element: Annotated[float, Unit("m", minimum=0.05, maximum=20)] = Field(
-        default=1.45, description="Longest element of the contact wire."
+    contact_wire_element: ElementLength = Field(
+        default="auto",
+        description=f"Longest element of the contact wire; auto: {BY_MATRIX.contact_wire:g} m, but"
+        f" {BY_STEPS.contact_wire:g} m with the scheme {EXPLICIT}.",
     )
-    messenger_wire_element: Annotated[float, Unit("m", minimum=0.05, maximum=20)] = Field(
-        default=2.9, description="Longest element of the messenger wire."
+    messenger_wire_element: ElementLength = Field(
+        default="auto",
+        description=f"Longest element of the messenger wire; auto: {BY_MATRIX.messenger_wire:g} m,"
+        f" but {BY_STEPS.messenger_wire:g} m with the scheme {EXPLICIT}.",
     )
     gravity: Annotated[float, Unit("m/s2", minimum=0, maximum=100)] = Field(
         default=9.81, description="Acceleration of gravity."
@@ -199,7 +150,7 @@ class Solver(Part):
                 field=("residual_flexibility",),
             )
         for key, value, needed, hint in (
-            ("wire_model", self.wire_model, "lumped", SHORT_ELEMENTS),
+            ("wire_model", self.wires, "lumped", "leave it out: auto takes what the scheme needs"),
             ("kinematics", self.kinematics, "linearised", None),
         ):
             if value != needed:
@@ -217,7 +168,7 @@ class Solver(Part):
         if not self.residual_flexibility:
             return self
         for key, value, needed in (
-            ("wire_model", self.wire_model, "hermite"),
+            ("wire_model", self.wires, "hermite"),
             ("kinematics", self.kinematics, "linearised"),
         ):
             if value != needed:
@@ -235,6 +186,38 @@ class Solver(Part):
         if isinstance(data, dict) and isinstance(data.get("scheme"), str):
             return {**data, "scheme": {"name": data["scheme"]}}
         return data
+
+    @property
+    def wires(self) -> WireModel:
+        """Wire model, also where it follows from the scheme."""
+        return self._division.wires if self.wire_model == AUTO else self.wire_model
+
+    @property
+    def contact_wire_element_m(self) -> float:
+        """Longest element of the contact wire in m, also where it follows from the scheme."""
+        given = self.contact_wire_element
+        return self._division.contact_wire if isinstance(given, str) else given
+
+    @property
+    def messenger_wire_element_m(self) -> float:
+        """Longest element of the messenger wire in m, also where it follows from the scheme."""
+        given = self.messenger_wire_element
+        return self._division.messenger_wire if isinstance(given, str) else given
+
+    @property
+    def resolved(self) -> "Solver":
+        """The same with nothing left to the scheme: two that are equal then compute alike."""
+        return self.model_copy(
+            update={
+                "wire_model": self.wires,
+                "contact_wire_element": self.contact_wire_element_m,
+                "messenger_wire_element": self.messenger_wire_element_m,
+            }
+        )
+
+    @property
+    def _division(self) -> Division:
+        return BY_STEPS if self.scheme.name == EXPLICIT else BY_MATRIX
 
 
 class Output(Part):

@@ -1,6 +1,6 @@
 """The model's data as table rows: every value with unit, source and confidence mark."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -15,6 +15,13 @@ MAX_ROWS = 400
 MAX_TEXT = 160
 
 _NOT_DATA = {"format", "name", "description", "sources", "provenance"}
+# Fields where a word may stand, and what the run takes for it.
+_TAKEN: dict[str, Callable[[Scenario], Any]] = {
+    "solver.time_step": lambda scenario: scenario.time_step_s,
+    "solver.wire_model": lambda scenario: scenario.solver.wires,
+    "solver.contact_wire_element": lambda scenario: scenario.solver.contact_wire_element_m,
+    "solver.messenger_wire_element": lambda scenario: scenario.solver.messenger_wire_element_m,
+}
 
 
 @dataclass(frozen=True)
@@ -87,7 +94,11 @@ def _value_rows(document: Document, value: Any, path: str, unit: str) -> Iterato
 
 
 def _row(document: Document, value: Any, path: str, unit: str) -> Row:
-    text = _text(value, "" if unit == "1" else unit)
+    shown = "" if unit == "1" else unit
+    text = _text(value, shown)
+    if isinstance(value, str) and isinstance(document, Scenario) and path in _TAKEN:
+        taken = _text(_TAKEN[path](document), shown)
+        text += f" ({taken})" if taken != text else ""
     origin = _origin(document, path)
     return Row(path, text, origin.mark or "", origin.source or "", origin.note or "")
 

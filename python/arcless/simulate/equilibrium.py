@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from arcless import _core
 from arcless.errors import ArclessError, EquilibriumError
 from arcless.mesh import SPATIAL, Mesh, alteration, build_mesh, without
-from arcless.model import Line, Scenario, settings
+from arcless.model import Line, Scenario, schemes
 from arcless.model.measured import matched
 from arcless.simulate.designing import check_arms, why_pushing
 
@@ -190,7 +190,7 @@ def find(scenario: Scenario) -> Equilibrium:
             *(mesh.dimension, mesh.positions, mesh.slopes, mesh.parts, mesh.gravity),
             design=True,
             residual_flexibility=scenario.solver.residual_flexibility,
-            fitted_bends=scenario.solver.scheme.name == settings.EXPLICIT,
+            fitted_bends=scenario.solver.scheme.name == schemes.EXPLICIT,
         )
     if scenario.line.track.curves:
         check_arms(mesh, core.arrays()["strut_tension"])

@@ -19,6 +19,7 @@ from arcless.errors import (
 from arcless.mesh import Mesh
 from arcless.model import Scenario
 from arcless.model.scenario import PantographPlacement
+from arcless.model.settings import BY_STEPS
 from arcless.simulate.contacts import label
 from arcless.simulate.equilibrium import translate
 from arcless.simulate.joints import laws
@@ -69,7 +70,8 @@ def _not_this_way(scenario: Scenario, message: str) -> ModelError:
         where="solver.time_step",
         got=f"{1e3 * scenario.time_step_s:.4g} ms",
         expected=f"at most about {1e3 * float(longest[1]):.3g} ms, the longest stable step",
-        hint="solver.contact_wire_element of 0.45 m and messenger_wire_element of 0.6 m go with"
+        hint=f"solver.contact_wire_element of {BY_STEPS.contact_wire:g} m and"
+        f" messenger_wire_element of {BY_STEPS.messenger_wire:g} m, which auto stands for, go with"
         " 1 ms: much longer ones are not stable, shorter ones need shorter steps",
     )
 

@@ -8,7 +8,7 @@ from typing import Any
 
 from arcless import _core
 from arcless.model import Scenario
-from arcless.model.settings import EXPLICIT
+from arcless.model.schemes import EXPLICIT
 from arcless.simulate import equilibrium, gusts, motion, riders
 from arcless.simulate.control import Controllers
 from arcless.simulate.failure import preparing, replayable, stepping

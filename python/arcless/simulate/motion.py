@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from arcless.errors import ModelError
 from arcless.model import Scenario
 from arcless.model.checks import MAX_STEPS
-from arcless.model.settings import GeneralisedAlpha, HilberHughesTaylor, Newmark, Scheme
+from arcless.model.schemes import GeneralisedAlpha, HilberHughesTaylor, Newmark, Scheme
 
 Floats = NDArray[np.float64]
 

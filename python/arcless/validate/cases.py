@@ -85,8 +85,9 @@ def case_of(scenario: Scenario) -> Case | None:
 
 def _same(one: Scenario, other: Scenario) -> bool:
     # What is recorded, and a note that it was set, change no result; everything else may.
-    ignored = {"output", "provenance"}
-    return one.model_dump(exclude=ignored) == other.model_dump(exclude=ignored)
+    ignored = {"output", "provenance", "solver"}
+    same = one.model_dump(exclude=ignored) == other.model_dump(exclude=ignored)
+    return same and one.solver.resolved == other.solver.resolved
 
 
 def _case_rows(case: Case, progress: Progress | None) -> list[Row]:

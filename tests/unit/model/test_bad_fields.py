@@ -317,14 +317,34 @@ def test_line(refused: Refused, old: str, new: str, message: str) -> None:
         ),
         (
             "speed:",
-            "solver: {scheme: central-difference}\nspeed:",
+            "solver: {scheme: central-difference, wire_model: hermite}\nspeed:",
             "scenario.yaml:6: solver.wire_model: not together with the scheme central-difference:"
-            " got hermite, expected lumped, or another scheme; hint: with contact_wire_element of"
-            " 0.45 m and messenger_wire_element of 0.6 m",
+            " got hermite, expected lumped, or another scheme; hint: leave it out: auto takes what"
+            " the scheme needs",
         ),
         (
             "speed:",
-            "solver: {scheme: central-difference, wire_model: lumped, kinematics: updated}\nspeed:",
+            "solver: {wire_model: lump}\nspeed:",
+            'scenario.yaml:6: solver.wire_model: got "lump", expected auto or hermite or lumped;'
+            " hint: did you mean lumped?",
+        ),
+        (
+            "speed:",
+            "solver: {contact_wire_element: automatic}\nspeed:",
+            'scenario.yaml:6: solver.contact_wire_element: got "automatic", expected a length (m,'
+            ' mm, cm, km), at least 0.05 m and at most 20 m, or "auto"; hint: write a number, then'
+            " its unit, such as 1.5 m",
+        ),
+        (
+            "speed:",
+            "solver: {messenger_wire_element: one element}\nspeed:",
+            'scenario.yaml:6: solver.messenger_wire_element: got "one element", expected a length'
+            ' (m, mm, cm, km), at least 0.05 m and at most 20 m, or "auto"; hint: write a number,'
+            " then its unit, such as 1.5 m",
+        ),
+        (
+            "speed:",
+            "solver: {scheme: central-difference, kinematics: updated}\nspeed:",
             "scenario.yaml:6: solver.kinematics: not together with the scheme central-difference:"
             " got updated, expected linearised, or another scheme",
         ),
@@ -337,8 +357,7 @@ def test_line(refused: Refused, old: str, new: str, message: str) -> None:
         ),
         (
             "speed:",
-            "solver: {scheme: central-difference, wire_model: lumped}\noutput: {energy: always}\n"
-            "speed:",
+            "solver: {scheme: central-difference}\noutput: {energy: always}\nspeed:",
             "scenario.yaml:7: output.energy: no energy ledger with the scheme central-difference:"
             " got always, expected auto or never, or another solver.scheme; hint: the ledger books"
             " the balance of a step that is solved for",

@@ -75,6 +75,10 @@ def test_a_word_may_stand_for_a_number() -> None:
     assert accepts(step, 1e-3) and accepts(step, "1 ms") and accepts(step, "one element")
     assert accepts(step, {"value": "one element", "mark": "A", "source": "S1"})
     assert not accepts(step, 1.0)
+    for wire in ("contact", "messenger"):
+        element = SCHEMA["$defs"]["Solver"]["properties"][f"{wire}_wire_element"]
+        assert element["default"] == "auto"
+        assert accepts(element, "auto") and accepts(element, 0.45) and not accepts(element, 21)
 
 
 def test_every_field_has_a_description() -> None:

@@ -1,5 +1,7 @@
 """Numbers as text, verdicts as sentences, and the model's data with their sources."""
 
+import pytest
+
 from arcless.assess import assess
 from arcless.model import load
 from arcless.report.model_data import MAX_ROWS, groups, marks_used
@@ -23,10 +25,27 @@ def test_numbers() -> None:
 
 def test_a_word_in_place_of_a_number_gets_no_unit() -> None:
     found = {row.path: row for group in groups(load("praks-340")) for row in group.rows}
-    assert found["solver.time_step"].value == "one element"
     assert found["solver.time_step"].source == "K"
     assert found["solver.contact_wire_element"].value == "0.25 m"
+    assert found["solver.wire_model"].value == "lumped"
+    assert found["output.around"].value == "auto"
     assert found["steady_arm.kind"].value == "none"
+
+
+@pytest.mark.parametrize(
+    ("scheme", "shown"),
+    [
+        ("trapezoidal", ("auto (hermite)", "auto (1.45 m)", "auto (2.9 m)")),
+        ("central-difference", ("auto (lumped)", "auto (0.45 m)", "auto (0.6 m)")),
+    ],
+)
+def test_what_a_run_takes_for_a_word_stands_beside_it(scheme: str, shown: tuple[str, ...]) -> None:
+    scenario = load("en50318-ac-simple-320").with_(**{"solver.scheme": scheme})
+    found = {row.path: row.value for group in groups(scenario) for row in group.rows}
+    names = ("wire_model", "contact_wire_element", "messenger_wire_element")
+    assert tuple(found[f"solver.{name}"] for name in names) == shown
+    by_element = {row.path: row.value for group in groups(load("praks-340")) for row in group.rows}
+    assert by_element["solver.time_step"] == "one element (0.0026470588 s)"
 
 
 def test_verdict_names_what_was_missed_and_how_sure_the_limit_is() -> None:

@@ -15,6 +15,7 @@ from arcless.errors import ModelError
 from arcless.model import Scenario
 from arcless.results import Result
 from arcless.simulate import failure
+from arcless.simulate.batch.keys import shared_key
 from tests.support.explicit import EXPLICIT
 from tests.support.small import differing
 
@@ -61,6 +62,27 @@ def test_a_run_is_near_that_of_steps_that_are_solved_for(run: Run, changes: dict
     assert other.std_force_N == pytest.approx(one.std_force_N, rel=0.01)
 
 
+@pytest.mark.parametrize("scheme", ["central-difference", "generalised-alpha"])
+def test_what_auto_stands_for_gives_the_same_bits(short: Short, scheme: str) -> None:
+    left = short(**{"solver.scheme": scheme, "solver.time_step": "1 ms"})
+    solver = left.solver
+    given = left.with_(**{
+        "solver.wire_model": solver.wires,
+        "solver.contact_wire_element": solver.contact_wire_element_m,
+        "solver.messenger_wire_element": solver.messenger_wire_element_m,
+    })  # fmt: skip
+    assert shared_key(left) == shared_key(given)
+    one, other = (arcless.run(scenario).dataset for scenario in (left, given))
+    assert set(one.variables) == set(other.variables)
+    for name, variable in one.data_vars.items():
+        assert differing(other[name], variable)[1] == 0, name
+    # What was taken can be read from the result, whatever the scenario says.
+    for found in (one, other):
+        assert found.attrs["wire_model"] == solver.wires
+        assert found.attrs["contact_wire_element_m"] == solver.contact_wire_element_m
+        assert found.attrs["messenger_wire_element_m"] == solver.messenger_wire_element_m
+
+
 def test_there_is_no_ledger(run: Run) -> None:
     result = run(**EXPLICIT)
     assert not [name for name in result.dataset if str(name).startswith("energy")]
@@ -88,6 +110,16 @@ def test_elements_too_short_are_refused(short: Short) -> None:
     with pytest.raises(ModelError, match=r"elements: got 1 ms.*hint: .*of 0\.45 m") as caught:
         arcless.run(short(**{**EXPLICIT, "solver.contact_wire_element": 0.1}))
     assert caught.value.where == "solver.time_step"
+
+
+def test_one_setting_switches_them_on(tmp_path: Path) -> None:
+    files = Path(__file__).parents[2] / "interface" / "data"
+    command = ["run", str(files / "short.yaml"), "--set", "solver.scheme=central-difference"]
+    CliRunner().invoke(app, [*command, "--out", str(tmp_path / "out")])
+    solver = arcless.open(tmp_path / "out" / "result.nc").scenario.solver
+    assert (solver.scheme.name, solver.contact_wire_element) == ("central-difference", "auto")
+    page = (tmp_path / "out" / "report.html").read_text("utf-8")
+    assert "auto (0.45 m)" in page and "auto (0.6 m)" in page
 
 
 def test_the_command_line_says_so_in_words(short: Short, tmp_path: Path) -> None:

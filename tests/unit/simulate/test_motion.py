@@ -8,7 +8,7 @@ import pytest
 
 from arcless.errors import ModelError
 from arcless.model import Scenario, load_pantograph
-from arcless.model.settings import (
+from arcless.model.schemes import (
     BackwardDifference,
     GeneralisedAlpha,
     HilberHughesTaylor,

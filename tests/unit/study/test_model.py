@@ -7,10 +7,11 @@ from typing import Any
 import pytest
 
 from arcless.errors import ModelError
+from arcless.model.schemes import EXPLICIT
 from arcless.study import load
 from arcless.study.model import Study
-from arcless.study.variants import in_order, variant
-from tests.support.studies import SHORT, data, study
+from arcless.study.variants import in_order, scenario, variant
+from tests.support.studies import QUICK, SHORT, data, study
 
 FILE = f"""\
 format: arcless-study/1
@@ -137,6 +138,19 @@ def test_a_line_is_named_relative_to_the_file(tmp_path: Path) -> None:
     assert set(changes) == {"other.yaml", "ac-simple-55"}
     made = variant(found, changes["other.yaml"]).changes["line"]
     assert made["name"] == "other-line"
+
+
+def test_elements_are_swept_from_what_the_scheme_needs() -> None:
+    element = {"field": "solver.contact_wire_element", "values": ["auto", "0.6 m"]}
+    made = study(variables={"element": element}, set={**QUICK, "solver.scheme": EXPLICIT})
+    assert made.base.solver.contact_wire_element == "auto"
+    (axis,) = made.axes
+    assert (axis.levels, axis.unit) == (("auto", 0.6), "m")
+    lengths = [scenario(made, n).solver.contact_wire_element_m for n in (1, 2)]
+    assert lengths == [0.45, 0.6]
+    ranged = {"field": "solver.contact_wire_element", "range": ["0.3 m", "60 cm"], "count": 2}
+    (axis,) = study(variables={"element": ranged}).axes
+    assert (axis.levels, axis.unit) == ((0.3, 0.6), "m")
 
 
 def test_one_field_by_two_paths_is_refused() -> None:

@@ -38,8 +38,8 @@ def halved(scenario: str, refined: str) -> dict[str, Any]:
     if refined == "time step":
         return {"solver.time_step": solver.time_step / 2}
     return {
-        "solver.contact_wire_element": solver.contact_wire_element / 2,
-        "solver.messenger_wire_element": solver.messenger_wire_element / 2,
+        "solver.contact_wire_element": solver.contact_wire_element_m / 2,
+        "solver.messenger_wire_element": solver.messenger_wire_element_m / 2,
     }
 
 

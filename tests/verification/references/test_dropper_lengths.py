@@ -41,7 +41,7 @@ def test_nine_lengths(evidence: Evidence, at_rest: AtRest) -> None:
 def test_mesh(evidence: Evidence, at_rest: AtRest) -> None:
     solver = at_rest(DROPPERS.scenario).scenario.solver
     halved = {
-        f"solver.{wire}_wire_element": getattr(solver, f"{wire}_wire_element") / 2
+        f"solver.{wire}_wire_element": getattr(solver, f"{wire}_wire_element_m") / 2
         for wire in ("contact", "messenger")
     }
     coarse, fine = lengths(at_rest(DROPPERS.scenario)), lengths(at_rest(DROPPERS.scenario, halved))

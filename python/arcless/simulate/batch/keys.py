@@ -34,14 +34,14 @@ def shared_key(scenario: Scenario) -> str:
 
     Two scenarios with one key have the same mesh, the same equilibrium, and the same matrix of a
     time step: line and how it was built (without gusts, which come with the run), solver with
-    the time step in s, and the contact. Names and sources do not count.
+    the time step in s and the elements in m, and the contact. Names and sources do not count.
     """
     data = scenario.to_dict()
     line = {name: value for name, value in data["line"].items() if name not in WORDS}
     built = {name: value for name, value in data["as_built"].items() if name != "gusts"}
-    solver = {**data["solver"], "time_step": scenario.time_step_s}
+    solver = scenario.solver.resolved.model_dump(mode="json", exclude={"time_step"})
     stiffness = repr(motion.contact_stiffness(scenario))
-    return _fingerprint([line, built, solver, stiffness])
+    return _fingerprint([line, built, solver, scenario.time_step_s, stiffness])
 
 
 def member_key(scenario: Scenario) -> str:
