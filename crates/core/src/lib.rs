@@ -29,3 +29,10 @@ pub mod structure;
 mod structure_check;
 
 pub use error::CoreError;
+
+// Tests of what is private use the lines of the other tests, which name this library.
+#[cfg(test)]
+extern crate self as arcless_core;
+#[cfg(test)]
+#[path = "../tests/common/mod.rs"]
+mod common;

@@ -216,3 +216,40 @@ fn alike(needed: &[usize], at: &[f64], shortest: f64, length: usize) -> Option<V
     let is_long = |pair: &[usize]| at[pair[1]] - at[pair[0]] >= shortest * (1.0 - 1e-9);
     places.windows(2).all(is_long).then_some(places)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Distances of points half a metre apart.
+    fn at(points: usize) -> Vec<f64> {
+        (0..points).map(|k| 0.5 * k as f64).collect()
+    }
+
+    #[test]
+    fn places_lie_in_the_same_rows_of_all_strands() {
+        // Held every 50 points; 8 spans and an end: strands of 100.
+        let needed: Vec<usize> = (0..=8).map(|k| 50 * k).collect();
+        let places = alike(&needed, &at(401), 5.0, 100).expect("places");
+        assert!(needed.iter().all(|k| places.contains(k)));
+        let rows = |strand: usize| {
+            places
+                .iter()
+                .filter(move |&&k| k / 100 == strand)
+                .map(|k| k % 100)
+        };
+        for strand in 1..4 {
+            assert!(rows(0).eq(rows(strand)), "{places:?}");
+        }
+        assert_eq!(places.last(), Some(&400));
+        // As many as equal pieces of 5 m or more are.
+        assert_eq!(places.len(), 8 * 5 + 1);
+    }
+
+    #[test]
+    fn places_of_one_strand_must_not_be_too_near_to_those_of_another() {
+        // The second strand is held 2 m behind where the first one is.
+        assert_eq!(alike(&[0, 50, 154, 400], &at(401), 5.0, 100), None);
+        assert!(alike(&[0, 50, 160, 400], &at(401), 5.0, 100).is_some());
+    }
+}

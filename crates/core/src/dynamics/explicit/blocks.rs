@@ -1,6 +1,6 @@
 //! What of an island is cut into strands together.
 //!
-//! A long wire by itself: cut at equal parts of a regular line, its droppers then lie in the same rows of all strands.
+//! A long wire by itself: cut at equal parts of a regular line, its links then lie in the same rows of all strands.
 
 use super::layout::Chains;
 use super::refuse;

@@ -47,6 +47,8 @@ mod plan;
 mod push;
 mod rest;
 mod rows;
+#[cfg(test)]
+mod rows_tests;
 mod settle;
 mod stable;
 mod stepping;

@@ -1,13 +1,14 @@
 //! Points side by side in the lanes of the processor.
 //!
-//! An island is cut into as many strands as there are lanes, equally long but for the last. Points of
-//! the same number in their strands make a row, so the points beside all of a row are the rows before
-//! and behind, and what a step hands on from point to point stays in registers. Copies of the points
-//! beyond a cut stand before and behind each strand.
+//! A long wire is cut into as many strands as there are lanes, equally long but for the last; so are all short ones
+//! of an island, one behind the other. Points of the same number in their strands make a row, so the points beside
+//! all of a row are the rows before and behind, and what a step hands on from point to point stays in registers.
+//! Copies of the points beyond a cut stand before and behind each strand. Where a wire is regular it is cut where it
+//! repeats itself, and then four links, or four reaches, fill rows as well.
 //!
 //! A place in the rows is called a slot: [`LANES`] × row + lane. The points beside it are [`LANES`] off.
 
-/// Lanes, and strands of an island.
+/// Lanes, and strands of a block.
 pub(super) const LANES: usize = 4;
 /// Rows of copies before, and behind: bending reaches two points far.
 pub(super) const HALO: usize = 2;

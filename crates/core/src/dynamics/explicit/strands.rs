@@ -147,3 +147,49 @@ impl Strands {
 fn longest(points: usize, length: usize) -> usize {
     length.max(points.saturating_sub((LANES - 1) * length))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Strands of a wire of some points, with marks every `period` from `first` on.
+    fn cut(points: usize, first: usize, period: usize) -> Strands {
+        let is_marked = |k: usize| k > 9 && k < points + 9 && (k - 10) % period == first;
+        Strands::new(10..10 + points, 0, is_marked)
+    }
+
+    /// A wire of 20 equal spans has a point more than 20 times those of a span: the last strand gets it.
+    #[test]
+    fn strands_of_a_regular_wire_begin_alike() {
+        for (spans, period) in [(20, 31), (8, 17), (12, 40)] {
+            let strands = cut(spans * period + 1, 4, period);
+            let [count, length, longest] = strands.counts();
+            assert_eq!([count, length], [LANES, spans / 4 * period]);
+            assert_eq!(longest, length + 1);
+        }
+    }
+
+    /// 18 spans: five to a strand are 11 % more rows, and all but the last strand's marks lie in rows.
+    #[test]
+    fn a_span_more_is_taken_where_marks_are_worth_it() {
+        let [_, few, _] = cut(18 * 30 + 1, 4, 30).counts();
+        let [_, many, _] = cut(18 * 30 + 1, 1, 3).counts();
+        assert_eq!(few, 136, "one mark in thirty is not worth fifteen rows");
+        assert_eq!(many % 3, 0, "one in three is");
+    }
+
+    #[test]
+    fn every_point_has_a_slot_of_its_own() {
+        for points in [1, 2, 3, 5, 64, 67, 621] {
+            let strands = cut(points, 1, 7);
+            let mut slots: Vec<usize> = (10..10 + points).map(|k| strands.slot(k)).collect();
+            let copies = strands.copies().into_iter().map(|[copy, _]| copy);
+            slots.extend(copies);
+            let count = slots.len();
+            slots.sort_unstable();
+            slots.dedup();
+            assert_eq!(slots.len(), count, "{points} points");
+            assert!(slots[count - 1] < LANES * strands.rows().end);
+        }
+    }
+}
