@@ -25,16 +25,19 @@ impl Strands {
     pub fn new(points: Range<usize>, first: usize, is_marked: impl Fn(usize) -> bool) -> Self {
         let even = points.len().div_ceil(LANES);
         let marked: Vec<bool> = points.clone().map(is_marked).collect();
+        let marks: Vec<usize> = (0..marked.len()).filter(|&k| marked[k]).collect();
         let lined_up = |length: usize| {
-            let is_lined = |k: &usize| (0..LANES).all(|l| marked[k + l * length]);
             let all = length.min(marked.len().saturating_sub((LANES - 1) * length));
-            (0..all).filter(is_lined).count()
+            let first = marks.iter().take_while(|k| **k < all);
+            let is_lined = |k: &&usize| (1..LANES).all(|l| marked[**k + l * length]);
+            first.filter(is_lined).count()
         };
         let worth = |length: usize| {
             let rows = longest(points.len(), length) as f64;
             ROWS * lined_up(length) as f64 - rows
         };
-        let near = even - (UNEVEN * even as f64) as usize..=even + (UNEVEN * even as f64) as usize;
+        let uneven = (UNEVEN * even as f64) as usize;
+        let near = even - uneven..=even + uneven;
         let best = near.max_by(|a, b| worth(*a).total_cmp(&worth(*b)));
         Self {
             points,
