@@ -45,8 +45,8 @@ fn blocks<'a>(runs: impl Iterator<Item = &'a Run>) -> Vec<Range<usize>> {
 
 /// What belongs to one island.
 pub(super) struct Ranges {
-    /// Points and reaches of each block.
-    pub blocks: Vec<[Range<usize>; 2]>,
+    /// Reaches of each block.
+    pub blocks: Vec<Range<usize>>,
     pub masters: Range<usize>,
     pub clusters: Range<usize>,
     pub guests: Range<usize>,
@@ -83,14 +83,14 @@ impl Chains {
             return Err(refuse("an island without points"));
         };
         let points = first.start..last.end;
-        let with_reaches = blocks.iter().map(|points| {
+        let of_blocks = blocks.iter().map(|points| {
             let begin = reaches;
             let own = self.reaches[begin..].iter();
             reaches += own.take_while(|r| r.segments.start < points.end).count();
-            [points.clone(), begin..reaches]
+            begin..reaches
         });
         Ok(Ranges {
-            blocks: with_reaches.collect(),
+            blocks: of_blocks.collect(),
             masters: masters..self.masters.len(),
             clusters: within(self.clusters.iter().map(|c| c.members[0].point), &points),
             guests: within(self.guests.iter().map(|g| g.0), &points),

@@ -25,7 +25,7 @@ impl Chains {
         for own in &self.own {
             let first = new.own.last().map_or(0, |own| own.rows.end);
             let strands = all.by_ref().zip(&own.blocks);
-            let of = |(strands, [_, reaches]): (&Strands, &[Range<usize>; 2])| {
+            let of = |(strands, reaches): (&Strands, &Range<usize>)| {
                 self.block(strands, reaches.clone(), &slots, &mut new)
             };
             let blocks: Vec<Block> = strands.map(of).collect();
