@@ -63,6 +63,8 @@ class Straight:
     kinds : the wires
     heights : their heights, m; without them all are at 0
     lumped : chains of point masses in place of cubic elements
+    fitted : chains whose points, and what is between them, yield like the wire, as explicit steps
+        have them
     loose : the ends are held along the track only, not in height
     """
 
@@ -72,10 +74,11 @@ class Straight:
         *kinds: Wire,
         heights: Sequence[float] = (0.0,),
         lumped: bool = False,
+        fitted: bool = False,
         loose: bool = False,
     ) -> None:
         self.x, self.kinds, self.heights = x, kinds, heights
-        self.parts, self.lumped = Parts(), lumped
+        self.parts, self.lumped, self.fitted = Parts(), lumped or fitted, fitted
         self.rows = [self._lay(which, kind) for which, kind in enumerate(kinds)]
         for which, kind in enumerate(kinds):
             for end in (0, len(x) - 1):
@@ -87,17 +90,12 @@ class Straight:
 
     def _lay(self, which: int, kind: Wire) -> list[int]:
         numbers = [i * len(self.kinds) + which for i in range(len(self.x))]
-        lengths = np.diff(self.x)
+        lengths, ends = np.diff(self.x), np.column_stack([numbers[:-1], numbers[1:]])
+        kinds = [kind] * len(lengths)
         if not self.lumped:
-            ends, rest = np.column_stack([numbers[:-1], numbers[1:]]), lengths / wires.stretch(kind)
-            return self.parts.add_wires([kind] * len(rest), ends, ends, rest)
-        rest = lengths / wires.chain_stretch(kind)
-        rows = [
-            self.parts.add_segment(kind, ends, length)
-            for ends, length in zip(pairwise(numbers), rest.tolist(), strict=True)
-        ]
-        for before, behind in pairwise(rows):
-            self.parts.add_bend(kind, kind, before, behind)
+            return self.parts.add_wires(kinds, ends, ends, lengths / wires.stretch(kind))
+        rows = self.parts.add_segments(kinds, ends, lengths / wires.chain_stretch(kind))
+        self.parts.add_bends(kinds, rows, hinges=())
         return rows
 
     def node(self, x: float, which: int = 0) -> int:
@@ -139,4 +137,4 @@ class Straight:
         if not self.lumped:
             slopes[:, ALONG] = np.tile([wires.stretch(kind) for kind in self.kinds], count)
         mesh = mesh_of(PLANAR, positions, slopes, self.parts, self.rows[0])
-        return at_rest(mesh, design=True)
+        return at_rest(mesh, design=True, fitted_bends=self.fitted)

@@ -28,9 +28,13 @@ def mesh_of(
     )
 
 
-def at_rest(mesh: Mesh, *, design: bool = False) -> equilibrium.Equilibrium:
+def at_rest(
+    mesh: Mesh, *, design: bool = False, fitted_bends: bool = False
+) -> equilibrium.Equilibrium:
     """Find the equilibrium; through the module that deliberate faults spoil."""
     core = equilibrium._core.Equilibrium(
-        mesh.dimension, mesh.positions, mesh.slopes, mesh.parts, mesh.gravity, design=design
+        *(mesh.dimension, mesh.positions, mesh.slopes, mesh.parts, mesh.gravity),
+        design=design,
+        fitted_bends=fitted_bends,
     )
     return equilibrium.Equilibrium(mesh, core, core.arrays())

@@ -231,11 +231,15 @@ impl<const DIM: usize, const D: usize> Solved<DIM, D> {
     }
 
     fn lanes(&self, lanes: &[Vec<usize>]) -> Result<Vec<Path<DIM>>, CoreError> {
-        let paths = Path::lanes(&self.geometry, &self.shape, lanes)?;
-        if self.geometry.structure.residual.is_none() {
-            return Ok(paths);
+        let (geometry, shape) = (&self.geometry, &self.shape);
+        let paths = Path::lanes(geometry, shape, lanes)?;
+        if geometry.structure.fitted_bends {
+            return Ok(Path::rounded(paths, geometry, shape));
         }
-        Ok(Path::yielding(paths, &self.geometry, &self.shape, lanes))
+        if geometry.structure.residual.is_some() {
+            return Ok(Path::yielding(paths, geometry, shape, lanes));
+        }
+        Ok(paths)
     }
 
     fn elasticity(

@@ -1,6 +1,6 @@
-"""Tables of parts: rows are collected one by one and become the arrays of the core."""
+"""Tables of parts: rows, collected wire by wire or one by one, become the arrays of the core."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from math import cos, sin
 
 import numpy as np
@@ -26,6 +26,16 @@ COLUMNS = {
 GIVEN, HELD, UNLOADED = 0, 1, 2
 
 
+def each_of(
+    sections: Sequence[TensionedWire], of: Callable[[TensionedWire], tuple[float, ...]]
+) -> Floats:
+    """Return numbers of the wire of each element, row by row; most elements share one."""
+    kinds = {id(section): section for section in sections}
+    which = {key: number for number, key in enumerate(kinds)}
+    table = np.array([of(section) for section in kinds.values()])
+    return table[[which[id(section)] for section in sections]]
+
+
 class Parts:
     """Collects the parts of a structure."""
 
@@ -33,8 +43,8 @@ class Parts:
         self._rows: dict[str, list[tuple[tuple[int, ...], tuple[float, ...]]]] = {
             kind: [] for kind in COLUMNS
         }
-        self._wires: list[Part] = []
-        self._wire_count = 0
+        # Of kinds that come by the thousand, wire by wire.
+        self._blocks: dict[str, list[Part]] = {"wires": [], "segments": [], "bends": []}
 
     def add(self, kind: str, integers: tuple[int, ...], floats: tuple[float, ...] = ()) -> int:
         """Add a row and return its number."""
@@ -50,10 +60,18 @@ class Parts:
                 np.array([row[0] for row in rows], dtype=np.int64).reshape(len(rows), integers),
                 np.array([row[1] for row in rows], dtype=np.float64).reshape(len(rows), floats),
             )
-        if self._wires:
-            numbers, values = zip(*self._wires, strict=True)
-            tables["wires"] = np.concatenate(numbers), np.concatenate(values)
+        for kind, blocks in self._blocks.items():
+            if blocks:
+                numbers, values = zip(*blocks, strict=True)
+                tables[kind] = np.concatenate(numbers), np.concatenate(values)
         return tables
+
+    def _add_block(self, kind: str, integers: Integers, floats: Floats) -> list[int]:
+        """Add many rows and return their numbers."""
+        blocks = self._blocks[kind]
+        first = sum(len(numbers) for numbers, _ in blocks)
+        blocks.append((integers, floats))
+        return list(range(first, first + len(integers)))
 
     def add_wires(
         self,
@@ -63,35 +81,39 @@ class Parts:
         rest_lengths: Floats,
     ) -> list[int]:
         """Add the cubic elements of a piece of wire; nodes are (n × 2). Returns their rows."""
-        kinds = {id(section): section for section in sections}
-        own = {
-            key: (
-                *(wire.axial_stiffness, wire.bending_stiffness, wire.mass),
-                *(wire.damping.alpha, wire.damping.beta, wire.tension),
-            )
-            for key, wire in kinds.items()
-        }
-        values = np.array([own[id(section)] for section in sections])
+        values = each_of(sections, lambda wire: (
+            wire.axial_stiffness, wire.bending_stiffness, wire.mass,
+            wire.damping.alpha, wire.damping.beta, wire.tension,
+        ))  # fmt: skip
         table = np.column_stack([rest_lengths, values])
-        self._wires.append((np.column_stack([nodes, slope_nodes]), table))
-        first, self._wire_count = self._wire_count, self._wire_count + len(sections)
-        return list(range(first, self._wire_count))
+        return self._add_block("wires", np.column_stack([nodes, slope_nodes]), table)
 
-    def add_segment(self, wire: TensionedWire, nodes: tuple[int, int], rest_length: float) -> int:
-        """Add a straight link of a chain of point masses."""
-        damping = (wire.damping.alpha, wire.damping.beta)
-        floats = (rest_length, wire.axial_stiffness, wire.mass, *damping, wire.tension)
-        return self.add("segments", nodes, floats)
+    def add_segments(
+        self, sections: Sequence[TensionedWire], nodes: Integers, rest_lengths: Floats
+    ) -> list[int]:
+        """Add the links of a chain of point masses; nodes are (n × 2). Returns their rows."""
+        values = each_of(sections, lambda wire: (
+            wire.axial_stiffness, wire.mass,
+            wire.damping.alpha, wire.damping.beta, wire.tension,
+        ))  # fmt: skip
+        return self._add_block("segments", nodes, np.column_stack([rest_lengths, values]))
 
-    def add_bend(self, one: TensionedWire, other: TensionedWire, before: int, behind: int) -> None:
-        """Let a wire resist bending between two segments, if both do.
+    def add_bends(
+        self, sections: Sequence[TensionedWire], rows: Sequence[int], hinges: Sequence[int]
+    ) -> None:
+        """Let a chain of segments resist bending at its inner nodes, but for the hinges.
 
-        Half of the flexibility lies in either segment.
+        Half of the flexibility lies in either segment; where one of both has no stiffness there is
+        none.
         """
-        stiff, soft = one.bending_stiffness, other.bending_stiffness
-        if min(stiff, soft) > 0.0:
-            both = stiff if stiff == soft else 2.0 / (1.0 / stiff + 1.0 / soft)
-            self.add("bends", (before, behind), (both, one.damping.beta))
+        stiff, damping = each_of(sections, lambda w: (w.bending_stiffness, w.damping.beta)).T
+        one, other = stiff[:-1], stiff[1:]
+        bends = np.minimum(one, other) > 0.0
+        bends[[node - 1 for node in hinges if 0 < node <= len(bends)]] = False
+        one, other, damping = one[bends], other[bends], damping[:-1][bends]
+        both = np.where(one == other, one, 2.0 / (1.0 / one + 1.0 / other))
+        pairs = np.column_stack([rows[:-1], rows[1:]])[bends]
+        self._add_block("bends", pairs, np.column_stack([both, damping]))
 
     def add_dropper(
         self, kind: DropperType, upper: int, lower: int, distance: float, length: float | None

@@ -2,7 +2,6 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from itertools import pairwise
 
 import numpy as np
 
@@ -10,7 +9,7 @@ from arcless.mesh import wires
 from arcless.mesh.chain import Chain, Chains
 from arcless.mesh.kit import Kit
 from arcless.mesh.on_wires import masses
-from arcless.mesh.parts import UNLOADED
+from arcless.mesh.parts import UNLOADED, each_of
 from arcless.mesh.types import DropperPlace, Floats, StitchPlace
 from arcless.model.components import StitchWire, TensionedWire, Wire
 from arcless.model.line_parts import Bridle
@@ -119,24 +118,18 @@ class Wiring:
         """Add a chain of point masses that bends at its inner nodes, but for the hinges."""
         sections = chain.sections()
         lengths = self._unstretched(chain, sections, wires.chain_stretch)
-        rows = [
-            self.parts.add_segment(section, nodes, float(length))
-            for nodes, section, length in zip(pairwise(chain.nodes), sections, lengths, strict=True)
-        ]
-        hinges = set(chain.hinges)
-        for node, (before, behind) in enumerate(pairwise(rows), start=1):
-            if node not in hinges:
-                self.parts.add_bend(sections[node - 1], sections[node], before, behind)
+        nodes = np.array(chain.nodes)
+        ends = np.column_stack([nodes[:-1], nodes[1:]])
+        rows = self.parts.add_segments(sections, ends, lengths)
+        self.parts.add_bends(sections, rows, chain.hinges)
         return rows
 
     @staticmethod
     def _unstretched(
         chain: Chain, sections: list[TensionedWire], law: Callable[[TensionedWire], float]
     ) -> Floats:
-        kinds = {id(section): section for section in sections}
-        stretches = {key: law(section) for key, section in kinds.items()}
-        by_element = [stretches[id(section)] for section in sections]
-        return wires.chord_lengths(chain.points, np.array(by_element))
+        (stretches,) = each_of(sections, lambda wire: (law(wire),)).T
+        return wires.chord_lengths(chain.points, stretches)
 
     def _add_droppers(self) -> list[DropperPlace]:
         found: list[DropperPlace] = []

@@ -125,7 +125,7 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
 
     /// Whether nothing of an island has moved that explicit steps alone know of.
     fn grid_lies(&self, number: usize) -> bool {
-        match (&self.p.explicit, &self.state.grid) {
+        match (self.p.explicit_steps(), &self.state.grid) {
             (Some(steps), Some(grid)) => steps.lies(number, grid),
             _ => true,
         }
@@ -176,7 +176,7 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
     fn put_to_sleep(&mut self, number: usize) {
         let island = &self.p.islands[number];
         self.state.lay(island);
-        if let (Some(steps), Some(grid)) = (&self.p.explicit, &mut self.state.grid) {
+        if let (Some(steps), Some(grid)) = (self.p.explicit_steps(), &mut self.state.grid) {
             steps.lay(number, grid);
         }
         for i in island.links.clone() {

@@ -52,7 +52,7 @@ impl<const DIM: usize, const D: usize> Live<DIM, D> {
             .parts
             .as_mut()
             .and_then(|parts| parts.state.grid.as_mut());
-        let (Some(steps), Some(grid)) = (&self.p.explicit, grid) else {
+        let (Some(steps), Some(grid)) = (self.p.explicit_steps(), grid) else {
             return Ok(());
         };
         if self.collectors.is_empty() {

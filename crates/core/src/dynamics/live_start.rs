@@ -55,7 +55,7 @@ impl<const DIM: usize, const D: usize> Live<DIM, D> {
         let pressed = places
             .iter()
             .map(|place| (*place, p.lanes[0].yield_at(place)));
-        let still = Still::new(&p.line)?.press(&pressed.collect::<Vec<_>>(), forces)?;
+        let still = Still::of(&p)?.press(&pressed.collect::<Vec<_>>(), forces)?;
         let mut travel = stand(&begin, Vec::new());
         let is_rigid = p.lanes[0].is_rigid();
         let links = if is_rigid { 0 } else { MOST };

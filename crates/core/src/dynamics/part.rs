@@ -113,7 +113,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         part: Part<'_>,
         mut callers: Callers<'_>,
     ) -> Result<(Record, State), CoreError> {
-        let steps = (self.updating.is_some(), self.explicit.is_some());
+        let steps = (self.updating.is_some(), self.explicit_steps().is_some());
         check(riders, travel, plan, steps)?;
         check_nodes(&plan.nodes, self.line.nodes())?;
         if let Some(near) = &plan.near {

@@ -209,7 +209,7 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
 
     /// Tell an explicit line where it is read.
     fn look(&mut self) {
-        let (Some(steps), Some(grid)) = (&self.p.explicit, &mut self.state.grid) else {
+        let (Some(steps), Some(grid)) = (self.p.explicit_steps(), &mut self.state.grid) else {
             return;
         };
         let lanes = &self.p.lanes;

@@ -55,7 +55,7 @@ impl<'a, const DIM: usize, const D: usize> Start<'a, DIM, D> {
         let contacts = Contacts::new(riders, &travel.distances, &lanes, position, &rest)?;
         let mut start = Self {
             still: match p.updating {
-                None => Some(Still::new(&p.line)?),
+                None => Some(Still::of(p)?),
                 Some(_) => None,
             },
             forces: vec![0.0; contacts.active.len()],

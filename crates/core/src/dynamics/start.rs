@@ -98,7 +98,7 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
 
     /// Tell an explicit line what is read in every step.
     fn watch_nodes_of_plan(&mut self) {
-        if let (Some(steps), Some(grid)) = (&self.p.explicit, &mut self.state.grid) {
+        if let (Some(steps), Some(grid)) = (self.p.explicit_steps(), &mut self.state.grid) {
             let near = self.plan.near.iter().flat_map(|near| &near.nodes.of);
             let points = self.points.iter().flat_map(|place| &place.nodes);
             let nodes = self.plan.nodes.iter().chain(near).chain(points);

@@ -20,11 +20,13 @@ use super::link_table::LinkTable;
 use super::links::LinkMotion;
 use super::path::Path;
 use super::place::slots;
+use super::still::StillFactors;
 use super::updated::Updating;
 use crate::error::CoreError;
 use crate::linalg::{BlockLdl, Kernel, widest};
 use crate::scheme::{Coefficients, Scheme};
 use crate::statics::Geometry;
+use std::sync::OnceLock;
 
 /// Everything that stays the same during a run, and may be shared by many runs.
 #[derive(Debug, Clone)]
@@ -49,15 +51,23 @@ pub struct Prepared<const DIM: usize, const D: usize> {
     pub contact_flexibility: f64,
     /// What updated kinematics need; `None` with linearised kinematics.
     pub(super) updating: Option<Updating<DIM, D>>,
-    /// What explicit steps need; `None` with a matrix to solve.
-    pub(super) explicit: Option<Explicit<DIM>>,
-    pub(super) factor: BlockLdl<D>,
+    pub(super) steps: Steps<DIM, D>,
+    /// Factors of the stiffness, once somebody asked for them; not with updated kinematics, which change it.
+    pub(super) still: OnceLock<StillFactors<D>>,
     /// What of the line nothing couples.
     pub(super) islands: Vec<Island>,
     fixed: Vec<(u32, u32)>,
     from_mass: [f64; 3],
     from_damping: [f64; 3],
     shift: [f64; 3],
+}
+
+/// How the line takes a step.
+#[derive(Debug, Clone)]
+pub(super) enum Steps<const DIM: usize, const D: usize> {
+    /// With the factor of the matrix of the scheme.
+    Solved(Box<BlockLdl<D>>),
+    Explicit(Box<Explicit<DIM>>),
 }
 
 /// State of the line during a run.
@@ -132,7 +142,8 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         Self::assemble(line, lanes, scheme, h, contact_stiffness, (None, None))
     }
 
-    /// The same for explicit steps of wires that are chains; see [`Explicit`].
+    /// The same for explicit steps of wires that are chains, see [`Explicit`]; on [`Path::rounded`] lanes they are
+    /// right between points as well.
     ///
     /// # Errors
     /// [`CoreError::Input`] or [`CoreError::Singular`].
@@ -145,7 +156,6 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
     ) -> Result<Self, CoreError> {
         let steps = Explicit::new(geometry, &line.shape, &line, h)?;
         let scheme = Scheme::newmark(0.25, 0.5);
-        let lanes = Path::rounded(lanes, geometry, &line.shape);
         let with = (None, Some(steps));
         Self::assemble(line, lanes, scheme, h, contact_stiffness, with)
     }
@@ -167,7 +177,13 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
             });
         }
         let c = scheme.coefficients(h);
-        let factor = BlockLdl::new(&line.combine(c.mass, c.damping, c.stiffness))?;
+        let steps = match explicit {
+            None => {
+                let matrix = line.combine(c.mass, c.damping, c.stiffness);
+                Steps::Solved(Box::new(BlockLdl::new(&matrix)?))
+            }
+            Some(steps) => Steps::Explicit(Box::new(steps)),
+        };
         let beta = line.common.beta;
         let kappa = c.stiffness + c.damping * beta;
         // Each vector below is a combination of (u, v, a) with constant numbers.
@@ -201,11 +217,11 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
             lanes,
             h,
             coefficients: c,
-            factor,
+            steps,
+            still: OnceLock::new(),
             updating,
-            explicit,
         };
-        if let Some(steps) = &prepared.explicit {
+        if let Steps::Explicit(steps) = &prepared.steps {
             let mut grid = steps.still();
             for number in 0..prepared.columns.count() {
                 let load = prepared.unit_load(number);
@@ -232,7 +248,9 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
     /// Compute a column.
     pub(super) fn set_column(&mut self, number: usize, [x, work]: &mut [Vec<[f64; D]>; 2]) {
         let load = self.unit_load(number);
-        self.columns.set(number, &self.factor, &load, [x, work]);
+        if let Steps::Solved(factor) = &self.steps {
+            self.columns.set(number, factor, &load, [x, work]);
+        }
     }
 
     /// Right-hand side of a column, node by node. First come those of the nodes of all lanes (unit
@@ -265,18 +283,29 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         load
     }
 
-    /// Blocks in the factor, for reports on cost.
+    /// Blocks in the factor, for reports on cost; explicit steps have none.
     #[must_use]
     pub fn fill(&self) -> usize {
-        self.factor.fill()
+        match &self.steps {
+            Steps::Solved(factor) => factor.fill(),
+            Steps::Explicit(_) => 0,
+        }
+    }
+
+    /// What explicit steps need, where they are taken.
+    pub(super) fn explicit_steps(&self) -> Option<&Explicit<DIM>> {
+        match &self.steps {
+            Steps::Solved(_) => None,
+            Steps::Explicit(steps) => Some(steps),
+        }
     }
 
     /// A state at rest in a displaced position, ready for the first step.
     #[must_use]
     pub fn at_rest(&self, u: Vec<[f64; D]>) -> LineState<D> {
-        let (grid, u) = match &self.explicit {
+        let (grid, u) = match self.explicit_steps() {
             None => (None, u),
-            Some(steps) => steps.at_rest(&self.line, u),
+            Some(steps) => steps.at_rest(self, u),
         };
         let mut state = LineState::at_rest(&self.line, self.islands.len(), u);
         if grid.is_some() {
@@ -297,9 +326,10 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         state: &mut LineState<D>,
         load: impl FnOnce(&mut [[f64; D]]) -> bool,
     ) {
-        if let Some(steps) = &self.explicit {
-            return self.free_explicit(steps, state, load);
-        }
+        let factor = match &self.steps {
+            Steps::Solved(factor) => factor,
+            Steps::Explicit(steps) => return self.free_explicit(steps, state, load),
+        };
         widest(Inertia { p: self, state });
         let LineState {
             u,
@@ -333,7 +363,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
             }
         }
         let nodes = self.awake(awake).map(|island| island.nodes.clone());
-        self.factor.solve_minus(nodes, delta, shift, work);
+        factor.solve_minus(nodes, delta, shift, work);
         self.begin_links(awake, links, delta);
     }
 
@@ -410,7 +440,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
 
     /// What the next step starts from, for a state that was put back.
     pub(super) fn go_on(&self, state: &mut LineState<D>) {
-        if let (Some(steps), Some(grid)) = (&self.explicit, &mut state.grid) {
+        if let (Some(steps), Some(grid)) = (self.explicit_steps(), &mut state.grid) {
             (0..self.islands.len()).for_each(|island| steps.wire_forces(island, grid));
             return;
         }
@@ -425,7 +455,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
 
     /// Take the step: new displacement, velocity, acceleration.
     pub fn advance(&self, state: &mut LineState<D>) {
-        match &self.explicit {
+        match self.explicit_steps() {
             None => widest(Advance { p: self, state }),
             Some(steps) => steps.advance(state),
         }

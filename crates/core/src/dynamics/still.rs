@@ -8,21 +8,50 @@
 
 use super::line::Line;
 use super::place::Place;
+use super::stepper::Prepared;
 use super::yields::Yield;
 use crate::error::CoreError;
 use crate::lcp::LcpSolver;
 use crate::linalg::BlockLdl;
+use std::borrow::Cow;
 use std::collections::BTreeMap;
+
+/// Factors of the stiffness of a line.
+#[derive(Debug, Clone)]
+pub struct StillFactors<const D: usize> {
+    /// Of K with every link linear: the corrections r are on the right-hand side.
+    pub linear: BlockLdl<D>,
+    /// Of the stiffness at rest, without the links that are slack there; `None` when there are none and
+    /// `linear` serves.
+    at_rest: Option<BlockLdl<D>>,
+}
+
+impl<const D: usize> StillFactors<D> {
+    fn new<const DIM: usize>(line: &Line<DIM, D>) -> Result<Self, CoreError> {
+        let at_rest = line.stiffness_at_rest().map(|k| BlockLdl::new(&k));
+        Ok(Self {
+            linear: BlockLdl::new(&line.combine(0.0, 0.0, 1.0))?,
+            at_rest: at_rest.transpose()?,
+        })
+    }
+}
+
+impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
+    /// Factors of the stiffness at rest, which all runs share; found when they are first asked for.
+    pub(super) fn still_factors(&self) -> Result<&StillFactors<D>, CoreError> {
+        if let Some(known) = self.still.get() {
+            return Ok(known);
+        }
+        let found = StillFactors::new(&self.line)?;
+        Ok(self.still.get_or_init(|| found))
+    }
+}
 
 /// Static solver of a linearised line.
 #[derive(Debug)]
 pub struct Still<'a, const DIM: usize, const D: usize> {
     pub(super) line: &'a Line<DIM, D>,
-    /// Factor of K with every link linear: the corrections r are on the right-hand side.
-    factor: BlockLdl<D>,
-    /// Factor of the stiffness at rest, without the links that are slack there; `None` when there
-    /// are none and `factor` serves.
-    at_rest: Option<BlockLdl<D>>,
+    factors: Cow<'a, StillFactors<D>>,
     pulls: BTreeMap<usize, Vec<[f64; D]>>,
     solver: LcpSolver,
     scratch: Vec<[f64; D]>,
@@ -57,21 +86,25 @@ impl<'a, const DIM: usize, const D: usize> Still<'a, DIM, D> {
     /// # Errors
     /// [`CoreError::Singular`] when the line is loose.
     pub fn new(line: &'a Line<DIM, D>) -> Result<Self, CoreError> {
-        let factor = BlockLdl::new(&line.combine(0.0, 0.0, 1.0))?;
-        let at_rest = line
-            .stiffness_at_rest()
-            .map(|k| BlockLdl::new(&k))
-            .transpose()?;
-        let scratch = vec![[0.0; D]; line.nodes()];
-        let solver = LcpSolver::new();
-        Ok(Self {
+        Ok(Self::with(line, Cow::Owned(StillFactors::new(line)?)))
+    }
+
+    /// That of a line prepared for runs, which share the factors.
+    ///
+    /// # Errors
+    /// [`CoreError::Singular`] when the line is loose.
+    pub(super) fn of(p: &'a Prepared<DIM, D>) -> Result<Self, CoreError> {
+        Ok(Self::with(&p.line, Cow::Borrowed(p.still_factors()?)))
+    }
+
+    fn with(line: &'a Line<DIM, D>, factors: Cow<'a, StillFactors<D>>) -> Self {
+        Self {
             line,
-            factor,
-            at_rest,
+            factors,
             pulls: BTreeMap::new(),
-            solver,
-            scratch,
-        })
+            solver: LcpSolver::new(),
+            scratch: vec![[0.0; D]; line.nodes()],
+        }
     }
 
     /// Displacement under vertical forces (N, upwards) at places, of a mesh that yields no more than it
@@ -109,7 +142,7 @@ impl<'a, const DIM: usize, const D: usize> Still<'a, DIM, D> {
             .iter()
             .for_each(|l| l.add_to(l.rest_correction(), &mut free));
         self.line.mask(&mut free);
-        self.factor.solve(&mut free, &mut self.scratch);
+        self.factors.linear.solve(&mut free, &mut self.scratch);
         let mut correction = vec![0.0; links.len()];
         let mut active: Vec<usize> = Vec::new();
         let mut u = free.clone();
@@ -191,7 +224,7 @@ impl<'a, const DIM: usize, const D: usize> Still<'a, DIM, D> {
             let mut pull = vec![[0.0; D]; self.line.nodes()];
             self.line.links[link].add_to(1.0, &mut pull);
             self.line.mask(&mut pull);
-            self.factor.solve(&mut pull, &mut self.scratch);
+            self.factors.linear.solve(&mut pull, &mut self.scratch);
             self.pulls.insert(link, pull);
         }
     }
@@ -199,7 +232,8 @@ impl<'a, const DIM: usize, const D: usize> Still<'a, DIM, D> {
     /// Lift of places under unit vertical forces on them, m/N, row by row, for small motion about the
     /// state at rest: links slack there take no part. R between places is left out.
     pub(super) fn lifts(&self, places: &[(Place<DIM>, Yield)]) -> Vec<f64> {
-        let factor = self.at_rest.as_ref().unwrap_or(&self.factor);
+        let factors = &self.factors;
+        let factor = factors.at_rest.as_ref().unwrap_or(&factors.linear);
         let links = &self.line.links;
         compliance(self.line, factor, places, |link| {
             links[link].rest_correction() > 0.0

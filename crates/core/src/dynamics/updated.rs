@@ -14,7 +14,7 @@ use super::contacts::Contacts;
 use super::line::Line;
 use super::link_table::LinkTable;
 use super::path::Path;
-use super::stepper::{LineState, Prepared};
+use super::stepper::{LineState, Prepared, Steps};
 use super::still::StillState;
 use crate::error::CoreError;
 use crate::linalg::{HeldEntry, Refactoring, SymmetricBlocks};
@@ -117,7 +117,9 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         geometry.add_moving_tangent(shape, LinkLaw::Linear, factor, &mut now.matrix);
         self.line.add_dampers(c.damping, &mut now.matrix);
         now.matrix.hold(&now.held);
-        self.factor.refactorise(&mut now.refactoring, &now.matrix)?;
+        if let Steps::Solved(factor) = &mut self.steps {
+            factor.refactorise(&mut now.refactoring, &now.matrix)?;
+        }
         self.columns.forget();
         self.table = LinkTable::new(&self.line.links, &self.coefficients);
         state.links.restart(&self.line.links, &state.v, &state.a);

@@ -57,6 +57,7 @@ pub fn explicit<const DIM: usize, const D: usize>(
 ) -> Result<Prepared<DIM, D>, CoreError> {
     let (geometry, shape) = settled::<DIM, D>(yielding(structure));
     let lanes = Path::lanes(&geometry, &shape, lanes).expect("lanes");
+    let lanes = Path::rounded(lanes, &geometry, &shape);
     let line = Line::new(&geometry, shape);
     Prepared::explicit(&geometry, line, lanes, h, contact_stiffness)
 }

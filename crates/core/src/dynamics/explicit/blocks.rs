@@ -72,21 +72,23 @@ impl Chains {
         own.filter(|_| run.is_long())
     }
 
-    /// What belongs to the island of some runs, whose masters and reaches are the last ones, from a number on.
+    /// What belongs to the island of some runs, which is cut, and whose masters and reaches are the last ones, from
+    /// a number on.
     pub(super) fn ranges<'a>(
         &self,
         runs: impl Iterator<Item = &'a Run>,
         [masters, mut reaches]: [usize; 2],
     ) -> Result<Ranges, CoreError> {
-        let blocks = blocks(runs);
-        let (Some(first), Some(last)) = (blocks.first(), blocks.last()) else {
+        let of_runs = runs.map(Run::points);
+        let Some(points) = of_runs.reduce(|all, own| all.start..own.end) else {
             return Err(refuse("an island without points"));
         };
-        let points = first.start..last.end;
-        let of_blocks = blocks.iter().map(|points| {
+        let blocks = self.strands.iter().map(|strands| &strands.points);
+        let own = blocks.filter(|block| points.contains(&block.start));
+        let of_blocks = own.map(|block| {
             let begin = reaches;
             let own = self.reaches[begin..].iter();
-            reaches += own.take_while(|r| r.segments.start < points.end).count();
+            reaches += own.take_while(|r| r.segments.start < block.end).count();
             begin..reaches
         });
         Ok(Ranges {

@@ -57,7 +57,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         shares: impl Iterator<Item = (usize, usize, f64)>,
         factor: f64,
     ) {
-        if let (Some(steps), Some(grid)) = (&self.explicit, grid) {
+        if let (Some(steps), Some(grid)) = (self.explicit_steps(), grid) {
             for (node, component, share) in shares {
                 steps.push(grid, node, component, factor * share);
             }

@@ -6,8 +6,8 @@
 
 use super::rows::place;
 use super::{Explicit, Grid};
-use crate::dynamics::line::Line;
-use crate::linalg::{BlockLdl, SymmetricBlocks};
+use crate::dynamics::stepper::Prepared;
+use crate::linalg::SymmetricBlocks;
 
 /// Rounds; each takes two digits or more.
 const ROUNDS: usize = 40;
@@ -19,18 +19,20 @@ impl<const DIM: usize> Explicit<DIM> {
     /// have it.
     pub(in crate::dynamics) fn at_rest<const D: usize>(
         &self,
-        line: &Line<DIM, D>,
+        p: &Prepared<DIM, D>,
         mut u: Vec<[f64; D]>,
     ) -> (Option<Grid>, Vec<[f64; D]>) {
         let mut grid = self.still();
-        let k = line.combine(0.0, 0.0, 1.0);
-        let given = times(&k, &u);
-        let largest = given.iter().flatten().fold(0.0_f64, |m, f| m.max(f.abs()));
+        if u.iter().flatten().all(|u| *u == 0.0) {
+            return (Some(grid), u);
+        }
         // A line that is displaced was found with this factor.
-        let factor = (largest > 0.0).then(|| BlockLdl::new(&k).ok()).flatten();
-        let Some(factor) = factor else {
+        let Ok(factor) = p.still_factors().map(|factors| &factors.linear) else {
             return (Some(grid), u);
         };
+        let line = &p.line;
+        let given = times(&line.combine(0.0, 0.0, 1.0), &u);
+        let largest = given.iter().flatten().fold(0.0_f64, |m, f| m.max(f.abs()));
         self.read_from(&u, &mut grid);
         let mut scratch = vec![[0.0; D]; u.len()];
         for _ in 0..ROUNDS {

@@ -34,11 +34,18 @@ impl std::ops::DerefMut for Wide {
     }
 }
 
-/// Lane by lane. A loop of its own: what the library maps arrays with may not be compiled for wide lanes.
+/// Lane by lane.
 #[inline(always)]
 pub(super) fn each(of: impl Fn(usize) -> f64) -> Wide {
-    let mut all = Wide::default();
-    for l in 0..LANES {
+    Wide(lanes(of))
+}
+
+/// A number for each of some lanes. A loop of its own: what the library maps arrays with may not be compiled for
+/// wide lanes.
+#[inline(always)]
+pub(super) fn lanes<const L: usize>(of: impl Fn(usize) -> f64) -> [f64; L] {
+    let mut all = [0.0; L];
+    for l in 0..L {
         all[l] = of(l);
     }
     all

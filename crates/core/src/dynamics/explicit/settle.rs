@@ -2,7 +2,7 @@
 
 use super::cluster::WIDEST;
 use super::groups::{Group, Pairs, Points};
-use super::rows::{LANES, Moving};
+use super::rows::{LANES, Moving, lanes};
 use super::{BETA, Grid, Own};
 use crate::linalg::Kernel;
 
@@ -55,17 +55,6 @@ struct On<'a, const D: usize> {
     delta: &'a mut [[f64; D]],
 }
 
-/// One number for each cluster of a group. A loop of its own: what the library maps arrays with is not
-/// compiled for wide lanes.
-#[inline(always)]
-fn each<const L: usize>(of: impl Fn(usize) -> f64) -> [f64; L] {
-    let mut all = [0.0; L];
-    for l in 0..L {
-        all[l] = of(l);
-    }
-    all
-}
-
 impl<const D: usize> On<'_, D> {
     /// Pairs: what is between two points pulls at both. In a `ROW` they are read and written side by side.
     #[inline(always)]
@@ -80,13 +69,13 @@ impl<const D: usize> On<'_, D> {
             );
             (at[0][c], at[1][c]) = (a, b);
             let (u, v): ([f64; L], [f64; L]) =
-                (each(|l| b[l] - a[l]), each(|l| behind[l] - before[l]));
+                (lanes(|l| b[l] - a[l]), lanes(|l| behind[l] - before[l]));
             let Some(column) = columns.next() else {
                 return;
             };
             let (of_place, of_speed) = column.split_at(D);
             for i in 0..D {
-                force[i] = each(|l| {
+                force[i] = lanes(|l| {
                     let of_speed = of_speed[i][l].mul_add(v[l], force[i][l]);
                     of_place[i][l].mul_add(u[l], of_speed)
                 });
@@ -94,7 +83,7 @@ impl<const D: usize> On<'_, D> {
         }
         self.put::<L, ROW>(second, &mut at[1], &force);
         for f in &mut force {
-            *f = each(|l| -f[l]);
+            *f = lanes(|l| -f[l]);
         }
         self.put::<L, ROW>(first, &mut at[0], &force);
     }
@@ -166,7 +155,7 @@ impl<const D: usize> On<'_, D> {
             let [a, b] = point.masters.map(|of| of[0] as usize);
             let read = |list: &[f64], first: usize| -> [f64; L] {
                 let list = &list[first..][..L];
-                each(|l| list[l])
+                lanes(|l| list[l])
             };
             (from, to) = ([read(x, a), read(d, a)], [read(x, b), read(d, b)]);
         } else {
@@ -177,7 +166,7 @@ impl<const D: usize> On<'_, D> {
             }
         }
         let share = &point.share;
-        let between = |k: usize| each(|l| share[l].mul_add(to[k][l] - from[k][l], from[k][l]));
+        let between = |k: usize| lanes(|l| share[l].mul_add(to[k][l] - from[k][l], from[k][l]));
         (between(0), between(1))
     }
 
@@ -189,8 +178,8 @@ impl<const D: usize> On<'_, D> {
         at: &mut [[f64; L]],
         force: &[[f64; L]],
     ) {
-        let second: [f64; L] = each(|l| point.share[l] * force[0][l]);
-        let first: [f64; L] = each(|l| (1.0 - point.share[l]) * force[0][l]);
+        let second: [f64; L] = lanes(|l| point.share[l] * force[0][l]);
+        let first: [f64; L] = lanes(|l| (1.0 - point.share[l]) * force[0][l]);
         if ROW {
             for (of, force) in point.masters.iter().zip([first, second]) {
                 let pull = &mut self.pull[of[0] as usize..][..L];
@@ -205,8 +194,8 @@ impl<const D: usize> On<'_, D> {
         for c in 1..D {
             let (force, at) = (&force[c], &mut at[c]);
             let (inverse, response) = (&point.inverse[c - 1], &point.response[c - 1]);
-            let moved: [f64; L] = each(|l| inverse[l] * force[l]);
-            *at = each(|l| at[l] + BETA * response[l] * force[l]);
+            let moved: [f64; L] = lanes(|l| inverse[l] * force[l]);
+            *at = lanes(|l| at[l] + BETA * response[l] * force[l]);
             let rows = &mut *self.moving[c - 1];
             if ROW {
                 let w = &mut rows[point.row[0] as usize].w;
@@ -242,10 +231,10 @@ impl<const L: usize> Beside<L> {
         let (mut s, mut d, mut w) = ([0.0; L], [0.0; L], [[0.0; L]; 5]);
         if ROW {
             let near = &rows[point.row[0] as usize - 2..][..5];
-            s = each(|l| near[2].s[l % LANES]);
-            d = each(|l| near[2].d[l % LANES]);
+            s = lanes(|l| near[2].s[l % LANES]);
+            d = lanes(|l| near[2].d[l % LANES]);
             for k in 0..5 {
-                w[k] = each(|l| near[k].w[l % LANES]);
+                w[k] = lanes(|l| near[k].w[l % LANES]);
             }
         } else {
             for l in 0..L {
@@ -270,7 +259,7 @@ fn ahead<const L: usize, const ROW: bool>(
 ) -> ([f64; L], [f64; L]) {
     let Beside { s, d, w } = Beside::of::<ROW>(point, rows);
     let ([before, behind], [r0, r1, r2]) = (&point.filter[across], &point.second[across]);
-    let a: [f64; L] = each(|l| {
+    let a: [f64; L] = lanes(|l| {
         let (b0, b1) = (w[1][l] - w[0][l], w[2][l] - w[1][l]);
         let (b2, b3) = (w[3][l] - w[2][l], w[4][l] - w[3][l]);
         let (t0, t1, t2) = (r0[l] * (b1 - b0), r1[l] * (b2 - b1), r2[l] * (b3 - b2));
@@ -278,9 +267,9 @@ fn ahead<const L: usize, const ROW: bool>(
         let right = behind[l].mul_add(b2, t1 - t2);
         w[2][l] - (right - left)
     });
-    let y: [f64; L] = each(|l| d[l].mul_add(-point.lag[l], s[l]));
+    let y: [f64; L] = lanes(|l| d[l].mul_add(-point.lag[l], s[l]));
     (
-        each(|l| a[l].mul_add(BETA, y[l])),
-        each(|l| a[l].mul_add(0.5, d[l])),
+        lanes(|l| a[l].mul_add(BETA, y[l])),
+        lanes(|l| a[l].mul_add(0.5, d[l])),
     )
 }
