@@ -83,12 +83,13 @@ def test_what_auto_stands_for_gives_the_same_bits(short: Short, scheme: str) -> 
         assert found.attrs["messenger_wire_element_m"] == solver.messenger_wire_element_m
 
 
-def test_there_is_no_ledger(run: Run) -> None:
+def test_there_is_no_ledger_and_nothing_to_say_of_it(run: Run) -> None:
     result = run(**EXPLICIT)
     assert not [name for name in result.dataset if str(name).startswith("energy")]
     assert result.assessment.to_dict()["energy_residual_relative"] is None
-    notes = result.assessment.notes
-    assert "no energy ledger: with the scheme central-difference there is none" in notes
+    assert not [note for note in result.assessment.notes if "ledger" in note]
+    kept = run(**{"output.energy": "never"}).assessment.notes
+    assert "no energy ledger was kept; `output.energy: always` keeps one" in kept
 
 
 def test_a_step_too_long_is_refused(short: Short) -> None:
