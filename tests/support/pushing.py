@@ -14,6 +14,7 @@ from arcless.simulate.gusts import LoadData
 Floats = NDArray[np.float64]
 
 TRAPEZOIDAL: tuple[str, list[float]] = ("trapezoidal", [])
+EXPLICIT: tuple[str, list[float]] = ("central-difference", [])
 # Rigid contact under the trapezoidal rule lets a strip ring at the step frequency, with up to
 # 1e6 m/s² where it meets a front: 1e-3 N. In kg.
 WEIGHTLESS = 1e-9

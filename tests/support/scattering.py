@@ -1,12 +1,12 @@
 """A pulse that meets an obstacle on a straight wire: what comes back, and what goes on."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from arcless.model.components import Wire
-from tests.support.pushing import TRAPEZOIDAL, Pressed, press
+from tests.support.pushing import EXPLICIT, TRAPEZOIDAL, Pressed, press
 from tests.support.straight import Floats, Straight, stations
 from tests.support.waves import Complex, Waves, balanced, pulse, spectrum
 
@@ -51,8 +51,9 @@ def even(element: float) -> Floats:
 def scatter(
     x: Floats,
     kinds: tuple[Wire, ...],
-    waves: tuple[Waves, ...],
+    waves: Sequence[Waves],
     fasten: Fasten,
+    scheme: tuple[str, list[float]] = TRAPEZOIDAL,
     **options: object,
 ) -> Scattered:
     """Run with and without the obstacle; what differs was scattered.
@@ -65,15 +66,17 @@ def scatter(
         The wires, and the waves on each of them.
     fasten
         Puts the obstacle there.
+    scheme
+        Name and numbers of the scheme. Explicit steps move waves at ω itself.
     options
         Of `Straight`.
     """
     free, met = (
-        _run(Straight(x, *kinds, **options), obstacle)  # type: ignore[arg-type]
+        _run(Straight(x, *kinds, **options), obstacle, scheme)  # type: ignore[arg-type]
         for obstacle in (lambda _line: None, fasten)
     )
     omega = 2.0 * np.pi * FREQUENCIES
-    shown = balanced(omega, STEP)
+    shown = omega if scheme == EXPLICIT else balanced(omega, STEP)
 
     def amplitude(values: Floats, wave: Waves, distance: float) -> Complex:
         """At the obstacle, of a wave seen that far behind it on its way."""
@@ -92,10 +95,10 @@ def scatter(
     return Scattered(shown, back, on, across)
 
 
-def _run(line: Straight, fasten: Fasten) -> Pressed:
+def _run(line: Straight, fasten: Fasten, scheme: tuple[str, list[float]]) -> Pressed:
     fasten(line)
     watched = [line.node(x, which) for which in range(len(line.kinds)) for x in (BEFORE, BEHIND)]
-    run = send(line, watched)
+    run = send(line, watched, scheme)
     # Otherwise a spectrum of the record says nothing.
     assert np.abs(run.nodes[-1]).max() < 3e-6 * np.abs(run.nodes).max()
     return run
