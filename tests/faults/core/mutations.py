@@ -5,6 +5,7 @@ Source files move on; then `old` is to be found anew (a quick test says where), 
 """
 
 from tests.faults.core.conserved import CONSERVED
+from tests.faults.core.explicit import EXPLICIT
 from tests.faults.core.in_time import IN_TIME
 from tests.support.mutants import Mutation
 
@@ -233,4 +234,5 @@ MUTATIONS = [
     *ENERGY,
     *IN_TIME,
     *CONSERVED,
+    *EXPLICIT,
 ]
