@@ -81,11 +81,24 @@ def rows(
         yield _row(title, "one by one, `arcless.run(…).assessment`", alone, count, "1")
         yield _row("", "batch, one worker", one, count, f"{gained:.2g}")
         yield _row("", "batch, two workers", two, count, f"{scaled:.2g}")
+        apart = command(changes)
+        ratio = alone.processor / count / apart.processor
+        how = "a process each, `arcless run --no-report`"
+        yield _row("", how, apart, 1, f"{ratio:.2g}")
+
+
+def command(changes: dict[str, Any]) -> Spent:
+    """Time a process for one run, from the file to the saved result."""
+    flat = {
+        f"{path}.{key}" if key else path: value
+        for path, given in changes.items()
+        for key, value in (given.items() if isinstance(given, dict) else [("", given)])
+    }
+    asked = [word for path, value in flat.items() for word in ("--set", f"{path}={value}")]
     with TemporaryDirectory() as folder:
         out = str(Path(folder) / "out")
-        taken = process([*COMMAND, "run", REFERENCE, "--no-report", "--out", out])
-    whole = Spent(taken.processor, taken.wall)
-    yield _row("mean force searched", "a process each, `arcless run --no-report`", whole, 1, "")
+        taken = process([*COMMAND, "run", REFERENCE, "--no-report", "--out", out, *asked])
+    return Spent(taken.processor, taken.wall)
 
 
 def least(works: Sequence[Callable[[], Any]]) -> list[Spent]:

@@ -168,8 +168,17 @@ def test_several_contact_wires_need_simulated_pantographs() -> None:
 
 
 def test_single_steps_are_timed(loop: Realtime) -> None:
-    wall, own = measure(loop, 30)
-    assert wall.shape == own.shape == (30,)
+    wall, own, least = measure(loop, 30)
+    assert wall.shape == own.shape == least.shape == (30,)
+    assert (least == wall).all()
     assert loop.step_number == 30
     assert len(row("steps", wall)) == len(HEAD)
     assert (idle(100.0) > 0.0).all()
+
+
+def test_the_least_of_equal_steps(loop: Realtime) -> None:
+    length = 9.5 * loop.speed_m_s * loop.time_step_s
+    wall, _, least = measure(loop, 25, length)
+    assert loop.step_number == 5  # of the third round
+    rounds = [wall[at : at + 10] for at in (0, 10, 20)]
+    assert least == pytest.approx([min(r[k] for r in rounds if k < len(r)) for k in range(10)])
