@@ -82,7 +82,7 @@ def test_at_random_moments_of_run_report_and_writing(stop: Stop, place: Place) -
 
 @pytest.mark.evidence
 def test_at_many_random_moments(stop: Stop, place: Place) -> None:
-    assert interrupt_at_random(stop, place, 60, longest_s=2.5) > 20
+    assert interrupt_at_random(stop, place, 60, longest_s=1.2) > 20
 
 
 @pytest.mark.parametrize("operation", [1, 2, 3], ids=["reading", "writing", "renaming"])

@@ -60,6 +60,23 @@ def spoiled(spoil: Spoil) -> Iterator[None]:
 
 
 @contextmanager
+def plain_chains() -> Iterator[None]:
+    """Take from chains what makes their points, and what is between them, yield like the wire."""
+    core = equilibrium._core
+
+    class Plain:
+        def __getattr__(self, name: str) -> Any:
+            return getattr(core, name)
+
+        @staticmethod
+        def Equilibrium(*given: Any, **named: Any) -> Any:  # noqa: N802 - as in the core
+            return core.Equilibrium(*given, **(named | {"fitted_bends": False}))
+
+    with patch.object(equilibrium, "_core", Plain()):
+        yield
+
+
+@contextmanager
 def scaled(
     kind: str, column: str, factor: float, rows: slice | list[int] = slice(None)
 ) -> Iterator[None]:

@@ -3,6 +3,8 @@
 from collections.abc import Callable
 from typing import Any
 
+import pytest
+
 from tests.support import fresh
 from tests.support.faults import scaled
 from tests.support.python_faults import tension
@@ -16,7 +18,8 @@ def test_tension_2_percent_high(noticed: Noticed) -> None:
         noticed("tensions 2 % too high", checks.test_force_of_an_arm, at_rest=fresh.at_rest)
 
 
-def test_arms_of_the_plane_line_twice_as_stiff(noticed: Noticed) -> None:
+@pytest.mark.parametrize("steps", checks.STEPS)
+def test_arms_of_the_plane_line_twice_as_stiff(noticed: Noticed, steps: str) -> None:
     def at_rest(name: str, changes: dict[str, Any] | None = None) -> object:
         if name == checks.SPATIAL:
             return fresh.at_rest(name, changes)
@@ -25,4 +28,5 @@ def test_arms_of_the_plane_line_twice_as_stiff(noticed: Noticed) -> None:
         with scaled("springs", "stiffness", 2.0):
             return fresh.at_rest(name, changes)
 
-    noticed("springs of the plane line twice as stiff", checks.test_elasticity, at_rest=at_rest)
+    fault = "springs of the plane line twice as stiff"
+    noticed(fault, checks.test_elasticity, at_rest=at_rest, steps=steps)

@@ -34,5 +34,5 @@ def test_steps_of_another_line(noticed: Noticed, run_once: RunOnce, fault: str) 
 def test_other_links_than_shipped(noticed: Noticed, run_once: RunOnce, name: str) -> None:
     longer = {"solver.contact_wire_element": 0.75}
     with patch.object(test_explicit_steps, "STEPS", longer):
-        check = test_explicit_steps.test_shipped_in_space
+        check = test_explicit_steps.test_shipped
         noticed(f"{name} with links of 0.75 m", check, run_once=run_once, name=name)

@@ -2,17 +2,27 @@
 
 from collections.abc import Callable
 
+import pytest
+
 from tests.support import fresh
-from tests.support.faults import scaled
+from tests.support.faults import plain_chains, scaled
 from tests.support.python_faults import tension
 from tests.verification.references import test_dropper_lengths as checks
 
 Noticed = Callable[..., None]
 
 
-def test_tension_1_percent_low(noticed: Noticed) -> None:
+@pytest.mark.parametrize("wires", checks.WIRES)
+def test_tension_1_percent_low(noticed: Noticed, wires: str) -> None:
+    check = checks.test_nine_lengths
     with tension(0.99):
-        noticed("tensions 1 % too low", checks.test_nine_lengths, at_rest=fresh.at_rest)
+        noticed("tensions 1 % too low", check, at_rest=fresh.at_rest, wires=wires)
+
+
+def test_chains_with_corners_as_of_links(noticed: Noticed) -> None:
+    """Points that yield as those of a plain chain do: corners at droppers are too sharp."""
+    with plain_chains():
+        noticed("chains as they are", checks.test_mesh, at_rest=fresh.at_rest, wires="as shipped")
 
 
 def test_one_clamp_heavier(noticed: Noticed) -> None:

@@ -9,9 +9,10 @@ import pytest
 from arcless.errors import ModelError
 from arcless.model import load, load_line, load_pantograph, scenario_warnings
 from arcless.model.advice import FEWEST_ELEMENTS, backward_difference_damping
-from tests.support.explicit import EXPLICIT
+from tests.support.explicit import BY_MATRIX, EXPLICIT
 
 SCENARIO = load("en50318-ac-simple-320")
+CUBIC = SCENARIO.with_(**BY_MATRIX)
 
 
 def with_spans(count: int, **changes: Any) -> Any:
@@ -117,8 +118,8 @@ def test_spans_of_several_types(data: dict[str, Any]) -> None:
         ({"analysis.spans": [6, 19]}, "first or last two spans"),
         ({"travel.start": 400}, "is not travelled in full"),
         ({"speed_profile": {"time": [0, 2], "speed": [80, 80]}}, "ends before"),
-        ({"solver.time_step": "10 ms"}, "more than half an element"),
-        ({"solver.contact_wire_element": "3 m"}, "fewer than two elements"),
+        ({**BY_MATRIX, "solver.time_step": "10 ms"}, "more than half an element"),
+        ({**BY_MATRIX, "solver.contact_wire_element": "3 m"}, "fewer than two elements"),
         (
             {"line": "ac-simple-55-3d", "line.geometry.stagger_contact_wire": [0]},
             "steady arms carry nothing",
@@ -126,9 +127,7 @@ def test_spans_of_several_types(data: dict[str, Any]) -> None:
     ],
 )
 def test_warnings(changes: dict[str, Any], message: str) -> None:
-    scenario = SCENARIO
-    for path, value in changes.items():
-        scenario = scenario.with_(**{path: value})
+    scenario = SCENARIO.with_(**changes)
     assert any(message in warning for warning in scenario_warnings(scenario))
 
 
@@ -188,7 +187,7 @@ def test_a_scheme_that_damps_more_than_the_line_is_warned_about() -> None:
 
 def test_a_chain_needs_more_elements_between_droppers_than_cubic_elements_do() -> None:
     # Shortest distance 4.5 m, from support to dropper.
-    lumped = SCENARIO.with_(**{"solver.wire_model": "lumped"})
+    lumped = CUBIC.with_(**{"solver.wire_model": "lumped"})
     assert "1.45 m leaves fewer than eight elements" in scenario_warnings(lumped)[0]
     for element, said in (("0.6 m", 1), ("0.55 m", 0)):
         finer = lumped.with_(**{"solver.contact_wire_element": element})
@@ -234,7 +233,7 @@ def test_a_step_may_be_exactly_one_element(wire_model: str, speed: float, elemen
         "solver.time_step": "one element",
         "analysis.low_pass": 6,
     }
-    scenario = SCENARIO.with_(**changes)
+    scenario = CUBIC.with_(**changes)
     assert scenario.time_step_s == element / speed
     step = scenario.time_step_s
     if step <= 0.05:  # the longest that can be typed
@@ -245,10 +244,10 @@ def test_a_step_may_be_exactly_one_element(wire_model: str, speed: float, elemen
 
 def test_the_fastest_moment_of_a_profile_decides_on_the_step() -> None:
     profile = {"time": [0, 5, 10], "speed": [10, 80, 10]}
-    fitting = SCENARIO.with_(speed_profile=profile, **{"solver.time_step": "18 ms"})
+    fitting = CUBIC.with_(speed_profile=profile, **{"solver.time_step": "18 ms"})
     assert fitting.top_speed == 80
     with pytest.raises(ModelError, match=r"got 1\.52 m in a step, expected at most 1\.45 m"):
-        SCENARIO.with_(speed_profile=profile, **{"solver.time_step": "19 ms"})
+        CUBIC.with_(speed_profile=profile, **{"solver.time_step": "19 ms"})
 
 
 @pytest.mark.parametrize("end", ["151 m", "1 km"])

@@ -8,7 +8,9 @@ import pytest
 from arcless.errors import ModelError
 from arcless.model import Solver, load, scenario_warnings
 
-SCENARIO = load("en50318-ac-simple-320")
+SHIPPED = load("en50318-ac-simple-320")
+# By a matrix, as scenarios are that name no scheme.
+SCENARIO = SHIPPED.with_(**{"solver.scheme": "generalised-alpha"})
 FIELDS = ("wire_model", "contact_wire_element", "messenger_wire_element")
 EXPLICIT = {"solver.scheme": "central-difference"}
 BY_MATRIX = (
@@ -45,9 +47,9 @@ def test_one_setting_makes_steps_explicit() -> None:
 
 
 def test_what_is_given_is_kept() -> None:
-    own = load("en50318-ac-simple-275")
-    assert taken(own.solver) == ("hermite", 1.15, 1.92)
-    assert taken(own.with_(**EXPLICIT).solver) == ("lumped", 1.15, 1.92)
+    own = load("en50318-2002-250")
+    assert taken(own.solver) == ("hermite", 0.8, 1.6)
+    assert taken(own.with_(**EXPLICIT).solver) == ("lumped", 0.8, 1.6)
     one = SCENARIO.with_(**EXPLICIT, **{"solver.messenger_wire_element": "0.9 m"})
     assert taken(one.solver) == ("lumped", 0.45, 0.9)
     left = own.with_(**EXPLICIT, **dict.fromkeys((f"solver.{name}" for name in FIELDS[1:]), "auto"))
@@ -79,6 +81,11 @@ def test_resolved_settings_are_those_with_the_numbers_given(changes: dict[str, A
     assert written.solver != left.solver
     assert written.solver == left.solver.resolved == written.solver.resolved
     assert given(left.solver.resolved) == taken(left.solver)
+
+
+def test_ac_simple_is_shipped_with_explicit_steps() -> None:
+    assert taken(SHIPPED.solver) == ("lumped", 0.45, 0.6)
+    assert SCENARIO.with_(**EXPLICIT).solver == SHIPPED.solver
 
 
 def test_the_step_of_one_element_follows_the_scheme() -> None:

@@ -48,7 +48,7 @@ def test_each_scatter_of_the_guide_reaches_its_outputs(tmp_path: Path, name: str
     data, _ = parse(SCATTER[name], "guide")
     assert load(data).plan.count == data["design"]["count"]
     # As the guide has them, but fewer and shorter.
-    spans = {"line.spans": [{"type": "standard", "count": 6}], "solver.time_step": "4 ms",
+    spans = {"line.spans": [{"type": "standard", "count": 6}], "solver.time_step": "2 ms",
              "travel": {"start": "60 m", "end": "160 m"}, "pantographs.0.static_force": "120 N",
              "analysis": {"from": "80 m", "to": "150 m"}}  # fmt: skip
     if "as_built.contact_wire_wear" in data["set"]:

@@ -22,7 +22,7 @@ import pytest
 
 import arcless
 from arcless.model import Scenario
-from tests.support.explicit import EXPLICIT
+from tests.support.explicit import BY_MATRIX, EXPLICIT
 from tests.support.parts import in_parts, unlike
 from tests.support.small import small
 
@@ -56,9 +56,10 @@ CHANGES: dict[str, dict[str, Any]] = {
 }
 
 
-def overlap() -> Scenario:
+def overlap(**changes: Any) -> Scenario:
     return arcless.load("ac-simple-overlap-275").with_(
         **{
+            **changes,
             "pantographs.0.mean_force": None,
             "pantographs.0.static_force": 150.0,
             "travel": {"start": 470.0, "end": 620.0},
@@ -67,14 +68,16 @@ def overlap() -> Scenario:
     )
 
 
-def two_pantographs() -> Scenario:
-    changes = {"travel.end": "500 m", "analysis": {"from": "260 m", "to": "298 m"}}
-    return arcless.load("ac-simple-320-two-pantographs").with_(**changes)
+def two_pantographs(**changes: Any) -> Scenario:
+    shorter = {"travel.end": "500 m", "analysis": {"from": "260 m", "to": "298 m"}}
+    return arcless.load("ac-simple-320-two-pantographs").with_(**shorter, **changes)
 
 
 LONG = {
-    "two wires in an overlap": overlap,
-    "two pantographs, mean force searched for": two_pantographs,
+    "two wires in an overlap": overlap(),
+    "two wires in an overlap, cubic elements": overlap(**BY_MATRIX),
+    "two pantographs, mean force searched for": two_pantographs(),
+    "two pantographs, mean force searched for, cubic elements": two_pantographs(**BY_MATRIX),
 }
 
 
@@ -93,4 +96,4 @@ def test_parts(evidence: Any, tmp_path: Path, case: str) -> None:
 @pytest.mark.evidence
 @pytest.mark.parametrize("case", LONG)
 def test_long_parts(evidence: Any, tmp_path: Path, case: str) -> None:
-    compare(evidence, case, LONG[case](), ("0.3 s", "1.2 s"), tmp_path)
+    compare(evidence, case, LONG[case], ("0.3 s", "1.2 s"), tmp_path)

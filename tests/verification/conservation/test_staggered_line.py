@@ -20,7 +20,7 @@ import pytest
 from arcless.results import Result
 from arcless.simulate import StaticsResult
 from tests.support.evidence import Evidence
-from tests.support.explicit import SOLVED
+from tests.support.explicit import BY_MATRIX, SOLVED
 
 AtRest = Callable[..., StaticsResult]
 RunOnce = Callable[..., Result]
@@ -29,12 +29,15 @@ STEPS: dict[str, dict[str, Any]] = {"solved for": SOLVED, "explicit": {}}
 SOFT = {"line.steady_arm.vertical_stiffness": 267.36}
 
 
-def test_elasticity(evidence: Evidence, at_rest: AtRest) -> None:
-    spatial, planar = at_rest(SPATIAL, SOLVED), at_rest("en50318-ac-simple-320", SOFT)
+@pytest.mark.parametrize("steps", STEPS)
+def test_elasticity(evidence: Evidence, at_rest: AtRest, steps: str) -> None:
+    planar_steps = BY_MATRIX if steps == "solved for" else {}
+    spatial = at_rest(SPATIAL, STEPS[steps])
+    planar = at_rest("en50318-ac-simple-320", SOFT | planar_steps)
     assert spatial.equilibrium.mesh.dimension == 3
     found, expected = spatial.elasticity_m_per_N, planar.elasticity_m_per_N
     evidence.close(
-        "elasticity at a support against the planar line",
+        f"{steps}: elasticity at a support against the planar line",
         found[0],
         expected[0],
         unit="m/N",
@@ -42,7 +45,7 @@ def test_elasticity(evidence: Evidence, at_rest: AtRest) -> None:
         reason="slanting droppers add to the radial force; the arm's slope of 10° takes 1.5 %",
     )
     evidence.close(
-        "elasticity in mid-span against the planar line",
+        f"{steps}: elasticity in mid-span against the planar line",
         found[len(found) // 2],
         expected[len(expected) // 2],
         unit="m/N",
