@@ -50,6 +50,8 @@ mod rows;
 #[cfg(test)]
 mod rows_tests;
 mod settle;
+#[cfg(test)]
+mod slide_tests;
 mod stable;
 mod stepping;
 mod strands;
