@@ -28,7 +28,7 @@ Spoil = Callable[[dict[str, Any]], bool | None]
 
 @contextmanager
 def spoiled(spoil: Spoil) -> Iterator[None]:
-    """Let `spoil` change the arguments of every `_core.Equilibrium`: `parts`, `gravity`, ….
+    """Let `spoil` change what every `_core.Equilibrium` is given: `parts`, `gravity`, options, ….
 
     Raises
     ------
@@ -40,10 +40,10 @@ def spoiled(spoil: Spoil) -> Iterator[None]:
 
     def build(dim: int, *arguments: Any, **options: bool) -> Any:
         named = dict(zip(("positions", "slopes", "parts", "gravity"), arguments, strict=True))
-        named = deepcopy(named)  # a mesh is used again
+        named = deepcopy(named) | options  # a mesh is used again
         if spoil(named) is not False:
             built.append(dim)
-        return core.Equilibrium(dim, **named, **options)
+        return core.Equilibrium(dim, **named)
 
     class Spoiled:
         Equilibrium = staticmethod(build)
@@ -62,17 +62,12 @@ def spoiled(spoil: Spoil) -> Iterator[None]:
 @contextmanager
 def plain_chains() -> Iterator[None]:
     """Take from chains what makes their points, and what is between them, yield like the wire."""
-    core = equilibrium._core
 
-    class Plain:
-        def __getattr__(self, name: str) -> Any:
-            return getattr(core, name)
+    def spoil(arguments: dict[str, Any]) -> bool:
+        before, arguments["fitted_bends"] = arguments["fitted_bends"], False
+        return bool(before)
 
-        @staticmethod
-        def Equilibrium(*given: Any, **named: Any) -> Any:  # noqa: N802 - as in the core
-            return core.Equilibrium(*given, **(named | {"fitted_bends": False}))
-
-    with patch.object(equilibrium, "_core", Plain()):
+    with spoiled(spoil):
         yield
 
 
