@@ -76,6 +76,20 @@ class Stepped(Waves):
         return courant, wire, wire * float(x / np.tanh(x))
 
     @property
+    def missing(self) -> float:
+        """R of a point, m/N: what the wire yields there beyond the chain, by unstretched lengths."""
+        _, wire, chain = self.shares
+        if chain == 0.0:
+            return 0.0
+        mu = 2.0 * np.arcsinh(0.5 / np.sqrt(chain))
+        unstretched = self.distance / self.stretch
+        return float(0.5 * unstretched * (1.0 / np.sinh(mu) - np.sqrt(wire)) / self.tension)
+
+    def stiffened(self, stiffness: float) -> float:
+        """Return k' in N/m of a spring k on a point: 1/k' = 1/k + R."""
+        return stiffness / (1.0 + stiffness * self.missing)
+
+    @property
     def filter(self) -> tuple[float, float]:
         """Return a and b."""
         courant, wire, chain = self.shares

@@ -171,15 +171,19 @@ pub struct PointMass {
     pub alpha: f64,
 }
 
-/// What cubic elements yield too little at point forces; see [`crate::flexibility`].
+/// What the wires yield at point forces beyond the mesh; see [`crate::flexibility`].
 #[derive(Debug, Clone, Default)]
 pub struct ResidualFlexibility {
-    /// Stiffness of each link by itself, N/m: that in the list of links is softer by R at both ends.
+    /// Stiffness of each link by itself, N/m: that in the list of links has R at both ends in it.
     pub links: Vec<f64>,
-    /// The same of springs; those that are not vertical keep theirs.
+    /// The same of struts.
+    pub struts: Vec<f64>,
+    /// The same of springs; those along the track keep theirs.
     pub springs: Vec<f64>,
     /// R in m/N: node, node with a force, what the force raises the first by beyond the mesh.
     pub pairs: Vec<(usize, usize, f64)>,
+    /// Nodes at which something is so stiff that R could not be taken from its compliance in full.
+    pub stiff: Vec<usize>,
 }
 
 /// Complete description of a structure.
@@ -217,7 +221,7 @@ pub struct Structure {
     /// Whether chains yield under forces on their points as their wires do: see
     /// [`Geometry::bending`](crate::statics::Geometry::bending).
     pub fitted_bends: bool,
-    /// Residual flexibility, contained in links and springs; `None` when it is left out.
+    /// Residual flexibility, contained in links, struts and springs; `None` when it is left out.
     pub residual: Option<ResidualFlexibility>,
     /// Acceleration of gravity, m/s², acting against the last component.
     pub gravity: f64,

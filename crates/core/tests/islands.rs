@@ -72,7 +72,7 @@ fn two_lengths(yields: bool) -> Prepared<2, 4> {
     put_behind(&mut structure, &other, SHIFT);
     let mut geometry = Geometry::<2, 4>::new(structure).expect("a valid structure");
     if yields {
-        geometry.add_residual_flexibility().expect("cubic elements");
+        geometry.add_residual_flexibility();
     }
     let start = geometry.design().expect("the design converges");
     let shape = geometry.settle(&start).expect("the equilibrium converges");

@@ -208,8 +208,8 @@ impl<const DIM: usize, const D: usize> Solved<DIM, D> {
         (design, residual_flexibility): (bool, bool),
     ) -> Result<Self, CoreError> {
         let mut geometry = Geometry::<DIM, D>::new(s)?;
-        if residual_flexibility {
-            geometry.add_residual_flexibility()?;
+        if residual_flexibility || geometry.structure.fitted_bends {
+            geometry.add_residual_flexibility();
         }
         let start = if design {
             geometry.design()?

@@ -124,12 +124,11 @@ impl<const DIM: usize> PathElement<DIM> {
     /// Shape functions at one of its ends.
     pub(super) fn end(&self, side: usize) -> [f64; 4] {
         let mut weights = [0.0; 4];
-        let number = match self {
-            Self::Curve { .. } => 2 * side,
-            Self::Chord(_) => side,
-            Self::Rounded(it) => it.window().0 + side,
-        };
-        weights[number] = 1.0;
+        match self {
+            Self::Curve { .. } => weights[2 * side] = 1.0,
+            Self::Chord(_) => weights[side] = 1.0,
+            Self::Rounded(it) => weights = it.shares(side as f64),
+        }
         weights
     }
 

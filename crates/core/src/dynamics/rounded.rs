@@ -9,49 +9,93 @@
 //! with h those of Hermite, a and b the lengths before and behind point i, Δ₋ and Δ₊ the slopes of the chords
 //! there. A parabola is met exactly, and slopes do not jump.
 //!
-//! **Kinks.** Where something holds the wire it has a kink κ, rounded over λ = √(EI/T):
+//! **Kinks.** Where something holds the wire it has a kink κ, rounded over λ = √(EI/T); the points of the chain have
+//! one that is rounded over their distance:
 //!
-//!   κ g(s),   g(s) = (|s| + λ e^{−|s|/λ})/2,   T g″ − EI g⁗ = T δ
+//!   wire    κ g(s),    g(s)  = (|s| + λ e^{−|s|/λ})/2,    T g″ − EI g⁗ = T δ
+//!   chain   κ g*(s),   g*(s) = (|s| + a e^{−|s|/d})/2,    a = ℓ/sinh μ,  d = ℓ/μ,  4 sinh² (μ/2) = T ℓ²/EI*
 //!
-//! What the cubic makes of g is taken out and g put in. Chords turn by Δ₊ − Δ₋ there, less than by κ as they cut
-//! the corner: κ is that for what it is of g. The slope at the far end of the element stays that of the cubic, which
-//! the next element has as well: g is missed by 2λ/27 at most, and slopes do not jump there either.
+//! What the cubic makes of g* is taken out and g put in: also at the point itself, where the wire is κ (λ − a)/2 above
+//! it. Chords turn by Δ₊ − Δ₋ there, less than by κ as they cut the corner: κ is that for what it is of g*. Height and
+//! slope at the far end of the element stay those of the cubic, which the next element has as well, so neither jumps.
 //!
-//! **Yield.** G(x, y) = c − g(x − y)/T is what a force at y raises the wire at x by, near y. The points of the
-//! chain yield like those of the wire ([`bends`](super::explicit)), so with φ the shares of the points in a place
-//! it misses
+//! **Yield.** G(x, y) = c − g(x − y)/T is what a force at y raises the wire at x by, near y, and c − g*(xᵢ − xⱼ)/T what a
+//! force on point j raises point i of the chain by. So with φ the shares of the points in a place the chain misses
 //!
-//!   R(x, y) = G(x, y) − Σ φᵢ(x) φⱼ(y) Gᵢⱼ = (Σ φᵢ(x) φⱼ(y) g(xᵢ − yⱼ) − g(x − y))/T
+//!   R(x, y) = G(x, y) − Σ φᵢ(x) φⱼ(y) G*ᵢⱼ = (Σ φᵢ(x) φⱼ(y) g*(xᵢ − yⱼ) − g(x − y))/T
 //!
-//! zero at points, 2 µm/N between points 0.45 m apart on a contact wire, and gone one element further. It is put
-//! where that of cubic elements is ([`yields`](super::yields)).
+//! −0.3 µm/N at a point of a contact wire in elements of 0.45 m, 2 µm/N between two, and gone two elements further. It
+//! is put where that of cubic elements is ([`yields`](super::yields)). Where a dropper hangs, φ has the kink in it, R
+//! between contact and clamp is zero, and both share their force as they should.
 
 use crate::element::hermite;
 
-/// Tension of a piece of wire, N, and λ, m.
+/// A corner (|s| + a e^{−|s|/d})/2.
+#[derive(Debug, Clone, Copy)]
+struct Corner {
+    rise: f64,
+    width: f64,
+}
+
+impl Corner {
+    /// m
+    fn at(&self, s: f64) -> f64 {
+        0.5 * (s.abs() + self.rise * self.faded(s))
+    }
+
+    fn slope(&self, s: f64) -> f64 {
+        let share = if self.width > 0.0 {
+            self.rise / self.width
+        } else {
+            0.0
+        };
+        0.5 * s.signum() * (1.0 - share * self.faded(s))
+    }
+
+    /// e^{−|s|/d}
+    fn faded(&self, s: f64) -> f64 {
+        if self.width > 0.0 {
+            (-s.abs() / self.width).exp()
+        } else {
+            0.0
+        }
+    }
+}
+
+/// A piece of wire, and the chain that stands for it there.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Taut {
+    /// N
     pub tension: f64,
-    pub radius: f64,
+    wire: Corner,
+    chain: Corner,
 }
 
 impl Taut {
-    /// g(s), m.
-    fn kink(&self, s: f64) -> f64 {
-        0.5 * (s.abs() + self.radius * self.faded(s))
-    }
-
-    /// g′(s).
-    fn kink_slope(&self, s: f64) -> f64 {
-        0.5 * s.signum() * (1.0 - self.faded(s))
-    }
-
-    /// e^{−|s|/λ}
-    fn faded(&self, s: f64) -> f64 {
-        if self.radius > 0.0 {
-            (-s.abs() / self.radius).exp()
+    /// With EI of the wire and EI* of the chain, N·m², whose elements are `length` long.
+    pub(super) fn new(tension: f64, [wire, chain]: [f64; 2], length: f64) -> Self {
+        let radius = (wire / tension).sqrt();
+        let half = 0.5 * length * (tension / chain).sqrt();
+        // sinh (μ/2) is half; without bending stiffness chords are the wire's.
+        let mu = 2.0 * half.asinh();
+        let chain = if mu.is_finite() && mu > 0.0 {
+            Corner {
+                rise: length / mu.sinh(),
+                width: length / mu,
+            }
         } else {
-            0.0
+            Corner {
+                rise: 0.0,
+                width: 0.0,
+            }
+        };
+        Self {
+            tension,
+            wire: Corner {
+                rise: radius,
+                width: radius,
+            },
+            chain,
         }
     }
 }
@@ -60,6 +104,8 @@ impl Taut {
 #[derive(Debug, Clone)]
 pub(super) struct Rounded<const DIM: usize> {
     taut: Taut,
+    /// Of the chain at both ends.
+    corners: [Corner; 2],
     /// In the order of the track; of no use beyond `count`.
     points: [[f64; DIM]; 4],
     /// Two to four.
@@ -70,15 +116,22 @@ pub(super) struct Rounded<const DIM: usize> {
     slopes: [[f64; 4]; 2],
     /// Those in κ at both ends, 1/m, where the wire is held.
     kinks: [Option<[f64; 4]>; 2],
-    /// g(xᵢ − xⱼ), m.
+    /// g*(xᵢ − xⱼ), m.
     between: [[f64; 4]; 4],
 }
 
 impl<const DIM: usize> Rounded<DIM> {
-    /// On two to four points, of which `first` and the next one are its ends; `held` tells which of the two are.
-    pub(super) fn new(taut: Taut, on: &[[f64; DIM]], first: usize, held: [bool; 2]) -> Self {
+    /// On two to four points, of which `first` and the next one are its ends. `held` has what the wire and the chain are
+    /// like there for those of the two which something holds.
+    pub(super) fn new(
+        taut: Taut,
+        on: &[[f64; DIM]],
+        first: usize,
+        held: [Option<Taut>; 2],
+    ) -> Self {
         let mut new = Self {
             taut,
+            corners: held.map(|at| at.unwrap_or(taut).chain),
             points: [[0.0; DIM]; 4],
             count: on.len(),
             first,
@@ -97,12 +150,9 @@ impl<const DIM: usize> Rounded<DIM> {
             [None, None] => [chord; 2],
         };
         for i in 0..on.len() {
-            new.between[i] = std::array::from_fn(|j| taut.kink(new.x(i) - new.x(j)));
+            new.between[i] = std::array::from_fn(|j| taut.chain.at(new.x(i) - new.x(j)));
         }
-        new.kinks = std::array::from_fn(|end| {
-            let point = Some(first + end).filter(|_| held[end]);
-            point.and_then(|point| new.kink(point))
-        });
+        new.kinks = std::array::from_fn(|end| held[end].and_then(|_| new.kink(end)));
         new
     }
 
@@ -132,14 +182,22 @@ impl<const DIM: usize> Rounded<DIM> {
         })
     }
 
-    /// Shares in κ at a point.
-    fn kink(&self, point: usize) -> Option<[f64; 4]> {
+    /// Shares in κ at an end.
+    fn kink(&self, end: usize) -> Option<[f64; 4]> {
+        let point = self.first + end;
         self.is_inside(point).then(|| {
             let (before, behind) = (self.chord(point - 1), self.chord(point));
             let turn: [f64; 4] = std::array::from_fn(|k| behind[k] - before[k]);
-            let of_one: f64 = (0..4).map(|k| turn[k] * self.between[k][point]).sum();
+            let of_one: f64 = (0..self.count)
+                .map(|k| turn[k] * self.cornered(k, end))
+                .sum();
             turn.map(|share| share / of_one)
         })
+    }
+
+    /// g* about an end, at a point, m.
+    fn cornered(&self, point: usize, end: usize) -> f64 {
+        self.corners[end].at(self.x(point) - self.x(self.first + end))
     }
 
     /// Both ends along the track, m.
@@ -155,13 +213,13 @@ impl<const DIM: usize> Rounded<DIM> {
     /// Shares φ of the points at ξ from 0 to 1.
     pub(super) fn shares(&self, xi: f64) -> [f64; 4] {
         let functions = hermite::shape(xi, self.length());
-        self.with_kinks(xi, &functions, |s| self.taut.kink(s))
+        self.with_kinks(xi, &functions, |s| self.taut.wire.at(s))
     }
 
     /// Their derivatives along the track, 1/m.
     pub(super) fn share_slopes(&self, xi: f64) -> [f64; 4] {
         let functions = hermite::shape_slope(xi, self.length());
-        self.with_kinks(xi, &functions, |s| self.taut.kink_slope(s))
+        self.with_kinks(xi, &functions, |s| self.taut.wire.slope(s))
     }
 
     fn length(&self) -> f64 {
@@ -179,8 +237,8 @@ impl<const DIM: usize> Rounded<DIM> {
         shares
     }
 
-    /// With g, or its derivative, in the place of what the cubic makes of it, but for the slope at the other end: the
-    /// next element has it too, and knows nothing of the kink.
+    /// With g, or its derivative, in the place of what the cubic makes of g*, but for height and slope at the other end:
+    /// the next element has them too, and knows nothing of the kink.
     fn with_kinks(&self, xi: f64, functions: &[f64; 4], g: impl Fn(f64) -> f64) -> [f64; 4] {
         let smooth = self.smooth(functions);
         let mut shares = smooth;
@@ -190,12 +248,14 @@ impl<const DIM: usize> Rounded<DIM> {
             };
             let other = 1 - end;
             let met = |by: &[f64; 4]| -> f64 {
-                let of = |k: usize| by[k] * self.between[k][self.first + end];
-                (0..self.count).map(of).sum()
+                (0..self.count).map(|k| by[k] * self.cornered(k, end)).sum()
             };
             let away = |xi: f64| (xi - end as f64) * self.length();
-            let bent = self.taut.kink_slope(away(other as f64)) - met(&self.slopes[other]);
-            let more = g(away(xi)) - met(&smooth) - bent * functions[1 + 2 * other];
+            let far = away(other as f64);
+            let apart = self.taut.wire.at(far) - self.cornered(self.first + other, end);
+            let bent = self.taut.wire.slope(far) - met(&self.slopes[other]);
+            let kept = apart * functions[2 * other] + bent * functions[1 + 2 * other];
+            let more = g(away(xi)) - met(&smooth) - kept;
             (0..4).for_each(|k| shares[k] += more * kink[k]);
         }
         shares
@@ -209,21 +269,33 @@ impl<const DIM: usize> Rounded<DIM> {
     /// R(x, x), m/N.
     pub(super) fn own(&self, shares: &[f64; 4]) -> f64 {
         let g = weighted(shares, shares, |i, j| self.between[i][j]);
-        (g - self.taut.kink(0.0)) / self.taut.tension
+        (g - self.taut.wire.at(0.0)) / self.taut.tension
     }
 
     /// R(x, y) between a place on this element and one on another, m/N.
     pub(super) fn missing(&self, shares: &[f64; 4], other: &Self, its: &[f64; 4]) -> f64 {
         let (last, its_last) = (self.count - 1, other.count - 1);
         let apart = (other.x(0) - self.x(last)).max(self.x(0) - other.x(its_last));
-        // Beyond the points beside them g is |s|/2, which both meet, and what e⁻¹⁰ leaves.
-        if apart > 10.0 * self.taut.radius.max(other.taut.radius) {
+        // Beyond the points beside them both corners are |s|/2, and what e⁻¹⁰ leaves.
+        let widths = [
+            self.taut.wire,
+            self.taut.chain,
+            other.taut.wire,
+            other.taut.chain,
+        ];
+        if apart
+            > 10.0
+                * widths
+                    .map(|corner| corner.width)
+                    .into_iter()
+                    .fold(0.0, f64::max)
+        {
             return 0.0;
         }
         let [x, y] = [self.point(shares)[0], other.point(its)[0]];
         let at = |i: usize, j: usize| self.x(i.min(last)) - other.x(j.min(its_last));
-        let g = weighted(shares, its, |i, j| self.taut.kink(at(i, j)));
-        (g - self.taut.kink(x - y)) / self.taut.tension
+        let g = weighted(shares, its, |i, j| self.taut.chain.at(at(i, j)));
+        (g - self.taut.wire.at(x - y)) / self.taut.tension
     }
 }
 

@@ -14,8 +14,8 @@ struct Structured<'a, const DIM: usize, const D: usize> {
     shape: &'a Shape<D>,
     /// Segment between two nodes.
     segments: BTreeMap<[usize; 2], usize>,
-    /// EI at a node, N·m².
-    bending: BTreeMap<usize, f64>,
+    /// EI of the wire and EI* of the chain at a node, N·m².
+    bending: BTreeMap<usize, [f64; 2]>,
     held: BTreeSet<usize>,
 }
 
@@ -31,22 +31,37 @@ impl<'a, const DIM: usize, const D: usize> Structured<'a, DIM, D> {
             bending: s
                 .bends
                 .iter()
-                .map(|b| (node(b.segments[0]), b.stiffness))
+                .map(|b| (node(b.segments[0]), [b.stiffness, geometry.bending(b)]))
                 .collect(),
             held: geometry.loaded(),
         }
     }
 
+    /// Tension of the segment between two nodes, N, and its length, m; none without tension.
+    fn segment(&self, nodes: &[usize; 2]) -> Option<[f64; 2]> {
+        let segment = &self.geometry.structure.segments[*self.segments.get(nodes)?];
+        let state = Geometry::<DIM, D>::segment_state(self.shape, segment);
+        (state.linear_tension > 0.0).then_some([state.linear_tension, state.length])
+    }
+
     /// Of the segment between two nodes; none without tension.
     fn taut(&self, nodes: &[usize; 2]) -> Option<Taut> {
-        let segment = &self.geometry.structure.segments[*self.segments.get(nodes)?];
-        let tension = Geometry::<DIM, D>::segment_state(self.shape, segment).linear_tension;
-        let bending = nodes.map(|node| self.bending.get(&node).copied().unwrap_or(0.0));
-        (tension > 0.0).then(|| Taut {
-            tension,
-            // A wire that ends at a node does not bend there.
-            radius: (bending[0].max(bending[1]) / tension).sqrt(),
-        })
+        let [tension, length] = self.segment(nodes)?;
+        // A wire that ends at a node does not bend there.
+        let bending = nodes.map(|node| self.bending.get(&node).copied().unwrap_or_default());
+        let [first, second] = bending;
+        let most = std::array::from_fn(|k| first[k].max(second[k]));
+        Some(Taut::new(tension, most, length))
+    }
+
+    /// At a node that something holds, between two segments: the same for both.
+    fn taut_at(&self, node: usize, beside: [&[usize; 2]; 2]) -> Option<Taut> {
+        let [first, second] = beside.map(|nodes| self.segment(nodes));
+        let ([a, b], [c, d]) = (first?, second?);
+        let bending = self.bending.get(&node).copied().unwrap_or_default();
+        self.held
+            .contains(&node)
+            .then(|| Taut::new(0.5 * (a + c), bending, 0.5 * (b + d)))
     }
 }
 
@@ -64,7 +79,11 @@ impl<const DIM: usize> Path<DIM> {
             let chords: Vec<_> = lane.elements.iter().map(PathElement::chord).collect();
             for k in 0..chords.len() {
                 if let (Some(chord), Some(taut)) = (chords[k], of.taut(&lane.ends[k])) {
-                    let held = lane.ends[k].map(|node| of.held.contains(&node));
+                    let held = std::array::from_fn(|end| {
+                        let next = (k + end).checked_sub(1)?;
+                        let pair = [lane.ends.get(next)?, lane.ends.get(next + 1)?];
+                        of.taut_at(lane.ends[k][end], pair)
+                    });
                     let beside = |other: usize| {
                         let is_one = lane.wires.get(other) == Some(&lane.wires[k]);
                         chords.get(other).copied().flatten().filter(|_| is_one)

@@ -18,7 +18,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         segment.state([&a, &b])
     }
 
-    fn bend_element(&self, bend: &Bend) -> BendElement {
+    pub(crate) fn bend_element(&self, bend: &Bend) -> BendElement {
         let segments = &self.structure.segments;
         let lengths = bend.segments.map(|k| segments[k].rest_length);
         BendElement::new(self.bending(bend), lengths)

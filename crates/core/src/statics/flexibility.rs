@@ -1,9 +1,14 @@
-//! Residual flexibility in the statics: softer links and springs, and heights of the real wire.
+//! Residual flexibility in the statics: stiffnesses of what is attached to wires, and heights of the real wire.
 //!
-//! A link pulls kinks into the wires at its ends, and each yields by R T more than the mesh shows. So
-//! for the mesh the link is one of 1/k′ = 1/k + R + R, and a vertical spring to ground likewise. The
-//! real wire at node n lies higher than the mesh by Σ R(n, m) F_m, with F the sum of all that acts on a
-//! wire at a point: what the wire itself and what is spread along it do not balance.
+//! A link pulls kinks into the wires at its ends, and each yields by R T more than the mesh shows (less, where R is
+//! negative). So for the mesh the link is one of 1/k′ = 1/k + R + R, and a strut or a spring to ground one of
+//! 1/k + R. Across the track a wire yields as it does in the vertical; along the track R has no part, so R counts by
+//! 1 − n² with n the share of the direction along the track. The real wire at node n lies higher than the mesh by
+//! Σ R(n, m) F_m, with F the sum of all that acts on a wire at a point: what the wire itself and what is spread along
+//! it do not balance.
+//!
+//! k′ stays positive: where a negative R would take more than half of 1/k, it takes that half. What is so stiff,
+//! 1/k below 2 |R| or some 0.8 µm/N, moves by less than |R| times its force too little, 0.04 mm for 100 N.
 
 use super::assembly::{Geometry, Shape, add_weight};
 use crate::element::hermite;
@@ -18,28 +23,50 @@ const FAINT: f64 = 1e-3;
 const MOST_ROUNDS: usize = 20;
 /// Change of a stiffness that is rounding.
 const SAME: f64 = 1e-12;
+/// Share of 1/k that a negative R leaves at least: k′ ≤ 2 k, so that it stays positive and of the size of k.
+const LEAST: f64 = 0.5;
+
+/// k′ of something of stiffness k on wires that yield R more than the mesh, and whether R counts in full.
+fn with_residual(given: f64, r: f64) -> (f64, bool) {
+    let share = 1.0 + given * r;
+    (given / share.max(LEAST), share >= LEAST)
+}
+
+/// Largest relative change of stiffnesses, and what is too stiff.
+#[derive(Default)]
+struct Changes {
+    most: f64,
+    stiff: Vec<usize>,
+}
+
+impl Changes {
+    fn set(&mut self, stiffness: &mut f64, given: f64, r: f64, node: usize) {
+        let (new, is_whole) = with_residual(given, r);
+        let change = (new - *stiffness).abs();
+        if change > 0.0 {
+            self.most = self.most.max(change / given.abs());
+        }
+        if !is_whole {
+            self.stiff.push(node);
+        }
+        *stiffness = new;
+    }
+}
 
 impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
-    /// Let links and vertical springs yield with the kinks that they pull into their wires, under the
+    /// Let links, struts and springs yield with the kinks that they pull into their wires, under the
     /// tension of the design. Unstretched lengths then are those between the clamps of the real wires.
     ///
-    /// # Errors
-    /// [`CoreError::Input`] for chains of point masses, which are no cubic elements.
-    pub fn add_residual_flexibility(&mut self) -> Result<(), CoreError> {
+    /// Wires are cubic elements, or chains whose bends are [fitted](Geometry::bending).
+    pub fn add_residual_flexibility(&mut self) {
         let s = &self.structure;
-        if !s.segments.is_empty() {
-            return Err(CoreError::Input {
-                array: "segments",
-                reason: "residual flexibility is of cubic elements".into(),
-            });
-        }
         self.structure.residual = Some(ResidualFlexibility {
             links: s.links.iter().map(|link| link.stiffness).collect(),
+            struts: s.struts.iter().map(|strut| strut.stiffness).collect(),
             springs: s.springs.iter().map(|spring| spring.stiffness).collect(),
-            pairs: Vec::new(),
+            ..ResidualFlexibility::default()
         });
         self.soften(None);
-        Ok(())
     }
 
     /// Equilibrium in which R is that of its own tensions; nothing to do without residual flexibility.
@@ -63,9 +90,47 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         let Some(mut residual) = self.structure.residual.take() else {
             return 0.0;
         };
+        let own = self.find_residual(shape, &mut residual.pairs);
+        // Directions at rest; of a design that has not begun, those of the drawing.
+        let across = |direction: &[f64]| 1.0 - direction[0] * direction[0];
+        let drawn = self.initial_shape();
+        let shape = shape.unwrap_or(&drawn);
+        let of_links: Vec<f64> = self
+            .structure
+            .links
+            .iter()
+            .map(|link| {
+                let [a, b] = link.nodes;
+                across(&Self::link_state(shape, link).direction) * (own[a] + own[b])
+            })
+            .collect();
+        let s = &mut self.structure;
+        let mut changes = Changes::default();
+        for ((link, &given), r) in s.links.iter_mut().zip(&residual.links).zip(of_links) {
+            changes.set(&mut link.stiffness, given, r, link.nodes[1]);
+        }
+        for (strut, &given) in s.struts.iter_mut().zip(&residual.struts) {
+            let r = across(&strut.direction) * own[strut.node];
+            changes.set(&mut strut.stiffness, given, r, strut.node);
+        }
+        let all = s.springs.iter_mut().zip(&residual.springs);
+        for (spring, &given) in all.filter(|(spring, _)| spring.component > 0) {
+            changes.set(&mut spring.stiffness, given, own[spring.node], spring.node);
+        }
+        residual.stiff = changes.stiff;
+        s.residual = Some(residual);
+        changes.most
+    }
+
+    /// R at all nodes with point forces, m/N; and between these and the nodes around them.
+    fn find_residual(
+        &self,
+        shape: Option<&Shape<D>>,
+        pairs: &mut Vec<(usize, usize, f64)>,
+    ) -> Vec<f64> {
         let web = Web::new(self, shape);
         let mut own = vec![0.0; self.nodes()];
-        residual.pairs.clear();
+        pairs.clear();
         for node in self.loaded() {
             let patch = Patch::new(&web, &[node]);
             let Some((patch, response)) = patch.and_then(|p| p.respond((node, 0)).map(|r| (p, r)))
@@ -76,33 +141,12 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
                 let [mesh, exact] = patch.at(&response, near);
                 exact - mesh
             };
-            own[node] = missing(node).max(0.0);
+            own[node] = missing(node);
             let found = patch.nodes().map(|near| (near, node, missing(near)));
-            let felt = found.filter(|(_, _, r)| r.abs() > FAINT * own[node]);
-            residual.pairs.extend(felt);
+            let felt = found.filter(|(_, _, r)| r.abs() > FAINT * own[node].abs());
+            pairs.extend(felt);
         }
-        let s = &mut self.structure;
-        let mut most: f64 = 0.0;
-        let mut set = |stiffness: &mut f64, given: f64, r: f64| {
-            let new = given / (1.0 + given * r);
-            let change = (new - *stiffness).abs();
-            most = most.max(if change > 0.0 {
-                change / given.abs()
-            } else {
-                0.0
-            });
-            *stiffness = new;
-        };
-        for (link, &given) in s.links.iter_mut().zip(&residual.links) {
-            let [a, b] = link.nodes;
-            set(&mut link.stiffness, given, own[a] + own[b]);
-        }
-        let upright = s.springs.iter_mut().zip(&residual.springs);
-        for (spring, &given) in upright.filter(|(p, _)| p.component == Self::UP) {
-            set(&mut spring.stiffness, given, own[spring.node]);
-        }
-        s.residual = Some(residual);
-        most
+        own
     }
 
     /// Nodes at which something may act on a wire.
@@ -131,6 +175,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
                 }
             }
         }
+        self.add_chain_forces(shape, &mut residual);
         self.add_wire_loads(&mut residual);
         residual.iter().map(|node| node[Self::UP]).collect()
     }

@@ -33,9 +33,12 @@ pub fn lumped(s: &Structure) -> Structure {
     t
 }
 
-/// Design calculation and service equilibrium.
+/// Design calculation and service equilibrium; chains with fitted bends have their residual flexibility.
 pub fn settled<const DIM: usize, const D: usize>(s: Structure) -> (Geometry<DIM, D>, Shape<D>) {
     let mut geometry = Geometry::<DIM, D>::new(s).expect("a valid structure");
+    if geometry.structure.fitted_bends {
+        geometry.add_residual_flexibility();
+    }
     let start = geometry.design().expect("the design converges");
     let shape = geometry.settle(&start).expect("the equilibrium converges");
     (geometry, shape)

@@ -5,6 +5,7 @@ use crate::common::chain::lumped;
 use crate::common::simple_line_of;
 use crate::common::space::staggered;
 use arcless_core::dynamics::record::Record;
+use arcless_core::structure::{Spring, SpringMode};
 
 fn rms(values: impl Iterator<Item = f64>) -> f64 {
     let (sum, count) = values.fold((0.0, 0), |(s, n), v| (s + v * v, n + 1));
@@ -65,4 +66,29 @@ fn so_it_does_in_space() {
         apart::<3, 3>(&chain, 2e-3 * longest).0
     });
     shrinks(&errors);
+}
+
+/// Supports that hold the wire along the track by springs: it moves along between them, and not through them.
+#[test]
+fn springs_along_the_wire_act_where_they_are() {
+    let found = [1.0, 1e6].map(|stiffness| {
+        let (mut structure, path) = simple_line_of(4, [0.5; 2]);
+        let held = structure
+            .springs
+            .iter()
+            .filter(|s| s.mode == SpringMode::Held);
+        let along = held.map(|spring| Spring {
+            component: 0,
+            stiffness,
+            viscosity: 0.0,
+            mode: SpringMode::Unloaded,
+            ..*spring
+        });
+        let along: Vec<Spring> = along.collect();
+        assert!(along.len() > 2);
+        structure.springs.extend(along);
+        apart::<2, 2>(&(lumped(&structure), vec![path]), 1e-3).0
+    });
+    // With springs at masters of their own the steps are as near as without; spread over two masters several times as far.
+    assert!(found[1] < 1.2 * found[0], "{found:?}");
 }

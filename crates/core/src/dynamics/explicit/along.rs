@@ -7,6 +7,7 @@ use super::rows::LANES;
 use crate::dynamics::line::Line;
 use crate::error::CoreError;
 use crate::statics::assembly::{Geometry, Shape};
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 /// Shortest reach along the wire, in those that are just stable. At 1 ms it is 5.6 m, and tension of 20 Hz runs by
@@ -105,8 +106,8 @@ impl Chains {
         }
     }
 
-    /// Points of a wire that become masters: its ends, what is held or has guests, and between them so
-    /// many that reaches are equally long and long enough.
+    /// Points of a wire that become masters: its ends, what is held or has guests or a spring along the wire, and
+    /// between them so many that reaches are equally long and long enough.
     fn places_along<const DIM: usize, const D: usize>(
         &self,
         geometry: &Geometry<DIM, D>,
@@ -116,8 +117,15 @@ impl Chains {
     ) -> Vec<usize> {
         let segments = &geometry.structure.segments;
         let last = run.nodes.len() - 1;
+        // Between two masters a spring would pull at both of them, and miss what gives way at its own place.
+        let springs = geometry.structure.springs.iter();
+        let sprung: BTreeSet<usize> = springs
+            .filter(|spring| spring.component == 0)
+            .map(|spring| spring.node)
+            .collect();
         let needed = |k: usize| {
-            k == 0 || k == last || !line.free[run.nodes[k]][0] || is_owner[run.first + k]
+            let (node, point) = (run.nodes[k], run.first + k);
+            k == 0 || k == last || !line.free[node][0] || is_owner[point] || sprung.contains(&node)
         };
         let needed: Vec<usize> = (0..=last).filter(|&k| needed(k)).collect();
         let mut at = vec![0.0; last + 1];
