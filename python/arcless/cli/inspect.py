@@ -70,6 +70,8 @@ def check(
         for warning in model.scenario_warnings(checked):
             console.warn(warning)
     console.data(f"{file}: valid {_description(checked)}")
+    if isinstance(checked, model.Scenario):
+        console.data(f"a run takes {checked.choice.sentence}")
 
 
 def schema() -> None:

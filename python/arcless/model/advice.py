@@ -4,9 +4,7 @@ from itertools import pairwise
 from math import atan, hypot, log1p, pi
 
 from arcless.model.heights import gradient_warnings
-from arcless.model.line import Line
 from arcless.model.scenario import Scenario
-from arcless.model.schemes import EXPLICIT
 from arcless.model.settings import ONE_ELEMENT
 from arcless.model.track_checks import deviation_warnings
 
@@ -26,17 +24,10 @@ QUIET_SCHEMES = {"backward-difference"}
 # The shipped lines damp their waves by 0.1 to 1.9 % of critical, below 20 Hz: a scheme that adds
 # more than that makes another line of them.
 LOUD_DAMPING = 0.02
-# Fewest elements of the contact wire between droppers. Cubic elements follow the sag with two. A
-# chain of n straight ones misses 1/n² of the sag between droppers (its links are chords of a
-# parabola), and the wave as long as the distance between droppers travels (π/n)²/6 too slowly
-# (ω = 2c/a sin(ka/2)): with eight, 1.6 % and 2.6 %. Explicit steps give waves their speed and
-# contacts the sag back, so on the messenger wire five do. On the contact wire they do not: the
-# waves that run ahead of a pantograph are shorter, by c/(c − V).
-FEWEST_ELEMENTS = {"hermite": 2, "lumped": 8}
-FEWEST_OF_MESSENGER = 5
+# Elements that are longer than those of the rule by this share are told.
+LONG_ELEMENT = 1.25
 # A tenth of the static forces of pantographs, 60 to 120 N.
 LOST_FORCE = 10.0
-IN_WORDS = {2: "two", 5: "five", 8: "eight"}
 
 
 def scenario_warnings(scenario: Scenario) -> list[str]:
@@ -133,7 +124,7 @@ def _about_track(scenario: Scenario) -> list[str]:
 
 
 def _about_contact(scenario: Scenario) -> list[str]:
-    scheme = scenario.solver.scheme
+    scheme = scenario.stepping.scheme
     quiet = (
         (scheme.name == "generalised-alpha" and scheme.spectral_radius <= QUIET_RADIUS)
         or (scheme.name == "newmark" and scheme.gamma >= QUIET_GAMMA)
@@ -171,7 +162,7 @@ def _about_scheme(scenario: Scenario) -> list[str]:
 
 
 def _about_growth(scenario: Scenario) -> list[str]:
-    solver = scenario.solver
+    solver = scenario.stepping
     scheme = solver.scheme
     lively = (
         (scheme.name == "generalised-alpha" and scheme.spectral_radius > STEADY_RADIUS)
@@ -189,7 +180,7 @@ def _about_growth(scenario: Scenario) -> list[str]:
 
 
 def _about_numerical_damping(scenario: Scenario) -> list[str]:
-    if scenario.solver.scheme.name != "backward-difference":
+    if scenario.stepping.scheme.name != "backward-difference":
         return []
     frequency, step = scenario.analysis.low_pass, scenario.time_step_s
     damping = backward_difference_damping(2 * pi * frequency * step)
@@ -203,35 +194,25 @@ def _about_numerical_damping(scenario: Scenario) -> list[str]:
 
 
 def _about_solver(scenario: Scenario) -> list[str]:
-    solver, found = scenario.solver, []
+    solver, found = scenario.stepping, []
     way = scenario.top_speed * scenario.time_step_s
     if solver.time_step != ONE_ELEMENT and way > solver.contact_wire_element_m / 2:
         found.append(
             f"solver.time_step: the pantograph moves {way:.2g} m in a step, more than half an"
             f" element of the contact wire ({solver.contact_wire_element_m:g} m)"
         )
-    gap = _shortest_gap(scenario.line)
-    fewest = FEWEST_ELEMENTS[solver.wires]
-    elements = [("contact_wire_element", solver.contact_wire_element_m, fewest)]
-    if solver.scheme.name == EXPLICIT and scenario.line.messenger_wire is not None:
-        of_messenger = ("messenger_wire_element", solver.messenger_wire_element_m)
-        elements.append((*of_messenger, FEWEST_OF_MESSENGER))
+    choice = scenario.choice
+    if solver.kinematics == "updated":
+        return found  # the published method, with the elements that it was published with
+    elements = [("contact_wire_element", solver.contact_wire_element_m, choice.contact_wire)]
+    if scenario.line.messenger_wire is not None:
+        of_messenger = solver.messenger_wire_element_m, choice.messenger_wire
+        elements.append(("messenger_wire_element", *of_messenger))
     found += [
-        f"solver.{name}: {element:g} m leaves fewer than {IN_WORDS[fewest]} elements in the"
-        f" shortest distance between droppers ({gap:.3g} m)"
-        for name, element, fewest in elements
-        if element > gap / fewest
+        f"solver.{name}: {element:g} m is more than the {rule:g} m that forces within 1 % need with"
+        f" {'point masses' if solver.wires == 'lumped' else 'cubic elements'} at this speed; leave"
+        " it out, and it is chosen"
+        for name, element, rule in elements
+        if element > LONG_ELEMENT * rule
     ]
     return found
-
-
-def _shortest_gap(line: Line) -> float:
-    """Return the shortest distance in m between droppers of one contact wire, or to a support."""
-    twin = line.twin_contact_wires
-    wires = 2 if twin is not None and twin.droppers == "alternating" else 1
-    return min(
-        right - left
-        for span in line.span_types.values()
-        for first in range(wires)
-        for left, right in pairwise((0.0, *span.holders.positions[first::wires], span.length))
-    )

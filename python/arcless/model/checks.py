@@ -209,7 +209,7 @@ def _check_inside(
 
 
 def _check_elements(scenario: "Scenario") -> None:
-    solver, line = scenario.solver, scenario.line
+    solver, line = scenario.stepping, scenario.line
     places = line.support_positions()
     length = sum(
         places[one.to_span] - places[one.from_span - 1] for one in line.tension_length_list()
@@ -237,7 +237,10 @@ def _check_step(scenario: "Scenario") -> None:
             expected="a time: with a changing speed, one element takes no fixed time",
             field=field,
         )
-    way, element = scenario.top_speed * scenario.time_step_s, solver.contact_wire_element_m
+    way, element = (
+        scenario.top_speed * scenario.time_step_s,
+        scenario.stepping.contact_wire_element_m,
+    )
     if way > element * (1 + ROUNDING):
         raise ModelError(
             "step longer than an element",
@@ -261,7 +264,7 @@ def _check_energy(scenario: "Scenario") -> None:
             hint="stiffness that is formed anew in each step belongs to no stored energy",
             field=field,
         )
-    if scenario.solver.scheme.name == EXPLICIT:
+    if scenario.stepping.scheme.name == EXPLICIT:
         raise ModelError(
             f"no energy ledger with the scheme {EXPLICIT}",
             got="always",

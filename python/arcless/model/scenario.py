@@ -1,5 +1,6 @@
 """A scenario: a line, pantographs, a speed, and how to compute, assess and record."""
 
+from functools import cached_property
 from typing import Annotated, Any, Literal
 
 from pydantic import Field, model_validator
@@ -15,6 +16,7 @@ from arcless.model.line import Line
 from arcless.model.pantograph import Pantograph
 from arcless.model.roof import RoofMotion
 from arcless.model.settings import MAX_SPEED, Contact, Output, Solver, SpeedProfile
+from arcless.model.stepping import Choice, choose
 from arcless.model.wear import WearModel
 from arcless.units import WRONG_VALUE, show
 
@@ -182,14 +184,24 @@ class Scenario(Document):
         check_as_built(self)
         return self
 
+    @cached_property
+    def choice(self) -> Choice:
+        """What a run takes where `solver` leaves it to auto, and why."""
+        return choose(self)
+
+    @property
+    def stepping(self) -> Solver:
+        """The solver settings of a run: with nothing left to auto."""
+        return self.choice.solver
+
     @property
     def time_step_s(self) -> float:
-        """Time step in s, also when it is given as one element."""
-        step = self.solver.time_step
+        """Time step in s, also when it is given as one element or left to auto."""
+        step = self.stepping.time_step
         if not isinstance(step, str):
             return step
         assert self.speed is not None  # a speed profile is refused then, see checks
-        return self.solver.contact_wire_element_m / self.speed
+        return self.stepping.contact_wire_element_m / self.speed
 
     @property
     def top_speed(self) -> float:

@@ -9,6 +9,14 @@ from arcless.model.fields import Part, Unit
 
 # The scheme that steps without a matrix.
 EXPLICIT: Final = "central-difference"
+# The one that suits the line: arcless.model.stepping.
+AUTOMATIC: Final = "auto"
+
+
+class Auto(Part):
+    """Explicit steps where the line allows them, otherwise generalised-alpha."""
+
+    name: Literal["auto"] = Field(description="Name of the scheme.")
 
 
 class GeneralisedAlpha(Part):
@@ -72,7 +80,8 @@ class CentralDifference(Part):
 
 
 Scheme = Annotated[
-    GeneralisedAlpha
+    Auto
+    | GeneralisedAlpha
     | HilberHughesTaylor
     | Newmark
     | Trapezoidal

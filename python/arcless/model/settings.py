@@ -1,14 +1,14 @@
 """How a run moves, computes and records: speed profile, contact law, solver, output."""
 
 from itertools import pairwise
-from typing import Annotated, Any, Final, Literal, NamedTuple, TypeAlias
+from typing import Annotated, Any, Final, Literal, TypeAlias
 
 from pydantic import Field, model_validator
 
 from arcless.errors import ModelError
 from arcless.model.fields import Lengths, Part, Unit
 from arcless.model.lists import check_count
-from arcless.model.schemes import EXPLICIT, GeneralisedAlpha, Scheme
+from arcless.model.schemes import AUTOMATIC, EXPLICIT, Auto, Scheme
 from arcless.units import WRONG_VALUE
 
 # 1080 km/h: above any train, and a speed in km/h written without its unit is often above it.
@@ -21,23 +21,11 @@ WHOLE_LINE: Final = "whole line"
 # What follows from other settings.
 AUTO: Final = "auto"
 WireModel: TypeAlias = Literal["hermite", "lumped"]
+# Elements in m of a line that is divided without a scenario, whose speed they follow from.
+LONGEST: Final = 0.725
 ElementLength: TypeAlias = Annotated[
     float | Literal["auto"], Unit("m", minimum=0.05, maximum=20, words=(AUTO,))
 ]
-
-
-class Division(NamedTuple):
-    """How wires are divided: wire model, longest elements of contact and messenger wire in m."""
-
-    wires: WireModel
-    contact_wire: float
-    messenger_wire: float
-
-
-# What `auto` stands for. Explicit steps are those of point masses, and need so many of them to be
-# as right as cubic elements.
-BY_MATRIX = Division("hermite", 1.45, 2.9)
-BY_STEPS = Division("lumped", 0.45, 0.6)
 
 
 class SpeedProfile(Part):
@@ -87,16 +75,17 @@ class Solver(Part):
     """How the motion is computed."""
 
     time_step: Annotated[
-        float | Literal["one element"],
-        Unit("s", minimum=1e-5, maximum=0.05, words=(ONE_ELEMENT,)),
+        float | Literal["auto", "one element"],
+        Unit("s", minimum=1e-5, maximum=0.05, words=(AUTO, ONE_ELEMENT)),
     ] = Field(
-        default=1e-3,
-        description="Time step; one element: that in which the first pantograph moves by"
-        " contact_wire_element.",
+        default="auto",
+        description="Time step; auto: 1 ms, less where explicit steps or the speed need it; one"
+        " element: that in which the first pantograph moves by contact_wire_element.",
     )
     scheme: Scheme = Field(
-        default_factory=lambda: GeneralisedAlpha(name="generalised-alpha"),
-        description="Time-stepping scheme: its name, or its name and parameters.",
+        default_factory=lambda: Auto(name=AUTOMATIC),
+        description="Time-stepping scheme: its name, or its name and parameters; auto:"
+        f" {EXPLICIT} where the line allows it, otherwise generalised-alpha.",
     )
     period_correction: bool = Field(
         default=True,
@@ -104,11 +93,11 @@ class Solver(Part):
         description="Take the period error of the scheme from the mass of wires of cubic elements;"
         " no effect with schemes of first order and point masses.",
     )
-    residual_flexibility: bool = Field(
-        default=False,
-        strict=True,
-        description="Add what cubic elements yield too little under droppers, supports and"
-        " contacts: with linearised kinematics and wires of cubic elements.",
+    residual_flexibility: Annotated[bool, Field(strict=True)] | Literal["auto"] = Field(
+        default="auto",
+        description="Add what wires yield under droppers, supports and contacts beyond their"
+        " elements: with linearised kinematics and cubic elements; explicit steps always have it."
+        " auto: wherever it can be.",
     )
     kinematics: Literal["linearised", "updated"] = Field(
         default="linearised",
@@ -125,13 +114,12 @@ class Solver(Part):
     )
     contact_wire_element: ElementLength = Field(
         default="auto",
-        description=f"Longest element of the contact wire; auto: {BY_MATRIX.contact_wire:g} m, but"
-        f" {BY_STEPS.contact_wire:g} m with the scheme {EXPLICIT}.",
+        description="Longest element of the contact wire; auto: from the shortest wave that counts,"
+        " at most 0.45 m of point masses, 0.725 m of cubic elements.",
     )
     messenger_wire_element: ElementLength = Field(
         default="auto",
-        description=f"Longest element of the messenger wire; auto: {BY_MATRIX.messenger_wire:g} m,"
-        f" but {BY_STEPS.messenger_wire:g} m with the scheme {EXPLICIT}.",
+        description="Longest element of all other wires; auto: likewise.",
     )
     gravity: Annotated[float, Unit("m/s2", minimum=0, maximum=100)] = Field(
         default=9.81, description="Acceleration of gravity."
@@ -141,12 +129,12 @@ class Solver(Part):
     def _check_explicit(self) -> "Solver":
         if self.scheme.name != EXPLICIT:
             return self
-        if self.residual_flexibility:
+        if isinstance(self.residual_flexibility, bool) and not self.residual_flexibility:
             raise ModelError(
                 f"not together with the scheme {EXPLICIT}",
-                got="true",
-                expected="false, or another scheme",
-                hint="it adds what cubic elements miss; explicit steps are those of point masses",
+                got="false",
+                expected="auto or true, or another scheme",
+                hint="explicit steps always have it",
                 field=("residual_flexibility",),
             )
         for key, value, needed, hint in (
@@ -165,7 +153,8 @@ class Solver(Part):
 
     @model_validator(mode="after")
     def _check_flexibility(self) -> "Solver":
-        if not self.residual_flexibility:
+        wanted = isinstance(self.residual_flexibility, bool) and self.residual_flexibility
+        if not wanted or self.scheme.name == EXPLICIT:
             return self
         for key, value, needed in (
             ("wire_model", self.wires, "hermite"),
@@ -175,7 +164,7 @@ class Solver(Part):
                 raise ModelError(
                     "not together with residual_flexibility",
                     got=value,
-                    expected=f"{needed}, or residual_flexibility: false",
+                    expected=f"{needed}, or residual_flexibility: auto",
                     field=(key,),
                 )
         return self
@@ -189,35 +178,22 @@ class Solver(Part):
 
     @property
     def wires(self) -> WireModel:
-        """Wire model, also where it follows from the scheme."""
-        return self._division.wires if self.wire_model == AUTO else self.wire_model
+        """Wire model, also where it follows from a scheme that is given."""
+        if self.wire_model != AUTO:
+            return self.wire_model
+        return "lumped" if self.scheme.name == EXPLICIT else "hermite"
 
     @property
     def contact_wire_element_m(self) -> float:
-        """Longest element of the contact wire in m, also where it follows from the scheme."""
+        """Longest element of the contact wire in m; where it is left to auto, see `LONGEST`."""
         given = self.contact_wire_element
-        return self._division.contact_wire if isinstance(given, str) else given
+        return LONGEST if isinstance(given, str) else given
 
     @property
     def messenger_wire_element_m(self) -> float:
-        """Longest element of the messenger wire in m, also where it follows from the scheme."""
+        """Longest element of all other wires in m; where it is left to auto, see `LONGEST`."""
         given = self.messenger_wire_element
-        return self._division.messenger_wire if isinstance(given, str) else given
-
-    @property
-    def resolved(self) -> "Solver":
-        """The same with nothing left to the scheme: two that are equal then compute alike."""
-        return self.model_copy(
-            update={
-                "wire_model": self.wires,
-                "contact_wire_element": self.contact_wire_element_m,
-                "messenger_wire_element": self.messenger_wire_element_m,
-            }
-        )
-
-    @property
-    def _division(self) -> Division:
-        return BY_STEPS if self.scheme.name == EXPLICIT else BY_MATRIX
+        return LONGEST if isinstance(given, str) else given
 
 
 class Output(Part):

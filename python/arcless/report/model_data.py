@@ -18,9 +18,11 @@ _NOT_DATA = {"format", "name", "description", "sources", "provenance"}
 # Fields where a word may stand, and what the run takes for it.
 _TAKEN: dict[str, Callable[[Scenario], Any]] = {
     "solver.time_step": lambda scenario: scenario.time_step_s,
-    "solver.wire_model": lambda scenario: scenario.solver.wires,
-    "solver.contact_wire_element": lambda scenario: scenario.solver.contact_wire_element_m,
-    "solver.messenger_wire_element": lambda scenario: scenario.solver.messenger_wire_element_m,
+    "solver.scheme.name": lambda scenario: scenario.stepping.scheme.name,
+    "solver.residual_flexibility": lambda scenario: scenario.stepping.residual_flexibility,
+    "solver.wire_model": lambda scenario: scenario.stepping.wires,
+    "solver.contact_wire_element": lambda scenario: scenario.stepping.contact_wire_element_m,
+    "solver.messenger_wire_element": lambda scenario: scenario.stepping.messenger_wire_element_m,
 }
 
 

@@ -184,13 +184,14 @@ def find(scenario: Scenario) -> Equilibrium:
     """
     given = scenario.as_built.measured_heights
     heights = matched(scenario.line, given) if given else {}
-    mesh = build_mesh(scenario.line, scenario.solver, heights)
+    solver = scenario.stepping
+    mesh = build_mesh(scenario.line, solver, heights)
     with _designed(mesh, scenario.line, heights):
         core = _core.Equilibrium(
             *(mesh.dimension, mesh.positions, mesh.slopes, mesh.parts, mesh.gravity),
             design=True,
-            residual_flexibility=scenario.solver.residual_flexibility,
-            fitted_bends=scenario.solver.scheme.name == schemes.EXPLICIT,
+            residual_flexibility=bool(solver.residual_flexibility),
+            fitted_bends=solver.scheme.name == schemes.EXPLICIT,
         )
     if scenario.line.track.curves:
         check_arms(mesh, core.arrays()["strut_tension"])

@@ -19,7 +19,6 @@ from arcless.errors import (
 from arcless.mesh import Mesh
 from arcless.model import Scenario
 from arcless.model.scenario import PantographPlacement
-from arcless.model.settings import BY_STEPS
 from arcless.simulate.contacts import label
 from arcless.simulate.equilibrium import translate
 from arcless.simulate.joints import laws
@@ -58,7 +57,7 @@ def preparing(scenario: Scenario) -> Iterator[None]:
 def _not_this_way(scenario: Scenario, message: str) -> ModelError:
     longest = TOO_LONG.search(message)
     if longest is None:
-        scheme = scenario.solver.scheme.name
+        scheme = scenario.stepping.scheme.name
         return ModelError(
             f"this line cannot be stepped with the scheme {scheme}",
             where="solver.scheme",
@@ -70,9 +69,9 @@ def _not_this_way(scenario: Scenario, message: str) -> ModelError:
         where="solver.time_step",
         got=f"{1e3 * scenario.time_step_s:.4g} ms",
         expected=f"at most about {1e3 * float(longest[1]):.3g} ms, the longest stable step",
-        hint=f"solver.contact_wire_element of {BY_STEPS.contact_wire:g} m and"
-        f" messenger_wire_element of {BY_STEPS.messenger_wire:g} m, which auto stands for, go with"
-        " 1 ms: much longer ones are not stable, shorter ones need shorter steps",
+        hint="leave solver.time_step to auto; or longer elements: those of "
+        f"{scenario.choice.contact_wire:g} m and {scenario.choice.messenger_wire:g} m, which auto"
+        " takes for this line and speed, go with it",
     )
 
 

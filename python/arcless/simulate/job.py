@@ -155,7 +155,7 @@ def prepare(found: equilibrium.Equilibrium, scenario: Scenario) -> _core.Prepare
     with preparing(scenario):
         return found.core.prepare(
             found.mesh.lanes,
-            motion.scheme_numbers(scenario.solver.scheme),
+            motion.scheme_numbers(scenario.stepping.scheme),
             scenario.time_step_s,
             motion.contact_stiffness(scenario),
             scenario.solver.kinematics == "updated",
@@ -179,7 +179,9 @@ def keeps_ledger(scenario: Scenario) -> bool:
     """Whether energies are booked in a run of a scenario."""
     # The ledger costs about as much as the step itself; see docs/decisions.
     # It books a balance that is solved for, about one stiffness: others have none.
-    if scenario.solver.kinematics == "updated" or scenario.solver.scheme.name == EXPLICIT:
+    if scenario.solver.kinematics == "updated" or scenario.stepping.scheme.name == EXPLICIT:
         return False
     wanted = scenario.output.energy
-    return wanted == "always" or (wanted == "auto" and scenario.solver.scheme.name == "trapezoidal")
+    return wanted == "always" or (
+        wanted == "auto" and scenario.stepping.scheme.name == "trapezoidal"
+    )

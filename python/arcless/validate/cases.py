@@ -87,7 +87,7 @@ def _same(one: Scenario, other: Scenario) -> bool:
     # What is recorded, and a note that it was set, change no result; everything else may.
     ignored = {"output", "provenance", "solver"}
     same = one.model_dump(exclude=ignored) == other.model_dump(exclude=ignored)
-    return same and one.solver.resolved == other.solver.resolved
+    return same and one.stepping == other.stepping
 
 
 def _case_rows(case: Case, progress: Progress | None) -> list[Row]:

@@ -23,9 +23,9 @@ class SharedKeys:
     def of(self, scenario: Scenario) -> str:
         """Return `shared_key` of a scenario."""
         parts = (scenario.line, scenario.as_built, scenario.solver, scenario.contact)
-        known = len(self._parts) == len(parts) + 1 and self._parts[-1] == scenario.time_step_s
+        known = len(self._parts) == len(parts) + 1 and self._parts[-1] == scenario.stepping
         if not known or any(a is not b for a, b in zip(parts, self._parts, strict=False)):
-            self._parts, self._key = (*parts, scenario.time_step_s), shared_key(scenario)
+            self._parts, self._key = (*parts, scenario.stepping), shared_key(scenario)
         return self._key
 
 
@@ -39,7 +39,7 @@ def shared_key(scenario: Scenario) -> str:
     data = scenario.to_dict()
     line = {name: value for name, value in data["line"].items() if name not in WORDS}
     built = {name: value for name, value in data["as_built"].items() if name != "gusts"}
-    solver = scenario.solver.resolved.model_dump(mode="json", exclude={"time_step"})
+    solver = scenario.stepping.model_dump(mode="json", exclude={"time_step"})
     stiffness = repr(motion.contact_stiffness(scenario))
     return _fingerprint([line, built, solver, scenario.time_step_s, stiffness])
 

@@ -1,0 +1,301 @@
+"""Which scheme, elements and time step a run takes where `solver` leaves them to `auto`.
+
+Explicit steps on chains of point masses wherever a line allows them, otherwise a matrix with cubic
+elements and residual flexibility. Both families then are within the goals of
+docs/validation/limit.md: F_m, σ, maximum and uplift within 1 % of the limit of refined elements,
+the minimum within 1 % of F_m (of a trailing pantograph 1.5 %).
+
+**Elements.** A pantograph at the speed v sends a wave of frequency f ahead that is c/(c − v) times
+as fast at a fixed point; with f the low-pass frequency of the assessment
+
+    λ₊ = (c − v)/f,    λₘ = λ₊ cₘ/c
+
+are the shortest waves that matter on the contact wire and on the wires above, whose slowest has the
+wave speed cₘ. Errors grow with the fourth power of element over wavelength:
+
+    chains    contact wire max(λ₊/8, min(0.30 m, λ₊/5)), others λₘ/5, both at most 0.45 m
+    cubic     λ₊/3.3 and λₘ/3.3, both at most 0.725 m
+
+rounded down to a ladder, so that runs at similar speeds share their elements.
+
+**Time step.** 1 ms; less where explicit steps would not be stable with the elements, or above
+0.7 c, where a fixed point sees f as f c/(c − v) and a step of 0.42/(2π f) (c − v)/c resolves that.
+Lengths and steps were found by measurement on the shipped lines and on random ones, one error
+source at a time.
+"""
+
+from dataclasses import dataclass
+from math import floor, isinf, pi, sqrt, tanh
+from typing import TYPE_CHECKING, Final
+
+from arcless.model.components import TensionedWire
+from arcless.model.schemes import (
+    EXPLICIT,
+    Auto,
+    CentralDifference,
+    GeneralisedAlpha,
+    Scheme,
+)
+from arcless.model.settings import AUTO, ONE_ELEMENT, Solver
+from arcless.model.wire_places import shortest_distances
+
+if TYPE_CHECKING:
+    from arcless.model.scenario import Scenario
+
+# Lengths of elements in m that `auto` takes: each about a sixth shorter than the one before.
+LADDER: Final = (0.725, 0.6, 0.5, 0.45, 0.4, 0.35, 0.3, 0.25, 0.2, 0.15)
+# Wavelengths of the contact wire over its elements, and of the other wires over theirs.
+PER_WAVE_OF_CHAIN = 8.0, 5.0
+PER_WAVE_OF_CUBIC = 3.3, 3.3
+# A contact wire of chains may have these, in m, where λ₊ is PER_WAVE_AT_SPEED of them.
+FINE_ENOUGH, PER_WAVE_AT_SPEED = 0.30, 5.0
+LONGEST_OF_CHAIN, LONGEST_OF_CUBIC = 0.45, 0.725
+# Cubic elements without residual flexibility, which updated kinematics leave out, in m.
+LONGEST_ALONE = 0.35
+# In s. Shorter explicit steps than the shortest cost more than a matrix.
+LONGEST_STEP, SHORTEST_STEP = 1e-3, 0.2e-3
+STEPS = (1e-3, 0.8e-3, 0.6e-3, 0.5e-3, 0.4e-3, 0.3e-3, 0.25e-3, 0.2e-3)
+# ω h of the highest frequency that counts, f c/(c − v) at a fixed point.
+LARGEST_ANGLE = 0.42
+# Share of the longest stable step of a wire by itself that is taken: the core keeps 5 % for
+# contacts and links, and its estimate has the ends of wires and their masses in it.
+STABLE_SHARE = 0.9
+# ω² h² of what central differences just keep stable.
+LIMIT = 4.0
+# A length that is given may be longer than the rule's by rounding.
+ROUNDING = 1.001
+
+
+@dataclass(frozen=True)
+class Choice:
+    """What a run takes.
+
+    Attributes
+    ----------
+    solver
+        The solver settings with nothing left to `auto`.
+    why
+        Why a matrix is taken where the scheme was left to `auto`; empty otherwise.
+    contact_wire, messenger_wire
+        Longest elements in m by the rule for the family that is taken.
+    """
+
+    solver: Solver
+    why: str
+    contact_wire: float
+    messenger_wire: float
+
+    @property
+    def sentence(self) -> str:
+        """Say how a run steps, and why with a matrix where that was left to `auto`."""
+        solver, step = self.solver, self.solver.time_step
+        length = "one element" if isinstance(step, str) else f"{1e3 * step:g} ms"
+        family = "point masses" if solver.wires == "lumped" else "cubic elements"
+        lengths = f"{solver.contact_wire_element_m:g} and {solver.messenger_wire_element_m:g} m"
+        kind = (
+            "explicit steps" if solver.scheme.name == EXPLICIT else f"{solver.scheme.name}, steps"
+        )
+        why = f"; a matrix because {self.why}" if self.why else ""
+        return f"{kind} of {length}, {family} {lengths} apart at most{why}"
+
+
+def choose(scenario: "Scenario") -> Choice:
+    """Return what a run of a scenario takes."""
+    given = scenario.solver
+    if given.scheme.name == EXPLICIT:
+        return _with(scenario, CentralDifference(name=EXPLICIT), "")
+    if not isinstance(given.scheme, Auto):
+        return _with(scenario, given.scheme, "")
+    why = _asked_for(scenario) or _not_explicit(scenario)
+    if not why:
+        return _with(scenario, CentralDifference(name=EXPLICIT), "")
+    return _with(scenario, GeneralisedAlpha(name="generalised-alpha"), why)
+
+
+def _with(scenario: "Scenario", scheme: Scheme, why: str) -> Choice:
+    given = scenario.solver
+    explicit = scheme.name == EXPLICIT
+    wires = given.wire_model if given.wire_model != AUTO else "lumped" if explicit else "hermite"
+    contact, messenger = _lengths(scenario, chains=explicit)
+    if not explicit and (given.kinematics == "updated" or wires == "lumped"):
+        contact, messenger = min(contact, LONGEST_ALONE), min(messenger, LONGEST_ALONE)
+    taken = [
+        rule if isinstance(length, str) else length
+        for length, rule in (
+            (given.contact_wire_element, contact), (given.messenger_wire_element, messenger)
+        )
+    ]  # fmt: skip
+    step = given.time_step
+    if step == AUTO:
+        step = _step(scenario, taken) if explicit else _resolving(scenario)
+    flexible: bool | str = given.residual_flexibility
+    if flexible == AUTO:
+        flexible = not explicit and wires == "hermite" and given.kinematics == "linearised"
+    resolved = given.model_copy(
+        update={
+            "scheme": scheme,
+            "wire_model": wires,
+            "contact_wire_element": taken[0],
+            "messenger_wire_element": taken[1],
+            "time_step": step,
+            "residual_flexibility": flexible,
+        }
+    )
+    return Choice(resolved, why, contact, messenger)
+
+
+def _asked_for(scenario: "Scenario") -> str:
+    """Say which setting asks for a matrix; nothing if none does."""
+    solver = scenario.solver
+    for name, asked, reason in (
+        ("kinematics", solver.kinematics == "updated", "updated kinematics"),
+        ("wire_model", solver.wire_model == "hermite", "cubic elements"),
+        ("residual_flexibility", isinstance(solver.residual_flexibility, bool),
+         "residual flexibility as given, of cubic elements"),
+        ("period_correction", not solver.period_correction, "no period correction"),
+        ("time_step", solver.time_step == ONE_ELEMENT, "a time step of one element"),
+    ):  # fmt: skip
+        if asked:
+            return f"solver.{name} asks for {reason}"
+    if scenario.contact.law == "rigid":
+        return "rigid contact rings with a scheme that damps nothing"
+    return ""
+
+
+def _not_explicit(scenario: "Scenario") -> str:
+    """Say why a line cannot step explicitly as well as with a matrix; nothing if it can."""
+    solver = scenario.solver
+    for name, wire in _wires(scenario):
+        if wire.tension == 0.0:
+            return f"{name} has no tension: its waves have no speed of their own"
+    rule = _lengths(scenario, chains=True)
+    taken = []
+    for name, own in zip(("contact_wire_element", "messenger_wire_element"), rule, strict=True):
+        length = getattr(solver, name)
+        if isinstance(length, str):
+            taken.append(own)
+        elif length > own * ROUNDING and (name == "contact_wire_element" or _has_above(scenario)):
+            return f"solver.{name} of {length:g} m is too long for point masses ({own:g} m)"
+        else:
+            taken.append(length)
+    stable = _stable(scenario, taken)
+    if solver.time_step == AUTO:
+        if stable < SHORTEST_STEP:
+            return f"explicit steps would have to be shorter than {1e3 * SHORTEST_STEP:g} ms"
+    elif not isinstance(solver.time_step, str) and solver.time_step > stable:
+        return f"solver.time_step of {1e3 * solver.time_step:g} ms is too long for explicit steps"
+    return ""
+
+
+def _wires(scenario: "Scenario") -> list[tuple[str, TensionedWire]]:
+    line = scenario.line
+    named = {
+        name: getattr(line, name)
+        for name in ("contact_wire", "messenger_wire", "auxiliary_wire", "stitch_wire", "bridle")
+    }
+    return [(f"line.{name}", wire) for name, wire in named.items() if wire is not None]
+
+
+def _has_above(scenario: "Scenario") -> bool:
+    return len(_wires(scenario)) > 1
+
+
+def _speed(wire: TensionedWire) -> float:
+    return sqrt(wire.tension / wire.mass)
+
+
+def _ahead(scenario: "Scenario") -> float | None:
+    """λ₊ in m; None for a wire whose waves have no speed of their own."""
+    wave = scenario.line.wave_speed
+    if wave is None:
+        return None
+    return max(wave - scenario.top_speed, 0.0) / scenario.analysis.low_pass
+
+
+def _lengths(scenario: "Scenario", *, chains: bool) -> tuple[float, float]:
+    """Longest elements in m of the contact wire and of the wires above."""
+    longest = LONGEST_OF_CHAIN if chains else LONGEST_OF_CUBIC
+    ahead = _ahead(scenario)
+    if ahead is None:
+        return longest, longest
+    per_wave, per_wave_above = PER_WAVE_OF_CHAIN if chains else PER_WAVE_OF_CUBIC
+    contact = ahead / per_wave
+    if chains:
+        contact = max(contact, min(FINE_ENOUGH, ahead / PER_WAVE_AT_SPEED))
+    above = [
+        _speed(wire)
+        for name, wire in _wires(scenario)
+        if name in ("line.messenger_wire", "line.auxiliary_wire")
+    ]
+    slowest = min(above, default=scenario.line.wave_speed or 1.0)
+    ratio = slowest / (scenario.line.wave_speed or slowest)
+    return _rung(min(longest, contact)), _rung(min(longest, ahead * ratio / per_wave_above))
+
+
+def _rung(length: float) -> float:
+    """Longest length of the ladder that is not longer; its shortest where all are."""
+    return next((rung for rung in LADDER if rung <= length * ROUNDING), LADDER[-1])
+
+
+def _resolving(scenario: "Scenario") -> float:
+    """Longest step in s that resolves what a fixed point sees of the frequency assessed."""
+    ahead, wave = _ahead(scenario), scenario.line.wave_speed
+    if ahead is None or wave is None:
+        return LONGEST_STEP
+    return _rounded(min(LONGEST_STEP, max(LARGEST_ANGLE * ahead / (2 * pi * wave), STEPS[-1])))
+
+
+def _step(scenario: "Scenario", lengths: list[float]) -> float:
+    """Time step in s of explicit steps with elements of some lengths in m."""
+    return _rounded(min(_resolving(scenario), _stable(scenario, lengths)))
+
+
+def _rounded(step: float) -> float:
+    return next((one for one in STEPS if one <= step * ROUNDING), step)
+
+
+def _stable(scenario: "Scenario", lengths: list[float]) -> float:
+    """Longest step in s that is stable on every wire, with some room."""
+    shortest = shortest_distances(scenario.line)
+    contact, above = lengths
+    found = LONGEST_STEP * 10
+    for name, wire in _wires(scenario):
+        length = contact if name == "line.contact_wire" else above
+        # Between two places there are whole elements.
+        gaps = shortest[name.removeprefix("line.")]
+        elements = min(gap / max(1, -floor(-gap / length * (1 - 1e-9))) for gap in (*gaps, length))
+        found = min(found, longest_step(wire, elements))
+    return STABLE_SHARE * found
+
+
+def longest_step(wire: TensionedWire, length: float) -> float:
+    """Return the longest stable explicit step in s of a chain with elements of a length in m.
+
+    Notes
+    -----
+    The highest frequency is that of neighbours that move by turns, K = 4 in
+    (docs/theory/dynamics.md, explicit steps)
+
+        ω² = (T/mℓ²) (K + ε* K²) (1 + a K + b K²),    4 = ω² h² (1 + 2β/h) + 2 α h
+
+    found by halving, as a and b depend on h.
+    """
+    tension, mass = wire.tension, wire.mass
+    unit = tension / (mass * length * length)
+    ratio = wire.bending_stiffness / (tension * length * length)
+    x = 0.5 / sqrt(ratio) if ratio > 0.0 else float("inf")
+    fitted = ratio * x / tanh(x) if not isinf(x) else 0.0
+    low, high = 0.0, 2.0 / sqrt(unit)
+    for _ in range(40):
+        h = 0.5 * (low + high)
+        courant = unit * h * h
+        a = (1.0 - courant) / 12.0 - (fitted - ratio)
+        b = (fitted + a) / 6.0 - a * fitted
+        b = min(max(b - (1.0 - courant**2) / 360.0 - courant * ratio / 6.0, 0.0), 1.0 / 30.0)
+        fastest = unit * (4.0 + 16.0 * fitted) * (1.0 + 4.0 * a + 16.0 * b)
+        alpha, beta = wire.damping.alpha, wire.damping.beta
+        if fastest * h * (h + 2.0 * beta) + 2.0 * alpha * h < LIMIT:
+            low = h
+        else:
+            high = h
+    return low
