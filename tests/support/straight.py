@@ -65,6 +65,7 @@ class Straight:
     lumped : chains of point masses in place of cubic elements
     fitted : chains whose points, and what is between them, yield like the wire, as explicit steps
         have them
+    flexible : with residual flexibility where forces meet the wires
     loose : the ends are held along the track only, not in height
     """
 
@@ -75,10 +76,12 @@ class Straight:
         heights: Sequence[float] = (0.0,),
         lumped: bool = False,
         fitted: bool = False,
+        flexible: bool = False,
         loose: bool = False,
     ) -> None:
         self.x, self.kinds, self.heights = x, kinds, heights
         self.parts, self.lumped, self.fitted = Parts(), lumped or fitted, fitted
+        self.flexible = flexible
         self.rows = [self._lay(which, kind) for which, kind in enumerate(kinds)]
         for which, kind in enumerate(kinds):
             for end in (0, len(x) - 1):
@@ -137,4 +140,6 @@ class Straight:
         if not self.lumped:
             slopes[:, ALONG] = np.tile([wires.stretch(kind) for kind in self.kinds], count)
         mesh = mesh_of(PLANAR, positions, slopes, self.parts, self.rows[0])
-        return at_rest(mesh, design=True, fitted_bends=self.fitted)
+        return at_rest(
+            mesh, design=True, fitted_bends=self.fitted, residual_flexibility=self.flexible
+        )
