@@ -5,6 +5,7 @@ flexibility. They share no error of discretisation: a closed form that both meet
 wire, and not of a mesh.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,6 +13,7 @@ import numpy as np
 
 from arcless.model.components import Wire
 from tests.support import straight
+from tests.support.evidence import Evidence
 from tests.support.explicit_waves import of_chain
 from tests.support.pushing import EXPLICIT
 from tests.support.straight import Floats, Straight
@@ -64,3 +66,22 @@ class Family:
 CHAINS = Family("chain", (0.6, 0.45, 0.3, 0.15), EXPLICIT, {"fitted": True})
 CUBICS = Family("cubic", (1.44, 0.72, 0.36, 0.18), GENERALISED, {"flexible": True})
 FAMILIES = {family.name: family for family in (CHAINS, CUBICS)}
+
+
+def hold(
+    evidence: Evidence, family: Family, what: str, values: Sequence[float],
+    limits: Sequence[float] | float, reasons: Sequence[str] | str, *, unit: str, figure: str = "",
+) -> None:  # fmt: skip
+    """Hold an error at each size of elements against its limit; with a name, draw it over them."""
+    limits = [limits] * len(values) if isinstance(limits, float) else limits
+    reasons = [reasons] * len(values) if isinstance(reasons, str) else reasons
+    for size, value, limit, reason in zip(family.sizes, values, limits, reasons, strict=True):
+        evidence.below(
+            f"{what}, {family.name} of {size:g} m", value, limit, unit=unit, reason=reason
+        )
+    if figure:
+        evidence.figure(
+            f"{figure}-{family.name}", {"error": (family.sizes, values)},
+            x="element in m", y=f"error in {unit}", title=f"{what}, {family.name}",
+            log_x=True, log_y=True,
+        )  # fmt: skip

@@ -82,7 +82,9 @@ class Head:
         """D of the head, N/m."""
         return np.asarray(self.spring + 1j * omega * self.damper - self.mass * omega**2)
 
-    def pressed(self, line: MovingWire, omega: Complex, *, force: Complex, wire: Complex) -> Complex:
+    def pressed(
+        self, line: MovingWire, omega: Complex, *, force: Complex, wire: Complex
+    ) -> Complex:
         """Spectrum of the contact force under a force on the head and over a wire that is bent."""
         own = self.held(omega)
         yields = 1.0 / self.contact + line.answer(omega)
