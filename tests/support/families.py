@@ -70,15 +70,13 @@ FAMILIES = {family.name: family for family in (CHAINS, CUBICS)}
 
 def hold(
     evidence: Evidence, family: Family, what: str, values: Sequence[float],
-    limits: Sequence[float] | float, reasons: Sequence[str] | str, *, unit: str, figure: str = "",
+    limits: Sequence[float] | float, *, reason: Sequence[str] | str, unit: str, figure: str = "",
 ) -> None:  # fmt: skip
     """Hold an error at each size of elements against its limit; with a name, draw it over them."""
     limits = [limits] * len(values) if isinstance(limits, float) else limits
-    reasons = [reasons] * len(values) if isinstance(reasons, str) else reasons
-    for size, value, limit, reason in zip(family.sizes, values, limits, reasons, strict=True):
-        evidence.below(
-            f"{what}, {family.name} of {size:g} m", value, limit, unit=unit, reason=reason
-        )
+    reasons = [reason] * len(values) if isinstance(reason, str) else reason
+    for size, value, limit, why in zip(family.sizes, values, limits, reasons, strict=True):
+        evidence.below(f"{what}, {family.name} of {size:g} m", value, limit, unit=unit, reason=why)
     if figure:
         evidence.figure(
             f"{figure}-{family.name}", {"error": (family.sizes, values)},

@@ -1,7 +1,7 @@
 """Wires between hinged ends, joined by links and held by springs, under forces at rest: exact.
 
-With G the compliances of the wires at the places concerned (Green's function of EI w⁗ − T w″ = δ), B what
-a link adds to its elongation as they rise, and 1/k on the diagonal of S,
+With G the compliances of the wires at the places concerned (Green's function of EI w⁗ − T w″ = δ),
+B what a link adds to its elongation as they rise, and 1/k on the diagonal of S,
 
     u = G (f − B t),   t = (S + BᵀGB)⁻¹ BᵀG f,   u = (G − GB (S + BᵀGB)⁻¹ BᵀG) f
 

@@ -1,7 +1,7 @@
 """Runs of strips along a straight wire of either family: what a force or a kink adds to them.
 
-All is linear while contacts hold, so the run without it is taken away: what is left began at nothing.
-Forces are small: the square of the wire's slopes, times EA/T, is what tension adds.
+All is linear while contacts hold, so the run without it is taken away: what is left began at
+nothing. Forces are small: the square of the wire's slopes, times EA/T, is what tension adds.
 """
 
 from collections.abc import Sequence
@@ -52,13 +52,14 @@ class Travel:
         """Run, with forces in N on the strips that begin with nothing."""
         time = self.time
         scheme, corrected = self.family.scheme, not self.family.is_chain
-        prepared = line.core.prepare(
-            line.mesh.lanes, scheme, STEP, self.contact, False, corrected
-        )
+        prepared = line.core.prepare(line.mesh.lanes, scheme, STEP, self.contact, False, corrected)
         plan = {"contact_every": 1, "line_every": 1, "links": False, "nodes": [], "points": []}
         given = [([([1.0], (f - f[0]).tolist())], None) for f in forces]
         raw = prepared.run(
-            [riders.rider(strip, PRESSED, own) for strip, own in zip(self.strips, given, strict=True)],
+            [
+                riders.rider(strip, PRESSED, own)
+                for strip, own in zip(self.strips, given, strict=True)
+            ],
             list(self.behind),
             (self.start + self.speed * time).tolist(),
             [self.speed] * len(time),

@@ -1,7 +1,7 @@
 """A pulse that meets an obstacle on wires of either family: what goes on, and so what comes back.
 
-An obstacle at a point sends the same wave both ways, so r = t − 1, and t is what passes a place behind
-it over what does without it: u/u₀, whatever the elements do to a wave on its way there.
+An obstacle at a point sends the same wave both ways, so r = t − 1, and t is what passes a place
+behind it over what does without it: u/u₀, whatever the elements do to a wave on its way there.
 """
 
 from collections.abc import Callable
@@ -27,7 +27,8 @@ OMEGA = 2.0 * np.pi * HERTZ
 
 @dataclass(frozen=True)
 class Obstacle:
-    """What a pulse meets: the wires, and what fastens the obstacle to the first, at a place in m."""
+    """What a pulse meets: the wires, and what fastens the obstacle to the first, at a place in"
+    " m."""
 
     kinds: tuple[Wire, ...]
     fasten: Callable[[Straight, float], object]

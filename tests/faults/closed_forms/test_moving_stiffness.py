@@ -29,7 +29,9 @@ def test_elements_off(noticed: Noticed) -> None:
     with unflexible():
         noticed("no residual flexibility", checks.test_harmonic_force_in_space, name="cubic")
     with plain_chains():
-        noticed("points yield as those of a chain", checks.test_harmonic_force_in_space, name="chain")
+        noticed(
+            "points yield as those of a chain", checks.test_harmonic_force_in_space, name="chain"
+        )
 
 
 def test_formula_off(noticed: Noticed) -> None:

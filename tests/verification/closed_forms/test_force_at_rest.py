@@ -1,7 +1,7 @@
 """Both families of elements under forces at rest: at any place, at springs, at droppers
 
-A wire under tension that resists bending, hinged at both ends, rises at x under 1 N at a by (Green's
-function of EI w⁗ − T w″ = δ, λ = √(EI/T))
+A wire under tension that resists bending, hinged at both ends, rises at x under 1 N at a by
+(Green's function of EI w⁗ − T w″ = δ, λ = √(EI/T))
 
     G = [x (L − a)/L − λ sinh(x/λ) sinh((L − a)/λ)/sinh(L/λ)]/T      x ≤ a
 
@@ -10,16 +10,16 @@ wires,
 
     t = (1/k + BᵀGB)⁻¹ BᵀG f,   u = G (f − B t)
 
-Derived here; the first as for the tensioned beam. Elements have a part in neither: a force at a point,
-between points, at the clamp of a dropper meets the wire. What elements of 0.15 to 1.44 m would yield
-too little or too much is not small beside what a dropper (10 µm/N) or a support (2 µm/N) yields: cubic
-elements of 1.44 m 2.2 µm/N too little without residual flexibility; a point of a chain, fitted to long
-waves, (λ/2 − ℓ/(2 sinh μ))/T = 0.3 µm/N too much.
+Derived here; the first as for the tensioned beam. Elements have a part in neither: a force at a
+point, between points, at the clamp of a dropper meets the wire. What elements of 0.15 to 1.44 m
+would yield too little or too much is not small beside what a dropper (10 µm/N) or a support (2
+µm/N) yields: cubic elements of 1.44 m 2.2 µm/N too little without residual flexibility; a point of
+a chain, fitted to long waves, (λ/2 − ℓ/(2 sinh μ))/T = 0.3 µm/N too much.
 
-The program is asked for two straight wires without weight, 57.6 m (22 kN, 1.35 kg/m, 195 N m²; above it
-16 kN, 1.08 kg/m, 131.7 N m²): elasticity of the lower one; droppers of 100 kN/m, one or two at 1.44 m
-(chains: 1.8 m) from each other; and runs in which a standing strip pushes harder by 10 N over some
-seconds, in steps of 0.5 ms.
+The program is asked for two straight wires without weight, 57.6 m (22 kN, 1.35 kg/m, 195 N m²;
+above it 16 kN, 1.08 kg/m, 131.7 N m²): elasticity of the lower one; droppers of 100 kN/m, one or
+two at 1.44 m (chains: 1.8 m) from each other; and runs in which a standing strip pushes harder by
+10 N over some seconds, in steps of 0.5 ms.
 """
 
 from collections.abc import Sequence
@@ -57,10 +57,10 @@ WHY_NEAR = (
 SHARE = 1e-3
 WHY_SHARE = "dropper forces: 0.3 % of what a dropper carries, 0.4 of the push"
 SHARE_NEAR = 5e-3
-E_0 = "0.27, 0.32, 0.35, 0.24 µm/N at 0.6, 0.45, 0.3, 0.15 m"
 YIELDS = pytest.mark.xfail(
     strict=True,
-    reason=f"a point of a chain yields (λ/2 − ℓ/(2 sinh μ))/T too much under a force of its own: {E_0}",
+    reason="a point of a chain yields (λ/2 − ℓ/(2 sinh μ))/T too much under a force of its own:"
+    " 0.27, 0.32, 0.35, 0.24 µm/N at 0.6, 0.45, 0.3, 0.15 m",
 )
 UNSPRUNG = pytest.mark.xfail(
     strict=True,
@@ -94,7 +94,7 @@ def test_bare_wire(evidence: Evidence, name: str) -> None:
         worst(family.line(family.even(END, size), CONTACT).find(), hung, places(size))
         for size in family.sizes
     ]
-    hold(evidence, family, "bare wire", values, LIFT, WHY, unit="µm/N", figure="bare-wire")
+    hold(evidence, family, "bare wire", values, LIFT, reason=WHY, unit="µm/N", figure="bare-wire")
 
 
 @pytest.mark.parametrize("stiffness", SPRINGS)
@@ -107,7 +107,7 @@ def test_beside_a_spring(evidence: Evidence, name: str, stiffness: float) -> Non
         line.add_spring(MIDDLE, stiffness)
         values.append(worst(line.find(), hung, places(size)))
     what = f"spring of {1e-3 * stiffness:g} kN/m"
-    hold(evidence, family, what, values, LIFT, WHY, unit="µm/N")
+    hold(evidence, family, what, values, LIFT, reason=WHY, unit="µm/N")
 
 
 def hang(family: Family, size: float, at: Sequence[float]) -> tuple[Equilibrium, Hung]:
@@ -139,7 +139,7 @@ def test_lift_at_droppers(evidence: Evidence, name: str, count: int) -> None:
         values.append(worst(found, hung, x))
     close = near(family, count)
     limits, reasons = [NEAR if c else LIFT for c in close], [WHY_NEAR if c else WHY for c in close]
-    hold(evidence, family, f"lift, droppers: {count}", values, limits, reasons, unit="µm/N")
+    hold(evidence, family, f"lift, droppers: {count}", values, limits, reason=reasons, unit="µm/N")
 
 
 def pushed(family: Family, found: Equilibrium, x: float) -> tuple[float, Floats]:
@@ -170,7 +170,15 @@ def test_slow_push_at_droppers(evidence: Evidence, name: str, count: int) -> Non
         )
     close = near(family, count)
     limits, reasons = [NEAR if c else LIFT for c in close], [WHY_NEAR if c else WHY for c in close]
-    hold(evidence, family, f"slow lift, droppers: {count}", lifts, limits, reasons, unit="µm/N")
+    hold(
+        evidence,
+        family,
+        f"slow lift, droppers: {count}",
+        lifts,
+        limits,
+        reason=reasons,
+        unit="µm/N",
+    )
     limits = [SHARE_NEAR if c else SHARE for c in close]
     reasons = [WHY_NEAR if c else WHY_SHARE for c in close]
     hold(
@@ -179,6 +187,6 @@ def test_slow_push_at_droppers(evidence: Evidence, name: str, count: int) -> Non
         f"slow push, forces in droppers: {count}",
         shares,
         limits,
-        reasons,
+        reason=reasons,
         unit="1",
     )

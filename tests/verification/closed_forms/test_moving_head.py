@@ -1,23 +1,25 @@
-"""A head thrown upward on a moving contact, and one on a spring to the roof: both families of elements
+"""A head thrown upward on a moving contact, and one on a spring, both families of elements
 
-A wire without foundation is a damper Z = 2√(Tμ) to what runs along it, at any speed below that of its waves.
-A head of mass M on it that gets a push J loses it, while the contact (k_c) holds,
+A wire without foundation is a damper Z = 2√(Tμ) to what runs along it, at any speed below that of
+its waves. A head of mass M on it that gets a push J loses it, while the contact (k_c) holds,
 
     by e^{s₁t}, s² + (k_c/Z) s + k_c/M = 0; rigid contact: e^{−Zt/M};   on average after M/Z,
     ∫ t ΔP dt/∫ ΔP dt − (the same of the push) = M/Z whatever k_c, EI and V
 
-and on a spring K to the roof it swings with ζ = Z/2√(KM). A wire that resists bending answers with H(Ω)
-in the place of 1/iΩZ (`tests/support/moving_wire.py`); f is the force on the head, z its height:
+and on a spring K to the roof it swings with ζ = Z/2√(KM). A wire that resists bending answers with
+H(Ω) in the place of 1/iΩZ (`tests/support/moving_wire.py`); f is the force on the head, z its
+height:
 
     ΔP̂/f = 1/(1 + D (1/k_c + H)),   f/ẑ = D + 1/(1/k_c + H),   D = K − MΩ²
     ζ = Im (f/ẑ)/(2Ω√(KM)) as Ω → 0
 
-All derived here; formulas of the string as in the notes on published evidence: 48.7 1/s for 7.5 kg and
-300 kN/m, 46.0 1/s rigid, and 0.752 for K = 7 kN/m. With 195 N m² the rate does depend on the speed, 46.6,
-44.8 and 43.1 1/s at 0, 275 and 320 km/h: as the wire yields less to a force that moves faster. M/Z stays.
+All derived here; formulas of the string as in the notes on published evidence: 48.7 1/s for 7.5 kg
+and 300 kN/m, 46.0 1/s rigid, and 0.752 for K = 7 kN/m. With 195 N m² the rate does depend on the
+speed, 46.8, 44.8 and 43.1 1/s at 0, 275 and 320 km/h: as the wire yields less to a force that moves
+faster. M/Z stays.
 
-The program is asked by runs with and without a push (2 N, 8 ms) on the head, along a straight wire (22
-kN, 1.35 kg/m, 195 N m²); 0.5 ms. Curves are compared below 20 Hz.
+The program is asked by runs with and without a push (2 N, 8 ms) on the head, along a straight wire
+(22 kN, 1.35 kg/m, 195 N m²); 0.5 ms. Curves are compared below 20 Hz.
 """
 
 import numpy as np
@@ -29,7 +31,7 @@ from tests.support.moving_runs import KMH, SPEEDS, Travel, Travelled, along, fil
 from tests.support.moving_wire import Head, MovingWire, over_time
 from tests.support.pushing import mass
 from tests.support.straight import Floats
-from tests.support.waves import Complex, Waves, spectrum
+from tests.support.waves import Complex, spectrum
 
 END, START = 172.8, 60.0  # m
 MASS, ROOF = 7.5, 7e3  # kg, N/m
@@ -91,17 +93,17 @@ CURVES = {
 }
 DAMPED = {"chain": (0.02, 0.01, 0.005, 0.003), "cubic": (0.03, 0.006, 0.002, 4e-4)}
 WHY = {
-    "chain": "points that yield 0.3 µm/N too much, 1.5 % of the 20 µm/N of a contact of 50 kN/m, of which"
-    " a curve has a third; waves ahead of 20 Hz, c/V − 1 of those of a wire at rest, have 4 points of"
-    " 0.6 m at 275, 3 at 320 km/h",
-    "cubic": "R is one of rest: a moving force meets V²/(c² − V²) R more, 0.56 (at 320 km/h 0.94) of 2.2,"
-    " 0.64, 0.13, 0.014 µm/N, of which a contact with 20 µm/N feels a third to a half; and (ωh)²/12"
-    " = 3e-4 of the time step at 20 Hz",
+    "chain": "points that yield 0.3 µm/N too much, 1.5 % of the 20 µm/N of a contact of 50 kN/m,"
+    " of which a curve has a third; waves ahead of 20 Hz, c/V − 1 of those of a wire at rest,"
+    " have 4 points of 0.6 m at 275, 3 at 320 km/h",
+    "cubic": "R is one of rest: a moving force meets V²/(c² − V²) R more, 0.56 (at 320 km/h 0.94)"
+    " of 2.2, 0.64, 0.13, 0.014 µm/N, of which a contact with 20 µm/N feels a third to a half;"
+    " and (ωh)²/12 = 3e-4 of the time step at 20 Hz",
 }
 LATE = (1.0, 0.3, 0.01, 0.01)
 RINGS = (
-    "M/Z is met by any elements: what rings at the end of the record, by elements that pass, counts with"
-    " its time"
+    "M/Z is met by any elements: what rings at the end of the record, by elements that pass,"
+    " counts with its time"
 )
 
 
@@ -113,10 +115,18 @@ def test_thrown_head(evidence: Evidence, name: str, speed: float) -> None:
     curves = [curve(more, wire, head) for more, wire in runs]
     off = [float(np.abs(a - b).max() / b.max()) for a, b in curves]
     what = f"thrown head, {rounded} km/h"
-    hold(evidence, family, f"ΔP below 20 Hz, {what}", off, CURVES[name, rounded], WHY[name], unit="1")
+    hold(
+        evidence,
+        family,
+        f"ΔP below 20 Hz, {what}",
+        off,
+        CURVES[name, rounded],
+        reason=WHY[name],
+        unit="1",
+    )
     mean = MASS / (2.0 * family.waves(CONTACT).impedance)
     late = [1e3 * abs(delay(more) - mean) for more, _ in runs]
-    hold(evidence, family, f"mean delay − M/Z, {what}", late, LATE, RINGS, unit="ms")
+    hold(evidence, family, f"mean delay − M/Z, {what}", late, LATE, reason=RINGS, unit="ms")
     more, wire = runs[-1]
     exact = over_time(
         lambda omega: head.pressed(wire, omega, force=of_push(omega), wire=0.0 * omega), more.time
@@ -144,10 +154,26 @@ def check_spring(evidence: Evidence, name: str, speed: float, slant: float | Non
     what = f"head on a spring, {rounded} km/h{', in space' if slant else ''}"
     runs = [thrown(family, size, speed, head, slant) for size in family.sizes]
     off = [float(np.abs(a - b).max() / b.max()) for a, b in (curve(*own, head) for own in runs)]
-    hold(evidence, family, f"ΔP below 20 Hz, {what}", off, CURVES[name, rounded], WHY[name], unit="1")
+    hold(
+        evidence,
+        family,
+        f"ΔP below 20 Hz, {what}",
+        off,
+        CURVES[name, rounded],
+        reason=WHY[name],
+        unit="1",
+    )
     zetas = [damped(*own, head) for own in runs]
     off = [float(np.abs(a - b).max()) for a, b in zetas]
-    hold(evidence, family, f"ζ − closed form, 1 to 10 Hz, {what}", off, DAMPED[name], WHY[name], unit="1")
+    hold(
+        evidence,
+        family,
+        f"ζ − closed form, 1 to 10 Hz, {what}",
+        off,
+        DAMPED[name],
+        reason=WHY[name],
+        unit="1",
+    )
     evidence.close(
         f"ζ at 1 Hz, {what}, {name} of {family.sizes[-1]:g} m", zetas[-1][0][0],
         runs[-1][1].wire.impedance / np.sqrt(ROOF * MASS), unit="1", relative=3e-3,

@@ -1,26 +1,25 @@
 """A pantograph crosses a kink, both families of elements
 
-A force F pulls the wire up at a place for good, as a dropper does: a kink of F/T. A head of mass M that
-runs over it with a contact of k_c N/m is pressed, on a string by (Z = 2√(Tμ))
+A force F pulls the wire up at a place for good, as a dropper does: a kink of F/T. A head of mass M
+that runs over it with a contact of k_c N/m is pressed, on a string by (Z = 2√(Tμ))
 
     ΔP = k_c V (F/T) (e^{s₁t} − e^{s₂t})/(s₁ − s₂),   s² + (k_c/Z) s + k_c/M = 0
     rigid contact: ΔP = 2 (V/c) F e^{−Zt/M}
 
-A wire that resists bending has a rounded kink and yields less to a force that moves. With its answer
-H(Ω) to a moving force (`tests/support/moving_wire.py`) and its shape ẑ,
+A wire that resists bending has a rounded kink and yields less to a force that moves. With its
+answer H(Ω) to a moving force (`tests/support/moving_wire.py`) and its shape ẑ,
 
     ΔP̂(Ω) = MΩ² ẑ/(1 − MΩ² (1/k_c + H)),   ẑ = F/(V (T k² + EI k⁴)),   k = Ω/V
 
-All derived here; string formulas as in the notes on published evidence. F = 60 N, 7.5 kg, 50 kN/m, 275
-km/h: 50.6 N on a string, 53.3 N on the wire with 195 N m², as the corner of the string is sharper, but
-the wire's own yield under the strip is 4.1 µm/N less, a fifth of 1/k_c.
+All derived here; string formulas as in the notes on published evidence. F = 60 N, 7.5 kg, 50 kN/m,
+275 km/h: 50.6 N on a string, 53.3 N on the wire with 195 N m², as the corner of the string is
+sharper, but the wire's own yield under the strip is 4.1 µm/N less, a fifth of 1/k_c.
 
 The program is asked by runs with and without F on a straight wire (172.8 m, 22 kN, 1.35 kg/m, 195 N
-m²), planar and, in space, with a wire that runs across the track by a tenth of its length; steps of 0.5
-ms; a tenth of the forces (rigid contact: less), as their product with slopes stretches the wire: with 60
-N under 120 N, by 0.3 % of ΔP. Curves
-are compared below 20 Hz, where contact forces count (EN 50317); above, elements pass at V/ℓ, 53 Hz and
-more.
+m²), planar and, in space, with a wire that runs across the track by a tenth of its length; steps of
+0.5 ms; a tenth of the forces (rigid contact: less), as their product with slopes stretches the
+wire: with 60 N under 120 N, by 0.3 % of ΔP. Curves are compared below 20 Hz, where contact forces
+count (EN 50317); above, elements pass at V/ℓ, 53 Hz and more.
 """
 
 import numpy as np
@@ -85,11 +84,11 @@ LIMITS = {
     ("cubic", 320): ((0.05, 0.01, 0.0025, 1e-3), (0.085, 0.015, 0.005, 1.5e-3)),
 }
 WHY = {
-    "chain": "waves ahead are 2.5 times as short as those of a wire at rest (3.3 times at 320 km/h): at 20"
-    " Hz 4 points of 0.6 m to one, or 3, and the error falls with ℓ⁴; at shorter elements a third of what"
-    " points yield too much, 0.3 µm/N, of the 20 µm/N of the contact",
-    "cubic": "R is one of rest; a moving force meets V²/(c² − V²) R more, 0.56 (0.94) of 2.2, 0.64, 0.13,"
-    " 0.014 µm/N, of which the contact with 20 µm/N feels a third to a half",
+    "chain": "waves ahead are 2.5 times as short as those of a wire at rest (3.3 times at 320"
+    " km/h): at 20 Hz 4 points of 0.6 m to one, or 3, and the error falls with ℓ⁴; at shorter"
+    " elements a third of what points yield too much, 0.3 µm/N, of the 20 µm/N of the contact",
+    "cubic": "R is one of rest; a moving force meets V²/(c² − V²) R more, 0.56 (0.94) of 2.2,"
+    " 0.64, 0.13, 0.014 µm/N, of which the contact with 20 µm/N feels a third to a half",
 }
 PEAK = " as it is: with elements that pass at V/ℓ, 53 to 590 Hz"
 RIGID = (6e-3, 1.5e-3, 5e-4), (1e-2, 2e-3, 1e-3)
@@ -103,8 +102,8 @@ def check(
     curves, peaks = zip(*(apart(*own) for own in runs), strict=True)
     smooth, sharp = LIMITS[name, rounded]
     what = f"{rounded} km/h{', in space' if slant else ''}"
-    hold(evidence, family, f"ΔP below 20 Hz, {what}", curves, smooth, WHY[name], unit="1")
-    hold(evidence, family, f"peak of ΔP, {what}", peaks, sharp, WHY[name] + PEAK, unit="1")
+    hold(evidence, family, f"ΔP below 20 Hz, {what}", curves, smooth, reason=WHY[name], unit="1")
+    hold(evidence, family, f"peak of ΔP, {what}", peaks, sharp, reason=WHY[name] + PEAK, unit="1")
     if not drawn:
         return
     evidence.close(
@@ -139,8 +138,8 @@ def test_kink_under_a_rigid_contact(evidence: Evidence, number: int) -> None:
     for size, limit in zip(family.sizes[1:], RIGID[number], strict=True):
         found, _ = apart(*crossed(family, size, speed, np.inf, force=0.1 * PRESSED))
         evidence.below(
-            f"ΔP below 20 Hz, rigid contact, {speed / KMH:.0f} km/h, cubic of {size:g} m", found, limit,
-            unit="1", reason=WHY["cubic"],
+            f"ΔP below 20 Hz, rigid contact, {speed / KMH:.0f} km/h, cubic of {size:g} m",
+            found, limit, unit="1", reason=WHY["cubic"],
         )  # fmt: skip
 
 
@@ -158,7 +157,8 @@ def test_string_without_elements(evidence: Evidence) -> None:
     ):  # fmt: skip
         found = closed_form(string, speed, contact, time)
         evidence.below(
-            f"integral over formula − 1, string, {what}, 3 to 24 ms", np.abs(found / exact - 1.0).max(),
-            most, unit="1", reason="the sum over frequencies ends at 4 kHz: a jump (rigid contact)"
+            f"integral over formula − 1, string, {what}, 3 to 24 ms",
+            np.abs(found / exact - 1.0).max(), most, unit="1",
+            reason="the sum over frequencies ends at 4 kHz: a jump (rigid contact)"
             " rings there by 1/(2π 4 kHz t), 0.2 to 1 % of it, a bend by 1e-5",
         )  # fmt: skip

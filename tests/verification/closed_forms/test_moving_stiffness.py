@@ -2,22 +2,23 @@
 
 A harmonic force that runs along a string on κ N/m per metre meets, at V < c,
 
-    K(Ω) = 2 √(κ (T − μV²) − μTΩ²),   above the cut-off √(κ/μ) √(1 − V²/c²): 2i √(μTΩ² − κ (T − μV²))
+    K(Ω) = 2 √(κ (T − μV²) − μTΩ²),   above √(κ/μ) √(1 − V²/c²): 2i √(μTΩ² − κ (T − μV²))
 
-without κ iΩZ, Z = 2√(Tμ), at any speed. A mass M on it, K(Ω) = MΩ², traps a wave below the cut-off,
+without κ iΩZ, Z = 2√(Tμ), at any speed. A mass M on it, K(Ω) = MΩ², traps a wave below that
+frequency,
 
     Ω² = (2/M²) [√(μ²T² + M²κ (T − μV²)) − μT]
 
-and moves on for ever. A wire that resists bending yields less, and more so to a force that moves faster:
-its answer H takes the place of 1/K (`tests/support/moving_wire.py`), and with a contact of k_c the mode is at
-1/k_c + H = 1/(MΩ²). All derived here; formulas of the string as in the notes on published evidence (7.5 kg,
-κ = 3 kN/m²: 5.857, 4.972, 4.568 Hz at 0, 275, 320 km/h; subject: Kruse, Metrikine & Popp, J. Sound Vib.
-218 (1998) 103). Contact of 50 kN/m: 5.556, 4.833, 4.483 Hz.
+and moves on for ever. A wire that resists bending yields less, and more so to a force that moves
+faster: its answer H takes the place of 1/K (`tests/support/moving_wire.py`), and with a contact of
+k_c the mode is at 1/k_c + H = 1/(MΩ²). All derived here; formulas of the string as in the notes on
+published evidence (7.5 kg, κ = 3 kN/m²: 5.857, 4.972, 4.568 Hz at 0, 275, 320 km/h; subject: Kruse,
+Metrikine & Popp, J. Sound Vib. 218 (1998) 103). Contact of 50 kN/m: 5.556, 4.833, 4.483 Hz.
 
-The program is asked by runs along a straight wire (22 kN, 1.35 kg/m, 195 N m²; 0.5 ms). Without κ a strip of
-1 µg presses with a pulse more: its height over its force, by spectra. With κ, springs at all nodes are
-the foundation (κℓ each), and a head of 7.5 or 60 kg is pushed once: the frequency at which wire and head
-still move 0.5 s later, by least squares.
+The program is asked by runs along a straight wire (22 kN, 1.35 kg/m, 195 N m²; 0.5 ms). Without κ a
+strip of 1 µg presses with a pulse more: its height over its force, by spectra. With κ, springs at
+all nodes are the foundation (κℓ each), and a head of 7.5 or 60 kg is pushed once: the frequency at
+which wire and head still move 0.5 s later, by least squares.
 """
 
 import numpy as np
@@ -26,7 +27,7 @@ from scipy.optimize import brentq, minimize_scalar
 
 from tests.support.evidence import Evidence
 from tests.support.families import CONTACT, FAMILIES, Family, hold
-from tests.support.moving_runs import KMH, SPEEDS, STEP, Travel, Travelled, along
+from tests.support.moving_runs import KMH, SPEEDS, Travel, Travelled, along
 from tests.support.moving_wire import MovingWire
 from tests.support.pushing import WEIGHTLESS, mass
 from tests.support.straight import Floats
@@ -41,7 +42,9 @@ MASSES = (7.5, 60.0)  # kg
 SLANT = 0.1
 
 
-def answered(family: Family, size: float, speed: float, slant: float | None) -> tuple[Complex, Complex]:
+def answered(
+    family: Family, size: float, speed: float, slant: float | None
+) -> tuple[Complex, Complex]:
     """Return H of the run and of the closed form at `OMEGA`, m/N."""
     line = family.line(family.even(END, size), CONTACT, slant=slant)
     travel = Travel(family, [mass(WEIGHTLESS)], np.inf, START, speed, 0.9)
@@ -61,11 +64,11 @@ LIMITS = {
     ("cubic", 320): (3.0, 0.6, 0.12, 0.05),
 }
 WHY = {
-    "chain": "what points of a chain yield too much under a force of their own, 0.24 to 0.35 µm/N; and waves"
-    " ahead of 20 Hz, 2.5 m (at 320 km/h 1.9 m) long, have 4 (3) points of 0.6 m",
-    "cubic": "R is one of rest: a moving force meets V²/(c² − V²) R more, 0.56 (at 320 km/h 0.94) of 2.2,"
-    " 0.64, 0.13, 0.014 µm/N; waves ahead of 20 Hz, 2.5 m (1.9 m) long, have less than two elements of"
-    " 1.44 m",
+    "chain": "what points of a chain yield too much under a force of their own, 0.24 to 0.35"
+    " µm/N; and waves ahead of 20 Hz, 2.5 m (at 320 km/h 1.9 m) long, have 4 (3) points of 0.6 m",
+    "cubic": "R is one of rest: a moving force meets V²/(c² − V²) R more, 0.56 (at 320 km/h 0.94)"
+    " of 2.2, 0.64, 0.13, 0.014 µm/N; waves ahead of 20 Hz, 2.5 m (1.9 m) long, have less than"
+    " two elements of 1.44 m",
 }  # fmt: skip
 
 
@@ -89,7 +92,7 @@ def check_answer(evidence: Evidence, name: str, speed: float, slant: float | Non
         off.append(1e6 * float(np.abs(found - exact).max()))
     what = f"|H − closed form|, 2 to 20 Hz, {rounded} km/h{', in space' if slant else ''}"
     hold(
-        evidence, family, what, off, LIMITS[name, rounded], WHY[name], unit="µm/N",
+        evidence, family, what, off, LIMITS[name, rounded], reason=WHY[name], unit="µm/N",
         figure="" if slant else f"yield-{rounded}",
     )  # fmt: skip
     if slant:
@@ -98,8 +101,8 @@ def check_answer(evidence: Evidence, name: str, speed: float, slant: float | Non
     evidence.close(
         f"Re K/iΩ at 2 Hz, {rounded} km/h, {name} of {family.sizes[-1]:g} m", impedance,
         2.0 * family.waves(CONTACT).impedance, unit="N s/m", relative=2e-3,
-        reason="2√(Tμ) at any speed: bending adds 0.04 % at 2 Hz and 320 km/h; a chain's 0.2 µm/N, ΩZ of"
-        " which is 0.1 %, as much",
+        reason="2√(Tμ) at any speed: bending adds 0.04 % at 2 Hz and 320 km/h; a chain's 0.2"
+        " µm/N, ΩZ of which is 0.1 %, as much",
     )  # fmt: skip
 
 
@@ -154,15 +157,18 @@ def test_trapped_mode(evidence: Evidence, name: str, speed: float) -> None:
         for size in family.sizes:
             run = pushed(family, size, kilograms, speed)
             late = run.time > 0.5
-            off.append(abs(frequency(run.time[late][::10], run.height[late, 0][::10]) / exact - 1.0))
+            off.append(
+                abs(frequency(run.time[late][::10], run.height[late, 0][::10]) / exact - 1.0)
+            )
         what = f"frequency over closed form − 1, {kilograms:g} kg, {speed / KMH:.0f} km/h"
-        hold(evidence, family, what, off, (5e-3, 4e-3, 4e-3, 2e-3), FEW, unit="1")
+        hold(evidence, family, what, off, (5e-3, 4e-3, 4e-3, 2e-3), reason=FEW, unit="1")
 
 
 FEW = (
-    "springs ℓ apart are a foundation but for κℓ²/12T, 2.4 % of 1.44 m and 0.4 % of 0.6 m, of which the"
-    " mode has a tenth; 0.3 µm/N of points of a chain is 0.7 % of 1/k_c + 1/K, of which its frequency"
-    " has a fifth to a half; what the push leaves at the cut-off fades with t^−3/2: 0.1 % in three periods"
+    "springs ℓ apart are a foundation but for κℓ²/12T, 2.4 % of 1.44 m and 0.4 % of 0.6 m, of"
+    " which the mode has a tenth; 0.3 µm/N of points of a chain is 0.7 % of 1/k_c + 1/K, of which"
+    " its frequency has a fifth to a half; what the push leaves at the cut-off fades with t^−3/2:"
+    " 0.1 % in three periods"
 )
 
 
@@ -174,8 +180,8 @@ def test_string(evidence: Evidence) -> None:
         omega = 2.0 * np.pi * np.array([1.0, 3.0, 8.0, 15.0])
         off = moving.answer(omega + 0j) * moving.stiffness(omega) - 1.0
         evidence.below(
-            f"|H K − 1|, string, 1 to 15 Hz, {speed / KMH:.0f} km/h", np.abs(off).max(), 1e-6, unit="1",
-            reason="Ω − i0 is Ω (1 − 1e-9 i)",
+            f"|H K − 1|, string, 1 to 15 Hz, {speed / KMH:.0f} km/h",
+            np.abs(off).max(), 1e-6, unit="1", reason="Ω − i0 is Ω (1 − 1e-9 i)",
         )  # fmt: skip
         heavy = MASSES[0] ** 2 * FOUNDATION * (22e3 - 1.35 * speed**2)
         square = 2.0 * (np.sqrt((1.35 * 22e3) ** 2 + heavy) - 1.35 * 22e3) / MASSES[0] ** 2
