@@ -32,7 +32,7 @@ from arcless.model.components import DropperType
 from arcless.simulate.equilibrium import Equilibrium
 from tests.support.beams import Beam
 from tests.support.evidence import Evidence
-from tests.support.families import CONTACT, FAMILIES, MESSENGER, Family, hold
+from tests.support.families import CONTACT, FAMILIES, MESSENGER, NEAR_YIELD, YIELDING, Family, hold
 from tests.support.hung_beams import Hung, Link, Place
 from tests.support.pushing import press
 from tests.support.straight import Floats
@@ -49,25 +49,20 @@ LIFT = 0.03
 WHY = (
     "0.3 % of what a dropper of 100 kN/m yields, 10 µm/N, which is what a line's statics may be off"
 )
-NEAR = 0.15
-WHY_NEAR = (
+CLOSE = 0.15
+WHY_CLOSE = (
     "two links one element of 1.44 m apart: what each yields at the other, a fifth of R = 2.2 µm/N,"
     " is left out, and felt in the middle by a third of that"
 )
 SHARE = 1e-3
 WHY_SHARE = "dropper forces: 0.3 % of what a dropper carries, 0.4 of the push"
-SHARE_NEAR = 5e-3
-YIELDS = pytest.mark.xfail(
-    strict=True,
-    reason="a point of a chain yields (λ/2 − ℓ/(2 sinh μ))/T too much under a force of its own:"
-    " 0.27, 0.32, 0.35, 0.24 µm/N at 0.6, 0.45, 0.3, 0.15 m",
-)
+SHARE_CLOSE = 5e-3
 UNSPRUNG = pytest.mark.xfail(
     strict=True,
     reason="contacts near a spring feel R of its clamp twice: 4.3, 1.3, 0.25, 0.03 µm/N too much at"
     " 1.44, 0.72, 0.36, 0.18 m",
 )
-CHAIN, CUBIC = pytest.param("chain", marks=YIELDS), "cubic"
+NEAR = (pytest.param("chain", marks=NEAR_YIELD), "cubic")
 
 
 def beams(family: Family) -> list[Beam]:
@@ -86,7 +81,7 @@ def worst(found: Equilibrium, hung: Hung, x: Floats) -> float:
     return float(1e6 * np.abs(found.elasticity(x) - exact).max())
 
 
-@pytest.mark.parametrize("name", [CHAIN, CUBIC])
+@pytest.mark.parametrize("name", YIELDING)
 def test_bare_wire(evidence: Evidence, name: str) -> None:
     family = FAMILIES[name]
     hung = Hung(beams(family), [])
@@ -98,7 +93,7 @@ def test_bare_wire(evidence: Evidence, name: str) -> None:
 
 
 @pytest.mark.parametrize("stiffness", SPRINGS)
-@pytest.mark.parametrize("name", [CHAIN, pytest.param("cubic", marks=UNSPRUNG)])
+@pytest.mark.parametrize("name", [NEAR[0], pytest.param("cubic", marks=UNSPRUNG)])
 def test_beside_a_spring(evidence: Evidence, name: str, stiffness: float) -> None:
     family, values = FAMILIES[name], []
     hung = Hung(beams(family), [((0, MIDDLE), None, stiffness)])
@@ -130,7 +125,7 @@ def near(family: Family, count: int) -> list[bool]:
 
 
 @pytest.mark.parametrize("count", [1, 2])
-@pytest.mark.parametrize("name", [CHAIN, CUBIC])
+@pytest.mark.parametrize("name", NEAR)
 def test_lift_at_droppers(evidence: Evidence, name: str, count: int) -> None:
     family, values = FAMILIES[name], []
     for size in family.sizes:
@@ -138,7 +133,10 @@ def test_lift_at_droppers(evidence: Evidence, name: str, count: int) -> None:
         x = np.append(places(size), MIDDLE + NEXT[name] * np.array([0.5, 1.0]))
         values.append(worst(found, hung, x))
     close = near(family, count)
-    limits, reasons = [NEAR if c else LIFT for c in close], [WHY_NEAR if c else WHY for c in close]
+    limits, reasons = (
+        [CLOSE if c else LIFT for c in close],
+        [WHY_CLOSE if c else WHY for c in close],
+    )
     hold(evidence, family, f"lift, droppers: {count}", values, limits, reason=reasons, unit="µm/N")
 
 
@@ -156,7 +154,7 @@ def pushed(family: Family, found: Equilibrium, x: float) -> tuple[float, Floats]
 
 
 @pytest.mark.parametrize("count", [1, 2])
-@pytest.mark.parametrize("name", [CHAIN, CUBIC])
+@pytest.mark.parametrize("name", NEAR)
 def test_slow_push_at_droppers(evidence: Evidence, name: str, count: int) -> None:
     family, lifts, shares = FAMILIES[name], [], []
     at = at_droppers(family, count)
@@ -169,7 +167,10 @@ def test_slow_push_at_droppers(evidence: Evidence, name: str, count: int) -> Non
             max(np.abs(r[1] - hung.tensions(p)).max() for r, p in zip(runs, points, strict=True))
         )
     close = near(family, count)
-    limits, reasons = [NEAR if c else LIFT for c in close], [WHY_NEAR if c else WHY for c in close]
+    limits, reasons = (
+        [CLOSE if c else LIFT for c in close],
+        [WHY_CLOSE if c else WHY for c in close],
+    )
     hold(
         evidence,
         family,
@@ -179,8 +180,8 @@ def test_slow_push_at_droppers(evidence: Evidence, name: str, count: int) -> Non
         reason=reasons,
         unit="µm/N",
     )
-    limits = [SHARE_NEAR if c else SHARE for c in close]
-    reasons = [WHY_NEAR if c else WHY_SHARE for c in close]
+    limits = [SHARE_CLOSE if c else SHARE for c in close]
+    reasons = [WHY_CLOSE if c else WHY_SHARE for c in close]
     hold(
         evidence,
         family,

@@ -26,7 +26,7 @@ import pytest
 
 from arcless.model.components import DropperType
 from tests.support.evidence import Evidence
-from tests.support.families import CONTACT, FAMILIES, MESSENGER, Family, hold
+from tests.support.families import CONTACT, FAMILIES, MESSENGER, OWN_YIELD, YIELDING, Family, hold
 from tests.support.obstacles import HERTZ, Obstacle, answers, reflected, shown
 from tests.support.straight import Straight
 from tests.support.waves import Complex
@@ -41,11 +41,6 @@ ASKED = (
 COARSE = (
     "twice what shorter ones may: the wave of 30 Hz, 4.3 m, has 3 cubic elements of 1.44 m, or 7"
     " of a chain of 0.6 m, which send 0.9 % too much at 20 Hz and 2.4 % at 30 Hz"
-)
-YIELDS = pytest.mark.xfail(
-    strict=True,
-    reason="a point of a chain yields 0.24 to 0.35 µm/N too much under a force of its own: r of a"
-    " dropper off by 0.005 to 0.007 at 20 Hz, of a support of 500 kN/m by 0.011 to 0.016",
 )
 MASSES = {
     "chain": "masses meet points of a chain that yield 0.24 to 0.35 µm/N too much: at 20 Hz r of"
@@ -91,7 +86,7 @@ def test_mass(evidence: Evidence, name: str, mass: float) -> None:
 
 @pytest.mark.parametrize(
     ("name", "stiffness"),
-    [("chain", 5e3), pytest.param("chain", 5e5, marks=YIELDS), ("cubic", 5e3), ("cubic", 5e5)],
+    [("chain", 5e3), pytest.param("chain", 5e5, marks=OWN_YIELD), ("cubic", 5e3), ("cubic", 5e5)],
 )
 def test_spring(evidence: Evidence, name: str, stiffness: float) -> None:
     family = FAMILIES[name]
@@ -100,7 +95,7 @@ def test_spring(evidence: Evidence, name: str, stiffness: float) -> None:
     show(evidence, family, f"spring of {1e-3 * stiffness:g} kN/m", obstacle, exact)
 
 
-@pytest.mark.parametrize("name", [pytest.param("chain", marks=YIELDS), "cubic"])
+@pytest.mark.parametrize("name", YIELDING)
 def test_dropper(evidence: Evidence, name: str) -> None:
     family, kind = FAMILIES[name], DropperType.model_validate({"stiffness": DROPPER})
     obstacle = Obstacle(
