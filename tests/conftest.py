@@ -20,6 +20,17 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     )
 
 
+FAILED = pytest.StashKey[bool]()
+
+
+@pytest.hookimpl(hookwrapper=True)
+def pytest_runtest_makereport(item: pytest.Item, call: pytest.CallInfo[None]) -> Iterator[None]:
+    """Remember what failed: a failure that is expected counts as none in the session."""
+    if call.when == "call":
+        item.stash[FAILED] = call.excinfo is not None
+    yield
+
+
 def _is_slow(request: pytest.FixtureRequest) -> bool:
     return request.node.get_closest_marker("evidence") is not None
 
@@ -27,10 +38,9 @@ def _is_slow(request: pytest.FixtureRequest) -> bool:
 @pytest.fixture
 def evidence(request: pytest.FixtureRequest) -> Iterator[Evidence]:
     """Collect the values of a verification test; compare them with their record, or write it."""
-    failed_before = request.session.testsfailed
     found = Evidence(request.node.name, _is_slow(request))
     yield found
-    if request.session.testsfailed > failed_before:
+    if request.node.stash.get(FAILED, True):
         return  # what was not finished is not recorded
     file = Path(request.path)
     assert found.rows, "a verification test records at least one value"
@@ -43,7 +53,6 @@ def evidence(request: pytest.FixtureRequest) -> Iterator[Evidence]:
 @pytest.fixture
 def noticed(request: pytest.FixtureRequest) -> Iterator[Callable[..., None]]:
     """Show that a check notices a fault: `noticed("what is broken", check, **fixtures)`."""
-    failed_before = request.session.testsfailed
     test, slow = request.node.name, _is_slow(request)
     found: list[Noticed] = []
 
@@ -63,7 +72,7 @@ def noticed(request: pytest.FixtureRequest) -> Iterator[Callable[..., None]]:
             pytest.fail(f"{check.__name__} does not notice: {fault}")
 
     yield notice
-    if request.session.testsfailed > failed_before:
+    if request.node.stash.get(FAILED, True):
         return
     assert found, "a test of faults shows at least one"
     if request.config.getoption("--publish"):

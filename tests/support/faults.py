@@ -72,6 +72,18 @@ def plain_chains() -> Iterator[None]:
 
 
 @contextmanager
+def unflexible() -> Iterator[None]:
+    """Leave residual flexibility out."""
+
+    def spoil(arguments: dict[str, Any]) -> bool:
+        before, arguments["residual_flexibility"] = arguments["residual_flexibility"], False
+        return bool(before)
+
+    with spoiled(spoil):
+        yield
+
+
+@contextmanager
 def scaled(
     kind: str, column: str, factor: float, rows: slice | list[int] = slice(None)
 ) -> Iterator[None]:

@@ -9,7 +9,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from arcless.mesh import PLANAR, wires
+from arcless.mesh import PLANAR, SPATIAL, wires
 from arcless.mesh.parts import GIVEN, Parts
 from arcless.model.components import DropperType, Wire
 from arcless.simulate.equilibrium import Equilibrium
@@ -18,6 +18,8 @@ from tests.support.structures import at_rest, mesh_of
 Floats = NDArray[np.float64]
 
 ALONG, UP = 0, 1
+# In space.
+ACROSS, UPWARDS = 1, 2
 # Springs and dampers are one part, and its stiffness must not be zero. In N/m.
 NEARLY_NONE = 1e-9
 
@@ -65,7 +67,9 @@ class Straight:
     lumped : chains of point masses in place of cubic elements
     fitted : chains whose points, and what is between them, yield like the wire, as explicit steps
         have them
+    flexible : with residual flexibility where forces meet the wires
     loose : the ends are held along the track only, not in height
+    slant : what wires in space run across the track per metre along it; None in the plane
     """
 
     def __init__(
@@ -75,22 +79,29 @@ class Straight:
         heights: Sequence[float] = (0.0,),
         lumped: bool = False,
         fitted: bool = False,
+        flexible: bool = False,
         loose: bool = False,
+        slant: float | None = None,
     ) -> None:
         self.x, self.kinds, self.heights = x, kinds, heights
         self.parts, self.lumped, self.fitted = Parts(), lumped or fitted, fitted
+        self.flexible, self.slant = flexible, slant
+        self.up = UP if slant is None else UPWARDS
         self.rows = [self._lay(which, kind) for which, kind in enumerate(kinds)]
         for which, kind in enumerate(kinds):
             for end in (0, len(x) - 1):
                 number = end * len(kinds) + which
                 self.parts.add("fixed", (number, ALONG))
                 if not loose:
-                    self.parts.add("fixed", (number, UP))
+                    self.parts.add("fixed", (number, self.up))
+                if slant is not None:
+                    self.parts.add("fixed", (number, ACROSS))
             self.parts.add("ends", (number, 0), (kind.tension,))
 
     def _lay(self, which: int, kind: Wire) -> list[int]:
         numbers = [i * len(self.kinds) + which for i in range(len(self.x))]
-        lengths, ends = np.diff(self.x), np.column_stack([numbers[:-1], numbers[1:]])
+        lengths = np.diff(self.x) * np.hypot(1.0, self.slant or 0.0)
+        ends = np.column_stack([numbers[:-1], numbers[1:]])
         kinds = [kind] * len(lengths)
         if not self.lumped:
             return self.parts.add_wires(kinds, ends, ends, lengths / wires.stretch(kind))
@@ -113,7 +124,7 @@ class Straight:
     ) -> None:
         """Fasten a spring to the ground, N/m, with a damper beside it, N·s/m."""
         rest = self.heights[which]
-        self.parts.add("springs", (self.node(x, which), UP, GIVEN), (stiffness, damping, rest))
+        self.parts.add("springs", (self.node(x, which), self.up, GIVEN), (stiffness, damping, rest))
 
     def add_dropper(self, x: float, kind: DropperType, pull: float = 0.0) -> int:
         """Hang the first wire on the second; return its row.
@@ -122,8 +133,8 @@ class Straight:
         """
         upper, lower = self.node(x, 1), self.node(x, 0)
         if pull:
-            self.parts.add("loads", (lower, UP), (-pull,))
-            self.parts.add("loads", (upper, UP), (pull,))
+            self.parts.add("loads", (lower, self.up), (-pull,))
+            self.parts.add("loads", (upper, self.up), (pull,))
         apart = self.heights[1] - self.heights[0]
         return self.parts.add_dropper(kind, upper, lower, apart, apart - pull / kind.stiffness)
 
@@ -132,9 +143,17 @@ class Straight:
         count, several = len(self.x), len(self.kinds)
         positions = np.zeros((count * several, 3))
         positions[:, ALONG] = np.repeat(self.x, several)
-        positions[:, UP] = np.tile(self.heights, count)
+        positions[:, self.up] = np.tile(self.heights, count)
+        direction = np.array([1.0, 0.0, 0.0])
+        if self.slant is not None:
+            positions[:, ACROSS] = self.slant * (positions[:, ALONG] - self.x.mean())
+            direction = np.array([1.0, self.slant, 0.0]) / np.hypot(1.0, self.slant)
         slopes = np.zeros_like(positions)
         if not self.lumped:
-            slopes[:, ALONG] = np.tile([wires.stretch(kind) for kind in self.kinds], count)
-        mesh = mesh_of(PLANAR, positions, slopes, self.parts, self.rows[0])
-        return at_rest(mesh, design=True, fitted_bends=self.fitted)
+            stretches = [wires.stretch(kind) for kind in self.kinds]
+            slopes = np.outer(np.tile(stretches, count), direction)
+        dimension = PLANAR if self.slant is None else SPATIAL
+        mesh = mesh_of(dimension, positions, slopes, self.parts, self.rows[0])
+        return at_rest(
+            mesh, design=True, fitted_bends=self.fitted, residual_flexibility=self.flexible
+        )

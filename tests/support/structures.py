@@ -29,12 +29,14 @@ def mesh_of(
 
 
 def at_rest(
-    mesh: Mesh, *, design: bool = False, fitted_bends: bool = False
-) -> equilibrium.Equilibrium:
+    mesh: Mesh, *, design: bool = False, fitted_bends: bool = False,
+    residual_flexibility: bool = False,
+) -> equilibrium.Equilibrium:  # fmt: skip
     """Find the equilibrium; through the module that deliberate faults spoil."""
     core = equilibrium._core.Equilibrium(
         *(mesh.dimension, mesh.positions, mesh.slopes, mesh.parts, mesh.gravity),
         design=design,
+        residual_flexibility=residual_flexibility,
         fitted_bends=fitted_bends,
     )
     return equilibrium.Equilibrium(mesh, core, core.arrays())
