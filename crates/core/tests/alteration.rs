@@ -36,6 +36,7 @@ fn unchanged(s: &Structure) -> Alteration {
         link_offset: vec![0.0; s.links.len()],
         spring_offset: vec![0.0; s.springs.len()],
         strut_offset: vec![0.0; s.struts.len()],
+        end_force: s.ends.iter().map(|e| e.released.then_some(e.force)).collect(),
         removed: Vec::new(),
     }
 }
@@ -251,6 +252,8 @@ fn lists_that_do_not_fit_are_refused() {
     assert_eq!(list(&|c| c.link_offset = short.clone()), "link_offset");
     assert_eq!(list(&|c| c.spring_offset = short.clone()), "spring_offset");
     assert_eq!(list(&|c| c.strut_offset = short.clone()), "strut_offset");
+    assert_eq!(list(&|c| c.end_force = vec![None; 3]), "end_force");
+    assert_eq!(list(&|c| c.end_force[0] = Some(f64::NAN)), "ends");
     assert_eq!(list(&|c| c.mass[2] = -1.0), "wires");
     assert_eq!(list(&|c| c.load[0][1] = f64::NAN), "wire_loads");
 }
