@@ -10,7 +10,7 @@ from validation.shipped import at_rest
 from arcless.model import Line, Pantograph, load_line, load_pantograph
 from arcless.model.library import shipped
 
-MARKS = (("A", "D"), ("B",), ("C", "C*"), ("assumed",))
+MARKS = (("A", "A'", "D"), ("B",), ("C", "C*"), ("assumed",))
 KNOWN = ("read", "second-hand", "memory", "assumed")
 
 

@@ -28,7 +28,7 @@ def quantity(draw: Draw, low: float, high: float, unit: str) -> Any:
         given = number
     if draw(st.integers(0, 3)):
         return given
-    origin = {"mark": draw(st.sampled_from(["A", "B", "C", "C*", "D", "assumed"]))}
+    origin = {"mark": draw(st.sampled_from(["A", "A'", "B", "C", "C*", "D", "assumed"]))}
     if draw(st.booleans()):
         origin["source"] = draw(st.sampled_from(["S1", "S2", "S1, S2"]))
     return {"value": given, **origin, "note": draw(st.text(max_size=8))}
@@ -51,7 +51,7 @@ def wire(mass: tuple[float, float], tension: tuple[float, float]) -> st.SearchSt
         },
         optional={
             "damping": damping,
-            "ends": st.sampled_from(["fixed", "constant_force"]),
+            "ends": st.sampled_from(["fixed", "constant_force", "weights"]),
             "thermal_expansion": quantity(1e-5, 2e-5, "1/K"),
         },
     )

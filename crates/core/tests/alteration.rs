@@ -36,6 +36,11 @@ fn unchanged(s: &Structure) -> Alteration {
         link_offset: vec![0.0; s.links.len()],
         spring_offset: vec![0.0; s.springs.len()],
         strut_offset: vec![0.0; s.struts.len()],
+        end_force: s
+            .ends
+            .iter()
+            .map(|e| e.released.then_some(e.force))
+            .collect(),
         removed: Vec::new(),
     }
 }
@@ -148,6 +153,36 @@ fn an_end_under_constant_force_travels_and_keeps_the_tension() {
 }
 
 #[test]
+fn ends_are_freed_under_another_force_and_held_where_they_were() {
+    for share in [0.97, 1.0 / 0.97] {
+        let tension = share * WIRE.tension;
+        let found = both(&WIRE, false, |change| {
+            change.end_force = vec![Some(tension)]
+        });
+        let weight = WIRE.mass * GRAVITY * WIRE.length;
+        let sag = |t: f64| (weight / t).powi(2) / 24.0;
+        let strain = (tension - WIRE.tension) / WIRE.axial - sag(tension) + sag(WIRE.tension);
+        for at in found {
+            // What the device pulls with, to the settling of the statics.
+            assert!((at.force / tension - 1.0).abs() < 1e-9, "{}", at.force);
+            let way = at.end - WIRE.length;
+            // Green's strain, 1.4e-3, makes EA stiffer by three times that.
+            assert!((way / (strain * WIRE.length) - 1.0).abs() < 6e-3, "{way}");
+        }
+    }
+    let warmer = 1.0 + EXPANSION * 40.0;
+    let [fixed, held] = [false, true].map(|released| {
+        both(&WIRE, released, |change| {
+            change.length_factor.fill(warmer);
+            change.end_force = vec![None];
+        })
+    });
+    for (fixed, held) in fixed.iter().zip(&held) {
+        assert_eq!((fixed.force, fixed.end), (held.force, held.end));
+    }
+}
+
+#[test]
 fn a_side_load_blows_the_wire_off_by_a_parabola() {
     let (across, up) = (20.0, 1.5);
     let blown = |released: bool| {
@@ -251,6 +286,8 @@ fn lists_that_do_not_fit_are_refused() {
     assert_eq!(list(&|c| c.link_offset = short.clone()), "link_offset");
     assert_eq!(list(&|c| c.spring_offset = short.clone()), "spring_offset");
     assert_eq!(list(&|c| c.strut_offset = short.clone()), "strut_offset");
+    assert_eq!(list(&|c| c.end_force = vec![None; 3]), "end_force");
+    assert_eq!(list(&|c| c.end_force[0] = Some(f64::NAN)), "ends");
     assert_eq!(list(&|c| c.mass[2] = -1.0), "wires");
     assert_eq!(list(&|c| c.load[0][1] = f64::NAN), "wire_loads");
 }

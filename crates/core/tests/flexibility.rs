@@ -264,6 +264,11 @@ fn after_changes_the_line_yields_with_its_own_tension() {
         link_offset: vec![0.0; s.links.len()],
         spring_offset: vec![0.0; s.springs.len()],
         strut_offset: vec![0.0; s.struts.len()],
+        end_force: s
+            .ends
+            .iter()
+            .map(|e| e.released.then_some(e.force))
+            .collect(),
         removed: vec![3],
     };
     let (altered, _): (_, Shape<4>) = geometry.altered(&shape, &longer).expect("it settles");

@@ -81,7 +81,7 @@ impl Equilibrium {
 
     /// Equilibrium of the same structure after changes: factors on lengths and stiffnesses, new
     /// masses, loads along the wires, offsets of link lengths and of where springs and struts stand,
-    /// links taken away.
+    /// what free ends are under, links taken away.
     fn altered(&self, py: Python<'_>, changes: &Bound<'_, PyDict>) -> PyResult<Self> {
         let change = structure::alteration(changes)?;
         let found = py.detach(|| match &self.0 {

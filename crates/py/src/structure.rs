@@ -126,6 +126,7 @@ pub fn alteration(arrays: &Bound<'_, PyDict>) -> PyResult<Alteration> {
         link_offset: floats("link_offset")?,
         spring_offset: floats("spring_offset")?,
         strut_offset: floats("strut_offset")?,
+        end_force: item("end_force")?.extract()?,
         removed: item("removed")?.extract()?,
     })
 }

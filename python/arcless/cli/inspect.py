@@ -69,6 +69,9 @@ def check(
     if isinstance(checked, model.Scenario):
         for warning in model.scenario_warnings(checked):
             console.warn(warning)
+    if isinstance(checked, model.Line):
+        for warning in model.line_warnings(checked):
+            console.warn(warning)
     console.data(f"{file}: valid {_description(checked)}")
     if isinstance(checked, model.Scenario):
         console.data(f"a run takes {checked.choice.sentence}")

@@ -1,11 +1,12 @@
 """Model → arrays: nodes, elements and the names behind their numbers."""
 
-from arcless.mesh.alteration import alteration, diameters, without
+from arcless.mesh.alteration import alteration, diameters, end_forces, without
 from arcless.mesh.build import build_mesh
 from arcless.mesh.types import (
     PLANAR,
     SPATIAL,
     DropperPlace,
+    EndPlace,
     Mesh,
     StitchPlace,
     SupportPlace,
@@ -16,6 +17,7 @@ __all__ = [
     "PLANAR",
     "SPATIAL",
     "DropperPlace",
+    "EndPlace",
     "Mesh",
     "StitchPlace",
     "SupportPlace",
@@ -23,5 +25,6 @@ __all__ = [
     "alteration",
     "build_mesh",
     "diameters",
+    "end_forces",
     "without",
 ]

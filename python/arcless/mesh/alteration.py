@@ -13,10 +13,12 @@ link_factor    factor on the rest length of each link
 link_offset    added to that                                        m
 spring_offset  added to the rest coordinate of each spring          m
 strut_offset   added to the height of each strut's ground point     m
+end_force      force along the track on each free end, None: held   N
 removed        rows of the links that are gone
 ============== ==================================================== =============
 """
 
+from collections.abc import Mapping
 from dataclasses import replace
 from math import cos, pi, sin
 from typing import Any
@@ -66,7 +68,23 @@ def alteration(
         "load": _loads(mesh, line, built) + curve_loads(mesh, line, tension),
         **_of_links(mesh, line, built),
         **_of_supports(mesh, line, built),
+        "end_force": end_forces(mesh),
     }
+
+
+def end_forces(mesh: Mesh, slipping: Mapping[int, float] | None = None) -> list[float | None]:
+    """Return the force along the track on each end in N, None where the end holds still.
+
+    `slipping` gives the tension in N of devices with friction that have moved, by row.
+    """
+    (nodes, forces), moved = mesh.parts["ends"], slipping or {}
+    free = [
+        float(force) if free else None for free, (force,) in zip(nodes[:, 1], forces, strict=True)
+    ]
+    for end in mesh.ends:
+        if end.row in moved:
+            free[end.row] = end.outward * moved[end.row]
+    return free
 
 
 def diameters(mesh: Mesh, line: Line, built: AsBuilt) -> Floats:

@@ -73,6 +73,7 @@ def _mesh(
         droppers=[dropper for own in wired for dropper in own.droppers],
         supports=held,
         systems=systems,
+        ends=[end for own in wired for end in own.ends],
     )
 
 

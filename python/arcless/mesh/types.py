@@ -1,6 +1,6 @@
 """What a mesh is: tables for the core, and the names behind their rows."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -57,6 +57,21 @@ class StitchPlace:
 
 
 @dataclass(frozen=True)
+class EndPlace:
+    """An end of a wire that something tensions: its row in the table of ends, and where it is.
+
+    `wire` is the field of the line, `element` the row of the wire's last element (or segment), and
+    `outward` the sign of the force along the track.
+    """
+
+    row: int
+    wire: str
+    node: int
+    element: int
+    outward: float
+
+
+@dataclass(frozen=True)
 class SystemNodes:
     """Nodes of the wires of one tension length, each wire from anchor to anchor.
 
@@ -104,7 +119,8 @@ class Mesh:
     and nothing reads them. `wire_loads` (w_loads above) has a row for each of these, or none.
     `lanes` holds the rows, in the table of wires or segments, of the wires that a collector may run
     on: a list for each lane, in the order of the track; a lane is one wire or several one behind
-    the other with gaps. `wire_rows` holds those of each wire by its field of the line.
+    the other with gaps. `wire_rows` holds those of each wire by its field of the line. `ends` tells
+    of each row of the table of that name which wire it belongs to.
     """
 
     dimension: int
@@ -117,6 +133,7 @@ class Mesh:
     supports: list[SupportPlace]
     wire_rows: dict[str, list[int]]
     systems: list[SystemNodes]
+    ends: list[EndPlace] = field(default_factory=list)
 
     @property
     def contact_rows(self) -> list[int]:

@@ -10,7 +10,7 @@ from arcless.mesh.chain import Chain, Chains
 from arcless.mesh.kit import Kit
 from arcless.mesh.on_wires import masses
 from arcless.mesh.parts import UNLOADED, each_of
-from arcless.mesh.types import DropperPlace, Floats, StitchPlace
+from arcless.mesh.types import DropperPlace, EndPlace, Floats, StitchPlace
 from arcless.model.components import StitchWire, TensionedWire, Wire
 from arcless.model.line_parts import Bridle
 from arcless.model.midpoint import MidpointAnchor
@@ -28,6 +28,7 @@ class Wired:
     stitches: list[StitchPlace]
     bridles: list[StitchPlace]
     droppers: list[DropperPlace]
+    ends: list[EndPlace]
 
 
 class Wiring:
@@ -36,42 +37,52 @@ class Wiring:
     def __init__(self, kit: Kit, places: wires.Stations, chains: Chains) -> None:
         self.kit, self.places, self.chains = kit, places, chains
         self.line, self.parts = kit.line, kit.parts
+        self.ends: list[EndPlace] = []
 
     def build(self) -> Wired:
         """Add everything, wires first."""
         line, chains = self.line, self.chains
-        contacts = [self._add_anchored(c, line.contact_wire) for c in chains.contacts.values()]
+        contacts = [self._add_anchored(c, "contact_wire") for c in chains.contacts.values()]
         rows = {"contact_wire": [row for contact in contacts for row in contact]}
         stitches: list[StitchPlace] = []
         if chains.messenger is not None and line.messenger_wire is not None:
-            rows["messenger_wire"] = self._add_anchored(chains.messenger, line.messenger_wire)
+            rows["messenger_wire"] = self._add_anchored(chains.messenger, "messenger_wire")
             stitches = self._add_clamped(chains.stitches, chains.messenger, line.stitch_wire)
         rows["stitch_wire"] = [row for stitch in stitches for row in stitch.rows]
         (contact, *_) = chains.contacts.values()
         bridles = self._add_clamped(chains.bridles, contact, line.bridle)
         rows["bridle"] = [row for bridle in bridles for row in bridle.rows]
         if chains.auxiliary is not None and line.auxiliary_wire is not None:
-            rows["auxiliary_wire"] = self._add_anchored(chains.auxiliary, line.auxiliary_wire)
+            rows["auxiliary_wire"] = self._add_anchored(chains.auxiliary, "auxiliary_wire")
         self._add_masses()
-        return Wired(rows, contacts, stitches, bridles, self._add_droppers())
+        return Wired(rows, contacts, stitches, bridles, self._add_droppers(), self.ends)
 
-    def _add_anchored(self, chain: Chain, wire: Wire) -> list[int]:
+    def _add_anchored(self, chain: Chain, wire: str) -> list[int]:
         """Add the elements of a wire and what holds its ends; return the elements' rows."""
         rows = self._add_wire(chain)
         for component in range(self.kit.dimension):
             self.parts.add("fixed", (chain.nodes[0], component))
             self.parts.add("fixed", (chain.nodes[-1], component))
-        self._add_end(chain.nodes[-1], wire, wire.tension)
+        self._add_end(wire, chain.nodes[-1], rows[-1], 1.0)
         if self.line.midpoint_anchor is not None:
-            self._add_end(chain.nodes[0], wire, -wire.tension)
+            self._add_end(wire, chain.nodes[0], rows[0], -1.0)
             held = chain.at(self._midpoint(self.line.midpoint_anchor))
             stiffness = (self.line.midpoint_anchor.stiffness, 0.0, 0.0)
             self.parts.add("springs", (held, 0, UNLOADED), stiffness)
         return rows
 
-    def _add_end(self, node: int, wire: Wire, force: float) -> None:
-        """Add what tensions an end: an anchor, a constant force, or that and a spring about it."""
-        self.parts.add("ends", (node, int(wire.ends != "fixed")), (force,))
+    def _add_end(self, name: str, node: int, element: int, outward: float) -> None:
+        """Add what tensions an end: an anchor, a constant force, or that and a spring about it.
+
+        A device with friction holds still as long as its tension stays in a band, and the designed
+        one lies in it. What happens beyond is for the line as built.
+        """
+        wire: Wire = getattr(self.line, name)
+        free = not wire.is_anchored and not wire.has_friction
+        row = self.parts.add("ends", (node, int(free)), (outward * wire.tension,))
+        self.ends.append(EndPlace(row, name, node, element, outward))
+        # It moves along the track only: weight and motion up and down are the pulley's.
+        self.parts.add_mass(node, wire.end_mass, 0.0)
         if wire.end_stiffness is not None:
             self.parts.add("springs", (node, 0, UNLOADED), (wire.end_stiffness, 0.0, 0.0))
 

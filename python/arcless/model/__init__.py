@@ -1,6 +1,6 @@
 """Model files: validated lines, pantographs and scenarios, and the shipped library."""
 
-from arcless.model.advice import scenario_warnings
+from arcless.model.advice import line_warnings, scenario_warnings
 from arcless.model.as_built import AsBuilt, DropperLengthError, Ice, Wear, Wind
 from arcless.model.components import (
     AuxiliaryWire,
@@ -21,7 +21,8 @@ from arcless.model.line import Line
 from arcless.model.load import load, load_any, load_line, load_pantograph
 from arcless.model.overrides import parse_override
 from arcless.model.pantograph import Pantograph, PantographMass
-from arcless.model.scenario import Analysis, PantographPlacement, Scenario, Travel
+from arcless.model.placement import PantographPlacement
+from arcless.model.scenario import Analysis, Scenario, Travel
 from arcless.model.schema import json_schema
 from arcless.model.schemes import GeneralisedAlpha, HilberHughesTaylor, Newmark, Trapezoidal
 from arcless.model.settings import Contact, Output, Solver, SpeedProfile
@@ -74,6 +75,7 @@ __all__ = [
     "Wire",
     "json_schema",
     "library",
+    "line_warnings",
     "load",
     "load_any",
     "load_line",

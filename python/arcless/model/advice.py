@@ -3,6 +3,7 @@
 from itertools import pairwise
 from math import atan, hypot, log1p, pi
 
+from arcless.model.end_notices import end_notices
 from arcless.model.heights import gradient_warnings
 from arcless.model.scenario import Scenario
 from arcless.model.settings import ONE_ELEMENT
@@ -98,10 +99,17 @@ def _about_section(scenario: Scenario) -> list[str]:
 
 
 def _about_line(scenario: Scenario) -> list[str]:
-    line = scenario.line
+    return line_warnings(scenario.line)
+
+
+def line_warnings(line: Line) -> list[str]:
+    """Return one sentence for each thing about a line that is allowed but deserves a word."""
+    found = end_notices(line)
     if line.steady_arm.kind == "arm" and not any(line.geometry.stagger_contact_wire):
-        return ["line.geometry.stagger_contact_wire: without stagger the steady arms carry nothing"]
-    return []
+        found.append(
+            "line.geometry.stagger_contact_wire: without stagger the steady arms carry nothing"
+        )
+    return found
 
 
 def _about_track(scenario: Scenario) -> list[str]:

@@ -23,8 +23,7 @@ ROUNDING = 1e-9
 
 
 def check_scenario(scenario: "Scenario") -> None:
-    """Raise `ModelError` for the first thing that does not fit."""
-    _check_speed(scenario)
+    """Raise `ModelError` for the first thing that does not fit, the speed being as it should."""
     _check_pantographs(scenario)
     _check_travel(scenario)
     _check_lift(scenario)
@@ -37,7 +36,8 @@ def check_scenario(scenario: "Scenario") -> None:
     _check_energy(scenario)
 
 
-def _check_speed(scenario: "Scenario") -> None:
+def check_speed(scenario: "Scenario") -> None:
+    """Raise `ModelError` unless there is one speed, or one profile, with motion."""
     if scenario.speed is None and scenario.speed_profile is None:
         raise ModelError("missing field", expected="speed or speed_profile", field=("speed",))
     if scenario.speed is not None and scenario.speed_profile is not None:

@@ -5,7 +5,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
-from arcless.errors import ModelError
+from arcless.model.ends import GRAVITY, USUAL_RATIO, Ends, check_ends
 from arcless.model.fields import Part, Unit
 
 
@@ -47,30 +47,53 @@ class TensionedWire(Part):
 class Wire(TensionedWire):
     """A contact or messenger wire under tension."""
 
-    ends: Literal["fixed", "constant_force", "spring"] = Field(
-        default="fixed",
-        description="Ends anchored, or held by a device of constant force or a spring.",
+    ends: Ends | None = Field(
+        default=None,
+        description="Ends anchored (fixed), or held by weights, a device of constant force or a"
+        " spring; without it, fixed, and a notice says what temperature then does.",
     )
     end_stiffness: Annotated[float, Unit("N/m", above=0)] | None = Field(
         default=None, description="Stiffness of a tensioning spring; only with ends: spring."
     )
+    end_ratio: Annotated[float, Unit("1", minimum=1, maximum=20)] | None = Field(
+        default=None,
+        description="Way of the weights over that of the end of the wire; only with ends:"
+        " weights; 3 without it, assumed (a usual tensioning wheel).",
+    )
+    end_efficiency: Annotated[float, Unit("1", above=0.5, maximum=1)] | None = Field(
+        default=None,
+        description="Efficiency of weights or of a device of constant force: they pull with this"
+        " share of the tension where the wire grows longer, and yield only to the tension over it"
+        " where the wire grows shorter; 1 without it.",
+    )
 
     @model_validator(mode="after")
     def _check_ends(self) -> "Wire":
-        if self.ends == "spring" and self.end_stiffness is None:
-            raise ModelError(
-                "missing field",
-                expected=self._expected("end_stiffness"),
-                field=("end_stiffness",),
-            )
-        if self.ends != "spring" and self.end_stiffness is not None:
-            raise ModelError(
-                "stiffness of a spring that is not there",
-                got=f"end_stiffness with ends: {self.ends}",
-                expected="ends: spring, or no end_stiffness",
-                field=("end_stiffness",),
-            )
+        check_ends(self)
         return self
+
+    @property
+    def is_anchored(self) -> bool:
+        """True when the ends are fixed, also for want of anything said of them."""
+        return self.ends in {None, "fixed"}
+
+    @property
+    def end_mass(self) -> float:
+        """Mass in kg of the weights, as the end of the wire feels it along the track: n T/g."""
+        if self.ends != "weights":
+            return 0.0
+        return (self.end_ratio or USUAL_RATIO) * self.tension / GRAVITY
+
+    @property
+    def has_friction(self) -> bool:
+        """True when the device holds still in a band of tension."""
+        return self.end_efficiency is not None and self.end_efficiency < 1
+
+    @property
+    def end_band(self) -> tuple[float, float]:
+        """Lowest and highest tension in N at which the device holds still."""
+        efficiency = self.end_efficiency or 1.0
+        return self.tension * efficiency, self.tension / efficiency
 
 
 class StitchWire(TensionedWire):

@@ -15,6 +15,7 @@ from arcless.units import show
 
 MARKS: dict[str, str] = {
     "A": "read in the named source",
+    "A'": "read in the named source, which took it from elsewhere",
     "B": "quoted by the named source from another one that was not read",
     "C": "from memory, not found in a readable source",
     "C*": "from memory; a quick computation agrees with it",
@@ -29,7 +30,7 @@ MAX_WRITTEN = 2000
 class Provenance(Part):
     """Where a value comes from."""
 
-    mark: Mark | None = Field(default=None, description="A, B, C, C*, D or assumed.")
+    mark: Mark | None = Field(default=None, description="A, A', B, C, C*, D or assumed.")
     source: str | None = Field(default=None, description="Keys of sources, with commas.")
     note: str | None = Field(default=None, description="Why assumed, how computed, what is odd.")
     given: str = Field(default="", description="The value as it was written.")

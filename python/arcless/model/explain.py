@@ -62,7 +62,10 @@ def _native(item: Any) -> ModelError:
     """Translate a mistake that pydantic words itself."""
     kind, context, given = item["type"], item.get("ctx", {}), item["input"]
     if kind in {"literal_error", "enum"}:
-        known = re.findall(r"'([^']*)'", context["expected"])
+        # Words in quotes, in double ones where they have an apostrophe.
+        known = [
+            "".join(word) for word in re.findall(r"'([^']*)'|\"([^\"]*)\"", context["expected"])
+        ]
         hint = nearest(given, known) if isinstance(given, str) else None
         expected = " or ".join(known)
         return ModelError(WRONG_VALUE, got=show(given), expected=expected, hint=hint)

@@ -22,7 +22,7 @@ from arcless.errors import ModelError
 from arcless.units import WRONG_VALUE, accepted, show, spell, to_si
 
 Path = tuple[str | int, ...]
-Mark = Literal["A", "B", "C", "C*", "D", "assumed"]
+Mark = Literal["A", "A'", "B", "C", "C*", "D", "assumed"]
 
 
 class Unit:

@@ -31,11 +31,11 @@ def check_midpoint(line: "Line") -> None:
     lengths = line.tension_length_list()
     for name in ("contact_wire", "messenger_wire", "auxiliary_wire"):
         wire = getattr(line, name)
-        if wire is not None and wire.ends == "fixed":
+        if wire is not None and wire.is_anchored:
             raise ModelError(
                 "midpoint anchor between fixed ends",
-                got="ends: fixed",
-                expected="ends: constant_force or spring, or no midpoint_anchor",
+                got="ends: fixed" if wire.ends else "no ends, which are fixed then",
+                expected="ends: weights, constant_force or spring, or no midpoint_anchor",
                 hint="the anchor lets both ends of a wire move",
                 field=(name, "ends"),
             )

@@ -8,67 +8,18 @@ from pydantic import Field, model_validator
 from arcless.errors import ModelError
 from arcless.model.as_built import AsBuilt
 from arcless.model.as_built_checks import check_as_built
-from arcless.model.checks import check_scenario
-from arcless.model.controller import Controller, check_controllers
+from arcless.model.checks import check_scenario, check_speed
+from arcless.model.controller import check_controllers
 from arcless.model.documents import Document
 from arcless.model.fields import Part, Unit
 from arcless.model.line import Line
-from arcless.model.pantograph import Pantograph
-from arcless.model.roof import RoofMotion
+from arcless.model.placement import PantographPlacement, placed
 from arcless.model.settings import MAX_SPEED, Contact, Output, Solver, SpeedProfile
 from arcless.model.stepping import Choice, choose
 from arcless.model.wear import WearModel
 from arcless.units import WRONG_VALUE, show
 
 MAX_PANTOGRAPHS = 8
-
-
-class PantographPlacement(Part):
-    """A pantograph on the train, and the force it is run with."""
-
-    model: Pantograph = Field(
-        description="Pantograph: shipped name, file relative to this one, or written here.",
-        json_schema_extra={"reference": "pantograph"},
-    )
-    name: str = Field(default="", description="Name in results; P1, P2, … without it.")
-    distance: Annotated[float, Unit("m", minimum=0)] = Field(
-        default=0.0, description="Distance behind the first pantograph."
-    )
-    static_force: Annotated[float, Unit("N", above=0, maximum=2000)] | None = Field(
-        default=None, description="Static force; excludes mean_force."
-    )
-    mean_force: Annotated[float, Unit("N", above=0, maximum=2000)] | None = Field(
-        default=None, description="Mean contact force to reach; the static force is then found."
-    )
-    roof_motion: RoofMotion | None = Field(
-        default=None, description="Vertical motion of the roof below; the roof is still without."
-    )
-    controller: Controller | None = Field(
-        default=None, description="A force decided on during the run; none without."
-    )
-
-    @model_validator(mode="after")
-    def _check_force(self) -> "PantographPlacement":
-        if self.static_force is not None and self.mean_force is not None:
-            raise ModelError(
-                "both static_force and mean_force given",
-                expected="static_force or mean_force",
-                hint="mean_force finds the static force itself",
-                field=("mean_force",),
-            )
-        if self.start_force is None:
-            raise ModelError(
-                "no force given",
-                expected="static_force or mean_force, since the pantograph has no static_force",
-                field=("static_force",),
-            )
-        return self
-
-    @property
-    def start_force(self) -> float | None:
-        """The force given: static or mean here, otherwise the pantograph's static force, in N."""
-        given = self.static_force if self.static_force is not None else self.mean_force
-        return given if given is not None else self.model.static_force
 
 
 class Travel(Part):
@@ -179,6 +130,10 @@ class Scenario(Document):
 
     @model_validator(mode="after")
     def _check(self) -> "Scenario":
+        check_speed(self)
+        if any(isinstance(placement.distance_, str) for placement in self.pantographs):
+            # The fields are those given: only what follows from them is put in.
+            object.__setattr__(self, "pantographs", placed(self.pantographs, self.top_speed))
         check_scenario(self)
         check_controllers(self)
         check_as_built(self)

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from arcless.errors import ControlError, ResultFormatError
 from arcless.model import Scenario
 from arcless.model.controller import Controller
-from arcless.model.scenario import PantographPlacement
+from arcless.model.placement import PantographPlacement
 from arcless.simulate.joints import Numbers, unit_vector
 from arcless.simulate.pid import Limit, PidLaw
 

@@ -11,10 +11,11 @@ from numpy.typing import NDArray
 
 from arcless import _core
 from arcless.errors import ArclessError, EquilibriumError
-from arcless.mesh import SPATIAL, Mesh, alteration, build_mesh, without
+from arcless.mesh import SPATIAL, Mesh, alteration, build_mesh, end_forces, without
 from arcless.model import Line, Scenario, schemes
 from arcless.model.measured import matched
 from arcless.simulate.designing import check_arms, why_pushing
+from arcless.simulate.sliding_ends import SlidingEnds, undecided
 
 Floats = NDArray[np.float64]
 
@@ -26,7 +27,7 @@ MOST_KEPT = 50
 # A strip lifts the lowest wire by 100 N times 0.2 to 0.5 mm/N, and so reaches wires that hang this
 # much higher. In m.
 REACH = 0.02
-# Curves: bounds on the rounds, two or three are normal, and the change that no longer matters, N/m.
+# Curves and friction: bound on the rounds, two or three are normal; change that is none, N/m.
 MOST_ROUNDS = 8
 SAME_LOAD = 1e-4
 
@@ -215,15 +216,31 @@ def _as_built(
                 expected="a designed length that is longer than the error takes away",
             )
     with named(mesh):
-        altered = core.altered(changes)
-        # In curves the load goes with the tension, which the changes may have changed.
-        for _ in range(MOST_ROUNDS if scenario.line.track.curves else 0):
-            before, tension = changes["load"], altered.arrays()["wire_tension"]
-            changes = alteration(mesh, scenario.line, scenario.as_built, tension)
-            if np.abs(changes["load"] - before).max() < SAME_LOAD:
-                break
-            altered = core.altered(changes)
+        altered = _found_again(scenario, mesh, core, changes)
     return without(mesh, changes["removed"]), altered
+
+
+def _found_again(
+    scenario: Scenario, mesh: Mesh, core: _core.Equilibrium, changes: dict[str, Any]
+) -> _core.Equilibrium:
+    """Change a structure, and again while loads or devices follow from the tension found."""
+    ends, curved = SlidingEnds(mesh, scenario.line), bool(scenario.line.track.curves)
+    altered = core.altered(changes)
+    if not curved and not ends.are_there:
+        return altered
+    for _ in range(MOST_ROUNDS):
+        before, arrays = changes["load"], altered.arrays()
+        moved = ends.renew(arrays)
+        # In curves the load goes with the tension, which the changes may have changed.
+        if curved:
+            changes = alteration(mesh, scenario.line, scenario.as_built, arrays["wire_tension"])
+        changes["end_force"] = end_forces(mesh, ends.tensions)
+        if not moved and np.abs(changes["load"] - before).max() < SAME_LOAD:
+            return altered
+        altered = core.altered(changes)
+    if ends.renew(altered.arrays()):
+        raise undecided(MOST_ROUNDS)
+    return altered
 
 
 @contextmanager

@@ -18,7 +18,7 @@ from arcless.errors import (
 )
 from arcless.mesh import Mesh
 from arcless.model import Scenario
-from arcless.model.scenario import PantographPlacement
+from arcless.model.placement import PantographPlacement
 from arcless.simulate.contacts import label
 from arcless.simulate.equilibrium import translate
 from arcless.simulate.joints import laws

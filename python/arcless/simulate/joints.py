@@ -6,7 +6,7 @@ from math import inf
 
 from arcless.model.joint import Joint
 from arcless.model.pantograph import Pantograph
-from arcless.model.scenario import PantographPlacement
+from arcless.model.placement import PantographPlacement
 
 Numbers = list[float]
 # The motion that opens it, gap in m, stiffness in N/m.

@@ -11,7 +11,7 @@ from arcless import _core
 from arcless.errors import ModelError
 from arcless.mesh import Mesh
 from arcless.model import Scenario
-from arcless.model.scenario import PantographPlacement
+from arcless.model.placement import PantographPlacement
 from arcless.simulate import contacts, equilibrium, motion, riders
 from arcless.simulate.control import acts_on
 from arcless.simulate.failure import replayable, stepping, translated

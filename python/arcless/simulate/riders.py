@@ -8,8 +8,8 @@ from numpy.typing import NDArray
 
 from arcless.model import Scenario
 from arcless.model.pantograph import Pantograph
+from arcless.model.placement import PantographPlacement
 from arcless.model.roof import RoofMotion
-from arcless.model.scenario import PantographPlacement
 from arcless.simulate import joints
 from arcless.simulate.control import ActuatorData
 from arcless.simulate.head import StripData, add_head

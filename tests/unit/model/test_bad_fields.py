@@ -153,8 +153,8 @@ Refused = Callable[..., str]
         (
             "stiffness: 200 kN/m",
             'stiffness: {value: 200 kN/m, mark: X, note: "n"}',
-            'line.yaml:14: dropper.stiffness.mark: got "X", expected A or B or C or C* or D or'
-            " assumed; hint: known: A, B, C, C*, D, assumed",
+            'line.yaml:14: dropper.stiffness.mark: got "X", expected A or'
+            " A' or B or C or C* or D or assumed; hint: known: A, A', B, C, C*, D, assumed",
         ),
         (
             "stiffness: 200 kN/m",

@@ -91,8 +91,29 @@ def test_inserts_of_two_wires_may_be_side_by_side() -> None:
         (
             {"contact_wire__ends": "fixed", "midpoint_anchor": ANCHOR},
             "contact_wire.ends: midpoint anchor between fixed ends: got ends: fixed, expected ends:"
-            " constant_force or spring, or no midpoint_anchor; hint: the anchor lets both ends of a"
-            " wire move",
+            " weights, constant_force or spring, or no midpoint_anchor; hint: the anchor lets both"
+            " ends of a wire move",
+        ),
+        (
+            {"contact_wire__ends": None, "midpoint_anchor": ANCHOR},
+            "contact_wire.ends: midpoint anchor between fixed ends: got no ends, which are fixed"
+            " then, expected ends: weights, constant_force or spring, or no midpoint_anchor; hint:"
+            " the anchor lets both ends of a wire move",
+        ),
+        (
+            {"contact_wire__end_ratio": 3},
+            "contact_wire.end_ratio: ratio of a pulley that is not there: got end_ratio with ends:"
+            " constant_force, expected ends: weights, or no end_ratio",
+        ),
+        (
+            {"contact_wire__ends": None, "contact_wire__end_efficiency": 0.97},
+            "contact_wire.end_efficiency: friction of a device that has none: got end_efficiency"
+            " without ends, expected ends: weights or constant_force, or no end_efficiency",
+        ),
+        (
+            {"contact_wire__ends": "weights", "contact_wire__end_efficiency": 1.03},
+            "contact_wire.end_efficiency: got 1.03, expected a number without unit, above 0.5 and"
+            " at most 1",
         ),
         (
             {"spans": [{"type": "span"}], "midpoint_anchor": ANCHOR},

@@ -26,7 +26,8 @@ def test_remembered(evidence: Evidence, line: str) -> None:
         1e3 * float(np.mean(found.elasticity_m_per_N)),
         REMEMBERED[line],
         unit="mm/N",
-        relative=0.10,
+        relative=0.12,
         mark="C",
-        reason="remembered to a digit or two, for other layouts of droppers",
+        reason="remembered to a digit or two, for other layouts of droppers, 10 %; 2 % for ends, "
+        "which hold still by friction here and give way without it",
     )

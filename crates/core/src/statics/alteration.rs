@@ -1,5 +1,5 @@
 //! What is changed on a structure after its design: lengths, sections, masses, links that are gone,
-//! where springs and struts stand, steady loads along the wires.
+//! where springs and struts stand, steady loads along the wires, what holds the ends of wires.
 //!
 //! Elements are counted as wires, or as segments where wires are chains of point masses. Where the
 //! new equilibrium is too far from the design to be found at once, half of every change is put on
@@ -30,6 +30,8 @@ pub struct Alteration {
     pub spring_offset: Vec<f64>,
     /// Added to the last component of the ground point of each strut, m.
     pub strut_offset: Vec<f64>,
+    /// Force along the track that a free end is under, N; `None` holds it where the design left it.
+    pub end_force: Vec<Option<f64>>,
     /// Links that are taken away, in ascending order; the lists above still count them.
     pub removed: Vec<usize>,
 }
@@ -54,6 +56,7 @@ impl Alteration {
             ("link_offset", self.link_offset.len(), links),
             ("spring_offset", self.spring_offset.len(), s.springs.len()),
             ("strut_offset", self.strut_offset.len(), s.struts.len()),
+            ("end_force", self.end_force.len(), s.ends.len()),
         ] {
             if found != expected {
                 let reason = format!("has {found} entries, expected {expected}");
@@ -97,6 +100,10 @@ impl Alteration {
         }
         for (strut, offset) in s.struts.iter_mut().zip(&self.strut_offset) {
             strut.anchor[s.dim - 1] += share * offset;
+        }
+        for (end, force) in s.ends.iter_mut().zip(&self.end_force) {
+            end.released = force.is_some();
+            end.force += share * (force.unwrap_or(end.force) - end.force);
         }
         for &gone in self.removed.iter().rev() {
             s.links.remove(gone);

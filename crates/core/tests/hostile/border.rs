@@ -127,6 +127,8 @@ fn altered<const DIM: usize, const D: usize>(
     let offset = change.link_offset.first().copied().unwrap_or(0.0);
     change.spring_offset = vec![offset; s.springs.len()];
     change.strut_offset = vec![offset; s.struts.len()];
+    let ends = s.ends.iter();
+    change.end_force = ends.map(|e| e.released.then_some(e.force)).collect();
     if feed.flag() {
         let at = feed.below(4);
         let lists = [&mut change.length_factor, &mut change.mass];
