@@ -217,6 +217,9 @@ pub struct Structure {
     /// Whether chains yield under forces on their points as their wires do: see
     /// [`Geometry::bending`](crate::statics::Geometry::bending).
     pub fitted_bends: bool,
+    /// Whether the line moves across the track only, with the tensions of its rest: see
+    /// [`Line`](crate::dynamics::Line). The statics do not ask for it.
+    pub across_only: bool,
     /// Residual flexibility, contained in links and springs; `None` when it is left out.
     pub residual: Option<ResidualFlexibility>,
     /// Acceleration of gravity, m/s², acting against the last component.

@@ -104,6 +104,7 @@ pub fn build(
             [f[0], f[1], f[2]]
         }),
         fitted_bends: false,
+        across_only: false,
         residual: None,
         gravity,
     })

@@ -191,6 +191,7 @@ def find(scenario: Scenario) -> Equilibrium:
             design=True,
             residual_flexibility=scenario.solver.residual_flexibility,
             fitted_bends=scenario.solver.scheme.name == schemes.EXPLICIT,
+            across_only=scenario.solver.motion == "across",
         )
     if scenario.line.track.curves:
         check_arms(mesh, core.arrays()["strut_tension"])

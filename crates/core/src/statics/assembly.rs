@@ -2,7 +2,7 @@
 
 use crate::element::bar::BarState;
 use crate::element::hermite::{self, Coordinates};
-use crate::element::tangent;
+use crate::element::tangent::{self, Tangent};
 use crate::error::CoreError;
 use crate::linalg::SymmetricBlocks;
 use crate::structure::{Link, Structure, Wire};
@@ -171,6 +171,16 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
     /// Add the tangent of one wire element, times `factor`.
     pub fn add_wire(k: &mut SymmetricBlocks<D>, shape: &Shape<D>, wire: &Wire, factor: f64) {
         let tangent = tangent::tangent(&wire.section, &Self::coordinates(shape, wire));
+        Self::add_element(k, wire, &tangent, factor);
+    }
+
+    /// Add a matrix of one wire element, times `factor`.
+    pub(super) fn add_element(
+        k: &mut SymmetricBlocks<D>,
+        wire: &Wire,
+        tangent: &Tangent<DIM>,
+        factor: f64,
+    ) {
         let places = wire.places();
         for (m, &(i, p)) in places.iter().enumerate() {
             for (n, &(j, q)) in places.iter().enumerate().filter(|&(_, &(j, _))| i >= j) {

@@ -117,7 +117,9 @@ impl Chains {
         let segments = &geometry.structure.segments;
         let last = run.nodes.len() - 1;
         let needed = |k: usize| {
-            k == 0 || k == last || !line.free[run.nodes[k]][0] || is_owner[run.first + k]
+            // Where nothing moves along the track, that all is held tells nothing.
+            let held = !line.across_only && !line.free[run.nodes[k]][0];
+            k == 0 || k == last || held || is_owner[run.first + k]
         };
         let needed: Vec<usize> = (0..=last).filter(|&k| needed(k)).collect();
         let mut at = vec![0.0; last + 1];
@@ -147,6 +149,7 @@ impl Chains {
         master: &[usize],
     ) {
         let of = |point: usize| master[self.points[self.nodes[point]]];
+        let across_only = geometry.structure.across_only;
         let all = &geometry.structure.segments;
         if let [only] = places {
             self.along[*only] = Along {
@@ -173,7 +176,8 @@ impl Chains {
             self.reaches.push(Reach {
                 masters: ends,
                 segments: pair[0]..pair[1],
-                stiffness: 1.0 / flexibility,
+                // H stays that at rest where nothing moves along the track.
+                stiffness: if across_only { 0.0 } else { 1.0 / flexibility },
             });
         }
     }
