@@ -370,7 +370,7 @@ impl<const DIM: usize, const D: usize> Solved<DIM, D> {
     fn tensions(&self) -> Vec<f64> {
         let s = &self.geometry.structure;
         let middle = |w: &arcless_core::structure::Wire| {
-            let e = Geometry::<DIM, D>::coordinates(&self.shape, w);
+            let e = Geometry::<DIM, D>::straightened(&self.shape, w);
             hermite::tension(&w.section, &e, 0.5)
         };
         let segments = s

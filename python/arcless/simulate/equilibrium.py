@@ -26,9 +26,6 @@ MOST_KEPT = 50
 # A strip lifts the lowest wire by 100 N times 0.2 to 0.5 mm/N, and so reaches wires that hang this
 # much higher. In m.
 REACH = 0.02
-# Curves: bounds on the rounds, two or three are normal, and the change that no longer matters, N/m.
-MOST_ROUNDS = 8
-SAME_LOAD = 1e-4
 
 
 @dataclass(frozen=True)
@@ -216,13 +213,6 @@ def _as_built(
             )
     with named(mesh):
         altered = core.altered(changes)
-        # In curves the load goes with the tension, which the changes may have changed.
-        for _ in range(MOST_ROUNDS if scenario.line.track.curves else 0):
-            before, tension = changes["load"], altered.arrays()["wire_tension"]
-            changes = alteration(mesh, scenario.line, scenario.as_built, tension)
-            if np.abs(changes["load"] - before).max() < SAME_LOAD:
-                break
-            altered = core.altered(changes)
     return without(mesh, changes["removed"]), altered
 
 

@@ -32,7 +32,7 @@ impl Web {
             .map(|(k, wire)| {
                 wire.nodes.iter().for_each(|&node| at[node].push(k));
                 let tension = shape.map_or(wire.design_tension, |shape| {
-                    let e = Geometry::<DIM, D>::coordinates(shape, wire);
+                    let e = Geometry::<DIM, D>::straightened(shape, wire);
                     hermite::tension(&wire.section, &e, 0.5)
                 });
                 let taut = Taut {

@@ -6,7 +6,6 @@
 //! wire at a point: what the wire itself and what is spread along it do not balance.
 
 use super::assembly::{Geometry, Shape, add_weight};
-use crate::element::hermite;
 use crate::error::CoreError;
 use crate::flexibility::patch::{Patch, Web};
 use crate::structure::{ResidualFlexibility, SpringMode};
@@ -122,8 +121,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         let s = &self.structure;
         let mut residual = vec![[0.0; D]; self.nodes()];
         for wire in &s.wires {
-            let mut force = [[0.0; DIM]; 4];
-            hermite::add_force(&wire.section, &Self::coordinates(shape, wire), &mut force);
+            let mut force = Self::wire_force(shape, wire);
             add_weight(wire, s.gravity, &mut force);
             for ((node, slot), f) in wire.places().into_iter().zip(&force) {
                 if slot == 0 {

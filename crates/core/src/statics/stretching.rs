@@ -19,7 +19,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         wire: &Wire,
         factor: f64,
     ) {
-        let part = tangent::stretching(&wire.section, &Self::coordinates(shape, wire));
+        let part = tangent::stretching(&wire.section, &Self::straightened(shape, wire));
         Self::add_element(k, wire, &part, factor);
     }
 
@@ -35,6 +35,6 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         let along = factor * (segment.stiffness() - turning);
         let n = &state.direction;
         let part = n.map(|p| n.map(|q| along * p * q));
-        Self::add_between(k, segment.nodes, &part);
+        Self::add_of_segment(k, segment, &part);
     }
 }

@@ -298,6 +298,7 @@ impl Single {
                     bending_stiffness: self.bending,
                 },
                 mass: self.mass,
+                turn: 0.0,
                 damping: Rayleigh::default(),
                 design_tension: self.tension,
             });

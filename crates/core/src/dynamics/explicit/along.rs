@@ -21,6 +21,8 @@ pub(super) struct Reach {
     pub segments: Range<usize>,
     /// k, N/m.
     pub stiffness: f64,
+    /// Half the angle by which the track turns along it, rad.
+    pub lean: f64,
 }
 
 impl Chains {
@@ -159,12 +161,18 @@ impl Chains {
         }
         for pair in places.windows(2) {
             let ends = [of(pair[0]), of(pair[1])];
-            let (mut flexibility, mut at) = (0.0, vec![0.0]);
+            let own = run.segments[pair[0] - run.first..pair[1] - run.first].iter();
+            let lean = 0.5 * own.map(|&number| all[number].turn).sum::<f64>();
+            let (mut flexibility, mut at, mut turned) = (0.0, vec![0.0], -lean);
             for j in pair[0]..pair[1] {
                 let segment = &all[run.segments[j - run.first]];
                 let state = Geometry::<DIM, D>::segment_state(shape, segment);
                 flexibility += 1.0 / along(segment, &state).2;
                 at.push(at[at.len() - 1] + segment.rest_length);
+                if DIM == 3 && !across_only {
+                    self.slope[0][j] += turned + 0.5 * segment.turn;
+                    turned += segment.turn;
+                }
             }
             let length = at[at.len() - 1];
             for (k, place) in at.iter().enumerate() {
@@ -177,6 +185,7 @@ impl Chains {
                 masters: ends,
                 segments: pair[0]..pair[1],
                 // H stays that at rest where nothing moves along the track.
+                lean: if DIM == 3 { lean } else { 0.0 },
                 stiffness: if across_only { 0.0 } else { 1.0 / flexibility },
             });
         }
