@@ -1,12 +1,14 @@
 """A second program: wires that move up and down only, under tensions that stay.
 
-Independent of the product but for the numbers of the model file: straight wires, so no sag but that of a contact wire
-between its droppers, cubic beams, the trapezoidal rule, and slack droppers found by trial.
+Independent of the product but for the numbers of the model file: straight wires, so no sag but
+that of a contact wire between its droppers, cubic beams, the trapezoidal rule, and slack droppers
+found by trial.
 
     μ ẅ + α μ ẇ = H w″ − EI w⁗ + β ∂/∂t (…) + forces of droppers, supports, contact
 """
 
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -18,7 +20,7 @@ from arcless.model import Scenario
 from arcless.model.components import SteadyArmSpring, TensionedWire
 
 Floats = NDArray[np.float64]
-# Elements in m: point forces find corners that are rounded over 0.1 m; halving both moves σ by less than 0.05 N.
+# Elements in m: point forces find corners that are rounded over 0.1 m.
 CONTACT, MESSENGER = 0.25, 0.5
 GRAVITY = 9.81
 
@@ -80,7 +82,7 @@ def divided(places: list[float], longest: float) -> Floats:
     """Nodes at all places and between them."""
     parts = [
         np.linspace(a, b, int(np.ceil((b - a) / longest - 1e-9)) + 1)[:-1]
-        for a, b in zip(places, places[1:], strict=False)
+        for a, b in pairwise(places)
     ]
     return np.append(np.concatenate(parts), places[-1])
 
@@ -116,11 +118,17 @@ class Line:
         kind = line.dropper
         self.stiffness = kind.stiffness
         self.viscosity = kind.damping + kind.rayleigh.beta * kind.stiffness
-        self.pairs = [(self._row(self.messenger, x), self._row(self.contact, x)) for x in self.places]
+        self.pairs = [
+            (self._row(self.messenger, x), self._row(self.contact, x)) for x in self.places
+        ]
         bare = self._matrix("k")
-        ends = [self._row(w, x) for w in (self.contact, self.messenger) for x in supports[:: len(spans)]]
+        ends = [
+            self._row(w, x) for w in (self.contact, self.messenger) for x in supports[:: len(spans)]
+        ]
         self.free = np.setdiff1d(np.arange(self.size), ends)
-        self.rest, self.tensions = self._at_rest(bare, line.contact_wire, inner, arm.vertical_stiffness)
+        self.rest, self.tensions = self._at_rest(
+            bare, line.contact_wire, inner, arm.vertical_stiffness
+        )
         for pair in self.pairs:
             pull = np.array([[1.0, -1.0], [-1.0, 1.0]])
             self._add("k", list(pair), self.stiffness * pull)
@@ -151,7 +159,7 @@ class Line:
     def _at_rest(
         self, bare: csc_matrix, of: TensionedWire, inner: list[float], arm: float
     ) -> tuple[Floats, Floats]:
-        """Shape of the contact wire, level at its droppers, and what these carry; arms carry nothing."""
+        """Shape of the contact wire, level at its droppers, and what these carry, but not arms."""
         wire = self.contact
         weight = np.zeros(self.size)
         for k, rows in enumerate(wire.rows):
@@ -261,7 +269,7 @@ class _Droppers:
         for _ in range(100):
             rows = np.flatnonzero(slack)
             pushes = self.columns[:, rows]
-            # Unknown: contact force, and what takes the push of each slack dropper away, which is that push.
+            # Unknown: contact force, and the push of each slack dropper, which is taken away.
             a = np.empty((1 + len(rows),) * 2)
             a[0, 0] = 1 / law + g @ column
             a[0, 1:] = -(g @ pushes)

@@ -64,9 +64,7 @@ def two_spans(
     return at_rest(mesh)
 
 
-def one_span(
-    kind: str, count: int, *, radius: float, span: float, tension: float
-) -> Equilibrium:
+def one_span(kind: str, count: int, *, radius: float, span: float, tension: float) -> Equilibrium:
     """Bring a weightless wire between two fixed points of the track to rest, see `two_spans`."""
     angle = span / radius
     rest = 2.0 * radius * sin(0.5 * angle) / (1.0 + tension / AXIAL)

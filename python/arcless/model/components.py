@@ -49,7 +49,8 @@ class Wire(TensionedWire):
 
     ends: Literal["fixed", "constant_force", "spring"] = Field(
         default="fixed",
-        description="Ends anchored, or held by a device of constant force or a spring.",
+        description="Far end anchored, or held by a device of constant force or a spring; with a"
+        " midpoint anchor both ends.",
     )
     end_stiffness: Annotated[float, Unit("N/m", above=0)] | None = Field(
         default=None, description="Stiffness of a tensioning spring; only with ends: spring."

@@ -20,7 +20,7 @@ def test_curve_as_a_load(noticed: Noticed, kind: str) -> None:
         checks.test_two_spans(kind, 9.81, evidence)
 
     with curve_as_a_load():
-        noticed(f"curves as loads on wires that stretch as they seem to bend, {kind}, one span", one)
+        noticed(f"curves as loads, wires stretch as they seem to bend, {kind}, one span", one)
         noticed(f"the same, two spans, {kind}", two)
 
 

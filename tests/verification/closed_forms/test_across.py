@@ -1,15 +1,16 @@
 """Motion across the track only
 
-With `solver.motion: across` nothing moves along the track and tensions stay those at rest. A wire that sags
-is a string then, whatever its axial stiffness, since its sag is not drawn out:
+With `solver.motion: across` nothing moves along the track and tensions stay those at rest. A wire
+that sags is a string then, whatever its axial stiffness, since its sag is not drawn out:
 
     f_n = n/(2L) √(H/μ),    μ per metre of track
 
-(H the horizontal force.) With the motion along the wire the first symmetric mode is another one: see [that of a wire that
-sags](frequencies-with-sag.md). If x alone were held, it would be stiffer still: each element stretched by z′w′.
+(H the horizontal force.) With the motion along the wire the first symmetric mode is another one:
+see that of a wire that sags. If x alone were held, it would be stiffer still: each element
+stretched by z′w′.
 
-The program is asked by a scenario: one span of 60 m, 1.1 kg/m, EA = 14 MN, EI = 0, under 6 kN between
-fixed ends, elements of 0.75 m, of either kind.
+The program is asked by a scenario: one span of 60 m, 1.1 kg/m, EA = 14 MN, EI = 0, under 6 kN
+between fixed ends, elements of 0.75 m, of either kind.
 """
 
 from math import sqrt

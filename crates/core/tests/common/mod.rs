@@ -61,6 +61,7 @@ fn wire(a: usize, b: usize, length: f64, contact: bool) -> Wire {
             bending_stiffness: ei,
         },
         mass,
+        turn: 0.0,
         damping: DAMPING,
         design_tension: tension,
     }

@@ -86,6 +86,7 @@ fn add_wire(
                     bending_stiffness: bending,
                 },
                 mass,
+                turn: 0.0,
                 damping: DAMPING,
                 design_tension: tension,
             });
