@@ -72,8 +72,8 @@ MOVING = [
     Mutation(
         "reaches over cuts stretched by their last strand alone",
         "dynamics/explicit/stretch.rs",
-        "rise(self.first, to) - rise(self.first, from) + before;",
-        "rise(self.first, to) - rise(self.first, from) + 0.0 * before;",
+        "rise(self.first, to) - rise(self.first, from) + before - lean;",
+        "rise(self.first, to) - rise(self.first, from) + 0.0 * before - lean;",
         (CUBIC,),
     ),
     Mutation(

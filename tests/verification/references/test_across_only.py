@@ -57,5 +57,5 @@ def test_second_program(family: str, second: dict[str, float], evidence: Evidenc
     for name, value in values.items():
         evidence.close(
             f"{name}, {family}", value, second[name], unit="N", absolute=0.8,
-            reason="elements of 0.45 or 0.8 m against 0.25 m; motion along moves these by up to 3 N",
+            reason="elements of 0.45 or 0.8 m, 0.25 m; motion along moves them by up to 3 N",
         )  # fmt: skip
