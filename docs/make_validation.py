@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from validation import converging, library, praks, shipped, spacing
+from validation import choices, converging, library, praks, shipped, spacing
 from validation.runs import run, table
 from validation.variants import (
     BY_MATRIX,
@@ -248,6 +248,7 @@ TABLES: dict[str, dict[str, Callable[[], str]]] = {
         "ranges": lambda: ranges_table(AC_CASES),
         "sensitivity": lambda: sensitivity_table(AC_CASES, ac_variants()),
     },
+    "modelling-choices": choices.TABLES,
     "convergence": {"halving": halving_table, "distance": distance_table},
     "convergence-published": converging.TABLES,
     "energy": {"ledger": energy_table},

@@ -41,6 +41,7 @@ def en_variants() -> list[tuple[str, Changes]]:
         ("EI 0", bending(0.0, 0.0)),
         ("support 5e5 N/m vertical", {"line.support.vertical_stiffness": 5e5}),
         ("support free along the track", {"line.support.longitudinal_stiffness": 0.0}),
+        ("motion across the track only", {"solver.motion": "across"}),
         ("damping S3: α 0.0125, β 1e-4", rayleigh(0.0125, 1e-4)),
         ("damping α 0.0125, β 5e-4", rayleigh(0.0125, 5e-4)),
         ("damping S5: 0.5 % (α 0.057, β 1.45e-4)", rayleigh(0.057, 1.45e-4)),

@@ -21,6 +21,7 @@ COLUMNS = {
     "ends": ("force",),
     "loads": ("force",),
     "wire_loads": ("along", "across", "up"),
+    "turns": ("turn",),
 }
 # False where there was nothing to spoil.
 Spoil = Callable[[dict[str, Any]], bool | None]
@@ -94,6 +95,26 @@ def scaled(
         before = table[rows, COLUMNS[kind].index(column)].copy()
         table[rows, COLUMNS[kind].index(column)] *= factor
         return bool(np.any(table[rows, COLUMNS[kind].index(column)] != before))
+
+    with spoiled(spoil):
+        yield
+
+
+@contextmanager
+def curve_as_a_load() -> Iterator[None]:
+    """Let curves pull by the tension of the drawing, on wires that stretch as they seem to bend."""
+
+    def spoil(arguments: dict[str, Any]) -> bool:
+        parts = arguments["parts"]
+        kind = "wires" if len(parts["wires"][0]) else "segments"
+        floats, (rows, turns) = parts[kind][1], parts["turns"]
+        if not turns.any():
+            return False
+        load = np.zeros((len(floats), 3))
+        load[:, 1] = floats[:, COLUMNS[kind].index("tension")] * turns[:, 0] / floats[:, 0]
+        parts["wire_loads"] = (rows, load)
+        parts["turns"] = (rows, np.zeros_like(turns))
+        return True
 
     with spoiled(spoil):
         yield

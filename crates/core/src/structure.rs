@@ -28,6 +28,8 @@ pub struct Wire {
     pub section: Section,
     /// Mass per metre of rest length, kg/m.
     pub mass: f64,
+    /// Angle by which the track turns to the left along it, rad; lines in space only.
+    pub turn: f64,
     /// Damping of this wire.
     pub damping: Rayleigh,
     /// Horizontal tension that the design calculation gives this element, N; 0 for a beam.
@@ -59,6 +61,8 @@ pub struct Segment {
     pub rest_length: f64,
     /// Axial stiffness EA, N.
     pub axial_stiffness: f64,
+    /// Angle by which the track turns to the left along it, rad; lines in space only.
+    pub turn: f64,
     /// Mass per metre of rest length, kg/m.
     pub mass: f64,
     /// Damping of this segment.
@@ -221,6 +225,9 @@ pub struct Structure {
     /// Whether chains yield under forces on their points as their wires do: see
     /// [`Geometry::bending`](crate::statics::Geometry::bending).
     pub fitted_bends: bool,
+    /// Whether the line moves across the track only, with the tensions of its rest: see
+    /// [`Line`](crate::dynamics::Line). The statics do not ask for it.
+    pub across_only: bool,
     /// Residual flexibility, contained in links, struts and springs; `None` when it is left out.
     pub residual: Option<ResidualFlexibility>,
     /// Acceleration of gravity, m/s², acting against the last component.

@@ -10,6 +10,9 @@ fn refuse(array: &'static str, reason: String) -> CoreError {
 /// Largest number of nodes accepted: indices are stored in 32 bits.
 const MOST_NODES: usize = 1 << 30;
 
+/// Most that the track may turn along an element, rad: a metre or two on the tightest curves turn by a tenth of it.
+const MOST_TURN: f64 = 1.0;
+
 fn positive(v: f64) -> bool {
     v.is_finite() && v > 0.0
 }
@@ -168,6 +171,7 @@ fn check_points(s: &Structure, n: usize, dim: usize) -> Result<(), CoreError> {
         ));
     }
     check_wire_loads(s)?;
+    check_turns(s)?;
     if s.loads
         .iter()
         .any(|&(node, c, f)| node >= n || c >= dim || !f.is_finite())
@@ -176,6 +180,17 @@ fn check_points(s: &Structure, n: usize, dim: usize) -> Result<(), CoreError> {
             "loads",
             "node or component out of range or force not finite".into(),
         ));
+    }
+    Ok(())
+}
+
+/// The track turns by little along an element.
+fn check_turns(s: &Structure) -> Result<(), CoreError> {
+    let turns = s.wires.iter().map(|wire| wire.turn);
+    let mut turns = turns.chain(s.segments.iter().map(|segment| segment.turn));
+    if turns.any(|turn| !(turn.abs() <= MOST_TURN)) {
+        let reason = format!("more than {MOST_TURN} rad along an element, or not finite");
+        return Err(refuse("turns", reason));
     }
     Ok(())
 }

@@ -6,6 +6,7 @@ mod common;
 mod contact;
 mod contacts;
 mod control;
+mod curves;
 mod dynamics;
 mod equivalence;
 mod explicit;

@@ -52,9 +52,10 @@ impl Equilibrium {
     /// Find it; with `design`, unknown lengths are found first. Without Hermite elements in the
     /// table `wires`, the wires are the chains in `segments` and `bends`. With `residual_flexibility`,
     /// what cubic elements yield too little under droppers, supports and contacts is added there;
-    /// with `fitted_bends`, points of chains yield as those of their wires do.
+    /// with `fitted_bends`, points of chains yield as those of their wires do; with `across_only`,
+    /// nothing that is asked of it later moves along the track.
     #[new]
-    #[pyo3(signature = (dim, positions, slopes, parts, gravity, design, residual_flexibility = false, fitted_bends = false))]
+    #[pyo3(signature = (dim, positions, slopes, parts, gravity, design, residual_flexibility = false, fitted_bends = false, across_only = false))]
     fn new(
         py: Python<'_>,
         dim: usize,
@@ -65,10 +66,12 @@ impl Equilibrium {
         design: bool,
         residual_flexibility: bool,
         fitted_bends: bool,
+        across_only: bool,
     ) -> PyResult<Self> {
         let how = (design, residual_flexibility);
         let mut s = structure::build(dim, &positions, &slopes, parts, gravity)?;
         s.fitted_bends = fitted_bends;
+        s.across_only = across_only;
         let is_chain = s.wires.is_empty() && !s.segments.is_empty();
         let found = py.detach(|| match (dim, is_chain) {
             (2, false) => Solved::new(s, how).map(Any::Planar),
@@ -367,7 +370,7 @@ impl<const DIM: usize, const D: usize> Solved<DIM, D> {
     fn tensions(&self) -> Vec<f64> {
         let s = &self.geometry.structure;
         let middle = |w: &arcless_core::structure::Wire| {
-            let e = Geometry::<DIM, D>::coordinates(&self.shape, w);
+            let e = Geometry::<DIM, D>::straightened(&self.shape, w);
             hermite::tension(&w.section, &e, 0.5)
         };
         let segments = s

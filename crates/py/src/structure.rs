@@ -74,7 +74,7 @@ pub fn build(
     parts: &Bound<'_, PyDict>,
     gravity: f64,
 ) -> PyResult<Structure> {
-    Ok(Structure {
+    let mut structure = Structure {
         dim,
         positions: triples(positions)?,
         slopes: triples(slopes)?,
@@ -104,9 +104,25 @@ pub fn build(
             [f[0], f[1], f[2]]
         }),
         fitted_bends: false,
+        across_only: false,
         residual: None,
         gravity,
-    })
+    };
+    turn(&mut structure, &table(parts, "turns", [0, 1])?.floats)?;
+    Ok(structure)
+}
+
+/// By what the track turns along each wire element or segment, or nothing at all.
+fn turn(s: &mut Structure, turns: &[f64]) -> PyResult<()> {
+    let elements = s.wires.len() + s.segments.len();
+    if !turns.is_empty() && turns.len() != elements {
+        let message = format!("part turns: {} rows for {elements} elements", turns.len());
+        return Err(PyValueError::new_err(message));
+    }
+    let wires = s.wires.iter_mut().map(|wire| &mut wire.turn);
+    let all = wires.chain(s.segments.iter_mut().map(|segment| &mut segment.turn));
+    all.zip(turns).for_each(|(turn, &given)| *turn = given);
+    Ok(())
 }
 
 /// Changes after the design; the arrays are documented in `arcless.mesh`.
@@ -140,6 +156,7 @@ fn wire(i: &[usize], f: &[f64]) -> Wire {
             axial_stiffness: f[1],
             bending_stiffness: f[2],
         },
+        turn: 0.0,
         mass: f[3],
         damping: Rayleigh {
             alpha: f[4],
@@ -154,6 +171,7 @@ fn segment(i: &[usize], f: &[f64]) -> Segment {
         nodes: [i[0], i[1]],
         rest_length: f[0],
         axial_stiffness: f[1],
+        turn: 0.0,
         mass: f[2],
         damping: Rayleigh {
             alpha: f[3],

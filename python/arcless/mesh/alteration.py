@@ -26,7 +26,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from arcless.mesh.track import curve_loads
 from arcless.mesh.types import Floats, Mesh
 from arcless.model.as_built import AsBuilt
 from arcless.model.components import TensionedWire
@@ -38,13 +37,8 @@ from arcless.model.support_names import supports_called
 MASS = {"wires": 3, "segments": 2}
 
 
-def alteration(
-    mesh: Mesh, line: Line, built: AsBuilt, tension: Floats | None = None
-) -> dict[str, Any]:
-    """Return the changes of a designed line as the core takes them; see above.
-
-    With the tension of each wire or segment in N where it is known; curves need it.
-    """
+def alteration(mesh: Mesh, line: Line, built: AsBuilt) -> dict[str, Any]:
+    """Return the changes of a designed line as the core takes them; see above."""
     kind = "wires" if len(mesh.parts["wires"][0]) else "segments"
     nodes, floats = mesh.parts[kind]
     is_contact = np.zeros(len(nodes), dtype=bool)
@@ -65,7 +59,7 @@ def alteration(
         "axial_factor": axial.tolist(),
         "bending_factor": (bending if kind == "wires" else _of_bends(mesh, bending)).tolist(),
         "mass": (bare + coats).tolist(),
-        "load": _loads(mesh, line, built) + curve_loads(mesh, line, tension),
+        "load": _loads(mesh, line, built),
         **_of_links(mesh, line, built),
         **_of_supports(mesh, line, built),
         "end_force": end_forces(mesh),

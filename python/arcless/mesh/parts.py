@@ -21,6 +21,7 @@ COLUMNS = {
     "ends": (2, 1),
     "loads": (2, 1),
     "wire_loads": (0, 3),
+    "turns": (0, 1),
 }
 
 GIVEN, HELD, UNLOADED = 0, 1, 2

@@ -113,10 +113,11 @@ class Mesh:
     ends     node, free in service                      force along the track N
     loads    node, component                            force N
     w_loads  (none)                                     force per metre of rest length (3) N/m
+    turns    (none)                                     angle of the track along it, to the left rad
     ======== ========================================== =========================================
 
     A mesh has wires (wire model hermite), or segments and bends (lumped): then its slopes are zero
-    and nothing reads them. `wire_loads` (w_loads above) has a row for each of these, or none.
+    and nothing reads them. `wire_loads` (w_loads above) and `turns` have a row for each, or none.
     `lanes` holds the rows, in the table of wires or segments, of the wires that a collector may run
     on: a list for each lane, in the order of the track; a lane is one wire or several one behind
     the other with gaps. `wire_rows` holds those of each wire by its field of the line. `ends` tells

@@ -5,6 +5,7 @@ from math import atan, hypot, log1p, pi
 
 from arcless.model.end_notices import end_notices
 from arcless.model.heights import gradient_warnings
+from arcless.model.line import Line
 from arcless.model.scenario import Scenario
 from arcless.model.settings import ONE_ELEMENT
 from arcless.model.track_checks import deviation_warnings

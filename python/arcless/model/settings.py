@@ -104,6 +104,12 @@ class Solver(Part):
         description="Motion about the static equilibrium, or node coordinates and stiffness"
         " updated in each step.",
     )
+    motion: Literal["full", "across"] = Field(
+        default="full",
+        description="What of the line moves: all, or across the track only (up, and to the side"
+        " in space), with the tensions of the line at rest, as in programs that know no motion"
+        " along the wires; the statics are the same.",
+    )
     wire_model: Literal["auto", "hermite", "lumped"] = Field(
         default="auto",
         description="Wire elements: cubic with slopes, or point masses on a chain; auto: hermite,"
@@ -149,6 +155,18 @@ class Solver(Part):
                     hint=hint,
                     field=(key,),
                 )
+        return self
+
+    @model_validator(mode="after")
+    def _check_motion(self) -> "Solver":
+        if self.motion == "across" and self.kinematics != "linearised":
+            raise ModelError(
+                "not together with motion: across",
+                got=self.kinematics,
+                expected="linearised, or motion: full",
+                hint="tensions then stay those at rest; updated ones follow what moves",
+                field=("kinematics",),
+            )
         return self
 
     @model_validator(mode="after")

@@ -27,9 +27,8 @@ MOST_KEPT = 50
 # A strip lifts the lowest wire by 100 N times 0.2 to 0.5 mm/N, and so reaches wires that hang this
 # much higher. In m.
 REACH = 0.02
-# Curves and friction: bound on the rounds, two or three are normal; change that is none, N/m.
+# Friction of tensioning devices: bound on the rounds, two or three are normal.
 MOST_ROUNDS = 8
-SAME_LOAD = 1e-4
 
 
 @dataclass(frozen=True)
@@ -193,6 +192,7 @@ def find(scenario: Scenario) -> Equilibrium:
             design=True,
             residual_flexibility=bool(solver.residual_flexibility),
             fitted_bends=solver.scheme.name == schemes.EXPLICIT,
+            across_only=solver.motion == "across",
         )
     if scenario.line.track.curves:
         check_arms(mesh, core.arrays()["strut_tension"])
@@ -216,26 +216,22 @@ def _as_built(
                 expected="a designed length that is longer than the error takes away",
             )
     with named(mesh):
-        altered = _found_again(scenario, mesh, core, changes)
+        altered = _found_again(mesh, scenario, core, changes)
     return without(mesh, changes["removed"]), altered
 
 
 def _found_again(
-    scenario: Scenario, mesh: Mesh, core: _core.Equilibrium, changes: dict[str, Any]
+    mesh: Mesh, scenario: Scenario, core: _core.Equilibrium, changes: dict[str, Any]
 ) -> _core.Equilibrium:
-    """Change a structure, and again while loads or devices follow from the tension found."""
-    ends, curved = SlidingEnds(mesh, scenario.line), bool(scenario.line.track.curves)
+    """Change a structure, and again while devices with friction follow from the tension found."""
+    ends = SlidingEnds(mesh, scenario.line)
     altered = core.altered(changes)
-    if not curved and not ends.are_there:
+    if not ends.are_there:
         return altered
     for _ in range(MOST_ROUNDS):
-        before, arrays = changes["load"], altered.arrays()
-        moved = ends.renew(arrays)
-        # In curves the load goes with the tension, which the changes may have changed.
-        if curved:
-            changes = alteration(mesh, scenario.line, scenario.as_built, arrays["wire_tension"])
+        moved = ends.renew(altered.arrays())
         changes["end_force"] = end_forces(mesh, ends.tensions)
-        if not moved and np.abs(changes["load"] - before).max() < SAME_LOAD:
+        if not moved:
             return altered
         altered = core.altered(changes)
     if ends.renew(altered.arrays()):

@@ -182,6 +182,21 @@ def test_a_run_through_a_curve_records_where_the_wire_lies(run: Run) -> None:
     assert abs(lateral.min()) < 0.1 * offset
 
 
+def test_explicit_steps_see_the_same_curve(run: Run) -> None:
+    fine = {"solver.contact_wire_element": 0.5, "solver.messenger_wire_element": 0.6}
+    tight = curved({**EVERYWHERE, "radius": 500}) | {"line.steady_arm": {**ARM, "slope": 0}}
+    matrix, steps = (
+        run(**tight, **fine, **way).dataset
+        for way in ({"solver.residual_flexibility": True}, {"solver.scheme": "central-difference"})
+    )
+    heights = [data["contact_height"].values[:, 0] for data in (matrix, steps)]
+    count = min(map(len, heights))
+    apart = np.abs(heights[0][:count] - heights[1][:count])
+    # A share of what lifting is; two families.
+    assert apart.max() < 2e-3, apart.max()
+    assert np.ptp(heights[0]) > 20e-3, "the partner: it moves"
+
+
 def test_planar_models_have_no_curves(short: Short) -> None:
     with pytest.raises(MeshError, match="stagger, curves or hinged"):
         equilibrium.find(

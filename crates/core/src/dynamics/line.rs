@@ -2,6 +2,13 @@
 //!
 //!   M ü + C u̇ + K u = f,   C = Σ α M + β K (per part) + dampers
 //!
+//! With `across_only` nothing moves along the track and the tensions stay those at rest, as programs have
+//! it that know transverse motion alone. With x fixed the strain of a wire still is ½ r′·r′ + …, so a motion w
+//! on a slope z′ would stretch it by z′w′, which on a real wire the motion along it evens out. So that is left
+//! out as well, ∂H = 0, and a wire of horizontal force H is a string, or beam:
+//!
+//!   μ ẅ = ∂/∂x (H ∂w/∂x) − ∂²/∂x² (EI ∂²w/∂x²),    K = ∫ H (∂w/∂x)² + EI (∂²w/∂x²)² dx
+//!
 //! Unilateral links sit in K and C as if they could push; [`LinearLink`] keeps what is needed to
 //! cancel their compression in the complementarity problem. Slack links keep the small lateral
 //! stiffness T/ℓ of their equilibrium: that is the limit of linearised kinematics.
@@ -114,6 +121,8 @@ pub struct Line<const DIM: usize, const D: usize> {
     pub links: Vec<LinearLink<DIM>>,
     /// Dampers to ground: node, component, N·s/m.
     pub dampers: Vec<(usize, usize, f64)>,
+    /// Whether nothing moves along the track.
+    pub across_only: bool,
 }
 
 impl<const DIM: usize, const D: usize> Line<DIM, D> {
@@ -124,6 +133,9 @@ impl<const DIM: usize, const D: usize> Line<DIM, D> {
         let n = geometry.nodes();
         let mut stiffness = geometry.empty_matrix();
         geometry.tangent(&shape, LinkLaw::Linear, &mut stiffness);
+        if s.across_only {
+            take_stretching(geometry, &shape, |_| 1.0, &mut stiffness);
+        }
         let hermite = s.wires.iter().map(|w| w.damping);
         let chains = s.segments.iter().map(|k| k.damping);
         let common = hermite.chain(chains).next().unwrap_or_default();
@@ -166,7 +178,8 @@ impl<const DIM: usize, const D: usize> Line<DIM, D> {
         mass.pack();
         mass_rest.pack();
         Self {
-            free: geometry.service_mask(),
+            free: mask(geometry),
+            across_only: s.across_only,
             damping_rest: damping_rest(geometry, &shape, common.beta, &mut geometry.empty_matrix()),
             dampers: s
                 .springs
@@ -332,6 +345,32 @@ impl<const DIM: usize, const D: usize> Line<DIM, D> {
     }
 }
 
+/// What can move.
+fn mask<const DIM: usize, const D: usize>(geometry: &Geometry<DIM, D>) -> Vec<[bool; D]> {
+    let mut free = geometry.service_mask();
+    if geometry.structure.across_only {
+        for node in &mut free {
+            (0..D).step_by(DIM).for_each(|along| node[along] = false);
+        }
+    }
+    free
+}
+
+/// Take from the tangents of all wires what stretching gives, times a factor for each damping.
+fn take_stretching<const DIM: usize, const D: usize>(
+    geometry: &Geometry<DIM, D>,
+    shape: &Shape<D>,
+    factor: impl Fn(Rayleigh) -> f64,
+    k: &mut SymmetricBlocks<D>,
+) {
+    for wire in &geometry.structure.wires {
+        Geometry::<DIM, D>::add_wire_stretching(k, shape, wire, -factor(wire.damping));
+    }
+    for segment in &geometry.structure.segments {
+        Geometry::<DIM, D>::add_segment_stretching(k, shape, segment, -factor(segment.damping));
+    }
+}
+
 /// Blocks of Σ (β − β₀) K over the parts whose β differs, plus all dampers.
 fn damping_rest<const DIM: usize, const D: usize>(
     geometry: &Geometry<DIM, D>,
@@ -347,6 +386,9 @@ fn damping_rest<const DIM: usize, const D: usize>(
     for segment in s.segments.iter().filter(|k| k.damping.beta != common) {
         let difference = segment.damping.beta - common;
         Geometry::<DIM, D>::add_segment(c, shape, segment, difference);
+    }
+    if s.across_only {
+        take_stretching(geometry, shape, |own| own.beta - common, c);
     }
     for bend in s.bends.iter().filter(|b| b.beta != common) {
         geometry.add_bend(c, bend, bend.beta - common);

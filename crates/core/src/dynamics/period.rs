@@ -45,7 +45,7 @@ impl<const DIM: usize, const D: usize> Line<DIM, D> {
         let bound = 90.0 + 6420.0_f64.sqrt();
         for wire in &geometry.structure.wires {
             let l = wire.section.rest_length;
-            let e = Geometry::<DIM, D>::coordinates(&self.shape, wire);
+            let e = Geometry::<DIM, D>::straightened(&self.shape, wire);
             let tension = hermite::tension(&wire.section, &e, 0.5).max(0.0);
             let wanted = 2.0 * error * h * h * tension;
             let allowed = MOST * wire.mass * l * l / bound;

@@ -4,6 +4,9 @@
 //!
 //!   U = ½ (EA/L) (ℓ − L)²
 //!
+//! Where the track turns by τ to the left along it, ℓ is the length of d = A_b r_b − A_a r_a, see
+//! [`frame`](super::frame): (x_b − x_a − ½ τ (y_a + y_b), y_b − y_a, z_b − z_a) but for squares of τ.
+//!
 //! Bend at the node b that two consecutive segments a–b (length L_p) and b–c (length L_q) share. The
 //! rotations of the nodes are eliminated: the second derivative along the wire is a difference,
 //!
@@ -18,6 +21,7 @@
 //! bends is the discrete elastica.
 
 use super::bar::BarState;
+use super::frame::{self, Frame};
 use crate::structure::Segment;
 
 impl Segment {
@@ -30,7 +34,11 @@ impl Segment {
     /// State for given positions of its nodes.
     #[must_use]
     pub fn state<const DIM: usize>(&self, ends: [&[f64; DIM]; 2]) -> BarState<DIM> {
-        BarState::new(ends[0], ends[1], self.rest_length, self.stiffness())
+        let [a, b] = match Frame::new::<DIM>(self.turn) {
+            None => ends.map(|r| *r),
+            Some(frame) => [0, 1].map(|end| frame::turned(&frame.matrix(end, false), ends[end])),
+        };
+        BarState::new(&a, &b, self.rest_length, self.stiffness())
     }
 }
 
@@ -93,6 +101,7 @@ mod tests {
         nodes: [0, 1],
         rest_length: 0.25,
         axial_stiffness: 15e6,
+        turn: 0.0,
         mass: 1.35,
         damping: Rayleigh {
             alpha: 0.0,

@@ -2,5 +2,6 @@
 
 pub mod bar;
 pub mod chain;
+pub mod frame;
 pub mod hermite;
 pub mod tangent;

@@ -19,6 +19,23 @@ pub fn tangent<const DIM: usize>(section: &Section, e: &Coordinates<DIM>) -> Tan
     from_fn(|m| from_fn(|n| second(m, n)))
 }
 
+/// What stretching gives to it by itself, the rest follows the tension: EA ∫ (r′·δr′)(r′·δr′) ds.
+#[must_use]
+pub fn stretching<const DIM: usize>(section: &Section, e: &Coordinates<DIM>) -> Tangent<DIM> {
+    let mut k = [[[[0.0; DIM]; DIM]; 4]; 4];
+    for (xi, weight) in GAUSS {
+        let d = shape_slope(xi, section.rest_length);
+        let a = interpolate(&d, e);
+        let axial = weight * section.rest_length * section.axial_stiffness;
+        for (m, n) in (0..16).map(|pair| (pair / 4, pair % 4)) {
+            for (p, q) in (0..DIM * DIM).map(|pair| (pair / DIM, pair % DIM)) {
+                k[m][n][p][q] += axial * d[m] * a[p] * d[n] * a[q];
+            }
+        }
+    }
+    k
+}
+
 /// The tangent by components first: the second coordinate fills the lanes.
 struct TangentKernel<'a, const DIM: usize> {
     section: &'a Section,

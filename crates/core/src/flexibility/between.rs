@@ -127,6 +127,7 @@ mod tests {
             slope_nodes: [k, k + 1],
             section,
             mass: 1.0,
+            turn: 0.0,
             damping: Rayleigh::default(),
             design_tension: TENSION,
         };

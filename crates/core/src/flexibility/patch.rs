@@ -61,7 +61,7 @@ impl Web {
         let wires = geometry.structure.wires.iter();
         let pieces = wires.map(|wire| {
             let tension = shape.map_or(wire.design_tension, |shape| {
-                let e = Geometry::<DIM, D>::coordinates(shape, wire);
+                let e = Geometry::<DIM, D>::straightened(shape, wire);
                 hermite::tension(&wire.section, &e, 0.5)
             });
             let taut = Taut {

@@ -1,8 +1,9 @@
 //! Internal forces, weight and tangent stiffness of a structure in a given shape.
 
 use crate::element::bar::BarState;
+use crate::element::frame::{self, Frame};
 use crate::element::hermite::{self, Coordinates};
-use crate::element::tangent;
+use crate::element::tangent::{self, Tangent};
 use crate::error::CoreError;
 use crate::linalg::SymmetricBlocks;
 use crate::structure::{Link, Structure, Wire};
@@ -80,6 +81,32 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         })
     }
 
+    /// The same in the frame of the element, in which it stretches and bends: see
+    /// [`frame`](crate::element::frame).
+    #[must_use]
+    pub fn straightened(shape: &Shape<D>, wire: &Wire) -> Coordinates<DIM> {
+        let mut e = Self::coordinates(shape, wire);
+        if let Some(frame) = Frame::new::<DIM>(wire.turn) {
+            for (k, r) in e.iter_mut().enumerate() {
+                *r = frame::turned(&frame.matrix(k / 2, k % 2 == 1), r);
+            }
+        }
+        e
+    }
+
+    /// Internal forces of a wire element, without its weight.
+    pub(super) fn wire_force(shape: &Shape<D>, wire: &Wire) -> Coordinates<DIM> {
+        let mut force = [[0.0; DIM]; 4];
+        let e = Self::straightened(shape, wire);
+        hermite::add_force(&wire.section, &e, &mut force);
+        if let Some(frame) = Frame::new::<DIM>(wire.turn) {
+            for (k, f) in force.iter_mut().enumerate() {
+                *f = frame::back(&frame.matrix(k / 2, k % 2 == 1), f);
+            }
+        }
+        force
+    }
+
     /// State of a link.
     #[must_use]
     pub fn link_state(shape: &Shape<D>, link: &Link) -> BarState<DIM> {
@@ -101,8 +128,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         let s = &self.structure;
         residual.iter_mut().for_each(|r| *r = [0.0; D]);
         for wire in &s.wires {
-            let mut force = [[0.0; DIM]; 4];
-            hermite::add_force(&wire.section, &Self::coordinates(shape, wire), &mut force);
+            let mut force = Self::wire_force(shape, wire);
             add_weight(wire, s.gravity, &mut force);
             for ((node, slot), f) in wire.places().into_iter().zip(&force) {
                 for c in 0..DIM {
@@ -170,11 +196,25 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
 
     /// Add the tangent of one wire element, times `factor`.
     pub fn add_wire(k: &mut SymmetricBlocks<D>, shape: &Shape<D>, wire: &Wire, factor: f64) {
-        let tangent = tangent::tangent(&wire.section, &Self::coordinates(shape, wire));
-        let places = wire.places();
+        let tangent = tangent::tangent(&wire.section, &Self::straightened(shape, wire));
+        Self::add_element(k, wire, &tangent, factor);
+    }
+
+    /// Add a matrix of one wire element in its frame, times `factor`.
+    pub(super) fn add_element(
+        k: &mut SymmetricBlocks<D>,
+        wire: &Wire,
+        tangent: &Tangent<DIM>,
+        factor: f64,
+    ) {
+        let (places, frame) = (wire.places(), Frame::new::<DIM>(wire.turn));
         for (m, &(i, p)) in places.iter().enumerate() {
             for (n, &(j, q)) in places.iter().enumerate().filter(|&(_, &(j, _))| i >= j) {
-                let part = tangent[m][n].map(|row| row.map(|value| factor * value));
+                let mut part = tangent[m][n].map(|row| row.map(|value| factor * value));
+                if let Some(frame) = &frame {
+                    let [left, right] = [m, n].map(|k| frame.matrix(k / 2, k % 2 == 1));
+                    part = frame::between(&left, &part, &right);
+                }
                 k.add_part((i, j), (p * DIM, q * DIM), &part);
             }
         }

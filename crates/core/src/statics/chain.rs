@@ -4,6 +4,7 @@ use super::assembly::{Geometry, Shape, add_pair};
 use super::pace::{Pace, length_change};
 use crate::element::bar::BarState;
 use crate::element::chain::BendElement;
+use crate::element::frame::{self, Frame};
 use crate::linalg::SymmetricBlocks;
 use crate::structure::{Bend, Segment};
 
@@ -64,7 +65,16 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
                 residual[node][Self::UP] += half;
             }
             let tension = state.linear_tension;
-            add_pair(residual, segment.nodes, &state.direction, tension);
+            match Frame::new::<DIM>(segment.turn) {
+                None => add_pair(residual, segment.nodes, &state.direction, tension),
+                Some(frame) => {
+                    for (end, sign) in [(0, -tension), (1, tension)] {
+                        let force = frame::back(&frame.matrix(end, false), &state.direction);
+                        let node = &mut residual[segment.nodes[end]];
+                        (0..DIM).for_each(|c| node[c] += sign * force[c]);
+                    }
+                }
+            }
         }
         for bend in &s.bends {
             let (nodes, forces) = self.bend_forces(shape, bend);
@@ -96,7 +106,27 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
     ) {
         let state = Self::segment_state(shape, segment);
         let tangent = state.tangent(factor * segment.stiffness(), factor * state.linear_tension);
-        Self::add_between(k, segment.nodes, &tangent);
+        Self::add_of_segment(k, segment, &tangent);
+    }
+
+    /// Add a stiffness for the vector between the ends of a segment in its frame.
+    pub(super) fn add_of_segment(
+        k: &mut SymmetricBlocks<D>,
+        segment: &Segment,
+        stiffness: &[[f64; DIM]; DIM],
+    ) {
+        let Some(frame) = Frame::new::<DIM>(segment.turn) else {
+            return Self::add_between(k, segment.nodes, stiffness);
+        };
+        let pairs = [(0, 0), (0, 1), (1, 0), (1, 1)].into_iter();
+        for (m, n) in pairs.filter(|&(m, n)| segment.nodes[m] >= segment.nodes[n]) {
+            let [left, right] = [m, n].map(|end| frame.matrix(end, false));
+            let mut part = frame::between(&left, stiffness, &right);
+            if m != n {
+                part.iter_mut().flatten().for_each(|v| *v = -*v);
+            }
+            k.add_part((segment.nodes[m], segment.nodes[n]), (0, 0), &part);
+        }
     }
 
     /// Add the stiffness of one bend, times `factor`.
@@ -175,7 +205,9 @@ fn flexibility<const DIM: usize>(state: &BarState<DIM>, segment: &Segment, bendi
     if tension == 0.0 {
         return 1.0 / axial;
     }
-    let across: f64 = state.direction[1..].iter().map(|n| n * n).sum();
+    // What a curve makes of y stays whatever the tension.
+    let first = if segment.turn == 0.0 { 1 } else { DIM - 1 };
+    let across: f64 = state.direction[first..].iter().map(|n| n * n).sum();
     let steep = across * (state.length / segment.rest_length).powi(2);
     let smooth = 1.0 + axial * steep / tension;
     let share = tension / (tension + 4.0 * bending / segment.rest_length.powi(2));

@@ -116,7 +116,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         let mut worst: f64 = 0.0;
         let mut changes = vec![(0.0, 0.0); shape.len()];
         for (k, wire) in self.structure.wires.iter_mut().enumerate() {
-            let along = hermite::end_force_along(&wire.section, &Self::coordinates(shape, wire));
+            let along = hermite::end_force_along(&wire.section, &Self::straightened(shape, wire));
             let error = along - wire.design_tension;
             let steep = Self::squared_slope(shape, wire);
             let (tension, axial) = (wire.design_tension, wire.section.axial_stiffness);
@@ -142,13 +142,15 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         worst.max(self.retension_chains(shape, pace))
     }
 
-    /// Mean of y′² + z′² over an element, by Simpson's rule.
+    /// Mean of y′² + z′² over an element (in a curve of z′²), by Simpson's rule.
     fn squared_slope(shape: &Shape<D>, wire: &Wire) -> f64 {
         let e = Self::coordinates(shape, wire);
+        // What a curve makes of y stays whatever the tension.
+        let first = if wire.turn == 0.0 { 1 } else { DIM - 1 };
         let across = |xi: f64| {
             let slope = hermite::shape_slope(xi, wire.section.rest_length);
             let r = hermite::interpolate(&slope, &e);
-            r[1..].iter().map(|c| c * c).sum::<f64>()
+            r[first..].iter().map(|c| c * c).sum::<f64>()
         };
         (across(0.0) + 4.0 * across(0.5) + across(1.0)) / 6.0
     }

@@ -11,7 +11,6 @@
 //! 1/k below 2 |R| or some 0.8 µm/N, moves by less than |R| times its force too little, 0.04 mm for 100 N.
 
 use super::assembly::{Geometry, Shape, add_weight};
-use crate::element::hermite;
 use crate::error::CoreError;
 use crate::flexibility::patch::{Patch, Web};
 use crate::structure::{ResidualFlexibility, SpringMode};
@@ -166,8 +165,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         let s = &self.structure;
         let mut residual = vec![[0.0; D]; self.nodes()];
         for wire in &s.wires {
-            let mut force = [[0.0; DIM]; 4];
-            hermite::add_force(&wire.section, &Self::coordinates(shape, wire), &mut force);
+            let mut force = Self::wire_force(shape, wire);
             add_weight(wire, s.gravity, &mut force);
             for ((node, slot), f) in wire.places().into_iter().zip(&force) {
                 if slot == 0 {

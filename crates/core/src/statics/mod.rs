@@ -15,6 +15,7 @@ mod loads;
 mod newton;
 mod pace;
 pub mod service;
+mod stretching;
 
 pub use alteration::Alteration;
 pub use assembly::{Geometry, Shape};

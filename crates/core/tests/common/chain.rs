@@ -15,6 +15,7 @@ pub fn lumped(s: &Structure) -> Structure {
             nodes: wire.nodes,
             rest_length: wire.section.rest_length,
             axial_stiffness: wire.section.axial_stiffness,
+            turn: wire.turn,
             mass: wire.mass,
             damping: wire.damping,
             design_tension: wire.design_tension,

@@ -61,6 +61,7 @@ fn wire(a: usize, b: usize, length: f64, contact: bool) -> Wire {
             bending_stiffness: ei,
         },
         mass,
+        turn: 0.0,
         damping: DAMPING,
         design_tension: tension,
     }
@@ -298,6 +299,7 @@ impl Single {
                     bending_stiffness: self.bending,
                 },
                 mass: self.mass,
+                turn: 0.0,
                 damping: Rayleigh::default(),
                 design_tension: self.tension,
             });

@@ -64,6 +64,7 @@ fn add_wire(
                 nodes,
                 rest_length,
                 axial_stiffness: axial,
+                turn: 0.0,
                 mass,
                 damping: DAMPING,
                 design_tension: tension,
@@ -85,6 +86,7 @@ fn add_wire(
                     bending_stiffness: bending,
                 },
                 mass,
+                turn: 0.0,
                 damping: DAMPING,
                 design_tension: tension,
             });

@@ -22,6 +22,8 @@ pub(super) struct Reach {
     pub segments: Range<usize>,
     /// k, N/m.
     pub stiffness: f64,
+    /// Half the angle by which the track turns along it, rad.
+    pub lean: f64,
 }
 
 impl Chains {
@@ -125,7 +127,9 @@ impl Chains {
             .collect();
         let needed = |k: usize| {
             let (node, point) = (run.nodes[k], run.first + k);
-            k == 0 || k == last || !line.free[node][0] || is_owner[point] || sprung.contains(&node)
+            // Where nothing moves along the track, that all is held tells nothing.
+            let held = !line.across_only && (!line.free[node][0] || sprung.contains(&node));
+            k == 0 || k == last || held || is_owner[point]
         };
         let needed: Vec<usize> = (0..=last).filter(|&k| needed(k)).collect();
         let mut at = vec![0.0; last + 1];
@@ -155,6 +159,7 @@ impl Chains {
         master: &[usize],
     ) {
         let of = |point: usize| master[self.points[self.nodes[point]]];
+        let across_only = geometry.structure.across_only;
         let all = &geometry.structure.segments;
         if let [only] = places {
             self.along[*only] = Along {
@@ -164,12 +169,18 @@ impl Chains {
         }
         for pair in places.windows(2) {
             let ends = [of(pair[0]), of(pair[1])];
-            let (mut flexibility, mut at) = (0.0, vec![0.0]);
+            let own = run.segments[pair[0] - run.first..pair[1] - run.first].iter();
+            let lean = 0.5 * own.map(|&number| all[number].turn).sum::<f64>();
+            let (mut flexibility, mut at, mut turned) = (0.0, vec![0.0], -lean);
             for j in pair[0]..pair[1] {
                 let segment = &all[run.segments[j - run.first]];
                 let state = Geometry::<DIM, D>::segment_state(shape, segment);
                 flexibility += 1.0 / along(segment, &state).2;
                 at.push(at[at.len() - 1] + segment.rest_length);
+                if DIM == 3 && !across_only {
+                    self.slope[0][j] += turned + 0.5 * segment.turn;
+                    turned += segment.turn;
+                }
             }
             let length = at[at.len() - 1];
             for (k, place) in at.iter().enumerate() {
@@ -181,7 +192,9 @@ impl Chains {
             self.reaches.push(Reach {
                 masters: ends,
                 segments: pair[0]..pair[1],
-                stiffness: 1.0 / flexibility,
+                // H stays that at rest where nothing moves along the track.
+                lean: if DIM == 3 { lean } else { 0.0 },
+                stiffness: if across_only { 0.0 } else { 1.0 / flexibility },
             });
         }
     }

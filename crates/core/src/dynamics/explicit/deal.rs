@@ -113,6 +113,7 @@ impl Chains {
                 ends: [slots[start] as u32, slots[end] as u32],
                 before: before.map_or(none, |k| numbers[k]) as u32,
                 stiffness: reaches[k].stiffness,
+                lean: reaches[k].lean,
                 is_row: false,
             });
         }

@@ -279,6 +279,10 @@ impl Chains {
                 let (mass, tension) = (segment.mass * segment.rest_length, state.linear_tension);
                 let (stretch, turn, along) = along(segment, &state);
                 for c in 1..DIM {
+                    if s.across_only {
+                        self.tension[c - 1][j] = turn;
+                        continue;
+                    }
                     let part = (stretch - turn) / along * state.direction[c];
                     self.slope[c - 1][j] = part * state.direction[0];
                     self.tension[c - 1][j] = turn * (1.0 + part * state.direction[c]);

@@ -12,6 +12,12 @@
 //!   for r across (lateral, up), slopes φ of the rest position, A = EA/L and B = T/ℓ; tan φ but for a
 //!   share of T/EA. Points between them follow. This is static condensation of the motion along the
 //!   wire (Guyan, AIAA Journal 3 (1965) 380).
+//!   In a curve r is counted from the track, which turns by τⱼ along a segment, and y, to the left, takes
+//!   ½ τⱼ (yⱼ + yⱼ₊₁) away from the bracket. With θ the direction of the track at the middle of a segment, less that
+//!   in the middle of the reach, and ±½ τ that at its ends, the sum by parts is
+//!
+//!     Σ (tan φⱼ + θⱼ) (yⱼ₊₁ − yⱼ) − ½ τ (y_a + y_b)
+//!
 //! * *Links, struts and springs* on a few points: implicit, cluster by cluster, with a small dense matrix.
 //! * *Contacts and slack links:* in the complementarity problem, as always.
 //!
@@ -100,6 +106,8 @@ struct Reach {
     before: u32,
     /// k, N/m.
     stiffness: f64,
+    /// Half the angle by which the track turns along it, rad.
+    lean: f64,
     /// Whether it and the next three have the same rows, in the lanes from the first on, and all that belongs to them
     /// is numbered likewise.
     is_row: bool,

@@ -60,6 +60,7 @@ impl<const DIM: usize> Explicit<DIM> {
     pub(in crate::dynamics) fn wire_forces(&self, island: usize, grid: &mut Grid) {
         let own = &self.own[island];
         widest(Stand(Sweep { p: self, own, grid }));
+        self.lean(own, grid);
         self.hand_over(own, grid);
     }
 
@@ -200,6 +201,7 @@ impl<const DIM: usize> Explicit<DIM> {
         }
         self.copy_forces(own, grid);
         widest(Sweep { p: self, own, grid });
+        self.lean(own, grid);
         self.hand_over(own, grid);
     }
 

@@ -10,6 +10,13 @@ fn rise(first: &[Moving], slot: usize) -> f64 {
     first[row].w[lane]
 }
 
+/// y of a point, in space.
+#[inline(always)]
+fn aside(first: &[Moving], slot: usize) -> f64 {
+    let (row, lane) = place(slot);
+    first[row].s[lane]
+}
+
 impl<const DIM: usize> Explicit<DIM> {
     /// Let the masters of an island take the step.
     #[inline(always)]
@@ -54,6 +61,18 @@ impl<const DIM: usize> Explicit<DIM> {
                     pulled.stretch(number, reach, 0.0);
                     (number, left) = (number + 1, behind);
                 }
+            }
+        }
+    }
+
+    /// What H of reaches in curves pulls their ends to the inside by, beside the forces of wires.
+    pub(super) fn lean(&self, own: &Own, grid: &mut Grid) {
+        let blocks = own.blocks.iter().flat_map(|block| block.reaches.clone());
+        for number in blocks.filter(|&number| self.reaches[number].lean != 0.0) {
+            let reach = &self.reaches[number];
+            let force = reach.lean * grid.thrust[number];
+            for slot in reach.ends {
+                self.add_force(grid, self.home[slot as usize], 1, force);
             }
         }
     }
@@ -114,8 +133,8 @@ impl<'a> Pulled<'a> {
         let [a, b] = first.masters.map(|m| m as usize);
         let [from, to] = first.ends.map(|slot| place(slot as usize).0);
         let risen: Wide = {
-            let (from, to) = (&self.first[from].w, &self.first[to].w);
-            each(|l| to[l] - from[l])
+            let (from, to) = (&self.first[from], &self.first[to]);
+            each(|l| to.w[l] - from.w[l] - reaches[l].lean * (from.s[l] + to.s[l]))
         };
         let (lagged, further) = (&self.lagged[a..][..LANES], &self.lagged[b..][..LANES]);
         let force = each(|l| reaches[l].stiffness * (further[l] - lagged[l] + risen[l]));
@@ -133,7 +152,8 @@ impl<'a> Pulled<'a> {
     fn stretch(&mut self, number: usize, reach: &Reach, before: f64) {
         let [a, b] = reach.masters.map(|m| m as usize);
         let [from, to] = reach.ends.map(|slot| slot as usize);
-        let risen = rise(self.first, to) - rise(self.first, from) + before;
+        let lean = reach.lean * (aside(self.first, from) + aside(self.first, to));
+        let risen = rise(self.first, to) - rise(self.first, from) + before - lean;
         let force = reach.stiffness * (self.lagged[b] - self.lagged[a] + risen);
         self.pull[a] += force;
         self.pull[b] -= force;
