@@ -41,6 +41,8 @@ class PantographAssessment:
     wear_joule_mm3_km: float | None = None
     wear_arc_mm3_km: float | None = None
     wear_total_mm3_km: float | None = None
+    certainty: dict[str, dict[str, float | None]] | None = None
+    """Spread and discretisation by key; None where nobody asked."""
 
 
 @dataclass(frozen=True)

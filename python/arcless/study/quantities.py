@@ -13,7 +13,9 @@ from arcless.model import Scenario
 
 _NUMBERS = (float, int, float | None, int | None)
 _RUN = [field.name for field in fields(Assessment) if field.type in _NUMBERS]
-_PANTOGRAPH = [field.name for field in fields(PantographAssessment) if field.name != "name"]
+_PANTOGRAPH = [
+    field.name for field in fields(PantographAssessment) if field.name not in ("name", "certainty")
+]
 _CRITERIA = sorted({rule.name for rule in RULES})
 # How the endings of keys are read; longest first.
 _UNITS = {
