@@ -8,7 +8,6 @@ from arcless.assess.certainty import Certainty, Draws
 from arcless.assess.rules import ANY_SUPPLY, RULES, Facts, Rule, quantity_of
 from arcless.assess.statistics import PantographAssessment
 
-
 MET, NOT_MET = "met", "not met"
 TOO_CLOSE, NOT_JUDGED = "too close to tell", "not judged"
 

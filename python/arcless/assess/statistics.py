@@ -126,4 +126,5 @@ def pantograph_assessment(
         "unfiltered_max_force_N": np.max(force[inside]),
         "unfiltered_min_force_N": np.min(force[inside]),
     }
-    return PantographAssessment(name, **{key: float(value) for key, value in values.items()})
+    numbers: dict[str, Any] = {key: float(value) for key, value in values.items()}
+    return PantographAssessment(name, **numbers)

@@ -231,6 +231,7 @@ def whole(
     forces: list[float],
     raw: dict[str, Any],
     started: float,
+    *,
     command: str,
     sure: dict[str, Any] | None = None,
 ) -> Result:

@@ -84,8 +84,8 @@ def case_of(scenario: Scenario) -> Case | None:
 
 
 def _same(one: Scenario, other: Scenario) -> bool:
-    # What is recorded, and a note that it was set, change no result; everything else may.
-    ignored = {"output", "provenance", "solver"}
+    # What is recorded or run beside it, and a note that it was set, change no result; all else may.
+    ignored = {"output", "provenance", "solver", "certainty"}
     same = one.model_dump(exclude=ignored) == other.model_dump(exclude=ignored)
     return same and one.solver.resolved == other.solver.resolved
 

@@ -35,6 +35,7 @@ class Crew:
         keep: Keep,
         folder: Folder | None,
         workers: int,
+        *,
         watch: Watch | None = None,
         given: Mapping[str, Any] | None = None,
     ) -> None:

@@ -51,7 +51,7 @@ class Group:
             return self._line
 
     def beside(self, key: str, scenario: Scenario) -> Line:
-        """Return the line of a scenario that is run beside members: the last one is kept by its key.
+        """Return the line of a scenario that is run beside members; the last one is kept.
 
         Raises
         ------

@@ -51,7 +51,7 @@ def running(
     sure = None if beside is None else beside(search.forces)
     if keep == "result":
         command = f"arcless run {job.scenario.name}"
-        return whole(job, search.forces, raw, started, command, sure)
+        return whole(job, search.forces, raw, started, command=command, sure=sure)
     return _assessed(job, search.forces, raw, started, sure)
 
 

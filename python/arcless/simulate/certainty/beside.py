@@ -1,7 +1,7 @@
 """The runs beside a run, and what a result keeps of them.
 
-They go the way of a batch: the line at rest and its factor are those of the run, nothing is recorded
-but what an assessment reads, and the static force is not searched for again.
+They go the way of a batch: the line at rest and its factor are those of the run, nothing is
+recorded but what an assessment reads, and the static force is not searched for again.
 """
 
 import time

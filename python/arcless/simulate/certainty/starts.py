@@ -1,24 +1,25 @@
 """Where a run may as well begin, and the same passage begun there.
 
-What a run gives hangs on its start: lines damp so little that the waves of the start are still there
-when the section is reached. No start is better than another within a span, so others are taken,
-evenly spread over the length L of the span that the run itself starts in: s + k L/N, k = 1 … N − 1.
+What a run gives hangs on its start: lines damp so little that the waves of the start are still
+there when the section is reached. No start is better than another within a span, so others are
+taken, evenly spread over the length L of the span that the run itself starts in: s + k L/N,
+k = 1 … N − 1.
 
 A start that is carried forward must not carry its own transient into the section: it keeps two
 spans from it, as a section by default keeps two spans from the ends of the line. What would come
-nearer begins a whole span further back instead, at the same place of its span. Nothing begins within
-a quarter of a span from the beginning of the line. Where that leaves less than L the starts are
-spread over what is left.
+nearer begins a whole span further back instead, at the same place of its span. Nothing begins
+within a quarter of a span from the beginning of the line. Where that leaves less than L the starts
+are spread over what is left.
 
-The pantograph stays the same. Its base spring is at rest at the height where a run starts, and there
-alone it has its static force P. Begun where the wire at rest is at another height w, with another
-elasticity e, the same pantograph with the stiffness K against a slow rise has there
+The pantograph stays the same. Its base spring is at rest at the height where a run starts, and
+there alone it has its static force P. Begun where the wire at rest is at another height w, with
+another elasticity e, the same pantograph with the stiffness K against a slow rise has there
 
     P′ = P − K (w′ + e′ (P′ + A′) − w − e (P + A)),
 
-A the lift at the speed of the start. On AC simple the static force that was found, kept as a number
-at other starts, would change the mean force by up to 3 N: not because a run is a draw, but because
-it would be another pantograph.
+A the lift at the speed of the start. On AC simple at 320 km/h the mean force then stays within
+0.1 N, from all starts. With the static force kept as a number it would change by up to 3 N: not
+because a run is a draw, but because it would be another pantograph.
 """
 
 from typing import TYPE_CHECKING
