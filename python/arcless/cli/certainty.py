@@ -53,6 +53,30 @@ def asked_for(scenario: "Scenario", starts: str | None) -> "Scenario":
     return with_certainty(scenario, scalar(starts))
 
 
+def number_of(starts: str | None, *, once: bool) -> int | None:
+    """Return the number of starts for `arcless validate`; None to run each case once.
+
+    Raises
+    ------
+    ModelError
+        That is no number of starts, or both were asked for.
+    """
+    from arcless.errors import ModelError
+    from arcless.model.certainty import FEWEST_STARTS, MOST_STARTS, STARTS
+    from arcless.model.reader import scalar
+
+    if once:
+        if starts is None:
+            return None
+        expected = "one of them: what is run once does not say how sure it is"
+        raise ModelError("not together with `--once`", where=OPTION, got=starts, expected=expected)
+    number = STARTS if starts is None else scalar(starts)
+    if type(number) is int and FEWEST_STARTS <= number <= MOST_STARTS:
+        return number
+    expected = f"a whole number from {FEWEST_STARTS} to {MOST_STARTS}"
+    raise ModelError("number of starts", where=OPTION, got=f"`{starts}`", expected=expected)
+
+
 def check_whole(starts: str | None, until: str | None) -> None:
     """Refuse to ask how sure the numbers of a run are that stops early, and so has none."""
     if starts is None or until is None:

@@ -174,14 +174,20 @@ def comparisons(rows: "Sequence[Row]") -> Table:
         numbers=("value",),
     )  # fmt: skip
     case = None
-    for row in rows:
+    values = aligned(
+        {
+            str(place): (number(row.value, row.digits), _digits(row.uncertainty, row.digits))
+            for place, row in enumerate(rows)
+        }
+    )
+    for place, row in enumerate(rows):
         if case not in (None, row.case):
             made.add_section()
         made.add_row(
             row.case if row.case != case else "",
             Text.assemble(row.quantity, (f"\n{row.note}", "dim")) if row.note else row.quantity,
             row.unit,
-            number(row.value, row.digits),
+            values[str(place)],
             *_published(row, True),
         )
         case = row.case

@@ -8,6 +8,8 @@ from pydantic import Field
 from arcless.model.fields import Part
 
 STARTS = 8
+# Of one there is no spread.
+FEWEST_STARTS = 2
 # Half a metre apart in a span of 50 m, about an element: more would tell nothing new.
 MOST_STARTS = 100
 
@@ -17,7 +19,7 @@ class Certainty(Part):
 
     starts: int = Field(
         default=STARTS,
-        ge=2,
+        ge=FEWEST_STARTS,
         le=MOST_STARTS,
         strict=True,
         description="Starts within a span, that of the run among them.",
