@@ -37,7 +37,7 @@ def spelt_out(words: list[str]) -> list[str]:
     from arcless.model.certainty import STARTS
 
     spelt = []
-    for word, following in zip(words, [*words[1:], ""], strict=True):
+    for word, following in zip(words, [*words[1:], ""], strict=False):
         is_alone = word == OPTION and not _NUMBER.match(following)
         spelt += [f"{OPTION}={STARTS}"] if is_alone else [word]
     return spelt

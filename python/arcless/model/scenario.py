@@ -167,7 +167,6 @@ class Scenario(Document):
         default=None,
         description="Repeats that say how sure the numbers are, or the number of starts alone;"
         " none without.",
-        json_schema_extra={"shorthand": "integer"},
     )
 
     @classmethod
