@@ -119,8 +119,9 @@ def test_the_pantograph_is_the_same_at_every_start(short: Make) -> None:
     heights, forces = np.array(points).T
     assert np.ptp(heights) > 5e-3
     stiffness = 1.0 / (1.0 / 50.0 + 1.0 / 4200.0)  # N/m, both springs one behind the other
-    # To a hundredth of the 2 N by which they differ: droppers slacken a little otherwise.
-    assert forces == pytest.approx(80.0 - stiffness * (heights - heights[0]), abs=0.02)
+    # To half a millimetre of 40, by which the elasticity misses what the line does under 80 N.
+    assert forces == pytest.approx(80.0 - stiffness * (heights - heights[0]), abs=0.5e-3 * 53.0)
+    assert np.ptp(forces) > 0.5
 
 
 def test_a_base_without_a_spring_keeps_its_force(short: Make) -> None:
