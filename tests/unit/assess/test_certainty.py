@@ -30,6 +30,7 @@ def test_the_factor_is_that_of_student(freedom: int, coverage: float) -> None:
     from scipy.stats import t
 
     expected = t.ppf(0.5 + coverage / 2, freedom)
+    # SciPy's own is known to some 1e-12.
     assert student_factor(freedom, coverage) == pytest.approx(expected, rel=1e-9)
 
 
@@ -92,6 +93,7 @@ def test_value_and_limit_go_up_together() -> None:
     """The limit of σ is 0.3 F_m: a run with both higher is as far from it."""
     draws = Draws([draw(std_force_N=43.0, mean_force_N=440.0 / 3.0)], None)
     found = judged("standard_deviation", draws, std_force_N=39.0, mean_force_N=400.0 / 3.0)
+    # Rounding of numbers of some hundred newtons.
     assert found.certainty == {"spread": pytest.approx(0.0, abs=1e-12), "discretisation": None}
     assert found.passed is True
 

@@ -158,6 +158,7 @@ def test_a_run_says_how_sure_its_numbers_are(short: Make, tmp_path: Path) -> Non
         other = starts.begun_at(job, [80.0], place)
         by_hand.append(arcless.run(other).assessment.pantographs[0].std_force_N)
     spread = student_factor(3) * float(np.std(by_hand, ddof=1))
+    # The runs are the same, bit for bit; sums of four numbers round.
     assert own["certainty"]["std_force_N"]["spread"] == pytest.approx(spread, rel=1e-12)
     sure.save(tmp_path / "sure.nc")
     opened = arcless.open(tmp_path / "sure.nc")
