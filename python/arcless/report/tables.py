@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from arcless.assess import TOO_CLOSE, Assessment, uncertainty_of, verdict_of
+from arcless.assess import TOO_CLOSE, Assessment, Criterion, uncertainty_of, verdict_of
 from arcless.report.line import energy_terms
 from arcless.report.scene import Scene
 
@@ -149,17 +149,24 @@ def criterion_rows(assessment: Assessment) -> list[dict[str, Any]]:
         {
             "title": "" if c.name == previous else c.title,
             "pantograph": c.pantograph or "",
-            "value": pair(c.value, uncertainty_of(c.certainty), _decimals(c.unit)),
-            "limit": f"{SIGNS[c.relation]} {number(c.limit, _decimals(c.unit))}",
+            "value": pair(c.value, uncertainty_of(c.certainty), _decimals(c)),
+            "limit": f"{SIGNS[c.relation]} {number(c.limit, _decimals(c))}",
             "unit": "" if c.unit == "1" else c.unit,
             "verdict": "missed" if c.passed is False else verdict_of(asdict(c)),
             "mark": c.mark,
             "source": "" if c.name == previous else c.source,
             "note": "" if c.name == previous else c.note,
-            "reason": c.reason if verdict_of(asdict(c)) == TOO_CLOSE else "",
+            "reason": _reason(c),
         }
         for c, previous in zip(assessment.criteria, above, strict=False)
     ]
+
+
+def _reason(criterion: Criterion) -> str:
+    """Return what makes a criterion too close to tell, which its verdict says already."""
+    if criterion.reason is None or verdict_of(asdict(criterion)) != TOO_CLOSE:
+        return ""
+    return criterion.reason.removeprefix(f"{TOO_CLOSE}: ")
 
 
 def reference_cells(rows: Sequence[Mapping[str, Any]]) -> list[dict[str, str]]:
@@ -185,5 +192,6 @@ def _cell(value: Any) -> str:
     return f"{value:.4g}".replace("-", "−") if isinstance(value, float) else str(value)
 
 
-def _decimals(unit: str) -> int:
-    return {"%": 3, "1": 3}.get(unit, 1)
+def _decimals(criterion: Criterion) -> int:
+    """Return the decimals of a criterion's numbers: one more where ± is to be seen beside them."""
+    return {"%": 3, "1": 3}.get(criterion.unit, 1 if criterion.certainty is None else 2)

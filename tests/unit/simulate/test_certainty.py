@@ -88,14 +88,16 @@ def test_a_train_that_changes_speed_has_the_same_speed_at_every_place(short: Mak
     job = laid_out(scenario)
     own = job.travel
     for place in [*places(scenario)[1:], 40.0]:
-        other = starts.begun_at(job, [80.0], place)
+        [other] = starts.begun_at(job, [80.0], [place])
         there = motion.motion(other)
         assert there.positions[0] == pytest.approx(place)
         inside = own.positions[(own.positions > max(place, 60.0)) & (own.positions < 330.0)]
         # A step cuts the corners of the profile by up to 5 m/s² times half a millisecond.
         speeds = np.interp(inside, own.positions, own.speeds)
         assert np.interp(inside, there.positions, there.speeds) == pytest.approx(speeds, abs=5e-3)
-    assert starts.begun_at(job, [80.0], 40.0).speed_profile.speed[0] == 30.0  # type: ignore[union-attr]
+    [before] = starts.begun_at(job, [80.0], [40.0])
+    assert before.speed_profile is not None
+    assert before.speed_profile.speed[0] == 30.0
 
 
 def test_a_train_that_stands_first_comes_from_nowhere(short: Make) -> None:
@@ -112,7 +114,7 @@ def test_the_pantograph_is_the_same_at_every_start(short: Make) -> None:
     job = laid_out(scenario)
     points = []
     for place in places(scenario):
-        other = starts.begun_at(job, [80.0], place)
+        [other] = starts.begun_at(job, [80.0], [place])
         force = other.pantographs[0].static_force
         raw = laid_out(other).step([force], full=False, until=2)
         points.append((raw["height"][0], force))
@@ -127,8 +129,8 @@ def test_the_pantograph_is_the_same_at_every_start(short: Make) -> None:
 def test_a_base_without_a_spring_keeps_its_force(short: Make) -> None:
     free = short(**LONG, **{"pantographs.0.model.masses.0.stiffness": 0.0})
     job = laid_out(asked(free))
-    for place in places(asked(free)):
-        assert starts.begun_at(job, [80.0], place).pantographs[0].static_force == 80.0
+    for other in starts.begun_at(job, [80.0], places(asked(free))):
+        assert other.pantographs[0].static_force == 80.0
 
 
 def known(assessment: dict[str, Any]) -> dict[str, Any]:
@@ -155,7 +157,7 @@ def test_a_run_says_how_sure_its_numbers_are(short: Make, tmp_path: Path) -> Non
     by_hand = [own["std_force_N"]]
     job = laid_out(sure.scenario)
     for place in places(sure.scenario)[1:]:
-        other = starts.begun_at(job, [80.0], place)
+        [other] = starts.begun_at(job, [80.0], [place])
         by_hand.append(arcless.run(other).assessment.pantographs[0].std_force_N)
     spread = student_factor(3) * float(np.std(by_hand, ddof=1))
     # The runs are the same, bit for bit; sums of four numbers round.

@@ -45,7 +45,7 @@ def found_beside(job: Job, forces: list[float], runs: Runs) -> dict[str, Any]:
     assert asked is not None
     began = time.perf_counter()
     places = starts.places(job.scenario)
-    scenarios = [starts.begun_at(job, forces, place) for place in places[1:]]
+    scenarios = starts.begun_at(job, forces, places[1:])
     if asked.other_family:
         # First: it takes longest, and whoever is done before goes on with the starts.
         scenarios.insert(0, _refined(job, forces))

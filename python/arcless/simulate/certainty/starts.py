@@ -22,6 +22,7 @@ A the lift at the speed of the start. On AC simple at 320 km/h the mean force th
 because a run is a draw, but because it would be another pantograph.
 """
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -84,8 +85,8 @@ def window(scenario: Scenario) -> tuple[float, float]:
     return first, last - first
 
 
-def begun_at(job: "Job", forces: list[float], place: float) -> Scenario:
-    """Return the same passage, begun with the first pantograph at another place in m.
+def begun_at(job: "Job", forces: list[float], places: Sequence[float]) -> list[Scenario]:
+    """Return the same passage, begun with the first pantograph at each of other places in m.
 
     Parameters
     ----------
@@ -93,18 +94,25 @@ def begun_at(job: "Job", forces: list[float], place: float) -> Scenario:
         The run.
     forces
         Static force of each pantograph in the run in N.
-    place
-        Where the other one begins.
+    places
+        Where the others begin.
     """
-    scenario = job.scenario
+    speeds = [_speed_at(job.scenario, place) for place in places]
+    carried = _carried(job, forces, places, [speed for speed, _ in speeds])
+    return [
+        _begun(job.scenario, place, profile, own)
+        for place, (_, profile), own in zip(places, speeds, carried, strict=True)
+    ]
+
+
+def _begun(
+    scenario: Scenario, place: float, profile: SpeedProfile | None, forces: Sequence[float]
+) -> Scenario:
     _, end = scenario.travel_range()
     begin, finish = scenario.analysis_range()
-    speed, profile = _speed_at(scenario, place)
     carried = [
         placement.model_copy(update={"mean_force": None, "static_force": force})
-        for placement, force in zip(
-            scenario.pantographs, _carried(job, forces, place, speed), strict=True
-        )
+        for placement, force in zip(scenario.pantographs, forces, strict=True)
     ]
     return scenario.model_copy(
         update={
@@ -182,30 +190,35 @@ def _time_at(times: Floats, speeds: Floats, way: float) -> float:
     return float(times[piece] + (2.0 * rest / (speed + root) if speed + root > 0.0 else 0.0))
 
 
-def _carried(job: "Job", forces: list[float], place: float, speed: float) -> list[float]:
-    """Return the static forces in N that the same pantographs have at another start."""
-    start = float(job.travel.positions[0])
-    at_start = float(job.travel.speeds[0])
-    return [
-        _carried_one(job, placement, force, (start, at_start), (place, speed))
+def _carried(
+    job: "Job", forces: list[float], places: Sequence[float], speeds: Sequence[float]
+) -> list[list[float]]:
+    """Return the static forces in N that the same pantographs have at other starts."""
+    starts = np.array([job.travel.positions[0], *places])
+    at = [float(job.travel.speeds[0]), *speeds]
+    of_each = [
+        _carried_one(job, placement, force, starts, at)
         for placement, force in zip(job.scenario.pantographs, forces, strict=True)
     ]
+    return [list(own) for own in zip(*of_each, strict=True)]
 
 
 def _carried_one(
     job: "Job",
     placement: "PantographPlacement",
     force: float,
-    here: tuple[float, float],
-    there: tuple[float, float],
-) -> float:
-    """Return P′ of the formula above; `here` and `there` are place in m and speed in m/s."""
+    starts: Floats,
+    speeds: Sequence[float],
+) -> list[float]:
+    """Return P′ of the formula above at all starts but the first, which is the run's own."""
     base = base_stiffness(placement.model)
     if base == 0.0:
-        return force
-    x = np.array([here[0], there[0]]) - placement.distance
-    lift, other_lift = (placement.model.lift_at(speed) for _, speed in (here, there))
-    yields = job.found.elasticity(x, force + lift)
-    height, other_height = job.found.lowest_heights(x)
-    raised = yields[0] * (force + lift) - yields[1] * other_lift
-    return float((force + base * (height - other_height + raised)) / (1.0 + base * yields[1]))
+        return [force] * (len(starts) - 1)
+    x = starts - placement.distance
+    lift = np.array([placement.model.lift_at(speed) for speed in speeds])
+    yields = job.found.elasticity(x, max(0.0, force + float(lift[0])))
+    height = job.found.lowest_heights(x)
+    raised = yields[0] * (force + lift[0]) - yields[1:] * lift[1:]
+    carried = (force + base * (height[0] - height[1:] + raised)) / (1.0 + base * yields[1:])
+    found: list[float] = carried.tolist()
+    return found
