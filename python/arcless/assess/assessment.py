@@ -21,7 +21,7 @@ from arcless.assess.section import (
 )
 from arcless.assess.statistics import PantographAssessment, pantograph_assessment
 from arcless.assess.wear import WearRates, wear_notes, wear_rates
-from arcless.errors import ModelError
+from arcless.errors import ModelError, ResultFormatError
 from arcless.model.schemes import EXPLICIT
 from arcless.results import metadata
 
@@ -162,7 +162,11 @@ def _draws(
     if [*section, low_pass_Hz] != own:
         other = "how sure the numbers are is known for the scenario's own section and filter alone"
         return None, None, [other]
-    draws = Draws.of(found)
+    try:
+        draws = Draws.of(found)
+    except (AttributeError, KeyError, TypeError, ValueError) as error:
+        what = "what the result says of the runs beside it is damaged"
+        raise ResultFormatError(what, where="attribute `certainty`") from error
     method = {key: value for key, value in found.items() if key not in ("draws", "refined")}
     count = 1 + len(draws.starts)
     method |= {"runs": count, "coverage": COVERAGE}

@@ -35,6 +35,8 @@ if TYPE_CHECKING:
 COVERAGE = 0.95
 # Numbers of the whole run that are assessed; the others are given, or counts of the computation.
 RUN_KEYS = ("max_uplift_at_support_mm", "slack_droppers_max", "min_dropper_force_N")
+# What a result says of how the runs were made.
+METHOD_KEYS = ("starts_m", "static_force_N", "other_family", "wall_time_s", "notes")
 # Halvings of an interval of angles: to rounding.
 HALVINGS = 60
 
@@ -144,14 +146,16 @@ class Draws:
     @classmethod
     def of(cls, facts: Mapping[str, Any]) -> "Draws":
         """Return what a result has of them."""
+        for key in METHOD_KEYS:
+            _ = facts[key]
         refined = facts["refined"]
         starts = [Draw.from_dict(each) for each in facts["draws"]]
         return cls(starts, None if refined is None else Draw.from_dict(refined))
 
     def of_pantograph(self, own: "PantographAssessment") -> dict[str, dict[str, float | None]]:
         """Return how sure each number of a pantograph is."""
-        rows = [each.pantographs[own.name] for each in self.starts]
-        refined = None if self.refined is None else self.refined.pantographs[own.name]
+        rows = [each.pantographs.get(own.name, {}) for each in self.starts]
+        refined = None if self.refined is None else self.refined.pantographs.get(own.name, {})
         return _of_each(numbers_of(own), rows, refined)
 
     def of_run(self, own: Mapping[str, float | None]) -> dict[str, dict[str, float | None]]:

@@ -20,6 +20,7 @@ from arcless.assess.criteria import Criterion, evaluate
 from arcless.assess.rules import MEAN_FORCE_TOLERANCE_N
 from arcless.assess.statistics import PantographAssessment
 from arcless.assess.words import explained
+from arcless.errors import ResultFormatError
 from tests.support.synthetic import synthetic_dataset
 from tests.unit.assess.test_criteria import FACTS, GOOD
 
@@ -185,3 +186,23 @@ def test_words_for_what_is_not_known() -> None:
     found = assess(synthetic_dataset(attrs={"certainty": alone}))
     assert found.certainty_method is not None
     assert "was not asked for" in " ".join(explained(found.certainty_method))
+
+
+@pytest.mark.parametrize(
+    "spoilt",
+    [
+        {"draws": None},
+        {"draws": [{}]},
+        {"draws": [3]},
+        {"draws": [{"pantographs": {}, "run": {}, "criteria": [[1]]}]},
+        {"refined": []},
+    ],
+)
+def test_damaged_facts_are_refused(spoilt: dict[str, Any]) -> None:
+    with pytest.raises(ResultFormatError, match="damaged"):
+        assess(synthetic_dataset(attrs={"certainty": facts_of(**spoilt)}))
+    with pytest.raises(ResultFormatError, match="damaged"):
+        assess(synthetic_dataset(attrs={"certainty": [1, 2]}))
+    without = {key: value for key, value in facts_of().items() if key != "starts_m"}
+    with pytest.raises(ResultFormatError, match="damaged"):
+        assess(synthetic_dataset(attrs={"certainty": without}))
