@@ -23,6 +23,11 @@ ENDLESS = {
     "stepping": ["run", str(SHORT), "--set", "solver.time_step=0.01 ms"],
     "statics": ["statics", str(SHORT), "--set", "line.spans=[{type: span, count: 200}]"],
     "validate": ["validate", "--quiet"],
+    "repeats": [
+        *("run", str(SHORT), "--certainty", "100", "--quiet"),
+        *("--set", "solver.time_step=0.5 ms", "--set", "travel={start: 60 m, end: 340 m}"),
+        *("--set", "analysis={from: 160 m, to: 310 m}"),
+    ],
 }
 # The promise is one second; a loaded two-core machine gets a second more.
 STOPS_WITHIN_S = 2.0

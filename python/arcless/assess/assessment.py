@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from arcless.assess.certainty import COVERAGE, Draws, student_factor
 from arcless.assess.criteria import Criterion, evaluate
 from arcless.assess.rules import Facts
 from arcless.assess.section import (
@@ -20,7 +21,7 @@ from arcless.assess.section import (
 )
 from arcless.assess.statistics import PantographAssessment, pantograph_assessment
 from arcless.assess.wear import WearRates, wear_notes, wear_rates
-from arcless.errors import ModelError
+from arcless.errors import ModelError, ResultFormatError
 from arcless.model.schemes import EXPLICIT
 from arcless.results import metadata
 
@@ -55,18 +56,28 @@ class Assessment:
     real_time_factor: float
     criteria: list[Criterion]
     notes: list[str]
+    certainty: dict[str, dict[str, float | None]] | None = None
+    """Spread and discretisation of the numbers of the run, by key; None where nobody asked."""
+    certainty_method: dict[str, Any] | None = None
+    """How they were found, see `arcless.assess.certainty`."""
 
     @property
     def passed(self) -> bool:
-        """Whether no criterion that could be judged was missed."""
+        """Whether no criterion that could be judged was missed; those too close count as such."""
         return all(criterion.passed is not False for criterion in self.criteria)
 
     def to_dict(self) -> dict[str, Any]:
         """Return the assessment as plain values, ready for JSON.
 
-        Without coefficients of wear in the scenario there are no keys of wear.
+        Without coefficients of wear in the scenario there are no keys of wear; `certainty` is there
+        where somebody asked for it.
         """
         data = asdict(self)
+        asked = ("certainty", "certainty_method")
+        for part in (data, *data["pantographs"], *data["criteria"]):
+            for name in asked:
+                if name in part and part[name] is None:
+                    del part[name]
         for pantograph in data["pantographs"]:
             if pantograph["wear_mechanical_mm3_km"] is None:
                 for name in WEAR_KEYS:
@@ -119,6 +130,9 @@ def assess(
     notes += wear_notes(facts["scenario"].get("wear"), wear)
     judged_by = _criteria_facts(facts["scenario"], speed, line["max_uplift_at_support_mm"])
     own = ("steps", "setup_time_s", "wall_time_s", "real_time_factor")
+    draws, method, about_draws = _draws(facts, limits, cutoff_Hz)
+    if draws is not None:
+        pantographs = [replace(p, certainty=draws.of_pantograph(p)) for p in pantographs]
     return Assessment(
         scenario=facts["scenario_name"],
         version=facts["arcless_version"],
@@ -127,11 +141,37 @@ def assess(
         low_pass_Hz=cutoff_Hz,
         band_split_Hz=split_Hz,
         pantographs=pantographs,
-        criteria=evaluate(judged_by, pantographs),
-        notes=notes,
+        criteria=evaluate(judged_by, pantographs, draws),
+        notes=notes + about_draws,
+        certainty=None if draws is None else draws.of_run(line),
+        certainty_method=method,
         **line,
         **{name: facts[name] for name in own},
     )
+
+
+def _draws(
+    facts: Mapping[str, Any], section: Section, low_pass_Hz: float
+) -> tuple[Draws | None, dict[str, Any] | None, list[str]]:
+    """Return the runs beside a run, how they were made, and what is to be said of them."""
+    found, asked = facts["certainty"], facts["scenario"].get("certainty")
+    if found is None:
+        missing = "how sure the numbers are was asked for, and not found out here"
+        return None, None, [missing] if asked else []
+    own = [*facts["section_m"], facts["scenario"]["analysis"]["low_pass"]]
+    if [*section, low_pass_Hz] != own:
+        other = "how sure the numbers are is known for the scenario's own section and filter alone"
+        return None, None, [other]
+    try:
+        draws = Draws.of(found)
+    except (AttributeError, KeyError, TypeError, ValueError) as error:
+        what = "what the result says of the runs beside it is damaged"
+        raise ResultFormatError(what, where="attribute `certainty`") from error
+    method = {key: value for key, value in found.items() if key not in ("draws", "refined")}
+    count = 1 + len(draws.starts)
+    method |= {"runs": count, "coverage": COVERAGE}
+    method["student_factor"] = student_factor(count - 1) if count > 1 else None
+    return draws, method, list(found["notes"])
 
 
 def _absences(line: Mapping[str, Any], scenario: Mapping[str, Any]) -> list[str]:

@@ -1,15 +1,24 @@
 """Judging a run by the table of rules."""
 
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import asdict, dataclass, replace
+from typing import Any
 
+from arcless.assess.certainty import Certainty, Draws
 from arcless.assess.rules import ANY_SUPPLY, RULES, Facts, Rule, quantity_of
 from arcless.assess.statistics import PantographAssessment
+
+MET, NOT_MET = "met", "not met"
+TOO_CLOSE, NOT_JUDGED = "too close to tell", "not judged"
 
 
 @dataclass(frozen=True)
 class Criterion:
-    """One criterion with its verdict; ``passed`` is None when it could not be judged."""
+    """One criterion with its verdict.
+
+    ``passed`` is None when it could not be judged, or when it is too close to its limit to tell;
+    ``reason`` says which.
+    """
 
     name: str
     value: float | None
@@ -23,6 +32,22 @@ class Criterion:
     pantograph: str | None
     """None for a criterion of the whole run."""
     note: str
+    reason: str | None = None
+    """Why there is no verdict; None where there is one."""
+    certainty: dict[str, float | None] | None = None
+    """Spread and discretisation of value less limit; None where nobody asked."""
+
+
+def verdict_of(criterion: Mapping[str, Any]) -> str:
+    """Return the verdict on a criterion, given as plain data, in words."""
+    if criterion["passed"] is not None:
+        return MET if criterion["passed"] else NOT_MET
+    return TOO_CLOSE if (criterion.get("reason") or "").startswith(TOO_CLOSE) else NOT_JUDGED
+
+
+def uncertainty_of(certainty: Mapping[str, float | None] | None) -> float | None:
+    """Return spread and discretisation together; None where neither is known."""
+    return None if certainty is None else Certainty(**certainty).uncertainty
 
 
 RELATIONS: dict[str, Callable[[float, float, float], bool]] = {
@@ -32,7 +57,9 @@ RELATIONS: dict[str, Callable[[float, float, float], bool]] = {
 }
 
 
-def evaluate(facts: Facts, pantographs: list[PantographAssessment]) -> list[Criterion]:
+def evaluate(
+    facts: Facts, pantographs: list[PantographAssessment], draws: Draws | None = None
+) -> list[Criterion]:
     """Judge every rule that applies, for every pantograph where it is the pantograph's.
 
     Parameters
@@ -41,9 +68,11 @@ def evaluate(facts: Facts, pantographs: list[PantographAssessment]) -> list[Crit
         Supply, speed, and what belongs to the line.
     pantographs
         Their indicators; at least one.
+    draws
+        The runs that say how sure the numbers are; None where there are none.
     """
     return [
-        _judge(rule, facts, pantograph)
+        _sure(rule, _judge(rule, facts, pantograph), draws)
         for rule in _rules_for(facts)
         for pantograph in (pantographs[:1] if rule.whole_run else pantographs)
     ]
@@ -66,11 +95,11 @@ def _rules_for(facts: Facts) -> Iterator[Rule]:
 def _judge(rule: Rule, facts: Facts, pantograph: PantographAssessment) -> Criterion:
     value = quantity_of(rule.quantity, facts, pantograph)
     limit = rule.limit.value(facts, pantograph)
-    passed, note = None, rule.note
+    passed, note, reason = None, rule.note, None
     if value is None:
-        note = "not judged: the value is not in the record"
+        reason = "the value is not in the record"
     elif limit is None:
-        note = "not judged: the line's design data give no limit"
+        reason = "the line's design data give no limit"
     else:
         passed = RELATIONS[rule.relation](value, limit, rule.tolerance)
     return Criterion(
@@ -84,8 +113,33 @@ def _judge(rule: Rule, facts: Facts, pantograph: PantographAssessment) -> Criter
         relation=rule.relation,
         unit=rule.unit,
         pantograph=None if rule.whole_run else pantograph.name,
-        note=note,
+        note=note if reason is None else f"{NOT_JUDGED}: {reason}",
+        reason=reason,
     )
+
+
+def _sure(rule: Rule, criterion: Criterion, draws: Draws | None) -> Criterion:
+    """Take a verdict back that the next run, or the other family of elements, might turn."""
+    known = None if draws is None else draws.of_criterion(criterion)
+    if known is None or criterion.value is None or criterion.limit is None:
+        return criterion
+    sure = replace(criterion, certainty=asdict(known))
+    allowed = rule.tolerance if rule.relation == "<=" else -rule.tolerance
+    distance, uncertainty = abs(criterion.value - criterion.limit - allowed), known.uncertainty
+    if uncertainty is None or distance >= uncertainty:
+        return sure
+    parts = [
+        f"{name} {part:.2g}"
+        for name, part in (("spread", known.spread), ("discretisation", known.discretisation))
+        if part is not None
+    ]
+    unit = "" if rule.unit == "1" else f" {rule.unit}"
+    beyond = " with its tolerance" if rule.tolerance else ""
+    reason = (
+        f"{TOO_CLOSE}: {distance:.2g}{unit} from the limit{beyond}, and sure to"
+        f" {uncertainty:.2g}{unit} only ({', '.join(parts)})"
+    )
+    return replace(sure, passed=None, reason=reason)
 
 
 def _markdown_row(rule: Rule) -> str:

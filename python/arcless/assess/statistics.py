@@ -41,6 +41,8 @@ class PantographAssessment:
     wear_joule_mm3_km: float | None = None
     wear_arc_mm3_km: float | None = None
     wear_total_mm3_km: float | None = None
+    certainty: dict[str, dict[str, float | None]] | None = None
+    """Spread and discretisation by key; None where nobody asked."""
 
 
 @dataclass(frozen=True)
@@ -124,4 +126,5 @@ def pantograph_assessment(
         "unfiltered_max_force_N": np.max(force[inside]),
         "unfiltered_min_force_N": np.min(force[inside]),
     }
-    return PantographAssessment(name, **{key: float(value) for key, value in values.items()})
+    numbers: dict[str, Any] = {key: float(value) for key, value in values.items()}
+    return PantographAssessment(name, **numbers)

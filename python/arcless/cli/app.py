@@ -5,6 +5,7 @@ from typing import Annotated
 import typer
 
 from arcless.cli import inspect, replay, results, resume, run, study, validate
+from arcless.cli.certainty import WithCertainty
 from arcless.cli.console import data
 from arcless.cli.guard import GuardedGroup
 
@@ -52,13 +53,14 @@ for _command in (
     inspect.check,
     inspect.schema,
     run.statics,
-    run.run,
     resume.resume,
     results.assess,
     results.report,
-    validate.validate,
     replay.replay,
 ):
     app.command()(_command)
+
+for _asked in (run.run, validate.validate):
+    app.command(cls=WithCertainty)(_asked)
 
 app.add_typer(study.app, name="study")

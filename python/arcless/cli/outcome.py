@@ -116,7 +116,11 @@ def _show(scenario: "Scenario", assessment: dict[str, Any]) -> None:
 
     case = case_of(scenario)
     rows = compare(case, assessment) if case else []
-    console.show(tables.statistics(assessment, rows), tables.criteria(assessment))
+    console.show(
+        tables.statistics(assessment, rows),
+        tables.criteria(assessment),
+        *tables.certainty(assessment),
+    )
     console.show(f"Computed with {scenario.choice.sentence}.\n")
     if case:
         console.show(f"Published ranges: {case.source}.\n")

@@ -65,7 +65,12 @@ def assess(
     else:
         section_text = f"Section: {found.section_m[0]:.1f} m to {found.section_m[1]:.1f} m.\n"
         assessment = found.to_dict()
-        console.show(tables.statistics(assessment), tables.criteria(assessment), section_text)
+        console.show(
+            tables.statistics(assessment),
+            tables.criteria(assessment),
+            *tables.certainty(assessment),
+            section_text,
+        )
     finish(found.to_dict(), quiet=quiet)
 
 

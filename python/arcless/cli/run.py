@@ -8,6 +8,7 @@ import typer
 
 from arcless.cli import console, outcome
 from arcless.cli.background import compute
+from arcless.cli.certainty import CertaintyOption, asked_for, check_whole
 from arcless.cli.outcome import NoReportOption, UntilOption
 from arcless.cli.output import OutputFolder, check_place
 from arcless.cli.scenario import (
@@ -49,6 +50,7 @@ def run(
     out: FolderOption = None,
     json: JsonOption = False,
     until: UntilOption = None,
+    certainty: CertaintyOption = None,
     no_report: NoReportOption = False,
     quiet: QuietOption = False,
 ) -> None:
@@ -57,14 +59,17 @@ def run(
     Writes result.nc, assessment.json and report.html into a folder, runs/NAME unless --out names
     another, and prints the numbers with the criteria and, for a shipped reference case, the
     ranges published for it. With --until, only result.nc, for `arcless resume` to go on from.
+    With --certainty, every number with its spread over starts and its error of discretisation.
 
     Exit code 1 means that the computation failed, and then nothing is written, or that a
-    criterion is not met, and then everything is. Ranges of reference cases decide nothing here;
-    `arcless validate` is for them.
+    criterion is not met, and then everything is. A criterion that is closer to its limit than its
+    number is sure is too close to tell, and sets no exit code. Ranges of reference cases decide
+    nothing here; `arcless validate` is for them.
     """
-    chosen = load(scenario, speed=speed, changes=set_, quiet=quiet)
+    check_whole(certainty, until)
+    chosen = asked_for(load(scenario, speed=speed, changes=set_, quiet=quiet), certainty)
     with OutputFolder(out or folder_of(chosen), *outcome.FILES) as folder:
-        command = _command(scenario, speed, set_)
+        command = _command(scenario, speed, set_, certainty)
         result = _simulate(chosen, until, folder.file(outcome.RESULT), command, quiet=quiet)
         written = outcome.write(result, folder, report=not no_report)
     outcome.tell(result, written, json=json, quiet=quiet)
@@ -136,9 +141,12 @@ def _find_statics(scenario: "Scenario", *, quiet: bool) -> "StaticsResult":
         return compute(lambda _cancel: simulate.statics(scenario, progress=progress))
 
 
-def _command(scenario: str, speed: str | None, changes: list[str] | None) -> str:
+def _command(
+    scenario: str, speed: str | None, changes: list[str] | None, certainty: str | None = None
+) -> str:
     words = ["arcless", "run", scenario]
     words += [] if speed is None else ["--speed", speed]
     for change in changes or []:
         words += ["--set", change]
+    words += [] if certainty is None else ["--certainty", certainty]
     return shlex.join(words)

@@ -8,6 +8,8 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
+from arcless.assess import MET, NOT_JUDGED, NOT_MET, TOO_CLOSE, uncertainty_of, verdict_of
+
 if TYPE_CHECKING:
     from arcless.validate import Row, Topic
 
@@ -47,12 +49,14 @@ _STYLES = {
     "inside": "green",
     "outside": "bold red",
     "outside (unverified)": "yellow",
-    "met": "green",
-    "not met": "bold red",
-    "not judged": "dim",
+    "inside, too close to tell": "yellow",
+    "outside, too close to tell": "yellow",
+    MET: "green",
+    NOT_MET: "bold red",
+    TOO_CLOSE: "yellow",
+    NOT_JUDGED: "dim",
 }
 _RELATIONS = {"<=": "≤", ">=": "≥", ">": ">"}
-_VERDICTS = {True: "met", False: "not met", None: "not judged"}
 
 
 def table(title: str, *columns: str, numbers: Sequence[str] = (), lines: bool = False) -> Table:
@@ -81,13 +85,43 @@ def statistics(assessment: dict[str, Any], published: "Sequence[Row]" = ()) -> T
     made = table(title, "quantity", "unit", *names, *extra, numbers=names)
     pantographs = assessment["pantographs"]
     wear = _WEAR if _WEAR[0][0] in pantographs[0] else ()
-    for keys, sources in ((_STATISTICS + wear, pantographs), (_RUN, [assessment])):
-        for key, label, unit, digits in keys:
-            values = [number(source.get(key), digits) for source in sources]
-            values += [""] * (len(names) - len(values))
+    columns = _columns(((_STATISTICS + wear, pantographs), (_RUN, [assessment])), len(names))
+    for keys in (_STATISTICS + wear, _RUN):
+        for key, label, unit, _ in keys:
+            values = [column[key] for column in columns]
             made.add_row(label, unit, *values, *_published(ranges.get(key), bool(ranges)))
         made.add_section()
     return made
+
+
+def _columns(groups: Any, count: int) -> list[dict[str, str]]:
+    """Return the numbers of each column by key, with how sure they are one below the other."""
+    columns: list[dict[str, str]] = []
+    for index in range(count):
+        numbers: dict[str, tuple[str, str]] = {}
+        for keys, sources in groups:
+            source = sources[index] if index < len(sources) else None
+            sure = {} if source is None else source.get("certainty") or {}
+            for key, _, _, digits in keys:
+                value = "" if source is None else number(source.get(key), digits)
+                numbers[key] = value, _digits(uncertainty_of(sure.get(key)), digits)
+        columns.append(aligned(numbers))
+    return columns
+
+
+def aligned(numbers: dict[str, tuple[str, str]]) -> dict[str, str]:
+    """Return values with how sure they are, by key, so that what follows ± stands in a column."""
+    width = max((len(sure) for _, sure in numbers.values()), default=0)
+    if not width:
+        return {key: value for key, (value, _) in numbers.items()}
+    return {
+        key: f"{value} ± {sure:>{width}}" if sure else f"{value}{' ' * (width + 3)}"
+        for key, (value, sure) in numbers.items()
+    }
+
+
+def _digits(value: float | None, digits: int) -> str:
+    return "" if value is None else number(value, digits)
 
 
 def criteria(assessment: dict[str, Any]) -> Table:
@@ -96,18 +130,41 @@ def criteria(assessment: dict[str, Any]) -> Table:
         "Criteria", "criterion", "for", "value", "limit", "unit", "verdict", "source (mark)",
         numbers=("value", "limit"),
     )  # fmt: skip
-    for item in assessment["criteria"]:
-        digits = 3 if item["unit"] == "1" else 2
+    numbers = {
+        str(row): (
+            number(item["value"], _of(item)),
+            _digits(uncertainty_of(item.get("certainty")), _of(item)),
+        )
+        for row, item in enumerate(assessment["criteria"])
+    }
+    values = aligned(numbers)
+    for row, item in enumerate(assessment["criteria"]):
         made.add_row(
             item["title"],
             item["pantograph"] or "run",
-            number(item["value"], digits),
-            f"{_RELATIONS[item['relation']]} {number(item['limit'], digits)}",
+            values[str(row)],
+            f"{_RELATIONS[item['relation']]} {number(item['limit'], _of(item))}",
             item["unit"].replace("1", ""),
-            _verdict(_VERDICTS[item["passed"]]),
+            _verdict(verdict_of(item)),
             f"{item['source']} ({item['mark']})",
         )
     return made
+
+
+def _of(item: dict[str, Any]) -> int:
+    """Return the digits after the point of a criterion's numbers."""
+    return 3 if item["unit"] == "1" else 2
+
+
+def certainty(assessment: dict[str, Any]) -> list[str]:
+    """Say how sure the numbers are, and why; nothing where nobody asked."""
+    from arcless.assess.words import explained
+
+    method = assessment.get("certainty_method")
+    close = [f"{item['title']}: {item['reason']}." for item in assessment["criteria"]
+             if verdict_of(item) == TOO_CLOSE]  # fmt: skip
+    told = [] if method is None else [" ".join(explained(method))]
+    return [f"{text}\n" for text in ["\n".join(close), *told] if text]
 
 
 def comparisons(rows: "Sequence[Row]") -> Table:
@@ -117,14 +174,20 @@ def comparisons(rows: "Sequence[Row]") -> Table:
         numbers=("value",),
     )  # fmt: skip
     case = None
-    for row in rows:
+    values = aligned(
+        {
+            str(place): (number(row.value, row.digits), _digits(row.uncertainty, row.digits))
+            for place, row in enumerate(rows)
+        }
+    )
+    for place, row in enumerate(rows):
         if case not in (None, row.case):
             made.add_section()
         made.add_row(
             row.case if row.case != case else "",
             Text.assemble(row.quantity, (f"\n{row.note}", "dim")) if row.note else row.quantity,
             row.unit,
-            number(row.value, row.digits),
+            values[str(place)],
             *_published(row, True),
         )
         case = row.case

@@ -8,6 +8,7 @@ from pydantic import Field, model_validator
 from arcless.errors import ModelError
 from arcless.model.as_built import AsBuilt
 from arcless.model.as_built_checks import check_as_built
+from arcless.model.certainty import Certainty, spelt_out
 from arcless.model.checks import check_scenario, check_speed
 from arcless.model.controller import check_controllers
 from arcless.model.documents import Document
@@ -115,10 +116,16 @@ class Scenario(Document):
     wear: WearModel | None = Field(
         default=None, description="Coefficients of wear, which is assessed then; none without."
     )
+    certainty: Certainty | None = Field(
+        default=None,
+        description="Repeats that say how sure the numbers are, or the number of starts alone;"
+        " none without.",
+    )
 
     @classmethod
     def prepare(cls, data: dict[str, Any]) -> dict[str, Any]:
-        """Name the pantographs P1, P2, … where no name is given."""
+        """Name the pantographs P1, P2, … where no name is given; spell certainty out."""
+        data = spelt_out(data)
         placements = data.get("pantographs")
         if not isinstance(placements, (list, tuple)):
             return data

@@ -40,6 +40,7 @@ def json_schema(*others: type[Document]) -> dict[str, Any]:
                 field["anyOf"] = [{"type": "string", "description": "CSV file"}, rows]
         if "catalogue" in definition.get("properties", {}):
             _accept_named_wire(definition)
+    _accept_number_of_starts(definitions)
     scheme = definitions["Solver"]["properties"]["scheme"]
     names = sorted(scheme["discriminator"]["mapping"])
     choices = {key: scheme.pop(key) for key in ("discriminator", "oneOf")}
@@ -60,6 +61,14 @@ def _accept_named_wire(definition: dict[str, Any]) -> None:
     own = [name for name in definition["required"] if name in GIVES]
     definition["required"] = [name for name in definition["required"] if name not in GIVES]
     definition["anyOf"] = [{"required": own}, {"required": ["catalogue"]}]
+
+
+def _accept_number_of_starts(definitions: dict[str, Any]) -> None:
+    """Let certainty be the number of starts alone."""
+    starts = definitions["Certainty"]["properties"]["starts"]
+    number = {key: starts[key] for key in ("type", "minimum", "maximum")}
+    field = definitions["Scenario"]["properties"]["certainty"]
+    field["anyOf"] = [number, *field["anyOf"]]
 
 
 def _accept_provenance(properties: dict[str, Any]) -> None:

@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from arcless.assess import Assessment
+from arcless.assess.words import explained
 from arcless.model import MARKS
 from arcless.report import along, contacts, distribution, line, tables
 from arcless.report.model_data import groups, marks_used
@@ -91,6 +92,10 @@ def _texts(result: "Result", scene: Scene, reference_rows: Rows) -> dict[str, An
         "run_facts": tables.fact_pairs(scene),
         "indicators": tables.indicator_rows(assessment),
         "criteria": criteria,
+        "certainty": tables.certainty_rows(assessment),
+        "certainty_words": explained(assessment.certainty_method or {})
+        if assessment.certainty_method
+        else [],
         "reference_rows": tables.reference_cells(reference_rows),
         "energies": tables.energy_rows(scene),
         "groups": data,

@@ -1,10 +1,10 @@
 """Numbers of the assessment as text for the page's tables."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import Any
 
-from arcless.assess import Assessment
+from arcless.assess import TOO_CLOSE, Assessment, Criterion, uncertainty_of, verdict_of
 from arcless.report.line import energy_terms
 from arcless.report.scene import Scene
 
@@ -35,6 +35,12 @@ WEAR: dict[str, tuple[str, str, int]] = {
     "wear_arc_mm3_km": ("wear by arcs", "mm³/km", 3),
     "wear_total_mm3_km": ("wear in sum", "mm³/km", 3),
 }
+# Numbers of the whole run, of those that are known to be sure or not.
+OF_RUN: dict[str, tuple[str, str, int]] = {
+    "max_uplift_at_support_mm": ("highest uplift at a support", "mm", 1),
+    "min_dropper_force_N": ("lowest dropper force", "N", 1),
+    "slack_droppers_max": ("most droppers slack at once", "", 0),
+}
 
 
 @dataclass(frozen=True)
@@ -57,15 +63,19 @@ def verdict(assessment: Assessment) -> Verdict:
     """Return the verdict over all criteria."""
     judged = [c for c in assessment.criteria if c.passed is not None]
     missed = [c for c in judged if not c.passed]
-    open_count = len(assessment.criteria) - len(judged)
-    rest = f"; {open_count} could not be judged" if open_count else ""
+    close = sum(verdict_of(asdict(c)) == TOO_CLOSE for c in assessment.criteria)
+    open_count = len(assessment.criteria) - len(judged) - close
+    rest = f"; {close} too close to tell" if close else ""
+    rest += f"; {open_count} could not be judged" if open_count else ""
     names = [
         f"{c.title} ({', '.join(filter(None, [c.pantograph, f'mark {c.mark}']))})" for c in missed
     ]
     if missed:
         text = f"{len(missed)} of {len(judged)} judged criteria missed{rest}"
         return Verdict("missed", text, names)
-    return Verdict("met", f"All {len(judged)} judged criteria met{rest}", names)
+    return Verdict(
+        "open" if close else "met", f"All {len(judged)} judged criteria met{rest}", names
+    )
 
 
 def indicator_rows(assessment: Assessment) -> list[tuple[str, str, list[str]]]:
@@ -73,9 +83,41 @@ def indicator_rows(assessment: Assessment) -> list[tuple[str, str, list[str]]]:
     rows = []
     worn = assessment.pantographs[0].wear_mechanical_mm3_km is not None
     for key, (label, unit, decimals) in (INDICATORS | (WEAR if worn else {})).items():
-        values = [number(getattr(p, key), decimals) for p in assessment.pantographs]
+        values = [_with_certainty(p, key, decimals) for p in assessment.pantographs]
         rows.append((label, unit, values))
     return rows
+
+
+def _with_certainty(of: Any, key: str, decimals: int) -> str:
+    """Return a number of a pantograph or of the run, with how sure it is where that is known."""
+    known = uncertainty_of((of.certainty or {}).get(key))
+    return pair(getattr(of, key), known, decimals)
+
+
+def pair(value: float | None, uncertainty: float | None, decimals: int) -> str:
+    """Return a number with what follows its ±, where there is any."""
+    text = number(value, decimals)
+    return text if uncertainty is None else f"{text} ± {number(uncertainty, decimals)}"
+
+
+def certainty_rows(assessment: Assessment) -> list[dict[str, Any]]:
+    """Return spread and discretisation of every number of a pantograph, and of those of the run."""
+    rows = []
+    for p in assessment.pantographs:
+        for key, (label, unit, decimals) in (INDICATORS | WEAR).items():
+            known = (p.certainty or {}).get(key)
+            rows += [] if known is None else [_parts(p.name, label, unit, decimals, known)]
+    for key, (label, unit, decimals) in OF_RUN.items():
+        known = (assessment.certainty or {}).get(key)
+        rows += [] if known is None else [_parts("", label, unit, decimals, known)]
+    return rows
+
+
+def _parts(
+    pantograph: str, label: str, unit: str, decimals: int, known: Mapping[str, float | None]
+) -> dict[str, Any]:
+    texts = {name: number(known[name], decimals + 1) for name in ("spread", "discretisation")}
+    return {"pantograph": pantograph, "label": label, "unit": unit, **texts}
 
 
 def fact_pairs(scene: Scene) -> list[tuple[str, str]]:
@@ -84,13 +126,13 @@ def fact_pairs(scene: Scene) -> list[tuple[str, str]]:
     begin, end = a.section_m
     residual = a.energy_residual_relative
     droppers = [
-        ("lowest dropper force", f"{number(a.min_dropper_force_N)} N"),
-        ("most droppers slack at once", number(a.slack_droppers_max, 0)),
+        ("lowest dropper force", f"{_with_certainty(a, 'min_dropper_force_N', 1)} N"),
+        ("most droppers slack at once", _with_certainty(a, "slack_droppers_max", 0)),
     ]
     return [
         ("speed", f"{number(3.6 * a.speed_m_s)} km/h"),
         ("section assessed", f"{begin:.0f} to {end:.0f} m"),
-        ("highest uplift at a support", f"{number(a.max_uplift_at_support_mm)} mm"),
+        ("highest uplift at a support", f"{_with_certainty(a, 'max_uplift_at_support_mm', 1)} mm"),
         *(droppers if scene.has_droppers else []),
         ("energy residual, relative", "–" if residual is None else f"{residual:.1e}"),
         ("time steps", f"{a.steps:,}".replace(",", " ")),
@@ -107,16 +149,24 @@ def criterion_rows(assessment: Assessment) -> list[dict[str, Any]]:
         {
             "title": "" if c.name == previous else c.title,
             "pantograph": c.pantograph or "",
-            "value": number(c.value, _decimals(c.unit)),
-            "limit": f"{SIGNS[c.relation]} {number(c.limit, _decimals(c.unit))}",
+            "value": pair(c.value, uncertainty_of(c.certainty), _decimals(c)),
+            "limit": f"{SIGNS[c.relation]} {number(c.limit, _decimals(c))}",
             "unit": "" if c.unit == "1" else c.unit,
-            "verdict": {True: "met", False: "missed", None: "not judged"}[c.passed],
+            "verdict": "missed" if c.passed is False else verdict_of(asdict(c)),
             "mark": c.mark,
             "source": "" if c.name == previous else c.source,
             "note": "" if c.name == previous else c.note,
+            "reason": _reason(c),
         }
         for c, previous in zip(assessment.criteria, above, strict=False)
     ]
+
+
+def _reason(criterion: Criterion) -> str:
+    """Return what makes a criterion too close to tell, which its verdict says already."""
+    if criterion.reason is None or verdict_of(asdict(criterion)) != TOO_CLOSE:
+        return ""
+    return criterion.reason.removeprefix(f"{TOO_CLOSE}: ")
 
 
 def reference_cells(rows: Sequence[Mapping[str, Any]]) -> list[dict[str, str]]:
@@ -142,5 +192,6 @@ def _cell(value: Any) -> str:
     return f"{value:.4g}".replace("-", "−") if isinstance(value, float) else str(value)
 
 
-def _decimals(unit: str) -> int:
-    return {"%": 3, "1": 3}.get(unit, 1)
+def _decimals(criterion: Criterion) -> int:
+    """Return the decimals of a criterion's numbers: one more where ± is to be seen beside them."""
+    return {"%": 3, "1": 3}.get(criterion.unit, 1 if criterion.certainty is None else 2)

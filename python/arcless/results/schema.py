@@ -257,6 +257,9 @@ ATTRIBUTES: dict[str, Attribute] = {
     "controllers": Attribute(
         "json", "controllers given from Python, by the name of their pantograph"
     ),
+    "certainty": Attribute(
+        "json", "numbers of the runs from other starts and by the other family of elements"
+    ),
     "state": Attribute(
         "json", "where the run stopped, parts of the variable `state`, and fingerprints of its run"
     ),

@@ -175,6 +175,11 @@ class Controllers:
         self.actuators()  # wrong files are told before the line is computed
 
     @property
+    def given(self) -> Mapping[str, Any]:
+        """Who was given from Python, by the name of a pantograph."""
+        return self._given
+
+    @property
     def any(self) -> bool:
         """Whether a pantograph is controlled."""
         placed = any(item.controller is not None for item in self._scenario.pantographs)

@@ -1,8 +1,10 @@
 """A whole run, from scenario to result; or a part of one, to go on from later."""
 
+import os
 import time
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -30,6 +32,7 @@ def run(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
     controllers: Mapping[str, ControlFunction | type] | None = None,
+    certainty: int | None = None,
 ) -> Result:
     """Run a scenario: statics, dynamics, record.
 
@@ -55,18 +58,27 @@ def run(
         `ControlInput` that returns N, or a class of such, of which each run gets an instance. In
         place of `pid` and `function` of the scenario's controller; without one it is asked at
         every step. A search for the static force runs several times, each with a copy.
+    certainty
+        How many starts within a span say how sure the assessed numbers are, the run's own among
+        them: `certainty` of the scenario. A run that stops early says it when it has gone on to
+        its end.
 
     Raises
     ------
+    ModelError
+        There is no room for other starts.
     MeshError, EquilibriumError, ContactError, ControlError
         The line cannot be divided, has no equilibrium, a step cannot be solved, a controller
         failed, or it is a function whose memory cannot be saved and the run is to stop early.
     OutputError
         The file cannot be written.
     """
+    if certainty is not None:
+        scenario = with_certainty(scenario, certainty)
     decided = Controllers(scenario, controllers)
     if until is not None:
         decided.check_saved()
+    _check_starts(scenario)
     tell = progress or (lambda _fraction, _text: None)
     started = time.perf_counter()
     job = lay_out(scenario, decided, tell, cancel)
@@ -75,7 +87,8 @@ def run(
     # The last run of a search is the run that is asked for, unless that stops early or is streamed.
     full = last == job.travel.steps and to is None
     search = find_forces(replace(job, observe=searching), full=full)
-    part = _Part(job, search.forces, started, command or f"arcless run {scenario.name}")
+    sure = partial(_sure, job, search.forces, tell, cancel)
+    part = _Part(job, search.forces, started, command or f"arcless run {scenario.name}", sure)
     if to is None:
         return part.in_memory((search.record if full else None) or part.step(None, last), tell)
     return part.to_file(Path(to), None, last, tell)
@@ -109,6 +122,7 @@ def resume(
         A step cannot be solved, or a controller failed.
     """
     saved = state.read(result)
+    _check_starts(result.scenario)
     tell = progress or (lambda _fraction, _text: None)
     started = time.perf_counter()
     decided = Controllers(result.scenario)
@@ -116,7 +130,8 @@ def resume(
     state.check_identity(result, state.identity(job.scenario, job.found, job.travel))
     last = state.stop_step(job.travel, until, after=saved.step)
     forces = state.take_forces(saved, len(job.scenario.pantographs))
-    part = _Part(job, forces, started, result.metadata["command"], result)
+    sure = partial(_sure, job, forces, tell, cancel)
+    part = _Part(job, forces, started, result.metadata["command"], sure, result)
     if to is None:
         return part.in_memory(part.step(saved, last), tell)
     return part.to_file(Path(to), saved, last, tell)
@@ -130,6 +145,7 @@ class _Part:
     forces: list[float]
     started: float
     command: str
+    sure: Callable[[], dict[str, Any]] | None = None
     earlier: Result | None = None
 
     def step(
@@ -171,6 +187,8 @@ class _Part:
             static |= job.nearby.variables
         attributes = attributes_of(job, raw, self.forces, self.earlier)
         attributes["command"] = self.command
+        if raw["steps"] == job.travel.steps and scenario.certainty is not None and self.sure:
+            attributes["certainty"] = self.sure()
         if raw["steps"] < job.travel.steps:
             numbers = {**raw["state"].numbers, state.STATIC_FORCE: np.array(self.forces)}
             stopped = state.State(raw["steps"], numbers)
@@ -180,14 +198,50 @@ class _Part:
         return static, attributes
 
 
+def with_certainty(scenario: Scenario, starts: Any) -> Scenario:
+    """Return a scenario that asks how sure its numbers are, by so many starts.
+
+    Raises
+    ------
+    ModelError
+        That is no number of starts.
+    """
+    kept = {} if scenario.certainty is None else scenario.certainty.model_dump()
+    return scenario.with_(certainty={**kept, "starts": starts})
+
+
+def _check_starts(scenario: Scenario) -> None:
+    """Refuse what would fail only after the run."""
+    if scenario.certainty is not None:
+        from arcless.simulate.certainty import places
+
+        places(scenario)
+
+
+def _sure(job: Job, forces: list[float], tell: Progress, cancel: Cancel | None) -> dict[str, Any]:
+    """Run what says how sure the numbers of a run are, on all processors."""
+    from arcless.simulate.certainty import found_beside, in_parallel
+
+    workers = len(os.sched_getaffinity(0))
+    return found_beside(job, forces, in_parallel(job, tell, cancel, workers))
+
+
 def whole(
-    job: Job, forces: list[float], raw: dict[str, Any], started: float, command: str
+    job: Job,
+    forces: list[float],
+    raw: dict[str, Any],
+    started: float,
+    *,
+    command: str,
+    sure: dict[str, Any] | None = None,
 ) -> Result:
     """Return the result of a run that went to its end, in memory.
 
-    With the static forces in N, what the core returned, and the clock at the start in s.
+    With the static forces in N, what the core returned, the clock at the start in s, and what was
+    run beside it.
     """
-    return _Part(job, forces, started, command).in_memory(raw, lambda _fraction, _text: None)
+    part = _Part(job, forces, started, command, None if sure is None else lambda: sure)
+    return part.in_memory(raw, lambda _fraction, _text: None)
 
 
 def attributes_of(

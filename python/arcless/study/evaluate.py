@@ -12,7 +12,7 @@ from arcless.simulate import Outcome, batch
 from arcless.study.expressions import Expression, UndefinedError
 from arcless.study.model import Study
 from arcless.study.pruning import Watch
-from arcless.study.quantities import is_number, values
+from arcless.study.quantities import is_number, reasons, values
 from arcless.study.rows import Row, Status
 from arcless.study.variants import Variant
 from arcless.study.version import code_version
@@ -164,13 +164,15 @@ class _Work:
         numbers: dict[str, float | None] = values(outcome.assessment)
         numbers |= _numbers(variant)
         outputs: dict[str, float | None] = {}
-        undefined = []
+        undefined, why = [], reasons(outcome.assessment)
         for name, expression in self._outputs.items():
             try:
                 outputs[name] = expression.value(numbers)
             except UndefinedError as none:
                 outputs[name] = None
                 undefined.append(f"{name}: {none}")
+            else:
+                undefined += [f"{name}: {why[key]}" for key in sorted(expression.names & set(why))]
         return _row(variant, "done", outputs, "; ".join(undefined), wall)
 
 

@@ -1,19 +1,30 @@
 """What the outputs of a study are made of: the numbers of an assessment by key.
 
 A key of a pantograph (`mean_force_N`) is that of the leading one; `P2.mean_force_N` is that of the
-second one, by number or by name. `criteria.NAME` is 1 where a criterion is met, 0 where not.
+second one, by number or by name. `criteria.NAME` is 1 where a criterion is met, 0 where not, and
+nothing where it is too close to tell.
 """
 
-from collections.abc import Iterator
-from dataclasses import fields
+from collections.abc import Iterator, Sequence
+from dataclasses import asdict, fields
 from typing import Any
 
-from arcless.assess import RULES, WEAR_KEYS, Assessment, PantographAssessment
+from arcless.assess import (
+    RULES,
+    TOO_CLOSE,
+    WEAR_KEYS,
+    Assessment,
+    Criterion,
+    PantographAssessment,
+    verdict_of,
+)
 from arcless.model import Scenario
 
 _NUMBERS = (float, int, float | None, int | None)
 _RUN = [field.name for field in fields(Assessment) if field.type in _NUMBERS]
-_PANTOGRAPH = [field.name for field in fields(PantographAssessment) if field.name != "name"]
+_PANTOGRAPH = [
+    field.name for field in fields(PantographAssessment) if field.name not in ("name", "certainty")
+]
 _CRITERIA = sorted({rule.name for rule in RULES})
 # How the endings of keys are read; longest first.
 _UNITS = {
@@ -32,17 +43,37 @@ def keys(scenario: Scenario) -> list[str]:
 def values(assessment: Assessment) -> dict[str, float | None]:
     """Return the value of every key; None for what was not recorded or not judged."""
     found: dict[str, float | None] = {name: getattr(assessment, name) for name in _RUN}
-    found["passed"] = float(assessment.passed)
+    found["passed"] = _all_met(assessment.criteria, of_none=1.0)
     for index, pantograph in enumerate(assessment.pantographs):
         for key in _PANTOGRAPH:
             value = getattr(pantograph, key)
             found[f"P{index + 1}.{key}"] = found[f"{pantograph.name}.{key}"] = value
             found.setdefault(key, value)
     for name in _CRITERIA:
-        verdicts = [item.passed for item in assessment.criteria if item.name == name]
-        judged = [verdict for verdict in verdicts if verdict is not None]
-        found[f"criteria.{name}"] = float(all(judged)) if judged else None
+        found[f"criteria.{name}"] = _all_met([c for c in assessment.criteria if c.name == name])
     return found
+
+
+def reasons(assessment: Assessment) -> dict[str, str]:
+    """Return why keys of criteria have no value, of those that are too close to tell."""
+    close = [item for item in assessment.criteria if _is_close(item)]
+    found = {f"criteria.{item.name}": f"criteria.{item.name} is {item.reason}" for item in close}
+    names = ", ".join(dict.fromkeys(item.name for item in close))
+    return {**found, "passed": f"{TOO_CLOSE}: {names}"} if close else {}
+
+
+def _all_met(criteria: Sequence[Criterion], of_none: float | None = None) -> float | None:
+    """Return 1 where all that could be judged are met, 0 where one is not; None between them."""
+    judged = [item.passed for item in criteria if item.passed is not None]
+    if not all(judged):
+        return 0.0
+    if any(_is_close(item) for item in criteria):
+        return None
+    return 1.0 if judged else of_none
+
+
+def _is_close(item: Criterion) -> bool:
+    return verdict_of(asdict(item)) == TOO_CLOSE
 
 
 def unit_of_key(key: str) -> str:

@@ -4,7 +4,7 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 from arcless.validate.cases import SUITES, case_of, compare, run
-from arcless.validate.reference import CASES, VERIFIED, Case, Range
+from arcless.validate.reference import CASES, CLOSE, INSIDE, VERIFIED, Case, Range
 from arcless.validate.rows import Row
 
 if TYPE_CHECKING:
@@ -13,6 +13,8 @@ if TYPE_CHECKING:
 
 __all__ = [
     "CASES",
+    "CLOSE",
+    "INSIDE",
     "SEED_SOURCE",
     "SUITES",
     "VERIFIED",

@@ -10,6 +10,8 @@ from math import inf
 VERIFIED = "A"
 INSIDE = "inside"
 OUTSIDE = "outside"
+# Behind a verdict on a value that is nearer to a bound than it is sure: it decides nothing.
+CLOSE = "too close to tell"
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,8 +43,13 @@ class Range:
     strict: bool = False
     digits: int = 1
 
-    def verdict(self, value: float | None) -> str:
-        """Say where a value lies: inside, outside, or outside of an unverified range."""
+    def verdict(self, value: float | None, uncertainty: float | None = None) -> str:
+        """Say where a value lies: inside, outside, or outside of an unverified range.
+
+        Of a value that is nearer to a bound than its uncertainty, that it is too close to tell.
+        """
+        if value is not None and uncertainty is not None and self._distance(value) < uncertainty:
+            return f"{INSIDE if self._allows(value) else OUTSIDE}, {CLOSE}"
         if value is not None and self._allows(value):
             return INSIDE
         return OUTSIDE if self.mark == VERIFIED else f"{OUTSIDE} (unverified)"
@@ -57,6 +64,10 @@ class Range:
             return " … ".join(texts)
         sign = (">" if self.strict else "≥") if self.high is None else "<" if self.strict else "≤"
         return f"{sign} {texts[0]}"
+
+    def _distance(self, value: float) -> float:
+        """Return how far a value is from the nearest bound."""
+        return min(abs(value - bound) for bound in (self.low, self.high) if bound is not None)
 
     def _allows(self, value: float) -> bool:
         low = -inf if self.low is None else self.low

@@ -13,6 +13,8 @@ Progress = Callable[[float, str], None]
 class Row:
     """One comparison: `value` against `limit`, in `unit`; verdict as in `Range`.
 
+    `uncertainty` is how sure the value is, None where nobody asked.
+
     `low` and `high` are the limit's bounds, None where there is none. `note` says where or how
     the value was found, `checked` and `assumption` what the row is a part of, where that is more
     than the comparison itself.
@@ -32,6 +34,7 @@ class Row:
     note: str = ""
     checked: str = ""
     assumption: str = ""
+    uncertainty: float | None = None
 
     @property
     def violates(self) -> bool:
@@ -39,7 +42,14 @@ class Row:
         return self.verdict == OUTSIDE
 
     @classmethod
-    def of(cls, case: str, allowed: Range, value: float | None, **texts: str) -> Self:
+    def of(
+        cls,
+        case: str,
+        allowed: Range,
+        value: float | None,
+        uncertainty: float | None = None,
+        **texts: str,
+    ) -> Self:
         """Compare a value with what is allowed; further fields are texts."""
         return cls(
             case=case,
@@ -52,7 +62,8 @@ class Row:
             high=allowed.high,
             limit=allowed.limit,
             mark=allowed.mark,
-            verdict=allowed.verdict(value),
+            verdict=allowed.verdict(value, uncertainty),
+            uncertainty=uncertainty,
             **texts,
         )
 

@@ -13,7 +13,7 @@ from arcless.study import Execution, Progress, Study, StudyFolder, run, status
 from arcless.study import evaluate as evaluating
 from arcless.study.journal import Journal
 from arcless.study.variants import variant
-from tests.support.studies import OUTPUTS, VARIABLES, rows, study
+from tests.support.studies import OUTPUTS, QUICK, VARIABLES, rows, study
 
 
 @pytest.fixture(scope="module")
@@ -229,3 +229,42 @@ def test_the_table_is_written_part_by_part(whole: Path, monkeypatch: pytest.Monk
         monkeypatch.setattr("arcless.study.table.PART", part)
         run(study(), whole, resume=True)
         assert rows(whole / "table.parquet") == before
+
+
+def test_a_variant_too_close_to_tell_leaves_its_criterion_out(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A limit is put onto what the variant with 100 N has: the others are far from it."""
+    from arcless.assess import criteria
+    from arcless.assess.rules import Limit, Rule
+
+    spans = [{"type": "span", "count": 6}]
+    room = {"travel": {"start": 60, "end": 250}, "analysis": {"from": 160, "to": 240}}
+    forces = {"force": {"field": "pantographs.0.static_force", "values": [60, 100, 140]}}
+    made = study(
+        set={
+            **QUICK,
+            **room,
+            "line.spans": spans,
+            "certainty": {"starts": 2, "other_family": False},
+        },
+        variables=forces,
+        outputs={"met": "criteria.statistical_max", "all": "passed", "mean": "mean_force_N"},
+    )
+    middle = made.base.with_(**{"pantographs.0.static_force": 100.0})
+    [own] = arcless.run(middle).assessment.pantographs
+    rule = Rule(
+        name="statistical_max", title="statistical maximum", unit="N",
+        quantity="statistical_max_N", relation="<=", mark="A", source="this test",
+        limit=Limit(constant=own.statistical_max_N + 1e-6),
+    )  # fmt: skip
+    monkeypatch.setattr(criteria, "RULES", (rule,))
+    run(made, tmp_path / "study")
+    found = rows(tmp_path / "study" / "table.parquet")
+    assert [row["status"] for row in found] == ["done"] * 3
+    assert [row["met"] for row in found] == [1.0, None, 0.0]
+    assert [row["all"] for row in found] == [1.0, None, 0.0]
+    assert [row["mean"] is None for row in found] == [False] * 3
+    assert found[0]["error"] == found[2]["error"] == ""
+    assert "met: criteria.statistical_max is too close to tell" in found[1]["error"]
+    assert "all: too close to tell: statistical_max" in found[1]["error"]

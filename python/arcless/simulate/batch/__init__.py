@@ -96,7 +96,7 @@ def batch(
         tell.done(outcome)
 
     try:
-        with Crew(groups, keep, stored, count, watch) as crew:
+        with Crew(groups, keep, stored, count, watch=watch) as crew:
             while source.goes_on or len(outcomes) < source.begun:
                 for outcome in source.refill(groups, source.begun - len(outcomes), AHEAD * count):
                     handed(outcome)

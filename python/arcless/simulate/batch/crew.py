@@ -3,8 +3,9 @@
 import queue
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
+from typing import Any
 
 from arcless.assess import Assessment
 from arcless.errors import ArclessError
@@ -12,6 +13,7 @@ from arcless.model import Scenario
 from arcless.results import Result
 from arcless.simulate.batch.course import Course, StoppedError, Watching
 from arcless.simulate.batch.groups import Group, Groups, Member
+from arcless.simulate.batch.keys import shared_key
 from arcless.simulate.batch.member import records_all, running
 from arcless.simulate.batch.outcome import Keep, Outcome
 from arcless.simulate.batch.store import Folder
@@ -33,8 +35,11 @@ class Crew:
         keep: Keep,
         folder: Folder | None,
         workers: int,
+        *,
         watch: Watch | None = None,
+        given: Mapping[str, Any] | None = None,
     ) -> None:
+        self._given = given
         self._groups, self._keep, self._folder, self._watch = groups, keep, folder, watch
         self._done: queue.SimpleQueue[Outcome | BaseException] = queue.SimpleQueue()
         self._stop = threading.Event()
@@ -94,11 +99,11 @@ class Crew:
             job = self._job(group, member)
             watching = None if self._watch is None else self._watch(index, member.scenario)
             course = Course(job, watching)
-            done = self._done_of(job, course, started)
+            done = self._done_of(job, course, started, group)
         except StoppedError as stopped:
             outcome = Outcome(index, name, stopped=stopped.at)
         except Exception as error:
-            outcome = Outcome(index, name, error=_told(error))
+            outcome = Outcome(index, name, error=told(error))
         else:
             outcome = self._kept(member, done, time.perf_counter() - started)
         wall_time_s = outcome.wall_time_s or time.perf_counter() - started
@@ -107,9 +112,12 @@ class Crew:
         steps, of_run = course.steps, course.of_run
         return replace(outcome, wall_time_s=wall_time_s, steps=steps, steps_of_run=of_run)
 
-    def _done_of(self, job: Job, course: Course, started: float) -> Assessment | Result:
-        """Run a member to its end."""
-        run, full = running(job, self._keep, started), records_all(job, self._keep)
+    def _done_of(
+        self, job: Job, course: Course, started: float, group: Group
+    ) -> Assessment | Result:
+        """Run a member to its end, and what says how sure it is."""
+        beside = None if job.scenario.certainty is None else self._beside(job, group)
+        run, full = running(job, self._keep, started, beside), records_all(job, self._keep)
         try:
             forces = next(run)
             while True:
@@ -118,9 +126,18 @@ class Crew:
             done: Assessment | Result = end.value
             return done
 
+    def _beside(self, job: Job, group: Group) -> Callable[[list[float]], dict[str, Any]]:
+        from arcless.simulate.certainty import found_beside, one_by_one, places
+
+        places(job.scenario)  # without room for other starts there is no need to run it
+        runs = one_by_one(
+            job, self._stop.is_set, lambda scenario: group.beside(shared_key(scenario), scenario)
+        )
+        return lambda forces: found_beside(job, forces, runs)
+
     def _job(self, group: Group, member: Member) -> Job:
         line = group.line(member.scenario)
-        controllers = Controllers(member.scenario)
+        controllers = Controllers(member.scenario, self._given)
         return lay_out(member.scenario, controllers, _quiet, self._stop.is_set, line)
 
     def _kept(self, member: Member, done: Assessment | Result, wall_time_s: float) -> Outcome:
@@ -133,7 +150,7 @@ class Crew:
         return Outcome(index, name, assessment, path=path, wall_time_s=wall_time_s)
 
 
-def _told(error: Exception) -> ArclessError:
+def told(error: Exception) -> ArclessError:
     """Return the error of a member; what nobody has foreseen must not lose the others either."""
     if isinstance(error, ArclessError):
         return error

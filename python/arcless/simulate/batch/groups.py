@@ -29,6 +29,7 @@ class Group:
     _lock: threading.Lock = field(default_factory=threading.Lock)
     _line: Line | None = None
     _error: ArclessError | None = None
+    _beside: tuple[str, Line] | None = None
 
     def line(self, scenario: Scenario) -> Line:
         """Return the line of the group.
@@ -49,6 +50,19 @@ class Group:
                     raise
             return self._line
 
+    def beside(self, key: str, scenario: Scenario) -> Line:
+        """Return the line of a scenario that is run beside members; the last one is kept.
+
+        Raises
+        ------
+        MeshError, EquilibriumError
+            As `arcless.run`.
+        """
+        with self._lock:
+            if self._beside is None or self._beside[0] != key:
+                self._beside = key, ready_line(scenario, lambda _fraction, _text: None)
+            return self._beside[1]
+
 
 class Groups:
     """All members that wait.
@@ -63,11 +77,11 @@ class Groups:
         self._change = threading.Condition()
         self._closed = False
 
-    def put(self, member: Member) -> None:
-        """Let a member wait."""
+    def put(self, member: Member, line: Line | None = None) -> None:
+        """Let a member wait; with its line, where that is there already."""
         key = self._shared_key(member.scenario)
         with self._change:
-            self._groups.setdefault(key, Group()).waiting.append(member)
+            self._groups.setdefault(key, Group(_line=line)).waiting.append(member)
             self._change.notify()
 
     def close(self) -> None:

@@ -1,7 +1,7 @@
 """One member of a batch: the runs that it needs, and what is kept of the last one."""
 
 import time
-from collections.abc import Generator
+from collections.abc import Callable, Generator
 from typing import Any
 
 from arcless.assess import Assessment, assess
@@ -28,7 +28,9 @@ def records_all(job: Job, keep: Keep) -> bool:
     return keep == "result" or keeps_ledger(job.scenario)
 
 
-def running(job: Job, keep: Keep, started: float) -> Running:
+def running(
+    job: Job, keep: Keep, started: float, beside: Callable[[list[float]], Any] | None = None
+) -> Running:
     """Run a member: give the static forces to run with until it is done.
 
     Parameters
@@ -39,27 +41,53 @@ def running(job: Job, keep: Keep, started: float) -> Running:
         What is wanted of it.
     started
         Clock at its start in s.
+    beside
+        Given the static forces in N, runs what says how sure its numbers are; None without.
     """
     search = yield from searching(job)
     raw = search.record
     if raw is None:
         raw = yield search.forces
+    sure = None if beside is None else beside(search.forces)
     if keep == "result":
         command = f"arcless run {job.scenario.name}"
-        return whole(job, search.forces, raw, started, command)
-    return _assessed(job, search.forces, raw, started)
+        return whole(job, search.forces, raw, started, command=command, sure=sure)
+    return _assessed(job, search.forces, raw, started, sure)
 
 
-def _assessed(job: Job, forces: list[float], raw: dict[str, Any], started: float) -> Assessment:
+def assessed_alone(job: Job, started: float) -> Assessment:
+    """Run a member to its end, and assess it.
+
+    With the clock at its start in s.
+    """
+    run, full = running(job, "assessment", started), records_all(job, "assessment")
+    try:
+        forces = next(run)
+        while True:
+            forces = run.send(job.step(forces, full=full))
+    except StopIteration as end:
+        done: Assessment = end.value
+        return done
+
+
+def _assessed(
+    job: Job,
+    forces: list[float],
+    raw: dict[str, Any],
+    started: float,
+    sure: dict[str, Any] | None,
+) -> Assessment:
     """Assess a run from no more of its record than is read."""
     raw["setup_s"] = time.perf_counter() - started - raw["wall_s"]
-    return assess(dataset(job, forces, raw))
+    return assess(dataset(job, forces, raw, sure))
 
 
-def dataset(job: Job, forces: list[float], raw: dict[str, Any]) -> Plain:
+def dataset(
+    job: Job, forces: list[float], raw: dict[str, Any], sure: dict[str, Any] | None = None
+) -> Plain:
     """Return what an assessment reads of a record, which may be of a part of a run.
 
-    With the static forces in N; `raw` has wall_s and setup_s.
+    With the static forces in N, and what was run beside it; `raw` has wall_s and setup_s.
     """
     count, mesh = len(job.scenario.pantographs), job.found.mesh
     channels = contacts.channels(raw, count)
@@ -76,4 +104,5 @@ def dataset(job: Job, forces: list[float], raw: dict[str, Any]) -> Plain:
         "dropper": [dropper.name for dropper in mesh.droppers],
         "support": [support.name for support in mesh.supports],
     }
-    return Plain(*variables(read, names), attributes(attributes_of(job, raw, forces)))
+    facts = {**attributes_of(job, raw, forces), "certainty": sure}
+    return Plain(*variables(read, names), attributes(facts))
