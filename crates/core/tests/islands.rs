@@ -108,6 +108,7 @@ fn plan<const DIM: usize, const D: usize>(p: &Prepared<DIM, D>) -> RecordPlan {
     RecordPlan {
         nodes: vec![3, 11, p.line.nodes() - 5],
         ledger: false,
+        ledger_every: 1,
         ..everything()
     }
 }

@@ -86,6 +86,18 @@ fn details<'py>(
             d.set_item("step", step)?;
             "not_finite"
         }
+        CoreError::Balance {
+            step,
+            time,
+            residual,
+            turnover,
+        } => {
+            d.set_item("step", step)?;
+            d.set_item("time", time)?;
+            d.set_item("residual", residual)?;
+            d.set_item("turnover", turnover)?;
+            "balance"
+        }
         CoreError::Folded { step } => {
             d.set_item("step", step)?;
             "folded"

@@ -1,5 +1,6 @@
 //! Explicit steps of chains, against closed forms and against the implicit ones.
 
+mod energy;
 mod growth;
 mod guests;
 mod islands;
@@ -124,6 +125,7 @@ pub fn plan(nodes: Vec<usize>) -> RecordPlan {
         nodes,
         points: Vec::new(),
         ledger: false,
+        ledger_every: 1,
         near: None,
     }
 }
