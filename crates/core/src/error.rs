@@ -84,16 +84,18 @@ pub enum CoreError {
     },
     /// The energy ledger does not close.
     #[error(
-        "the energy balance does not close in step {step} (t = {time:.6} s): {residual:.3e} J are missing, \
+        "the energy balance does not close in step {step} (t = {time:.6} s): {what} of {off:.3e} J, \
          {turnover:.3e} J were turned over"
     )]
     Balance {
+        /// `residual`, `damping` that gives energy, or `switching`.
+        what: &'static str,
         /// Step number.
         step: usize,
         /// Time at its end, s.
         time: f64,
-        /// What does not add up, J.
-        residual: f64,
+        /// How much, J.
+        off: f64,
         /// Energy turned over or stored so far, J.
         turnover: f64,
     },

@@ -87,14 +87,16 @@ fn details<'py>(
             "not_finite"
         }
         CoreError::Balance {
+            what,
             step,
             time,
-            residual,
+            off,
             turnover,
         } => {
+            d.set_item("what", what)?;
             d.set_item("step", step)?;
             d.set_item("time", time)?;
-            d.set_item("residual", residual)?;
+            d.set_item("off", off)?;
             d.set_item("turnover", turnover)?;
             "balance"
         }

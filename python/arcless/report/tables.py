@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from arcless.assess import Assessment
-from arcless.report.line import energy_terms
+from arcless.report.line import energy_terms, settled
 from arcless.report.scene import Scene
 
 REFERENCE_KEYS = ("quantity", "value", "low", "high", "verdict", "mark", "source")
@@ -130,9 +130,10 @@ def energy_rows(scene: Scene) -> list[tuple[str, str, str]]:
         (
             label,
             str(scene.dataset[name].attrs.get("long_name", "")),
-            f"{scene.values(name)[-1]:.6g}".replace("-", "−"),
+            f"{settled(scene, name)[-1]:.6g}".replace("-", "−"),
         )
         for name, label in energy_terms(scene)
+        if settled(scene, name).size
     ]
 
 

@@ -124,12 +124,41 @@ def translated(
         )
     if (kind, details.get("array")) == ("input", "state"):
         return ResultFormatError("the state in the result does not fit this run", got=message)
+    if kind == "balance":
+        return _unbalanced(details)
     if kind in STEPS:
         what, hint = STEPS[kind]
         time = f", t = {details['time']:.6g} s" if "time" in details else ""
         return ContactError(what, where=f"step {details['step']}{time}", hint=hint)
     is_static = kind in STATIC
     return translate(mesh, kind, message, details) if is_static else ContactError(message)
+
+
+# How the energy balance can fail: what, what is expected, and a hint.
+FAULT = (
+    "a fault of the program or of the machine: please report it; `output.energy: never` runs"
+    " without the ledger"
+)
+UNBALANCED = {
+    "residual": ("the energy balance does not close", "1e-9", FAULT),
+    "damping": ("wires give energy in the place of damping", "−1e-3", FAULT),
+    "switching": (
+        "contacts and droppers that open and close take or give too much energy",
+        "5 %",
+        "try a shorter solver.time_step: it falls with the step",
+    ),
+}
+
+
+def _unbalanced(details: dict[str, Any]) -> ContactError:
+    what, share, hint = UNBALANCED[details["what"]]
+    return ContactError(
+        what,
+        where=f"step {details['step']}, t = {details['time']:.6g} s",
+        got=f"{details['off']:.3g} J",
+        expected=f"within {share} of the {details['turnover']:.3g} J turned over or stored so far",
+        hint=hint,
+    )
 
 
 def _beyond_table(

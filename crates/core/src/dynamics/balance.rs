@@ -69,6 +69,8 @@ pub struct Balance<const DIM: usize, const D: usize> {
     largest: f64,
     /// Least that the wires have dissipated between measured steps.
     least: f64,
+    /// Switching of contacts and links, without stops and tables of riders.
+    switched: f64,
 }
 
 fn overlap_energy(overlap: f64, compliance: f64) -> f64 {
@@ -108,6 +110,7 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
             off: 0.0,
             largest: 0.0,
             least: 0.0,
+            switched: 0.0,
         };
         new.slack = new.slack_at_rest(p, state);
         for &i in &contacts.active {
@@ -166,12 +169,19 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
         let (Some(steps), Some(grid)) = (p.explicit_steps(), &state.grid) else {
             return;
         };
+        // Before anything of this step is booked.
+        if self.measures(step) && self.every > 1 {
+            let line = self.stored(steps, state, grid).all();
+            self.close(line);
+        }
         for (halves, rider) in self.riders.iter_mut().zip(riders) {
             halves.find(rider, &p.coefficients, p.h);
         }
         self.of_step = 0.0;
+        let before = self.entries.switching;
         self.book_contacts(p, (steps, grid), f);
         self.book_links(p, (steps, grid), f.unilateral);
+        self.switched += self.entries.switching - before;
         self.book_dampers(p, (steps, grid));
         if !f.loads.is_empty() {
             for node in f.loads.nodes() {
@@ -186,10 +196,6 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
         }
         if !self.measures(step) {
             return;
-        }
-        if self.every > 1 {
-            let line = self.stored(steps, state, grid).all();
-            self.close(line);
         }
         for &island in &state.awake {
             self.forms.remember(island, grid);
@@ -233,7 +239,8 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
             };
             let others = f.contacts.active.iter().filter(|&&j| j != i);
             let pressed = others.map(|&j| p.residual(contact, &f.contacts.all[j]) * forces[j]);
-            let raised = yields.rise + yields.pulls().map(corrected).sum::<f64>() + pressed.sum::<f64>();
+            let raised =
+                yields.rise + yields.pulls().map(corrected).sum::<f64>() + pressed.sum::<f64>();
             let wire = end.height + raised + p.felt(end, &yields, &self.z);
             let now = f.datum + inner(&contact.vector, &rider.z) - wire;
             let (lifted, risen) = (
@@ -277,7 +284,9 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
         let mut energy = 0.0;
         for (&l, is_rest) in slack.map(|l| (l, false)).chain(at_rest.map(|l| (l, true))) {
             let (link, r0) = (&links[l], links[l].rest_correction());
-            link.nodes.iter().for_each(|&node| self.look(steps, grid, node));
+            link.nodes
+                .iter()
+                .for_each(|&node| self.look(steps, grid, node));
             let moved = link.elongation(&self.moved);
             let ended = link.elongation(&self.z) + moved;
             if is_rest {
@@ -301,7 +310,11 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
         for &(node, component, viscosity) in &p.line.dampers {
             self.look(steps, grid, node);
             let moved = self.moved[node][component];
-            let seen = if component == 0 { steps.slid(grid, node) } else { moved };
+            let seen = if component == 0 {
+                steps.slid(grid, node)
+            } else {
+                moved
+            };
             let lost = viscosity / p.h * seen * moved;
             self.entries.dissipated_springs += lost;
             self.of_step += lost;
@@ -360,8 +373,7 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
         let mut sum = 0.0;
         for island in p.awake(&state.awake) {
             let which = island.links.clone();
-            let both = p.table.viscosity[which.clone()].iter().zip(&rates[which]);
-            sum += both.map(|(c, rate)| c * rate * rate).sum::<f64>();
+            sum += squares(&p.table.viscosity[which.clone()], &rates[which]);
         }
         let slack = unilateral.links.iter();
         let slack = slack.filter(|&&l| unilateral.correction[l] > 0.0);
@@ -418,6 +430,11 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
         self.least
     }
 
+    /// What contacts and links have taken or given by opening and closing, J.
+    pub(super) fn switched(&self) -> f64 {
+        self.switched
+    }
+
     /// Largest energy that the line had when it was settled, J.
     pub(super) fn largest(&self) -> f64 {
         self.largest
@@ -442,6 +459,7 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
             &mut self.off,
             &mut self.largest,
             &mut self.least,
+            &mut self.switched,
         ];
         let lists = self.start.iter_mut().chain(&mut self.settled);
         lists.chain(sums).chain(pressed)
@@ -450,6 +468,20 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
     pub(super) fn meets(&mut self) -> impl Iterator<Item = &mut bool> {
         self.pressed.iter_mut().map(|c| &mut c.meets)
     }
+}
+
+/// Σ c v², summed side by side: one after the other they would wait for each other.
+fn squares(c: &[f64], v: &[f64]) -> f64 {
+    const SIDES: usize = 8;
+    let (mut sums, (c, c_rest)) = ([0.0; SIDES], c.as_chunks::<SIDES>());
+    let (v, v_rest) = v.as_chunks::<SIDES>();
+    for (c, v) in c.iter().zip(v) {
+        for k in 0..SIDES {
+            sums[k] += c[k] * v[k] * v[k];
+        }
+    }
+    let rest = c_rest.iter().zip(v_rest).map(|(c, v)| c * v * v);
+    sums.iter().sum::<f64>() + rest.sum::<f64>()
 }
 
 /// Energies of all riders: kinetic and of springs, what tables add, of stops.

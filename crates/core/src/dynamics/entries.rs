@@ -67,7 +67,9 @@ impl Entries {
     /// Of a row at which nothing was settled.
     pub(super) fn unknown() -> Self {
         let mut new = Self::default();
-        new.all_mut().into_iter().for_each(|entry| *entry = f64::NAN);
+        new.all_mut()
+            .into_iter()
+            .for_each(|entry| *entry = f64::NAN);
         new
     }
 

@@ -60,9 +60,8 @@ impl Halves {
     /// Book the work of the step but for contacts. Call before [`RiderState::advance`].
     pub fn book(&self, rider: &RiderState, (h, speed): (f64, f64), e: &mut Entries) {
         let (r, drive, dz) = (&rider.rider, &rider.drive, &self.moved);
-        let force = |i: usize| {
-            r.preload[i] * rider.preload + r.lift[i] * speed * speed + drive.force[i]
-        };
+        let force =
+            |i: usize| r.preload[i] * rider.preload + r.lift[i] * speed * speed + drive.force[i];
         e.work_uplift += (0..dz.len()).map(|i| force(i) * dz[i]).sum::<f64>();
         e.work_control += rider
             .controlled()
@@ -137,7 +136,9 @@ impl RiderState {
     /// Forces of stops, kinks and steepest lines on the rider, N, each with its direction and whether it is of a
     /// rigid stop.
     fn pushes_with_stiffness(&self) -> impl Iterator<Item = (&Gauge, f64, bool)> {
-        let kinks = self.entered().map(|k| (&k.gauge, k.push(), k.flexibility == 0.0));
+        let kinks = self
+            .entered()
+            .map(|k| (&k.gauge, k.push(), k.flexibility == 0.0));
         kinks.chain(self.laws.iter().map(|l| (&l.gauge, -l.intercept, false)))
     }
 }

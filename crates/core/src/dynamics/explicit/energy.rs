@@ -170,7 +170,13 @@ impl Form {
             slots.iter().map(read).collect()
         };
         let both = |read: &dyn Fn(usize, usize, usize) -> f64| {
-            [0, 1].map(|c| if c + 1 < DIM { of(&|r, l| read(c, r, l)) } else { Vec::new() })
+            [0, 1].map(|c| {
+                if c + 1 < DIM {
+                    of(&|r, l| read(c, r, l))
+                } else {
+                    Vec::new()
+                }
+            })
         };
         let weight = both(&|c, row, lane| {
             let inverse = steps.across[c][row].inverse[lane];
@@ -179,13 +185,20 @@ impl Form {
         });
         let filter = of(&|r, l| steps.common[r].filter[l]);
         let second = of(&|r, l| steps.common[r].second[l]);
-        let reaches = own.blocks.iter().flat_map(|b| &steps.reaches[b.reaches.clone()]);
+        let reaches = own
+            .blocks
+            .iter()
+            .flat_map(|b| &steps.reaches[b.reaches.clone()]);
         let piece = |reach: &super::Reach| Piece {
             masters: reach.masters.map(|m| m as usize - own.masters.start),
             points: reach.ends.map(|slot| number[&(slot as usize)]),
             stiffness: reach.stiffness,
         };
-        let mut clusters: Vec<usize> = slots.iter().filter_map(|&s| steps.in_cluster[s]).map(|c| c.0).collect();
+        let mut clusters: Vec<usize> = slots
+            .iter()
+            .filter_map(|&s| steps.in_cluster[s])
+            .map(|c| c.0)
+            .collect();
         clusters.sort_unstable();
         clusters.dedup();
         let joint = |member: &Member| Joint {
@@ -256,7 +269,12 @@ impl Form {
             let stretched = |f: &Field| {
                 let [a, b] = piece.masters;
                 let mut by = f.along[b] - f.along[a];
-                for (slope, r) in self.slope.iter().zip(&f.across).filter(|(_, r)| !r.is_empty()) {
+                for (slope, r) in self
+                    .slope
+                    .iter()
+                    .zip(&f.across)
+                    .filter(|(_, r)| !r.is_empty())
+                {
                     for k in piece.points[0]..piece.points[1] {
                         by += slope[k] * (r[k + 1] - r[k]);
                     }
@@ -378,9 +396,8 @@ impl Cluster {
     /// xᵀ A z
     fn form(&self, a: &[f64], x: &[f64], z: &[f64]) -> f64 {
         let rows = a.chunks_exact(self.size).zip(x);
-        let of_row = |(row, x): (&[f64], &f64)| {
-            x * row.iter().zip(z).map(|(a, z)| a * z).sum::<f64>()
-        };
+        let of_row =
+            |(row, x): (&[f64], &f64)| x * row.iter().zip(z).map(|(a, z)| a * z).sum::<f64>();
         rows.map(of_row).sum()
     }
 }
@@ -424,7 +441,11 @@ impl Filtered {
                 pivot -= far * far * pivots[k - 2];
             }
             if k > 0 {
-                let more = if k > 1 { far * pivots[k - 2] * below[k - 1][0] } else { 0.0 };
+                let more = if k > 1 {
+                    far * pivots[k - 2] * below[k - 1][0]
+                } else {
+                    0.0
+                };
                 near = (a[k - 1][1] - more) / pivots[k - 1];
                 pivot -= near * near * pivots[k - 1];
             }
