@@ -382,6 +382,7 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
         self.of_step += p.h * sum;
         self.entries.dissipated_links += p.h * sum - undone;
         self.entries.switching += undone;
+        self.switched += undone;
     }
 
     fn settle_riders(&mut self) {

@@ -116,7 +116,7 @@ pub fn seen_wire(s: &Single, dim: usize) -> Chain {
     (chain, vec![path])
 }
 
-/// All that is recorded but energies, of which explicit steps keep no books.
+/// All that is recorded but energies.
 pub fn plan(nodes: Vec<usize>) -> RecordPlan {
     RecordPlan {
         contact_every: 1,
