@@ -82,6 +82,23 @@ pub enum CoreError {
         /// Step at which it was noticed.
         step: usize,
     },
+    /// The energy ledger does not close.
+    #[error(
+        "the energy balance does not close in step {step} (t = {time:.6} s): {what} of {off:.3e} J, \
+         {turnover:.3e} J were turned over"
+    )]
+    Balance {
+        /// `residual`, `damping` that gives energy, or `switching`.
+        what: &'static str,
+        /// Step number.
+        step: usize,
+        /// Time at its end, s.
+        time: f64,
+        /// How much, J.
+        off: f64,
+        /// Energy turned over or stored so far, J.
+        turnover: f64,
+    },
     /// The wire that contacts run along no longer runs forwards: the motion has grown out of bounds.
     #[error("the wire folds back on itself in step {step}")]
     Folded {
@@ -151,7 +168,9 @@ impl CoreError {
     /// The same error in the step that is number `now` of its loop; `h` is the step length in s.
     pub(crate) fn of_step(mut self, now: usize, h: f64) -> Self {
         match &mut self {
-            Self::Lcp { step, time, .. } | Self::SlackSet { step, time } => {
+            Self::Lcp { step, time, .. }
+            | Self::SlackSet { step, time }
+            | Self::Balance { step, time, .. } => {
                 (*step, *time) = (now, (now + 1) as f64 * h);
             }
             Self::NotFinite { step, .. }

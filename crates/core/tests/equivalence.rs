@@ -68,6 +68,7 @@ fn thinned_record_holds_the_same_values() {
         contact_every: 10,
         line_every: 7,
         ledger: false,
+        ledger_every: 1,
         ..everything()
     };
     let thin = short_run(&p, 65.0, &plan);

@@ -86,7 +86,7 @@ fn two_lengths(yields: bool) -> Prepared<2, 4> {
 }
 
 /// Through the overlap, from one to the other.
-fn way(instants: usize) -> Travel {
+pub fn way(instants: usize) -> Travel {
     Travel {
         positions: (0..instants).map(|i| 70.0 + 0.075 * i as f64).collect(),
         speeds: vec![75.0; instants],
@@ -108,6 +108,7 @@ fn plan<const DIM: usize, const D: usize>(p: &Prepared<DIM, D>) -> RecordPlan {
     RecordPlan {
         nodes: vec![3, 11, p.line.nodes() - 5],
         ledger: false,
+        ledger_every: 1,
         ..everything()
     }
 }
@@ -155,7 +156,7 @@ pub fn untouched_is_at_rest<const DIM: usize, const D: usize>(p: &Prepared<DIM, 
 }
 
 /// Only a few links and nodes behind the rider.
-fn near<const DIM: usize, const D: usize>(p: &Prepared<DIM, D>) -> Near {
+pub fn near<const DIM: usize, const D: usize>(p: &Prepared<DIM, D>) -> Near {
     let links = &p.line.links;
     let x = |i: usize| p.line.shape[links[i].nodes[0]][0];
     let mut order: Vec<usize> = (0..links.len()).collect();

@@ -238,6 +238,7 @@ fn strips_on_several_lanes_in_space_go_on() {
 fn updated_kinematics_go_on() {
     let plan = RecordPlan {
         ledger: false,
+        ledger_every: 1,
         ..everything()
     };
     let travel = way(60, vec![0.0]);

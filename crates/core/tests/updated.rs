@@ -32,6 +32,7 @@ fn plan(points: Vec<f64>) -> RecordPlan {
         nodes: Vec::new(),
         points,
         ledger: false,
+        ledger_every: 1,
         near: None,
     }
 }
@@ -398,6 +399,7 @@ fn an_energy_ledger_is_refused() {
     let p = updated::<2, 2>(&wire(), Scheme::BackwardDifference, 1e-3, CONTACT);
     let with = RecordPlan {
         ledger: true,
+        ledger_every: 1,
         ..plan(Vec::new())
     };
     let way = travel(6.0, 60.0, 1e-3, 3, 0.0);

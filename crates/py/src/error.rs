@@ -86,6 +86,20 @@ fn details<'py>(
             d.set_item("step", step)?;
             "not_finite"
         }
+        CoreError::Balance {
+            what,
+            step,
+            time,
+            off,
+            turnover,
+        } => {
+            d.set_item("what", what)?;
+            d.set_item("step", step)?;
+            d.set_item("time", time)?;
+            d.set_item("off", off)?;
+            d.set_item("turnover", turnover)?;
+            "balance"
+        }
         CoreError::Folded { step } => {
             d.set_item("step", step)?;
             "folded"

@@ -32,6 +32,7 @@ pub fn read_plan(plan: &Bound<'_, PyDict>) -> PyResult<RecordPlan> {
         nodes: get("nodes")?.extract()?,
         points: get("points")?.extract()?,
         ledger: get("ledger")?.extract()?,
+        ledger_every: get("ledger_every")?.extract()?,
         near: plan
             .get_item("near")?
             .map(|v| v.extract::<Option<NearData>>())
@@ -62,6 +63,7 @@ pub fn arrays(py: Python<'_>, r: Record) -> PyResult<Bound<'_, PyDict>> {
     out.set_item("steps", r.steps)?;
     out.set_item("energy_residual", r.energy_residual)?;
     out.set_item("energy_turnover", r.energy_turnover)?;
+    out.set_item("energy_switching", r.energy_switching)?;
     // The arrays take over the memory of the record: nothing is copied.
     let series: [(&str, Vec<f64>); 22] = [
         ("time", r.time),

@@ -22,7 +22,6 @@ from arcless.assess.section import (
 from arcless.assess.statistics import PantographAssessment, pantograph_assessment
 from arcless.assess.wear import WearRates, wear_notes, wear_rates
 from arcless.errors import ModelError, ResultFormatError
-from arcless.model.schemes import EXPLICIT
 from arcless.results import metadata
 
 if TYPE_CHECKING:
@@ -181,7 +180,7 @@ def _absences(line: Mapping[str, Any], scenario: Mapping[str, Any]) -> list[str]
     if scenario["line"].get("messenger_wire") is None:
         never.add("min_dropper_force_N")
     # Who asks for a ledger of these gets an error in the place of a run.
-    if solver["kinematics"] == "updated" or solver["scheme"]["name"] == EXPLICIT:
+    if solver["kinematics"] == "updated":
         never.add("energy_residual_relative")
     return [_absent(n) for n, value in line.items() if value is None and n not in never]
 

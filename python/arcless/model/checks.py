@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING
 
 from arcless.errors import ModelError
 from arcless.model.line import POSITION_TOLERANCE
-from arcless.model.schemes import EXPLICIT
 from arcless.units import show
 
 if TYPE_CHECKING:
@@ -255,22 +254,13 @@ def _check_step(scenario: "Scenario") -> None:
 def _check_energy(scenario: "Scenario") -> None:
     if scenario.output.energy != "always":
         return
-    field = ("output", "energy")
     if scenario.solver.kinematics == "updated":
         raise ModelError(
             "no energy ledger with updated kinematics",
             got="always",
             expected="auto or never, or solver.kinematics linearised",
             hint="stiffness that is formed anew in each step belongs to no stored energy",
-            field=field,
-        )
-    if scenario.stepping.scheme.name == EXPLICIT:
-        raise ModelError(
-            f"no energy ledger with the scheme {EXPLICIT}",
-            got="always",
-            expected="auto or never, or another solver.scheme",
-            hint="the ledger books the balance of a step that is solved for",
-            field=field,
+            field=("output", "energy"),
         )
 
 

@@ -43,7 +43,7 @@ def other_family(scenario: Scenario, *, chains: bool = True) -> Scenario:
         With elements and a step as above or, where those given are as fine, with what is twice as
         fine as they are. Contacts are recorded at the same rate.
     """
-    solver = scenario.solver
+    solver = scenario.stepping
     updated = solver.kinematics == "updated"
     to_chains = chains and not steps_on_chains(solver) and may_be_chains(scenario)
     parts = _parts_of_a_step(scenario.time_step_s, CHAIN_STEP if to_chains else CUBIC_STEP)
@@ -55,6 +55,7 @@ def other_family(scenario: Scenario, *, chains: bool = True) -> Scenario:
         wire_model="lumped" if to_chains else "hermite",
         kinematics=solver.kinematics,
         residual_flexibility=not (to_chains or updated) and may_be_chains(scenario),
+        motion=solver.motion,
         dimension=solver.dimension,
         contact_wire_element=contact,
         messenger_wire_element=messenger,

@@ -1,5 +1,6 @@
 """A scenario: a line, pantographs, a speed, and how to compute, assess and record."""
 
+from collections.abc import Mapping
 from functools import cached_property
 from typing import Annotated, Any, Literal
 
@@ -150,6 +151,14 @@ class Scenario(Document):
     def choice(self) -> Choice:
         """What a run takes where `solver` leaves it to auto, and why."""
         return choose(self)
+
+    def model_copy(
+        self, *, update: Mapping[str, Any] | None = None, deep: bool = False
+    ) -> "Scenario":
+        """Return a copy that chooses anew: what is changed may change the choice."""
+        copied = super().model_copy(update=update, deep=deep)
+        copied.__dict__.pop("choice", None)
+        return copied
 
     @property
     def stepping(self) -> Solver:

@@ -65,16 +65,18 @@ def elasticity(scene: Scene) -> Any | None:
 
 def energy(scene: Scene) -> Any | None:
     """Draw every term of the energy ledger over time."""
-    terms = [(name, label) for name, label in energy_terms(scene) if scene.values(name).any()]
+    terms = [(name, label) for name, label in energy_terms(scene) if settled(scene, name).any()]
     if not terms:
         return None
     fig = figure("Terms that are not zero throughout", "time, s", "energy, J", height=420)
-    kept = every(scene.values("line_time").size, ENERGY_ROWS)
-    time = single(scene.values("line_time")[kept])
+    times = scene.values("line_time")[np.isfinite(scene.values(terms[0][0]))]
+    kept = every(times.size, ENERGY_ROWS)
+    time = single(times[kept])
     entries = []
     for i, (name, label) in enumerate(terms):
         dash = ("solid", "dashed")[i // len(COLOURS) % 2]
-        line = fig.line(time, single(scene.values(name)[kept]), color=colour(i), line_dash=dash)
+        values = single(settled(scene, name)[kept])
+        line = fig.line(time, values, color=colour(i), line_dash=dash)
         add_hover(fig, [line], [(label, "@y{0.000} J"), ("time", "@x{0.000} s")])
         entries.append((label, [line]))
     add_legend(fig, entries)
@@ -85,6 +87,12 @@ def energy_terms(scene: Scene) -> list[tuple[str, str]]:
     """Return name and short label of the ledger's terms in the dataset."""
     names = [str(name) for name in scene.dataset if str(name).startswith("energy_")]
     return [(name, name.removeprefix("energy_").replace("_", " ")) for name in names]
+
+
+def settled(scene: Scene, name: str) -> Floats:
+    """Return a term of the ledger in the rows at which it was settled."""
+    values: Floats = scene.values(name)
+    return values[np.isfinite(values)]
 
 
 def _view(scene: Scene, title: str, axis: str, y_label: str, height: int) -> Any | None:

@@ -5,7 +5,7 @@ from dataclasses import asdict, dataclass
 from typing import Any
 
 from arcless.assess import TOO_CLOSE, Assessment, Criterion, uncertainty_of, verdict_of
-from arcless.report.line import energy_terms
+from arcless.report.line import energy_terms, settled
 from arcless.report.scene import Scene
 
 REFERENCE_KEYS = ("quantity", "value", "low", "high", "verdict", "mark", "source")
@@ -180,9 +180,10 @@ def energy_rows(scene: Scene) -> list[tuple[str, str, str]]:
         (
             label,
             str(scene.dataset[name].attrs.get("long_name", "")),
-            f"{scene.values(name)[-1]:.6g}".replace("-", "−"),
+            f"{settled(scene, name)[-1]:.6g}".replace("-", "−"),
         )
         for name, label in energy_terms(scene)
+        if settled(scene, name).size
     ]
 
 

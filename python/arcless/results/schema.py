@@ -65,6 +65,11 @@ _CONTACT = ("time", "pantograph")
 _LINE = ("line_time",)
 
 
+def _energy(long_name: str) -> Variable:
+    """Return an entry of the energy ledger: NaN in rows at which it was not settled."""
+    return Variable(_LINE, "J", long_name, absent=True)
+
+
 def _wire_number(wire: str) -> Variable:
     meaning = "number of its wire, from 1; only where there are several"
     return Variable((f"{wire}_wire_node",), "1", meaning, integer=True)
@@ -128,24 +133,24 @@ VARIABLES: dict[str, Variable] = {
         ("line_time", "point"), "m", "displacement of the contact wire along the track"
     ),
     "slack_droppers": Variable(_LINE, "1", "number of slack droppers", integer=True),
-    "energy_kinetic": Variable(_LINE, "J", "kinetic energy of the line"),
-    "energy_elastic": Variable(_LINE, "J", "elastic energy of the line"),
-    "energy_contact": Variable(_LINE, "J", "energy stored in contacts and bump stops"),
-    "energy_pantograph": Variable(_LINE, "J", "kinetic and elastic energy of the pantographs"),
-    "energy_dissipated_line": Variable(_LINE, "J", "energy dissipated in the wires"),
-    "energy_dissipated_droppers": Variable(_LINE, "J", "energy dissipated in the droppers"),
-    "energy_dissipated_supports": Variable(_LINE, "J", "energy dissipated at the supports"),
-    "energy_dissipated_pantograph": Variable(_LINE, "J", "energy dissipated in the pantographs"),
-    "energy_dissipated_scheme": Variable(_LINE, "J", "energy dissipated by the time scheme"),
-    "energy_switching": Variable(
-        _LINE, "J", "energy lost where a contact or a dropper closes or opens within a step"
+    "energy_kinetic": _energy("kinetic energy of the line"),
+    "energy_elastic": _energy("elastic energy of the line"),
+    "energy_contact": _energy("energy stored in contacts and bump stops"),
+    "energy_pantograph": _energy("kinetic and elastic energy of the pantographs"),
+    "energy_dissipated_line": _energy("energy dissipated in the wires"),
+    "energy_dissipated_droppers": _energy("energy dissipated in the droppers"),
+    "energy_dissipated_supports": _energy("energy dissipated at the supports"),
+    "energy_dissipated_pantograph": _energy("energy dissipated in the pantographs"),
+    "energy_dissipated_scheme": _energy("energy dissipated by the time scheme"),
+    "energy_switching": _energy(
+        "energy lost where a contact or a dropper closes or opens within a step"
     ),
-    "energy_work_uplift": Variable(_LINE, "J", "work of the uplift forces and of the roof"),
-    "energy_work_control": Variable(_LINE, "J", "work of the controlled forces"),
-    "energy_work_traction": Variable(_LINE, "J", "work that moves the contact along the wire"),
-    "energy_work_friction": Variable(_LINE, "J", "work of the friction along the wire"),
-    "energy_work_wind": Variable(_LINE, "J", "work of the gusts on the wires"),
-    "energy_residual": Variable(_LINE, "J", "what the energy ledger does not account for"),
+    "energy_work_uplift": _energy("work of the uplift forces and of the roof"),
+    "energy_work_control": _energy("work of the controlled forces"),
+    "energy_work_traction": _energy("work that moves the contact along the wire"),
+    "energy_work_friction": _energy("work of the friction along the wire"),
+    "energy_work_wind": _energy("work of the gusts on the wires"),
+    "energy_residual": _energy("what the energy ledger does not account for"),
     "dropper_force_min": Variable(("dropper",), "N", "lowest dropper force, every step"),
     "dropper_force_max": Variable(("dropper",), "N", "highest dropper force, every step"),
     "support_uplift_max": Variable(("support",), "m", "highest contact-wire uplift, every step"),

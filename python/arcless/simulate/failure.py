@@ -105,6 +105,23 @@ def translated(
     """Return the error of a step in words; riders have the given names."""
     if kind == "lcp":
         return _unsolved(mesh, pantographs, details)
+    if kind in ("off_wire", "out_of_reach"):
+        return _beside_the_wire(pantographs, kind, details)
+    if (kind, details.get("array")) == ("input", "state"):
+        return ResultFormatError("the state in the result does not fit this run", got=message)
+    if kind == "balance":
+        return _unbalanced(details)
+    if kind in STEPS:
+        what, hint = STEPS[kind]
+        time = f", t = {details['time']:.6g} s" if "time" in details else ""
+        return ContactError(what, where=f"step {details['step']}{time}", hint=hint)
+    is_static = kind in STATIC
+    return translate(mesh, kind, message, details) if is_static else ContactError(message)
+
+
+def _beside_the_wire(
+    pantographs: Sequence[str], kind: str, details: dict[str, Any]
+) -> ContactError:
     if kind == "off_wire":
         return ContactError(
             f"pantograph {pantographs[details['rider']]} left the wire",
@@ -112,23 +129,41 @@ def translated(
             got=f"{details['position']:.2f} m",
             hint="shorten travel, or lengthen the line",
         )
-    if kind == "out_of_reach":
-        name = pantographs[details["rider"]]
-        return ContactError(
-            f"the contact wire leaves the collector of pantograph {name} sideways",
-            where=f"{details['position']:.2f} m, step {details['step']}",
-            got=f"{abs(details['lateral']):.3f} m off the middle",
-            expected=f"at most the half width of the collector, {details['half_width']:.3f} m",
-            hint="a collector shorter than the stagger: check both, and the wind",
-        )
-    if (kind, details.get("array")) == ("input", "state"):
-        return ResultFormatError("the state in the result does not fit this run", got=message)
-    if kind in STEPS:
-        what, hint = STEPS[kind]
-        time = f", t = {details['time']:.6g} s" if "time" in details else ""
-        return ContactError(what, where=f"step {details['step']}{time}", hint=hint)
-    is_static = kind in STATIC
-    return translate(mesh, kind, message, details) if is_static else ContactError(message)
+    name = pantographs[details["rider"]]
+    return ContactError(
+        f"the contact wire leaves the collector of pantograph {name} sideways",
+        where=f"{details['position']:.2f} m, step {details['step']}",
+        got=f"{abs(details['lateral']):.3f} m off the middle",
+        expected=f"at most the half width of the collector, {details['half_width']:.3f} m",
+        hint="a collector shorter than the stagger: check both, and the wind",
+    )
+
+
+# How the energy balance can fail: what, what is expected, and a hint.
+FAULT = (
+    "a fault of the program or of the machine: please report it; `output.energy: never` runs"
+    " without the ledger"
+)
+UNBALANCED = {
+    "residual": ("the energy balance does not close", "1e-9", FAULT),
+    "damping": ("wires give energy in the place of damping", "−1e-3", FAULT),
+    "switching": (
+        "contacts and droppers that open and close take or give too much energy",
+        "5 %",
+        "try a shorter solver.time_step: it falls with the step",
+    ),
+}
+
+
+def _unbalanced(details: dict[str, Any]) -> ContactError:
+    what, share, hint = UNBALANCED[details["what"]]
+    return ContactError(
+        what,
+        where=f"step {details['step']}, t = {details['time']:.6g} s",
+        got=f"{details['off']:.3g} J",
+        expected=f"within {share} of the {details['turnover']:.3g} J turned over or stored so far",
+        hint=hint,
+    )
 
 
 def _beyond_table(

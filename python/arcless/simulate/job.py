@@ -20,6 +20,9 @@ Cancel = Callable[[], bool]
 Take = Callable[[dict[str, Any]], None]
 # Numbers of a piece of the series: 8 MB.
 PIECE = 1 << 20
+# Steps between two at which explicit ones measure what wires dissipate, which takes two steps' time.
+# With fewer the ledger would cost more than a twentieth of a run; with more its rows are far apart.
+MEASURED_EVERY = 100
 
 
 @dataclass(frozen=True)
@@ -101,7 +104,8 @@ class Job:
             "links": full and output.droppers,
             "nodes": [support.contact_node for support in self.found.mesh.supports],
             "points": list(output.points),
-            "ledger": full and keeps_ledger(self.scenario),
+            "ledger": keeps_ledger(self.scenario) and (full or measured_every(self.scenario) > 1),
+            "ledger_every": measured_every(self.scenario),
             "near": None if self.nearby is None else self.nearby.plan(self.found.mesh),
         }
 
@@ -177,11 +181,17 @@ def observer(steps: int, text: str, tell: Progress, cancel: Cancel | None) -> Ca
 
 def keeps_ledger(scenario: Scenario) -> bool:
     """Whether energies are booked in a run of a scenario."""
-    # The ledger costs about as much as the step itself; see docs/decisions.
-    # It books a balance that is solved for, about one stiffness: others have none.
-    if scenario.solver.kinematics == "updated" or scenario.stepping.scheme.name == EXPLICIT:
+    # With a matrix the ledger costs about as much as the step itself; see docs/decisions.
+    # It books work against one stiffness: with updated kinematics there is none.
+    if scenario.solver.kinematics == "updated":
         return False
-    wanted = scenario.output.energy
-    return wanted == "always" or (
-        wanted == "auto" and scenario.stepping.scheme.name == "trapezoidal"
-    )
+    wanted, scheme = scenario.output.energy, scenario.stepping.scheme.name
+    return wanted == "always" or (wanted == "auto" and scheme in ("trapezoidal", EXPLICIT))
+
+
+def measured_every(scenario: Scenario) -> int:
+    """Every how many steps the dissipation of the wires is measured, where a ledger is kept."""
+    if scenario.stepping.scheme.name != EXPLICIT or scenario.output.energy == "always":
+        return 1
+    rows = scenario.output.line_every
+    return rows * -(-MEASURED_EVERY // rows)

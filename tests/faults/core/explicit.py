@@ -123,4 +123,53 @@ LINKED = [
     ),
 ]
 
-EXPLICIT = [*YIELDING, *MOVING, *LINKED]
+CLOSES = "conservation/test_energy_explicit.py::test_the_ledger_closes"
+GUESTS = "conservation/test_energy_explicit.py::test_wires_at_points_of_others"
+FALLS = "conservation/test_energy_explicit.py::test_switching_falls"
+
+BOOKED = [
+    Mutation(
+        "contacts press on the wire where they were a step ago",
+        "dynamics/stepper.rs",
+        "let place = &contacts.all[j].place;\n            let change",
+        "let place = &contacts.all[j].ends[0];\n            let change",
+        (CLOSES,),
+    ),
+    Mutation(
+        "gaps are those of the contacts a step ago",
+        "dynamics/watch.rs",
+        "let place = &contact.place;",
+        "let place = &contact.ends[0];",
+        (FALLS,),
+    ),
+    Mutation(
+        "ends of wires at points of others stay behind by a millionth",
+        "dynamics/explicit/stepping.rs",
+        "rows[row].w[lane] = a;",
+        "rows[row].w[lane] = (1.0 - 1e-6) * a;",
+        (GUESTS,),
+    ),
+    Mutation(
+        "damping along the wire of an older velocity",
+        "dynamics/explicit/stretch.rs",
+        "*s = x + lag * d;",
+        "*s = x + 1.001 * lag * d;",
+        (CLOSES,),
+    ),
+    Mutation(
+        "damping across the wire a thousandth too much",
+        "dynamics/explicit/kernels.rs",
+        "-alpha[l] * d[l]",
+        "-1.001 * alpha[l] * d[l]",
+        (CLOSES,),
+    ),
+    Mutation(
+        "energy of the motion without the filter",
+        "dynamics/explicit/energy.rs",
+        "filtered: [0, 1].map(|c| Filtered::new(&weight[c], &filter, &second)),",
+        "filtered: [0, 1].map(|c| Filtered::new(&weight[c], &vec![0.0; filter.len()], &second)),",
+        (CLOSES,),
+    ),
+]
+
+EXPLICIT = [*YIELDING, *MOVING, *LINKED, *BOOKED]

@@ -357,13 +357,6 @@ def test_line(refused: Refused, old: str, new: str, message: str) -> None:
         ),
         (
             "speed:",
-            "solver: {scheme: central-difference}\noutput: {energy: always}\nspeed:",
-            "scenario.yaml:7: output.energy: no energy ledger with the scheme central-difference:"
-            " got always, expected auto or never, or another solver.scheme; hint: the ledger books"
-            " the balance of a step that is solved for",
-        ),
-        (
-            "speed:",
             "solver: {scheme: {name: newmark, beta: 0.25, gamma: 0.6}}\nspeed:",
             "scenario.yaml:6: solver.scheme.beta: not unconditionally stable: got 0.25, expected"
             " at least (gamma + 1/2)²/4 = 0.3025",

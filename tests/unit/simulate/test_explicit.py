@@ -11,11 +11,13 @@ from typer.testing import CliRunner
 import arcless
 from arcless import _core
 from arcless.cli.app import app
-from arcless.errors import ModelError
+from arcless.errors import ContactError, ModelError
+from arcless.mesh import Mesh
 from arcless.model import Scenario
 from arcless.results import Result
 from arcless.simulate import failure
 from arcless.simulate.batch.keys import shared_key
+from arcless.simulate.failure import translated
 from tests.support.explicit import EXPLICIT
 from tests.support.small import differing
 
@@ -83,13 +85,43 @@ def test_what_auto_stands_for_gives_the_same_bits(short: Short, scheme: str) -> 
         assert found.attrs["messenger_wire_element_m"] == solver.messenger_wire_element_m
 
 
-def test_there_is_no_ledger_and_nothing_to_say_of_it(run: Run) -> None:
-    result = run(**EXPLICIT)
-    assert not [name for name in result.dataset if str(name).startswith("energy")]
-    assert result.assessment.to_dict()["energy_residual_relative"] is None
-    assert not [note for note in result.assessment.notes if "ledger" in note]
-    kept = run(**{"output.energy": "never"}).assessment.notes
-    assert "no energy ledger was kept; `output.energy: always` keeps one" in kept
+def test_the_ledger_changes_no_bit_and_is_kept_by_default(short: Short) -> None:
+    results = {
+        kept: arcless.run(short(**EXPLICIT, **{"output.energy": kept, "output.line_every": 7}))
+        for kept in ("auto", "always", "never")
+    }
+    plain = results["never"].dataset
+    for kept in ("auto", "always"):
+        data = results[kept].dataset
+        more = {str(name) for name in data.variables if name not in plain.variables}
+        assert more and all(name.startswith("energy_") for name in more)
+        for name, variable in plain.data_vars.items():
+            assert differing(data[name], variable)[1] == 0, name
+        # Rounding; a hundred times that of a step where one in a hundred is measured.
+        assert 0.0 < results[kept].assessment.to_dict()["energy_residual_relative"] < 1e-11
+    settled = np.flatnonzero(np.isfinite(results["auto"].dataset["energy_elastic"].values))
+    # One step in a hundred, rounded up to rows: 105 = 15 rows of 7 steps.
+    assert len(settled) > 5 and (np.diff(settled) == 15).all()
+    assert np.isfinite(results["always"].dataset["energy_elastic"].values).all()
+    notes = results["never"].assessment.notes
+    assert "no energy ledger was kept; `output.energy: always` keeps one" in notes
+
+
+def test_a_batch_keeps_the_ledger_of_explicit_steps(short: Short) -> None:
+    (outcome,) = arcless.batch([short(**EXPLICIT)])
+    assert outcome.assessment is not None
+    found = outcome.assessment.energy_residual_relative
+    assert found is not None and 0.0 < found < 1e-11
+
+
+@pytest.mark.parametrize("what", ["residual", "damping", "switching"])
+def test_a_balance_that_does_not_close_says_when(what: str) -> None:
+    details = {"what": what, "step": 7, "time": 0.008, "off": -0.25, "turnover": 2.0}
+    error = translated(Mesh.__new__(Mesh), ["one"], "balance", "", details)
+    assert isinstance(error, ContactError)
+    assert error.where == "step 7, t = 0.008 s" and error.got == "-0.25 J"
+    assert error.expected is not None and "of the 2 J turned over" in error.expected
+    assert error.hint
 
 
 def test_a_step_too_long_is_refused(short: Short) -> None:

@@ -64,6 +64,20 @@ impl Entries {
         supplied.max(self.kinetic.abs() + self.elastic.abs() + self.riders.abs())
     }
 
+    /// Of a row at which nothing was settled.
+    pub(super) fn unknown() -> Self {
+        let mut new = Self::default();
+        new.all_mut()
+            .into_iter()
+            .for_each(|entry| *entry = f64::NAN);
+        new
+    }
+
+    /// Whether nothing was settled there.
+    pub(super) fn is_unknown(&self) -> bool {
+        self.kinetic.is_nan() && self.work_uplift.is_nan() && self.work_loads.is_nan()
+    }
+
     /// All of them, to go through.
     pub(super) fn all_mut(&mut self) -> [&mut f64; 15] {
         [

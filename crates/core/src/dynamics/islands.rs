@@ -5,6 +5,7 @@
 //! recorded, is laid to rest again. A step then costs what one or two islands cost, however
 //! long the line, and the forces are those of stepping everything, bit for bit.
 
+use super::books::Books;
 use super::line::Line;
 use super::near::Near;
 use super::run::Run;
@@ -143,11 +144,11 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
 
     /// Let sleep what all riders have left and what lies behind all that is recorded, with the first rider
     /// at a position.
-    pub(super) fn leave_behind(&mut self, position: f64) {
+    pub(super) fn leave_behind(&mut self, position: f64, mut books: Option<&mut Books<DIM, D>>) {
         let Some(near) = &self.plan.near else {
             return;
         };
-        if self.plan.ledger || !self.may_sleep() {
+        if matches!(books, Some(Books::Solved(_))) || !self.may_sleep() {
             return;
         }
         let from = first_recorded(near, near.from(position, self.travel));
@@ -155,6 +156,10 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
             let number = self.state.awake[k];
             let ends = self.p.islands[number].end < from;
             if ends && !self.is_touched(number) && !self.has_points(number) {
+                let explicit = (self.p.explicit_steps(), &self.state.grid);
+                if let (Some(Books::Explicit(b)), (Some(s), Some(g))) = (&mut books, explicit) {
+                    b.leave(s, g, number);
+                }
                 self.put_to_sleep(number);
             }
         }

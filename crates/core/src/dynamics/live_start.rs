@@ -198,6 +198,7 @@ fn plan() -> RecordPlan {
         nodes: Vec::new(),
         points: Vec::new(),
         ledger: false,
+        ledger_every: 1,
         near: None,
     }
 }

@@ -97,6 +97,12 @@ impl<'a> Loads<'a> {
         self.acting().map(of).sum()
     }
 
+    /// Nodes that a force acts on in this step, some of them more than once.
+    pub(super) fn nodes(&self) -> impl Iterator<Item = usize> + '_ {
+        let patterns = self.acting().flat_map(|(load, _)| &load.pattern);
+        patterns.map(|&(node, _, _)| node)
+    }
+
     fn acting(&self) -> impl Iterator<Item = (&'a Load, f64)> + '_ {
         let pairs = self.given.iter().zip(self.sizes.iter().copied());
         pairs.filter(|(_, size)| *size != 0.0)

@@ -2,6 +2,8 @@
 //! complementarity problem per step.
 
 pub mod actuator;
+pub mod balance;
+mod books;
 mod close;
 pub mod columns;
 pub mod contact;
@@ -44,6 +46,7 @@ mod rest;
 mod resume;
 pub mod rider;
 pub mod rider_energy;
+mod rider_halves;
 mod rider_kinks;
 mod rounded;
 mod rounding;

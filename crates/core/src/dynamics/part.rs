@@ -6,7 +6,7 @@
 //! counts of the run so far.
 
 use super::actuator::Ask;
-use super::ledger::Ledger;
+use super::books::Books;
 use super::record::{Record, RecordPlan};
 use super::rider::{Rider, RiderState};
 use super::run::{OBSERVE_EVERY, Run, Travel, check, check_nodes};
@@ -113,8 +113,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         part: Part<'_>,
         mut callers: Callers<'_>,
     ) -> Result<(Record, State), CoreError> {
-        let steps = (self.updating.is_some(), self.explicit_steps().is_some());
-        check(riders, travel, plan, steps)?;
+        check(riders, travel, plan, self.updating.is_some())?;
         check_nodes(&plan.nodes, self.line.nodes())?;
         if let Some(near) = &plan.near {
             near.check(self.line.links.len(), self.line.nodes())?;
@@ -126,25 +125,23 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
             None => Run::start(self, riders, travel, plan)?,
             Some(_) => Run::blank(self, riders, travel, plan)?,
         };
-        let mut ledger = plan
-            .ledger
-            .then(|| Ledger::new(self, &run.state, &run.riders, &run.contacts, run.datum));
+        let mut books = Books::open(&run);
         if let Some(state) = part.from {
-            run.put_back(state, ledger.as_mut())?;
+            run.put_back(state, books.as_mut())?;
         }
         for step in steps {
             if step % OBSERVE_EVERY == 0 {
                 callers.call(&mut run, step)?;
             }
             run.control(step, callers.ask)?;
-            run.step(step, ledger.as_mut())?;
+            run.step(step, books.as_mut())?;
             if step % OBSERVE_EVERY == 0 {
-                run.leave_behind(travel.positions[step + 1]);
+                run.leave_behind(travel.positions[step + 1], books.as_mut());
             }
         }
         run.check_finite(until)?;
         run.record.check_energy(until)?;
-        let state = run.take_down(until, ledger.as_mut())?;
+        let state = run.take_down(until, books.as_mut())?;
         run.read_laws();
         Ok((run.record, state))
     }

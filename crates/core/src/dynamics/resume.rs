@@ -4,6 +4,8 @@
 //! sides, and all that updated kinematics form.
 
 use super::actuator::ActuatorState;
+use super::balance::Balance;
+use super::books::Books;
 use super::contacts::Contacts;
 use super::law::Side;
 use super::ledger::Ledger;
@@ -21,18 +23,25 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
     pub(super) fn take_down(
         &mut self,
         step: usize,
-        ledger: Option<&mut Ledger<D>>,
+        books: Option<&mut Books<DIM, D>>,
     ) -> Result<State, CoreError> {
         let mut walk = Walk::taking_down();
-        self.walk(&mut walk, ledger)?;
+        self.walk(&mut walk, books)?;
         Ok(walk.state(step))
     }
 
     /// Go on from a state.
-    pub(super) fn put_back(&mut self, state: &State, ledger: Option<&mut Ledger<D>>) -> Done {
+    pub(super) fn put_back(
+        &mut self,
+        state: &State,
+        mut books: Option<&mut Books<DIM, D>>,
+    ) -> Done {
         let mut walk = Walk::putting_back(state);
-        self.walk(&mut walk, ledger)?;
+        self.walk(&mut walk, books.as_deref_mut())?;
         walk.finish()?;
+        if let Some(Books::Explicit(balance)) = books {
+            balance.go_on(&self.p, &self.riders);
+        }
         self.record.steps = state.step;
         self.contacts.go_on(self.described);
         self.p.go_on(&mut self.state);
@@ -41,7 +50,7 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
         Ok(())
     }
 
-    fn walk(&mut self, walk: &mut Walk<'_>, ledger: Option<&mut Ledger<D>>) -> Done {
+    fn walk(&mut self, walk: &mut Walk<'_>, books: Option<&mut Books<DIM, D>>) -> Done {
         let line = &mut self.state;
         walk.numbers("line_displacement", line.u.as_flattened_mut().iter_mut())?;
         walk.numbers("line_velocity", line.v.as_flattened_mut().iter_mut())?;
@@ -60,8 +69,9 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
             walk_rider(rider, start, walk, &format!("rider_{number}"))?;
         }
         walk_record(&mut self.record, walk)?;
-        match ledger {
-            Some(ledger) => walk_ledger(ledger, walk),
+        match books {
+            Some(Books::Solved(ledger)) => walk_ledger(ledger, walk),
+            Some(Books::Explicit(balance)) => walk_balance(balance, walk),
             None => Ok(()),
         }
     }
@@ -153,6 +163,7 @@ fn walk_record(record: &mut Record, walk: &mut Walk<'_>) -> Done {
         &mut record.lcp_residual,
         &mut record.energy_residual,
         &mut record.energy_turnover,
+        &mut record.energy_switching,
     ];
     walk.numbers("residuals_turnover", largest.into_iter())?;
     let mut pivots: Vec<f64> = record.pivot_counts.iter().map(|&n| n as f64).collect();
@@ -181,6 +192,15 @@ fn walk_ledger<const D: usize>(ledger: &mut Ledger<D>, walk: &mut Walk<'_>) -> D
         &mut ledger.law_energy,
     ];
     walk.numbers("energy_sums", sums.into_iter())
+}
+
+fn walk_balance<const DIM: usize, const D: usize>(
+    balance: &mut Balance<DIM, D>,
+    walk: &mut Walk<'_>,
+) -> Done {
+    walk.numbers("energy", balance.entries.all_mut().into_iter())?;
+    walk.numbers("energy_sums", balance.numbers())?;
+    walk.flags("energy_contact_meets", balance.meets())
 }
 
 impl<const DIM: usize> Contacts<DIM> {

@@ -1,9 +1,9 @@
 //! A whole run: start in equilibrium, step, record.
 
 use super::actuator::{Ask, Sample};
+use super::books::Books;
 use super::contact::Unilateral;
 use super::contacts::Contacts;
-use super::ledger::{Ledger, StepForces};
 use super::loads::{Load, Loads};
 use super::part::Part;
 use super::place::Place;
@@ -101,7 +101,7 @@ pub(super) fn check(
     riders: &[Rider],
     travel: &Travel,
     plan: &RecordPlan,
-    (updates, is_explicit): (bool, bool),
+    updates: bool,
 ) -> Result<(), CoreError> {
     let refuse = |array, reason: &str| {
         Err(CoreError::Input {
@@ -125,10 +125,7 @@ pub(super) fn check(
     if plan.ledger && updates {
         return refuse("plan", "an energy ledger with updated kinematics");
     }
-    if plan.ledger && is_explicit {
-        return refuse("plan", "an energy ledger with explicit steps");
-    }
-    if plan.contact_every == 0 || plan.line_every == 0 {
+    if plan.contact_every == 0 || plan.line_every == 0 || plan.ledger_every == 0 {
         return refuse("plan", "a recording interval of zero steps");
     }
     Ok(())
@@ -153,7 +150,7 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
     pub(super) fn step(
         &mut self,
         step: usize,
-        ledger: Option<&mut Ledger<D>>,
+        books: Option<&mut Books<DIM, D>>,
     ) -> Result<(), CoreError> {
         if self.p.updating.is_some() {
             self.p.to_mut().reform(&mut self.state, step)?;
@@ -189,8 +186,7 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
         let stats = self.close(step)?;
         self.count(&stats);
         self.watch(step, speed, position);
-        self.take(ledger, step, speed);
-        Ok(())
+        self.take(books, step, speed)
     }
 
     /// Contacts of the step; `balance` is the position of the first rider at the time of balance.
@@ -229,42 +225,6 @@ impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
             let strip = self.datum + inner(e, &rider.u) + keep * inner(e, &rider.delta);
             let raised = contact.yields.rise + self.raised_by_links(&contact.yields, keep);
             self.gaps[i] = self.wire_at(contact, DIM - 1) + raised - strip;
-        }
-    }
-
-    /// Take the step, booking its energies when a ledger is kept.
-    fn take(&mut self, ledger: Option<&mut Ledger<D>>, step: usize, speed: f64) {
-        let p = &*self.p;
-        self.record.steps = step + 1;
-        let Some(ledger) = ledger else {
-            p.advance(&mut self.state);
-            self.riders
-                .iter_mut()
-                .for_each(|r| r.advance(&p.coefficients));
-            return;
-        };
-        ledger.before(p, &self.state, &self.riders, speed);
-        p.advance(&mut self.state);
-        self.riders
-            .iter_mut()
-            .for_each(|r| r.advance(&p.coefficients));
-        let forces = StepForces {
-            contacts: &self.contacts,
-            unilateral: &self.unilateral,
-            friction: &self.friction,
-            loads: &self.loads,
-            datum: self.datum,
-        };
-        ledger.after(p, &self.state, &self.riders, &forces);
-        if !step.is_multiple_of(self.plan.line_every) && step + 2 != self.travel.positions.len() {
-            return;
-        }
-        ledger.settle(p, &self.state);
-        let e = &ledger.entries;
-        self.record.energy_residual = self.record.energy_residual.max(e.residual().abs());
-        self.record.energy_turnover = self.record.energy_turnover.max(e.turnover());
-        if step.is_multiple_of(self.plan.line_every) {
-            self.record.energy.push(*e);
         }
     }
 

@@ -361,6 +361,7 @@ pub fn everything() -> RecordPlan {
         nodes: Vec::new(),
         points: Vec::new(),
         ledger: true,
+        ledger_every: 1,
         near: None,
     }
 }

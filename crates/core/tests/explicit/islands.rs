@@ -17,7 +17,7 @@ fn chains() -> Chain {
     (lumped(&structure), vec![path, behind])
 }
 
-fn two_lengths() -> Prepared<2, 2> {
+pub fn two_lengths() -> Prepared<2, 2> {
     explicit(&chains(), 1e-3)
 }
 

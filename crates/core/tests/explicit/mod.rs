@@ -1,5 +1,6 @@
 //! Explicit steps of chains, against closed forms and against the implicit ones.
 
+mod energy;
 mod growth;
 mod guests;
 mod islands;
@@ -115,7 +116,7 @@ pub fn seen_wire(s: &Single, dim: usize) -> Chain {
     (chain, vec![path])
 }
 
-/// All that is recorded but energies, of which explicit steps keep no books.
+/// All that is recorded but energies.
 pub fn plan(nodes: Vec<usize>) -> RecordPlan {
     RecordPlan {
         contact_every: 1,
@@ -124,6 +125,7 @@ pub fn plan(nodes: Vec<usize>) -> RecordPlan {
         nodes,
         points: Vec::new(),
         ledger: false,
+        ledger_every: 1,
         near: None,
     }
 }

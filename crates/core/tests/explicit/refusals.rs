@@ -1,8 +1,8 @@
 //! What explicit steps cannot do is refused.
 
-use super::{Chain, WIRE, explicit, plan, prepare, seen_wire, way};
+use super::{Chain, WIRE, explicit, prepare, seen_wire};
 use crate::common::chain::settled;
-use crate::common::{everything, simple_line, three_masses};
+use crate::common::simple_line;
 use arcless_core::CoreError;
 use arcless_core::dynamics::line::Line;
 use arcless_core::dynamics::path::Path;
@@ -70,17 +70,4 @@ fn clusters_that_are_too_large_are_refused() {
         "{refused}"
     );
     assert!(prepare::<2, 2>(&comb(23), STEP).is_ok());
-}
-
-#[test]
-fn a_ledger_is_refused() {
-    let p = explicit::<2, 2>(&seen_wire(&WIRE, 2), STEP);
-    let (riders, travel) = ([three_masses(90.0)], way(20.0, 10.0, STEP, 0.1));
-    let go = |plan| p.run(&riders, &travel, &plan, &mut |_| true);
-    let Err(CoreError::Input { array, reason }) = go(everything()) else {
-        panic!("explicit steps keep no books");
-    };
-    assert_eq!(array, "plan");
-    assert!(reason.contains("explicit steps"), "{reason}");
-    assert!(go(plan(Vec::new())).is_ok());
 }

@@ -65,6 +65,7 @@ pub fn plan(feed: &mut Feed<'_>, nodes: usize) -> RecordPlan {
         nodes: vec![1],
         points: vec![4.0],
         ledger: feed.flag(),
+        ledger_every: 1,
         near: None,
     };
     if !is_usual {

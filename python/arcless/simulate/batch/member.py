@@ -10,7 +10,7 @@ from arcless.results.build import attributes, variables
 from arcless.results.plain import Plain
 from arcless.simulate import contacts
 from arcless.simulate.batch.outcome import Keep
-from arcless.simulate.job import Job, keeps_ledger
+from arcless.simulate.job import Job, keeps_ledger, measured_every
 from arcless.simulate.mean_force import searching
 from arcless.simulate.run import attributes_of, whole
 
@@ -23,9 +23,11 @@ CHANNELS = ("contact_force", "contact_gap", "contact_height")
 def records_all(job: Job, keep: Keep) -> bool:
     """Whether the runs of a member record more than an assessment reads.
 
-    An energy ledger is settled where the line is recorded: its residual is that of a whole record.
+    An energy ledger that books every step is settled where the line is recorded: its residual is
+    that of a whole record.
     """
-    return keep == "result" or keeps_ledger(job.scenario)
+    is_settled_in_rows = keeps_ledger(job.scenario) and measured_every(job.scenario) == 1
+    return keep == "result" or is_settled_in_rows
 
 
 def running(

@@ -33,7 +33,7 @@ from arcless.model import Analysis, Scenario, SpeedProfile, Travel
 from arcless.simulate.first_guess import base_stiffness
 
 if TYPE_CHECKING:
-    from arcless.model.scenario import PantographPlacement
+    from arcless.model.placement import PantographPlacement
     from arcless.simulate.job import Job
 
 Floats = NDArray[np.float64]

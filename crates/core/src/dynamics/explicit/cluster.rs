@@ -46,8 +46,9 @@ pub(super) struct Cluster {
     pub members: Vec<Member>,
     /// Rows.
     pub size: usize,
-    /// K, N/m.
+    /// K, N/m, and C, N·s/m.
     pub stiffness: Vec<f64>,
+    pub damping: Vec<f64>,
     /// −W K, N/m, and −W C/h, N/m: what q is for u°, and for h v°.
     pub of_place: Vec<f64>,
     pub of_speed: Vec<f64>,
@@ -88,6 +89,7 @@ impl Cluster {
             members,
             size: n,
             stiffness: k.to_vec(),
+            damping: c.to_vec(),
             of_place,
             of_speed,
             of_change,

@@ -5,7 +5,7 @@
 //!
 //! Each takes some rows and leaves what the next ones need, so that rows may come in pieces.
 
-use super::rows::{Across, Common, Damped, Moving, Wide, each};
+use super::rows::{Across, Common, Damped, LANES, Moving, Wide, each};
 use std::ops::Range;
 
 /// Numbers of a direction that stay, row by row.
@@ -138,6 +138,11 @@ impl Motion {
             shared: each(|l| filter[l] * by[1][l] - (turn[1][l] - turn[0][l])),
             rise: Rise::begin(),
         }
+    }
+
+    /// Zero if all places of the rows so far are finite: each has added its way to the rise of its strand.
+    pub fn sound(&self) -> f64 {
+        (0..LANES).map(|l| 0.0 * self.rise.sum[l]).sum()
     }
 
     /// Move some rows. The rise takes the place of w; that of a second direction is added to that of the first.

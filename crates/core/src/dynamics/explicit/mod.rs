@@ -45,6 +45,7 @@ mod blocks;
 mod cluster;
 mod clusters;
 mod deal;
+pub(super) mod energy;
 mod groups;
 mod kernels;
 mod layout;
@@ -210,9 +211,16 @@ pub struct Grid {
     /// Slots that others read beside those of clusters: where contacts are, and always.
     near: Vec<usize>,
     watched: Vec<usize>,
+    /// Zero as long as all that moves is finite; not a number from the step on in which something is not.
+    sound: f64,
 }
 
 impl Grid {
+    /// Whether all points and masters that were stepped are at finite places.
+    pub(super) fn is_sound(&self) -> bool {
+        self.sound == 0.0
+    }
+
     /// Numbers that a later run goes on with.
     pub(super) fn across(&mut self) -> impl Iterator<Item = &mut f64> {
         let rows = self.moving.iter_mut().flatten();

@@ -31,6 +31,11 @@ impl<const DIM: usize> Explicit<DIM> {
             *d += inverse * pull - damping * *d;
             *x += *d;
         }
+        let mut sums = Wide::default();
+        for four in grid.x[0][own.masters.clone()].chunks(LANES) {
+            (0..four.len()).for_each(|l| sums[l] += four[l]);
+        }
+        grid.sound += sums.iter().map(|sum| 0.0 * sum).sum::<f64>();
     }
 
     /// Nothing pulls the masters any more; x + (β/h) d of them.

@@ -69,6 +69,7 @@ impl<'a, const DIM: usize> On<'a, DIM> {
                 (forces, forced) = (Some(all), stage.forced);
             }
         }
+        self.grid.sound += motions[0].sound() + motions[DIM - 2].sound();
         self.p.copy_places(own, self.grid);
         self.p.rise_to_tails(own, self.grid);
         self.finish::<EVEN>(forces, forced);
