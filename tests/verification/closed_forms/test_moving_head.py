@@ -186,7 +186,6 @@ def test_head_on_a_spring(evidence: Evidence, name: str, speed: float) -> None:
     check_spring(evidence, name, speed, None)
 
 
-@pytest.mark.evidence
 @pytest.mark.parametrize("name", YIELDING)
 def test_head_on_a_spring_in_space(evidence: Evidence, name: str) -> None:
     check_spring(evidence, name, SPEEDS[0], SLANT)

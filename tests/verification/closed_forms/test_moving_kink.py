@@ -125,7 +125,6 @@ def test_kink(evidence: Evidence, name: str, speed: float) -> None:
     check(evidence, name, speed, None, drawn=True)
 
 
-@pytest.mark.evidence
 @pytest.mark.parametrize("name", FAMILIES)
 def test_kink_in_space(evidence: Evidence, name: str) -> None:
     check(evidence, name, SPEEDS[0], SLANT)

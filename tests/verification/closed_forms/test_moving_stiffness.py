@@ -78,7 +78,6 @@ def test_harmonic_force(evidence: Evidence, name: str, speed: float) -> None:
     check_answer(evidence, name, speed, None)
 
 
-@pytest.mark.evidence
 @pytest.mark.parametrize("name", YIELDING)
 def test_harmonic_force_in_space(evidence: Evidence, name: str) -> None:
     check_answer(evidence, name, SPEEDS[0], SLANT)
