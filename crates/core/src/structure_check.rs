@@ -188,7 +188,7 @@ fn check_points(s: &Structure, n: usize, dim: usize) -> Result<(), CoreError> {
 fn check_turns(s: &Structure) -> Result<(), CoreError> {
     let turns = s.wires.iter().map(|wire| wire.turn);
     let mut turns = turns.chain(s.segments.iter().map(|segment| segment.turn));
-    if turns.any(|turn| !(turn.abs() <= MOST_TURN)) {
+    if turns.any(|turn| !turn.is_finite() || turn.abs() > MOST_TURN) {
         let reason = format!("more than {MOST_TURN} rad along an element, or not finite");
         return Err(refuse("turns", reason));
     }

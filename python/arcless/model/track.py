@@ -11,8 +11,9 @@ of the rails, δ towards the inside), and with the tension T, the load q across 
 
     T (y″ + θ′) + q = 0
 
-so the curve is a load T θ′ per metre towards its inside: T/R where it is circular. Left out are y/R
-and y′² against 1, some 10⁻³ together, and the small change of θ with the height.
+so the curve is a load T θ′ per metre towards its inside: T/R where it is circular. The core gets
+the turn ∫ dθ along each element and finds the load from the tension. Left out are y/R and y′²
+against 1, some 10⁻³ together, and the small change of θ with the height.
 Source: equilibrium of a string in plane polar coordinates; Kießling, Puschmann, Schmieder: Contact
 Lines for Electric Railways, gives T/R and L²/8R (mark C, the book was not read for this).
 """
