@@ -13,7 +13,9 @@ as fast at a fixed point; with f the low-pass frequency of the assessment
 are the shortest waves that matter on the contact wire and on the wires above, whose slowest has the
 wave speed cₘ. Errors grow with the fourth power of element over wavelength:
 
-    chains    contact wire max(λ₊/8, min(0.30 m, λ₊/5)), others λₘ/5, both at most 0.45 m
+    chains    contact wire max(λ₊/8, min(0.30 m, λ₊/5)), others λₘ/5, both at most 0.45 m;
+              at most 0.30 m where a wire is clamped to another, or has a mass of more than 1 kg:
+              there R of the points cannot be taken from a compliance
     cubic     λ₊/3.3 and λₘ/3.3, both at most 0.725 m
 
 rounded down to a ladder, so that runs at similar speeds share their elements.
@@ -50,6 +52,12 @@ PER_WAVE_OF_CUBIC = 3.3, 3.3
 # A contact wire of chains may have these, in m, where λ₊ is PER_WAVE_AT_SPEED of them.
 FINE_ENOUGH, PER_WAVE_AT_SPEED = 0.30, 5.0
 LONGEST_OF_CHAIN, LONGEST_OF_CUBIC = 0.45, 0.725
+# Points along the wire are so many of the shortest stable distances apart; and the share of the
+# stiffest spring along the track that explicit steps keep stable by themselves.
+REACH, STIFFEST_ALONG = 1.5, 0.5
+# Masses in kg above which the points of 0.45 m, which yield 0.3 µm/N too much, send back 0.5 % too
+# much of a wave of 20 Hz (docs/validation/closed-forms.md).
+HEAVY = 1.0
 # Cubic elements without residual flexibility, which updated kinematics leave out, in m.
 LONGEST_ALONE = 0.35
 # In s. Shorter explicit steps than the shortest cost more than a matrix.
@@ -168,6 +176,9 @@ def _not_explicit(scenario: "Scenario") -> str:
     for name, wire in _wires(scenario):
         if wire.tension == 0.0:
             return f"{name} has no tension: its waves have no speed of their own"
+    stiff = _too_stiff_along(scenario)
+    if stiff:
+        return stiff
     rule = _lengths(scenario, chains=True)
     taken = []
     for name, own in zip(("contact_wire_element", "messenger_wire_element"), rule, strict=True):
@@ -184,6 +195,26 @@ def _not_explicit(scenario: "Scenario") -> str:
             return f"explicit steps would have to be shorter than {1e3 * SHORTEST_STEP:g} ms"
     elif not isinstance(solver.time_step, str) and solver.time_step > stable:
         return f"solver.time_step of {1e3 * solver.time_step:g} ms is too long for explicit steps"
+    return ""
+
+
+def _too_stiff_along(scenario: "Scenario") -> str:
+    """Say what holds the wires along the track too stiffly; nothing if nothing does.
+
+    Motion along the wires is explicit between points L apart, L = 1.5 (h + 2β) √(EA/μ), and a
+    spring k there is stable for k h² < 4 μL by itself; half of that is left to what the wire adds.
+    """
+    line, given = scenario.line, scenario.solver.time_step
+    anchor, support = line.midpoint_anchor, line.support
+    step = LONGEST_STEP if isinstance(given, str) else given
+    for name, stiffness in (
+        ("line.midpoint_anchor", anchor.stiffness if anchor else 0.0),
+        ("line.support", support.longitudinal_stiffness if support else 0.0),
+    ):
+        for _, wire in _wires(scenario):
+            apart = REACH * (step + 2 * wire.damping.beta) * sqrt(wire.axial_stiffness / wire.mass)
+            if stiffness * step**2 > STIFFEST_ALONG * 4 * wire.mass * apart:
+                return f"{name} holds the wires along the track by {stiffness:g} N/m"
     return ""
 
 
@@ -220,6 +251,8 @@ def _lengths(scenario: "Scenario", *, chains: bool) -> tuple[float, float]:
         return longest, longest
     per_wave, per_wave_above = PER_WAVE_OF_CHAIN if chains else PER_WAVE_OF_CUBIC
     contact = ahead / per_wave
+    if chains and _is_rigidly_joined(scenario):
+        longest = FINE_ENOUGH
     if chains:
         contact = max(contact, min(FINE_ENOUGH, ahead / PER_WAVE_AT_SPEED))
     above = [
@@ -230,6 +263,13 @@ def _lengths(scenario: "Scenario", *, chains: bool) -> tuple[float, float]:
     slowest = min(above, default=scenario.line.wave_speed or 1.0)
     ratio = slowest / (scenario.line.wave_speed or slowest)
     return _rung(min(longest, contact)), _rung(min(longest, ahead * ratio / per_wave_above))
+
+
+def _is_rigidly_joined(scenario: "Scenario") -> bool:
+    """Whether points have bridles clamped to them, or masses that count at the assessed waves."""
+    line = scenario.line
+    masses = [part.mass for part in line.point_masses] + [part.mass for part in line.inserts]
+    return line.bridle is not None or max(masses, default=0.0) > HEAVY
 
 
 def _rung(length: float) -> float:
