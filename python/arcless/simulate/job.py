@@ -22,7 +22,7 @@ Take = Callable[[dict[str, Any]], None]
 PIECE = 1 << 20
 # Steps between two at which explicit ones measure what wires dissipate: it takes two steps' time.
 # With fewer the ledger would cost more than a twentieth of a run; with more its rows are far apart.
-MEASURED_EVERY = 100
+MEASURED_EVERY = 200
 
 
 @dataclass(frozen=True)

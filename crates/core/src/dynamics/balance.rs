@@ -37,6 +37,15 @@ struct Pressed {
     energy: f64,
 }
 
+/// A damper to ground: node, component, N·s/m, and h v of the node, m.
+#[derive(Debug, Clone, Copy)]
+struct Damper {
+    node: usize,
+    component: usize,
+    viscosity: f64,
+    rate: f64,
+}
+
 /// Running ledger of explicit steps, and its work space.
 #[derive(Debug)]
 pub struct Balance<const DIM: usize, const D: usize> {
@@ -50,6 +59,7 @@ pub struct Balance<const DIM: usize, const D: usize> {
     moved: Vec<[f64; D]>,
     riders: Vec<Halves>,
     pressed: Vec<Pressed>,
+    dampers: Vec<Damper>,
     /// Stored at the start by line, contacts and riders.
     start: [f64; 4],
     slack: f64,
@@ -99,6 +109,7 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
             z: state.u.clone(),
             moved: vec![[0.0; D]; state.u.len()],
             riders: halves.collect(),
+            dampers: dampers(p),
             pressed: vec![Pressed::default(); contacts.all.len()],
             start: [0.0; 4],
             slack: 0.0,
@@ -182,7 +193,7 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
         self.book_contacts(p, (steps, grid), f);
         self.book_links(p, (steps, grid), f.unilateral);
         self.switched += self.entries.switching - before;
-        self.book_dampers(p, (steps, grid));
+        self.book_dampers(p.h, (steps, grid), state);
         if !f.loads.is_empty() {
             for node in f.loads.nodes() {
                 self.look(steps, grid, node);
@@ -224,7 +235,14 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
                 continue;
             }
             let (end, lane) = (&contact.ends[1], &p.lanes[contact.of[2]]);
-            let yields = lane.yield_at(end);
+            // That of the same place has been found.
+            let is_same =
+                end.element == contact.place.element && end.weights == contact.place.weights;
+            let yields = if is_same {
+                contact.yields
+            } else {
+                lane.yield_at(end)
+            };
             for node in &end.nodes[..end.count] {
                 self.look(steps, grid, *node);
             }
@@ -305,17 +323,22 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
         self.slack = energy;
     }
 
-    /// Dampers to ground.
-    fn book_dampers(&mut self, p: &Prepared<DIM, D>, (steps, grid): (&Explicit<DIM>, &Grid)) {
-        for &(node, component, viscosity) in &p.line.dampers {
-            self.look(steps, grid, node);
-            let moved = self.moved[node][component];
-            let seen = if component == 0 {
-                steps.slid(grid, node)
+    /// Dampers to ground. Across the wire nodes step by the trapezoidal rule, so h v follows from their increments.
+    fn book_dampers(
+        &mut self,
+        h: f64,
+        (steps, grid): (&Explicit<DIM>, &Grid),
+        state: &LineState<D>,
+    ) {
+        for damper in &mut self.dampers {
+            let by = state.delta[damper.node][damper.component];
+            let (seen, moved) = if damper.component == 0 {
+                (by, steps.halves(grid, damper.node)[0][1])
             } else {
-                moved
+                damper.rate = 2.0 * by - damper.rate;
+                (damper.rate, damper.rate)
             };
-            let lost = viscosity / p.h * seen * moved;
+            let lost = damper.viscosity / h * seen * moved;
             self.entries.dissipated_springs += lost;
             self.of_step += lost;
         }
@@ -415,7 +438,17 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
     }
 
     /// An island is about to be laid to rest: what it has leaves the ledger with it.
-    pub(super) fn leave(&mut self, steps: &Explicit<DIM>, grid: &Grid, island: usize) {
+    pub(super) fn leave(
+        &mut self,
+        p: &Prepared<DIM, D>,
+        (steps, grid): (&Explicit<DIM>, &Grid),
+        island: usize,
+    ) {
+        let own = |damper: &&mut Damper| p.island_of(damper.node) == island;
+        self.dampers
+            .iter_mut()
+            .filter(own)
+            .for_each(|d| d.rate = 0.0);
         let line = self.forms.stored(steps, island, grid).all();
         self.left += line;
         self.entries.dissipated_scheme += line;
@@ -462,8 +495,9 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
             &mut self.least,
             &mut self.switched,
         ];
+        let rates = self.dampers.iter_mut().map(|damper| &mut damper.rate);
         let lists = self.start.iter_mut().chain(&mut self.settled);
-        lists.chain(sums).chain(pressed)
+        lists.chain(sums).chain(pressed).chain(rates)
     }
 
     pub(super) fn meets(&mut self) -> impl Iterator<Item = &mut bool> {
@@ -483,6 +517,18 @@ fn squares(c: &[f64], v: &[f64]) -> f64 {
     }
     let rest = c_rest.iter().zip(v_rest).map(|(c, v)| c * v * v);
     sums.iter().sum::<f64>() + rest.sum::<f64>()
+}
+
+/// Dampers of a line at rest; springs alone are left out.
+fn dampers<const DIM: usize, const D: usize>(p: &Prepared<DIM, D>) -> Vec<Damper> {
+    let all = p.line.dampers.iter().filter(|damper| damper.2 != 0.0);
+    let at_rest = all.map(|&(node, component, viscosity)| Damper {
+        node,
+        component,
+        viscosity,
+        rate: 0.0,
+    });
+    at_rest.collect()
 }
 
 /// Energies of all riders: kinetic and of springs, what tables add, of stops.

@@ -12,7 +12,7 @@ const BALANCE: f64 = 1e-9;
 /// Energy that wires may give between two measured steps in the place of taking some, as a share of what is turned over.
 /// Damping reads a velocity that is half a step old, so in a single window of a line that is hardly damped it may
 /// give a little.
-const GIVEN: f64 = 1e-3;
+const GIVEN: f64 = 1e-5;
 
 /// Energy that compliant contacts and links may take or give by opening and closing within steps, as a share of the energy
 /// turned over. It falls with the step; at 1 ms it is some thousandths, and more where contact is lost often.

@@ -158,7 +158,7 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
             if ends && !self.is_touched(number) && !self.has_points(number) {
                 let explicit = (self.p.explicit_steps(), &self.state.grid);
                 if let (Some(Books::Explicit(b)), (Some(s), Some(g))) = (&mut books, explicit) {
-                    b.leave(s, g, number);
+                    b.leave(&self.p, (s, g), number);
                 }
                 self.put_to_sleep(number);
             }

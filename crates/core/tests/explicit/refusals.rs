@@ -1,6 +1,6 @@
 //! What explicit steps cannot do is refused.
 
-use super::{Chain, WIRE, explicit, prepare, seen_wire};
+use super::{Chain, WIRE, prepare, seen_wire};
 use crate::common::chain::settled;
 use crate::common::simple_line;
 use arcless_core::CoreError;

@@ -26,10 +26,13 @@
 //! Nothing here uses forces of the steps: forms go along the wires, from point to point, and know no strands but
 //! for where each point lies.
 
-use super::cluster::{Cluster, Member};
+use super::cluster::{Cluster, Member, WIDEST};
 use super::rows::{LANES, place};
 use super::{Along, Explicit, Grid};
 use std::ops::Range;
+
+/// Components of most clusters: two points.
+const FEW: usize = 6;
 
 /// Displacements or increments of an island: point by point in each direction across, and of its masters along.
 #[derive(Debug, Clone, Default)]
@@ -85,9 +88,11 @@ struct Form {
     pieces: Vec<Piece>,
     clusters: Vec<Joined>,
     filtered: [Filtered; 2],
-    /// Increments before the step that is measured, and work space.
-    before: Field,
-    work: [Field; 2],
+    /// Predictor and increment, increment before the step that is measured, and work space.
+    y: Field,
+    d: Field,
+    old: Field,
+    work: Field,
 }
 
 /// What the line has stored, J.
@@ -133,15 +138,16 @@ impl Forms {
         island: usize,
         grid: &Grid,
     ) -> Stored {
-        self.islands[island].stored(steps, grid)
+        let form = &mut self.islands[island];
+        form.read(grid);
+        form.stored(steps)
     }
 
     /// Keep the increments before a step.
     pub fn remember(&mut self, island: usize, grid: &Grid) {
         let form = &mut self.islands[island];
-        let mut before = std::mem::take(&mut form.before);
-        form.read(grid, &mut before, |_, d, _| d, |_, d| d);
-        form.before = before;
+        form.read(grid);
+        std::mem::swap(&mut form.old, &mut form.d);
     }
 
     /// What the step since has taken.
@@ -151,7 +157,9 @@ impl Forms {
         island: usize,
         grid: &Grid,
     ) -> Lost {
-        self.islands[island].lost(steps, grid)
+        let form = &mut self.islands[island];
+        form.read(grid);
+        form.lost(steps)
     }
 }
 
@@ -159,8 +167,11 @@ impl Form {
     fn new<const DIM: usize>(steps: &Explicit<DIM>, island: usize) -> Self {
         let own = &steps.own[island];
         let slots = along_wires(steps, island);
-        let mut number = std::collections::BTreeMap::new();
-        number.extend(slots.iter().enumerate().map(|(k, &slot)| (slot, k)));
+        let mut number = vec![usize::MAX; steps.nodes.len()];
+        slots
+            .iter()
+            .enumerate()
+            .for_each(|(k, &slot)| number[slot] = k);
         let is_guest = |slot: usize| steps.points[steps.nodes[slot]] != slot;
         let of = |read: &dyn Fn(usize, usize) -> f64| -> Vec<f64> {
             let read = |&slot: &usize| {
@@ -191,7 +202,7 @@ impl Form {
             .flat_map(|b| &steps.reaches[b.reaches.clone()]);
         let piece = |reach: &super::Reach| Piece {
             masters: reach.masters.map(|m| m as usize - own.masters.start),
-            points: reach.ends.map(|slot| number[&(slot as usize)]),
+            points: reach.ends.map(|slot| number[slot as usize]),
             stiffness: reach.stiffness,
         };
         let mut clusters: Vec<usize> = slots
@@ -202,7 +213,7 @@ impl Form {
         clusters.sort_unstable();
         clusters.dedup();
         let joint = |member: &Member| Joint {
-            point: number[&member.point],
+            point: number[member.point],
             along: Along {
                 masters: member.along.masters.map(|m| m - own.masters.start),
                 share: member.along.share,
@@ -223,32 +234,33 @@ impl Form {
             lag: of(&|r, l| steps.damped[r].lag[l]),
             pieces: reaches.map(piece).collect(),
             clusters: clusters.into_iter().map(joined).collect(),
-            before: Field::default(),
-            work: Default::default(),
+            y: Field::default(),
+            d: Field::default(),
+            old: Field::default(),
+            work: Field::default(),
             weight,
             slots,
         }
     }
 
-    /// Fill a field from s, d and β/h of each point, and from place and increment of each master.
-    fn read(
-        &self,
-        grid: &Grid,
-        to: &mut Field,
-        across: impl Fn(f64, f64, f64) -> f64,
-        along: impl Fn(f64, f64) -> f64,
-    ) {
-        for (rows, list) in grid.moving.iter().zip(&mut to.across) {
-            list.clear();
-            list.extend(self.slots.iter().zip(&self.lag).map(|(&slot, &lag)| {
+    /// Read y and d.
+    fn read(&mut self, grid: &Grid) {
+        for (c, rows) in grid.moving.iter().enumerate() {
+            let (y, d) = (&mut self.y.across[c], &mut self.d.across[c]);
+            y.clear();
+            d.clear();
+            for (&slot, &lag) in self.slots.iter().zip(&self.lag) {
                 let (row, lane) = place(slot);
                 let row = &rows[row];
-                across(row.s[lane], row.d[lane], lag)
-            }));
+                d.push(row.d[lane]);
+                y.push(row.s[lane] - lag * row.d[lane]);
+            }
         }
-        to.along.clear();
         let [x, d] = [0, 1].map(|k| &grid.x[k][self.masters.clone()]);
-        to.along.extend(x.iter().zip(d).map(|(x, d)| along(*x, *d)));
+        for (to, from) in [(&mut self.y, x), (&mut self.d, d)] {
+            to.along.clear();
+            to.along.extend_from_slice(from);
+        }
     }
 
     /// x·K_E z
@@ -256,27 +268,42 @@ impl Form {
         let mut sum = 0.0;
         for c in 0..2 {
             let (x, z) = (&x.across[c][..], &z.across[c][..]);
-            let (mut before, mut its) = (0.0, 0.0);
-            for k in 1..x.len() {
-                let (by, of) = (x[k] - x[k - 1], z[k] - z[k - 1]);
-                let slope = [by * self.per_length[k - 1], of * self.per_length[k - 1]];
-                sum += self.tension[c][k - 1] * by * of;
-                sum += self.bending[k - 1] * (slope[0] - before) * (slope[1] - its);
-                [before, its] = slope;
+            let Some(last) = x.len().checked_sub(1) else {
+                continue;
+            };
+            let (per, tension) = (&self.per_length[..], &self.tension[c][..]);
+            let pairs = [tension, x, &x[1..], z, &z[1..]];
+            sum += total(pairs, |[t, x0, x1, z0, z1]| t * (x1 - x0) * (z1 - z0));
+            if last > 1 {
+                let lists = [
+                    &self.bending[1..],
+                    per,
+                    &per[1..],
+                    x,
+                    &x[1..],
+                    &x[2..],
+                    z,
+                    &z[1..],
+                    &z[2..],
+                ];
+                sum += total(lists, |[b, p0, p1, x0, x1, x2, z0, z1, z2]| {
+                    let (x, z) = (
+                        (x2 - x1) * p1 - (x1 - x0) * p0,
+                        (z2 - z1) * p1 - (z1 - z0) * p0,
+                    );
+                    b * x * z
+                });
             }
         }
         for piece in &self.pieces {
+            let [a, b] = piece.masters;
+            let [from, to] = piece.points;
             let stretched = |f: &Field| {
-                let [a, b] = piece.masters;
                 let mut by = f.along[b] - f.along[a];
-                for (slope, r) in self
-                    .slope
-                    .iter()
-                    .zip(&f.across)
-                    .filter(|(_, r)| !r.is_empty())
-                {
-                    for k in piece.points[0]..piece.points[1] {
-                        by += slope[k] * (r[k + 1] - r[k]);
+                for (slope, r) in self.slope.iter().zip(&f.across) {
+                    if let Some(r) = r.get(from..=to) {
+                        let lists = [&slope[from..to], r, &r[1..]];
+                        by += total(lists, |[slope, r0, r1]| slope * (r1 - r0));
                     }
                 }
                 by
@@ -286,67 +313,88 @@ impl Form {
         sum
     }
 
-    fn stored<const DIM: usize>(&mut self, steps: &Explicit<DIM>, grid: &Grid) -> Stored {
-        let [mut now, mut before] = std::mem::take(&mut self.work);
-        self.read(grid, &mut now, |s, d, lag| s - lag * d, |x, _| x);
-        self.read(grid, &mut before, |s, d, lag| s - lag * d - d, |x, d| x - d);
-        let mut elastic = 0.5 * self.of_wires(&now, &before);
+    /// From y and d.
+    fn stored<const DIM: usize>(&mut self, steps: &Explicit<DIM>) -> Stored {
+        let mut before = std::mem::take(&mut self.work);
+        before.set(&self.y, &self.d, |y, d| y - d);
+        let mut elastic = 0.5 * self.of_wires(&self.y, &before);
         for joined in &self.clusters {
-            let cluster = &steps.clusters[joined.number];
-            let [y, old] = [&now, &before].map(|field| joined.read::<DIM>(field));
-            let n = cluster.size;
-            let (mut z, mut d) = ([0.0; super::cluster::WIDEST], [0.0; super::cluster::WIDEST]);
-            for k in 0..n {
-                z[k] = 0.5 * (y[k] + old[k]);
-                d[k] = if k % DIM == 0 { y[k] - old[k] } else { 0.0 };
-            }
-            elastic += 0.5 * cluster.form(&cluster.stiffness, &z, &z);
-            elastic -= 0.125 * cluster.form(&cluster.stiffness, &d, &d);
+            elastic += match steps.clusters[joined.number].size {
+                ..=FEW => joined.stored::<DIM, FEW>(steps, self),
+                _ => joined.stored::<DIM, WIDEST>(steps, self),
+            };
         }
-        self.read(grid, &mut now, |_, d, _| d, |_, d| d);
-        let mut kinetic = 0.0;
-        for c in 0..DIM - 1 {
-            kinetic += self.filtered[c].energy(&self.weight[c], &now.across[c]);
-        }
+        self.work = before;
+        let mut kinetic = energy(&self.filtered, &self.weight, &self.d.across);
         let inverse = &steps.masters.inverse[self.masters.clone()];
-        for (d, inverse) in now.along.iter().zip(inverse).filter(|(_, i)| **i > 0.0) {
+        for (d, inverse) in self.d.along.iter().zip(inverse).filter(|(_, i)| **i > 0.0) {
             kinetic += 0.5 * d * d / inverse;
         }
-        self.work = [now, before];
         Stored { kinetic, elastic }
     }
 
-    fn lost<const DIM: usize>(&mut self, steps: &Explicit<DIM>, grid: &Grid) -> Lost {
-        let [mut moved, mut lagging] = std::mem::take(&mut self.work);
-        let old = std::mem::take(&mut self.before);
-        self.read(grid, &mut moved, |_, d, _| d, |_, d| d);
-        lagging.clone_from(&old);
+    /// From d and that before the step.
+    fn lost<const DIM: usize>(&mut self, steps: &Explicit<DIM>) -> Lost {
         let mut lost = Lost::default();
         for joined in &self.clusters {
-            lost = lost.and(joined.lost::<DIM>(steps, &old, &moved));
+            lost = lost.and(match steps.clusters[joined.number].size {
+                ..=FEW => joined.lost::<DIM, FEW>(steps, self),
+                _ => joined.lost::<DIM, WIDEST>(steps, self),
+            });
         }
+        let mut moved = std::mem::take(&mut self.work);
+        moved.set(&self.d, &self.old, |d, old| 0.5 * (d + old));
         for c in 0..DIM - 1 {
-            let both = moved.across[c].iter_mut().zip(&mut lagging.across[c]);
-            let numbers = self.lag.iter().zip(&self.alpha).zip(&self.weight[c]);
-            for ((z, b), ((lag, alpha), weight)) in both.zip(numbers) {
-                *z = 0.5 * (*z + *b);
-                lost.damped += weight * alpha * *b * *z;
-                *b *= lag;
-            }
+            let (old, moved) = (&mut self.old.across[c][..], &moved.across[c][..]);
+            let lists = [&self.weight[c][..], &self.alpha, old, moved];
+            lost.damped += total(lists, |[weight, alpha, d, z]| weight * alpha * d * z);
+            old.iter_mut().zip(&self.lag).for_each(|(d, lag)| *d *= lag);
         }
         let masters = &steps.masters;
-        let both = moved.along.iter_mut().zip(&mut lagging.along);
-        for (m, (z, b)) in self.masters.clone().zip(both) {
-            *z = 0.5 * (*z + *b);
+        for (m, (d, z)) in self
+            .masters
+            .clone()
+            .zip(self.old.along.iter_mut().zip(&moved.along))
+        {
             if masters.inverse[m] > 0.0 {
-                lost.damped += masters.damping[m] / masters.inverse[m] * *b * *z;
+                lost.damped += masters.damping[m] / masters.inverse[m] * *d * *z;
             }
-            *b *= masters.lag[m];
+            *d *= masters.lag[m];
         }
-        lost.damped += self.of_wires(&lagging, &moved);
-        (self.work, self.before) = ([moved, lagging], old);
+        lost.damped += self.of_wires(&self.old, &moved);
+        self.work = moved;
         lost
     }
+}
+
+impl Field {
+    /// Number by number of two others.
+    fn set(&mut self, a: &Self, b: &Self, of: impl Fn(f64, f64) -> f64) {
+        let lists = self.across.iter_mut().chain([&mut self.along]);
+        let [a, b] = [a, b].map(|f| f.across.iter().chain([&f.along]));
+        for (to, (a, b)) in lists.zip(a.zip(b)) {
+            to.clear();
+            to.extend(a.iter().zip(b).map(|(a, b)| of(*a, *b)));
+        }
+    }
+}
+
+/// Sum of a term of the numbers of some lists, as far as all of them go. Side by side: one after the other sums
+/// would wait for each other.
+#[inline(always)]
+fn total<const K: usize>(lists: [&[f64]; K], term: impl Fn([f64; K]) -> f64) -> f64 {
+    const SIDES: usize = 8;
+    let n = lists.iter().fold(usize::MAX, |n, list| n.min(list.len()));
+    let chunks = lists.map(|list| list[..n].as_chunks::<SIDES>());
+    let mut sums = [0.0; SIDES];
+    for k in 0..n / SIDES {
+        let rows: [&[f64; SIDES]; K] = std::array::from_fn(|i| &chunks[i].0[k]);
+        for l in 0..SIDES {
+            sums[l] += term(std::array::from_fn(|i| rows[i][l]));
+        }
+    }
+    let rest = (n - n % SIDES..n).map(|k| term(std::array::from_fn(|i| lists[i][k])));
+    sums.iter().sum::<f64>() + rest.sum::<f64>()
 }
 
 impl Lost {
@@ -360,8 +408,9 @@ impl Lost {
 
 impl Joined {
     /// Components of its points, along the track first.
-    fn read<const DIM: usize>(&self, field: &Field) -> [f64; super::cluster::WIDEST] {
-        let mut found = [0.0; super::cluster::WIDEST];
+    #[inline(always)]
+    fn read<const DIM: usize, const N: usize>(&self, field: &Field) -> [f64; N] {
+        let mut found = [0.0; N];
         for (joint, at) in self.joints.iter().zip(found.chunks_exact_mut(DIM)) {
             at[0] = joint.along.read(&field.along);
             for c in 1..DIM {
@@ -371,13 +420,26 @@ impl Joined {
         found
     }
 
-    /// With increments before and after the step.
-    fn lost<const DIM: usize>(&self, steps: &Explicit<DIM>, old: &Field, new: &Field) -> Lost {
+    /// For no more than `N` components.
+    fn stored<const DIM: usize, const N: usize>(&self, steps: &Explicit<DIM>, form: &Form) -> f64 {
         let cluster = &steps.clusters[self.number];
-        let [old, new] = [old, new].map(|field| self.read::<DIM>(field));
-        let zero = [0.0; super::cluster::WIDEST];
-        let (mut moved, mut seen, mut aside, mut pulled) = (zero, zero, zero, zero);
-        for k in 0..cluster.size {
+        let mut z = self.read::<DIM, N>(&form.y);
+        let mut d = self.read::<DIM, N>(&form.d);
+        for k in 0..N {
+            z[k] -= 0.5 * d[k];
+            d[k] = if k % DIM == 0 { d[k] } else { 0.0 };
+        }
+        let k = &cluster.stiffness;
+        0.5 * cluster.form(k, &z, &z) - 0.125 * cluster.form(k, &d, &d)
+    }
+
+    /// With increments before and after the step.
+    fn lost<const DIM: usize, const N: usize>(&self, steps: &Explicit<DIM>, form: &Form) -> Lost {
+        let cluster = &steps.clusters[self.number];
+        let old = self.read::<DIM, N>(&form.old);
+        let new = self.read::<DIM, N>(&form.d);
+        let [mut moved, mut seen, mut aside, mut pulled] = [[0.0; N]; 4];
+        for k in 0..N {
             moved[k] = 0.5 * (old[k] + new[k]);
             if k % DIM == 0 {
                 (seen[k], pulled[k]) = (old[k], new[k] - old[k]);
@@ -456,18 +518,26 @@ impl Filtered {
             inverse: pivots.into_iter().map(|pivot| 1.0 / pivot).collect(),
         }
     }
+}
 
-    /// ½ dᵀ M* d/h², with (M/h² + E) x = M d/h² and M* d/h² = M x/h²: so it is half of bᵀ (L D Lᵀ)⁻¹ b.
-    fn energy(&self, weight: &[f64], d: &[f64]) -> f64 {
-        let (mut sum, mut last) = (0.0, [0.0; 2]);
-        for (k, d) in d.iter().enumerate() {
-            let [near, far] = self.below[k];
-            let b = weight[k] * d - near * last[0] - far * last[1];
-            sum += b * b * self.inverse[k];
-            last = [b, last[0]];
-        }
-        0.5 * sum
+/// ½ dᵀ M* d/h² of all directions, with (M/h² + E) x = M d/h² and M* d/h² = M x/h²: so it is half of bᵀ (L D Lᵀ)⁻¹ b.
+///
+/// Both directions in one loop: each number waits for the one before it.
+fn energy(filtered: &[Filtered; 2], weight: &[Vec<f64>; 2], d: &[Vec<f64>; 2]) -> f64 {
+    let (mut sums, mut last) = ([0.0; 2], [[0.0; 2]; 2]);
+    let mut go = |c: usize, k: usize| {
+        let [near, far] = filtered[c].below[k];
+        let b = weight[c][k] * d[c][k] - far * last[c][1] - near * last[c][0];
+        sums[c] += b * b * filtered[c].inverse[k];
+        last[c] = [b, last[c][0]];
+    };
+    let both = d[0].len().min(d[1].len());
+    for k in 0..both {
+        go(0, k);
+        go(1, k);
     }
+    (both..d[0].len()).for_each(|k| go(0, k));
+    0.5 * (sums[0] + sums[1])
 }
 
 /// Slots of an island, point by point along its wires.
@@ -502,10 +572,5 @@ impl<const DIM: usize> Explicit<DIM> {
             found[across + 1] = [z, d + 0.5 * a];
         }
         found
-    }
-
-    /// Increment along the wire of a node in the last step, m.
-    pub(in crate::dynamics) fn slid(&self, grid: &Grid, node: usize) -> f64 {
-        self.along[self.points[node]].read(&grid.x[1])
     }
 }
