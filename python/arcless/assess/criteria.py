@@ -129,17 +129,22 @@ def _sure(rule: Rule, criterion: Criterion, draws: Draws | None) -> Criterion:
     if uncertainty is None or distance >= uncertainty:
         return sure
     parts = [
-        f"{name} {part:.2g}"
+        f"{name} {_short(part)}"
         for name, part in (("spread", known.spread), ("discretisation", known.discretisation))
         if part is not None
     ]
     unit = "" if rule.unit == "1" else f" {rule.unit}"
     beyond = " with its tolerance" if rule.tolerance else ""
     reason = (
-        f"{TOO_CLOSE}: {distance:.2g}{unit} from the limit{beyond}, and sure to"
-        f" {uncertainty:.2g}{unit} only ({', '.join(parts)})"
+        f"{TOO_CLOSE}: {_short(distance)}{unit} from the limit{beyond}, and sure to"
+        f" {_short(uncertainty)}{unit} only ({', '.join(parts)})"
     )
     return replace(sure, passed=None, reason=reason)
+
+
+def _short(value: float) -> str:
+    """Return a number to two digits, or to whole ones where it has more."""
+    return f"{value:.0f}" if value >= 100.0 else f"{value:.2g}"  # noqa: PLR2004 - three digits
 
 
 def _markdown_row(rule: Rule) -> str:
