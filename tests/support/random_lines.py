@@ -267,9 +267,9 @@ def overlap(draw: Random) -> Data:
     line = {**hung(draw, True), **simple_spans(draw, 15)}
     line.pop("track", None)
     if len(line["geometry"]["stagger_contact_wire"]) == 1:
-        line["geometry"] |= dict.fromkeys(
-            ("stagger_contact_wire", "stagger_messenger_wire"), [0.2, -0.2]
-        )
+        line["geometry"] |= {
+            name: [0.2, -0.2] for name in ("stagger_contact_wire", "stagger_messenger_wire")
+        }
     shared, first = draw.choice([3, 4]), draw.choice([6, 7])
     lengths = [{"from_span": 1, "to_span": first + shared - 1}, {"from_span": first, "to_span": 15}]
     raised = [draw.uniform(0.35, 0.5), draw.uniform(0.04, 0.08)]
@@ -346,3 +346,15 @@ def wave_speed(line: Data) -> float:
     """Return the wave speed of a contact wire in m/s."""
     contact = line["contact_wire"]
     return sqrt(contact["tension"] / contact["mass"])
+
+
+def label_of(seed: int) -> str:
+    """Return in a few words what a seed gives, from the drawing alone."""
+    data = data_of(seed)
+    line, kind = data["line"], data["description"].partition(", ")[2].removesuffix(" again")
+    space = "in space" if "stagger_contact_wire" in line["geometry"] else "planar"
+    count, speed = len(data["pantographs"]), 3.6 * data["speed"]
+    if "track" in line:
+        space = "in a curve"
+    many = "1 pantograph" if count == 1 else f"{count} pantographs"
+    return f"{kind}, {space}, {many}, {speed:.0f} km/h"
