@@ -9,8 +9,8 @@ GROUP_TEXTS = {
 the program was asked, and what it answered.""",
     "orders": """How fast errors fall when elements and time steps are halved, against what theory
 says of each wire model and each scheme.""",
-    "limits": """What is computed by default against its limit: two families of elements that share no
-error of discretisation, refined until they agree. Differences are in percent, those of minima in
+    "limits": """What is computed by default against its limit: two families of elements that share
+no error of discretisation, refined until they agree. Differences are in percent, those of minima in
 percent of the mean force.""",
     "conservation": """What must stay the same: energy, and the result when the line is mirrored,
 moved, scaled, run in two halves, or beside others.""",

@@ -69,9 +69,12 @@ def compare(scenario: arcless.Scenario, changes: dict[str, Any] | None = None) -
     off, goals = differences(found, right.right), _goals(len(given.pantographs))
     scattered: list[str] = []
     if right.right.loses_contact and np.any(np.abs(off) > goals):
-        scatter = spread(given)
-        scattered = [n for n, one, goal in zip(_names(given), scatter, goals, strict=True)
-                     if one > goal]  # fmt: skip
+        scatter = np.where(_lost(right.right), spread(given), 0.0)
+        scattered = [
+            name
+            for name, one, goal in zip(_names(given), scatter, goals, strict=True)
+            if one > goal
+        ]
         goals = np.maximum(goals, scatter)
     differing, close = _verdicts(found, right.right)
     mean, _ = at_rest.limit_at_rest(given)
@@ -87,6 +90,12 @@ def _names(scenario: arcless.Scenario) -> list[str]:
 def _goals(pantographs: int) -> Floats:
     trailing = [GOAL_TRAILING] * (len(QUANTITIES) * (pantographs - 1))
     return np.array([*[GOAL] * len(QUANTITIES), *trailing, GOAL])
+
+
+def _lost(right: Assessed) -> NDArray[np.bool_]:
+    """Tell for each number whether it is one of a pantograph that loses contact."""
+    own = [loss > 0.0 for loss in right.loss_percent for _ in QUANTITIES]
+    return np.array([*own, False])
 
 
 def _verdicts(found: Assessed, right: Assessed) -> tuple[list[str], list[str]]:
