@@ -9,6 +9,9 @@ GROUP_TEXTS = {
 the program was asked, and what it answered.""",
     "orders": """How fast errors fall when elements and time steps are halved, against what theory
 says of each wire model and each scheme.""",
+    "limits": """What is computed by default against its limit: two families of elements that share
+no error of discretisation, refined until they agree. Differences are in percent, those of minima in
+percent of the mean force.""",
     "conservation": """What must stay the same: energy, and the result when the line is mirrored,
 moved, scaled, run in two halves, or beside others.""",
     "peers": """The same models in programs that others wrote. These tests need the packages of
@@ -16,6 +19,8 @@ moved, scaled, run in two halves, or beside others.""",
     "references": """Runs of shipped lines against what is published about them. Marks: A, read in
 the source named; B, C, C\\*: second hand or from memory, hence unverified.""",
 }
+# The unit of what is held against a limit by several goals at once.
+GOAL = "of its goal"
 HEAD = """Written by the tests (`make evidence`). *Used* is the part of the tolerance that the value
 uses up. Values marked † are measured by `make evidence` only, all others in every `make test`,
 which compares them with this page.
@@ -36,7 +41,8 @@ def _section(topic: Topic) -> str:
         f"![{figure['title']}](../images/validation/{figure['file']})" for figure in topic.figures
     ]
     parts.append(_values(topic.rows))
-    parts += [_order(row) for row in topic.rows if row.table]
+    parts += [_order(row) for row in topic.rows if row.table and row.unit != GOAL]
+    parts.append(_beside([row for row in topic.rows if row.table and row.unit == GOAL]))
     if topic.faults:
         parts.append("Broken on purpose, and noticed:")
         parts.append(_faults(topic.faults))
@@ -75,6 +81,28 @@ def _order(row: Measured) -> str:
         for size, error, *local in row.table
     ]
     return f"{row.what}:\n\n" + table([unit, "error", "local order"], lines)
+
+
+def _beside(rows: list[Measured]) -> str:
+    """Return what runs are and by how much they are off; `tests/support/limit_rows.py` says how."""
+    if not rows:
+        return ""
+    head = ["", "strip", "mean N", "off %", "σ N", "off %", "max N", "off %", "min N", "off %"]
+    head += ["uplift mm", "off %", "elasticity %", "droppers %", "arms %", "families %", "spread"]
+    return "By pantograph:\n\n" + table(head, [line for row in rows for line in _lines(row)])
+
+
+def _lines(row: Measured) -> list[list[str]]:
+    (uplift, off, *rest, scattered), *strips = row.table
+    line = [f"{uplift:.1f}", f"{off:+.2f}", *(f"{value:.2f}" for value in rest), f"{scattered:g}"]
+    found = []
+    for number, strip in enumerate(strips, start=1):
+        numbers, errors = strip[: len(strip) // 2], strip[len(strip) // 2 :]
+        pairs = zip(numbers, errors, strict=True)
+        cells = [cell for own, error in pairs for cell in (f"{own:.1f}", f"{error:+.2f}")]
+        name = escaped(row.what.removesuffix(": run")) if number == 1 else ""
+        found.append([name, str(number), *cells, *(line if number == 1 else [""] * len(line))])
+    return found
 
 
 def _faults(faults: list[Noticed]) -> str:

@@ -56,15 +56,17 @@ class Evidence:
         )  # fmt: skip
 
     def below(
-        self, what: str, value: float, limit: float, *, unit: str, reason: str, mark: str = ""
-    ) -> None:
+        self, what: str, value: float, limit: float, *, unit: str, reason: str, mark: str = "",
+        table: list[list[float]] | None = None,
+    ) -> None:  # fmt: skip
         """Hold a residual or a difference, which cannot be negative, against its limit."""
         if value < 0.0:
             raise ValueError(f"{what}: {value} is negative; take its size first")
         allowed = f"≤ {limit:.3g} {_shown(unit)}".rstrip()
         self._judge(
-            what, value, unit, low=None, high=limit, allowed=allowed, reason=reason, mark=mark
-        )
+            what, value, unit, low=None, high=limit, allowed=allowed, reason=reason, mark=mark,
+            table=table or [],
+        )  # fmt: skip
 
     def within(
         self, what: str, value: float, low: float, high: float, *, unit: str, reason: str,

@@ -14,7 +14,6 @@ a difference.
 import hashlib
 import json
 import os
-from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -37,6 +36,7 @@ CHAINS = ((0.15, 0.15, 2.5e-4), (0.1, 0.1, 1.5e-4))
 CHAINS_OF_RAILS = ((0.06, 0.06, 5e-4), (0.04, 0.04, 2.5e-4))
 # Records of uplift are this far apart, whatever the step; s.
 RECORDS = 4e-3
+Sizes = tuple[float, float, float]
 # A folder where limits are kept from one session to the next; none without.
 KEPT = "ARCLESS_LIMITS"
 
@@ -77,16 +77,19 @@ def limit(scenario: arcless.Scenario) -> Limit:
 
 
 def _limit(scenario: arcless.Scenario) -> Limit:
-    for refined, (cubic, chains) in enumerate(_refinements(scenario)):
-        one, other = by_cubic(scenario, *cubic), by_chains(scenario, *chains)
-        apart = float(np.abs(differences(one, other)).max())
-        if apart <= AGREEMENT or one.loses_contact:  # a lost contact is a draw, however fine
-            break
+    *coarser, finest = zip(CUBIC, CHAINS_OF_RAILS if is_rail(scenario) else CHAINS, strict=True)
+    for refined, sizes in enumerate(coarser):
+        found = _by_both(scenario, *sizes, refined)
+        # A lost contact is a draw, however fine.
+        if found.agreed or found.right.loses_contact:
+            return found
+    return _by_both(scenario, *finest, len(coarser))
+
+
+def _by_both(scenario: arcless.Scenario, cubic: Sizes, chains: Sizes, refined: int) -> Limit:
+    one, other = by_cubic(scenario, *cubic), by_chains(scenario, *chains)
+    apart = float(np.abs(differences(one, other)).max())
     return Limit(Assessed.between(one, other), apart, refined)
-
-
-def _refinements(scenario: arcless.Scenario) -> Iterator[tuple[Any, Any]]:
-    return zip(CUBIC, CHAINS_OF_RAILS if is_rail(scenario) else CHAINS, strict=True)
 
 
 def by_cubic(scenario: arcless.Scenario, contact: float, above: float, step: float) -> Assessed:

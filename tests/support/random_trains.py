@@ -4,6 +4,8 @@ from math import sqrt
 from random import Random
 from typing import Any
 
+from tests.support.random_parts import length_of
+
 Data = dict[str, Any]
 # All shipped pantographs but those of one line: `praks` of the published method, and `tsg-18f`,
 # whose base spring is for conductor rails.
@@ -18,7 +20,7 @@ FASTEST = 350 * KMH
 def train(line: Data, draw: Random) -> Data:
     """Return what a scenario says of its train."""
     contact = line["contact_wire"]
-    length = _length(line)
+    length = length_of(line)
     if contact.get("kind") == "conductor_rail":
         speed, models = draw.uniform(60, 140) * KMH, ("tsg-18f", "dsa-250")
     else:
@@ -56,8 +58,3 @@ def forces(line: Data, model: str, speed: float, draw: Random) -> Data:
         return {"static_force": draw.uniform(60, 100)}
     base = 110.0 if line["design"]["supply"].startswith("DC") else 70.0
     return {"mean_force": base + 0.00097 * (speed / KMH) ** 2}
-
-
-def _length(line: Data) -> float:
-    own = {name: span["length"] for name, span in line["span_types"].items()}
-    return sum(own[run["type"]] * run["count"] for run in line["spans"])

@@ -17,6 +17,7 @@ from arcless.validate.rows import Row
 GROUPS = {
     "closed_forms": "Closed forms",
     "orders": "Orders of convergence",
+    "limits": "Against the limit",
     "conservation": "Conservation and symmetry",
     "peers": "Other programs",
     "references": "Published references",
@@ -43,7 +44,8 @@ class Measured:
     test, slow
         The test that measured it, and whether only `make evidence` runs that.
     table
-        Sizes, errors and local orders behind an observed order; else empty.
+        Sizes, errors and local orders behind an observed order, or what a run beside its limit
+        was compared in; else empty.
     """
 
     what: str
