@@ -71,6 +71,7 @@ def run(mesh: Mesh, rider: RiderData, asked: Asked, *, design: bool = False) -> 
         "nodes": list(asked.nodes),
         "points": list(asked.points),
         "ledger": asked.ledger,
+        "ledger_every": 1,
     }
     speeds = np.gradient(asked.positions, asked.h).tolist()
     travel = ([0.0], asked.positions.tolist(), speeds, 0.0)

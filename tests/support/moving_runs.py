@@ -65,7 +65,7 @@ class Travel:
             [self.speed] * len(time),
             0.0,
             [],
-            {**plan, "ledger": False},
+            {**plan, "ledger": False, "ledger_every": 1},
             lambda _step: True,
         )
         shape = (len(raw["time"]), len(self.strips))

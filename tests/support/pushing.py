@@ -94,6 +94,7 @@ def press(
         "nodes": list(nodes),
         "points": list(points),
         "ledger": False,
+        "ledger_every": 1,
     }
     prepared = line.core.prepare(line.mesh.lanes, scheme, step, contact, False, period_correction)
     raw = prepared.run(

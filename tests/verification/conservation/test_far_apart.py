@@ -30,6 +30,7 @@ CHANGES = {
 PLAN = {
     "contact_every": 1, "line_every": 100, "links": False, "nodes": [], "points": [],
     "ledger": False,
+    "ledger_every": 1,
 }  # fmt: skip
 
 
