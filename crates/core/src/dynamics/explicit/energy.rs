@@ -47,6 +47,8 @@ struct Piece {
     masters: [usize; 2],
     points: [usize; 2],
     stiffness: f64,
+    /// What it is shorter by for a motion of both ends to the side, in curves.
+    lean: f64,
 }
 
 /// The factor L D Lᵀ of M/h² + E in one direction across, both below the diagonal, and 1/D.
@@ -204,6 +206,7 @@ impl Form {
             masters: reach.masters.map(|m| m as usize - own.masters.start),
             points: reach.ends.map(|slot| number[slot as usize]),
             stiffness: reach.stiffness,
+            lean: reach.lean,
         };
         let mut clusters: Vec<usize> = slots
             .iter()
@@ -300,6 +303,9 @@ impl Form {
             let [from, to] = piece.points;
             let stretched = |f: &Field| {
                 let mut by = f.along[b] - f.along[a];
+                if piece.lean != 0.0 {
+                    by -= piece.lean * (f.across[0][from] + f.across[0][to]);
+                }
                 for (slope, r) in self.slope.iter().zip(&f.across) {
                     if let Some(r) = r.get(from..=to) {
                         let lists = [&slope[from..to], r, &r[1..]];
