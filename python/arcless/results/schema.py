@@ -70,7 +70,6 @@ def _energy(long_name: str) -> Variable:
     return Variable(_LINE, "J", long_name, absent=True)
 
 
-
 def _wire_number(wire: str) -> Variable:
     meaning = "number of its wire, from 1; only where there are several"
     return Variable((f"{wire}_wire_node",), "1", meaning, integer=True)

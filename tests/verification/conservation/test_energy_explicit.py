@@ -1,17 +1,18 @@
 """Energy of explicit steps
 
-With y the predictor of the steps, d = yₙ₊₁ − yₙ its last increment, K_E what is explicit and K_I what is
-implicit, and M* the mass that the filter of the forces stands for, the balance of a step times Δz = h vₙ₊₁ is the
-change of
+With y the predictor of the steps, d = yₙ₊₁ − yₙ its last increment, K_E what is explicit and K_I
+what is implicit, and M* the mass that the filter of the forces stands for, the balance of a step
+times Δz = h vₙ₊₁ is the change of
 
     E = ½ (d/h)ᵀM*(d/h) + ½ yₙ₊₁ᵀK_E yₙ + ½ zᵀK_I z,      z = ½ (yₙ + yₙ₊₁)
 
-(derived in docs/theory/energy.md). The program finds E from its tables of the wires, point by point, and
-never from the forces that moved them. Here its terms are added up anew, for contacts that open, droppers
-that slacken, friction, gusts, rigid contact, two tension lengths and stitch wires: what is left is
+(derived in docs/theory/energy.md). The program finds E from its tables of the wires, point by
+point, and never from the forces that moved them. Here its terms are added up anew, for contacts
+that open, droppers that slacken, friction, gusts, rigid contact, two tension lengths and stitch wires: what is left is
 rounding. What opening and closing within a step takes or gives must fall with the step.
 
-Lines: four uneven spans in space (`tests/support/small.py`), 1309 steps at 275 km/h, and shipped ones.
+Lines: four uneven spans in space (`tests/support/small.py`), 1309 steps at 275 km/h, and shipped
+ones.
 """
 
 from functools import cache
