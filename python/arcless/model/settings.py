@@ -236,9 +236,9 @@ class Output(Part):
     )
     energy: Literal["auto", "always", "never"] = Field(
         default="auto",
-        description="Energy ledger; auto: for explicit steps, where it costs little, measured"
-        " every 0.1 s or so, and for the trapezoidal scheme, which conserves energy; always: of"
-        " every step; none with updated kinematics.",
+        description="Energy ledger; auto: for explicit steps, of which one in 200 is measured, and"
+        " for the trapezoidal scheme, which conserves energy; always: of every step; none with"
+        " updated kinematics.",
     )
     points: Annotated[Lengths, Field(max_length=1000)] = Field(
         default=(), description="Points of the contact wire whose uplift is recorded."

@@ -109,12 +109,8 @@ def translated(
         return _beside_the_wire(pantographs, kind, details)
     if (kind, details.get("array")) == ("input", "state"):
         return ResultFormatError("the state in the result does not fit this run", got=message)
-    if kind == "balance":
-        return _unbalanced(details)
-    if kind in STEPS:
-        what, hint = STEPS[kind]
-        time = f", t = {details['time']:.6g} s" if "time" in details else ""
-        return ContactError(what, where=f"step {details['step']}{time}", hint=hint)
+    if kind == "balance" or kind in STEPS:
+        return _of_step(kind, details)
     is_static = kind in STATIC
     return translate(mesh, kind, message, details) if is_static else ContactError(message)
 
@@ -155,11 +151,17 @@ UNBALANCED = {
 }
 
 
-def _unbalanced(details: dict[str, Any]) -> ContactError:
+def _of_step(kind: str, details: dict[str, Any]) -> ContactError:
+    """Return the error of a step as a whole."""
+    time = f", t = {details['time']:.6g} s" if "time" in details else ""
+    where = f"step {details['step']}{time}"
+    if kind in STEPS:
+        what, hint = STEPS[kind]
+        return ContactError(what, where=where, hint=hint)
     what, share, hint = UNBALANCED[details["what"]]
     return ContactError(
         what,
-        where=f"step {details['step']}, t = {details['time']:.6g} s",
+        where=where,
         got=f"{details['off']:.3g} J",
         expected=f"within {share} of the {details['turnover']:.3g} J turned over or stored so far",
         hint=hint,

@@ -1,7 +1,7 @@
 """What the energies of explicit steps notice: a term that is lost, a step that is no shorter.
 
-Faults inside of the core are in tests/faults/core/explicit.py: contacts that press elsewhere, guests that
-stay behind, a damper that is off.
+Faults inside of the core are in tests/faults/core/explicit.py: contacts that press elsewhere,
+guests that stay behind, a damper that is off.
 """
 
 from collections.abc import Callable

@@ -97,11 +97,11 @@ def test_the_ledger_changes_no_bit_and_is_kept_by_default(short: Short) -> None:
         assert more and all(name.startswith("energy_") for name in more)
         for name, variable in plain.data_vars.items():
             assert differing(data[name], variable)[1] == 0, name
-        # Rounding; a hundred times that of a step where one in a hundred is measured.
+        # Rounding; 200 times that of a step where one in 200 is measured.
         assert 0.0 < results[kept].assessment.to_dict()["energy_residual_relative"] < 1e-11
     settled = np.flatnonzero(np.isfinite(results["auto"].dataset["energy_elastic"].values))
-    # One step in a hundred, rounded up to rows: 105 = 15 rows of 7 steps.
-    assert len(settled) > 5 and (np.diff(settled) == 15).all()
+    # One step in 200, rounded up to rows: 203 = 29 rows of 7 steps.
+    assert len(settled) > 2 and (np.diff(settled) == 29).all()
     assert np.isfinite(results["always"].dataset["energy_elastic"].values).all()
     notes = results["never"].assessment.notes
     assert "no energy ledger was kept; `output.energy: always` keeps one" in notes
