@@ -23,7 +23,7 @@ PIECE = 1 << 20
 # Steps between two in which explicit ones measure what wires store and dissipate, which takes as
 # long as some steps. With fewer the ledger would cost more than a twentieth of a run; with more its
 # rows are far apart.
-MEASURED_EVERY = 200
+MEASURED_EVERY = 500
 
 
 @dataclass(frozen=True)

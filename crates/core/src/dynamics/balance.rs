@@ -25,6 +25,7 @@ use super::entries::Entries;
 use super::explicit::energy::{Forms, Lost, Stored};
 use super::explicit::{Explicit, Grid};
 use super::ledger::StepForces;
+use super::line::LinearLink;
 use super::rider::{RiderState, inner};
 use super::rider_halves::Halves;
 use super::stepper::{LineState, Prepared};
@@ -136,10 +137,15 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
         new
     }
 
-    /// Σ −r₀ e of links slack at rest, in a state at rest.
+    /// Of links that are slack in a state at rest: −r₀ e, and what they do not store, −½ min(T, 0)²/k.
     fn slack_at_rest(&self, p: &Prepared<DIM, D>, state: &LineState<D>) -> f64 {
-        let of = |&(link, r0): &(usize, f64)| -r0 * p.line.links[link].elongation(&state.u);
-        p.table.corrected.iter().map(of).sum()
+        let slack = p.line.links.iter().filter(|link| link.unilateral);
+        let of = |link: &LinearLink<DIM>| {
+            let elongation = link.elongation(&state.u);
+            let tension = link.rest_tension + link.stiffness * elongation;
+            -link.rest_correction() * elongation - 0.5 * tension.min(0.0).powi(2) / link.stiffness
+        };
+        slack.map(of).sum()
     }
 
     /// A contact at the start, where z is u.
