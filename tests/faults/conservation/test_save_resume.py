@@ -1,7 +1,6 @@
 """What the parts of a run notice: a state of which one thing is lost."""
 
 from collections.abc import Callable
-from functools import wraps
 from pathlib import Path
 from typing import Any
 from unittest.mock import patch
@@ -56,11 +55,10 @@ def lose(noticed: Noticed, folder: Path, name: str, case: str) -> None:
     assert any(hits), "there was something to lose"
 
 
-@wraps(test_save_resume.test_parts)
-def parts(*given: Any, **named: Any) -> None:
+def parts(evidence: Any, **given: Any) -> None:
     """Check the parts; an energy balance that does not close notices as well."""
     try:
-        test_save_resume.test_parts(*given, **named)
+        test_save_resume.test_parts(evidence, **given)
     except ContactError as error:
         raise AssertionError(str(error)) from error
 
