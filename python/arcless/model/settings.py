@@ -236,7 +236,7 @@ class Output(Part):
     )
     energy: Literal["auto", "always", "never"] = Field(
         default="auto",
-        description="Energy ledger; auto: for explicit steps, of which one in 200 is measured, and"
+        description="Energy ledger; auto: for explicit steps, of which one in 500 is measured, and"
         " for the trapezoidal scheme, which conserves energy; always: of every step; none with"
         " updated kinematics.",
     )

@@ -21,8 +21,7 @@ Take = Callable[[dict[str, Any]], None]
 # Numbers of a piece of the series: 8 MB.
 PIECE = 1 << 20
 # Steps between two in which explicit ones measure what wires store and dissipate, which takes as
-# long as some steps. With fewer the ledger would cost more than a twentieth of a run; with more its
-# rows are far apart.
+# long as ten others. With fewer the ledger would cost more; with more its rows are far apart.
 MEASURED_EVERY = 500
 
 

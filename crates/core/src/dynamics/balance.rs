@@ -238,6 +238,7 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
             self.pressed[i] = Pressed::default();
             if !contact.meets {
                 self.entries.switching += before.energy;
+                self.switched -= before.energy;
                 continue;
             }
             let (end, lane) = (&contact.ends[1], &p.lanes[contact.of[2]]);
@@ -279,6 +280,10 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
                 true => force * (now - before.overlap),
                 false => 0.0,
             };
+            if !before.meets {
+                // What a contact brings or takes at the end of a wire is no matter of steps.
+                self.switched += energy;
+            }
             self.entries.work_traction += traction;
             self.entries.switching += traction - (ended - before.energy) + force * (lifted - risen);
             self.work += force * risen;

@@ -164,7 +164,7 @@ fn what_is_not_finite_is_noticed_in_its_step() {
     let mut sizes = vec![0.0; way.positions.len()];
     sizes[101] = f64::MAX;
     way.loads = vec![Load {
-        pattern: vec![(far, 1, 1.0)],
+        pattern: vec![(far, 1, 1.0); 2],
         sizes,
     }];
     for ledger in [false, true] {
