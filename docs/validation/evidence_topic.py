@@ -40,9 +40,10 @@ def _section(topic: Topic) -> str:
     parts += [
         f"![{figure['title']}](../images/validation/{figure['file']})" for figure in topic.figures
     ]
-    parts.append(_values(topic.rows))
-    parts += [_order(row) for row in topic.rows if row.table and row.unit != GOAL]
-    parts.append(_beside([row for row in topic.rows if row.table and row.unit == GOAL]))
+    beside = [row for row in topic.rows if row.table and row.unit == GOAL]
+    parts.append(_kinds(topic.rows) if beside else _values(topic.rows))
+    parts += [_order(row) for row in topic.rows if row.table and row not in beside]
+    parts.append(_beside(beside))
     if topic.faults:
         parts.append("Broken on purpose, and noticed:")
         parts.append(_faults(topic.faults))
@@ -81,6 +82,23 @@ def _order(row: Measured) -> str:
         for size, error, *local in row.table
     ]
     return f"{row.what}:\n\n" + table([unit, "error", "local order"], lines)
+
+
+def _kinds(rows: list[Measured]) -> str:
+    """Return the values of many scenarios that are held against the same, kind by kind."""
+    kinds: dict[str, list[Measured]] = {}
+    for row in rows:
+        kinds.setdefault(row.what.rpartition(": ")[2], []).append(row)
+    head = ["value †", "scenarios", "inside", "most used", "allowed", "why this tolerance"]
+    return table(head, [[kind, *_summary(own)] for kind, own in kinds.items()])
+
+
+def _summary(rows: list[Measured]) -> list[str]:
+    inside = sum(row.verdict == "inside" for row in rows)
+    used = max((row.share or 0.0 for row in rows), default=0.0)
+    first = rows[0]
+    texts = [escaped(first.allowed), escaped(first.reason)]
+    return [str(len(rows)), str(inside), f"{100 * used:.0f} %", *texts]
 
 
 def _beside(rows: list[Measured]) -> str:

@@ -15,7 +15,7 @@ GOALS = (
 )
 AT_REST = f"{GOAL_AT_REST} % of elasticity, of the mean dropper force and of arms: measured to 1 %"
 NEITHER = "half of what the goals are; what is assessed cannot be sure of less"
-ALIKE = "a criterion nearer to its limit than 1.5 % is too close to tell"
+ALIKE = "a criterion is too close to tell within 1.5 % of its limit, losses within one of 5 ms"
 
 
 def record(evidence: Any, name: str, found: Compared) -> None:
