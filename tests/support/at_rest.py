@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 import arcless
 from arcless.simulate import equilibrium
 from tests.support import limit
-from tests.support.point_yields import as_of_the_wire
 
 Floats = NDArray[np.float64]
 # Contact and messenger wire elements of both families in m; the line at rest asks for no steps.
@@ -57,10 +56,9 @@ def limit_at_rest(scenario: arcless.Scenario) -> tuple[AtRest, dict[str, float]]
     one = at_rest(limit.divided(scenario, matrix, *CUBIC, STEP))
     rail = limit.is_rail(scenario)
     scheme = limit.MATRIX if rail else limit.QUIET | {"solver.scheme": "central-difference"}
-    chains = scheme | {"solver.wire_model": "lumped", "solver.residual_flexibility": False}
+    chains = scheme | {"solver.wire_model": "lumped", "solver.residual_flexibility": "auto"}
     lengths = CHAINS_OF_RAILS if rail else CHAINS
-    with as_of_the_wire(limit.divided(scenario, chains, *lengths, STEP)) as own:
-        other = at_rest(own)
+    other = at_rest(limit.divided(scenario, chains, *lengths, STEP))
     mean = AtRest(*(0.5 * (getattr(one, n) + getattr(other, n)) for n in NAMES))
     return mean, off(one, other)
 

@@ -24,7 +24,6 @@ import numpy as np
 import arcless
 from arcless import _core
 from tests.support.assessed import Assessed, differences
-from tests.support.point_yields import as_of_the_wire
 
 # In percent; what both families may differ by. A third of it is what the goals can still resolve.
 AGREEMENT = 0.5
@@ -101,9 +100,8 @@ def by_cubic(scenario: arcless.Scenario, contact: float, above: float, step: flo
 def by_chains(scenario: arcless.Scenario, contact: float, above: float, step: float) -> Assessed:
     """Run with chains of point masses."""
     scheme = MATRIX if is_rail(scenario) else QUIET | {"solver.scheme": "central-difference"}
-    changes = {"solver.wire_model": "lumped", "solver.residual_flexibility": False}
-    with as_of_the_wire(divided(scenario, scheme | changes, contact, above, step)) as own:
-        return Assessed.of(arcless.run(own))
+    changes = {"solver.wire_model": "lumped", "solver.residual_flexibility": "auto"}
+    return Assessed.of(arcless.run(divided(scenario, scheme | changes, contact, above, step)))
 
 
 def divided(
@@ -157,5 +155,4 @@ def _program() -> str:
     for part in ("mesh", "simulate", "assess", "model"):
         for file in sorted((root / part).rglob("*.py")):
             found.update(file.read_bytes())
-    found.update((Path(__file__).parent / "point_yields.py").read_bytes())
     return found.hexdigest()
