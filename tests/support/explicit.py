@@ -9,9 +9,14 @@ EXPLICIT: dict[str, Any] = {
     "solver.messenger_wire_element": 0.6,
     "solver.time_step": "1 ms",
 }
-# AC simple steps explicitly as it is shipped. Cubic elements and a matrix in their place: those
-# that a scheme with a matrix takes by itself, and shorter ones for lines in space.
-BY_MATRIX: dict[str, Any] = {"solver.scheme": "generalised-alpha"}
+# Cubic elements and a matrix, nothing left to the line: elements of a coarse division, and shorter
+# ones for lines in space. Without what points yield beyond their elements.
+BY_MATRIX: dict[str, Any] = {
+    "solver.scheme": "generalised-alpha",
+    "solver.residual_flexibility": False,
+    "solver.contact_wire_element": 1.45,
+    "solver.messenger_wire_element": 2.9,
+}
 SOLVED: dict[str, Any] = BY_MATRIX | {
     "solver.contact_wire_element": 0.72,
     "solver.messenger_wire_element": 1.45,

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from arcless.errors import ModelError
 from arcless.model.line import POSITION_TOLERANCE
+from arcless.model.settings import ONE_ELEMENT
 from arcless.units import show
 
 if TYPE_CHECKING:
@@ -229,7 +230,7 @@ def _check_elements(scenario: "Scenario") -> None:
 
 def _check_step(scenario: "Scenario") -> None:
     solver, field = scenario.solver, ("solver", "time_step")
-    if isinstance(solver.time_step, str) and scenario.speed is None:
+    if solver.time_step == ONE_ELEMENT and scenario.speed is None:
         raise ModelError(
             "no time step",
             got=f"{show(solver.time_step)} with a speed profile",

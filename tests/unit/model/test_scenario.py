@@ -8,7 +8,7 @@ import pytest
 
 from arcless.errors import ModelError
 from arcless.model import load, load_line, load_pantograph, scenario_warnings
-from arcless.model.advice import FEWEST_ELEMENTS, backward_difference_damping
+from arcless.model.advice import LONG_ELEMENT, backward_difference_damping
 from tests.support.explicit import BY_MATRIX, EXPLICIT
 
 SCENARIO = load("en50318-ac-simple-320")
@@ -119,7 +119,7 @@ def test_spans_of_several_types(data: dict[str, Any]) -> None:
         ({"travel.start": 400}, "is not travelled in full"),
         ({"speed_profile": {"time": [0, 2], "speed": [80, 80]}}, "ends before"),
         ({**BY_MATRIX, "solver.time_step": "10 ms"}, "more than half an element"),
-        ({**BY_MATRIX, "solver.contact_wire_element": "3 m"}, "fewer than two elements"),
+        ({**BY_MATRIX, "solver.contact_wire_element": "3 m"}, "3 m is more than the"),
         (
             {"line": "ac-simple-55-3d", "line.geometry.stagger_contact_wire": [0]},
             "steady arms carry nothing",
@@ -185,38 +185,26 @@ def test_a_scheme_that_damps_more_than_the_line_is_warned_about() -> None:
     assert scenario_warnings(loud.with_(**{"analysis.low_pass": "6 Hz"})) == []
 
 
-def test_a_chain_needs_more_elements_between_droppers_than_cubic_elements_do() -> None:
-    # Shortest distance 4.5 m, from support to dropper.
-    lumped = CUBIC.with_(**{"solver.wire_model": "lumped"})
-    assert "1.45 m leaves fewer than eight elements" in scenario_warnings(lumped)[0]
-    for element, said in (("0.6 m", 1), ("0.55 m", 0)):
-        finer = lumped.with_(**{"solver.contact_wire_element": element})
-        assert len(scenario_warnings(finer)) == said
+@pytest.mark.parametrize("changes", [{"solver.scheme": "generalised-alpha"}, EXPLICIT])
+@pytest.mark.parametrize("wire", ["contact", "messenger"])
+def test_elements_longer_than_those_of_the_rule_are_told(changes: Any, wire: str) -> None:
+    field = f"{wire}_wire_element"
+    by_rule = SCENARIO.with_(**{key: value for key, value in changes.items() if "element" not in key})
+    rule = getattr(by_rule.choice, f"{wire}_wire")
+    assert scenario_warnings(by_rule) == []
+    fitting = by_rule.with_(**{f"solver.{field}": LONG_ELEMENT * rule * 0.999})
+    assert scenario_warnings(fitting) == []
+    (said,) = scenario_warnings(by_rule.with_(**{f"solver.{field}": LONG_ELEMENT * rule * 1.001}))
+    assert said.startswith(f"solver.{field}: ")
+    family = "point masses" if changes is EXPLICIT else "cubic elements"
+    assert f"more than the {rule:g} m that forces within 1 % need with {family}" in said
 
 
-def test_explicit_steps_need_elements_of_the_messenger_wire_too() -> None:
-    assert scenario_warnings(SCENARIO.with_(**EXPLICIT)) == []
-    # Shortest distance 4.5 m.
-    for wire, length, fewest in (("contact", 0.6, "eight"), ("messenger", 0.95, "five")):
-        (said,) = scenario_warnings(
-            SCENARIO.with_(**{**EXPLICIT, f"solver.{wire}_wire_element": length})
-        )
-        begin = f"solver.{wire}_wire_element: {length} m leaves fewer than {fewest}"
-        assert said.startswith(begin)
-
-
-def test_the_reasons_given_for_the_length_of_links() -> None:
-    n = FEWEST_ELEMENTS["lumped"]
-    # Chords of a parabola x (1 − x): their distance from it over its height 1/4.
-    x = np.linspace(0, 1, n + 1)
-    sag, middle = x * (1 - x), (x[1:] + x[:-1]) / 2
-    missed = (middle * (1 - middle) - (sag[1:] + sag[:-1]) / 2) / 0.25
-    np.testing.assert_allclose(missed, 1 / n**2)
-    assert 1 / n**2 == pytest.approx(0.016, abs=5e-4)
-    # A chain carries the wave number k with ω = (2c/a) sin(ka/2); here ka = 2π/n.
-    slower = 1 - np.sin(pi / n) / (pi / n)
-    assert slower == pytest.approx((pi / n) ** 2 / 6, rel=0.01)
-    assert slower == pytest.approx(0.026, abs=5e-4)
+def test_elements_of_the_published_method_are_told_nothing() -> None:
+    # Updated kinematics: the published method, with the elements that it was published with.
+    coarse = CUBIC.with_(**{"solver.kinematics": "updated"})
+    assert scenario_warnings(coarse) == []
+    assert len(scenario_warnings(CUBIC)) == 2
 
 
 def test_a_step_of_one_element_is_not_called_long() -> None:
