@@ -4,6 +4,7 @@ from typing import Any
 
 EXPLICIT: dict[str, Any] = {
     "solver.scheme": "central-difference",
+    "solver.residual_flexibility": "auto",
     "solver.wire_model": "lumped",
     "solver.contact_wire_element": 0.45,
     "solver.messenger_wire_element": 0.6,

@@ -77,7 +77,7 @@ class Stepped(Waves):
 
     @property
     def missing(self) -> float:
-        """R of a point, m/N: what the wire yields there beyond the chain, by unstretched lengths."""
+        """R of a point, m/N, by unstretched lengths: what the wire yields beyond the chain."""
         _, wire, chain = self.shares
         if chain == 0.0:
             return 0.0

@@ -91,10 +91,13 @@ def scaled(
     """Multiply a column of a table of parts, in all rows or in some."""
 
     def spoil(arguments: dict[str, Any]) -> bool:
-        table = arguments["parts"][kind][1]
-        before = table[rows, COLUMNS[kind].index(column)].copy()
-        table[rows, COLUMNS[kind].index(column)] *= factor
-        return bool(np.any(table[rows, COLUMNS[kind].index(column)] != before))
+        # Wires are cubic elements or chains.
+        is_chain = kind == "wires" and not len(arguments["parts"]["wires"][0])
+        own = "segments" if is_chain else kind
+        table, place = arguments["parts"][own][1], COLUMNS[own].index(column)
+        before = table[rows, place].copy()
+        table[rows, place] *= factor
+        return bool(np.any(table[rows, place] != before))
 
     with spoiled(spoil):
         yield

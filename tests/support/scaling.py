@@ -64,7 +64,7 @@ def run(job: Job, force: float, units: Units) -> dict[str, Any]:
         mesh.gravity * of(ACCELERATION), design=True,
     )  # fmt: skip
     prepared = core.prepare(
-        mesh.lanes, motion.scheme_numbers(scenario.solver.scheme),
+        mesh.lanes, motion.scheme_numbers(scenario.stepping.scheme),
         scenario.time_step_s * of(TIME), scenario.contact.stiffness * of(STIFFNESS), False,
     )  # fmt: skip
     raw = prepared.run(

@@ -38,7 +38,7 @@ def small(*, backwards: bool = False, across: float = 1.0, **changes: Any) -> Sc
     data["pantographs"][0] |= {"mean_force": None, "static_force": FORCE}
     data["travel"] = dict(zip(("start", "end"), TRAVEL, strict=True))
     data["analysis"] = {"from": TRAVEL[0], "to": TRAVEL[1]}
-    data["solver"] |= {"scheme": "generalised-alpha"}
+    data["solver"] |= {"scheme": "generalised-alpha", "residual_flexibility": False}
     data["solver"] |= {"contact_wire_element": 1.45, "messenger_wire_element": 2.9}
     data["speed"] = 275.0 / 3.6
     return arcless.load(data).with_(**changes)

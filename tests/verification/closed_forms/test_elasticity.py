@@ -40,7 +40,8 @@ ELEMENT = 1.5
 
 def of_one_wire(model: str, bending: float, element: float) -> Any:
     line = {"contact_wire__bending_stiffness": bending}
-    solver = {"gravity": 0.0, "wire_model": model, "contact_wire_element": element}
+    plain = {"scheme": "generalised-alpha", "residual_flexibility": False, "wire_model": model}
+    solver = {"gravity": 0.0, "contact_wire_element": element, **plain}
     return one_wire(line, **solver).elasticity(PLACES)
 
 
@@ -102,7 +103,8 @@ def simple_line(model: str, bending: float, element: float) -> equilibrium.Equil
         messenger_wire__bending_stiffness=bending,
     )
     elements = dict.fromkeys(("contact_wire_element", "messenger_wire_element"), element)
-    solver = {"gravity": LIGHT, "wire_model": model, **elements}
+    plain = {"scheme": "generalised-alpha", "residual_flexibility": False, "wire_model": model}
+    solver = {"gravity": LIGHT, **plain, **elements}
     return equilibrium.find(load(scenario_data(line, solver=solver)))
 
 

@@ -112,7 +112,9 @@ def test_arms_hold_the_stagger(evidence: Evidence) -> None:
     stagger = {f"geometry__stagger_{wire}_wire": [0.2, -0.2] for wire in ("contact", "messenger")}
     arm = {"kind": "arm", "length": 1.2, "slope": 0.1, "mass": 0.7}
     line = stitched_data(stitch_wire=None, steady_arm=arm, **limp, **stagger)
-    found = arcless.statics(load(scenario_data(line, solver={"wire_model": "lumped"})))
+    found = arcless.statics(
+        load(scenario_data(line, solver={"wire_model": "lumped", "scheme": "generalised-alpha"}))
+    )
     forces = [s["steady_arm_force_N"] for s in found.supports[1:-1]]
     assert len(forces) == 5
     pull = 4 * 0.2 * 15e3 / 60.0 / cos(0.1)

@@ -35,7 +35,8 @@ BENT = sqrt(BENDING / TENSION)
 
 
 def at_rest(model: str = "hermite") -> StaticsResult:
-    data = scenario_data(trolley_data(), **FINE, solver__wire_model=model)
+    plain = {"solver__scheme": "generalised-alpha", "solver__residual_flexibility": False}
+    data = scenario_data(trolley_data(), **FINE, **plain, solver__wire_model=model)
     return arcless.statics(load(data))
 
 

@@ -50,7 +50,7 @@ def test_law(evidence: Evidence, law: str, scheme: dict[str, Any]) -> None:
     closed = force > 0.0
     # Both laws of both kinds are asked: contact and lift-off, with and without slack droppers.
     assert closed.sum() > 100
-    assert (~closed).sum() > 5
+    assert (~closed).sum() > 3
     assert data["slack_droppers"].values.max() >= 3
     case = f"{law}, {scheme['name']}"
     reason = "rounding of heights of 5 m, 1e-15 m, through a dozen additions"

@@ -28,6 +28,7 @@ from tests.support.small import small
 from tests.verification.conservation.test_energy import remainder, terms
 
 EXPLICIT: dict[str, Any] = {
+    "solver.residual_flexibility": "auto",
     "solver.scheme": "central-difference",
     "solver.contact_wire_element": "auto",
     "solver.messenger_wire_element": "auto",

@@ -37,7 +37,7 @@ PLAN = {
 def test_trailing(evidence: Evidence) -> None:
     scenario = arcless.load("en50318-ac-simple-320").with_(**CHANGES)
     found = equilibrium.find(scenario)
-    numbers = motion.scheme_numbers(scenario.solver.scheme)
+    numbers = motion.scheme_numbers(scenario.stepping.scheme)
     prepared = found.core.prepare(found.mesh.lanes, numbers, 2e-3, 50e3, False)
     travel = motion.motion(scenario)
     rider = riders.rider(scenario.pantographs[0].model, FORCE)

@@ -39,7 +39,7 @@ def halved(scenario: str, refined: str) -> list[dict[str, Any]]:
 
     Explicit steps of half the length want half the step as well: both have it then.
     """
-    solver = arcless.load(scenario).solver
+    solver = arcless.load(scenario).stepping
     shorter = {"solver.time_step": solver.time_step / 2}
     if refined == "time step":
         return [{}, shorter]

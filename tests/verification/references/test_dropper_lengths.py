@@ -114,7 +114,8 @@ def test_as_built(evidence: Evidence, at_rest: AtRest) -> None:
     evidence.below(
         "largest difference of a length, as built from the design",
         float(abs(lengths(built) - lengths(design)).max()),
-        3e-13,
+        2e-11,
         unit="m",
-        reason="rounding of coordinates of 600 m: 1e-13",
+        reason="R of the tensions at rest changes stiffnesses by 1e-12 of themselves at most, in"
+        " the last round: of 100 N over 100 kN/m, times some, and rounding of 600 m, 1e-13",
     )

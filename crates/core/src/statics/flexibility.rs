@@ -3,7 +3,7 @@
 //! A link pulls kinks into the wires at its ends, and each yields by R T more than the mesh shows (less, where R is
 //! negative). So for the mesh the link is one of 1/k′ = 1/k + R + R, and a strut or a spring to ground one of
 //! 1/k + R. Across the track a wire yields as it does in the vertical; along the track R has no part, so R counts by
-//! 1 − n² with n the share of the direction along the track. The real wire at node n lies higher than the mesh by
+//! 1 − n² with n the share of the direction along the track. Links that share a node share its kink. The real wire at node n lies higher than the mesh by
 //! Σ R(n, m) F_m, with F the sum of all that acts on a wire at a point: what the wire itself and what is spread along
 //! it do not balance.
 //!
@@ -90,6 +90,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
             return 0.0;
         };
         let own = self.find_residual(shape, &mut residual.pairs);
+        let hanging = self.hanging();
         // Directions at rest; of a design that has not begun, those of the drawing.
         let across = |direction: &[f64]| 1.0 - direction[0] * direction[0];
         let drawn = self.initial_shape();
@@ -100,7 +101,8 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
             .iter()
             .map(|link| {
                 let [a, b] = link.nodes;
-                across(&Self::link_state(shape, link).direction) * (own[a] + own[b])
+                let yields = hanging[a].max(0.0) * own[a] + (-hanging[b]).max(0.0) * own[b];
+                across(&Self::link_state(shape, link).direction) * yields
             })
             .collect();
         let s = &mut self.structure;
@@ -119,6 +121,17 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         residual.stiff = changes.stiff;
         s.residual = Some(residual);
         changes.most
+    }
+
+    /// How many more links hang on each node than hold it up. Links that share a node pull its kink together: with
+    /// equal forces each feels R as often as links pull its way, and not at all where the force goes straight through.
+    fn hanging(&self) -> Vec<f64> {
+        let mut hanging = vec![0.0; self.nodes()];
+        for link in &self.structure.links {
+            hanging[link.nodes[0]] += 1.0;
+            hanging[link.nodes[1]] -= 1.0;
+        }
+        hanging
     }
 
     /// R at all nodes with point forces, m/N; and between these and the nodes around them.
