@@ -189,7 +189,9 @@ def test_a_scheme_that_damps_more_than_the_line_is_warned_about() -> None:
 @pytest.mark.parametrize("wire", ["contact", "messenger"])
 def test_elements_longer_than_those_of_the_rule_are_told(changes: Any, wire: str) -> None:
     field = f"{wire}_wire_element"
-    by_rule = SCENARIO.with_(**{key: value for key, value in changes.items() if "element" not in key})
+    by_rule = SCENARIO.with_(
+        **{key: value for key, value in changes.items() if "element" not in key}
+    )
     rule = getattr(by_rule.choice, f"{wire}_wire")
     assert scenario_warnings(by_rule) == []
     fitting = by_rule.with_(**{f"solver.{field}": LONG_ELEMENT * rule * 0.999})
