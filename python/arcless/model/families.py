@@ -48,13 +48,16 @@ def other_family(scenario: Scenario, *, chains: bool = True) -> Scenario:
     to_chains = chains and not steps_on_chains(solver) and may_be_chains(scenario)
     parts = _parts_of_a_step(scenario.time_step_s, CHAIN_STEP if to_chains else CUBIC_STEP)
     contact, messenger = _lengths(solver, to_chains=to_chains)
-    explicit = to_chains and not updated
+    # Central differences damp nothing: a rigid contact would ring with them.
+    explicit = to_chains and not updated and scenario.contact.law != "rigid"
+    # Explicit steps always have it, chains that are solved for never.
+    flexible = explicit or (not (to_chains or updated) and may_be_chains(scenario))
     made = Solver(
         scheme=CentralDifference(name=EXPLICIT) if explicit else _quiet(scenario),
         time_step=scenario.time_step_s / parts,
         wire_model="lumped" if to_chains else "hermite",
         kinematics=solver.kinematics,
-        residual_flexibility=not (to_chains or updated) and may_be_chains(scenario),
+        residual_flexibility=flexible,
         motion=solver.motion,
         dimension=solver.dimension,
         contact_wire_element=contact,

@@ -55,7 +55,7 @@ def test_it_has_nodes_beside_its_supports() -> None:
         for side in (-beside, beside):
             assert abs(x - support - side).min() < 1e-9
     # A limp wire has a kink there, a rail carries by bending everywhere.
-    assert len(made(trolley_data(contact_wire__bending_stiffness=0.0)).positions) == 28 * 10 + 1
+    assert len(made(trolley_data(contact_wire__bending_stiffness=0.0)).positions) == 56 * 10 + 1
     assert len(made(rail_data(), contact_wire_element=1.0).positions) == 8 * 30 + 1
 
 

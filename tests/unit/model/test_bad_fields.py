@@ -267,18 +267,18 @@ def test_line(refused: Refused, old: str, new: str, message: str) -> None:
             "speed:",
             "solver: {time_step: 1 s}\nspeed:",
             'scenario.yaml:6: solver.time_step: got "1 s", expected a time (s, ms, min), at least'
-            ' 1e-05 s and at most 0.05 s, or "one element"',
+            ' 1e-05 s and at most 0.05 s, or "auto", or "one element"',
         ),
         (
             "speed:",
             "solver: {time_step: one elment}\nspeed:",
             'scenario.yaml:6: solver.time_step: got "one elment", expected a time (s, ms, min), at'
-            ' least 1e-05 s and at most 0.05 s, or "one element"; hint: write a number, then its'
-            " unit, such as 1.5 m",
+            ' least 1e-05 s and at most 0.05 s, or "auto", or "one element"; hint: write a number,'
+            " then its unit, such as 1.5 m",
         ),
         (
             "speed:",
-            "solver: {time_step: 25 ms}\nspeed:",
+            "solver: {time_step: 25 ms, contact_wire_element: 1.45 m}\nspeed:",
             "scenario.yaml: analysis.low_pass: the recorded steps are too long for the filter: got"
             " 20 Hz, expected less than 20 Hz, half the record rate; hint: shorten"
             " solver.time_step or lower output.contact_every",
@@ -287,7 +287,7 @@ def test_line(refused: Refused, old: str, new: str, message: str) -> None:
             "speed:",
             "solver: {time_step: 50 ms}\nspeed:",
             "scenario.yaml:6: solver.time_step: step longer than an element: got 2.778 m in a step,"
-            " expected at most 1.45 m, one element of the contact wire; hint: at most 26.1 ms at"
+            " expected at most 0.725 m, one element of the contact wire; hint: at most 13.05 ms at"
             " this speed, or a longer solver.contact_wire_element",
         ),
         (
@@ -307,13 +307,13 @@ def test_line(refused: Refused, old: str, new: str, message: str) -> None:
             "speed:",
             "solver: {residual_flexibility: true, wire_model: lumped}\nspeed:",
             "scenario.yaml:6: solver.wire_model: not together with residual_flexibility: got"
-            " lumped, expected hermite, or residual_flexibility: false",
+            " lumped, expected hermite, or residual_flexibility: auto",
         ),
         (
             "speed:",
             "solver: {residual_flexibility: true, kinematics: updated}\nspeed:",
             "scenario.yaml:6: solver.kinematics: not together with residual_flexibility: got"
-            " updated, expected linearised, or residual_flexibility: false",
+            " updated, expected linearised, or residual_flexibility: auto",
         ),
         (
             "speed:",
@@ -350,10 +350,10 @@ def test_line(refused: Refused, old: str, new: str, message: str) -> None:
         ),
         (
             "speed:",
-            "solver: {scheme: central-difference, residual_flexibility: true}\nspeed:",
+            "solver: {scheme: central-difference, residual_flexibility: false}\nspeed:",
             "scenario.yaml:6: solver.residual_flexibility: not together with the scheme"
-            " central-difference: got true, expected false, or another scheme; hint: it adds what"
-            " cubic elements miss; explicit steps are those of point masses",
+            " central-difference: got false, expected auto or true, or another scheme; hint:"
+            " explicit steps always have it",
         ),
         (
             "speed:",

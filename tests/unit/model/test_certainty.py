@@ -8,6 +8,7 @@ import arcless
 from arcless.errors import ModelError
 from arcless.model import Scenario, json_schema, library, load
 from arcless.model.families import other_family
+from tests.support.explicit import BY_MATRIX
 
 SCENARIOS = [entry.name for entry in library() if entry.kind == "scenario"]
 
@@ -57,7 +58,7 @@ def test_the_other_family_is_another_one_and_valid(name: str) -> None:
     other = other_family(scenario)
     assert load(other.to_dict()) == other
     assert other.time_step_s <= 0.5 * scenario.time_step_s * (1 + 1e-12)
-    own, there = scenario.solver, other.solver
+    own, there = scenario.stepping, other.solver
     assert there.kinematics == own.kinematics
     if scenario.line.wave_speed is not None:
         assert there.wires != own.wires
@@ -69,7 +70,8 @@ def test_the_other_family_is_another_one_and_valid(name: str) -> None:
 
 
 def test_cubic_elements_are_refined_where_a_line_refuses_chains() -> None:
-    scenario = load("germany-re-330-300")
+    cubic = BY_MATRIX | {"solver.contact_wire_element": 0.75}
+    scenario = load("germany-re-330-300").with_(**cubic)
     other = other_family(scenario, chains=False)
     assert (other.solver.wires, other.solver.residual_flexibility) == ("hermite", True)
     assert other.solver.contact_wire_element_m == 0.375
@@ -90,6 +92,9 @@ def test_the_finest_elements_stay_allowed() -> None:
 
 def test_rigid_contact_gets_a_scheme_that_does_not_ring() -> None:
     rigid = load("en50318-ac-simple-320").with_(**{"contact.law": "rigid"})
-    scheme = other_family(rigid).solver.scheme
-    assert scheme.name == "generalised-alpha"
-    assert scheme.spectral_radius == 0.0
+    for family, wires in ("auto", "lumped"), ("lumped", "hermite"):
+        own = rigid.with_(**{"solver.wire_model": family, "solver.scheme": "generalised-alpha"})
+        other = other_family(own).solver
+        assert other.wires == wires
+        assert other.scheme.name == "generalised-alpha"
+        assert other.scheme.spectral_radius == 0.0

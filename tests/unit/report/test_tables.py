@@ -35,8 +35,8 @@ def test_a_word_in_place_of_a_number_gets_no_unit() -> None:
 @pytest.mark.parametrize(
     ("scheme", "shown"),
     [
-        ("trapezoidal", ("auto (hermite)", "auto (1.45 m)", "auto (2.9 m)")),
-        ("central-difference", ("auto (lumped)", "auto (0.45 m)", "auto (0.6 m)")),
+        ("trapezoidal", ("auto (hermite)", "auto (0.5 m)", "auto (0.5 m)")),
+        ("central-difference", ("auto (lumped)", "auto (0.3 m)", "auto (0.35 m)")),
     ],
 )
 def test_what_a_run_takes_for_a_word_stands_beside_it(scheme: str, shown: tuple[str, ...]) -> None:
