@@ -66,7 +66,7 @@ class Plain:
 
     def __init__(self, scenario: Scenario, found: Equilibrium) -> None:
         self.scenario, self.line = scenario, Matrices(scenario, found)
-        self.scheme = Scheme(scenario.solver.scheme.spectral_radius, scenario.time_step_s)
+        self.scheme = Scheme(scenario.stepping.scheme.spectral_radius, scenario.time_step_s)
         s, (mass, damping, stiffness) = self.scheme, self.line.matrices
         a = s.mass * mass + s.damping * damping + s.stiffness * stiffness
         # Nodes are in the order of the track, which fills least; a symmetric, positive definite

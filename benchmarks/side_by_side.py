@@ -53,8 +53,8 @@ def of_exudyn(scenario: Scenario, one: Stepping) -> Found:
     ends = run.record().force
     # Exudyn records at the ends of steps, Arcless at the times of balance.
     ends_at = np.arange(travel.steps + 1)
-    balance = ends_at[1:] - one.job.scenario.solver.scheme.spectral_radius / (
-        1.0 + one.job.scenario.solver.scheme.spectral_radius
+    balance = ends_at[1:] - one.job.scenario.stepping.scheme.spectral_radius / (
+        1.0 + one.job.scenario.stepping.scheme.spectral_radius
     )
     return run.taken, np.interp(balance, ends_at, ends)
 

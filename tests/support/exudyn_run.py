@@ -163,7 +163,7 @@ class Run:
         chosen = settings()
         chosen.timeIntegration.numberOfSteps = self.steps
         chosen.timeIntegration.endTime = self.steps * self.step
-        radius = self.scenario.solver.scheme.spectral_radius
+        radius = self.scenario.stepping.scheme.spectral_radius
         chosen.timeIntegration.generalizedAlpha.spectralRadius = radius
         self.system.SolveDynamic(chosen, solverType=exu.DynamicSolverType.GeneralizedAlpha)
         return record

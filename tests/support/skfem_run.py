@@ -48,7 +48,7 @@ class Run:
     def __init__(self, line: Line, q: Any, solve: Solver) -> None:
         scenario = line.scenario
         self.line, self.q, self.solve = line, q, solve
-        self.scheme = Scheme(scenario.solver.scheme.spectral_radius, scenario.time_step_s)
+        self.scheme = Scheme(scenario.stepping.scheme.spectral_radius, scenario.time_step_s)
         self.contact = scenario.contact.stiffness
         self.n = len(line.free)
         self._matrices()

@@ -39,6 +39,8 @@ CHANGES = {
     "line.spans": [{"type": "standard", "count": 3}],
     "travel": {"start": "60 m", "end": "90 m"},
     "analysis.spans": None,
+    "solver.scheme": "generalised-alpha",
+    "solver.residual_flexibility": False,
     "solver.contact_wire_element": 3.0,
     "solver.messenger_wire_element": 6.0,
     "solver.time_step": 2e-3,

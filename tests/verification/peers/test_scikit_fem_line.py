@@ -42,6 +42,7 @@ FREQUENCIES = 20
 
 def designed(contact: float, messenger: float) -> tuple[arcless.Scenario, equilibrium.Equilibrium]:
     elements = {
+        "solver.scheme": "generalised-alpha", "solver.residual_flexibility": False,
         "solver.contact_wire_element": contact, "solver.messenger_wire_element": messenger,
     }  # fmt: skip
     scenario = arcless.load("en50318-2002-250").with_(**SHORT, **elements)
