@@ -103,7 +103,7 @@ def apart(values: Sequence[float], exact: Sequence[float]) -> list[str]:
 
 
 def _head(title: str, scenario: Scenario) -> list[str]:
-    solver, one = scenario.solver, Stepping.of(scenario)
+    solver, one = scenario.stepping, Stepping.of(scenario)
     return [
         title,
         f"{solver.contact_wire_element_m:.3g}, {solver.messenger_wire_element_m:.3g}",

@@ -31,7 +31,7 @@ def test_plain_scipy_gives_the_same_forces() -> None:
         "travel": {"start": 55.0, "end": 110.0},
         "analysis.spans": None,
         "pantographs.0.static_force": 200.0,
-        "solver.scheme": "generalised-alpha",
+        **SOLVED,
         "solver.period_correction": False,  # which the plain program does not have
     })  # fmt: skip
     data = arcless.run(scenario).dataset

@@ -207,13 +207,3 @@ def test_one_of_paired_droppers_is_called_by_its_wire() -> None:
 )
 def test_refused_twins(twin: dict[str, Any], message: str) -> None:
     assert message in refusal(plain_data(6, twin_contact_wires=twin))
-
-
-def test_droppers_of_different_wires_ask_for_no_finer_elements() -> None:
-    twin = {**TWIN, "droppers": "alternating"}
-    line = plain_data(6, span_types__span__droppers__positions=[5, 5.5, 30, 30.5, 54.5, 55])
-    warned = scenario_warnings(load(scenario_data(line)))
-    assert any("shortest distance between droppers (0.5 m)" in text for text in warned)
-    line["twin_contact_wires"] = twin
-    warned = scenario_warnings(load(scenario_data(line)))
-    assert not any("shortest distance" in text for text in warned)

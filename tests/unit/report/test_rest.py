@@ -46,7 +46,8 @@ def test_every_wire_of_the_mesh_is_drawn_through_its_nodes(found: StaticsResult)
     wires = {name: rows for name, rows in mesh.wire_rows.items() if rows}
     # Contact and messenger wire, and stitch or auxiliary wires where there are any.
     assert len(wires) == (2 if found.scenario.name == "overlaps" else 3)
-    ends = np.asarray(mesh.parts["wires"][0])[:, :2]
+    kind = "wires" if len(mesh.parts["wires"][0]) else "segments"
+    ends = np.asarray(mesh.parts[kind][0])[:, :2]
     for name, rows in wires.items():
         points = found.equilibrium.positions[np.unique(ends[rows])]
         x, z = (np.asarray(drawn[name.replace("_", " ")][axis], dtype=float) for axis in "xy")

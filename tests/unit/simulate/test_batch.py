@@ -282,7 +282,7 @@ def test_a_line_is_made_from_nothing_that_its_key_lacks(short: Make) -> None:
     read: set[str] = set()
     scenario: Any = Noticed(short(**{"as_built.temperature_difference": "5 K"}), read)
     ready_line(scenario, lambda _fraction, _text: None)
-    assert read == {"line", "as_built", "solver", "time_step_s", "contact"}
+    assert read == {"line", "as_built", "solver", "stepping", "time_step_s", "contact"}
 
 
 def test_a_controllers_file_is_part_of_its_member(short: Make, tmp_path: Path) -> None:

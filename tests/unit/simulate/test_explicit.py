@@ -67,7 +67,7 @@ def test_a_run_is_near_that_of_steps_that_are_solved_for(run: Run, changes: dict
 @pytest.mark.parametrize("scheme", ["central-difference", "generalised-alpha"])
 def test_what_auto_stands_for_gives_the_same_bits(short: Short, scheme: str) -> None:
     left = short(**{"solver.scheme": scheme, "solver.time_step": "1 ms"})
-    solver = left.solver
+    solver = left.stepping
     given = left.with_(**{
         "solver.wire_model": solver.wires,
         "solver.contact_wire_element": solver.contact_wire_element_m,
@@ -97,11 +97,11 @@ def test_the_ledger_changes_no_bit_and_is_kept_by_default(short: Short) -> None:
         assert more and all(name.startswith("energy_") for name in more)
         for name, variable in plain.data_vars.items():
             assert differing(data[name], variable)[1] == 0, name
-        # Rounding; 200 times that of a step where one in 200 is measured.
+        # Rounding; 500 times that of a step where one in 500 is measured.
         assert 0.0 < results[kept].assessment.to_dict()["energy_residual_relative"] < 1e-11
     settled = np.flatnonzero(np.isfinite(results["auto"].dataset["energy_elastic"].values))
-    # One step in 200, rounded up to rows: 203 = 29 rows of 7 steps.
-    assert len(settled) > 2 and (np.diff(settled) == 29).all()
+    # One step in 500, rounded up to rows: 504 = 72 rows of 7 steps.
+    assert len(settled) > 2 and (np.diff(settled) == 72).all()
     assert np.isfinite(results["always"].dataset["energy_elastic"].values).all()
     notes = results["never"].assessment.notes
     assert "no energy ledger was kept; `output.energy: always` keeps one" in notes
@@ -149,10 +149,12 @@ def test_one_setting_switches_them_on(tmp_path: Path) -> None:
     files = Path(__file__).parents[2] / "interface" / "data"
     command = ["run", str(files / "short.yaml"), "--set", "solver.scheme=central-difference"]
     CliRunner().invoke(app, [*command, "--out", str(tmp_path / "out")])
-    solver = arcless.open(tmp_path / "out" / "result.nc").scenario.solver
+    scenario = arcless.open(tmp_path / "out" / "result.nc").scenario
+    solver, taken = scenario.solver, scenario.stepping
     assert (solver.scheme.name, solver.contact_wire_element) == ("central-difference", "auto")
     page = (tmp_path / "out" / "report.html").read_text("utf-8")
-    assert "auto (0.45 m)" in page and "auto (0.6 m)" in page
+    assert f"auto ({taken.contact_wire_element_m:g} m)" in page
+    assert f"auto ({taken.messenger_wire_element_m:g} m)" in page
 
 
 def test_the_command_line_says_so_in_words(short: Short, tmp_path: Path) -> None:

@@ -81,6 +81,9 @@ def test_statics_and_dynamics_agree_on_the_elasticity(short: Short) -> None:
     assert 1.002 < np.mean(e / plain) < 1.05
 
 
-def test_off_is_the_default(short: Short) -> None:
-    assert not short().solver.residual_flexibility
-    assert arcless.load("en50318-ac-simple-320").solver.residual_flexibility is False
+def test_it_is_there_by_default_wherever_it_can_be() -> None:
+    scenario = arcless.load("en50318-ac-simple-320")
+    solved = scenario.with_(**{"solver.scheme": "generalised-alpha"})
+    assert solved.stepping.residual_flexibility is True
+    updated = solved.with_(**{"solver.kinematics": "updated"})
+    assert updated.stepping.residual_flexibility is False

