@@ -55,6 +55,9 @@ def run(
         "contact": {"law": "compliant", "friction_coefficient": friction},
         "solver": {
             "kinematics": kinematics,
+            # The same elements for both kinematics.
+            "scheme": "generalised-alpha",
+            "residual_flexibility": False,
             "gravity": gravity,
             "time_step": "2 ms",
             "contact_wire_element": "1 m",

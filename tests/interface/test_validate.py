@@ -120,10 +120,15 @@ def test_ranges_belong_to_the_numbers_that_stand_for_a_word() -> None:
 
     shipped = arcless.load("en50318-ac-simple-320")
     assert shipped.solver.contact_wire_element == "auto"
-    numbers = {"contact_wire_element": 0.45, "messenger_wire_element": 0.6, "wire_model": "lumped"}
+    taken = shipped.stepping
+    numbers = {
+        "contact_wire_element": taken.contact_wire_element_m,
+        "messenger_wire_element": taken.messenger_wire_element_m,
+        "wire_model": taken.wires,
+    }
     given = shipped.with_(**{f"solver.{name}": value for name, value in numbers.items()})
     assert cases.case_of(given) == cases.case_of(shipped) is not None
-    assert cases.case_of(given.with_(**{"solver.contact_wire_element": 0.4})) is None
+    assert cases.case_of(given.with_(**{"solver.contact_wire_element": 0.2})) is None
 
 
 def test_limits_as_text() -> None:

@@ -127,6 +127,10 @@ def _with(scenario: "Scenario", scheme: Scheme, why: str) -> Choice:
     contact, messenger = _lengths(scenario, chains=explicit)
     if not explicit and (given.kinematics == "updated" or wires == "lumped"):
         contact, messenger = min(contact, LONGEST_ALONE), min(messenger, LONGEST_ALONE)
+    # No step may jump over an element: one that is given has a say in what is left to auto.
+    given_step = given.time_step
+    way = 0.0 if isinstance(given_step, str) else scenario.top_speed * given_step
+    contact = max(contact, way)
     taken = [
         rule if isinstance(length, str) else length
         for length, rule in (

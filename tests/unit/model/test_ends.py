@@ -75,6 +75,7 @@ def test_shipped_lines_say_what_their_ends_are(name: str) -> None:
 def test_mass_and_band(given: dict[str, Any], mass: float, band: tuple[float, float]) -> None:
     wire = Wire(**WIRE, **given)
     assert wire.end_mass == pytest.approx(mass)
+    # Rounding of five figures.
     assert wire.end_band == pytest.approx(band, rel=1e-5)
 
 

@@ -5,7 +5,7 @@ from typing import Any
 import pytest
 
 from arcless.errors import ModelError
-from arcless.model import load, load_line, scenario_warnings
+from arcless.model import load, load_line
 from tests.support.line_types import compound_data, scenario_data
 from tests.support.overlaps import overlap_data, plain_data
 

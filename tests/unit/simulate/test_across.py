@@ -61,6 +61,7 @@ def test_in_space_nothing_moves_along_either(run: Run) -> None:
         run(**arm, **stagger, **ACROSS, **family, **FINE).assessment.pantographs[0].std_force_N
         for family in ({"solver.residual_flexibility": True}, EXPLICIT)
     ]
+    # Two families of elements.
     assert found[0] == pytest.approx(found[1], rel=0.03)
 
 

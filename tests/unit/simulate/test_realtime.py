@@ -170,8 +170,8 @@ def test_the_rate_is_the_slope_of_the_height(scheme: str) -> None:
         loop.step(40.0 + 15.0 * (1.0 - np.cos(omega * step * n)), position_m=place)
         height[n], rate[n] = loop.height_m[0], loop.height_rate_m_s[0]
     slope = (height[2:] - height[:-2]) / (2.0 * step)
-    # Of a difference over two steps (ωh)²/6: 1.6e-4 of 5 Hz, 2.6e-3 of 20 Hz, which droppers send back; half a step off
-    # ωh/2 = 1.6 %.
+    # Of a difference over two steps (ωh)²/6: 1.6e-4 of 5 Hz, 2.6e-3 of 20 Hz, which droppers send
+    # back; half a step off ωh/2 = 1.6 %.
     assert np.abs(rate[1:-1] - slope)[100:].max() < 3e-3 * np.abs(rate).max()
 
 

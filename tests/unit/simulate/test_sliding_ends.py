@@ -76,6 +76,7 @@ def test_ice_draws_the_ends_in() -> None:
     (_, end), (_, start) = found.end_travel(), found.end_travel(0)
     assert end is not None and start is not None
     assert end < 0 < start
+    # The horizontal pull along a wire that sags.
     assert pulls(found)["messenger_wire", 1.0] == pytest.approx(15e3 / 0.97, rel=5e-4)
 
 
@@ -84,6 +85,7 @@ def test_an_overlap_has_devices_of_both_its_tension_lengths() -> None:
     found = rest(on_weights(base), temperature_difference=-20.0)
     assert len(found.mesh.ends) == 8
     for (wire, _), tension in pulls(found).items():
+        # The same.
         assert tension == pytest.approx(base[wire]["tension"] / 0.97, rel=5e-4)
 
 

@@ -25,8 +25,8 @@
 //!   R(x, y) = G(x, y) − Σ φᵢ(x) φⱼ(y) G*ᵢⱼ = (Σ φᵢ(x) φⱼ(y) g*(xᵢ − yⱼ) − g(x − y))/T
 //!
 //! −0.3 µm/N at a point of a contact wire in elements of 0.45 m, 2 µm/N between two, and gone two elements further. It
-//! is put where that of cubic elements is ([`yields`](super::yields)). Where a dropper hangs, φ has the kink in it, R
-//! between contact and clamp is zero, and both share their force as they should.
+//! is put where that of cubic elements is ([`yields`](super::yields)). Where a link hangs, φ has the kink in it, R
+//! between the contact and its node is zero, and both share their force as they should.
 
 use crate::element::hermite;
 
