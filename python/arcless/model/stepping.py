@@ -130,7 +130,7 @@ def _with(scenario: "Scenario", scheme: Scheme, why: str) -> Choice:
     # No step may jump over an element: one that is given has a say in what is left to auto.
     given_step = given.time_step
     way = 0.0 if isinstance(given_step, str) else scenario.top_speed * given_step
-    contact = max(contact, way)
+    contact = max(contact, min(way, LONGEST_OF_CUBIC))
     taken = [
         rule if isinstance(length, str) else length
         for length, rule in (
