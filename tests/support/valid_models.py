@@ -13,7 +13,7 @@ SOURCES = {"S1": "a book", "S2": "a letter"}
 # Shipped lines that are long enough for whatever runs over them here.
 LINES = [name for name in shipped("line") if name not in {"praks"} and "rail" not in name]
 PANTOGRAPHS = [name for name in shipped("pantograph") if name not in {"praks", "dsa-380-lift"}]
-# Line breaks of YAML 1.1 that the writer of the test leaves as they are: read again, they are blanks.
+# Line breaks of YAML 1.1, which the writer of the test leaves as they are: read as blanks.
 WRITABLE = st.characters(exclude_characters="\x85\u2028\u2029", exclude_categories=("Cs",))
 
 

@@ -91,7 +91,7 @@ fn explicit_steps_in_a_curve_follow_those_of_a_matrix() {
     let steps = explicit::<3, 3>(&(chain.clone(), vec![path.clone()]), STEP, CONTACT);
     let fast = run(
         &steps.expect("short steps"),
-        &[rider.clone()],
+        std::slice::from_ref(&rider),
         &travel,
         &plan,
     );
