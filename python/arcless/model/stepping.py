@@ -1,9 +1,9 @@
 """Which scheme, elements and time step a run takes where `solver` leaves them to `auto`.
 
 Explicit steps on chains of point masses wherever a line allows them, otherwise a matrix with cubic
-elements and residual flexibility. Both families then are within the goals of
-docs/validation/limit.md: F_m, σ, maximum and uplift within 1 % of the limit of refined elements,
-the minimum within 1 % of F_m (of a trailing pantograph 1.5 %).
+elements and residual flexibility. The goal of both: F_m, σ, maximum and uplift within 1 % of the
+limit of refined elements, the minimum within 1 % of F_m (of a trailing pantograph 1.5 %); measured
+in docs/decisions/0043-auto.md.
 
 **Elements.** A pantograph at the speed v sends a wave of frequency f ahead that is c/(c − v) times
 as fast at a fixed point; with f the low-pass frequency of the assessment
@@ -27,7 +27,7 @@ source at a time.
 """
 
 from dataclasses import dataclass
-from math import floor, isinf, pi, sqrt, tanh
+from math import floor, pi, sqrt, tanh
 from typing import TYPE_CHECKING, Final
 
 from arcless.model.components import TensionedWire
@@ -60,9 +60,9 @@ REACH, STIFFEST_ALONG = 1.5, 0.5
 HEAVY = 1.0
 # Cubic elements without residual flexibility, which updated kinematics leave out, in m.
 LONGEST_ALONE = 0.35
-# In s. Shorter explicit steps than the shortest cost more than a matrix.
-LONGEST_STEP, SHORTEST_STEP = 1e-3, 0.2e-3
+# Steps in s that `auto` takes. Shorter explicit ones than the shortest cost more than a matrix.
 STEPS = (1e-3, 0.8e-3, 0.6e-3, 0.5e-3, 0.4e-3, 0.3e-3, 0.25e-3, 0.2e-3)
+LONGEST_STEP, SHORTEST_STEP = STEPS[0], STEPS[-1]
 # ω h of the highest frequency that counts, f c/(c − v) at a fixed point.
 LARGEST_ANGLE = 0.42
 # Share of the longest stable step of a wire by itself that is taken: the core keeps 5 % for
@@ -123,21 +123,15 @@ def choose(scenario: "Scenario") -> Choice:
 def _with(scenario: "Scenario", scheme: Scheme, why: str) -> Choice:
     given = scenario.solver
     explicit = scheme.name == EXPLICIT
-    wires = given.wire_model if given.wire_model != AUTO else "lumped" if explicit else "hermite"
+    wires = given.model_copy(update={"scheme": scheme}).wires
     contact, messenger = _lengths(scenario, chains=explicit)
     if not explicit and (given.kinematics == "updated" or wires == "lumped"):
         contact, messenger = min(contact, LONGEST_ALONE), min(messenger, LONGEST_ALONE)
     # No step may jump over an element: one that is given has a say in what is left to auto.
-    given_step = given.time_step
-    way = 0.0 if isinstance(given_step, str) else scenario.top_speed * given_step
-    contact = max(contact, min(way, LONGEST_OF_CUBIC))
-    taken = [
-        rule if isinstance(length, str) else length
-        for length, rule in (
-            (given.contact_wire_element, contact), (given.messenger_wire_element, messenger)
-        )
-    ]  # fmt: skip
     step = given.time_step
+    way = 0.0 if isinstance(step, str) else scenario.top_speed * step
+    contact = max(contact, min(way, LONGEST_OF_CUBIC))
+    taken = _taken(given, (contact, messenger))
     if step == AUTO:
         step = _step(scenario, taken) if explicit else _resolving(scenario)
     flexible: bool | str = given.residual_flexibility
@@ -154,6 +148,12 @@ def _with(scenario: "Scenario", scheme: Scheme, why: str) -> Choice:
         }
     )
     return Choice(resolved, why, contact, messenger)
+
+
+def _taken(solver: Solver, rule: tuple[float, float]) -> list[float]:
+    """Lengths of elements in m: those given, and by the rule where they are left to `auto`."""
+    given = solver.contact_wire_element, solver.messenger_wire_element
+    return [own if isinstance(one, str) else one for one, own in zip(given, rule, strict=True)]
 
 
 def _asked_for(scenario: "Scenario") -> str:
@@ -184,15 +184,11 @@ def _not_explicit(scenario: "Scenario") -> str:
     if stiff:
         return stiff
     rule = _lengths(scenario, chains=True)
-    taken = []
-    for name, own in zip(("contact_wire_element", "messenger_wire_element"), rule, strict=True):
-        length = getattr(solver, name)
-        if isinstance(length, str):
-            taken.append(own)
-        elif length > own * ROUNDING and (name == "contact_wire_element" or _has_above(scenario)):
+    taken = _taken(solver, rule)
+    names = ("contact_wire_element", "messenger_wire_element")[: 2 if _has_above(scenario) else 1]
+    for name, length, own in zip(names, taken, rule, strict=False):
+        if length > own * ROUNDING:
             return f"solver.{name} of {length:g} m is too long for point masses ({own:g} m)"
-        else:
-            taken.append(length)
     stable = _stable(scenario, taken)
     if solver.time_step == AUTO:
         if stable < SHORTEST_STEP:
@@ -286,7 +282,7 @@ def _resolving(scenario: "Scenario") -> float:
     ahead, wave = _ahead(scenario), scenario.line.wave_speed
     if ahead is None or wave is None:
         return LONGEST_STEP
-    return _rounded(min(LONGEST_STEP, max(LARGEST_ANGLE * ahead / (2 * pi * wave), STEPS[-1])))
+    return _rounded(max(LARGEST_ANGLE * ahead / (2 * pi * wave), SHORTEST_STEP))
 
 
 def _step(scenario: "Scenario", lengths: list[float]) -> float:
@@ -327,8 +323,8 @@ def longest_step(wire: TensionedWire, length: float) -> float:
     tension, mass = wire.tension, wire.mass
     unit = tension / (mass * length * length)
     ratio = wire.bending_stiffness / (tension * length * length)
-    x = 0.5 / sqrt(ratio) if ratio > 0.0 else float("inf")
-    fitted = ratio * x / tanh(x) if not isinf(x) else 0.0
+    x = 0.5 / sqrt(ratio) if ratio > 0.0 else 0.0
+    fitted = ratio * x / tanh(x) if x else 0.0
     low, high = 0.0, 2.0 / sqrt(unit)
     for _ in range(40):
         h = 0.5 * (low + high)

@@ -43,9 +43,7 @@ def _places(line: "Line", span: "SpanType") -> dict[str, list[float]]:
     if line.stitch_wire is not None:
         half = 0.5 * line.stitch_wire.length
         clamps = [half, span.length - half]
-    droppers = list(span.droppers.positions) if span.droppers is not None else []
-    hangers = list(span.hangers.positions) if span.hangers is not None else []
-    lower = hangers if span.hangers is not None else droppers
+    droppers, lower = span.droppers.positions, span.holders.positions
     bridled: list[float] = []
     if line.bridle is not None:
         half = 0.5 * line.bridle.length
@@ -55,7 +53,7 @@ def _places(line: "Line", span: "SpanType") -> dict[str, list[float]]:
     return {
         "contact_wire": [*ends, *lower, *bridled],
         "messenger_wire": [*ends, *droppers, *clamps],
-        "auxiliary_wire": [*ends, *hangers, *droppers],
+        "auxiliary_wire": [*ends, *lower, *droppers],
         "stitch_wire": [0.0, *(x for x in near if x < 0.5 * span.length), *mirrored, *clamps[:1]],
         "bridle": [0.0, *bridled[:1]],
     }
