@@ -186,8 +186,6 @@ pub struct ResidualFlexibility {
     pub springs: Vec<f64>,
     /// R in m/N: node, node with a force, what the force raises the first by beyond the mesh.
     pub pairs: Vec<(usize, usize, f64)>,
-    /// Nodes at which something is so stiff that R could not be taken from its compliance in full.
-    pub stiff: Vec<usize>,
 }
 
 /// Complete description of a structure.

@@ -3,9 +3,9 @@
 //! A link pulls kinks into the wires at its ends, and each yields by R T more than the mesh shows (less, where R is
 //! negative). So for the mesh the link is one of 1/k′ = 1/k + R + R, and a strut or a spring to ground one of
 //! 1/k + R. Across the track a wire yields as it does in the vertical; along the track R has no part, so R counts by
-//! 1 − n² with n the share of the direction along the track. Links that share a node share its kink. The real wire at node n lies higher than the mesh by
-//! Σ R(n, m) F_m, with F the sum of all that acts on a wire at a point: what the wire itself and what is spread along
-//! it do not balance.
+//! 1 − n² with n the share of the direction along the track. Links that share a node share its kink. The real wire at
+//! node n lies higher than the mesh by Σ R(n, m) F_m, with F the sum of all that acts on a wire at a point: what the
+//! wire itself and what is spread along it do not balance.
 //!
 //! k′ stays positive: where a negative R would take more than half of 1/k, it takes that half. What is so stiff,
 //! 1/k below 2 |R| or some 0.8 µm/N, moves by less than |R| times its force too little, 0.04 mm for 100 N.
@@ -25,30 +25,17 @@ const SAME: f64 = 1e-12;
 /// Share of 1/k that a negative R leaves at least: k′ ≤ 2 k, so that it stays positive and of the size of k.
 const LEAST: f64 = 0.5;
 
-/// k′ of something of stiffness k on wires that yield R more than the mesh, and whether R counts in full.
-fn with_residual(given: f64, r: f64) -> (f64, bool) {
+/// Give something of stiffness k on wires that yield R more than the mesh its k′; returns the relative change.
+fn set(stiffness: &mut f64, given: f64, r: f64) -> f64 {
     let share = 1.0 + given * r;
-    (given / share.max(LEAST), share >= LEAST)
-}
-
-/// Largest relative change of stiffnesses, and what is too stiff.
-#[derive(Default)]
-struct Changes {
-    most: f64,
-    stiff: Vec<usize>,
-}
-
-impl Changes {
-    fn set(&mut self, stiffness: &mut f64, given: f64, r: f64, node: usize) {
-        let (new, is_whole) = with_residual(given, r);
-        let change = (new - *stiffness).abs();
-        if change > 0.0 {
-            self.most = self.most.max(change / given.abs());
-        }
-        if !is_whole {
-            self.stiff.push(node);
-        }
-        *stiffness = new;
+    let new = given / share.max(LEAST);
+    let change = (new - *stiffness).abs();
+    *stiffness = new;
+    // Nothing may have no stiffness.
+    if change > 0.0 {
+        change / given.abs()
+    } else {
+        0.0
     }
 }
 
@@ -106,21 +93,20 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
             })
             .collect();
         let s = &mut self.structure;
-        let mut changes = Changes::default();
+        let mut most: f64 = 0.0;
         for ((link, &given), r) in s.links.iter_mut().zip(&residual.links).zip(of_links) {
-            changes.set(&mut link.stiffness, given, r, link.nodes[1]);
+            most = most.max(set(&mut link.stiffness, given, r));
         }
         for (strut, &given) in s.struts.iter_mut().zip(&residual.struts) {
             let r = across(&strut.direction) * own[strut.node];
-            changes.set(&mut strut.stiffness, given, r, strut.node);
+            most = most.max(set(&mut strut.stiffness, given, r));
         }
         let all = s.springs.iter_mut().zip(&residual.springs);
         for (spring, &given) in all.filter(|(spring, _)| spring.component > 0) {
-            changes.set(&mut spring.stiffness, given, own[spring.node], spring.node);
+            most = most.max(set(&mut spring.stiffness, given, own[spring.node]));
         }
-        residual.stiff = changes.stiff;
         s.residual = Some(residual);
-        changes.most
+        most
     }
 
     /// How many more links hang on each node than hold it up. Links that share a node pull its kink together: with
