@@ -29,8 +29,8 @@ class Line(NamedTuple):
 
 
 LINES = {
-    "AC simple, planar": Line("en50318-ac-simple-320", SOLVED, (0.96, 1.45)),
-    "AC simple, three-dimensional": Line("ac-simple-3d-320", SOLVED_IN_SPACE, (0.72, 1.45)),
+    "AC simple, planar": Line("en50318-ac-simple-320-planar", SOLVED, (0.96, 1.45)),
+    "AC simple, three-dimensional": Line("en50318-ac-simple-320", SOLVED_IN_SPACE, (0.72, 1.45)),
 }
 HEAD = ("run", "elements m", "step ms", "× real time", "F_m", "σ", "max", "min", "uplift")
 UNITS = ("N", "N", "N", "N", "mm")

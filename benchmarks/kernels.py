@@ -24,10 +24,10 @@ NAMES = {
     "lcp_warm": "complementarity problem: contact and droppers,",
 }
 LINES: dict[str, tuple[str, dict[str, Any]]] = {
-    "planar": ("en50318-ac-simple-320", SOLVED),
-    "spatial": ("ac-simple-3d-320", SOLVED_IN_SPACE),
-    "planar, explicit": ("en50318-ac-simple-320", {}),
-    "spatial, explicit": ("ac-simple-3d-320", {}),
+    "planar": ("en50318-ac-simple-320-planar", SOLVED),
+    "spatial": ("en50318-ac-simple-320", SOLVED_IN_SPACE),
+    "planar, explicit": ("en50318-ac-simple-320-planar", {}),
+    "spatial, explicit": ("en50318-ac-simple-320", {}),
 }
 SHORT, LONG = 1000, 3000  # steps
 SECONDS = {"ns": 1e-9, "µs": 1e-6, "us": 1e-6, "ms": 1e-3, "s": 1.0}

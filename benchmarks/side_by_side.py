@@ -87,7 +87,7 @@ def _short(name: str, start: float, end: float, changes: dict[str, Any]) -> Scen
 
 def _ac_simple(progress: Callable[[str], None]) -> list[list[str]]:
     given = {"pantographs.0.static_force": 172.0}
-    shipped = _short("en50318-ac-simple-320", 55.0, 233.0, given)  # 2 s
+    shipped = _short("en50318-ac-simple-320-planar", 55.0, 233.0, given)  # 2 s
     scenario = shipped.with_(**SOLVED)
     progress("AC simple in Arcless and in SciPy")
     own, one = of_arcless(scenario)

@@ -25,12 +25,16 @@ SOLVED_IN_SPACE: dict[str, Any] = SOLVED | {
     "solver.messenger_wire_element": "1.45 m",
 }
 CASES: tuple[tuple[str, str, dict[str, Any]], ...] = (
-    ("AC simple, 20 spans, planar, 0.45 and 0.6 m", "en50318-ac-simple-320", {}),
-    ("in space, stagger, steady arms, 0.45 and 0.9 m", "ac-simple-3d-320", {}),
+    ("AC simple, 20 spans, planar, 0.45 and 0.6 m", "en50318-ac-simple-320-planar", {}),
+    ("in space, stagger, steady arms, 0.45 and 0.9 m", "en50318-ac-simple-320", {}),
     ("two pantographs, planar", "ac-simple-320-two-pantographs", {}),
-    ("planar with a matrix", "en50318-ac-simple-320", SOLVED),
-    ("the same with energy ledger", "en50318-ac-simple-320", {**SOLVED, "output.energy": "always"}),
-    ("in space with a matrix, 0.72 and 1.45 m", "ac-simple-3d-320", SOLVED_IN_SPACE),
+    ("planar with a matrix", "en50318-ac-simple-320-planar", SOLVED),
+    (
+        "the same with energy ledger",
+        "en50318-ac-simple-320-planar",
+        {**SOLVED, "output.energy": "always"},
+    ),
+    ("in space with a matrix, 0.72 and 1.45 m", "en50318-ac-simple-320", SOLVED_IN_SPACE),
     ("EN 50318:2002, 10 spans", "en50318-2002-300", {}),
     ("PRAKS, 30 spans, 180 km/h, published method", "praks-180", {}),
     ("PRAKS, 30 spans, 360 km/h, published method", "praks-360", {}),
@@ -138,7 +142,7 @@ def _of_spans(count: int) -> Scenario:
         "travel": {"start": middle, "end": middle + 2.0 * 320.0 / 3.6},
         "analysis.spans": None,
     }
-    return load("en50318-ac-simple-320").with_(**changes)
+    return load("en50318-ac-simple-320-planar").with_(**changes)
 
 
 def _span_row(title: str, scenario: Scenario) -> list[str]:

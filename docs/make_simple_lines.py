@@ -130,7 +130,7 @@ def rails(file: Path) -> None:
 
 def insert(file: Path) -> None:
     """Draw the force below a section insulator; print it."""
-    plain = arcless.load("en50318-ac-simple-320")
+    plain = arcless.load("en50318-ac-simple-320-planar")
     figure, axes = plt.subplots(figsize=(8.0, 3.0), layout="constrained")
     cases = [("plain wire", {}, GREY), ("section insulator", {"line.inserts": [INSULATOR]}, BLUE)]
     for label, changes, shade in cases:

@@ -23,7 +23,7 @@ def curved() -> StaticsResult:
     text = (GUIDE / "track.md").read_text("utf-8")
     data, _ = parse(re.findall(r"```yaml\n(geometry:.*?)```", text, re.DOTALL)[0], "track.md")
     changes = {f"line.geometry.{name}": value for name, value in data["geometry"].items()}
-    base = arcless.load("ac-simple-3d-275").with_(speed="160 km/h")
+    base = arcless.load("en50318-ac-simple-275").with_(speed="160 km/h")
     return statics(base.with_(**changes, **{"line.track": data["track"]}))
 
 
@@ -86,7 +86,7 @@ def draw_gusts(file: Path) -> None:
         "line.contact_wire.diameter": "13.2 mm",
         "line.messenger_wire.diameter": "12 mm",
     }
-    base = arcless.load("ac-simple-3d-275")
+    base = arcless.load("en50318-ac-simple-275")
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "gusts.csv"
         path.write_text(readings, encoding="utf-8")

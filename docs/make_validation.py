@@ -97,7 +97,7 @@ def lengths_table() -> str:
     columns = [
         found(DROPPERS.scenario, {}),
         found(DROPPERS.scenario, halved),
-        found("ac-simple-3d-320", {}),
+        found("en50318-ac-simple-320", {}),
     ]
     rows = [
         (
@@ -117,12 +117,12 @@ def lengths_table() -> str:
 
 def elasticity_table() -> str:
     cases = {
-        "planar, arm 2673.58 N/m": ("en50318-ac-simple-320", {}),
+        "planar, arm 2673.58 N/m": ("en50318-ac-simple-320-planar", {}),
         "planar, arm 267.36 N/m": (
-            "en50318-ac-simple-320",
+            "en50318-ac-simple-320-planar",
             {"line.steady_arm.vertical_stiffness": 267.36},
         ),
-        "3-D, hinged arm": ("ac-simple-3d-320", {}),
+        "3-D, hinged arm": ("en50318-ac-simple-320", {}),
     }
     rows = []
     for title, (name, changes) in cases.items():
@@ -165,7 +165,7 @@ def halving_table() -> str:
 
 def distance_table() -> str:
     """A single pantograph, and the trailing one of two, over the same ten spans."""
-    name = "en50318-ac-simple-320"
+    name = "en50318-ac-simple-320-planar"
     placement = arcless.load(name).to_dict()["pantographs"][0]
     placement |= {"mean_force": None, "static_force": 172.0}
     rows = []

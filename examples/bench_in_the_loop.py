@@ -10,7 +10,7 @@ import numpy as np
 
 import arcless
 
-CASE = "en50318-ac-simple-320"
+CASE = "en50318-ac-simple-320-planar"
 FORCE = 150.0  # N
 SPRING = 50e3  # N/m, between collector and plate
 

@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 
 import arcless
 
-CASE = "en50318-ac-simple-275"
+CASE = "en50318-ac-simple-275-planar"
 STATIC_FORCE = 120.0
 CONTROLLER = "pantographs.0.controller"
 # 200 times a second, within 100 N.

@@ -18,7 +18,11 @@ STEPS: Changes = {
     "solver.contact_wire_element": "auto",
     "solver.messenger_wire_element": "auto",
 }
-REFERENCE, SIMPLE, IN_SPACE = "en50318-2002-250", "en50318-ac-simple-275", "ac-simple-3d-275"
+REFERENCE, SIMPLE, IN_SPACE = (
+    "en50318-2002-250",
+    "en50318-ac-simple-275-planar",
+    "en50318-ac-simple-275",
+)
 NO_HINGES = "without hinges"
 SHOWN = {
     "mean_force_N": "Fm N",

@@ -36,7 +36,7 @@ class Case:
 
 
 CASES = (
-    Case("AC simple, 275 km/h", "en50318-ac-simple-275", 275.0, 160.0),
+    Case("AC simple, 275 km/h", "en50318-ac-simple-275-planar", 275.0, 160.0),
     Case("Beijing-Yizhuang, 300 km/h", "china-beijing-yizhuang-300", 300.0, 157.3),
     Case("Beijing-Yizhuang, 350 km/h", "china-beijing-yizhuang-300", 350.0, 188.8),
 )

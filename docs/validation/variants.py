@@ -64,7 +64,7 @@ BY_MATRIX: Changes = {"solver.scheme": "generalised-alpha"}
 
 
 def ac_variants() -> list[tuple[str, Changes]]:
-    spatial = {f"en50318-ac-simple-{v}": f"ac-simple-3d-{v}" for v in (275, 320)}
+    spatial = {f"en50318-ac-simple-{v}-planar": f"en50318-ac-simple-{v}" for v in (275, 320)}
     arm = {"line.steady_arm.vertical_stiffness": 267.36}
     undamped = {"line.dropper.rayleigh": {"alpha": 0.0, "beta": 0.0}}
     return [

@@ -23,7 +23,7 @@ def main(repository: Path) -> None:
     for entry in arcless.library():
         if entry.kind == "scenario":
             arcless.load(entry.name)
-    lengths = arcless.statics(arcless.load("en50318-ac-simple-320")).to_dict()["droppers"]
+    lengths = arcless.statics(arcless.load("en50318-ac-simple-320-planar")).to_dict()["droppers"]
     sys.stdout.write(
         f"wheel works: version {arcless.__version__}, {len(lengths)} droppers computed\n"
     )

@@ -96,7 +96,7 @@ def test_all_lists_the_recorded_evidence_and_says_that_it_is_recorded(
 def test_outside_of_a_remembered_range_ends_with_0(
     arcless: Arcless, assessed: dict[str, Any]
 ) -> None:
-    assessed["en50318-ac-simple-320"]["pantographs"][0]["std_force_N"] = 70.0
+    assessed["en50318-ac-simple-320-planar"]["pantographs"][0]["std_force_N"] = 70.0
     done = arcless("validate")
     assert done.exit_code == 0
     assert "outside (unverified)" in done.stdout
@@ -118,7 +118,7 @@ def test_ranges_belong_to_the_numbers_that_stand_for_a_word() -> None:
     """As in results of the time when elements were numbers by default."""
     import arcless
 
-    shipped = arcless.load("en50318-ac-simple-320")
+    shipped = arcless.load("en50318-ac-simple-320-planar")
     assert shipped.solver.contact_wire_element == "auto"
     taken = shipped.stepping
     numbers = {

@@ -26,7 +26,7 @@ def small(*, backwards: bool = False, across: float = 1.0, **changes: Any) -> Sc
 
     `backwards` turns the line round, `across` multiplies the stagger.
     """
-    data = arcless.load("ac-simple-3d-320").to_dict()
+    data = arcless.load("en50318-ac-simple-320").to_dict()
     line = data["line"]
     pieces = [(length, [length - x for x in at][::-1]) for length, at in SPANS[::-1]]
     pieces = pieces if backwards else [(length, list(at)) for length, at in SPANS]

@@ -26,7 +26,7 @@ kernels                      fastest       │ slowest       │ median        �
 
 
 def test_plain_scipy_gives_the_same_forces() -> None:
-    scenario = arcless.load("en50318-ac-simple-320").with_(**{
+    scenario = arcless.load("en50318-ac-simple-320-planar").with_(**{
         "line.spans": [{"type": "standard", "count": 4}],
         "travel": {"start": 55.0, "end": 110.0},
         "analysis.spans": None,
@@ -65,7 +65,7 @@ def test_floor_of_one_block() -> None:
 
 
 def test_reference_is_four_times_finer() -> None:
-    solver = finer(arcless.load("en50318-ac-simple-320").with_(**SOLVED)).solver
+    solver = finer(arcless.load("en50318-ac-simple-320-planar").with_(**SOLVED)).solver
     assert (solver.contact_wire_element_m, solver.time_step) == (1.45 / 4, 0.25e-3)
 
 

@@ -152,7 +152,7 @@ CASES = (
         ),
     ),
     Case(
-        "en50318-ac-simple-275",
+        "en50318-ac-simple-275-planar",
         "AC simple, 275 km/h",
         _AC_SIMPLE,
         _ranges(
@@ -171,7 +171,7 @@ CASES = (
         ),
     ),
     Case(
-        "en50318-ac-simple-320",
+        "en50318-ac-simple-320-planar",
         "AC simple, 320 km/h",
         _AC_SIMPLE,
         _ranges(
@@ -206,7 +206,7 @@ class DropperLengths:
 
 # 3 mm: the source prints whole millimetres, and an equilibrium of its data comes out 2–3 mm off.
 DROPPERS = DropperLengths(
-    scenario="en50318-ac-simple-320",
+    scenario="en50318-ac-simple-320-planar",
     title="AC simple, statics",
     source="vivek-nexus/pantograph-catenary-model-ui, constants/defaultsValues.js (S1)",
     mark=VERIFIED,

@@ -11,7 +11,7 @@ from tests.verification.limits import test_shipped_scenarios as topic
 Noticed = Callable[..., None]
 FAULTS: dict[str, tuple[str, dict[str, Any]]] = {
     "messenger wire in links of 1.5 m": (
-        "en50318-ac-simple-320",
+        "en50318-ac-simple-320-planar",
         {"solver.scheme": "central-difference", "solver.messenger_wire_element": 1.5},
     ),
     "elements of a conductor rail of 4 m": (

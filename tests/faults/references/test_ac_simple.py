@@ -14,7 +14,7 @@ Noticed = Callable[..., None]
 
 def test_no_filter(noticed: Noticed, run_once: Callable[..., Result]) -> None:
     with patch.object(statistics, "low_pass", lambda signal, *_: signal):
-        known = run_once("en50318-ac-simple-275")
+        known = run_once("en50318-ac-simple-275-planar")
 
         def assessed_anew(_: str) -> Result:
             return Result(known.dataset, known.scenario)

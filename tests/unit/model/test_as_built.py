@@ -205,7 +205,7 @@ def test_the_example_of_the_guide_loads(tmp_path: Path) -> None:
     assert survey == {"position": [0, 4.5, 10.25], "height": [5.301, 5.299, 5.302]}
     wires = {f"line.{name}_wire.diameter": "12 mm" for name in ("contact", "messenger")}
     changes = {**wires, "as_built.gusts": str(tmp_path / "gusts.csv")}
-    gusts = load("ac-simple-3d-275").with_(**changes).as_built.gusts
+    gusts = load("en50318-ac-simple-275").with_(**changes).as_built.gusts
     assert gusts is not None
     assert list(gusts.stations()) == [400, 700]
 

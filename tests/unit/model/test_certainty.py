@@ -14,7 +14,7 @@ SCENARIOS = [entry.name for entry in library() if entry.kind == "scenario"]
 
 
 def test_a_number_alone_is_that_of_starts() -> None:
-    shipped = load("en50318-ac-simple-320")
+    shipped = load("en50318-ac-simple-320-planar")
     assert shipped.certainty is None
     asked = load({**shipped.to_dict(), "certainty": 5}).certainty
     assert asked is not None
@@ -42,7 +42,7 @@ def test_a_number_alone_is_that_of_starts() -> None:
 )
 def test_what_is_no_number_of_starts_is_refused(given: Any, expected: str) -> None:
     with pytest.raises(ModelError) as caught:
-        load("en50318-ac-simple-320").with_(certainty=given)
+        load("en50318-ac-simple-320-planar").with_(certainty=given)
     assert "certainty" in str(caught.value)
     assert expected in str(caught.value)
 
@@ -91,7 +91,7 @@ def test_the_finest_elements_stay_allowed() -> None:
 
 
 def test_rigid_contact_gets_a_scheme_that_does_not_ring() -> None:
-    rigid = load("en50318-ac-simple-320").with_(**{"contact.law": "rigid"})
+    rigid = load("en50318-ac-simple-320-planar").with_(**{"contact.law": "rigid"})
     for family, wires in ("auto", "lumped"), ("lumped", "hermite"):
         own = rigid.with_(**{"solver.wire_model": family, "solver.scheme": "generalised-alpha"})
         other = other_family(own).solver

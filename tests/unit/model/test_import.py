@@ -7,7 +7,7 @@ import sys
 def test_heavy_libraries_stay_out() -> None:
     program = (
         "import sys, arcless.model\n"
-        "arcless.model.load('en50318-ac-simple-320')\n"
+        "arcless.model.load('en50318-ac-simple-320-planar')\n"
         "print([m for m in ('xarray', 'scipy', 'bokeh', 'pandas', 'h5py') if m in sys.modules])"
     )
     done = subprocess.run(

@@ -14,8 +14,8 @@ from arcless.model.reader import parse, read_text
 # Studies say what is varied, not what things are: tests/unit/study/test_shipped.py.
 FILES = sorted(set(FOLDER.glob("*/*.yaml")) - set(shipped("study").values()))
 REQUIRED_SCENARIOS = {
-    "en50318-ac-simple-275",
-    "en50318-ac-simple-320",
+    "en50318-ac-simple-275-planar",
+    "en50318-ac-simple-320-planar",
     "en50318-2002-250",
     "en50318-2002-300",
     "praks-180",
@@ -100,7 +100,7 @@ def test_shipped_scenarios_give_no_warning_but_what_the_published_method_deserve
 
 
 def test_ac_simple_numbers() -> None:
-    scenario = load("en50318-ac-simple-320")
+    scenario = load("en50318-ac-simple-320-planar")
     line = scenario.line
     # Wave speed of 460 km/h: reference arithmetic, given to the whole km/h.
     assert line.wave_speed * 3.6 == pytest.approx(460, abs=0.5)

@@ -7,7 +7,7 @@ import pytest
 from arcless.errors import ModelError
 from arcless.model import load, load_line, parse_override
 
-SCENARIO = load("en50318-ac-simple-320")
+SCENARIO = load("en50318-ac-simple-320-planar")
 
 
 @pytest.mark.parametrize(

@@ -25,7 +25,7 @@ def test_shipped_scenarios(name: str, tmp_path: Path) -> None:
 
 
 def test_json_writes_rare_characters_in_two_halves(tmp_path: Path) -> None:
-    scenario = load("en50318-ac-simple-320").with_(name="𨫤 line")
+    scenario = load("en50318-ac-simple-320-planar").with_(name="𨫤 line")
     text = json.dumps(scenario.to_dict())
     assert r'"\ud862\udee4 line"' in text
     path = tmp_path / "again.json"
@@ -34,7 +34,7 @@ def test_json_writes_rare_characters_in_two_halves(tmp_path: Path) -> None:
 
 
 def test_provenance_is_part_of_the_data() -> None:
-    data = load("en50318-ac-simple-320").to_dict()
+    data = load("en50318-ac-simple-320-planar").to_dict()
     assert data["line"]["provenance"]["contact_wire.tension"] == {
         "mark": "A",
         "source": "S1, S2",

@@ -11,7 +11,7 @@ from arcless.model import load, load_line, load_pantograph, scenario_warnings
 from arcless.model.advice import LONG_ELEMENT, backward_difference_damping
 from tests.support.explicit import BY_MATRIX, EXPLICIT
 
-SCENARIO = load("en50318-ac-simple-320")
+SCENARIO = load("en50318-ac-simple-320-planar")
 CUBIC = SCENARIO.with_(**BY_MATRIX)
 
 

@@ -8,7 +8,7 @@ import pytest
 from arcless.errors import ModelError
 from arcless.model import Solver, load
 
-SHIPPED = load("en50318-ac-simple-320")
+SHIPPED = load("en50318-ac-simple-320-planar")
 MATRIX = {"solver.scheme": "generalised-alpha"}
 SCENARIO = SHIPPED.with_(**MATRIX)
 FIELDS = ("wire_model", "contact_wire_element", "messenger_wire_element", "time_step")

@@ -10,7 +10,7 @@ from arcless.model import Scenario, load, scenario_warnings
 from arcless.model.load import shipped
 from arcless.model.stepping import LADDER, longest_step
 
-AC_SIMPLE = load("en50318-ac-simple-320")
+AC_SIMPLE = load("en50318-ac-simple-320-planar")
 EXPLICIT, MATRIX = "central-difference", "generalised-alpha"
 
 
@@ -131,7 +131,7 @@ def test_the_longest_step_of_a_string_is_the_time_of_a_wave() -> None:
 
 
 @pytest.mark.parametrize(
-    "name", ["en50318-ac-simple-320", "spain-ca-220-3kv-200", "germany-re-330-300"]
+    "name", ["en50318-ac-simple-320-planar", "spain-ca-220-3kv-200", "germany-re-330-300"]
 )
 @pytest.mark.parametrize("length", LADDER[3:])
 def test_steps_that_auto_takes_are_stable(name: str, length: float) -> None:

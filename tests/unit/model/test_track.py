@@ -140,7 +140,7 @@ def test_the_example_of_the_guide_loads() -> None:
     text = re.findall(r"```yaml\n(geometry:.*?)```", page, re.DOTALL)[0]
     given, _ = parse(text, "track.md")
     changes = {f"line.geometry.{name}": value for name, value in given["geometry"].items()}
-    base = load("ac-simple-3d-275").with_(speed="160 km/h")
+    base = load("en50318-ac-simple-275").with_(speed="160 km/h")
     scenario = base.with_(**changes, **{"line.track": given["track"]})
     assert len(scenario.line.geometry.stagger_contact_wire) == len(scenario.line.span_list()) + 1
     assert not [t for t in scenario_warnings(scenario) if "geometry" in t or "track" in t]

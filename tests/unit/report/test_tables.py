@@ -40,7 +40,7 @@ def test_a_word_in_place_of_a_number_gets_no_unit() -> None:
     ],
 )
 def test_what_a_run_takes_for_a_word_stands_beside_it(scheme: str, shown: tuple[str, ...]) -> None:
-    scenario = load("en50318-ac-simple-320").with_(**{"solver.scheme": scheme})
+    scenario = load("en50318-ac-simple-320-planar").with_(**{"solver.scheme": scheme})
     found = {row.path: row.value for group in groups(scenario) for row in group.rows}
     names = ("wire_model", "contact_wire_element", "messenger_wire_element")
     assert tuple(found[f"solver.{name}"] for name in names) == shown

@@ -16,7 +16,7 @@ from arcless.simulate.certainty import beside, found_beside, one_by_one, places,
 from tests.support.small import laid_out
 
 Make = Callable[..., Scenario]
-AC = "en50318-ac-simple-320"
+AC = "en50318-ac-simple-320-planar"
 # Eight spans of 50 m: a run-in of two spans, and 150 m that are assessed.
 LONG = {
     "line.spans": [{"type": "span", "count": 8}],

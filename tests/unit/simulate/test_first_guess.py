@@ -73,7 +73,7 @@ def test_without_a_base_spring_the_mean_is_the_force() -> None:
 
 
 def test_two_runs_are_enough(monkeypatch: pytest.MonkeyPatch) -> None:
-    job = laid_out(arcless.load("en50318-ac-simple-320"))
+    job = laid_out(arcless.load("en50318-ac-simple-320-planar"))
     count, step = [0], Job.step
 
     def counted(*given: Any, **named: Any) -> Any:

@@ -82,7 +82,7 @@ def test_statics_and_dynamics_agree_on_the_elasticity(short: Short) -> None:
 
 
 def test_it_is_there_by_default_wherever_it_can_be() -> None:
-    scenario = arcless.load("en50318-ac-simple-320")
+    scenario = arcless.load("en50318-ac-simple-320-planar")
     solved = scenario.with_(**{"solver.scheme": "generalised-alpha"})
     assert solved.stepping.residual_flexibility is True
     updated = solved.with_(**{"solver.kinematics": "updated"})

@@ -162,7 +162,9 @@ def test_what_a_loop_cannot_do(
 def test_the_rate_is_the_slope_of_the_height(scheme: str) -> None:
     # No dropper goes slack: that would be a jump of the acceleration.
     changes = {"pantographs.0.mean_force": None, "pantographs.0.static_force": "40 N"}
-    scenario = arcless.load("en50318-ac-simple-320").with_(**changes, **{"solver.scheme": scheme})
+    scenario = arcless.load("en50318-ac-simple-320-planar").with_(
+        **changes, **{"solver.scheme": scheme}
+    )
     loop = arcless.realtime(scenario)
     place, step, omega = loop.position_m, loop.time_step_s, 10.0 * np.pi
     height, rate = np.zeros((2, 500))

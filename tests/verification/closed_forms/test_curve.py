@@ -84,7 +84,7 @@ def test_two_spans(kind: str, weight: float, evidence: Evidence) -> None:
 
 
 def test_families(evidence: Evidence) -> None:
-    scenario = arcless.load("ac-simple-3d-275").with_(
+    scenario = arcless.load("en50318-ac-simple-275").with_(
         **{
             "line.track": {"curves": [{"from": -1e3, "to": 5e3, "radius": RADIUS, "side": "left"}]},
             "line.geometry.stagger_contact_wire": [0.0],

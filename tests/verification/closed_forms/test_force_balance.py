@@ -11,11 +11,11 @@ Source: balance of forces. A wire is lighter per metre by its stretch s, and its
 the span: by (8f/L)²/24 for the contact wire, whose pre-sag is f = 55 mm; that of the messenger wire
 is summed up along a string with the droppers' loads.
 
-The program is asked by `en50318-ac-simple-320`, twenty spans, with the chains that it is shipped
-with and with cubic elements, of which the inner ten count (lengths of droppers are the program's).
-A chain stretches by N/EA, a cubic element by `green`: 3e-6 less. And it is asked by six spans of
-60 m with a stagger of 0.2 m, arms at 0.1 rad, chains without bending stiffness, which would round
-the kinks.
+The program is asked by `en50318-ac-simple-320-planar`, twenty spans, with the chains that it is
+shipped with and with cubic elements, of which the inner ten count (lengths of droppers are the
+program's). A chain stretches by N/EA, a cubic element by `green`: 3e-6 less. And it is asked by
+six spans of 60 m with a stagger of 0.2 m, arms at 0.1 rad, chains without bending stiffness,
+which would round the kinks.
 """
 
 from collections.abc import Callable
@@ -83,7 +83,7 @@ def messenger_wire(droppers: list[Any], law: Law) -> float:
 @pytest.mark.parametrize("wires", WIRES)
 def test_droppers_carry_the_contact_wire(evidence: Evidence, at_rest: AtRest, wires: str) -> None:
     changes, law = WIRES[wires]
-    droppers, mass = inner(at_rest("en50318-ac-simple-320", changes))
+    droppers, mass = inner(at_rest("en50318-ac-simple-320-planar", changes))
     weight = GRAVITY * (contact_wire(law) + DROPPERS * CLAMP + 0.5 * mass)
     evidence.close(
         f"droppers of a span, {wires}", sum(d["force_N"] for d in droppers) / COUNT, weight,
@@ -95,7 +95,7 @@ def test_droppers_carry_the_contact_wire(evidence: Evidence, at_rest: AtRest, wi
 @pytest.mark.parametrize("wires", WIRES)
 def test_supports_carry_all(evidence: Evidence, at_rest: AtRest, wires: str) -> None:
     changes, law = WIRES[wires]
-    found = at_rest("en50318-ac-simple-320", changes)
+    found = at_rest("en50318-ac-simple-320-planar", changes)
     droppers, mass = inner(found)
     both = contact_wire(law) + messenger_wire(droppers, law)
     weight = GRAVITY * (both + DROPPERS * (CLAMP + UPPER_CLAMP) + mass)

@@ -42,7 +42,7 @@ RUN: dict[str, Any] = {
 )
 def test_law(evidence: Evidence, law: str, scheme: dict[str, Any]) -> None:
     changes = {"contact.law": law, "solver.scheme": scheme}
-    data = arcless.run(arcless.load("en50318-ac-simple-320").with_(**RUN, **changes)).dataset
+    data = arcless.run(arcless.load("en50318-ac-simple-320-planar").with_(**RUN, **changes)).dataset
     force, gap = data["contact_force"].values[:, 0], data["contact_gap"].values[:, 0]
     compliance = 1.0 / STIFFNESS if law == "compliant" else 0.0
     overlap = data["mass_displacement"].values[:, 0, -1] - data["contact_height"].values[:, 0]

@@ -35,7 +35,7 @@ PLAN = {
 
 
 def test_trailing(evidence: Evidence) -> None:
-    scenario = arcless.load("en50318-ac-simple-320").with_(**CHANGES)
+    scenario = arcless.load("en50318-ac-simple-320-planar").with_(**CHANGES)
     found = equilibrium.find(scenario)
     numbers = motion.scheme_numbers(scenario.stepping.scheme)
     prepared = found.core.prepare(found.mesh.lanes, numbers, 2e-3, 50e3, False)

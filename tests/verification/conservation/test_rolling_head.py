@@ -5,8 +5,8 @@ so the direction e(y) in which the contact force acts on the head changes in eve
 the answer of the head. All that is stored, dissipated and supplied, the work of the sliding contact
 included, must add up to nothing but rounding (docs/theory/energy.md).
 
-Conservation; no reference values are needed. Asked as `ac-simple-3d-320` over 150 m at 320 km/h
-with cubic elements, trapezoidal rule and generalised-α: its explicit steps keep no ledger.
+Conservation; no reference values are needed. Asked as `en50318-ac-simple-320` over 150 m at 320
+km/h with cubic elements, trapezoidal rule and generalised-α: its explicit steps keep no ledger.
 """
 
 import pytest
@@ -35,7 +35,7 @@ SHORT = {
 @pytest.mark.parametrize("scheme", ["trapezoidal", "generalised-alpha"])
 def test_ledger(evidence: Evidence, scheme: str) -> None:
     changes = {**SHORT, **SOLVED, "solver.scheme": scheme}
-    result = arcless.run(arcless.load("ac-simple-3d-320").with_(**changes))
+    result = arcless.run(arcless.load("en50318-ac-simple-320").with_(**changes))
     lateral = result.dataset["contact_lateral"].values
     assert lateral.max() - lateral.min() > 0.3  # the wire does slide
     evidence.below(

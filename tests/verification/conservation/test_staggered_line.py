@@ -6,8 +6,8 @@ elasticity of the planar one whose arms have 320 N/1.2 m = 267 N/m, but for slan
 the slope of the arms: some per cent, no missing factor. And mirroring the stagger changes no force
 (group conservation, mirrored line).
 
-Derived here. Asked as `ac-simple-3d-320` and `en50318-ac-simple-320` at rest, both with cubic
-elements; runs of the former at the mean force asked for.
+Derived here. Asked as `en50318-ac-simple-320` and `en50318-ac-simple-320-planar` at rest, both with
+cubic elements; runs of the former at the mean force asked for.
 """
 
 from collections.abc import Callable
@@ -24,7 +24,7 @@ from tests.support.explicit import BY_MATRIX, SOLVED
 
 AtRest = Callable[..., StaticsResult]
 RunOnce = Callable[..., Result]
-SPATIAL = "ac-simple-3d-320"
+SPATIAL = "en50318-ac-simple-320"
 STEPS: dict[str, dict[str, Any]] = {"solved for": SOLVED, "explicit": {}}
 SOFT = {"line.steady_arm.vertical_stiffness": 267.36}
 
@@ -33,7 +33,7 @@ SOFT = {"line.steady_arm.vertical_stiffness": 267.36}
 def test_elasticity(evidence: Evidence, at_rest: AtRest, steps: str) -> None:
     planar_steps = BY_MATRIX if steps == "solved for" else {}
     spatial = at_rest(SPATIAL, STEPS[steps])
-    planar = at_rest("en50318-ac-simple-320", SOFT | planar_steps)
+    planar = at_rest("en50318-ac-simple-320-planar", SOFT | planar_steps)
     assert spatial.equilibrium.mesh.dimension == 3
     found, expected = spatial.elasticity_m_per_N, planar.elasticity_m_per_N
     evidence.close(

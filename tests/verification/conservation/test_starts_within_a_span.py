@@ -30,7 +30,7 @@ from arcless.assess.rules import Facts, Limit
 from arcless.model import Scenario
 from arcless.results import Result
 
-NAME = "en50318-ac-simple-320"
+NAME = "en50318-ac-simple-320-planar"
 COUNT, SEED = 16, 21
 KEYS = (
     "std_force_N", "std_force_0_5Hz_N", "std_force_5_20Hz_N", "max_force_N", "min_force_N",

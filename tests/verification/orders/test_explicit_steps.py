@@ -28,16 +28,16 @@ RunOnce = Callable[..., Result]
 GIVEN: dict[str, Any] = {"pantographs.0.mean_force": None}
 # Scenario, static force in N, and what makes it one of default cubic elements.
 LINES: dict[str, tuple[str, float, dict[str, Any]]] = {
-    "planar": ("en50318-ac-simple-320", 175.0, BY_MATRIX),
-    "in space": ("ac-simple-3d-320", 170.0, SOLVED),
+    "planar": ("en50318-ac-simple-320-planar", 175.0, BY_MATRIX),
+    "in space": ("en50318-ac-simple-320", 170.0, SOLVED),
 }
 # Static force in N, and the share of the minimum that the notes of a scenario promise.
 SHIPPED = {
-    "ac-simple-3d-275": (145.0, 0.005),
-    "ac-simple-3d-320": (170.0, 0.005),
+    "en50318-ac-simple-275": (145.0, 0.005),
+    "en50318-ac-simple-320": (170.0, 0.005),
     "ac-simple-overlap-275": (145.0, 0.005),
-    "en50318-ac-simple-275": (148.0, 0.015),
-    "en50318-ac-simple-320": (175.0, 0.005),
+    "en50318-ac-simple-275-planar": (148.0, 0.015),
+    "en50318-ac-simple-320-planar": (175.0, 0.005),
 }
 SHORTER = {
     "solver.residual_flexibility": True,

@@ -20,7 +20,7 @@ from tests.support.evidence import Evidence
 
 RunOnce = Callable[..., Result]
 ALLOWED = 1.0
-SLOW = ("en50318-2002-300", "en50318-ac-simple-275", "en50318-ac-simple-320")
+SLOW = ("en50318-2002-300", "en50318-ac-simple-275-planar", "en50318-ac-simple-320-planar")
 
 
 def numbers(result: Result) -> dict[str, float]:

@@ -4,9 +4,9 @@ Ranges remembered as those of EN 50318:2018 for its case AC simple (mark C*: unv
 standard was not read, nor is it certain that this line is its line). Agreement is encouraging and
 no conformity, disagreement no failure. Nothing in the model was changed to meet them.
 
-Asked as `en50318-ac-simple-275` and `-320`. The mean force is the one asked for: that is the search
-for the static force, not the model. A value more than a whole range beside its range would be
-another problem (a wrong unit, a lost filter) and fails.
+Asked as `en50318-ac-simple-275-planar` and `-320-planar`. The mean force is the one asked for:
+that is the search for the static force, not the model. A value more than a whole range beside its
+range would be another problem (a wrong unit, a lost filter) and fails.
 """
 
 from collections.abc import Callable

@@ -4,9 +4,9 @@ Lengths between the clamps of the droppers of a span of 55 m, printed in whole m
 source of the line's data (mark A). The design calculation finds them from tensions, weights and the
 height of the contact wire.
 
-Asked as `en50318-ac-simple-320` at rest, span 10 of 20, with the chains of explicit steps that it
-is shipped with, and with cubic elements; with elements of either halved; and with the lengths of
-span 10 given as built, which must give the design back.
+Asked as `en50318-ac-simple-320-planar` at rest, span 10 of 20, with the chains of explicit steps
+that it is shipped with, and with cubic elements; with elements of either halved; and with the
+lengths of span 10 given as built, which must give the design back.
 """
 
 from collections.abc import Callable
