@@ -258,3 +258,16 @@ def test_a_line_where_a_scenario_is_wanted_is_told_apart(arcless: Arcless) -> No
     done = arcless("statics", "norway-s25")
     assert done.exit_code == 2
     assert "norway-s25 is a shipped line; did you mean norway-s25-250?" in done.stderr
+
+
+def test_an_earlier_name_of_a_scenario_runs_and_says_what_it_is_called_now(
+    arcless: Arcless, tmp_path: Path
+) -> None:
+    until = ("--until", "100 m", "--no-report")
+    done = arcless("run", "ac-simple-3d-320", *until, "--out", tmp_path / "new")
+    assert "warning: scenario ac-simple-3d-320 is now called en50318-ac-simple-320" in done.stderr
+    assert "FutureWarning" not in done.stderr
+    done = arcless("check", "ac-simple-3d-320")
+    assert "is now called en50318-ac-simple-320" in done.stderr
+    done = arcless("run", "ac-simple-3d-320", *until, "--quiet", "--out", tmp_path / "quiet")
+    assert "is now called" not in done.stderr

@@ -2,7 +2,9 @@
 
 import os
 import sys
-from collections.abc import Callable
+import warnings
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import Any
 
 import typer
@@ -27,7 +29,8 @@ class GuardedGroup(TyperGroup):
         for stream in (sys.stdout, sys.stderr):
             if hasattr(stream, "reconfigure"):
                 stream.reconfigure(errors="replace")  # σ on a terminal that cannot show it
-        code = exit_code_of(lambda: super(GuardedGroup, self).main(*args, **options))
+        with _own_warnings():
+            code = exit_code_of(lambda: super(GuardedGroup, self).main(*args, **options))
         if unfinished():  # a thread in native code would hold up, or break, an orderly exit
             os._exit(code)
         sys.exit(code)
@@ -42,6 +45,24 @@ def exit_code_of(command: Callable[[], Any]) -> int:
             raise
         return _report(error)
     return _report(KeyboardInterrupt()) if code == _INTERRUPTED_BY_TYPER else code
+
+
+@contextmanager
+def _own_warnings() -> Iterator[None]:
+    """Print warnings of Arcless as sentences; those of libraries stay as Python prints them."""
+    others = warnings.showwarning
+
+    def show(message: Warning | str, category: type[Warning], *rest: Any, **named: Any) -> None:
+        if category.__module__.startswith("arcless"):
+            console.warn(str(message))
+        else:
+            others(message, category, *rest, **named)
+
+    warnings.showwarning = show
+    try:
+        yield
+    finally:
+        warnings.showwarning = others
 
 
 def _report(error: BaseException) -> int:

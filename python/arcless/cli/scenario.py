@@ -1,6 +1,7 @@
 """From the arguments of a command to a scenario."""
 
 import re
+import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -45,9 +46,11 @@ def load(
     name: str, *, speed: str | None = None, changes: list[str] | None = None, quiet: bool = False
 ) -> "Scenario":
     """Load a scenario, apply the changes of the command line, and print its warnings."""
-    with staying():
+    with staying(), warnings.catch_warnings():
         from arcless import model
 
+        if quiet:
+            warnings.simplefilter("ignore", model.ModelRenamed)
         scenario = model.load(name)
     overrides = dict(model.parse_override(text) for text in changes or [])
     if speed is not None:

@@ -16,7 +16,7 @@ from arcless.model.components import (
 from arcless.model.documents import MARKS, Provenance
 from arcless.model.geometry import DesignSpace, Geometry
 from arcless.model.gusts import Gusts
-from arcless.model.library import LibraryEntry, library
+from arcless.model.library import LibraryEntry, ModelRenamed, library
 from arcless.model.line import Line
 from arcless.model.load import load, load_any, load_line, load_pantograph
 from arcless.model.overrides import parse_override
@@ -48,6 +48,7 @@ __all__ = [
     "LibraryEntry",
     "Line",
     "MessengerSupport",
+    "ModelRenamed",
     "Newmark",
     "Output",
     "Overlap",

@@ -3,6 +3,7 @@
 from functools import cache
 from pathlib import Path
 from typing import NamedTuple
+from warnings import warn
 
 from arcless.model.catalogue import catalogue
 from arcless.model.reader import parse, read_text
@@ -10,6 +11,17 @@ from arcless.model.reader import parse, read_text
 FOLDER = Path(__file__).resolve().parent.parent / "models"
 _FOLDERS = {"line": "lines", "pantograph": "pantographs", "scenario": "scenarios",
             "study": "studies"}  # fmt: skip
+# Earlier names of shipped models, which load until version 0.3: old name → new name.
+RENAMED = {
+    "scenario": {
+        "ac-simple-3d-275": "en50318-ac-simple-275",
+        "ac-simple-3d-320": "en50318-ac-simple-320",
+    }
+}
+
+
+class ModelRenamed(FutureWarning):
+    """A shipped model was asked for by a name that a later version will not know."""
 
 
 class LibraryEntry(NamedTuple):
@@ -25,6 +37,22 @@ class LibraryEntry(NamedTuple):
 def shipped(kind: str) -> dict[str, Path]:
     """Return the files of the shipped models of a kind, by name."""
     return {path.stem: path for path in sorted((FOLDER / _FOLDERS[kind]).glob("*.yaml"))}
+
+
+def find(kind: str, name: str) -> Path | None:
+    """Return the file of the shipped model of a kind and a name, also of an earlier name.
+
+    None if there is none. An earlier name gives the warning `ModelRenamed`.
+    """
+    known = shipped(kind)
+    if name in known:
+        return known[name]
+    new = RENAMED.get(kind, {}).get(name)
+    if new is None:
+        return None
+    text = f"{kind} {name} is now called {new}; the earlier name goes with version 0.3"
+    warn(text, ModelRenamed, stacklevel=2)
+    return known[new]
 
 
 def library() -> list[LibraryEntry]:

@@ -14,7 +14,7 @@ from arcless.model.documents import dotted
 from arcless.model.explain import explain
 from arcless.model.fields import Path
 from arcless.model.force_tables import with_force_tables
-from arcless.model.library import shipped
+from arcless.model.library import find, shipped
 from arcless.model.line import Line
 from arcless.model.pantograph import Pantograph
 from arcless.model.reader import Origin, is_file, parse, read_text
@@ -73,8 +73,8 @@ def load_any(source: Source) -> Scenario | Line | Pantograph:
         return _load_kind(source, _kind_of(source.get("format"), Origin()))
     if isinstance(source, str):
         for kind in ("scenario", "line", "pantograph"):
-            if source in shipped(kind):
-                return _load_kind(source, kind)
+            if file := find(kind, source):
+                return _load_file(file, kind, Origin())
     data, origin = read(_locate(source, "scenario", Origin()), Origin())
     return _build(data, _kind_of(data.get("format"), origin), origin)
 
@@ -223,9 +223,8 @@ def reference(value: object, kind: Kind, origin: Origin, path: Path) -> object:
 
 def _locate(source: str | os.PathLike[str], kind: Kind, origin: Origin) -> FilePath:
     if isinstance(source, str):
-        known = shipped(kind)
-        if source in known:
-            return known[source]
+        if file := find(kind, source):
+            return file
         path = origin.folder / source
         is_path = path.suffix in _SUFFIXES or os.sep in source or "/" in source
         if not is_path and not is_file(path):
