@@ -65,7 +65,7 @@ def test_all_inside_ends_with_0(arcless: Arcless, assessed: dict[str, Any]) -> N
     assert done.exit_code == 0
     # dropper lengths, EN 50318:2002, AC simple, conclusions
     live = [row for row in rows if not row["note"].startswith("recorded")]
-    assert len(live) == 9 + 16 + 18 + len(CONCLUDED)
+    assert len(live) == 9 + 16 + 36 + len(CONCLUDED)
     assert {row["verdict"] for row in live} == {"inside"}
     # What tests recorded of real runs says nothing about this one.
     assert len(rows) - len(live) == sum(len(topic.rows) for topic in recorded()) > 0

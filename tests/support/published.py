@@ -9,11 +9,11 @@ def rows(evidence: Evidence, case: Case, result: Result, source: str) -> list[Ro
     """Record where each value lies, and return the rows; `source` says where ranges were read."""
     found = compare(case, result.assessment.to_dict())
     assert len(found) == len(case.ranges)
-    speed = case.title.rpartition(", ")[2]
+    which = case.title.partition(", ")[2]
     for row in found:
         assert row.value is not None
         evidence.published(
-            f"{row.quantity}, {speed}", row.value, row.low, row.high, unit=row.unit,
+            f"{row.quantity}, {which}", row.value, row.low, row.high, unit=row.unit,
             mark=row.mark, source=source,
         )  # fmt: skip
     return found

@@ -14,14 +14,14 @@ Noticed = Callable[..., None]
 
 def test_no_filter(noticed: Noticed, run_once: Callable[..., Result]) -> None:
     with patch.object(statistics, "low_pass", lambda signal, *_: signal):
-        known = run_once("en50318-ac-simple-275-planar")
+        known = run_once("en50318-ac-simple-275")
 
         def assessed_anew(_: str) -> Result:
             return Result(known.dataset, known.scenario)
 
         noticed(
             "the 20 Hz filter left out", checks.test_ranges, run_once=assessed_anew,
-            speed="275 km/h",
+            name="en50318-ac-simple-275",
         )  # fmt: skip
 
 
@@ -29,5 +29,5 @@ def test_search_for_the_static_force_stops_early(noticed: Noticed) -> None:
     with patch.object(mean_force, "TOLERANCE", 1.0):
         noticed(
             "search for the static force stops at 1 N", checks.test_mean_force,
-            run_once=fresh.run, speed="320 km/h",
+            run_once=fresh.run, name="en50318-ac-simple-320",
         )  # fmt: skip
