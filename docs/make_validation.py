@@ -111,7 +111,8 @@ def lengths_table() -> str:
         )
     ]
     return table(
-        ("dropper", "published m", "Arcless m", "elements halved m", "in space m", "difference mm"), rows
+        ("dropper", "published m", "Arcless m", "elements halved m", "in space m", "difference mm"),
+        rows,
     )
 
 

@@ -28,9 +28,11 @@ class _Computation(threading.Thread, Generic[Outcome]):
         except BaseException as error:
             self._error = error
 
-    def outcome(self) -> Outcome:
+    def outcome(self, meanwhile: Callable[[], object] | None = None) -> Outcome:
         """Wait, then return or raise what the work did; who waits no longer lets it stop."""
         try:
+            if meanwhile is not None:
+                meanwhile()
             while self.is_alive():
                 self.join(_LOOK_EVERY_S)
         finally:
@@ -40,14 +42,18 @@ class _Computation(threading.Thread, Generic[Outcome]):
         return self._outcome[0]
 
 
-def compute(work: Callable[[Asked], Outcome]) -> Outcome:
+def compute(
+    work: Callable[[Asked], Outcome], meanwhile: Callable[[], object] | None = None
+) -> Outcome:
     """Do work that may stay in native code for long; Ctrl-C leaves it unfinished.
 
     The work is given something to ask now and then: whether it should stop, as nobody waits.
+    `meanwhile` is done by the main thread before it waits: imports that are needed afterwards, as
+    native code lets Python go on.
     """
     computation = _Computation(work)
     computation.start()
-    return computation.outcome()
+    return computation.outcome(meanwhile)
 
 
 def unfinished() -> bool:

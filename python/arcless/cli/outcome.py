@@ -1,5 +1,6 @@
 """What becomes of a run: files in its folder, numbers on the screen, the exit code."""
 
+from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -25,6 +26,20 @@ UntilOption = Annotated[
     ),
 ]
 NoReportOption = Annotated[bool, typer.Option("--no-report", help="Do not write report.html.")]
+
+
+# What writing and telling needs.
+_NEEDED = ("h5py", "rich.console", "rich.table", "arcless.cli.tables", "arcless.validate")
+
+
+def get_ready(*, report: bool) -> None:
+    """Import what writing and telling needs, while a run still computes."""
+    for name in _NEEDED:
+        import_module(name)
+    if report:
+        from arcless.report import template
+
+        template.get_ready()
 
 
 def write(result: "Result", folder: OutputFolder, *, report: bool) -> list[Path]:

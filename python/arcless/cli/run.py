@@ -1,6 +1,7 @@
 """`arcless run` and `arcless statics`."""
 
 import shlex
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -70,7 +71,11 @@ def run(
     chosen = asked_for(load(scenario, speed=speed, changes=set_, quiet=quiet), certainty)
     with OutputFolder(out or folder_of(chosen), *outcome.FILES) as folder:
         command = _command(scenario, speed, set_, certainty)
-        result = _simulate(chosen, until, folder.file(outcome.RESULT), command, quiet=quiet)
+        with console.progress(quiet=quiet) as progress:
+            result = _simulate(
+                chosen, until, folder.file(outcome.RESULT), command, progress=progress,
+                meanwhile=lambda: outcome.get_ready(report=not no_report and until is None),
+            )  # fmt: skip
         written = outcome.write(result, folder, report=not no_report)
     outcome.tell(result, written, json=json, quiet=quiet)
 
@@ -119,18 +124,24 @@ def statics(
 
 
 def _simulate(
-    scenario: "Scenario", until: str | None, file: Path, command: str, *, quiet: bool
+    scenario: "Scenario",
+    until: str | None,
+    file: Path,
+    command: str,
+    *,
+    progress: console.Progress | None,
+    meanwhile: Callable[[], None],
 ) -> "Result":
     with staying():
         from arcless import simulate
 
     to = file if simulate.is_long(scenario) else None
-    with console.progress(quiet=quiet) as progress:
-        return compute(
-            lambda cancel: simulate.run(
-                scenario, until=until, to=to, command=command, progress=progress, cancel=cancel
-            )
-        )
+    return compute(
+        lambda cancel: simulate.run(
+            scenario, until=until, to=to, command=command, progress=progress, cancel=cancel
+        ),
+        meanwhile,
+    )
 
 
 def _find_statics(scenario: "Scenario", *, quiet: bool) -> "StaticsResult":

@@ -1,8 +1,18 @@
 """Figures and texts → one HTML text that loads nothing."""
 
 from collections.abc import Mapping
+from importlib import import_module
 from pathlib import Path
 from typing import Any
+
+# What figures and pages need.
+_NEEDED = ("bokeh.embed", "bokeh.models", "bokeh.plotting", "jinja2")
+
+
+def get_ready() -> None:
+    """Import what figures and pages need: it takes as long as a short run, and can go beside it."""
+    for name in _NEEDED:
+        import_module(name)
 
 
 def render(

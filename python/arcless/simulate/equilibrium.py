@@ -1,6 +1,6 @@
 """Mesh → static equilibrium, with errors in the words of the line."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from itertools import pairwise
@@ -58,13 +58,23 @@ class Equilibrium:
 
         Of wires side by side, that with all of them lifted together which hang at one height.
         """
-        key = x.tobytes(), force
-        if key in self._found:
-            return self._found[key].copy()
-        found = self._elasticity(x, force)
-        if len(self._found) < MOST_KEPT:
-            self._found[key] = found.copy()
-        return found
+        return self.elasticities([x], force)[0]
+
+    def elasticities(self, places: Sequence[Floats], force: float = 0.0) -> list[Floats]:
+        """Elasticity in m/N at several sets of positions in m, asked for at once.
+
+        The stiffness of the line is factorised once for all of them that are not known yet.
+        """
+        missing = [x for x in places if (x.tobytes(), force) not in self._found]
+        found = {key: value for key, value in self._found.items() if key[1] == force}
+        if missing:
+            together = self._elasticity(np.concatenate(missing), force)
+            ends = np.cumsum([len(x) for x in missing])[:-1]
+            for x, part in zip(missing, np.split(together, ends), strict=True):
+                found[x.tobytes(), force] = part
+                if len(self._found) < MOST_KEPT:
+                    self._found[x.tobytes(), force] = part
+        return [found[x.tobytes(), force].copy() for x in places]
 
     def _elasticity(self, x: Floats, force: float) -> Floats:
         found = np.zeros(len(x))

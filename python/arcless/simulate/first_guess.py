@@ -49,19 +49,26 @@ def guess(job: "Job", targets: Floats) -> tuple[Floats, Floats]:
     speeds, wave_speed = job.travel.speeds, job.scenario.line.wave_speed
     share = 0.0 if wave_speed is None else float(speeds.mean()) / wave_speed
     growth = 1.0 / sqrt(1.0 - min(share, MOST_SHARE_OF_WAVE_SPEED) ** 2)
-    yielding = growth * float(job.found.elasticity(section).mean())
-    height = float(job.found.lowest_heights(section).mean())
+    placements = job.scenario.pantographs
+    bases = [base_stiffness(placement.model) for placement in placements]
+    starts = {
+        j: np.array([job.travel.positions[0] - placements[j].distance])
+        for j in np.flatnonzero(~np.isnan(targets) & np.array(bases, dtype=bool)).tolist()
+    }
     forces, slopes = targets.copy(), np.ones(len(targets))
-    for j, placement in enumerate(job.scenario.pantographs):
-        base = base_stiffness(placement.model)
-        if np.isnan(targets[j]) or base == 0.0:
-            continue
-        start = np.array([job.travel.positions[0] - placement.distance])
-        at_start = 1.0 + base * float(job.found.elasticity(start)[0])
+    if not starts:
+        return forces, slopes
+    # With the middle span, which the record asks for at the end of the run.
+    places = [section, *starts.values(), job.found.elasticity_positions()]
+    along, *at_starts = job.found.elasticities(places)
+    yielding = growth * float(along.mean())
+    height = float(job.found.lowest_heights(section).mean())
+    for (j, start), at in zip(starts.items(), at_starts, strict=False):
+        at_start = 1.0 + bases[j] * float(at[0])
         above = height - float(job.found.lowest_heights(start)[0])
-        moving = 1.0 + base * yielding
-        lift = placement.model.lift_at(float(speeds[0]))
-        forces[j] = (targets[j] * moving + base * above) / at_start - lift
+        moving = 1.0 + bases[j] * yielding
+        lift = placements[j].model.lift_at(float(speeds[0]))
+        forces[j] = (targets[j] * moving + bases[j] * above) / at_start - lift
         slopes[j] = at_start / moving
     return forces, slopes
 

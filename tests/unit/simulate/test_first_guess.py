@@ -19,7 +19,8 @@ ELASTICITY, BASE, TARGET = 4e-4, 200.0, 150.0  # m/N, N/m, N
 def uniform(speed: float, rise: float = 0.0, distance: float = 0.0) -> Any:
     """Make a job on a line alike everywhere, higher by `rise` in m where the section begins."""
     found = SimpleNamespace(
-        elasticity=lambda x: np.full(len(x), ELASTICITY),
+        elasticities=lambda places: [np.full(len(x), ELASTICITY) for x in places],
+        elasticity_positions=lambda: np.array([150.0]),
         lowest_heights=lambda x: np.where(x >= 100.0, 5.0 + rise, 5.0),
     )
     model = Pantograph(name="p", masses=[{"mass": 9.0, "stiffness": BASE, "damping": 0.0}])  # type: ignore[arg-type]
