@@ -30,6 +30,9 @@ LOUD_DAMPING = 0.02
 LONG_ELEMENT = 1.25
 # A tenth of the static forces of pantographs, 60 to 120 N.
 LOST_FORCE = 10.0
+# Half of what a point of a chain yields less than the wire, 0.8 µm/N: what is stiffer does not get
+# its residual flexibility in full (docs/theory/wires.md). In N/m.
+STIFFEST_ARM = 1e6
 
 
 def scenario_warnings(scenario: Scenario) -> list[str]:
@@ -109,6 +112,13 @@ def line_warnings(line: Line) -> list[str]:
     if line.steady_arm.kind == "arm" and not any(line.geometry.stagger_contact_wire):
         found.append(
             "line.geometry.stagger_contact_wire: without stagger the steady arms carry nothing"
+        )
+    arm = line.steady_arm
+    if arm.kind == "spring" and arm.vertical_stiffness > STIFFEST_ARM:
+        found.append(
+            f"line.steady_arm.vertical_stiffness: {arm.vertical_stiffness:g} N/m holds the"
+            " contact wire as a mast would (real arms: 0.1 to 3 kN/m); forces hold, uplift there is"
+            " not resolved below 0.2 mm"
         )
     return found
 

@@ -180,7 +180,8 @@ def _not_explicit(scenario: "Scenario") -> str:
     for name, wire in _wires(scenario):
         if wire.tension == 0.0:
             return f"{name} has no tension: its waves have no speed of their own"
-    stiff = _too_stiff_along(scenario)
+    given = solver.time_step
+    stiff = _too_stiff_along(scenario, LONGEST_STEP if isinstance(given, str) else given)
     if stiff:
         return stiff
     rule = _lengths(scenario, chains=True)
@@ -198,15 +199,14 @@ def _not_explicit(scenario: "Scenario") -> str:
     return ""
 
 
-def _too_stiff_along(scenario: "Scenario") -> str:
-    """Say what holds the wires along the track too stiffly; nothing if nothing does.
+def _too_stiff_along(scenario: "Scenario", step: float) -> str:
+    """Say what holds the wires along the track too stiffly for a step in s, if anything does.
 
     Motion along the wires is explicit between points L apart, L = 1.5 (h + 2β) √(EA/μ), and a
     spring k there is stable for k h² < 4 μL by itself; half of that is left to what the wire adds.
     """
-    line, given = scenario.line, scenario.solver.time_step
+    line = scenario.line
     anchor, support = line.midpoint_anchor, line.support
-    step = LONGEST_STEP if isinstance(given, str) else given
     for name, stiffness in (
         ("line.midpoint_anchor", anchor.stiffness if anchor else 0.0),
         ("line.support", support.longitudinal_stiffness if support else 0.0),
@@ -287,7 +287,9 @@ def _resolving(scenario: "Scenario") -> float:
 
 def _step(scenario: "Scenario", lengths: list[float]) -> float:
     """Time step in s of explicit steps with elements of some lengths in m."""
-    return _rounded(min(_resolving(scenario), _stable(scenario, lengths)))
+    found = _rounded(min(_resolving(scenario), _stable(scenario, lengths)))
+    shorter = (one for one in STEPS if one <= found and not _too_stiff_along(scenario, one))
+    return next(shorter, found)
 
 
 def _rounded(step: float) -> float:

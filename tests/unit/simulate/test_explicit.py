@@ -139,6 +139,15 @@ def test_a_step_too_long_is_refused(short: Short) -> None:
     assert "too long for the elements" in str(outcome.error)
 
 
+def test_a_support_stiff_along_the_track_takes_shorter_steps_or_is_refused(short: Short) -> None:
+    stiff = {**EXPLICIT, "line.support.longitudinal_stiffness": 1e8}
+    with pytest.raises(ModelError, match="too long for the elements"):
+        arcless.run(short(**{**stiff, "solver.time_step": "1 ms"}))
+    left = short(**{**stiff, "solver.time_step": "auto"})
+    assert left.stepping.time_step < 0.5e-3
+    assert np.all(np.isfinite(force(arcless.run(left))))
+
+
 def test_elements_too_short_are_refused(short: Short) -> None:
     with pytest.raises(ModelError, match=r"elements: got 1 ms.*hint: .*of 0\.45 m") as caught:
         arcless.run(short(**{**EXPLICIT, "solver.contact_wire_element": 0.1}))

@@ -2,6 +2,7 @@
 //! the step before, which shortens it: what changes its sign in every step has the increment d = 2 y, so
 //! that 4 = ω² h² (1 + 2β/h) + 2 α h there.
 
+use super::cluster::Member;
 use super::rows::place;
 use super::{Explicit, Grid, refuse};
 use crate::error::CoreError;
@@ -113,6 +114,24 @@ impl<const DIM: usize> Explicit<DIM> {
         for (island, own) in self.own.iter().enumerate() {
             self.wire_forces(island, grid);
             self.copy_forces(own, grid);
+        }
+        self.hold_along(grid);
+    }
+
+    /// Forces along the wire of links, struts and springs, which are explicit there: q = −K x − C d/h.
+    fn hold_along(&self, grid: &mut Grid) {
+        let [x, d] = &grid.x;
+        for cluster in &self.clusters {
+            let width = cluster.size / cluster.members.len();
+            for (i, member) in cluster.members.iter().enumerate() {
+                let of = |(j, other): (usize, &Member)| {
+                    let at = i * width * cluster.size + j * width;
+                    let (k, c) = (cluster.stiffness[at], cluster.damping[at]);
+                    k * other.along.read(x) + c / self.h * other.along.read(d)
+                };
+                let force: f64 = cluster.members.iter().enumerate().map(of).sum();
+                member.along.add(-force, &mut grid.pull);
+            }
         }
     }
 }
