@@ -6,7 +6,7 @@ static force the means of a run and of its copy, over the same instants, differ 
 
     explicit steps, elements and step twice as long          0.001 … 0.018 N
     a matrix with residual flexibility, elements 1.5 times,
-    step twice as long, schemes that hardly damp             0.003 … 0.017 N
+    step twice as long, schemes that hardly damp             0.001 … 0.014 N
 
 on the shipped lines at their speeds (docs/decisions/0045-search-on-a-coarse-copy.md). What is
 missing here differs by more: updated kinematics by 1 N, schemes that damp and elements without

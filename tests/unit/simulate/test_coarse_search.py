@@ -127,6 +127,7 @@ def test_a_run_has_its_own_mean_at_its_own_instants(short: Make, every: int) -> 
     job = laid_out(short(**EXPLICIT, **{"output.contact_every": every}))
     raw = job.step([80.0], full=False)
     own = mean_force._at_instants(job, raw["time"], raw["force"].reshape(-1, 1), job)
+    # To rounding, of instants and places alike.
     if every == 1:
         np.testing.assert_allclose(own[0], raw["force"].reshape(-1, 1), rtol=1e-9)
     np.testing.assert_allclose(own[1], raw["position"].reshape(-1, 1), rtol=1e-12)
