@@ -181,7 +181,7 @@ def _not_explicit(scenario: "Scenario") -> str:
         if wire.tension == 0.0:
             return f"{name} has no tension: its waves have no speed of their own"
     given = solver.time_step
-    stiff = _too_stiff_along(scenario, LONGEST_STEP if isinstance(given, str) else given)
+    stiff = too_stiff_along(scenario, LONGEST_STEP if isinstance(given, str) else given)
     if stiff:
         return stiff
     rule = _lengths(scenario, chains=True)
@@ -190,7 +190,7 @@ def _not_explicit(scenario: "Scenario") -> str:
     for name, length, own in zip(names, taken, rule, strict=False):
         if length > own * ROUNDING:
             return f"solver.{name} of {length:g} m is too long for point masses ({own:g} m)"
-    stable = _stable(scenario, taken)
+    stable = stable_step(scenario, taken)
     if solver.time_step == AUTO:
         if stable < SHORTEST_STEP:
             return f"explicit steps would have to be shorter than {1e3 * SHORTEST_STEP:g} ms"
@@ -199,7 +199,7 @@ def _not_explicit(scenario: "Scenario") -> str:
     return ""
 
 
-def _too_stiff_along(scenario: "Scenario", step: float) -> str:
+def too_stiff_along(scenario: "Scenario", step: float) -> str:
     """Say what holds the wires along the track too stiffly for a step in s, if anything does.
 
     Motion along the wires is explicit between points L apart, L = 1.5 (h + 2β) √(EA/μ), and a
@@ -287,8 +287,8 @@ def _resolving(scenario: "Scenario") -> float:
 
 def _step(scenario: "Scenario", lengths: list[float]) -> float:
     """Time step in s of explicit steps with elements of some lengths in m."""
-    found = _rounded(min(_resolving(scenario), _stable(scenario, lengths)))
-    shorter = (one for one in STEPS if one <= found and not _too_stiff_along(scenario, one))
+    found = _rounded(min(_resolving(scenario), stable_step(scenario, lengths)))
+    shorter = (one for one in STEPS if one <= found and not too_stiff_along(scenario, one))
     return next(shorter, found)
 
 
@@ -296,8 +296,11 @@ def _rounded(step: float) -> float:
     return next((one for one in STEPS if one <= step * ROUNDING), step)
 
 
-def _stable(scenario: "Scenario", lengths: list[float]) -> float:
-    """Longest step in s that is stable on every wire, with some room."""
+def stable_step(scenario: "Scenario", lengths: list[float]) -> float:
+    """Return the longest step in s that is stable on every wire, with some room.
+
+    With elements of lengths in m: of the contact wire, and of the wires above.
+    """
     shortest = shortest_distances(scenario.line)
     contact, above = lengths
     found = LONGEST_STEP * 10

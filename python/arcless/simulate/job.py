@@ -2,12 +2,15 @@
 
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
-from functools import cached_property
+from dataclasses import dataclass, field
+from functools import cached_property, partial
+from threading import Lock
 from typing import Any
 
 from arcless import _core
+from arcless.errors import ArclessError
 from arcless.model import Scenario
+from arcless.model.coarse import coarse
 from arcless.model.schemes import EXPLICIT
 from arcless.simulate import equilibrium, gusts, motion, riders
 from arcless.simulate.control import Controllers
@@ -23,6 +26,8 @@ PIECE = 1 << 20
 # Steps between two in which explicit ones measure what wires store and dissipate, which takes as
 # long as ten others. With fewer the ledger would cost more; with more its rows are far apart.
 MEASURED_EVERY = 500
+# What is told of runs that search for a static force.
+SEARCHING = "finding the static force"
 
 
 @dataclass(frozen=True)
@@ -36,6 +41,9 @@ class Job:
         each pantograph, and for the line, who decides on forces.
     observe
         Called with the number of steps done; tells whether to go on.
+    copy
+        Lays out a coarse copy of the run, on which a static force is searched for first; returns
+        None where none serves.
     """
 
     scenario: Scenario
@@ -46,6 +54,7 @@ class Job:
     loads: list[gusts.LoadData]
     controllers: Controllers
     observe: Callable[[int], bool]
+    copy: Callable[[], "Job | None"] = lambda: None
 
     def step(
         self,
@@ -121,6 +130,21 @@ class Line:
 
     found: equilibrium.Equilibrium
     prepared: _core.Prepared
+    _lock: Lock = field(default_factory=Lock, compare=False, repr=False)
+    _coarse: "list[Line | None]" = field(default_factory=list, compare=False, repr=False)
+
+    def of_copies(self, copied: Scenario, tell: Progress) -> "Line | None":
+        """Return the line of the coarse copies of runs that share this one.
+
+        It is made for the first who asks, given a copy; None where it cannot be made.
+        """
+        with self._lock:
+            if not self._coarse:
+                try:
+                    self._coarse.append(ready_line(copied, tell))
+                except ArclessError:
+                    self._coarse.append(None)
+            return self._coarse[0]
 
 
 def ready_line(scenario: Scenario, tell: Progress) -> Line:
@@ -138,14 +162,42 @@ def lay_out(
     tell: Progress,
     cancel: Cancel | None,
     line: Line | None = None,
+    *,
+    doing: str = "stepping",
 ) -> Job:
-    """Lay out a run on its line: the travel, and what is given over time."""
+    """Lay out a run on its line: the travel, and what is given over time.
+
+    `doing` is what is told of its steps.
+    """
     line = line or ready_line(scenario, tell)
     travel = motion.motion(scenario)
     given = riders.given_motions(scenario, travel)
     loads = gusts.line_loads(line.found, scenario, travel)
-    observe = observer(travel.steps, "stepping", tell, cancel)
-    return Job(scenario, line.found, line.prepared, travel, given, loads, controllers, observe)
+    observe = observer(travel.steps, doing, tell, cancel)
+    copy = partial(_coarse_copy, scenario, controllers, tell, cancel, line)
+    found, prepared = line.found, line.prepared
+    return Job(scenario, found, prepared, travel, given, loads, controllers, observe, copy)
+
+
+def _coarse_copy(
+    scenario: Scenario,
+    controllers: Controllers,
+    tell: Progress,
+    cancel: Cancel | None,
+    line: Line,
+) -> Job | None:
+    """Lay out a coarse copy of a run; None where none serves.
+
+    A controller is sampled in steps of the run, and may remember what it was asked.
+    """
+    copied = None if controllers.any else coarse(scenario)
+    coarser = None if copied is None else line.of_copies(copied, tell)
+    if copied is None or coarser is None:
+        return None
+    try:
+        return lay_out(copied, Controllers(copied), tell, cancel, coarser, doing=SEARCHING)
+    except ArclessError:
+        return None
 
 
 def prepare(found: equilibrium.Equilibrium, scenario: Scenario) -> _core.Prepared:

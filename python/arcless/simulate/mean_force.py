@@ -2,8 +2,9 @@
 
 The mean differs from the static force by the base spring times the mean uplift, and a little by
 what the motion does. The line at rest tells most of it, and with which slope the mean follows the
-force; so the first correction, F ← F + (target − mean)/slope, is usually the last one. Else the
-secant rule goes on.
+force: F ← F + (target − mean)/slope. A coarse copy of the run, at a quarter of its price, tells
+the rest; then the run itself with that force usually has the mean asked for, and is the result.
+Where it has not, or no copy serves, the search goes on with whole runs, by the secant rule.
 """
 
 from collections.abc import Generator
@@ -14,17 +15,23 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arcless.assess.filter import low_pass, sample_rate_Hz
-from arcless.errors import ContactError
+from arcless.errors import ArclessError, ContactError
 from arcless.simulate.contacts import total_force
 from arcless.simulate.first_guess import guess
 
 if TYPE_CHECKING:
     from arcless.simulate.job import Job
 
+Floats = NDArray[np.float64]
+
 # A thousandth of the scatter of any measured mean; smaller costs runs and shows nowhere. In N.
 TOLERANCE = 0.02
-# Two runs are normal. More than this and the mean does not follow the force.
+# One run after that of a copy is normal. More than this and the mean does not follow the force.
 MOST_RUNS = 12
+# A correction of up to this in N is made without trying it: slopes are right within a hundredth.
+SURE = 1.0
+# More runs of a copy than this cost as much as one of the run itself.
+MOST_OF_COPY = 4
 
 
 @dataclass(frozen=True)
@@ -38,8 +45,36 @@ class Search:
     record: dict[str, Any] | None = None
 
 
-# Gives the forces to run with, and is sent the record of that run.
-Searching = Generator[list[float], dict[str, Any], Search]
+@dataclass(frozen=True)
+class Trial:
+    """A run that a search asks for.
+
+    Attributes
+    ----------
+    job
+        The run itself, or its coarse copy.
+    forces
+        Static force of each pantograph in N.
+    is_copy
+        Whether it is the copy: nobody wants more of it than its means.
+    """
+
+    job: "Job"
+    forces: list[float]
+    is_copy: bool = False
+
+    def run(self, *, full: bool) -> dict[str, Any] | None:
+        """Run it; `full` records everything. None where a copy fails: it proves nothing."""
+        if not self.is_copy:
+            return self.job.step(self.forces, full=full)
+        try:
+            return self.job.step(self.forces, full=False)
+        except ArclessError:
+            return None
+
+
+# Gives runs to make, and is sent their records.
+Searching = Generator[Trial, dict[str, Any] | None, Search]
 
 
 def find_forces(job: "Job", *, full: bool = False) -> Search:
@@ -59,16 +94,16 @@ def find_forces(job: "Job", *, full: bool = False) -> Search:
     """
     search = searching(job)
     try:
-        forces = next(search)
+        trial = next(search)
         while True:
-            forces = search.send(job.step(forces, full=full))
+            trial = search.send(trial.run(full=full))
     except StopIteration as end:
         found: Search = end.value
         return found
 
 
 def searching(job: "Job") -> Searching:
-    """Search as `find_forces` does, but leave the runs to whoever asks for the next forces."""
+    """Search as `find_forces` does, but leave the runs to whoever asks for the next one."""
     placements = job.scenario.pantographs
     forces = np.array([placement.start_force or 0.0 for placement in placements])
     targets = np.array([np.nan if p.mean_force is None else p.mean_force for p in placements])
@@ -77,44 +112,120 @@ def searching(job: "Job") -> Searching:
     guessed, slopes = guess(job, targets)
     # A guess far off would do harm: what the base spring changes is a part of the force.
     forces = np.where(np.abs(guessed - targets) < 0.5 * targets, guessed, forces)
-    before: tuple[NDArray[np.float64], NDArray[np.float64]] | None = None
+    rule = _Secant(targets, forces, slopes)
+    copy = job.copy()
+    if copy is not None:
+        rule = yield from _on_copy(job, copy, rule)
     for _ in range(MOST_RUNS):
-        raw = yield [float(force) for force in forces]
+        raw = yield rule.trial(job)
+        assert raw is not None
         means = _means(job, raw)
-        errors = np.where(np.isnan(targets), 0.0, targets - means)
-        if np.max(np.abs(errors)) <= TOLERANCE:
-            return Search([float(force) for force in forces], raw)
-        if before is not None:
-            slopes = _secant(forces - before[0], means - before[1], slopes)
-        before = forces.copy(), means
-        forces = forces + errors / slopes
-        if np.min(forces) <= 0.0:
+        if rule.worst(means) <= TOLERANCE:
+            return Search(rule.given(), raw)
+        rule.correct(means)
+        if np.min(rule.forces) <= 0.0:
             break
-    worst = int(np.argmax(np.abs(errors)))
-    raise ContactError(
-        f"the mean force of pantograph {placements[worst].name} was not reached",
-        where=f"pantographs.{worst}.mean_force",
-        got=f"{means[worst]:.2f} N",
-        expected=f"{targets[worst]:.2f} N within {TOLERANCE:g} N",
-        hint="give static_force, or a longer analysis section",
-    )
+    raise _not_reached(job, means, targets)
 
 
-def _secant(
-    step: NDArray[np.float64], change: NDArray[np.float64], old: NDArray[np.float64]
-) -> NDArray[np.float64]:
+def _on_copy(
+    job: "Job", copy: "Job", rule: "_Secant"
+) -> Generator[Trial, dict[str, Any] | None, "_Secant"]:
+    """Search on a coarse copy of a run; returns with which forces to begin, and which slopes."""
+    begun = rule.anew()
+    for _ in range(MOST_OF_COPY):
+        raw = yield rule.trial(copy, is_copy=True)
+        if raw is None:
+            return begun
+        means = _means(copy, raw, job)
+        worst = rule.worst(means)
+        rule.correct(means)
+        if not (np.isfinite(worst) and np.min(rule.forces) > 0.0):
+            return begun
+        if worst <= SURE:
+            break
+    return rule.anew()
+
+
+@dataclass
+class _Secant:
+    """Static forces in N and the slope of each mean; corrected towards the targets in N."""
+
+    targets: Floats
+    forces: Floats
+    slopes: Floats
+    before: tuple[Floats, Floats] | None = None
+
+    def given(self) -> list[float]:
+        return [float(force) for force in self.forces]
+
+    def trial(self, job: "Job", *, is_copy: bool = False) -> Trial:
+        return Trial(job, self.given(), is_copy)
+
+    def worst(self, means: Floats) -> float:
+        """Return how far the worst mean is from its target in N."""
+        return float(np.max(np.abs(self._errors(means))))
+
+    def correct(self, means: Floats) -> None:
+        if self.before is not None:
+            earlier, then = self.before
+            self.slopes = _secant(self.forces - earlier, means - then, self.slopes)
+        self.before = self.forces, means
+        self.forces = self.forces + self._errors(means) / self.slopes
+
+    def anew(self) -> "_Secant":
+        """Return what goes on from here with other runs: their means may all be a little off."""
+        return _Secant(self.targets, self.forces, self.slopes)
+
+    def _errors(self, means: Floats) -> Floats:
+        return np.where(np.isnan(self.targets), 0.0, self.targets - means)
+
+
+def _secant(step: Floats, change: Floats, old: Floats) -> Floats:
     """Slope of mean over force, kept near one: loss of contact or noise must not turn it round."""
     moved = np.abs(step) > TOLERANCE
     slope = np.divide(change, step, out=old.copy(), where=moved)
     return np.clip(slope, 0.5, 2.0)
 
 
-def _means(job: "Job", raw: dict[str, Any]) -> NDArray[np.float64]:
-    """Mean contact force of each pantograph in its section, as the assessment defines it, in N."""
+def _means(job: "Job", raw: dict[str, Any], of: "Job | None" = None) -> Floats:
+    """Mean contact force of each pantograph in its section, as the assessment defines it, in N.
+
+    Of a coarse copy at the instants of the run that it is `of`: a sample more or less at the ends
+    of a section would change the mean by more than the copy does.
+    """
     count = len(job.scenario.pantographs)
-    force = total_force(raw, count)
+    filtered = low_pass(
+        total_force(raw, count), sample_rate_Hz(raw["time"]), job.scenario.analysis.low_pass
+    )
     position = raw["position"].reshape(-1, count)
-    filtered = low_pass(force, sample_rate_Hz(raw["time"]), job.scenario.analysis.low_pass)
+    if of is not None:
+        filtered, position = _at_instants(job, raw["time"], filtered, of)
     start, end = job.scenario.analysis_range()
     inside = (position >= start) & (position <= end)
     return np.array([filtered[inside[:, j], j].mean() for j in range(count)])
+
+
+def _at_instants(copy: "Job", times: Floats, forces: Floats, run: "Job") -> tuple[Floats, Floats]:
+    """Return forces of a copy in N, and positions in m, at the instants that a run records."""
+    travel, placements = run.travel, run.scenario.pantographs
+    ends = travel.time_step * np.arange(travel.steps + 1)
+    # Schemes balance forces at the same part of each step.
+    balanced = times[0] / copy.travel.time_step * travel.time_step
+    at = ends[: travel.steps : run.scenario.output.contact_every] + balanced
+    first = np.interp(at, ends, travel.positions)
+    positions = first[:, None] - [placement.distance for placement in placements]
+    found = [np.interp(at, times, forces[:, j]) for j in range(len(placements))]
+    return np.column_stack(found), positions
+
+
+def _not_reached(job: "Job", means: Floats, targets: Floats) -> ContactError:
+    placements = job.scenario.pantographs
+    worst = int(np.nanargmax(np.abs(targets - means)))
+    return ContactError(
+        f"the mean force of pantograph {placements[worst].name} was not reached",
+        where=f"pantographs.{worst}.mean_force",
+        got=f"{means[worst]:.2f} N",
+        expected=f"{targets[worst]:.2f} N within {TOLERANCE:g} N",
+        hint="give static_force, or a longer analysis section",
+    )

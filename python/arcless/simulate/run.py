@@ -18,7 +18,7 @@ from arcless.results.plain import Plain
 from arcless.results.store import open_plain
 from arcless.simulate import joints, record, state
 from arcless.simulate.control import ControlFunction, Controllers
-from arcless.simulate.job import Cancel, Job, Progress, Take, lay_out, observer
+from arcless.simulate.job import SEARCHING, Cancel, Job, Progress, Take, lay_out, observer
 from arcless.simulate.mean_force import find_forces
 from arcless.simulate.streaming import Stream
 
@@ -83,7 +83,7 @@ def run(
     started = time.perf_counter()
     job = lay_out(scenario, decided, tell, cancel)
     last = state.stop_step(job.travel, until)
-    searching = observer(job.travel.steps, "finding the static force", tell, cancel)
+    searching = observer(job.travel.steps, SEARCHING, tell, cancel)
     # The last run of a search is the run that is asked for, unless that stops early or is streamed.
     full = last == job.travel.steps and to is None
     search = find_forces(replace(job, observe=searching), full=full)

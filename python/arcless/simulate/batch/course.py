@@ -19,6 +19,7 @@ from arcless.results.plain import Plain
 from arcless.simulate.batch.member import dataset
 from arcless.simulate.batch.outcome import Stopped
 from arcless.simulate.job import Job
+from arcless.simulate.mean_force import Trial
 from arcless.simulate.record import joined
 
 # The record goes on for so many periods of the split between the bands beyond the section looked
@@ -36,7 +37,8 @@ class Look:
     Attributes
     ----------
     run, number
-        Which run of a search for a static force it is, from 1, and which look of it, from 0.
+        Which run of a search for a static force it is, from 1 and without those of a coarse copy,
+        and which look of it, from 0.
     position_m, time_s
         Where the first pantograph is, and the time since the start of the run.
     assessment
@@ -77,7 +79,7 @@ class StoppedError(Exception):
 
 
 class Course:
-    """The runs of a member, and how many steps they took.
+    """The runs of a member, and how many steps they took: in steps of the member what a copy took.
 
     Parameters
     ----------
@@ -98,16 +100,26 @@ class Course:
         """Steps of one run to its end."""
         return self._job.travel.steps
 
-    def step(self, forces: list[float], *, full: bool) -> dict[str, Any]:
-        """Run all steps, as `Job.step`.
+    def run(self, trial: Trial, *, full: bool) -> dict[str, Any] | None:
+        """Run a trial, as it does itself; nobody looks at a coarse copy.
 
         Raises
         ------
         StoppedError
             Who looks at it wants it to be stopped.
         """
-        if self._watching is None:
-            return self._job.step(forces, full=full)
+        if self._watching is not None and not trial.is_copy:
+            return self._looked_at(trial.forces, full=full)
+        raw = trial.run(full=full)
+        if self._watching is not None and raw is not None:
+            self.steps += round(raw["steps"] * self._price(trial.job))
+        return raw
+
+    def _price(self, copy: Job) -> float:
+        """Return what a step of a coarse copy costs over one of the run: points over points."""
+        return len(copy.found.mesh.positions) / len(self._job.found.mesh.positions)
+
+    def _looked_at(self, forces: list[float], *, full: bool) -> dict[str, Any]:
         self._run += 1
         self._pieces, before, seen = [], self.steps, 0
         began = time.perf_counter()

@@ -119,9 +119,9 @@ class Crew:
         beside = None if job.scenario.certainty is None else self._beside(job, group)
         run, full = running(job, self._keep, started, beside), records_all(job, self._keep)
         try:
-            forces = next(run)
+            trial = next(run)
             while True:
-                forces = run.send(course.step(forces, full=full))
+                trial = run.send(course.run(trial, full=full))
         except StopIteration as end:
             done: Assessment | Result = end.value
             return done

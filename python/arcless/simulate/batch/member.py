@@ -11,11 +11,11 @@ from arcless.results.plain import Plain
 from arcless.simulate import contacts
 from arcless.simulate.batch.outcome import Keep
 from arcless.simulate.job import Job, keeps_ledger, measured_every
-from arcless.simulate.mean_force import searching
+from arcless.simulate.mean_force import Trial, searching
 from arcless.simulate.run import attributes_of, whole
 
-# Gives the static forces in N to run with, and is sent what the core returned.
-Running = Generator[list[float], dict[str, Any], Assessment | Result]
+# Gives runs to make, and is sent what the core returned.
+Running = Generator[Trial, dict[str, Any] | None, Assessment | Result]
 # Channels of the contact that an assessment reads.
 CHANNELS = ("contact_force", "contact_gap", "contact_height")
 
@@ -33,7 +33,7 @@ def records_all(job: Job, keep: Keep) -> bool:
 def running(
     job: Job, keep: Keep, started: float, beside: Callable[[list[float]], Any] | None = None
 ) -> Running:
-    """Run a member: give the static forces to run with until it is done.
+    """Run a member: give runs to make until it is done.
 
     Parameters
     ----------
@@ -49,7 +49,8 @@ def running(
     search = yield from searching(job)
     raw = search.record
     if raw is None:
-        raw = yield search.forces
+        raw = yield Trial(job, search.forces)
+        assert raw is not None
     sure = None if beside is None else beside(search.forces)
     if keep == "result":
         command = f"arcless run {job.scenario.name}"
@@ -64,9 +65,9 @@ def assessed_alone(job: Job, started: float) -> Assessment:
     """
     run, full = running(job, "assessment", started), records_all(job, "assessment")
     try:
-        forces = next(run)
+        trial = next(run)
         while True:
-            forces = run.send(job.step(forces, full=full))
+            trial = run.send(trial.run(full=full))
     except StopIteration as end:
         done: Assessment = end.value
         return done

@@ -48,8 +48,8 @@ class Outcome:
     stopped
         Where it was stopped, and why; None where it was not.
     steps, steps_of_run
-        Where it was looked at: the steps of all runs of a search for a static force, and those of
-        one run to its end.
+        Where it was looked at: the steps of all runs of a search for a static force (of a coarse
+        copy as many as cost the same), and those of one run to its end.
     """
 
     index: int
