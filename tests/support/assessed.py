@@ -50,11 +50,16 @@ class Assessed:
         )
 
     @classmethod
-    def between(cls, one: "Assessed", other: "Assessed") -> "Assessed":
-        """Return the mean of two, with the verdicts of the first."""
+    def between(cls, one: "Assessed", other: "Assessed", share: float = 0.5) -> "Assessed":
+        """Return the mean of two, with the verdicts of the first; `share` is that of the other.
+
+        With a negative share it is the continuation beyond the first.
+        """
         return cls(
-            forces_N=(0.5 * (np.array(one.forces_N) + np.array(other.forces_N))).tolist(),
-            uplift_mm=0.5 * (one.uplift_mm + other.uplift_mm),
+            forces_N=(
+                (1.0 - share) * np.array(one.forces_N) + share * np.array(other.forces_N)
+            ).tolist(),
+            uplift_mm=(1.0 - share) * one.uplift_mm + share * other.uplift_mm,
             loss_percent=one.loss_percent,
             verdicts=one.verdicts,
         )

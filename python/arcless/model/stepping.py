@@ -14,16 +14,17 @@ are the shortest waves that matter on the contact wire and on the wires above, w
 wave speed cₘ. Errors grow with the fourth power of element over wavelength:
 
     chains    contact wire max(λ₊/8, min(0.30 m, λ₊/5)), others λₘ/5, both at most 0.45 m;
-              at most 0.30 m where a wire is clamped to another, or has a mass of more than 1 kg:
-              there R of the points cannot be taken from a compliance
+              at most 0.20 m where a wire is clamped to another, 0.30 m where it has a mass of
+              more than 1 kg: there R of the points cannot be taken from a compliance
     cubic     λ₊/3.3 and λₘ/3.3, both at most 0.725 m
 
 rounded down to a ladder, so that runs at similar speeds share their elements.
 
-**Time step.** 1 ms; less where explicit steps would not be stable with the elements, or above
-0.7 c, where a fixed point sees f as f c/(c − v) and a step of 0.42/(2π f) (c − v)/c resolves that.
-Lengths and steps were found by measurement on the shipped lines and on random ones, one error
-source at a time.
+**Time step.** 1 ms; 0.5 ms for conductor rails, whose spans ring below trailing pantographs (σ of
+the second, 100 m apart, is 1.7 % off with 1 ms); less where explicit steps would not be stable with
+the elements, or above 0.7 c, where a fixed point sees f as f c/(c − v) and a step of
+0.42/(2π f) (c − v)/c resolves that. Lengths and steps were found by measurement on the shipped
+lines and on random ones, one error source at a time.
 """
 
 from dataclasses import dataclass
@@ -51,6 +52,8 @@ PER_WAVE_OF_CHAIN = 8.0, 5.0
 PER_WAVE_OF_CUBIC = 3.3, 3.3
 # A contact wire of chains may have these, in m, where λ₊ is PER_WAVE_AT_SPEED of them.
 FINE_ENOUGH, PER_WAVE_AT_SPEED = 0.30, 5.0
+# Wires beside a clamp of a bridle, in m: with 0.30 the elasticity there is up to 0.6 % off.
+LONGEST_CLAMPED = 0.20
 LONGEST_OF_CHAIN, LONGEST_OF_CUBIC = 0.45, 0.725
 # Points along the wire are so many of the shortest stable distances apart; and the share of the
 # stiffest spring along the track that explicit steps keep stable by themselves.
@@ -63,6 +66,7 @@ LONGEST_ALONE = 0.35
 # Steps in s that `auto` takes. Shorter explicit ones than the shortest cost more than a matrix.
 STEPS = (1e-3, 0.8e-3, 0.6e-3, 0.5e-3, 0.4e-3, 0.3e-3, 0.25e-3, 0.2e-3)
 LONGEST_STEP, SHORTEST_STEP = STEPS[0], STEPS[-1]
+STEP_OF_RAILS = 0.5e-3
 # ω h of the highest frequency that counts, f c/(c − v) at a fixed point.
 LARGEST_ANGLE = 0.42
 # Share of the longest stable step of a wire by itself that is taken: the core keeps 5 % for
@@ -251,9 +255,8 @@ def _lengths(scenario: "Scenario", *, chains: bool) -> tuple[float, float]:
         return longest, longest
     per_wave, per_wave_above = PER_WAVE_OF_CHAIN if chains else PER_WAVE_OF_CUBIC
     contact = ahead / per_wave
-    if chains and _is_rigidly_joined(scenario):
-        longest = FINE_ENOUGH
     if chains:
+        longest = min(longest, _beside_joints(scenario))
         contact = max(contact, min(FINE_ENOUGH, ahead / PER_WAVE_AT_SPEED))
     above = [
         _speed(wire)
@@ -265,11 +268,13 @@ def _lengths(scenario: "Scenario", *, chains: bool) -> tuple[float, float]:
     return _rung(min(longest, contact)), _rung(min(longest, ahead * ratio / per_wave_above))
 
 
-def _is_rigidly_joined(scenario: "Scenario") -> bool:
-    """Whether points have bridles clamped to them, or masses that count at the assessed waves."""
+def _beside_joints(scenario: "Scenario") -> float:
+    """Longest elements in m where bridles are clamped to points, or masses count."""
     line = scenario.line
+    if line.bridle is not None:
+        return LONGEST_CLAMPED
     masses = [part.mass for part in line.point_masses] + [part.mass for part in line.inserts]
-    return line.bridle is not None or max(masses, default=0.0) > HEAVY
+    return FINE_ENOUGH if max(masses, default=0.0) > HEAVY else LONGEST_OF_CHAIN
 
 
 def _rung(length: float) -> float:
@@ -281,7 +286,7 @@ def _resolving(scenario: "Scenario") -> float:
     """Longest step in s that resolves what a fixed point sees of the frequency assessed."""
     ahead, wave = _ahead(scenario), scenario.line.wave_speed
     if ahead is None or wave is None:
-        return LONGEST_STEP
+        return STEP_OF_RAILS
     return _rounded(max(LARGEST_ANGLE * ahead / (2 * pi * wave), SHORTEST_STEP))
 
 
