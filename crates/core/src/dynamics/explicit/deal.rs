@@ -62,11 +62,13 @@ impl Chains {
             to.home[*copy] = *point;
         }
         let (cuts, plan) = self.deal_reaches(reaches.clone(), strands, slots, &mut to.reaches);
+        let leans = |number: &usize| to.reaches[*number].lean != 0.0;
         Block {
             rows: strands.rows(),
             copies,
             cuts,
             plan,
+            leaning: reaches.clone().filter(leans).map(|k| k as u32).collect(),
             reaches,
             is_even: self.even_out(strands, &mut to.damped[strands.rows()]),
         }

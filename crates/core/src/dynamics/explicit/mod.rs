@@ -139,6 +139,8 @@ struct Block {
     plan: Plan,
     /// As they end, those over cuts last.
     reaches: Range<usize>,
+    /// Those in curves.
+    leaning: Vec<u32>,
     /// Whether all rows have the same damping.
     is_even: bool,
 }
@@ -211,14 +213,15 @@ pub struct Grid {
     /// Slots that others read beside those of clusters: where contacts are, and always.
     near: Vec<usize>,
     watched: Vec<usize>,
-    /// Zero as long as all that moves is finite; not a number from the step on in which something is not.
-    sound: f64,
+    /// Zeros as long as all that moves is finite; one is no number from the step on in which something is not. Lanes
+    /// are never added up: with a sum across them the compiler would halve all rows of the sweep.
+    sound: Wide,
 }
 
 impl Grid {
     /// Whether all points and masters that were stepped are at finite places.
     pub(super) fn is_sound(&self) -> bool {
-        self.sound == 0.0
+        self.sound.iter().all(|sound| *sound == 0.0)
     }
 
     /// Numbers that a later run goes on with.

@@ -38,7 +38,7 @@ impl<const DIM: usize> Explicit<DIM> {
             thrust: vec![0.0; self.reaches.len() + 1],
             near: Vec::new(),
             watched: Vec::new(),
-            sound: 0.0,
+            sound: Wide::default(),
         }
     }
 

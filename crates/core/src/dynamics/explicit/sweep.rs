@@ -61,7 +61,7 @@ impl<'a, const DIM: usize> On<'a, DIM> {
         let (mut moved, mut stretched) = (HALO, own.reaches.start);
         for stage in &plan.stages {
             self.move_rows::<EVEN>(&mut motions, moved..stage.moved);
-            self.p.stretch(stretched..stage.stretched, self.grid);
+            self.stretch(stretched..stage.stretched);
             (moved, stretched) = (stage.moved, stage.stretched);
             if stage.forced > plan.first {
                 let mut all = forces.unwrap_or_else(|| self.forces());
@@ -69,7 +69,9 @@ impl<'a, const DIM: usize> On<'a, DIM> {
                 (forces, forced) = (Some(all), stage.forced);
             }
         }
-        self.grid.sound += motions[0].sound() + motions[DIM - 2].sound();
+        for motion in &motions[..DIM - 1] {
+            motion.tell(&mut self.grid.sound);
+        }
         self.p.copy_places(own, self.grid);
         self.p.rise_to_tails(own, self.grid);
         self.finish::<EVEN>(forces, forced);
@@ -81,8 +83,17 @@ impl<'a, const DIM: usize> On<'a, DIM> {
         self.p.copy_places(own, self.grid);
         self.measure();
         self.p.rise_to_tails(own, self.grid);
-        self.p.stretch(own.reaches.start..plan.within, self.grid);
+        self.stretch(own.reaches.start..plan.within);
         self.finish::<false>(None, plan.first - 1);
+    }
+
+    /// Straight ones pay nothing for curves.
+    #[inline(always)]
+    fn stretch(&mut self, reaches: Range<usize>) {
+        match self.own.leaning.is_empty() {
+            true => self.p.stretch::<false>(reaches, self.grid),
+            false => self.p.stretch::<true>(reaches, self.grid),
+        }
     }
 
     /// What stays of the rows of a direction across.
