@@ -47,6 +47,7 @@ mod clusters;
 mod deal;
 pub(super) mod energy;
 mod groups;
+mod guests;
 mod kernels;
 mod layout;
 mod line;
@@ -68,6 +69,7 @@ mod waves;
 
 use cluster::Cluster;
 use groups::Groups;
+use guests::Guest;
 use plan::Plan;
 use rows::{Across, Common, Damped, Moving, Wide};
 use std::ops::Range;
@@ -134,7 +136,7 @@ struct Cut {
 struct Block {
     rows: Range<usize>,
     /// Slots of copies, and of what they are copies of.
-    copies: Vec<[usize; 2]>,
+    copies: Vec<[u32; 2]>,
     cuts: Vec<Cut>,
     plan: Plan,
     /// As they end, those over cuts last.
@@ -152,8 +154,10 @@ struct Own {
     /// Those of all blocks.
     rows: Range<usize>,
     masters: Range<usize>,
-    guests: Range<usize>,
+    guests: Vec<Guest>,
     groups: Groups,
+    /// Slots of copies that clusters read, and of what they are copies of.
+    read: Vec<[u32; 2]>,
     /// Nodes of all clusters.
     linked: Vec<usize>,
 }
@@ -191,8 +195,6 @@ pub struct Explicit<const DIM: usize> {
     clusters: Vec<Cluster>,
     /// Cluster of each slot, and which of its points it is.
     in_cluster: Vec<Option<(usize, usize)>>,
-    /// Ends of wires at a point of another: guest, owner.
-    guests: Vec<(usize, usize)>,
 }
 
 /// What moves.
