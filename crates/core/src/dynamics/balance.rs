@@ -106,7 +106,8 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
         }
         let pressed = new.pressed.iter().map(|c| c.energy).sum::<f64>();
         let [stored, laws, stops] = sums(&new.riders);
-        let line = new.stored(steps, state, grid);
+        new.read(steps, state, grid);
+        let line = new.stored(steps, state);
         new.start = [line.elastic + new.slack, pressed + stops, stored, laws];
         new.settled[0] = line.all();
         new.largest = line.all().abs();
@@ -131,8 +132,11 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
             return;
         };
         // Before anything of this step is booked.
+        if self.measures(step) {
+            self.read(steps, state, grid);
+        }
         if self.measures(step) && self.every > 1 {
-            let line = self.stored(steps, state, grid).all();
+            let line = self.stored(steps, state).all();
             self.close(line);
         }
         for (halves, rider) in self.riders.iter_mut().zip(riders) {
@@ -159,7 +163,7 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
             return;
         }
         for &island in &state.awake {
-            self.forms.remember(island, grid);
+            self.forms.remember(island);
         }
     }
 
@@ -191,9 +195,10 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
         if !self.measures(step) {
             return false;
         }
+        self.read(steps, state, grid);
         let mut lost = Lost::default();
         for &island in &state.awake {
-            lost = lost.and(self.forms.lost(steps, island, grid));
+            lost = lost.and(self.forms.lost(steps, island));
         }
         self.entries.dissipated_scheme += lost.scheme;
         self.entries.dissipated_line += lost.damped - self.of_step;
@@ -201,7 +206,7 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
         if self.every == 1 && !is_row {
             return false;
         }
-        let line = self.stored(steps, state, grid);
+        let line = self.stored(steps, state);
         self.entries.kinetic = line.kinetic;
         self.entries.elastic = line.elastic + self.slack - self.start[0];
         self.off += line.all() + self.left - self.settled[0];
@@ -220,11 +225,17 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
         e.contact = pressed + stops - self.start[1];
     }
 
-    /// Energies of the line between two steps.
-    fn stored(&mut self, steps: &Explicit<DIM>, state: &LineState<D>, grid: &Grid) -> Stored {
+    fn read(&mut self, steps: &Explicit<DIM>, state: &LineState<D>, grid: &Grid) {
+        for &island in &state.awake {
+            self.forms.read(steps, island, grid);
+        }
+    }
+
+    /// Energies of the line between two steps, as it was read.
+    fn stored(&mut self, steps: &Explicit<DIM>, state: &LineState<D>) -> Stored {
         let mut sum = Stored::default();
         for &island in &state.awake {
-            let own = self.forms.stored(steps, island, grid);
+            let own = self.forms.stored(steps, island);
             sum.kinetic += own.kinetic;
             sum.elastic += own.elastic;
         }
@@ -252,7 +263,8 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
             .iter_mut()
             .filter(own)
             .for_each(|d| d.rate = 0.0);
-        let line = self.forms.stored(steps, island, grid).all();
+        self.forms.read(steps, island, grid);
+        let line = self.forms.stored(steps, island).all();
         self.left += line;
         self.entries.dissipated_scheme += line;
     }

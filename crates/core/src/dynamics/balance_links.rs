@@ -5,6 +5,7 @@ use super::contact::Unilateral;
 use super::explicit::{Explicit, Grid};
 use super::line::LinearLink;
 use super::stepper::{LineState, Prepared};
+use crate::linalg::{Kernel, widest};
 
 /// A damper to ground: node, component, N·s/m, and h v of the node, m.
 #[derive(Debug, Clone, Copy)]
@@ -93,7 +94,11 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
         let mut sum = 0.0;
         for island in p.awake(&state.awake) {
             let which = island.links.clone();
-            sum += squares(&p.table.viscosity[which.clone()], &rates[which]);
+            widest(Squares {
+                c: &p.table.viscosity[which.clone()],
+                v: &rates[which],
+                sum: &mut sum,
+            });
         }
         let slack = unilateral.links.iter();
         let slack = slack.filter(|&&l| unilateral.correction[l] > 0.0);
@@ -106,18 +111,28 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
     }
 }
 
-/// Σ c v², summed side by side: one after the other they would wait for each other.
-fn squares(c: &[f64], v: &[f64]) -> f64 {
-    const SIDES: usize = 8;
-    let (mut sums, (c, c_rest)) = ([0.0; SIDES], c.as_chunks::<SIDES>());
-    let (v, v_rest) = v.as_chunks::<SIDES>();
-    for (c, v) in c.iter().zip(v) {
-        for k in 0..SIDES {
-            sums[k] += c[k] * v[k] * v[k];
+/// Σ c v².
+struct Squares<'a> {
+    c: &'a [f64],
+    v: &'a [f64],
+    sum: &'a mut f64,
+}
+
+impl Kernel for Squares<'_> {
+    /// Summed side by side: one after the other they would wait for each other.
+    #[inline(always)]
+    fn run(self) {
+        const SIDES: usize = 8;
+        let (mut sums, (c, c_rest)) = ([0.0; SIDES], self.c.as_chunks::<SIDES>());
+        let (v, v_rest) = self.v.as_chunks::<SIDES>();
+        for (c, v) in c.iter().zip(v) {
+            for k in 0..SIDES {
+                sums[k] += c[k] * v[k] * v[k];
+            }
         }
+        let rest = c_rest.iter().zip(v_rest).map(|(c, v)| c * v * v);
+        *self.sum += sums.iter().sum::<f64>() + rest.sum::<f64>();
     }
-    let rest = c_rest.iter().zip(v_rest).map(|(c, v)| c * v * v);
-    sums.iter().sum::<f64>() + rest.sum::<f64>()
 }
 
 /// Dampers of a line at rest; springs alone are left out.

@@ -8,6 +8,7 @@ use super::strands::Strands;
 use super::{Along, Block, Cut, Explicit, Guest, Masters, Own, Reach};
 use std::collections::BTreeSet;
 use std::ops::Range;
+use std::sync::OnceLock;
 
 /// Share of a number that is rounding of a mean of equal ones.
 const ROUNDING: f64 = 1e-12;
@@ -152,6 +153,7 @@ impl Chains {
             },
             clusters: std::mem::take(&mut self.clusters),
             in_cluster: vec![None; numbers],
+            forms: OnceLock::new(),
         }
     }
 

@@ -68,11 +68,13 @@ mod sweep;
 mod waves;
 
 use cluster::Cluster;
+use energy::Form;
 use groups::Groups;
 use guests::Guest;
 use plan::Plan;
 use rows::{Across, Common, Damped, Moving, Wide};
 use std::ops::Range;
+use std::sync::OnceLock;
 
 /// Newmark's β.
 const BETA: f64 = 0.25;
@@ -195,6 +197,8 @@ pub struct Explicit<const DIM: usize> {
     clusters: Vec<Cluster>,
     /// Cluster of each slot, and which of its points it is.
     in_cluster: Vec<Option<(usize, usize)>>,
+    /// What energies are formed with, island by island, once somebody asked for them.
+    forms: OnceLock<Vec<Form>>,
 }
 
 /// What moves.

@@ -66,6 +66,7 @@ impl Filtered {
 /// ½ dᵀ M* d/h² of all directions, with (M/h² + E) x = M d/h² and M* d/h² = M x/h²: so it is half of bᵀ (L D Lᵀ)⁻¹ b.
 ///
 /// Both directions in one loop: each number waits for the one before it.
+#[inline(always)]
 pub(super) fn energy(filtered: &[Filtered; 2], weight: &[Vec<f64>; 2], d: &[Vec<f64>; 2]) -> f64 {
     let (mut sums, mut last) = ([0.0; 2], [[0.0; 2]; 2]);
     let mut go = |c: usize, k: usize| {

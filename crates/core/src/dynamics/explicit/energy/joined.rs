@@ -2,7 +2,7 @@
 
 use super::Lost;
 use super::field::Field;
-use super::form::Form;
+use super::form::Room;
 use crate::dynamics::explicit::cluster::Cluster;
 use crate::dynamics::explicit::{Along, Explicit};
 
@@ -38,14 +38,15 @@ impl Joined {
     }
 
     /// For no more than `N` components.
+    #[inline(always)]
     pub fn stored<const DIM: usize, const N: usize>(
         &self,
         steps: &Explicit<DIM>,
-        form: &Form,
+        room: &Room,
     ) -> f64 {
         let cluster = &steps.clusters[self.number];
-        let mut z = self.read::<DIM, N>(&form.y);
-        let mut d = self.read::<DIM, N>(&form.d);
+        let mut z = self.read::<DIM, N>(&room.y);
+        let mut d = self.read::<DIM, N>(&room.d);
         for k in 0..N {
             z[k] -= 0.5 * d[k];
             d[k] = if k % DIM == 0 { d[k] } else { 0.0 };
@@ -55,14 +56,15 @@ impl Joined {
     }
 
     /// With increments before and after the step.
+    #[inline(always)]
     pub fn lost<const DIM: usize, const N: usize>(
         &self,
         steps: &Explicit<DIM>,
-        form: &Form,
+        room: &Room,
     ) -> Lost {
         let cluster = &steps.clusters[self.number];
-        let old = self.read::<DIM, N>(&form.old);
-        let new = self.read::<DIM, N>(&form.d);
+        let old = self.read::<DIM, N>(&room.old);
+        let new = self.read::<DIM, N>(&room.d);
         let [mut moved, mut seen, mut aside, mut pulled] = [[0.0; N]; 4];
         for k in 0..N {
             moved[k] = 0.5 * (old[k] + new[k]);
@@ -81,6 +83,7 @@ impl Joined {
 
 impl Cluster {
     /// xᵀ A z
+    #[inline(always)]
     fn form(&self, a: &[f64], x: &[f64], z: &[f64]) -> f64 {
         let rows = a.chunks_exact(self.size).zip(x);
         let of_row =

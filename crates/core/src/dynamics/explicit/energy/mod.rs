@@ -34,7 +34,10 @@ mod joined;
 mod tables;
 
 use super::{Explicit, Grid};
-use form::Form;
+use crate::linalg::{Kernel, widest};
+use form::Room;
+
+pub(super) use form::Form;
 
 /// What the line has stored, J.
 #[derive(Debug, Clone, Copy, Default)]
@@ -61,50 +64,87 @@ pub(in crate::dynamics) struct Lost {
 /// Energies of all islands.
 #[derive(Debug, Clone)]
 pub(in crate::dynamics) struct Forms {
-    islands: Vec<Form>,
+    rooms: Vec<Room>,
 }
 
 impl Forms {
     pub fn new<const DIM: usize>(steps: &Explicit<DIM>) -> Self {
-        let all = 0..steps.own.len();
+        let rooms = steps.forms().iter().map(|form| form.room(DIM - 1));
         Self {
-            islands: all.map(|island| Form::new(steps, island)).collect(),
+            rooms: rooms.collect(),
         }
     }
 
+    /// Read what moves on an island after a step: what follows is of that.
+    pub fn read<const DIM: usize>(&mut self, steps: &Explicit<DIM>, island: usize, grid: &Grid) {
+        self.work(steps, island, Work::Read(grid));
+    }
+
     /// What an island has stored half a step after the last one.
-    pub fn stored<const DIM: usize>(
-        &mut self,
-        steps: &Explicit<DIM>,
-        island: usize,
-        grid: &Grid,
-    ) -> Stored {
-        let form = &mut self.islands[island];
-        form.read(grid);
-        form.stored(steps)
+    pub fn stored<const DIM: usize>(&mut self, steps: &Explicit<DIM>, island: usize) -> Stored {
+        let mut found = Stored::default();
+        self.work(steps, island, Work::Store(&mut found));
+        found
     }
 
     /// Keep the increments before a step.
-    pub fn remember(&mut self, island: usize, grid: &Grid) {
-        let form = &mut self.islands[island];
-        form.read(grid);
-        std::mem::swap(&mut form.old, &mut form.d);
+    pub fn remember(&mut self, island: usize) {
+        let room = &mut self.rooms[island];
+        std::mem::swap(&mut room.old, &mut room.d);
     }
 
     /// What the step since has taken.
-    pub fn lost<const DIM: usize>(
-        &mut self,
-        steps: &Explicit<DIM>,
-        island: usize,
-        grid: &Grid,
-    ) -> Lost {
-        let form = &mut self.islands[island];
-        form.read(grid);
-        form.lost(steps)
+    pub fn lost<const DIM: usize>(&mut self, steps: &Explicit<DIM>, island: usize) -> Lost {
+        let mut found = Lost::default();
+        self.work(steps, island, Work::Lose(&mut found));
+        found
+    }
+
+    fn work<const DIM: usize>(&mut self, steps: &Explicit<DIM>, island: usize, work: Work<'_>) {
+        widest(On {
+            steps,
+            form: &steps.forms()[island],
+            room: &mut self.rooms[island],
+            work,
+        });
+    }
+}
+
+impl<const DIM: usize> Explicit<DIM> {
+    /// What energies are formed with, made when somebody asks for them first.
+    fn forms(&self) -> &[Form] {
+        let new = || (0..self.own.len()).map(|island| Form::new(self, island));
+        self.forms.get_or_init(|| new().collect())
+    }
+}
+
+/// Something to do with the numbers of an island.
+enum Work<'a> {
+    Read(&'a Grid),
+    Store(&'a mut Stored),
+    Lose(&'a mut Lost),
+}
+
+struct On<'a, const DIM: usize> {
+    steps: &'a Explicit<DIM>,
+    form: &'a Form,
+    room: &'a mut Room,
+    work: Work<'a>,
+}
+
+impl<const DIM: usize> Kernel for On<'_, DIM> {
+    #[inline(always)]
+    fn run(self) {
+        match self.work {
+            Work::Read(grid) => self.form.read(grid, self.room),
+            Work::Store(found) => *found = self.form.stored(self.steps, self.room),
+            Work::Lose(found) => *found = self.form.lost(self.steps, self.room),
+        }
     }
 }
 
 impl Lost {
+    #[inline(always)]
     pub fn and(self, other: Self) -> Self {
         Self {
             damped: self.damped + other.damped,
