@@ -64,7 +64,7 @@ impl<const DIM: usize> Explicit<DIM> {
                     (number, left) = (number + LANES, behind);
                 }
                 _ => {
-                    pulled.stretch(number, reach, 0.0);
+                    pulled.stretch::<CURVED>(number, reach, 0.0);
                     (number, left) = (number + 1, behind);
                 }
             }
@@ -89,7 +89,7 @@ impl<const DIM: usize> Explicit<DIM> {
         for number in own.plan.within..own.reaches.end {
             let tails = own.cuts.iter().filter(|cut| cut.over == Some(number));
             let before = tails.map(|cut| rise(&grid.moving[0], cut.tail)).sum();
-            Pulled::of(grid).stretch(number, &self.reaches[number], before);
+            Pulled::of(grid).stretch::<true>(number, &self.reaches[number], before);
         }
         for cut in &own.cuts {
             let last = cut.last.map_or(0.0, |number| grid.thrust[number]);
@@ -159,11 +159,13 @@ impl<'a> Pulled<'a> {
 
     /// H of one, with the rise of the strands before the one that it ends in.
     #[inline(always)]
-    fn stretch(&mut self, number: usize, reach: &Reach, before: f64) {
+    fn stretch<const CURVED: bool>(&mut self, number: usize, reach: &Reach, before: f64) {
         let [a, b] = reach.masters.map(|m| m as usize);
         let [from, to] = reach.ends.map(|slot| slot as usize);
-        let lean = reach.lean * (aside(self.first, from) + aside(self.first, to));
-        let risen = rise(self.first, to) - rise(self.first, from) + before - lean;
+        let mut risen = rise(self.first, to) - rise(self.first, from) + before;
+        if CURVED {
+            risen -= reach.lean * (aside(self.first, from) + aside(self.first, to));
+        }
         let force = reach.stiffness * (self.lagged[b] - self.lagged[a] + risen);
         self.pull[a] += force;
         self.pull[b] -= force;

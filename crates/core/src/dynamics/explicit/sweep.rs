@@ -67,9 +67,12 @@ impl<'a, const DIM: usize> On<'a, DIM> {
             self.stretch(stretched..stage.stretched);
             (moved, stretched) = (stage.moved, stage.stretched);
             if stage.forced > plan.first {
-                let all = forces.get_or_insert_with(|| self.forces());
-                self.force_rows::<EVEN>(all, forced..stage.forced);
-                forced = stage.forced;
+                let mut all = match forces {
+                    Some(all) => all,
+                    None => self.forces(),
+                };
+                self.force_rows::<EVEN>(&mut all, forced..stage.forced);
+                (forces, forced) = (Some(all), stage.forced);
             }
         }
         for motion in &motions[..DIM - 1] {
@@ -185,7 +188,10 @@ impl<'a, const DIM: usize> On<'a, DIM> {
         let plan = &self.own.plan;
         self.p.stretch_over_cuts(self.own, self.grid);
         if plan.first < plan.rows.end {
-            let mut forces = begun.unwrap_or_else(|| self.forces());
+            let mut forces = match begun {
+                Some(forces) => forces,
+                None => self.forces(),
+            };
             self.force_rows::<EVEN>(&mut forces, forced..plan.rows.end);
         }
         let mut early = self.before(HALO - 1, Wide::default());
