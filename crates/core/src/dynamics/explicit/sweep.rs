@@ -67,12 +67,13 @@ impl<'a, const DIM: usize> On<'a, DIM> {
             self.stretch(stretched..stage.stretched);
             (moved, stretched) = (stage.moved, stage.stretched);
             if stage.forced > plan.first {
-                let mut all = match forces {
-                    Some(all) => all,
-                    None => self.forces(),
-                };
-                self.force_rows::<EVEN>(&mut all, forced..stage.forced);
-                (forces, forced) = (Some(all), stage.forced);
+                if forces.is_none() {
+                    forces = Some(self.forces());
+                }
+                if let Some(all) = &mut forces {
+                    self.force_rows::<EVEN>(all, forced..stage.forced);
+                }
+                forced = stage.forced;
             }
         }
         for motion in &motions[..DIM - 1] {
