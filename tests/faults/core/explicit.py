@@ -80,8 +80,8 @@ MOVING = [
     Mutation(
         "reaches over cuts stretched by their last strand alone",
         "dynamics/explicit/stretch.rs",
-        "rise(self.first, to) - rise(self.first, from) + before - lean;",
-        "rise(self.first, to) - rise(self.first, from) + 0.0 * before - lean;",
+        "rise(self.first, to) - rise(self.first, from) + before;",
+        "rise(self.first, to) - rise(self.first, from) + 0.0 * before;",
         (CUBIC,),
     ),
     Mutation(
@@ -152,9 +152,9 @@ BOOKED = [
     ),
     Mutation(
         "ends of wires at points of others stay behind by a millionth",
-        "dynamics/explicit/stepping.rs",
-        "rows[row].w[lane] = a;",
-        "rows[row].w[lane] = (1.0 - 1e-6) * a;",
+        "dynamics/explicit/guests.rs",
+        "= accelerated(w, guest.filter",
+        "= (1.0 - 1e-6) * accelerated(w, guest.filter",
         (GUESTS,),
     ),
     Mutation(
@@ -173,7 +173,7 @@ BOOKED = [
     ),
     Mutation(
         "energy of the motion without the filter",
-        "dynamics/explicit/energy.rs",
+        "dynamics/explicit/energy/tables.rs",
         "filtered: [0, 1].map(|c| Filtered::new(&weight[c], &filter, &second)),",
         "filtered: [0, 1].map(|c| Filtered::new(&weight[c], &vec![0.0; filter.len()], &second)),",
         (CLOSES,),

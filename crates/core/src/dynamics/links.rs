@@ -158,19 +158,27 @@ impl LinkMotion {
         (table, correction): (&LinkTable, &[f64]),
         mut found: impl FnMut(usize),
     ) {
-        let (tension, least) = (&self.tension, &table.least);
-        for from in which.clone().step_by(LOOK) {
-            let group = from..(from + LOOK).min(which.end);
-            let both = tension[group.clone()].iter().zip(&least[group.clone()]);
-            let all = both.zip(&correction[group.clone()]);
-            let any = all.fold(false, |any, ((tension, least), correction)| {
-                any | (tension < least) | (*correction > 0.0)
-            });
+        let lists = [&self.tension[..], &table.least, correction].map(|list| part(list, &which));
+        let is_one = |&i: &usize| {
+            let [tension, least, correction] = lists.map(|list| list[i]);
+            tension < least || correction > 0.0
+        };
+        let mut look = |group: Range<usize>| {
+            let them = group.filter(is_one);
+            them.for_each(|i| found(which.start + i));
+        };
+        let groups = lists.map(|list| list.as_chunks::<LOOK>().0);
+        for k in 0..groups[0].len() {
+            let [tension, least, correction] = groups.map(|groups| &groups[k]);
+            let mut any = false;
+            for i in 0..LOOK {
+                any |= (tension[i] < least[i]) | (correction[i] > 0.0);
+            }
             if any {
-                let is_one = |&i: &usize| tension[i] < least[i] || correction[i] > 0.0;
-                group.filter(is_one).for_each(&mut found);
+                look(LOOK * k..LOOK * (k + 1));
             }
         }
+        look(LOOK * groups[0].len()..which.len());
     }
 }
 

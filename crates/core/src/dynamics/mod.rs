@@ -3,6 +3,8 @@
 
 pub mod actuator;
 pub mod balance;
+mod balance_contacts;
+mod balance_links;
 mod books;
 mod close;
 pub mod columns;

@@ -5,8 +5,10 @@ use super::layout::Chains;
 use super::plan::{Plan, Span};
 use super::rows::{Across, Common, Damped, LANES, each, place};
 use super::strands::Strands;
-use super::{Along, Block, Cut, Explicit, Masters, Own, Reach};
+use super::{Along, Block, Cut, Explicit, Guest, Masters, Own, Reach};
+use std::collections::BTreeSet;
 use std::ops::Range;
+use std::sync::OnceLock;
 
 /// Share of a number that is rounding of a mean of equal ones.
 const ROUNDING: f64 = 1e-12;
@@ -34,10 +36,13 @@ impl Chains {
                 blocks,
                 rows,
                 masters: own.masters.clone(),
-                guests: own.guests.clone(),
+                guests: new.guests(&self.guests[own.guests.clone()], &slots),
                 groups: Groups::new(&new.clusters[own.clusters.clone()]),
+                read: Vec::new(),
                 linked: new.linked(own.clusters.clone()),
             });
+            let number = new.own.len() - 1;
+            new.own[number].read = new.read_by_clusters(number, own.clusters.clone());
         }
         new
     }
@@ -55,18 +60,20 @@ impl Chains {
             self.put(point, slot, to);
             to.nodes[slot] = self.nodes[point];
         }
-        let mut copies = strands.copies();
-        for [copy, point] in &mut copies {
-            self.put(*point, *copy, to);
-            *point = slots[*point];
-            to.home[*copy] = *point;
-        }
+        let copies = strands.copies().into_iter().map(|[copy, point]| {
+            self.put(point, copy, to);
+            to.home[copy] = slots[point];
+            [copy, slots[point]].map(|slot| slot as u32)
+        });
+        let copies: Vec<[u32; 2]> = copies.collect();
         let (cuts, plan) = self.deal_reaches(reaches.clone(), strands, slots, &mut to.reaches);
+        let leans = |number: &usize| to.reaches[*number].lean != 0.0;
         Block {
             rows: strands.rows(),
             copies,
             cuts,
             plan,
+            leaning: reaches.clone().filter(leans).map(|k| k as u32).collect(),
             reaches,
             is_even: self.even_out(strands, &mut to.damped[strands.rows()]),
         }
@@ -127,7 +134,6 @@ impl Chains {
         let numbers = LANES * rows;
         let of_masters = |k: usize| self.masters.iter().map(|m| m[k]).collect();
         let points = self.points.iter().map(|&point| slots[point]).collect();
-        let guests = self.guests.iter();
         Explicit {
             h: self.h,
             per_step: 1.0 / self.h,
@@ -147,7 +153,7 @@ impl Chains {
             },
             clusters: std::mem::take(&mut self.clusters),
             in_cluster: vec![None; numbers],
-            guests: guests.map(|&(g, o)| (slots[g], slots[o])).collect(),
+            forms: OnceLock::new(),
         }
     }
 
@@ -176,6 +182,22 @@ impl<const DIM: usize> Explicit<DIM> {
     fn linked(&self, clusters: Range<usize>) -> Vec<usize> {
         let members = self.clusters[clusters].iter().flat_map(|c| &c.members);
         members.map(|m| m.node).collect()
+    }
+
+    /// Copies among the points of some clusters of an island and the two on both sides of each.
+    fn read_by_clusters(&self, island: usize, clusters: Range<usize>) -> Vec<[u32; 2]> {
+        let members = self.clusters[clusters].iter().flat_map(|c| &c.members);
+        let near = members.flat_map(|m| (0..5).map(|k| m.point + LANES * k - 2 * LANES));
+        let near: BTreeSet<usize> = near.collect();
+        let copies = self.own[island].blocks.iter().flat_map(|b| &b.copies);
+        let read = copies.filter(|[copy, _]| near.contains(&(*copy as usize)));
+        read.copied().collect()
+    }
+
+    /// Some ends of wires, with what they hang on.
+    fn guests(&self, pairs: &[(usize, usize)], slots: &[usize]) -> Vec<Guest> {
+        let of = |&(guest, owner): &(usize, usize)| Guest::new(self, slots[guest], slots[owner]);
+        pairs.iter().map(of).collect()
     }
 }
 

@@ -5,7 +5,7 @@
 //!
 //! Each takes some rows and leaves what the next ones need, so that rows may come in pieces.
 
-use super::rows::{Across, Common, Damped, LANES, Moving, Wide, each};
+use super::rows::{Across, Common, Damped, Moving, Wide, each};
 use std::ops::Range;
 
 /// Numbers of a direction that stay, row by row.
@@ -108,9 +108,7 @@ fn turn(from: &Wide, to: &Wide, common: &Common) -> (Wide, Wide) {
 /// The motion of a step, on its way through the rows: a from w, then d and s, and the rise of the wire.
 #[derive(Clone, Copy)]
 pub(super) struct Motion {
-    /// w of the next row and of the one behind it, and by how much that has more.
-    w: Wide,
-    ahead: Wide,
+    /// By how much w of the row behind the next one is more.
     by: Wide,
     /// r times the difference of two such steps, at the next row.
     turn: Wide,
@@ -131,8 +129,6 @@ impl Motion {
         });
         let filter = &common[row - 1].filter;
         Self {
-            w: *rows[2],
-            ahead: *rows[3],
             by: by[2],
             turn: turn[1],
             shared: each(|l| filter[l] * by[1][l] - (turn[1][l] - turn[0][l])),
@@ -140,9 +136,10 @@ impl Motion {
         }
     }
 
-    /// Zero if all places of the rows so far are finite: each has added its way to the rise of its strand.
-    pub fn sound(&self) -> f64 {
-        (0..LANES).map(|l| 0.0 * self.rise.sum[l]).sum()
+    /// Adds zeros if all places of the rows so far are finite: each has added its way to the rise of its strand.
+    #[inline(always)]
+    pub fn tell(&self, sound: &mut Wide) {
+        *sound = each(|l| 0.0f64.mul_add(self.rise.sum[l], sound[l]));
     }
 
     /// Move some rows. The rise takes the place of w; that of a second direction is added to that of the first.
@@ -165,14 +162,15 @@ impl Motion {
         let (before, across) = (&fixed.across[rows.start - 1..], &fixed.across[rows.start..]);
         let (before, across) = (&before[..n], &across[..n]);
         let mut at = *self;
+        let (mut w, mut ahead) = (moving[0].w, moving[1].w);
         for k in 0..n {
             let next = moving[k + 2].w;
-            let by: Wide = each(|l| next[l] - at.ahead[l]);
+            let by: Wide = each(|l| next[l] - ahead[l]);
             let (filter, second) = (&common[k].filter, &behind[k].second);
             let turn: Wide = each(|l| second[l] * (by[l] - at.by[l]));
             let shared: Wide = each(|l| filter[l].mul_add(at.by[l], at.turn[l] - turn[l]));
             let (inverse, lag) = (&across[k].inverse, &damped[if EVEN { 0 } else { k }].lag);
-            let a: Wide = each(|l| inverse[l].mul_add(at.shared[l] - shared[l], at.w[l]));
+            let a: Wide = each(|l| inverse[l].mul_add(at.shared[l] - shared[l], w[l]));
             let row = &mut moving[k];
             let d = each(|l| row.d[l] + a[l]);
             let s = each(|l| row.s[l] + lag[l].mul_add(a[l], d[l]));
@@ -182,8 +180,8 @@ impl Motion {
                 None => row.w = rise,
                 Some(first) => first[k].w = each(|l| first[k].w[l] + rise[l]),
             }
-            (at.w, at.ahead, at.by) = (at.ahead, next, by);
-            (at.turn, at.shared) = (turn, shared);
+            (w, ahead) = (ahead, next);
+            (at.by, at.turn, at.shared) = (by, turn, shared);
         }
         *self = at;
     }

@@ -47,6 +47,7 @@ mod clusters;
 mod deal;
 pub(super) mod energy;
 mod groups;
+mod guests;
 mod kernels;
 mod layout;
 mod line;
@@ -67,10 +68,13 @@ mod sweep;
 mod waves;
 
 use cluster::Cluster;
+use energy::Form;
 use groups::Groups;
+use guests::Guest;
 use plan::Plan;
 use rows::{Across, Common, Damped, Moving, Wide};
 use std::ops::Range;
+use std::sync::OnceLock;
 
 /// Newmark's β.
 const BETA: f64 = 0.25;
@@ -134,11 +138,13 @@ struct Cut {
 struct Block {
     rows: Range<usize>,
     /// Slots of copies, and of what they are copies of.
-    copies: Vec<[usize; 2]>,
+    copies: Vec<[u32; 2]>,
     cuts: Vec<Cut>,
     plan: Plan,
     /// As they end, those over cuts last.
     reaches: Range<usize>,
+    /// Those in curves.
+    leaning: Vec<u32>,
     /// Whether all rows have the same damping.
     is_even: bool,
 }
@@ -150,8 +156,10 @@ struct Own {
     /// Those of all blocks.
     rows: Range<usize>,
     masters: Range<usize>,
-    guests: Range<usize>,
+    guests: Vec<Guest>,
     groups: Groups,
+    /// Slots of copies that clusters read, and of what they are copies of.
+    read: Vec<[u32; 2]>,
     /// Nodes of all clusters.
     linked: Vec<usize>,
 }
@@ -189,8 +197,8 @@ pub struct Explicit<const DIM: usize> {
     clusters: Vec<Cluster>,
     /// Cluster of each slot, and which of its points it is.
     in_cluster: Vec<Option<(usize, usize)>>,
-    /// Ends of wires at a point of another: guest, owner.
-    guests: Vec<(usize, usize)>,
+    /// What energies are formed with, island by island, once somebody asked for them.
+    forms: OnceLock<Vec<Form>>,
 }
 
 /// What moves.
@@ -211,14 +219,15 @@ pub struct Grid {
     /// Slots that others read beside those of clusters: where contacts are, and always.
     near: Vec<usize>,
     watched: Vec<usize>,
-    /// Zero as long as all that moves is finite; not a number from the step on in which something is not.
-    sound: f64,
+    /// Zeros as long as all that moves is finite; one is no number from the step on in which something is not. Lanes
+    /// are never added up: with a sum across them the compiler would halve all rows of the sweep.
+    sound: Wide,
 }
 
 impl Grid {
     /// Whether all points and masters that were stepped are at finite places.
     pub(super) fn is_sound(&self) -> bool {
-        self.sound == 0.0
+        self.sound.iter().all(|sound| *sound == 0.0)
     }
 
     /// Numbers that a later run goes on with.

@@ -78,15 +78,14 @@ impl<const DIM: usize> Explicit<DIM> {
         load: impl Iterator<Item = (usize, usize, f64)>,
         grid: &mut Grid,
     ) {
-        let beside = |slot: usize| [0, 1, 2, 3, 4].map(|k| self.home[slot + LANES * k - 2 * LANES]);
         let mut moved = Vec::new();
         for (node, component, force) in load {
             self.push(grid, node, component, force);
-            for near in beside(self.points[node]) {
+            for near in self.around(self.points[node]) {
                 moved.push(near);
                 if let Some((number, _)) = self.in_cluster[near] {
                     let members = &self.clusters[number].members;
-                    moved.extend(members.iter().flat_map(|m| beside(m.point)));
+                    moved.extend(members.iter().flat_map(|m| self.around(m.point)));
                 }
             }
         }

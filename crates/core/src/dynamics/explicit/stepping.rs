@@ -9,13 +9,32 @@ use crate::linalg::widest;
 
 /// Take what is of points beyond cuts from where they are at home.
 #[inline(always)]
-fn copy(own: &Block, grid: &mut Grid, of: impl Fn(&mut Moving) -> &mut Wide) {
+fn copy<const N: usize>(
+    copies: &[[u32; 2]],
+    grid: &mut Grid,
+    of: impl Fn(&mut Moving) -> [&mut Wide; N],
+) {
     for rows in &mut grid.moving {
-        for &[copy, home] in &own.copies {
-            let ((to, lane), (from, its)) = (place(copy), place(home));
-            of(&mut rows[to])[lane] = of(&mut rows[from])[its];
+        let rows = &mut rows[..];
+        for both in copies {
+            let [(to, lane), (from, its)] = both.map(|slot| place(slot as usize));
+            let home = of(&mut rows[from]).map(|wide| wide[its]);
+            for (wide, home) in of(&mut rows[to]).into_iter().zip(home) {
+                wide[lane] = home;
+            }
         }
     }
+}
+
+/// h² times an acceleration, from w of the point and of two on both sides of it, and the numbers of the segments and points
+/// near it.
+#[inline(always)]
+pub(super) fn accelerated(w: [f64; 5], filter: [f64; 2], second: [f64; 3], inverse: f64) -> f64 {
+    let by: [f64; 4] = std::array::from_fn(|k| w[k + 1] - w[k]);
+    let turn: [f64; 3] = std::array::from_fn(|k| second[k] * (by[k + 1] - by[k]));
+    let left = filter[0] * by[1] - (turn[1] - turn[0]);
+    let right = filter[1] * by[2] - (turn[2] - turn[1]);
+    w[2] - inverse * (right - left)
 }
 
 impl Grid {
@@ -38,7 +57,7 @@ impl<const DIM: usize> Explicit<DIM> {
             thrust: vec![0.0; self.reaches.len() + 1],
             near: Vec::new(),
             watched: Vec::new(),
-            sound: 0.0,
+            sound: Wide::default(),
         }
     }
 
@@ -65,17 +84,6 @@ impl<const DIM: usize> Explicit<DIM> {
         self.hand_over(own, grid);
     }
 
-    /// What pulls at guests pulls at their owners.
-    fn hand_over(&self, own: &Own, grid: &mut Grid) {
-        for (across, rows) in self.across.iter().zip(&mut grid.moving) {
-            for &(guest, owner) in &self.guests[own.guests.clone()] {
-                let ((row, lane), (of, its)) = (place(guest), place(owner));
-                let felt = std::mem::take(&mut rows[row].w[lane]);
-                rows[of].w[its] += across[of].inverse[its] * felt;
-            }
-        }
-    }
-
     /// Forces of links, struts and springs; and the increments of their nodes, with `u` before the step.
     pub(super) fn settle_clusters<const D: usize>(
         &self,
@@ -84,7 +92,7 @@ impl<const DIM: usize> Explicit<DIM> {
         (u, delta): (&[[f64; D]], &mut [[f64; D]]),
     ) {
         let own = &self.own[island];
-        self.copy_forces(own, grid);
+        copy(&own.read, grid, |row| [&mut row.w]);
         widest(Settle {
             own,
             grid,
@@ -95,19 +103,26 @@ impl<const DIM: usize> Explicit<DIM> {
 
     /// s of the points beyond cuts, as their strands have it; and d, as strands may be longer than others, which
     /// moves what is in the same rows.
+    #[inline(always)]
     pub(super) fn copy_places(&self, own: &Block, grid: &mut Grid) {
-        copy(own, grid, |row| &mut row.s);
-        copy(own, grid, |row| &mut row.d);
+        copy(&own.copies, grid, |row| [&mut row.s, &mut row.d]);
     }
 
-    /// The same of w.
+    /// The same of w, of all blocks.
     pub(super) fn copy_forces(&self, own: &Own, grid: &mut Grid) {
-        own.blocks
-            .iter()
-            .for_each(|own| copy(own, grid, |row| &mut row.w));
+        for block in &own.blocks {
+            copy(&block.copies, grid, |row| [&mut row.w]);
+        }
+    }
+
+    /// The point and the two on both sides of it, where they are at home.
+    #[inline(always)]
+    pub(super) fn around(&self, slot: usize) -> [usize; 5] {
+        std::array::from_fn(|k| self.home[slot + LANES * k - 2 * LANES])
     }
 
     /// Rises up to the points behind cuts, which are copies there.
+    #[inline(always)]
     pub(super) fn rise_to_tails(&self, own: &Block, grid: &mut Grid) {
         for cut in &own.cuts {
             let (row, lane) = place(cut.tail);
@@ -124,16 +139,15 @@ impl<const DIM: usize> Explicit<DIM> {
     #[inline(always)]
     pub(super) fn acceleration(&self, across: usize, slot: usize, rows: &[Moving]) -> f64 {
         let (row, lane) = place(slot);
+        let around = self.around(slot);
         let w: [f64; 5] = std::array::from_fn(|k| {
-            let (row, lane) = place(self.home[slot + LANES * k - 2 * LANES]);
+            let (row, lane) = place(around[k]);
             rows[row].w[lane]
         });
         let near = &self.common[row - 1..=row + 1];
-        let by: [f64; 4] = std::array::from_fn(|k| w[k + 1] - w[k]);
-        let turn: [f64; 3] = std::array::from_fn(|k| near[k].second[lane] * (by[k + 1] - by[k]));
-        let left = near[0].filter[lane] * by[1] - (turn[1] - turn[0]);
-        let right = near[1].filter[lane] * by[2] - (turn[2] - turn[1]);
-        w[2] - self.across[across][row].inverse[lane] * (right - left)
+        let filter = std::array::from_fn(|k| near[k].filter[lane]);
+        let second = std::array::from_fn(|k| near[k].second[lane]);
+        accelerated(w, filter, second, self.across[across][row].inverse[lane])
     }
 
     /// Increments of the other nodes that are read, with `u` before the step.
@@ -158,10 +172,13 @@ impl<const DIM: usize> Explicit<DIM> {
         delta: &[[f64; D]],
         (u, v): (&mut [[f64; D]], &mut [[f64; D]]),
     ) {
-        for &node in awake.iter().flat_map(|&island| &self.own[island].linked) {
-            let (u, delta) = (&mut u[node], &delta[node]);
-            for c in 0..DIM {
-                u[c] += delta[c];
+        // Loop by loop: an iterator over all of them is asked twice for each node.
+        for &island in awake {
+            for &node in &self.own[island].linked {
+                let (u, delta) = (&mut u[node], &delta[node]);
+                for c in 0..DIM {
+                    u[c] += delta[c];
+                }
             }
         }
         for &slot in grid.watched.iter().chain(&grid.near) {
@@ -193,13 +210,7 @@ impl<const DIM: usize> Explicit<DIM> {
     /// Take the step on one island, and find the forces of its wires for the next one.
     pub(super) fn go(&self, island: usize, grid: &mut Grid) {
         let own = &self.own[island];
-        for &(guest, owner) in &self.guests[own.guests.clone()] {
-            // It has no mass of its own, and nothing that filters.
-            for (across, rows) in grid.moving.iter_mut().enumerate() {
-                let ((row, lane), a) = (place(guest), self.acceleration(across, owner, rows));
-                rows[row].w[lane] = a;
-            }
-        }
+        self.take_along(own, grid);
         self.copy_forces(own, grid);
         widest(Sweep { p: self, own, grid });
         self.lean(own, grid);

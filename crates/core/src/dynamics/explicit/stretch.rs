@@ -35,7 +35,8 @@ impl<const DIM: usize> Explicit<DIM> {
         for four in grid.x[0][own.masters.clone()].chunks(LANES) {
             (0..four.len()).for_each(|l| sums[l] += four[l]);
         }
-        grid.sound += sums.iter().map(|sum| 0.0 * sum).sum::<f64>();
+        let sound = &mut grid.sound;
+        *sound = each(|l| 0.0f64.mul_add(sums[l], sound[l]));
     }
 
     /// Nothing pulls the masters any more; x + (β/h) d of them.
@@ -51,19 +52,19 @@ impl<const DIM: usize> Explicit<DIM> {
         }
     }
 
-    /// H of some reaches, and what they pull the masters along by.
+    /// H of some reaches, and what they pull the masters along by; those that are not `CURVED` are straight.
     #[inline(always)]
-    pub(super) fn stretch(&self, reaches: Range<usize>, grid: &mut Grid) {
+    pub(super) fn stretch<const CURVED: bool>(&self, reaches: Range<usize>, grid: &mut Grid) {
         let mut pulled = Pulled::of(grid);
         let (mut number, mut left) = (reaches.start, &self.reaches[reaches]);
         while let [reach, behind @ ..] = left {
             match left.split_first_chunk::<LANES>() {
                 Some((four, behind)) if reach.is_row => {
-                    pulled.stretch_row(number, four);
+                    pulled.stretch_row::<CURVED>(number, four);
                     (number, left) = (number + LANES, behind);
                 }
                 _ => {
-                    pulled.stretch(number, reach, 0.0);
+                    pulled.stretch::<CURVED>(number, reach, 0.0);
                     (number, left) = (number + 1, behind);
                 }
             }
@@ -72,8 +73,8 @@ impl<const DIM: usize> Explicit<DIM> {
 
     /// What H of reaches in curves pulls their ends to the inside by, beside the forces of wires.
     pub(super) fn lean(&self, own: &Own, grid: &mut Grid) {
-        let blocks = own.blocks.iter().flat_map(|block| block.reaches.clone());
-        for number in blocks.filter(|&number| self.reaches[number].lean != 0.0) {
+        for &number in own.blocks.iter().flat_map(|block| &block.leaning) {
+            let number = number as usize;
             let reach = &self.reaches[number];
             let force = reach.lean * grid.thrust[number];
             for slot in reach.ends {
@@ -88,7 +89,7 @@ impl<const DIM: usize> Explicit<DIM> {
         for number in own.plan.within..own.reaches.end {
             let tails = own.cuts.iter().filter(|cut| cut.over == Some(number));
             let before = tails.map(|cut| rise(&grid.moving[0], cut.tail)).sum();
-            Pulled::of(grid).stretch(number, &self.reaches[number], before);
+            Pulled::of(grid).stretch::<true>(number, &self.reaches[number], before);
         }
         for cut in &own.cuts {
             let last = cut.last.map_or(0.0, |number| grid.thrust[number]);
@@ -133,13 +134,17 @@ impl<'a> Pulled<'a> {
 
     /// H of four that are a row.
     #[inline(always)]
-    fn stretch_row(&mut self, number: usize, reaches: &[Reach; LANES]) {
+    fn stretch_row<const CURVED: bool>(&mut self, number: usize, reaches: &[Reach; LANES]) {
         let first = &reaches[0];
         let [a, b] = first.masters.map(|m| m as usize);
         let [from, to] = first.ends.map(|slot| place(slot as usize).0);
         let risen: Wide = {
             let (from, to) = (&self.first[from], &self.first[to]);
-            each(|l| to.w[l] - from.w[l] - reaches[l].lean * (from.s[l] + to.s[l]))
+            let straight = each(|l| to.w[l] - from.w[l]);
+            match CURVED {
+                true => each(|l| straight[l] - reaches[l].lean * (from.s[l] + to.s[l])),
+                false => straight,
+            }
         };
         let (lagged, further) = (&self.lagged[a..][..LANES], &self.lagged[b..][..LANES]);
         let force = each(|l| reaches[l].stiffness * (further[l] - lagged[l] + risen[l]));
@@ -154,11 +159,13 @@ impl<'a> Pulled<'a> {
 
     /// H of one, with the rise of the strands before the one that it ends in.
     #[inline(always)]
-    fn stretch(&mut self, number: usize, reach: &Reach, before: f64) {
+    fn stretch<const CURVED: bool>(&mut self, number: usize, reach: &Reach, before: f64) {
         let [a, b] = reach.masters.map(|m| m as usize);
         let [from, to] = reach.ends.map(|slot| slot as usize);
-        let lean = reach.lean * (aside(self.first, from) + aside(self.first, to));
-        let risen = rise(self.first, to) - rise(self.first, from) + before - lean;
+        let mut risen = rise(self.first, to) - rise(self.first, from) + before;
+        if CURVED {
+            risen -= reach.lean * (aside(self.first, from) + aside(self.first, to));
+        }
         let force = reach.stiffness * (self.lagged[b] - self.lagged[a] + risen);
         self.pull[a] += force;
         self.pull[b] -= force;

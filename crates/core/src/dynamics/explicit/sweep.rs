@@ -56,20 +56,29 @@ impl<'a, const DIM: usize> On<'a, DIM> {
     #[inline(always)]
     fn step<const EVEN: bool>(mut self) {
         let (own, plan) = (self.own, &self.own.plan);
-        let mut motions = [self.motion(0), self.motion(DIM - 2)];
+        let mut motions = [self.motion(0); 2];
+        if DIM == 3 {
+            motions[1] = self.motion(1);
+        }
         let (mut forces, mut forced) = (None, plan.first - 1);
         let (mut moved, mut stretched) = (HALO, own.reaches.start);
         for stage in &plan.stages {
             self.move_rows::<EVEN>(&mut motions, moved..stage.moved);
-            self.p.stretch(stretched..stage.stretched, self.grid);
+            self.stretch(stretched..stage.stretched);
             (moved, stretched) = (stage.moved, stage.stretched);
             if stage.forced > plan.first {
-                let mut all = forces.unwrap_or_else(|| self.forces());
-                self.force_rows::<EVEN>(&mut all, forced..stage.forced);
-                (forces, forced) = (Some(all), stage.forced);
+                if forces.is_none() {
+                    forces = Some(self.forces());
+                }
+                if let Some(all) = &mut forces {
+                    self.force_rows::<EVEN>(all, forced..stage.forced);
+                }
+                forced = stage.forced;
             }
         }
-        self.grid.sound += motions[0].sound() + motions[DIM - 2].sound();
+        for motion in &motions[..DIM - 1] {
+            motion.tell(&mut self.grid.sound);
+        }
         self.p.copy_places(own, self.grid);
         self.p.rise_to_tails(own, self.grid);
         self.finish::<EVEN>(forces, forced);
@@ -81,8 +90,17 @@ impl<'a, const DIM: usize> On<'a, DIM> {
         self.p.copy_places(own, self.grid);
         self.measure();
         self.p.rise_to_tails(own, self.grid);
-        self.p.stretch(own.reaches.start..plan.within, self.grid);
+        self.stretch(own.reaches.start..plan.within);
         self.finish::<false>(None, plan.first - 1);
+    }
+
+    /// Straight ones pay nothing for curves.
+    #[inline(always)]
+    fn stretch(&mut self, reaches: Range<usize>) {
+        match self.own.leaning.is_empty() {
+            true => self.p.stretch::<false>(reaches, self.grid),
+            false => self.p.stretch::<true>(reaches, self.grid),
+        }
     }
 
     /// What stays of the rows of a direction across.
@@ -142,8 +160,17 @@ impl<'a, const DIM: usize> On<'a, DIM> {
         for l in 0..LANES {
             thrust[l] = self.grid.thrust[plan.thrusts[l]];
         }
-        let mut of = |c| Forces::before(plan.first - 1, self.fixed(c), self.rows(c), thrust);
-        [of(0), of(DIM - 2)]
+        self.before(plan.first - 1, thrust)
+    }
+
+    /// Before a row. Closures would not be compiled for wide lanes.
+    #[inline(always)]
+    fn before(&mut self, row: usize, thrust: Wide) -> [Forces; 2] {
+        let mut all = [Forces::before(row, self.fixed(0), self.rows(0), thrust); 2];
+        if DIM == 3 {
+            all[1] = Forces::before(row, self.fixed(1), self.rows(1), thrust);
+        }
+        all
     }
 
     #[inline(always)]
@@ -162,14 +189,13 @@ impl<'a, const DIM: usize> On<'a, DIM> {
         let plan = &self.own.plan;
         self.p.stretch_over_cuts(self.own, self.grid);
         if plan.first < plan.rows.end {
-            let mut forces = begun.unwrap_or_else(|| self.forces());
+            let mut forces = match begun {
+                Some(forces) => forces,
+                None => self.forces(),
+            };
             self.force_rows::<EVEN>(&mut forces, forced..plan.rows.end);
         }
-        let mut of = |c| {
-            let fixed = self.fixed(c);
-            Forces::before(HALO - 1, fixed, self.rows(c), Wide::default())
-        };
-        let mut early = [of(0), of(DIM - 2)];
+        let mut early = self.before(HALO - 1, Wide::default());
         self.force_rows::<EVEN>(&mut early, HALO - 1..plan.first);
     }
 }
