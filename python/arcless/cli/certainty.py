@@ -34,6 +34,8 @@ class WithCertainty(TyperCommand):
 
 def spelt_out(words: list[str]) -> list[str]:
     """Return the words of a command line with the number of every `--certainty`."""
+    if OPTION not in words:  # the models are imported later, with no garbage looked for
+        return words
     from arcless.model.certainty import STARTS
 
     spelt = []
