@@ -27,12 +27,3 @@ def test_steps_of_another_line(noticed: Noticed, run_once: RunOnce, fault: str) 
     with patch.object(test_explicit_steps, "EXPLICIT", other):
         check = test_explicit_steps.test_shorter_cubic_elements
         noticed(fault, check, run_once=run_once, line="planar")
-
-
-@pytest.mark.evidence
-@pytest.mark.parametrize("name", test_explicit_steps.SHIPPED)
-def test_other_links_than_shipped(noticed: Noticed, run_once: RunOnce, name: str) -> None:
-    longer = {"solver.contact_wire_element": 0.75}
-    with patch.object(test_explicit_steps, "STEPS", longer):
-        check = test_explicit_steps.test_shipped
-        noticed(f"{name} with links of 0.75 m", check, run_once=run_once, name=name)

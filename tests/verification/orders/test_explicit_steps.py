@@ -12,8 +12,8 @@ ahead, 2.6 m at 15 Hz, six links) and what is said above for the other run. Defa
 three times as long; decision 36 found their maximum 3 % too high. In space they are 0.72 m and
 1.45 m.
 
-AC simple is shipped with explicit steps. Its notes promise half a percent of cubic elements of
-0.36 m and 0.72 m with residual flexibility; of the planar line at 275 km/h 1.3 % of the minimum.
+What the elements that `auto` takes are worth, on this and all other shipped lines, is held against
+the limit of both families (page limits).
 """
 
 from collections.abc import Callable
@@ -31,25 +31,10 @@ LINES: dict[str, tuple[str, float, dict[str, Any]]] = {
     "planar": ("en50318-ac-simple-320-planar", 175.0, BY_MATRIX),
     "in space": ("en50318-ac-simple-320", 170.0, SOLVED),
 }
-# Static force in N, and the share of the minimum that the notes of a scenario promise.
-SHIPPED = {
-    "en50318-ac-simple-275": (145.0, 0.005),
-    "en50318-ac-simple-320": (170.0, 0.005),
-    "ac-simple-overlap-275": (145.0, 0.005),
-    "en50318-ac-simple-275-planar": (148.0, 0.015),
-    "en50318-ac-simple-320-planar": (175.0, 0.005),
-}
 SHORTER = {
     "solver.residual_flexibility": True,
     "solver.contact_wire_element": 0.96,
     "solver.messenger_wire_element": 1.45,
-}
-STEPS: dict[str, Any] = {}  # as shipped
-FINE = SOLVED | {
-    "solver.residual_flexibility": True,
-    "solver.contact_wire_element": 0.36,
-    "solver.messenger_wire_element": 0.72,
-    "solver.time_step": "0.5 ms",
 }
 
 
@@ -103,25 +88,3 @@ def test_shorter_cubic_elements(evidence: Any, run_once: RunOnce, line: str) -> 
 @pytest.mark.parametrize("line", LINES)
 def test_default_cubic_elements(evidence: Any, run_once: RunOnce, line: str) -> None:
     compare(evidence, run_once, line, EXPLICIT, {})
-
-
-@pytest.mark.evidence
-@pytest.mark.parametrize("name", SHIPPED)
-def test_shipped(evidence: Any, run_once: RunOnce, name: str) -> None:
-    force, of_minimum = SHIPPED[name]
-    given = GIVEN | {"pantographs.0.static_force": force}
-    ours, theirs = (run_once(name, given | some).assessment.to_dict() for some in (STEPS, FINE))
-    for what, key, unit, share in (
-        ("mean force", "mean_force_N", "N", 0.005),
-        ("standard deviation", "std_force_N", "N", 0.005),
-        ("maximum", "max_force_N", "N", 0.005),
-        ("minimum", "min_force_N", "N", of_minimum),
-        ("uplift", "max_uplift_at_support_mm", "mm", 0.005),
-    ):
-        evidence.close(
-            f"{name} as shipped, against fine cubic elements: {what}",
-            *((found | found["pantographs"][0])[key] for found in (ours, theirs)),
-            unit=unit,
-            relative=share,
-            reason="what the notes of the scenario promise",
-        )

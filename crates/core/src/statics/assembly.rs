@@ -19,6 +19,9 @@ pub struct Geometry<const DIM: usize, const D: usize> {
     pub structure: Structure,
 }
 
+/// Iterations after which an equilibrium moves in rounding alone; a line takes 10 to 60.
+const LONG_AT_REST: usize = 100;
+
 /// Which force law a unilateral link follows in forces and tangents.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LinkLaw {
@@ -315,6 +318,17 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
             .map(stiffest)
             .fold(self.steepest_chain(), f64::max);
         8.0 * f64::EPSILON * self.extent() * steepest
+    }
+
+    /// Residual at which an iteration ends, N. Where many wires meet, more than eight errors may; an
+    /// iteration that would have come to rest long ago then moves in rounding alone.
+    #[must_use]
+    pub fn rounding_after(iterations: usize, rounding: f64) -> f64 {
+        if iterations < LONG_AT_REST {
+            rounding
+        } else {
+            2.0 * rounding
+        }
     }
 
     fn extent(&self) -> f64 {

@@ -67,7 +67,8 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         let tolerance = self.force_rounding();
         let mut worst = (f64::INFINITY, 0);
         let iterations = pace.most_iterations();
-        for _ in 0..iterations {
+        for iteration in 0..iterations {
+            let rounding = Self::rounding_after(iteration, tolerance);
             let slack = self.retension(&mut shape, &mut pace);
             let held = self.design_residual(&shape, &mut residual, &mut tensions);
             worst = largest(&residual, &free);
@@ -75,7 +76,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
                 break;
             }
             let moved = self.hold_real_heights(&mut shape);
-            if worst.0 <= tolerance && slack <= tolerance && moved <= HEIGHT {
+            if worst.0 <= rounding && slack <= rounding && moved <= HEIGHT {
                 self.complete(&shape, &held, &tensions)?;
                 return Ok(shape);
             }

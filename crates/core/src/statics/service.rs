@@ -63,9 +63,9 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         let mut newton = Newton::new(&k, &free);
         self.service_residual(&shape, LinkLaw::Unilateral, &mut residual);
         let mut worst = largest(&residual, &free);
-        for _ in 0..MOST_ITERATIONS {
+        for iteration in 0..MOST_ITERATIONS {
             self.tangent(&shape, LinkLaw::Unilateral, &mut k);
-            if worst.0 <= tolerance {
+            if worst.0 <= Self::rounding_after(iteration, tolerance) {
                 return match newton.factorise(&mut k)?.negative_pivots() {
                     0 => Ok(shape),
                     directions => Err(CoreError::Unstable { directions }),
