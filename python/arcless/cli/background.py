@@ -4,12 +4,16 @@ Python hands a signal to the main thread only, and not before native code return
 line take seconds in native code; meanwhile the main thread waits here and can leave.
 """
 
+import sys
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import Generic, TypeVar
 
 Outcome = TypeVar("Outcome")
 Asked = Callable[[], bool]
+# A run of a second comes back some hundred times; shorter turns cost more switching than they save.
+_TURN_S = 2e-4
 _LOOK_EVERY_S = 0.1  # how long a wait may hold a signal back on platforms that do not wake it
 
 
@@ -32,7 +36,8 @@ class _Computation(threading.Thread, Generic[Outcome]):
         """Wait, then return or raise what the work did; who waits no longer lets it stop."""
         try:
             if meanwhile is not None:
-                meanwhile()
+                with _taking_turns():
+                    meanwhile()
             while self.is_alive():
                 self.join(_LOOK_EVERY_S)
         finally:
@@ -40,6 +45,17 @@ class _Computation(threading.Thread, Generic[Outcome]):
         if self._error is not None:
             raise self._error
         return self._outcome[0]
+
+
+@contextmanager
+def _taking_turns() -> Iterator[None]:
+    """Let a computation that comes back from native code go on soon, and not after 5 ms."""
+    before = sys.getswitchinterval()
+    sys.setswitchinterval(_TURN_S)
+    try:
+        yield
+    finally:
+        sys.setswitchinterval(before)
 
 
 def compute(
