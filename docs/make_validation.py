@@ -87,7 +87,7 @@ def sensitivity_table(cases: Iterable[Any], variants: list[tuple[str, Changes]])
 
 
 def lengths_table() -> str:
-    solver = arcless.load(DROPPERS.scenario).solver
+    solver = arcless.load(DROPPERS.scenario).stepping
     halved = {f"solver.{wire}_element": getattr(solver, f"{wire}_element_m") / 2 for wire in WIRES}
 
     def found(name: str, changes: Changes) -> list[float]:

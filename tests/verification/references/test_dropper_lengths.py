@@ -57,7 +57,7 @@ def test_nine_lengths(evidence: Evidence, at_rest: AtRest, wires: str) -> None:
 def test_mesh(evidence: Evidence, at_rest: AtRest, wires: str) -> None:
     changes, allowed = WIRES[wires]
     whole = at_rest(DROPPERS.scenario, changes)
-    solver = whole.scenario.solver
+    solver = whole.scenario.stepping
     halved = {
         f"solver.{wire}_wire_element": getattr(solver, f"{wire}_wire_element_m") / 2
         for wire in ("contact", "messenger")
