@@ -98,7 +98,7 @@ def _solves(solver: Solver) -> str:
 
 
 def _row(title: str, one: Stepping, taken: Taken) -> list[str]:
-    travel, least, solves = one.job.travel, one.floor(), _solves(one.job.scenario.solver)
+    travel, least, solves = one.job.travel, one.floor(), _solves(one.job.scenario.stepping)
     return [
         title,
         f"{travel.duration / taken.processor:.0f}",
