@@ -1,9 +1,14 @@
 """Figures and texts → one HTML text that loads nothing."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from functools import cache
 from importlib import import_module
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from jinja2 import Environment
 
 # What figures and pages need.
 _NEEDED = ("bokeh.embed", "bokeh.models", "bokeh.plotting", "jinja2")
@@ -13,6 +18,32 @@ def get_ready() -> None:
     """Import what figures and pages need: it takes as long as a short run, and can go beside it."""
     for name in _NEEDED:
         import_module(name)
+    _templates().get_template("page.html")
+
+
+@cache
+def _templates() -> "Environment":
+    """Return the templates of this folder; one that was compiled is kept."""
+    from jinja2 import Environment, FileSystemLoader
+
+    return Environment(
+        autoescape=True,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        loader=FileSystemLoader(Path(__file__).parent),
+    )
+
+
+@contextmanager
+def _unchecked() -> Iterator[None]:
+    """Leave out Bokeh's look for mistakes in figures, a sixth of a page's time: tests do it."""
+    from bokeh.settings import settings
+
+    settings.perform_document_validation.set_value(False)
+    try:
+        yield
+    finally:
+        settings.perform_document_validation.unset_value()
 
 
 def render(
@@ -34,7 +65,6 @@ def render(
     from bokeh.document import Document
     from bokeh.embed import components
     from bokeh.resources import Resources
-    from jinja2 import Environment, FileSystemLoader
     from markupsafe import Markup
 
     drawn = {name: fig for name, fig in figures.items() if fig is not None}
@@ -42,18 +72,17 @@ def render(
     with page.models.freeze():  # else every figure that shares data is looked through again
         for fig in drawn.values():
             page.add_root(fig)
-    script, places = components(drawn) if drawn else ("", {})
+    with _unchecked():
+        script, places = components(drawn) if drawn else ("", {})
     parts: list[Any] = ["bokeh", "bokeh-widgets", "bokeh-tables"] if widgets else ["bokeh"]
     library = Resources(mode="inline", components=parts, log_level="warn").render()
-    environment = Environment(
-        autoescape=True,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        loader=FileSystemLoader(Path(__file__).parent),
-    )
-    return environment.get_template(template).render(
-        library=Markup(library),
-        script=Markup(script),
-        figure={name: Markup(place) for name, place in places.items()},
-        **texts,
+    return (
+        _templates()
+        .get_template(template)
+        .render(
+            library=Markup(library),
+            script=Markup(script),
+            figure={name: Markup(place) for name, place in places.items()},
+            **texts,
+        )
     )
