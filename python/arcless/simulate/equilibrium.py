@@ -65,16 +65,18 @@ class Equilibrium:
 
         The stiffness of the line is factorised once for all of them that are not known yet.
         """
-        missing = [x for x in places if (x.tobytes(), force) not in self._found]
-        found = {key: value for key, value in self._found.items() if key[1] == force}
+        keys = [(x.tobytes(), force) for x in places]
+        # Key by key: runs in other threads share what is kept.
+        found = {key: kept for key in keys if (kept := self._found.get(key)) is not None}
+        missing = {key: x for key, x in zip(keys, places, strict=True) if key not in found}
         if missing:
-            together = self._elasticity(np.concatenate(missing), force)
-            ends = np.cumsum([len(x) for x in missing])[:-1]
-            for x, part in zip(missing, np.split(together, ends), strict=True):
-                found[x.tobytes(), force] = part
+            together = self._elasticity(np.concatenate(list(missing.values())), force)
+            ends = np.cumsum([len(x) for x in missing.values()])[:-1]
+            for key, part in zip(missing, np.split(together, ends), strict=True):
+                found[key] = part
                 if len(self._found) < MOST_KEPT:
-                    self._found[x.tobytes(), force] = part
-        return [found[x.tobytes(), force].copy() for x in places]
+                    self._found[key] = part
+        return [found[key].copy() for key in keys]
 
     def _elasticity(self, x: Floats, force: float) -> Floats:
         found = np.zeros(len(x))

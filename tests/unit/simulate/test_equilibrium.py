@@ -1,7 +1,14 @@
 """What an equilibrium may leave out of balance."""
 
+import sys
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import pytest
+
 import arcless
 from arcless.simulate import equilibrium
+from arcless.simulate.equilibrium import MOST_KEPT
 from tests.support.line_types import scenario_data
 from tests.support.overlaps import plain_data
 
@@ -19,3 +26,26 @@ def test_what_is_left_of_rounding_is_no_failure() -> None:
     )
     found = equilibrium.find(arcless.load(data))
     assert found.positions.shape[0] > 3000
+
+
+def test_runs_that_share_a_line_ask_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What one thread keeps must not disturb another that looks for what is known."""
+    asked = [np.array([float(k)]) for k in range(MOST_KEPT)]
+    found = equilibrium.Equilibrium(None, None, {})  # type: ignore[arg-type]
+    monkeypatch.setattr(equilibrium.Equilibrium, "_elasticity", lambda _, x, force: x + force)
+
+    def ask(first: int) -> None:
+        for k in range(MOST_KEPT):
+            own = asked[(first + k) % MOST_KEPT]
+            one, again = found.elasticities([own, own], 0.5)
+            assert one == again == own + 0.5
+
+    before = sys.getswitchinterval()
+    sys.setswitchinterval(1e-6)
+    try:
+        for _ in range(20):
+            found._found.clear()
+            with ThreadPoolExecutor(8) as pool:
+                list(pool.map(ask, range(0, MOST_KEPT, 7)))
+    finally:
+        sys.setswitchinterval(before)
