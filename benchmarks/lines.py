@@ -12,7 +12,7 @@ from benchmarks.whole_runs import Stepping
 REFERENCE = "en50318-ac-simple-320"
 HEAD = ("scenario", "points", "directions", "steps", "µs/step", "ns/point and step",
         "× AC simple in space")  # fmt: skip
-# Steps of a run that are timed: enough for a tenth of a second.
+# Turns in which a line and the reference are timed.
 REPEATS = 3
 
 

@@ -71,11 +71,10 @@ def run(
     chosen = asked_for(load(scenario, speed=speed, changes=set_, quiet=quiet), certainty)
     with OutputFolder(out or folder_of(chosen), *outcome.FILES) as folder:
         command = _command(scenario, speed, set_, certainty)
-        with console.progress(quiet=quiet) as progress:
-            result = _simulate(
-                chosen, until, folder.file(outcome.RESULT), command, progress=progress,
-                meanwhile=lambda: outcome.get_ready(report=not no_report and until is None),
-            )  # fmt: skip
+        result = _simulate(
+            chosen, until, folder.file(outcome.RESULT), command, quiet=quiet,
+            meanwhile=lambda: outcome.get_ready(report=not no_report and until is None),
+        )  # fmt: skip
         written = outcome.write(result, folder, report=not no_report)
     outcome.tell(result, written, json=json, quiet=quiet)
 
@@ -129,19 +128,20 @@ def _simulate(
     file: Path,
     command: str,
     *,
-    progress: console.Progress | None,
+    quiet: bool,
     meanwhile: Callable[[], None],
 ) -> "Result":
     with staying():
         from arcless import simulate
 
     to = file if simulate.is_long(scenario) else None
-    return compute(
-        lambda cancel: simulate.run(
-            scenario, until=until, to=to, command=command, progress=progress, cancel=cancel
-        ),
-        meanwhile,
-    )
+    with console.progress(quiet=quiet) as progress:
+        return compute(
+            lambda cancel: simulate.run(
+                scenario, until=until, to=to, command=command, progress=progress, cancel=cancel
+            ),
+            meanwhile,
+        )
 
 
 def _find_statics(scenario: "Scenario", *, quiet: bool) -> "StaticsResult":

@@ -3,7 +3,7 @@
 Explicit steps on chains of point masses wherever a line allows them, otherwise a matrix with cubic
 elements and residual flexibility. The goal of both: F_m, σ, maximum and uplift within 1 % of the
 limit of refined elements, the minimum within 1 % of F_m (of a trailing pantograph 1.5 %); measured
-in docs/decisions/0043-auto.md.
+in docs/validation/limits.md.
 
 **Elements.** A pantograph at the speed v sends a wave of frequency f ahead that is c/(c − v) times
 as fast at a fixed point; with f the low-pass frequency of the assessment

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from jinja2 import Environment
 
-# What figures and pages need.
-_NEEDED = ("bokeh.embed", "bokeh.models", "bokeh.plotting", "jinja2")
+# What figures need.
+_NEEDED = ("bokeh.embed", "bokeh.models", "bokeh.plotting")
 
 
 def get_ready() -> None:
@@ -76,13 +76,10 @@ def render(
         script, places = components(drawn) if drawn else ("", {})
     parts: list[Any] = ["bokeh", "bokeh-widgets", "bokeh-tables"] if widgets else ["bokeh"]
     library = Resources(mode="inline", components=parts, log_level="warn").render()
-    return (
-        _templates()
-        .get_template(template)
-        .render(
-            library=Markup(library),
-            script=Markup(script),
-            figure={name: Markup(place) for name, place in places.items()},
-            **texts,
-        )
+    filled = _templates().get_template(template)
+    return filled.render(
+        library=Markup(library),
+        script=Markup(script),
+        figure={name: Markup(place) for name, place in places.items()},
+        **texts,
     )

@@ -7,9 +7,9 @@ the rest; then the run itself with that force usually has the mean asked for, an
 Where it has not, or no copy serves, the search goes on with whole runs, by the secant rule.
 """
 
-from collections.abc import Generator
+from collections.abc import Callable, Generator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from arcless.simulate.job import Job
 
 Floats = NDArray[np.float64]
+Outcome = TypeVar("Outcome")
 
 # A thousandth of the scatter of any measured mean; smaller costs runs and shows nowhere. In N.
 TOLERANCE = 0.02
@@ -92,14 +93,21 @@ def find_forces(job: "Job", *, full: bool = False) -> Search:
     ContactError
         The mean force asked for cannot be reached.
     """
-    search = searching(job)
+    return make_runs(searching(job), lambda trial: trial.run(full=full))
+
+
+def make_runs(
+    asking: Generator[Trial, dict[str, Any] | None, Outcome],
+    run: Callable[[Trial], dict[str, Any] | None],
+) -> Outcome:
+    """Make the runs that are asked for until no more are, and return what comes of them."""
     try:
-        trial = next(search)
+        trial = next(asking)
         while True:
-            trial = search.send(trial.run(full=full))
+            trial = asking.send(run(trial))
     except StopIteration as end:
-        found: Search = end.value
-        return found
+        outcome: Outcome = end.value
+        return outcome
 
 
 def searching(job: "Job") -> Searching:

@@ -19,6 +19,7 @@ from arcless.simulate.batch.outcome import Keep, Outcome
 from arcless.simulate.batch.store import Folder
 from arcless.simulate.control import Controllers
 from arcless.simulate.job import Job, lay_out
+from arcless.simulate.mean_force import make_runs
 
 # Workers that are told to stop do so after some steps; nobody waits for a line in the making.
 LEAVES_WITHIN_S = 0.3
@@ -118,13 +119,7 @@ class Crew:
         """Run a member to its end, and what says how sure it is."""
         beside = None if job.scenario.certainty is None else self._beside(job, group)
         run, full = running(job, self._keep, started, beside), records_all(job, self._keep)
-        try:
-            trial = next(run)
-            while True:
-                trial = run.send(course.run(trial, full=full))
-        except StopIteration as end:
-            done: Assessment | Result = end.value
-            return done
+        return make_runs(run, lambda trial: course.run(trial, full=full))
 
     def _beside(self, job: Job, group: Group) -> Callable[[list[float]], dict[str, Any]]:
         from arcless.simulate.certainty import found_beside, one_by_one, places

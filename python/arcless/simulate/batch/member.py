@@ -11,7 +11,7 @@ from arcless.results.plain import Plain
 from arcless.simulate import contacts
 from arcless.simulate.batch.outcome import Keep
 from arcless.simulate.job import Job, keeps_ledger, measured_every
-from arcless.simulate.mean_force import Trial, searching
+from arcless.simulate.mean_force import Trial, make_runs, searching
 from arcless.simulate.run import attributes_of, whole
 
 # Gives runs to make, and is sent what the core returned.
@@ -63,14 +63,10 @@ def assessed_alone(job: Job, started: float) -> Assessment:
 
     With the clock at its start in s.
     """
-    run, full = running(job, "assessment", started), records_all(job, "assessment")
-    try:
-        trial = next(run)
-        while True:
-            trial = run.send(trial.run(full=full))
-    except StopIteration as end:
-        done: Assessment = end.value
-        return done
+    full = records_all(job, "assessment")
+    done = make_runs(running(job, "assessment", started), lambda trial: trial.run(full=full))
+    assert isinstance(done, Assessment)
+    return done
 
 
 def _assessed(
