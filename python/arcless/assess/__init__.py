@@ -5,18 +5,20 @@ from arcless.assess.criteria import (
     MET,
     NOT_JUDGED,
     NOT_MET,
+    NOT_MET_UNVERIFIED,
     TOO_CLOSE,
     Criterion,
     uncertainty_of,
     verdict_of,
 )
-from arcless.assess.rules import RULES, Rule
+from arcless.assess.rules import RULES, Rule, decides
 from arcless.assess.statistics import PantographAssessment
 
 __all__ = [
     "MET",
     "NOT_JUDGED",
     "NOT_MET",
+    "NOT_MET_UNVERIFIED",
     "RULES",
     "TOO_CLOSE",
     "WEAR_KEYS",
@@ -25,6 +27,7 @@ __all__ = [
     "PantographAssessment",
     "Rule",
     "assess",
+    "decides",
     "uncertainty_of",
     "verdict_of",
 ]

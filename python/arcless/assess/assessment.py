@@ -11,7 +11,7 @@ import numpy as np
 
 from arcless.assess.certainty import COVERAGE, Draws, student_factor
 from arcless.assess.criteria import Criterion, evaluate
-from arcless.assess.rules import Facts
+from arcless.assess.facts import criteria_facts, lateral_mm, supply_notes
 from arcless.assess.section import (
     ForceRecord,
     Section,
@@ -53,6 +53,8 @@ class Assessment:
     setup_time_s: float | None
     wall_time_s: float
     real_time_factor: float
+    supply: str
+    """Whose limits were taken."""
     criteria: list[Criterion]
     notes: list[str]
     certainty: dict[str, dict[str, float | None]] | None = None
@@ -62,8 +64,8 @@ class Assessment:
 
     @property
     def passed(self) -> bool:
-        """Whether no criterion that could be judged was missed; those too close count as such."""
-        return all(criterion.passed is not False for criterion in self.criteria)
+        """Whether no limit that decides was missed; those too close to tell count as met."""
+        return not any(criterion.fails for criterion in self.criteria)
 
     def to_dict(self) -> dict[str, Any]:
         """Return the assessment as plain values, ready for JSON.
@@ -119,7 +121,7 @@ def assess(
     limits = _checked(section if section is not None else facts["section_m"])
     cutoff_Hz, split_Hz = _frequencies(facts["scenario"], low_pass_Hz)
     record = force_record(dataset, limits, cutoff_Hz, split_Hz)
-    pantographs = _pantographs(dataset, record)
+    pantographs = _pantographs(dataset, record, facts["scenario"])
     wear = _wear(facts["scenario"].get("wear"), dataset["speed"].values, record, pantographs)
     pantographs = [replace(p, **asdict(wear[p.name])) if wear else p for p in pantographs]
     line = _line_numbers(dataset, limits, facts)
@@ -127,7 +129,8 @@ def assess(
     notes = section_notes(dataset, limits, record, split_Hz)
     notes += _absences(line, facts["scenario"])
     notes += wear_notes(facts["scenario"].get("wear"), wear)
-    judged_by = _criteria_facts(facts["scenario"], speed, line["max_uplift_at_support_mm"])
+    judged_by = criteria_facts(facts, speed, line["max_uplift_at_support_mm"])
+    notes += supply_notes(judged_by)
     own = ("steps", "setup_time_s", "wall_time_s", "real_time_factor")
     draws, method, about_draws = _draws(facts, limits, cutoff_Hz)
     if draws is not None:
@@ -140,6 +143,7 @@ def assess(
         low_pass_Hz=cutoff_Hz,
         band_split_Hz=split_Hz,
         pantographs=pantographs,
+        supply=judged_by.supply,
         criteria=evaluate(judged_by, pantographs, draws),
         notes=notes + about_draws,
         certainty=None if draws is None else draws.of_run(line),
@@ -204,7 +208,10 @@ def _frequencies(scenario: Mapping[str, Any], low_pass_Hz: float | None) -> tupl
     return float(cutoff), float(analysis["band_split"])
 
 
-def _pantographs(dataset: "Dataset", record: ForceRecord) -> list[PantographAssessment]:
+def _pantographs(
+    dataset: "Dataset", record: ForceRecord, scenario: Mapping[str, Any]
+) -> list[PantographAssessment]:
+    sways = {each["name"]: each.get("sway") or 0.0 for each in scenario["pantographs"]}
     gap, height = dataset["contact_gap"].values, dataset["contact_height"].values
     return [
         pantograph_assessment(
@@ -215,6 +222,7 @@ def _pantographs(dataset: "Dataset", record: ForceRecord) -> list[PantographAsse
             gap=gap[:, i],
             height=height[:, i],
             step_s=1.0 / record.rate_Hz,
+            lateral_mm=lateral_mm(dataset, i, record.inside[:, i], sways.get(str(name), 0.0)),
         )
         for i, name in enumerate(dataset["pantograph"].values)
     ]
@@ -250,22 +258,3 @@ def _line_numbers(dataset: "Dataset", section: Section, facts: Mapping[str, Any]
         ),
         "energy_residual_relative": facts["energy_residual_relative"],
     }
-
-
-def _wave_speed_use(speed: float, wire: Mapping[str, Any]) -> float | None:
-    """Return speed over wave speed; None of a rail without tension, which has no wave speed."""
-    return speed / math.sqrt(wire["tension"] / wire["mass"]) if wire["tension"] else None
-
-
-def _criteria_facts(scenario: Mapping[str, Any], speed: Any, uplift_mm: float | None) -> Facts:
-    line = scenario["line"]
-    design, wire = line["design"], line["contact_wire"]
-    space = design["uplift_space"]
-    return Facts(
-        supply=design["supply"],
-        speed_km_h=3.6 * float(np.mean(speed)),
-        wave_speed_use=_wave_speed_use(float(np.max(speed)), wire),
-        uplift_mm=uplift_mm,
-        uplift_space_mm=None if space is None else 1e3 * space,
-        uplift_limited=design["uplift_limited"],
-    )

@@ -5,10 +5,12 @@ from dataclasses import asdict, dataclass, replace
 from typing import Any
 
 from arcless.assess.certainty import Certainty, Draws
-from arcless.assess.rules import ANY_SUPPLY, RULES, Facts, Rule, quantity_of
+from arcless.assess.rules import ANY_SUPPLY, RULES, Facts, Rule, decides, mark_of, quantity_of
 from arcless.assess.statistics import PantographAssessment
 
 MET, NOT_MET = "met", "not met"
+# Beyond a limit that is only remembered or assumed.
+NOT_MET_UNVERIFIED = "not met (unverified)"
 TOO_CLOSE, NOT_JUDGED = "too close to tell", "not judged"
 
 
@@ -36,12 +38,20 @@ class Criterion:
     """Why there is no verdict; None where there is one."""
     certainty: dict[str, float | None] | None = None
     """Spread and discretisation of value less limit; None where nobody asked."""
+    tolerance: float = 0.0
+    """How far the value may lie beyond the limit, in its unit."""
+
+    @property
+    def fails(self) -> bool:
+        """Whether it is not met, by a limit that decides: one that was not merely remembered."""
+        return self.passed is False and decides(self.mark)
 
 
 def verdict_of(criterion: Mapping[str, Any]) -> str:
     """Return the verdict on a criterion, given as plain data, in words."""
     if criterion["passed"] is not None:
-        return MET if criterion["passed"] else NOT_MET
+        missed = NOT_MET if decides(criterion["mark"]) else NOT_MET_UNVERIFIED
+        return MET if criterion["passed"] else missed
     return TOO_CLOSE if (criterion.get("reason") or "").startswith(TOO_CLOSE) else NOT_JUDGED
 
 
@@ -49,6 +59,16 @@ def uncertainty_of(certainty: Mapping[str, float | None] | None) -> float | None
     """Return spread and discretisation together; None where neither is known."""
     return None if certainty is None else Certainty(**certainty).uncertainty
 
+
+# Why a criterion has no value, or no limit, where that can be said more closely.
+ABSENT = {
+    "lateral_position": "the run is planar, so the wire has no lateral position",
+    "wave_speed_use": "a rail has no wave speed, and older results do not name that of a wire",
+}
+WITHOUT_LIMIT = {
+    "lateral_position": "limits are known for a head_width of 1.60 m and 1.95 m only; the"
+    " pantograph gives no such head_width and no lateral_range",
+}
 
 RELATIONS: dict[str, Callable[[float, float, float], bool]] = {
     "<=": lambda value, limit, tolerance: value <= limit + tolerance,
@@ -97,9 +117,9 @@ def _judge(rule: Rule, facts: Facts, pantograph: PantographAssessment) -> Criter
     limit = rule.limit.value(facts, pantograph)
     passed, note, reason = None, rule.note, None
     if value is None:
-        reason = "the value is not in the record"
+        reason = ABSENT.get(rule.name, "the value is not in the record")
     elif limit is None:
-        reason = "the line's design data give no limit"
+        reason = WITHOUT_LIMIT.get(rule.name, "the line's design data give no limit")
     else:
         passed = RELATIONS[rule.relation](value, limit, rule.tolerance)
     return Criterion(
@@ -108,13 +128,14 @@ def _judge(rule: Rule, facts: Facts, pantograph: PantographAssessment) -> Criter
         limit=limit,
         passed=passed,
         source=rule.source,
-        mark=rule.mark,
+        mark=mark_of(rule, facts, pantograph),
         title=rule.title,
         relation=rule.relation,
         unit=rule.unit,
         pantograph=None if rule.whole_run else pantograph.name,
         note=note if reason is None else f"{NOT_JUDGED}: {reason}",
         reason=reason,
+        tolerance=rule.tolerance,
     )
 
 

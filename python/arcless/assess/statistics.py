@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arcless.assess.filter import low_pass
-from arcless.assess.loss import contact_loss_percent, longest_loss_s
+from arcless.assess.loss import arcing_percent, contact_loss_percent, longest_loss_s
 
 Array = NDArray[np.float64]
 
@@ -31,11 +31,14 @@ class PantographAssessment:
     statistical_max_N: float
     statistical_min_N: float
     contact_loss_percent: float
+    NQ_percent: float
     longest_loss_s: float
     max_gap_mm: float
     contact_point_range_mm: float
     unfiltered_max_force_N: float
     unfiltered_min_force_N: float
+    max_lateral_position_mm: float | None = None
+    """Of the contact wire from the middle of the head, sway included; None of a planar run."""
     wear_mechanical_mm3_km: float | None = None
     """None, as are the next three, of a scenario without coefficients of wear."""
     wear_joule_mm3_km: float | None = None
@@ -92,6 +95,7 @@ def pantograph_assessment(
     gap: Array,
     height: Array,
     step_s: float,
+    lateral_mm: float | None = None,
 ) -> PantographAssessment:
     """Return the indicators of one pantograph.
 
@@ -107,6 +111,8 @@ def pantograph_assessment(
         Contact gap and height of the contact point in m, whole record.
     step_s
         Recording step in s.
+    lateral_mm
+        Largest lateral position of the contact wire, sway included; None of a planar run.
     """
     total = bands.total[inside]
     mean, std = float(np.mean(total)), float(np.std(total))
@@ -120,6 +126,7 @@ def pantograph_assessment(
         "statistical_max_N": mean + 3.0 * std,
         "statistical_min_N": mean - 3.0 * std,
         "contact_loss_percent": contact_loss_percent(force[inside]),
+        "NQ_percent": arcing_percent(force, inside, step_s),
         "longest_loss_s": longest_loss_s(force[inside], step_s),
         "max_gap_mm": 1e3 * np.max(gap[inside]),
         "contact_point_range_mm": 1e3 * np.ptp(height[inside]),
@@ -127,4 +134,4 @@ def pantograph_assessment(
         "unfiltered_min_force_N": np.min(force[inside]),
     }
     numbers: dict[str, Any] = {key: float(value) for key, value in values.items()}
-    return PantographAssessment(name, **numbers)
+    return PantographAssessment(name, **numbers, max_lateral_position_mm=lateral_mm)

@@ -14,8 +14,8 @@ app = typer.Typer(
     add_completion=False,
     rich_markup_mode=None,
     invoke_without_command=True,
-    epilog="Exit codes: 0 done; 1 the computation failed or a criterion is not met; "
-    "2 the input is wrong.",
+    epilog="Exit codes: 0 done; 1 the computation failed, nothing is written; 2 the input is "
+    "wrong; 3 done and written, and a criterion is not met.",
 )
 
 

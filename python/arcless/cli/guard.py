@@ -15,8 +15,9 @@ from arcless.cli import console
 from arcless.cli.background import unfinished
 from arcless.errors import ArclessError
 
-FAILED = 1  # the computation failed, or a criterion is not met
+FAILED = 1  # the computation failed, and nothing was written
 WRONG_INPUT = 2
+NOT_MET = 3  # done and written, and a limit that decides is not met
 _INTERRUPTED_BY_TYPER = 130  # what typer turns Ctrl-C into; ours is documented as FAILED
 
 

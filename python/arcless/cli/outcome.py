@@ -1,13 +1,15 @@
 """What becomes of a run: files in its folder, numbers on the screen, the exit code."""
 
+from collections.abc import Iterable
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from arcless.assess.rules import decides
 from arcless.cli import console
-from arcless.cli.guard import FAILED
+from arcless.cli.guard import NOT_MET
 from arcless.cli.output import OutputFolder
 
 if TYPE_CHECKING:
@@ -57,7 +59,7 @@ def write(result: "Result", folder: OutputFolder, *, report: bool) -> list[Path]
 
 
 def tell(result: "Result", written: list[Path], *, json: bool, quiet: bool) -> None:
-    """Print what came out, and leave with exit code 1 if a criterion is not met."""
+    """Print what came out, and leave with exit code 3 if a criterion is not met."""
     if not result.is_complete:
         _tell_stopped(result, written[0], json=json)
         return
@@ -89,13 +91,23 @@ def _tell_stopped(result: "Result", file: Path, *, json: bool) -> None:
 
 
 def finish(assessment: dict[str, Any], *, quiet: bool) -> None:
-    """Leave with exit code 1 if a criterion is not met."""
-    missed = [item["title"] for item in assessment["criteria"] if item["passed"] is False]
-    if not missed:
+    """Leave with exit code 3 if a criterion is not met whose limit decides."""
+    missed = [item for item in assessment["criteria"] if item["passed"] is False]
+    failed = _titles(item for item in missed if decides(item["mark"]))
+    shown = _titles(item for item in missed if not decides(item["mark"]))
+    if shown and not quiet:
+        console.note(
+            f"not met, by a limit that is not verified and does not set the exit code: {shown}"
+        )
+    if not failed:
         return
     if not quiet:
-        console.note(f"exit code 1, not met: {'; '.join(dict.fromkeys(missed))}")
-    raise typer.Exit(FAILED)
+        console.note(f"exit code {NOT_MET}, not met: {failed}")
+    raise typer.Exit(NOT_MET)
+
+
+def _titles(criteria: Iterable[dict[str, Any]]) -> str:
+    return "; ".join(dict.fromkeys(item["title"] for item in criteria))
 
 
 def _reference_rows(scenario: "Scenario", assessment: dict[str, Any]) -> list[dict[str, Any]]:
@@ -135,6 +147,7 @@ def _show(scenario: "Scenario", assessment: dict[str, Any]) -> None:
         tables.statistics(assessment, rows),
         tables.criteria(assessment),
         *tables.certainty(assessment),
+        *tables.notes(assessment),
     )
     console.show(f"Computed with {scenario.choice.sentence}.\n")
     if case:

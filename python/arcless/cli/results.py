@@ -47,7 +47,7 @@ def assess(
 
     Nothing is simulated: the statistics and criteria are formed anew from result.nc. The section
     and the low-pass filter are those of the scenario unless others are given.
-    Exit code 1 means that a criterion is not met.
+    Exit code 3 means that a criterion is not met.
     """
     from arcless.assess import assess as assess_dataset
     from arcless.cli import tables
@@ -69,6 +69,7 @@ def assess(
             tables.statistics(assessment),
             tables.criteria(assessment),
             *tables.certainty(assessment),
+            *tables.notes(assessment),
             section_text,
         )
     finish(found.to_dict(), quiet=quiet)

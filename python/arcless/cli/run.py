@@ -62,9 +62,9 @@ def run(
     ranges published for it. With --until, only result.nc, for `arcless resume` to go on from.
     With --certainty, every number with its spread over starts and its error of discretisation.
 
-    Exit code 1 means that the computation failed, and then nothing is written, or that a
-    criterion is not met, and then everything is. A criterion that is closer to its limit than its
-    number is sure is too close to tell, and sets no exit code. Ranges of reference cases decide
+    Exit code 1: the computation failed, and nothing is written. Exit code 3: everything is written,
+    and a criterion is not met. Limits that were not read in a source (marks C, C* and assumed) are
+    shown and set no exit code, nor do criteria too close to tell. Ranges of reference cases decide
     nothing here; `arcless validate` is for them.
     """
     check_whole(certainty, until)

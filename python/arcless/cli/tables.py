@@ -8,7 +8,15 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-from arcless.assess import MET, NOT_JUDGED, NOT_MET, TOO_CLOSE, uncertainty_of, verdict_of
+from arcless.assess import (
+    MET,
+    NOT_JUDGED,
+    NOT_MET,
+    NOT_MET_UNVERIFIED,
+    TOO_CLOSE,
+    uncertainty_of,
+    verdict_of,
+)
 
 if TYPE_CHECKING:
     from arcless.validate import Row, Topic
@@ -25,10 +33,12 @@ _STATISTICS = (
     ("min_force_N", "minimum force", "N", 1),
     ("unfiltered_max_force_N", "maximum force, unfiltered", "N", 1),
     ("unfiltered_min_force_N", "minimum force, unfiltered", "N", 1),
-    ("contact_loss_percent", "loss of contact", "%", 2),
+    ("NQ_percent", "arcing NQ, losses above 5 ms", "%", 2),
+    ("contact_loss_percent", "loss of contact, all losses", "%", 2),
     ("longest_loss_s", "longest loss of contact", "s", 3),
     ("max_gap_mm", "largest gap", "mm", 1),
     ("contact_point_range_mm", "range of contact-point height", "mm", 1),
+    ("max_lateral_position_mm", "largest lateral position of the wire", "mm", 0),
 )
 _WEAR = (
     ("wear_mechanical_mm3_km", "wear by friction", "mm³/km", 3),
@@ -53,6 +63,7 @@ _STYLES = {
     "outside, too close to tell": "yellow",
     MET: "green",
     NOT_MET: "bold red",
+    NOT_MET_UNVERIFIED: "yellow",
     TOO_CLOSE: "yellow",
     NOT_JUDGED: "dim",
 }
@@ -127,9 +138,10 @@ def _digits(value: float | None, digits: int) -> str:
 def criteria(assessment: dict[str, Any]) -> Table:
     """Set out the criteria with limit, verdict and source."""
     made = table(
-        "Criteria", "criterion", "for", "value", "limit", "unit", "verdict", "source (mark)",
+        f"Criteria, {assessment['supply']}",
+        *("criterion", "for", "value", "limit", "unit", "verdict", "source (mark)"),
         numbers=("value", "limit"),
-    )  # fmt: skip
+    )
     numbers = {
         str(row): (
             number(item["value"], _of(item)),
@@ -143,12 +155,28 @@ def criteria(assessment: dict[str, Any]) -> Table:
             item["title"],
             item["pantograph"] or "run",
             values[str(row)],
-            f"{_RELATIONS[item['relation']]} {number(item['limit'], _of(item))}",
+            f"{_RELATIONS[item['relation']]} {_limit(item)}",
             item["unit"].replace("1", ""),
             _verdict(verdict_of(item)),
             f"{item['source']} ({item['mark']})",
         )
     return made
+
+
+def _limit(item: dict[str, Any]) -> str:
+    """Return a limit, with the tolerance that it is compared with."""
+    text = number(item["limit"], _of(item))
+    if not item["tolerance"] or item["limit"] is None:
+        return text
+    sign = "−" if item["relation"].startswith(">") else "+"
+    return f"{text} {sign} {item['tolerance']:g}"
+
+
+def notes(assessment: dict[str, Any]) -> list[str]:
+    """Return what has to be known about the numbers, a line each."""
+    if not assessment["notes"]:
+        return []
+    return ["Notes:\n" + "".join(f"- {note}\n" for note in assessment["notes"])]
 
 
 def _of(item: dict[str, Any]) -> int:

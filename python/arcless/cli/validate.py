@@ -10,7 +10,7 @@ import typer
 from arcless.cli import console
 from arcless.cli.background import compute
 from arcless.cli.certainty import CertaintyOption, number_of
-from arcless.cli.guard import FAILED
+from arcless.cli.guard import NOT_MET
 from arcless.cli.scenario import JsonOption, QuietOption
 
 if TYPE_CHECKING:
@@ -47,7 +47,7 @@ def validate(
     --certainty says, and their error of discretisation. One that is nearer to a bound of its range
     than that is too close to tell, inside or outside, and decides nothing. --once saves the time.
 
-    Exit code 1 means that a value is outside of a range, or a conclusion does not hold, that was
+    Exit code 3 means that a value is outside of a range, or a conclusion does not hold, that was
     read in a source (mark A). Values outside of ranges that are only remembered (mark C*) are
     shown as such and do not count.
 
@@ -85,7 +85,7 @@ def validate(
             *([f"wrote {report}"] if report else []),
         )
     if violated:
-        raise typer.Exit(FAILED)
+        raise typer.Exit(NOT_MET)
 
 
 def _evidence(topics: list["Topic"]) -> list[Any]:

@@ -6,6 +6,7 @@ from math import atan, hypot, log1p, pi
 from arcless.model.end_notices import end_notices
 from arcless.model.heights import gradient_warnings
 from arcless.model.line import Line
+from arcless.model.plausibility import line_plausibility, pantograph_plausibility
 from arcless.model.scenario import Scenario
 from arcless.model.settings import ONE_ELEMENT
 from arcless.model.track_checks import deviation_warnings
@@ -53,6 +54,7 @@ def scenario_warnings(scenario: Scenario) -> list[str]:
         *_about_section(scenario),
         *_about_line(scenario),
         *_about_track(scenario),
+        *pantograph_plausibility(scenario),
         *_about_contact(scenario),
         *_about_scheme(scenario),
         *_about_solver(scenario),
@@ -103,12 +105,21 @@ def _about_section(scenario: Scenario) -> list[str]:
 
 
 def _about_line(scenario: Scenario) -> list[str]:
-    return line_warnings(scenario.line)
+    return _line_warnings(scenario.line)
 
 
 def line_warnings(line: Line) -> list[str]:
     """Return one sentence for each thing about a line that is allowed but deserves a word."""
-    found = end_notices(line)
+    return [*_line_warnings(line), *deviation_warnings(line)]
+
+
+def _line_warnings(line: Line) -> list[str]:
+    found = [*line_plausibility(line), *end_notices(line)]
+    if line.design.supply is None:
+        found.append(
+            "line.design.supply: not given; the limits of force are shown for AC 25 kV and decide"
+            " nothing"
+        )
     if line.steady_arm.kind == "arm" and not any(line.geometry.stagger_contact_wire):
         found.append(
             "line.geometry.stagger_contact_wire: without stagger the steady arms carry nothing"
@@ -124,7 +135,7 @@ def line_warnings(line: Line) -> list[str]:
 
 
 def _about_track(scenario: Scenario) -> list[str]:
-    line, found = scenario.line, deviation_warnings(scenario.line)
+    line, found = scenario.line, deviation_warnings(scenario.line, scenario.pantographs)
     if not line.geometry.height_changes:
         return found
     found += gradient_warnings(line, scenario.top_speed)

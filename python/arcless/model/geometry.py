@@ -53,6 +53,8 @@ class DesignSpace(Part):
         strict=True,
         description="True when a stop limits the steady arm's uplift.",
     )
-    supply: Literal["AC 25 kV", "AC 15 kV", "DC 3 kV", "DC 1.5 kV"] = Field(
-        default="AC 25 kV", description="Electrical supply; selects the force limits."
+    supply: Literal["AC 25 kV", "AC 15 kV", "DC 3 kV", "DC 1.5 kV"] | None = Field(
+        default=None,
+        description="Electrical supply; selects the force limits. Without it those of AC 25 kV are"
+        " shown, and decide nothing.",
     )

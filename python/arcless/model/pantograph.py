@@ -53,6 +53,11 @@ class PantographMass(Joint):
         return self
 
 
+# Lateral position allowed by the width of the head over its horns, both in m: S11 of the shipped
+# models (course notes on UNE-EN 50367), mark A.
+LATERAL_LIMITS = {1.6: 0.4, 1.95: 0.55}
+
+
 class Pantograph(Document):
     """A pantograph: a chain of masses from base to head, or a linear system given by matrices."""
 
@@ -72,9 +77,24 @@ class Pantograph(Document):
         default=None,
         description="Half of the length over which the strip can touch a wire; none: no limit.",
     )
+    head_width: Annotated[float, Unit("m", minimum=0.5, maximum=3)] | None = Field(
+        default=None, description="Width of the collector head over its horns, across the track."
+    )
+    lateral_range: Annotated[float, Unit("m", above=0, maximum=1.5)] | None = Field(
+        default=None,
+        description="How far from the middle of the head the contact wire may run; 0.40 m for a"
+        " head_width of 1.60 m and 0.55 m for one of 1.95 m if not given.",
+    )
     static_force: Annotated[float, Unit("N", above=0, maximum=2000)] | None = Field(
         default=None, description="Static force, used when a scenario gives no force."
     )
+
+    @property
+    def lateral_limit(self) -> float | None:
+        """How far from the middle of its head the contact wire may run, in m; None if not known."""
+        if self.lateral_range is not None or self.head_width is None:
+            return self.lateral_range
+        return LATERAL_LIMITS.get(round(self.head_width, 3))
 
     @classmethod
     def prepare(cls, data: dict[str, Any]) -> dict[str, Any]:

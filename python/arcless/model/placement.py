@@ -32,6 +32,11 @@ class PantographPlacement(Part):
     mean_force: Annotated[float, Unit("N", above=0, maximum=2000)] | None = Field(
         default=None, description="Mean contact force to reach; the static force is then found."
     )
+    sway: Annotated[float, Unit("m", minimum=0, maximum=1)] = Field(
+        default=0.0,
+        description="Largest displacement of the collector head across the track by roll of the"
+        " vehicle and by tolerances of the track; added to the lateral position that is assessed.",
+    )
     roof_motion: RoofMotion | None = Field(
         default=None, description="Vertical motion of the roof below; the roof is still without."
     )

@@ -6,7 +6,10 @@ from typing import TYPE_CHECKING, NamedTuple
 from arcless.errors import ModelError
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from arcless.model.line import Line
+    from arcless.model.placement import PantographPlacement
 
 # Spans that are equal but for rounding: the first one is named. In m.
 ROUNDING = 1e-9
@@ -15,6 +18,8 @@ WIDEST = 1.0
 # Lateral deviation allowed for a head of 1.60 m and for one of 1.95 m: the source S11 of the design
 # data, mark A. In m.
 ALLOWED = (0.40, 0.55)
+# Offsets of a straight wire from the line between its supports: at both ends. In m.
+STRAIGHT = (0.0, 0.0)
 
 
 class Aside(NamedTuple):
@@ -26,20 +31,20 @@ class Aside(NamedTuple):
     curve_part: float
 
 
-def farthest(line: "Line") -> Aside | None:
-    """Return where the contact wire at rest lies farthest aside in a span with a curve."""
+def farthest(line: "Line") -> Aside:
+    """Return where the contact wire at rest lies farthest aside."""
     supports, pattern = line.support_positions(), line.geometry.stagger_contact_wire
     height, worst = line.geometry.contact_wire_height, None
     for index, (left, right) in enumerate(pairwise(supports)):
-        if not line.track.bends(left, right):
-            continue
-        offsets = line.track.offsets(left, right, height)
+        bends = line.track.bends(left, right)
+        offsets = line.track.offsets(left, right, height) if bends else STRAIGHT
         first, last = (pattern[k % len(pattern)] for k in (index, index + 1))
         for place, offset in enumerate(offsets):
             share = place / (len(offsets) - 1)
             y = first + share * (last - first) + offset
             if worst is None or abs(y) > abs(worst.distance) + ROUNDING:
                 worst = Aside(y, index + 1, left + share * (right - left), offset)
+    assert worst is not None  # a line has spans
     return worst
 
 
@@ -55,7 +60,7 @@ def check_track(line: "Line") -> None:
             field=("track", "curves"),
         )
     worst = farthest(line)
-    if worst is not None and abs(worst.distance) > WIDEST:
+    if abs(worst.distance) > WIDEST:
         raise ModelError(
             "a curve tighter than the stagger allows",
             got=f"the contact wire {abs(worst.distance):.3g} m aside at {worst.x:.4g} m, in span"
@@ -66,15 +71,34 @@ def check_track(line: "Line") -> None:
         )
 
 
-def deviation_warnings(line: "Line") -> list[str]:
-    """Return a sentence when the wire lies farther aside than narrow heads allow."""
+def deviation_warnings(line: "Line", placements: "Sequence[PantographPlacement]" = ()) -> list[str]:
+    """Return a sentence when the wire at rest lies farther aside than heads allow.
+
+    Parameters
+    ----------
+    line
+        The line; wind and uplift are not in this, the assessment of a run has them.
+    placements
+        Pantographs that run below it; those that say how wide their heads are count, each with its
+        sway. Without any such, narrow heads count.
+    """
     worst = farthest(line)
-    if worst is None or abs(worst.distance) <= ALLOWED[0]:
-        return []
+    twin = line.twin_contact_wires
+    aside = abs(worst.distance) + (0.0 if twin is None else 0.5 * twin.separation)
+    where = f"the contact wire at rest lies {aside:.3g} m aside at {worst.x:.4g} m, in span"
+        f" {worst.span}"
+    field = "line.track.curves" if worst.curve_part else "line.geometry.stagger_contact_wire"
+    known = [(each, each.model.lateral_limit) for each in placements]
+    told = []
+    for placement, limit in known:
+        if limit is None or aside + placement.sway <= limit + ROUNDING:
+            continue
+        sway = f" and the head sways by {placement.sway:.3g} m" if placement.sway else ""
+        name = placement.name or placement.model.name
+        told.append(f"{field}: {where}{sway}; the head of pantograph {name} allows {limit:.3g} m")
+    if any(limit is not None for _, limit in known) or aside <= ALLOWED[0] + ROUNDING:
+        return told
     heads = "0.40 m are allowed for a head of 1.60 m"
-    if abs(worst.distance) > ALLOWED[1]:
+    if aside > ALLOWED[1] + ROUNDING:
         heads += ", 0.55 m for one of 1.95 m"
-    return [
-        f"line.track.curves: the contact wire at rest lies {abs(worst.distance):.3g} m aside at"
-        f" {worst.x:.4g} m, in span {worst.span}; {heads}"
-    ]
+    return [f"{field}: {where}; {heads}"]

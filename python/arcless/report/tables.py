@@ -23,10 +23,12 @@ INDICATORS: dict[str, tuple[str, str, int]] = {
     "statistical_min_N": ("F_m − 3σ", "N", 1),
     "unfiltered_max_force_N": ("highest force, unfiltered", "N", 1),
     "unfiltered_min_force_N": ("lowest force, unfiltered", "N", 1),
-    "contact_loss_percent": ("loss of contact, share of time", "%", 3),
+    "NQ_percent": ("arcing NQ, losses above 5 ms", "%", 3),
+    "contact_loss_percent": ("loss of contact, all losses", "%", 3),
     "longest_loss_s": ("longest loss of contact", "s", 3),
     "max_gap_mm": ("largest gap", "mm", 1),
     "contact_point_range_mm": ("range of the contact point's height", "mm", 1),
+    "max_lateral_position_mm": ("largest lateral position of the wire", "mm", 0),
 }
 # Shown for a scenario with coefficients of wear.
 WEAR: dict[str, tuple[str, str, int]] = {
@@ -62,20 +64,23 @@ def number(value: float | None, decimals: int = 1) -> str:
 def verdict(assessment: Assessment) -> Verdict:
     """Return the verdict over all criteria."""
     judged = [c for c in assessment.criteria if c.passed is not None]
-    missed = [c for c in judged if not c.passed]
+    beyond = [c for c in judged if not c.passed]
+    missed = [c for c in beyond if c.fails]
+    unsure = len(beyond) - len(missed)
     close = sum(verdict_of(asdict(c)) == TOO_CLOSE for c in assessment.criteria)
     open_count = len(assessment.criteria) - len(judged) - close
     rest = f"; {close} too close to tell" if close else ""
     rest += f"; {open_count} could not be judged" if open_count else ""
+    rest += f"; {unsure} not met by limits that are not verified" if unsure else ""
     names = [
-        f"{c.title} ({', '.join(filter(None, [c.pantograph, f'mark {c.mark}']))})" for c in missed
+        f"{c.title} ({', '.join(filter(None, [c.pantograph, f'mark {c.mark}']))})" for c in beyond
     ]
     if missed:
-        text = f"{len(missed)} of {len(judged)} judged criteria missed{rest}"
+        text = f"{len(missed)} of {len(judged)} judged criteria not met{rest}"
         return Verdict("missed", text, names)
-    return Verdict(
-        "open" if close else "met", f"All {len(judged)} judged criteria met{rest}", names
-    )
+    count = f"All {len(judged)}" if not unsure else f"{len(judged) - unsure} of {len(judged)}"
+    state = "open" if close or unsure else "met"
+    return Verdict(state, f"{count} judged criteria met{rest}", names)
 
 
 def indicator_rows(assessment: Assessment) -> list[tuple[str, str, list[str]]]:
@@ -150,9 +155,10 @@ def criterion_rows(assessment: Assessment) -> list[dict[str, Any]]:
             "title": "" if c.name == previous else c.title,
             "pantograph": c.pantograph or "",
             "value": pair(c.value, uncertainty_of(c.certainty), _decimals(c)),
-            "limit": f"{SIGNS[c.relation]} {number(c.limit, _decimals(c))}",
+            "limit": f"{SIGNS[c.relation]} {_limit(c)}",
             "unit": "" if c.unit == "1" else c.unit,
-            "verdict": "missed" if c.passed is False else verdict_of(asdict(c)),
+            "verdict": verdict_of(asdict(c)),
+            "state": "missed" if c.fails else verdict_of(asdict(c)).split(" (")[0],
             "mark": c.mark,
             "source": "" if c.name == previous else c.source,
             "note": "" if c.name == previous else c.note,
@@ -160,6 +166,14 @@ def criterion_rows(assessment: Assessment) -> list[dict[str, Any]]:
         }
         for c, previous in zip(assessment.criteria, above, strict=False)
     ]
+
+
+def _limit(criterion: Criterion) -> str:
+    """Return a limit as text, with the tolerance that it is compared with."""
+    text = number(criterion.limit, _decimals(criterion))
+    if not criterion.tolerance or criterion.limit is None:
+        return text
+    return f"{text} {'−' if criterion.relation.startswith('>') else '+'} {criterion.tolerance:g}"
 
 
 def _reason(criterion: Criterion) -> str:

@@ -244,6 +244,9 @@ ATTRIBUTES: dict[str, Attribute] = {
     "wire_model": Attribute("text", "wire model, likewise"),
     "contact_wire_element_m": Attribute("number", "longest element of the contact wire, likewise"),
     "messenger_wire_element_m": Attribute("number", "that of the messenger wire, likewise"),
+    "wave_speed_m_s": Attribute(
+        "number", "wave speed of the contact wire: as designed or, as built, the lowest"
+    ),
     "steps": Attribute("integer", "number of time steps", required=True),
     "simulated_time_s": Attribute("number", "simulated time", required=True),
     "wall_time_s": Attribute("number", "wall time of the time-stepping loop alone", required=True),

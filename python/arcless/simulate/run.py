@@ -20,6 +20,7 @@ from arcless.simulate import joints, record, state
 from arcless.simulate.control import ControlFunction, Controllers
 from arcless.simulate.job import SEARCHING, Cancel, Job, Progress, Take, lay_out, observer
 from arcless.simulate.mean_force import find_forces
+from arcless.simulate.statics import wave_speed_of
 from arcless.simulate.streaming import Stream
 
 
@@ -269,6 +270,7 @@ def attributes_of(
         "wire_model": scenario.stepping.wires,
         "contact_wire_element_m": scenario.stepping.contact_wire_element_m,
         "messenger_wire_element_m": scenario.stepping.messenger_wire_element_m,
+        "wave_speed_m_s": wave_speed_of(scenario, job.found),
         "steps": raw["steps"],
         "simulated_time_s": duration,
         "wall_time_s": wall,

@@ -138,10 +138,7 @@ class StaticsResult:
     @property
     def wave_speed(self) -> float | None:
         """Wave speed of the contact wire in m/s: of the design, or the lowest as built."""
-        design = self.scenario.line.wave_speed
-        if self.scenario.as_built.is_empty or design is None:
-            return design
-        return self.equilibrium.wave_speed()
+        return wave_speed_of(self.scenario, self.equilibrium)
 
     @cached_property
     def resonance_speeds(self) -> "ResonanceSpeeds":
@@ -229,3 +226,12 @@ def statics(scenario: Scenario, progress: Progress | None = None) -> StaticsResu
 
 def _entry(values: Any, row: int | None) -> float | None:
     return None if row is None else float(values[row])
+
+
+def wave_speed_of(scenario: Scenario, found: equilibrium.Equilibrium) -> float | None:
+    """Return the wave speed of the contact wire in m/s: of the design or, as built, the lowest.
+
+    None of a rail without tension, which has no wave speed.
+    """
+    design = scenario.line.wave_speed
+    return design if scenario.as_built.is_empty or design is None else found.wave_speed()

@@ -7,6 +7,8 @@ unverified as a number of the standard. Verdicts on unverified ranges never deci
 from dataclasses import dataclass
 from math import inf
 
+from arcless.assess import decides
+
 VERIFIED = "A"
 INSIDE = "inside"
 OUTSIDE = "outside"
@@ -52,7 +54,7 @@ class Range:
             return f"{INSIDE if self._allows(value) else OUTSIDE}, {CLOSE}"
         if value is not None and self._allows(value):
             return INSIDE
-        return OUTSIDE if self.mark == VERIFIED else f"{OUTSIDE} (unverified)"
+        return OUTSIDE if decides(self.mark) else f"{OUTSIDE} (unverified)"
 
     @property
     def limit(self) -> str:

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from arcless.assess import assess
+from arcless.assess import Assessment, Criterion, assess
 from arcless.assess.criteria import markdown_table
 from arcless.errors import ModelError
 from tests.support.synthetic import scenario_data, synthetic_dataset
@@ -23,8 +23,8 @@ KEYS = {
 PANTOGRAPH_KEYS = {
     "name", "mean_force_N", "std_force_N", "std_force_0_5Hz_N", "std_force_5_20Hz_N",
     "max_force_N", "min_force_N", "statistical_max_N", "statistical_min_N",
-    "contact_loss_percent", "longest_loss_s", "max_gap_mm", "contact_point_range_mm",
-    "unfiltered_max_force_N", "unfiltered_min_force_N",
+    "contact_loss_percent", "NQ_percent", "longest_loss_s", "max_gap_mm", "contact_point_range_mm",
+    "unfiltered_max_force_N", "unfiltered_min_force_N", "max_lateral_position_mm",
 }  # fmt: skip
 CRITERION_KEYS = {"name", "value", "limit", "passed", "source"}
 
@@ -110,6 +110,83 @@ def test_loss_is_counted_in_time_and_on_the_unfiltered_force() -> None:
     assert found.contact_loss_percent == pytest.approx(100.0 * 20 / samples, rel=1e-12)
     assert found.longest_loss_s == pytest.approx(0.020, rel=1e-9)
     assert found.unfiltered_min_force_N == 0.0
+
+
+@pytest.mark.parametrize(("lasts", "counts"), [(0.005, False), (0.006, True)])
+def test_arcs_count_from_5_ms_on(lasts: float, counts: bool) -> None:
+    [found] = assess(synthetic_dataset(force=lost(12.0, 12.0 + lasts))).pantographs
+    assert found.contact_loss_percent == pytest.approx(1e5 * lasts / 10_001, rel=1e-9)
+    assert found.NQ_percent == (found.contact_loss_percent if counts else 0.0)
+
+
+def test_of_an_arc_over_the_border_the_whole_decides_and_the_part_inside_counts() -> None:
+    [found] = assess(synthetic_dataset(force=lost(9.9, 10.002))).pantographs
+    assert found.longest_loss_s == pytest.approx(0.002, rel=1e-9)
+    assert found.NQ_percent == pytest.approx(100.0 * 2 / 10_001, rel=1e-12)
+
+
+def criterion(found: Assessment, name: str) -> Criterion:
+    return next(each for each in found.criteria if each.name == name)
+
+
+def test_the_wave_speed_is_that_of_the_wire_as_computed() -> None:
+    # 20 m/s under 10 kN on 1 kg/m, 100 m/s: 0.2; heated, the run says 25 m/s, and that counts.
+    assert criterion(assess(synthetic_dataset()), "wave_speed_use").value == 0.2
+    slack = assess(synthetic_dataset(attrs={"wave_speed_m_s": 25.0}))
+    assert criterion(slack, "wave_speed_use").value == 0.8
+    assert criterion(slack, "wave_speed_use").fails
+
+
+def test_an_older_result_of_a_line_as_built_does_not_know_its_wave_speed() -> None:
+    heated = scenario_data(as_built={"temperature_difference": 30.0})
+    found = criterion(assess(synthetic_dataset(scenario=heated)), "wave_speed_use")
+    assert (found.value, found.passed) == (None, None)
+    assert "older" in (found.reason or "")
+
+
+def lateral(y: float, **pantograph: object) -> Assessment:
+    data = scenario_data()
+    placement = data["pantographs"][0]
+    sway = pantograph.pop("sway", 0.0)
+    given = {**placement, "sway": sway, "model": {**placement["model"], **pantograph}}
+    drawn = synthetic_dataset(scenario={**data, "pantographs": [given]})
+    inside = (drawn["position"].values >= 300.0) & (drawn["position"].values <= 301.0)
+    drawn["contact_lateral"].values[inside] = y
+    return assess(drawn)
+
+
+def test_lateral_position_is_the_largest_in_the_section_with_the_sway() -> None:
+    found = lateral(-0.35, head_width=1.6, sway=0.1)
+    assert found.pantographs[0].max_lateral_position_mm == pytest.approx(450.0)
+    judged = criterion(found, "lateral_position")
+    assert (judged.limit, judged.mark, judged.fails) == (400.0, "A", True)
+    wide = criterion(lateral(-0.35, head_width=1.95, sway=0.1), "lateral_position")
+    assert (wide.limit, wide.passed) == (550.0, True)
+
+
+def test_a_range_that_is_given_counts_for_the_width() -> None:
+    judged = criterion(lateral(0.35, head_width=1.6, lateral_range=0.3), "lateral_position")
+    assert (judged.limit, judged.fails) == (300.0, True)
+
+
+def test_a_width_from_memory_decides_nothing() -> None:
+    marked = {"head_width": {"mark": "C", "given": "1600 mm"}}
+    judged = criterion(lateral(0.5, head_width=1.6, provenance=marked), "lateral_position")
+    assert (judged.passed, judged.mark, judged.fails) == (False, "C", False)
+
+
+def test_a_planar_run_has_no_lateral_position() -> None:
+    found = lateral(0.0, head_width=1.6)
+    assert found.pantographs[0].max_lateral_position_mm is None
+    assert "planar" in (criterion(found, "lateral_position").reason or "")
+
+
+def test_a_supply_that_nobody_gave_is_told() -> None:
+    assert assess(synthetic_dataset()).notes == []
+    silent = assess(synthetic_dataset(scenario=scenario_data(line__design={"uplift_space": 0.1})))
+    assert silent.supply == "AC 25 kV"
+    assert [note for note in silent.notes if "line.design.supply is not given" in note]
+    assert criterion(silent, "mean_force").mark == "assumed"
 
 
 def test_a_loss_over_the_border_counts_with_its_part_inside() -> None:

@@ -1,15 +1,22 @@
 """Verdicts at their boundaries, for every supply and every band of speed."""
 
 import math
-from dataclasses import replace
+from dataclasses import asdict, replace
 
 import pytest
 
-from arcless.assess.criteria import evaluate
-from arcless.assess.rules import ANY_SUPPLY, MEAN_FORCE_TOLERANCE_N, RULES, Facts
+from arcless.assess.criteria import NOT_MET, NOT_MET_UNVERIFIED, evaluate, verdict_of
+from arcless.assess.rules import ANY_SUPPLY, MEAN_FORCE_TOLERANCE_N, RULES, Facts, HeadLimit
 from arcless.assess.statistics import PantographAssessment
 
-FACTS = Facts("AC 25 kV", 300.0, wave_speed_use=0.5, uplift_mm=40.0, uplift_space_mm=100.0)
+FACTS = Facts(
+    "AC 25 kV",
+    300.0,
+    wave_speed_use=0.5,
+    uplift_mm=40.0,
+    uplift_space_mm=100.0,
+    heads={"P1": HeadLimit(400.0, "A"), "P2": HeadLimit(400.0, "A")},
+)
 GOOD = PantographAssessment(
     name="P1",
     mean_force_N=150.0,
@@ -21,11 +28,13 @@ GOOD = PantographAssessment(
     statistical_max_N=240.0,
     statistical_min_N=60.0,
     contact_loss_percent=0.0,
+    NQ_percent=0.0,
     longest_loss_s=0.0,
     max_gap_mm=0.0,
     contact_point_range_mm=40.0,
     unfiltered_max_force_N=260.0,
     unfiltered_min_force_N=50.0,
+    max_lateral_position_mm=250.0,
 )
 
 
@@ -130,10 +139,53 @@ def test_lower_mean_force_law_belongs_to_slow_alternating_current() -> None:
 @pytest.mark.parametrize(("km_h", "limit"), [(250.0, 0.1), (251.0, 0.2)])
 def test_loss_of_contact(km_h: float, limit: float) -> None:
     facts = replace(FACTS, speed_km_h=km_h)
-    assert verdict("contact_loss", facts, contact_loss_percent=limit).passed
-    found = verdict("contact_loss", facts, contact_loss_percent=just_above(limit))
+    assert verdict("contact_loss", facts, NQ_percent=limit).passed
+    found = verdict("contact_loss", facts, NQ_percent=just_above(limit))
     assert found.passed is False
     assert found.mark == "C"
+
+
+def test_losses_that_are_no_arcs_are_not_judged() -> None:
+    assert verdict("contact_loss", contact_loss_percent=50.0, NQ_percent=0.0).passed
+
+
+@pytest.mark.parametrize("mark", ["C", "C*", "assumed"])
+def test_a_limit_that_was_not_read_shows_a_verdict_and_decides_nothing(mark: str) -> None:
+    missed = replace(verdict("standard_deviation", std_force_N=80.0), mark=mark)
+    assert (missed.passed, missed.fails) == (False, False)
+    assert verdict_of(asdict(missed)) == NOT_MET_UNVERIFIED
+    read = replace(missed, mark="A")
+    assert read.fails
+    assert verdict_of(asdict(read)) == NOT_MET
+
+
+@pytest.mark.parametrize("mark", ["A", "A'", "B", "D"])
+def test_a_limit_that_was_read_or_computed_decides(mark: str) -> None:
+    assert replace(verdict("standard_deviation", std_force_N=80.0), mark=mark).fails
+
+
+@pytest.mark.parametrize("name", ["mean_force", "statistical_max"])
+def test_limits_of_a_supply_that_nobody_gave_decide_nothing(name: str) -> None:
+    facts = replace(FACTS, supply_given=False)
+    found = verdict(name, facts, mean_force_N=500.0, statistical_max_N=900.0)
+    assert (found.passed, found.mark, found.fails) == (False, "assumed", False)
+    # What holds for any supply goes on to decide.
+    assert verdict("standard_deviation", facts, std_force_N=80.0).fails
+
+
+def test_lateral_position_boundary() -> None:
+    assert verdict("lateral_position", max_lateral_position_mm=400.0).passed
+    found = verdict("lateral_position", max_lateral_position_mm=just_above(400.0))
+    assert found.fails
+    unsure = replace(FACTS, heads={"P1": HeadLimit(400.0, "C")})
+    found = verdict("lateral_position", unsure, max_lateral_position_mm=500.0)
+    assert (found.passed, found.mark, found.fails) == (False, "C", False)
+
+
+def test_a_head_of_unknown_width_is_not_judged() -> None:
+    found = verdict("lateral_position", replace(FACTS, heads={}))
+    assert found.passed is None
+    assert "head_width" in (found.reason or "")
 
 
 @pytest.mark.parametrize(("limited", "highest"), [(False, 50.0), (True, 100.0 / 1.5)])

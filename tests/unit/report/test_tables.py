@@ -1,5 +1,6 @@
 """Numbers as text, verdicts as sentences, and the model's data with their sources."""
 
+import numpy as np
 import pytest
 
 from arcless.assess import assess
@@ -50,9 +51,19 @@ def test_what_a_run_takes_for_a_word_stands_beside_it(scheme: str, shown: tuple[
 
 def test_verdict_names_what_was_missed_and_how_sure_the_limit_is() -> None:
     found = verdict(assess(synthetic_dataset()))
-    assert found.state == "missed"
-    assert found.text == "1 of 8 judged criteria missed"
+    rest = "1 could not be judged; 1 not met by limits that are not verified"
+    assert (found.state, found.text) == ("open", f"7 of 8 judged criteria met; {rest}")
     assert found.missed == ["mean force F_m, upper law (P1, mark C)"]
+    wild = synthetic_dataset(force=lambda t: 80.0 + 60.0 * np.sin(2.0 * np.pi * t))
+    found = verdict(assess(wild))
+    assert (found.state, found.text) == (
+        "missed",
+        "2 of 8 judged criteria not met; 1 could not be judged",
+    )
+    assert found.missed == [
+        "standard deviation σ (P1, mark A)",
+        "statistical minimum F_m − 3σ (P1, mark A)",
+    ]
 
 
 def test_verdict_counts_what_could_not_be_judged() -> None:
@@ -60,7 +71,7 @@ def test_verdict_counts_what_could_not_be_judged() -> None:
     calm = synthetic_dataset(scenario=data, force=lambda t: 80.0 + 0.0 * t)
     found = verdict(assess(calm))
     assert found.state == "met"
-    assert found.text == "All 7 judged criteria met; 1 could not be judged"
+    assert found.text == "All 7 judged criteria met; 2 could not be judged"
 
 
 def test_every_indicator_has_a_row_and_every_pantograph_a_column() -> None:

@@ -1,0 +1,126 @@
+"""What criteria are judged by: supply, speeds, space, and collector heads, read from a result."""
+
+import math
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from arcless.assess.rules import DECIDING, Facts, HeadLimit
+from arcless.model.pantograph import LATERAL_LIMITS
+
+if TYPE_CHECKING:
+    from arcless.results.plain import Dataset
+
+# What is taken for a line that names no supply.
+ASSUMED_SUPPLY = "AC 25 kV"
+
+
+def criteria_facts(facts: Mapping[str, Any], speed: Any, uplift_mm: float | None) -> Facts:
+    """Return what the criteria are judged by.
+
+    Parameters
+    ----------
+    facts
+        Metadata of the result.
+    speed
+        Speed in m/s at the samples in the section.
+    uplift_mm
+        Highest uplift at a support inside the section.
+    """
+    scenario = facts["scenario"]
+    design = scenario["line"]["design"]
+    space, supply = design["uplift_space"], design["supply"]
+    return Facts(
+        supply=supply or ASSUMED_SUPPLY,
+        supply_given=supply is not None,
+        speed_km_h=3.6 * float(np.mean(speed)),
+        wave_speed_use=_wave_speed_use(float(np.max(speed)), facts),
+        uplift_mm=uplift_mm,
+        uplift_space_mm=None if space is None else 1e3 * space,
+        uplift_limited=design["uplift_limited"],
+        heads=_heads(scenario["pantographs"]),
+    )
+
+
+def supply_notes(facts: Facts) -> list[str]:
+    """Say that the limits are those of a supply that nobody gave."""
+    if facts.supply_given:
+        return []
+    return [
+        f"line.design.supply is not given: the limits of force are those of {facts.supply}, and"
+        " decide nothing (mark assumed)"
+    ]
+
+
+def lateral_mm(
+    dataset: "Dataset", column: int, inside: NDArray[np.bool_], sway_m: float
+) -> float | None:
+    """Return how far the contact wire ran from the middle of a head, its sway included.
+
+    Parameters
+    ----------
+    dataset
+        The result.
+    column
+        Number of the pantograph, from 0.
+    inside
+        Samples at which it is inside the section.
+    sway_m
+        How far the head moves across the track by itself, in m.
+
+    Returns
+    -------
+    float or None
+        In mm, over all contacts of the pantograph; None of a planar run.
+    """
+    if "contact_lateral" not in dataset:
+        return None
+    places = [dataset["contact_lateral"].values[inside, column]]
+    if "wire_contact_lateral" in dataset:
+        name = str(dataset["pantograph"].values[column])
+        own = [str(each).startswith(f"{name} strip ") for each in dataset["contact"].values]
+        places.append(dataset["wire_contact_lateral"].values[inside][:, own])
+    farthest = max(float(np.nanmax(np.abs(each), initial=0.0)) for each in places)
+    if farthest == 0.0:  # to the last bit: a wire that moves across the track is never there
+        return None
+    return 1e3 * (farthest + sway_m)
+
+
+def _wave_speed_use(speed: float, facts: Mapping[str, Any]) -> float | None:
+    """Return speed over wave speed of the wire as computed; None of a rail, which has none.
+
+    Results of earlier versions do not name the wave speed: of a line as designed it follows from
+    tension and mass; of one as built, with other tensions, it is not known.
+    """
+    wave, scenario = facts.get("wave_speed_m_s"), facts["scenario"]
+    wire = scenario["line"]["contact_wire"]
+    if wave is None and wire["tension"] and not _as_built(scenario):
+        wave = math.sqrt(wire["tension"] / wire["mass"])
+    return None if wave is None else speed / wave
+
+
+def _as_built(scenario: Mapping[str, Any]) -> bool:
+    from arcless.model.as_built import AsBuilt
+
+    given = scenario.get("as_built")
+    return given is not None and not AsBuilt.model_validate(given).is_empty
+
+
+def _heads(placements: list[dict[str, Any]]) -> dict[str, HeadLimit]:
+    found = {}
+    for placement in placements:
+        model = placement["model"]
+        width, range_ = model.get("head_width"), model.get("lateral_range")
+        given = "lateral_range" if range_ is not None else "head_width"
+        limit = range_ if range_ is not None else LATERAL_LIMITS.get(round(width or 0.0, 3))
+        if limit is not None:
+            found[placement["name"]] = HeadLimit(1e3 * limit, _mark(model, given))
+    return found
+
+
+def _mark(model: Mapping[str, Any], field: str) -> str:
+    """Return the mark of a field of a pantograph; what its author gave without one counts as A."""
+    entry = (model.get("provenance") or {}).get(field) or {}
+    return entry.get("mark") or DECIDING[0]
