@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from arcless.assess.rules import decides
 from arcless.cli import console
 from arcless.cli.guard import NOT_MET
 from arcless.cli.output import OutputFolder
@@ -92,6 +91,8 @@ def _tell_stopped(result: "Result", file: Path, *, json: bool) -> None:
 
 def finish(assessment: dict[str, Any], *, quiet: bool) -> None:
     """Leave with exit code 3 if a criterion is not met whose limit decides."""
+    from arcless.assess import decides
+
     missed = [item for item in assessment["criteria"] if item["passed"] is False]
     failed = _titles(item for item in missed if decides(item["mark"]))
     shown = _titles(item for item in missed if not decides(item["mark"]))

@@ -85,8 +85,8 @@ def deviation_warnings(line: "Line", placements: "Sequence[PantographPlacement]"
     worst = farthest(line)
     twin = line.twin_contact_wires
     aside = abs(worst.distance) + (0.0 if twin is None else 0.5 * twin.separation)
-    where = f"the contact wire at rest lies {aside:.3g} m aside at {worst.x:.4g} m, in span"
-        f" {worst.span}"
+    place = f"at {worst.x:.4g} m, in span {worst.span}"
+    where = f"the contact wire at rest lies {aside:.3g} m aside {place}"
     field = "line.track.curves" if worst.curve_part else "line.geometry.stagger_contact_wire"
     known = [(each, each.model.lateral_limit) for each in placements]
     told = []
