@@ -13,6 +13,14 @@ pub enum CoreError {
         /// What is wrong with it.
         reason: String,
     },
+    /// Explicit steps are longer than is stable.
+    #[error("explicit steps of {step} s: the longest stable one is {longest:.3e} s")]
+    StepTooLong {
+        /// Time step, s.
+        step: f64,
+        /// Longest stable one, s, four figures.
+        longest: f64,
+    },
     /// A pivot of a factorisation vanished: the structure can move without force.
     #[error("the stiffness of node {node} vanishes: the structure is loose there")]
     Singular {

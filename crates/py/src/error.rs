@@ -27,9 +27,14 @@ fn details<'py>(
 ) -> PyResult<(&'static str, Bound<'py, PyDict>)> {
     let d = PyDict::new(py);
     let kind = match error {
-        CoreError::Input { array, .. } => {
+        CoreError::Input { array, reason } => {
             d.set_item("array", array)?;
+            d.set_item("reason", reason)?;
             "input"
+        }
+        CoreError::StepTooLong { longest, .. } => {
+            d.set_item("longest", longest)?;
+            "too_long"
         }
         CoreError::Singular { node } => {
             d.set_item("node", node)?;

@@ -12,6 +12,8 @@ from arcless.model import Line, SteadyArmBar
 
 # Measured heights and arms this near to a dropper may be why it would have to push. In m.
 NEIGHBOURS = 50.0
+# An arm without stagger carries nothing, and rounding decides which way. In N; a tenth of a clamp.
+LOOSE_ARM = 0.1
 
 
 def why_pushing(mesh: Mesh, line: Line, heights: Mapping[float, float], link: int) -> str | None:
@@ -39,16 +41,17 @@ def why_pushing(mesh: Mesh, line: Line, heights: Mapping[float, float], link: in
     )
 
 
-def check_arms(mesh: Mesh, tension: NDArray[np.float64]) -> None:
-    """Refuse a designed line in a curve that a steady arm would have to push aside."""
+def check_arms(mesh: Mesh, line: Line, tension: NDArray[np.float64]) -> None:
+    """Refuse a designed line that a steady arm would have to push aside."""
     for support in mesh.supports:
         force = 0.0 if support.steady_arm is None else float(tension[support.steady_arm])
-        if force < 0.0:
+        if force < -LOOSE_ARM:
+            bent = "stagger and curve" if line.track.curves else "the staggers of three supports"
             raise EquilibriumError(
                 f"the steady arm at {support.name} would have to push",
                 where=f"{support.x:.2f} m",
                 got=f"a force of {force:.1f} N",
                 expected="a tension",
-                hint="stagger and curve nearly cancel there, and droppers decide: change the"
-                " stagger of this support",
+                hint=f"{bent} nearly cancel there, and leaning droppers decide: change the stagger"
+                " of this support, or move the messenger wire towards the contact wire",
             )

@@ -4,6 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from itertools import pairwise
+from math import isfinite
 from typing import Any
 
 import numpy as np
@@ -206,8 +207,7 @@ def find(scenario: Scenario) -> Equilibrium:
             fitted_bends=solver.scheme.name == schemes.EXPLICIT,
             across_only=solver.motion == "across",
         )
-    if scenario.line.track.curves:
-        check_arms(mesh, core.arrays()["strut_tension"])
+    check_arms(mesh, scenario.line, core.arrays()["strut_tension"])
     if not scenario.as_built.is_empty:
         mesh, core = _as_built(scenario, mesh, core)
     return Equilibrium(mesh, core, core.arrays())
@@ -314,11 +314,25 @@ def translate(mesh: Mesh, kind: str, message: str, details: dict[str, Any]) -> A
             hint="is a steady arm in compression, or a link between wires longer than its place?",
         )
     if kind == "equilibrium":
-        return EquilibriumError(
-            "no static equilibrium was found",
-            where=place_of(mesh, details["node"]),
-            got=f"{details['residual']:.3g} N out of balance, {details['iterations']} iterations",
-            expected=f"at most {details['tolerance']:.2g} N",
-            hint="check tensions, masses and dropper lengths around that place",
-        )
+        return _not_found(mesh, details)
     return EquilibriumError(message)
+
+
+def _not_found(mesh: Mesh, details: dict[str, Any]) -> EquilibriumError:
+    """Say that Newton's method ended without an equilibrium, by its bound or without numbers."""
+    after = f"after {details['iterations']} iterations"
+    what, hint = "no static equilibrium was found", "check tensions, masses and dropper lengths"
+    if not isfinite(details["residual"]):
+        return EquilibriumError(
+            what,
+            got=f"a shape that grows beyond all bounds {after}",
+            expected="tensions that carry the wires within the encumbrance",
+            hint=f"{hint}: is a tension in N that was meant in kN?",
+        )
+    return EquilibriumError(
+        what,
+        where=place_of(mesh, details["node"]),
+        got=f"{details['residual']:.3g} N out of balance {after}",
+        expected=f"at most {details['tolerance']:.2g} N",
+        hint=f"{hint} around that place",
+    )

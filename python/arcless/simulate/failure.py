@@ -1,7 +1,6 @@
-"""Failures of a computation: named in the words of the line, and saved for a replay."""
+"""Failures of a computation: named in the words of the line; of a step, saved for a replay."""
 
 import json
-import re
 import tempfile
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -38,8 +37,6 @@ STEPS = {
         "updated kinematics need a scheme that damps: try a smaller spectral_radius",
     ),
 }
-# How the core says that explicit steps are too long.
-TOO_LONG = re.compile(r"the longest stable one is (\S+) s")
 
 
 @contextmanager
@@ -48,42 +45,30 @@ def preparing(scenario: Scenario) -> Iterator[None]:
     try:
         yield
     except _core.NativeError as error:
-        kind, message, details = error.args
+        kind, _, details = error.args
+        if kind == "too_long":
+            raise _too_long(scenario, details["longest"]) from error
         if (kind, details.get("array")) != ("input", "solver"):
             raise
-        raise _not_this_way(scenario, message) from error
-
-
-def _not_this_way(scenario: Scenario, message: str) -> ModelError:
-    longest = TOO_LONG.search(message)
-    if longest is None:
         scheme = scenario.stepping.scheme.name
-        return ModelError(
+        raise ModelError(
             f"this line cannot be stepped with the scheme {scheme}",
             where="solver.scheme",
-            got=message.partition("solver: ")[2] or message,
-            hint="another solver.scheme",
-        )
+            got=details["reason"],
+            hint="leave solver.scheme to auto",
+        ) from error
+
+
+def _too_long(scenario: Scenario, longest_s: float) -> ModelError:
     return ModelError(
         "explicit steps too long for the elements",
         where="solver.time_step",
         got=f"{1e3 * scenario.time_step_s:.4g} ms",
-        expected=f"at most about {1e3 * float(longest[1]):.3g} ms, the longest stable step",
+        expected=f"at most about {1e3 * longest_s:.3g} ms, the longest stable step",
         hint="leave solver.time_step to auto; or longer elements: those of "
         f"{scenario.choice.contact_wire:g} m and {scenario.choice.messenger_wire:g} m, which auto"
         " takes for this line and speed, go with it",
     )
-
-
-@contextmanager
-def replayable(scenario: Scenario) -> Iterator[None]:
-    """Save the resolved scenario when its equilibrium is not found, and say where."""
-    try:
-        yield
-    except EquilibriumError as error:
-        text = json.dumps(scenario.to_dict(), ensure_ascii=False)
-        error.hint = _join(error.hint, _replay("statics", "arcless-statics", text))
-        raise
 
 
 @contextmanager
@@ -201,7 +186,7 @@ def _unsolved(mesh: Mesh, pantographs: Sequence[str], details: dict[str, Any]) -
         "the complementarity problem of a step could not be solved",
         where=f"step {details['step']}, t = {details['time']:.6g} s, {', '.join(links)}",
         got=details["reason"],
-        hint=_replay("replay", "arcless-lcp", json.dumps(problem)),
+        hint=_replay(json.dumps(problem)),
     )
 
 
@@ -213,19 +198,19 @@ def _contacts(numbers: Sequence[Sequence[int]], pantographs: Sequence[str]) -> l
     return [f"pantograph {label(each, pantographs)}" for each in numbers]
 
 
-def _replay(command: str, prefix: str, text: str) -> str:
+def _replay(text: str) -> str:
     """Save what failed, and say how to replay it; without room the failure itself still counts."""
     try:
-        path = _save(prefix, text)
+        path = _save(text)
     except OSError as error:
         return f"no file to replay it could be written: {error.strerror or error}"
-    return f"replay it with `arcless {command} {path}`"
+    return f"replay it with `arcless replay {path}`"
 
 
-def _save(prefix: str, text: str) -> Path:
+def _save(text: str) -> Path:
     """Write a file that outlives the run into the folder for temporary files."""
     file = tempfile.NamedTemporaryFile(  # noqa: SIM115 - closed below, where it may fail
-        "w", prefix=f"{prefix}-", suffix=".json", delete=False, encoding="utf-8"
+        "w", prefix="arcless-lcp-", suffix=".json", delete=False, encoding="utf-8"
     )
     try:
         with file:
@@ -234,7 +219,3 @@ def _save(prefix: str, text: str) -> Path:
         Path(file.name).unlink(missing_ok=True)
         raise
     return Path(file.name)
-
-
-def _join(hint: str | None, more: str) -> str:
-    return more if hint is None else f"{hint}; {more}"

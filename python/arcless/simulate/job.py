@@ -14,7 +14,7 @@ from arcless.model.coarse import coarse
 from arcless.model.schemes import EXPLICIT
 from arcless.simulate import equilibrium, gusts, motion, riders
 from arcless.simulate.control import Controllers
-from arcless.simulate.failure import preparing, replayable, stepping
+from arcless.simulate.failure import preparing, stepping
 from arcless.simulate.nearby import Nearby, nearby
 from arcless.simulate.state import State
 
@@ -150,8 +150,7 @@ class Line:
 def ready_line(scenario: Scenario, tell: Progress) -> Line:
     """Find the line of a scenario at rest, and factorise it."""
     tell(0.0, "static equilibrium")
-    with replayable(scenario):
-        found = equilibrium.find(scenario)
+    found = equilibrium.find(scenario)
     tell(0.0, "factorisation")
     return Line(found, prepare(found, scenario))
 

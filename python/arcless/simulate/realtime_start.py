@@ -14,7 +14,7 @@ from arcless.model import Scenario
 from arcless.model.placement import PantographPlacement
 from arcless.simulate import contacts, equilibrium, motion, riders
 from arcless.simulate.control import acts_on
-from arcless.simulate.failure import replayable, stepping, translated
+from arcless.simulate.failure import stepping, translated
 from arcless.simulate.job import prepare
 
 
@@ -54,8 +54,7 @@ def start(scenario: Scenario, *, simulated: bool) -> Start:
         See `realtime`.
     """
     _check(scenario, simulated=simulated)
-    with replayable(scenario):
-        found = equilibrium.find(scenario)
+    found = equilibrium.find(scenario)
     prepared = prepare(found, scenario)
     travel = motion.motion(scenario)
     position, speed = float(travel.positions[0]), float(travel.speeds[0])

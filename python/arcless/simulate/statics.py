@@ -10,7 +10,6 @@ import numpy as np
 from arcless.mesh import StitchPlace
 from arcless.model import Scenario
 from arcless.simulate import equilibrium
-from arcless.simulate.failure import replayable
 
 if TYPE_CHECKING:
     from arcless.simulate.resonance import ResonanceSpeeds
@@ -213,13 +212,12 @@ def statics(scenario: Scenario, progress: Progress | None = None) -> StaticsResu
     """
     tell = progress or (lambda _fraction, _text: None)
     tell(0.0, "static equilibrium")
-    with replayable(scenario):
-        found = equilibrium.find(scenario)
-        tell(0.5, "elasticity")
-        x = found.elasticity_positions()
-        elasticity = found.elasticity(x)
-        tell(0.7, "natural frequencies")
-        frequencies = found.frequencies()
+    found = equilibrium.find(scenario)
+    tell(0.5, "elasticity")
+    x = found.elasticity_positions()
+    elasticity = found.elasticity(x)
+    tell(0.7, "natural frequencies")
+    frequencies = found.frequencies()
     tell(1.0, "done")
     return StaticsResult(scenario, found, x.tolist(), elasticity.tolist(), frequencies.tolist())
 

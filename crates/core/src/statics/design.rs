@@ -66,8 +66,9 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         let mut newton = Newton::new(&k, &free);
         let tolerance = self.force_rounding();
         let mut worst = (f64::INFINITY, 0);
-        let iterations = pace.most_iterations();
-        for iteration in 0..iterations {
+        let mut iterations = 0;
+        for iteration in 0..pace.most_iterations() {
+            iterations = iteration + 1;
             let rounding = Self::rounding_after(iteration, tolerance);
             let slack = self.retension(&mut shape, &mut pace);
             let held = self.design_residual(&shape, &mut residual, &mut tensions);

@@ -63,7 +63,9 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         let mut newton = Newton::new(&k, &free);
         self.service_residual(&shape, LinkLaw::Unilateral, &mut residual);
         let mut worst = largest(&residual, &free);
+        let mut iterations = 0;
         for iteration in 0..MOST_ITERATIONS {
+            iterations = iteration + 1;
             self.tangent(&shape, LinkLaw::Unilateral, &mut k);
             if worst.0 <= Self::rounding_after(iteration, tolerance) {
                 return match newton.factorise(&mut k)?.negative_pivots() {
@@ -79,7 +81,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
             }
         }
         Err(CoreError::NoEquilibrium {
-            iterations: MOST_ITERATIONS,
+            iterations,
             residual: worst.0,
             node: worst.1,
             tolerance,

@@ -4,7 +4,7 @@
 
 use super::cluster::Member;
 use super::rows::place;
-use super::{Explicit, Grid, refuse};
+use super::{Explicit, Grid};
 use crate::error::CoreError;
 
 /// Share of the limit that may be used: the rest is for contacts and links, which add no mass.
@@ -19,7 +19,7 @@ impl<const DIM: usize> Explicit<DIM> {
     /// `with` is the same line with other steps: reaches, filter and damping depend on them.
     ///
     /// # Errors
-    /// [`CoreError::Input`] when the step is too long.
+    /// [`CoreError::StepTooLong`].
     pub(super) fn check_step(
         &self,
         with: impl Fn(f64) -> Result<Self, CoreError>,
@@ -43,10 +43,10 @@ impl<const DIM: usize> Explicit<DIM> {
         // Four figures, rounded down.
         let unit = 10_f64.powf(low.log10().floor() - 3.0);
         let longest = (low / unit).floor() * unit;
-        Err(refuse(&format!(
-            "explicit steps of {} s: with these elements the longest stable one is {longest:.3e} s",
-            self.h
-        )))
+        Err(CoreError::StepTooLong {
+            step: self.h,
+            longest,
+        })
     }
 
     fn is_short(&self) -> bool {
