@@ -15,6 +15,8 @@ from collections.abc import Iterator
 from math import sqrt
 from typing import TYPE_CHECKING, NamedTuple
 
+from arcless.model.ends import GRAVITY
+
 if TYPE_CHECKING:
     from arcless.model.components import TensionedWire
     from arcless.model.line import Line
@@ -96,10 +98,30 @@ def _about_geometry(line: "Line") -> Iterator[str]:
     if geometry.encumbrance is not None:
         what = "the encumbrance"
         yield from _beyond("line.geometry.encumbrance", what, geometry.encumbrance, ENCUMBRANCE)
+        yield from _about_sag(line, geometry.encumbrance)
     if line.dropper is not None:
         what = "the stiffness of a dropper"
         yield from _beyond(
             "line.dropper.stiffness", what, line.dropper.stiffness, DROPPER_STIFFNESS
+        )
+
+
+def _about_sag(line: "Line", encumbrance: float) -> Iterator[str]:
+    """Say that the messenger wire would hang as low as the contact wire: w L²/8T."""
+    messenger = line.messenger_wire
+    if messenger is None:
+        return
+    wires = 2 if line.twin_contact_wires is not None else 1
+    mass = messenger.mass + wires * line.contact_wire.mass
+    if line.auxiliary_wire is not None:
+        mass += line.auxiliary_wire.mass
+    longest = max(span.length for span in line.span_list())
+    sag = mass * GRAVITY * longest**2 / (8.0 * messenger.tension)
+    if sag > encumbrance:
+        yield (
+            f"line.messenger_wire.tension: {messenger.tension:g} N lets the messenger wire sag by"
+            f" some {sag:.2g} m in a span of {longest:g} m, and the encumbrance is"
+            f" {encumbrance:g} m: is a unit wrong?"
         )
 
 
