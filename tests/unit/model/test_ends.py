@@ -32,7 +32,8 @@ def test_a_line_that_says_nothing_of_ends_is_told_what_temperature_does() -> Non
 
 def test_it_is_told_once_and_of_the_wires_that_are_meant() -> None:
     data = compound_data(contact_wire__ends="fixed", messenger_wire__ends="weights")
-    (notice,) = (text for text in scenario_warnings(load(scenario_data(data))) if "no ends given" in text)
+    warnings = scenario_warnings(load(scenario_data(data)))
+    (notice,) = (text for text in warnings if "no ends given" in text)
     assert "auxiliary_wire by" in notice
     assert "contact_wire by" not in notice
     assert "messenger_wire by" not in notice
