@@ -18,7 +18,6 @@ from typing import TYPE_CHECKING, NamedTuple
 from arcless.model.ends import GRAVITY
 
 if TYPE_CHECKING:
-    from arcless.model.components import TensionedWire
     from arcless.model.line import Line
     from arcless.model.placement import PantographPlacement
     from arcless.model.scenario import Scenario
@@ -63,7 +62,7 @@ def pantograph_plausibility(scenario: "Scenario") -> list[str]:
 
 
 def _about_wires(line: "Line") -> Iterator[str]:
-    for name, wire in _wires(line):
+    for name, wire in line.wires():
         if not wire.tension:  # a rail
             continue
         yield from _beyond(f"line.{name}.mass", "the mass", wire.mass, MASS)
@@ -81,13 +80,6 @@ def _about_wires(line: "Line") -> Iterator[str]:
     if line.wave_speed is not None:
         what = "the wave speed of the contact wire"
         yield from _beyond("line.contact_wire", what, line.wave_speed, WAVE_SPEED)
-
-
-def _wires(line: "Line") -> "Iterator[tuple[str, TensionedWire]]":
-    for name in ("contact_wire", "messenger_wire", "auxiliary_wire", "stitch_wire"):
-        wire = getattr(line, name)
-        if wire is not None:
-            yield name, wire
 
 
 def _about_geometry(line: "Line") -> Iterator[str]:
@@ -127,7 +119,7 @@ def _about_sag(line: "Line", encumbrance: float) -> Iterator[str]:
 
 def _about_damping(line: "Line") -> Iterator[str]:
     """Say that waves of a line never die down, where nothing in its wires damps them."""
-    wires = dict(_wires(line))
+    wires = dict(line.wires())
     if any(wire.damping.alpha or wire.damping.beta for wire in wires.values()):
         return
     yield (
