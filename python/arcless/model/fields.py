@@ -137,6 +137,9 @@ def nearest(name: str, known: list[str]) -> str:
     return f"did you mean {close[0]}?" if close else f"known: {', '.join(known)}"
 
 
+_OF_PYDANTIC = frozenset(name for name in dir(BaseModel) if not name.startswith("_"))
+
+
 class Part(BaseModel):
     """Base of every piece of a model: frozen, finite, and without unknown fields."""
 
@@ -147,6 +150,11 @@ class Part(BaseModel):
         populate_by_name=True,
         defer_build=True,  # halves the import time; validators are built at first use
     )
+
+    def __dir__(self) -> list[str]:
+        """Return the names to complete: fields and methods of the model, not those of pydantic."""
+        fields = type(self).model_fields
+        return [name for name in super().__dir__() if name in fields or name not in _OF_PYDANTIC]
 
     @model_validator(mode="before")
     @classmethod

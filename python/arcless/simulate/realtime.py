@@ -110,6 +110,13 @@ class Realtime:
         self._steps, self._position, self._speed = self._core.place()
         self._read()
 
+    def __repr__(self) -> str:
+        """Say where the loop is and what it asks for."""
+        return (
+            f"<Realtime step {self.step_number}, {self.time_s:.6g} s, {self.position_m:.6g} m;"
+            f" takes {', '.join(self.inputs)}; {1e3 * self.time_step_s:g} ms a step>"
+        )
+
     @property
     def step_number(self) -> int:
         """Number of steps taken."""
