@@ -60,6 +60,12 @@ def test_a_run_without_a_report_loads_no_more_than_it_needs(tmp_path: Path) -> N
     assert not modules & (OF_OTHERS | {"numpy.ma"})
 
 
+def test_a_report_loads_no_classes_of_bokeh(tmp_path: Path) -> None:
+    loaded = loaded_by("run", SHORT, "--quiet", "--out", tmp_path)
+    assert (tmp_path / "report.html").exists()
+    assert not loaded & (SLOW - {"h5py"})
+
+
 def test_published_ranges_load_no_other_suite() -> None:
     script = "import sys, arcless.validate\nprint(*sys.modules, file=sys.stderr)"
     assert not {"arcless.validate.seed", "arcless.validate.evidence"} & set(told_by(script))

@@ -29,7 +29,9 @@ def netcdf(dataset: Plain) -> memoryview:
     buffer = BytesIO()
     with h5py.File(buffer, "w", track_order=True) as file:
         made = {}
-        for name, (_, values, meaning) in dataset.variables.items():
+        for name, (_, given, meaning) in dataset.variables.items():
+            # Words of one length, as a result that was opened has them, HDF5 does not take.
+            values = given.astype(object) if given.dtype.kind == "U" else given
             options = {"track_order": True, **_options(values)}
             made[name] = file.create_dataset(name, data=values, **options)
             made[name].attrs.update(meaning)

@@ -18,6 +18,7 @@ from arcless.study.report.commands import Commands
 from arcless.study.report.effects import effect
 from arcless.study.report.record import Column, Record, shortened
 from arcless.study.report.tables import best
+from tests.support.bokeh_pages import document_in, mistakes_of
 from tests.support.studies import VARIABLES, filled, rows, study, written
 
 
@@ -32,6 +33,7 @@ def test_a_whole_study(tmp_path: Path) -> None:
     assert "pantographs.0.static_force" in page
     assert "sigma over force" in page
     assert "default-src 'none'" in page  # a browser refuses whatever would be loaded
+    assert not mistakes_of(document_in(page))
 
 
 def test_a_study_that_is_going_on_says_so(tmp_path: Path) -> None:
@@ -63,6 +65,7 @@ def test_words_one_variable_and_one_value(tmp_path: Path) -> None:
     made = filled(tmp_path, variables=law, design={"kind": "list"})
     page = html(made, tmp_path)
     assert "sigma over law" in page
+    assert not mistakes_of(document_in(page))
     assert "Two variables at a time" not in page
     assert Record(made, tmp_path).variables[0].words == ("compliant", "rigid")
 

@@ -10,6 +10,7 @@ from arcless.study.report import html
 from arcless.study.report.figures import Drawing, is_path
 from arcless.study.report.record import Column, Record
 from arcless.study.report.speeds import marks, rows_of
+from tests.support.bokeh_pages import document_in, mistakes_of
 from tests.support.studies import filled
 
 SPEED = {"field": "speed", "range": ["60 km/h", "240 km/h"], "count": 19}
@@ -20,6 +21,7 @@ def test_a_sweep_of_speed_has_them(tmp_path: Path) -> None:
     made = filled(tmp_path, **SWEEP)
     page = html(made, tmp_path)
     assert "<h2>Resonance speeds</h2>" in page
+    assert not mistakes_of(document_in(page))
     record = Record(made, tmp_path)
     found = marks(record)
     assert found is not None
@@ -40,7 +42,7 @@ def test_they_are_drawn_over_the_speed_and_only_there(tmp_path: Path) -> None:
     record = Record(filled(tmp_path, **{**SWEEP, "variables": variables}), tmp_path)
     found = marks(record)
     ((_, panels), *_) = Drawing(record, found).effects()
-    spans = [[r for r in fig.renderers if type(r.glyph).__name__ == "VSpan"] for fig in panels]
+    spans = [[r for r in fig.renderers if r.glyph.kind == "VSpan"] for fig in panels]
     assert len(spans[0]) > 1  # over the speed: a renderer for each kind
     assert not spans[1]  # over the force
     assert found is not None

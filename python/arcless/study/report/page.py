@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from arcless.errors import OutputError
+from arcless.report.models import Model
 from arcless.report.template import render
 from arcless.results.files import write_bytes
 from arcless.study import findings
@@ -92,10 +93,14 @@ def _page(record: Record) -> str:
         **_texts(record, drawn),
         **_speeds(speeds),
         **groups,
-        wide=[name for name, made in figures.items() if made is not None and WIDE in made.tags],
+        wide=[name for name, made in figures.items() if WIDE in _tags(made)],
         fronts=fronts,
         sensitivity=sensitivity,
     )
+
+
+def _tags(made: Model | None) -> list[str]:
+    return [] if made is None else vars(made).get("tags", [])
 
 
 def _texts(record: Record, drawn: int) -> dict[str, Any]:

@@ -4,12 +4,14 @@ They are those of the scenario that the study varies, at rest: computed when the
 """
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from arcless.errors import ArclessError
-from arcless.report.style import INK, add_legend, colour
+from arcless.report.figure import Figure
+from arcless.report.models import Field, Model
+from arcless.report.style import FADED, INK, add_legend, colour
 from arcless.study.model import Study
 from arcless.study.report.record import Column, Record
 
@@ -63,23 +65,30 @@ class Marks:
             for number, one in self.numbered
         ]
 
-    def draw(self, fig: Any, y_range: Any) -> None:
+    def draw(self, fig: Figure, y_range: Model) -> None:
         """Draw the numbered speeds as lines from top to bottom, with a legend above."""
         drawn = [(number, one) for number, one in self.numbered if number is not None]
         entries = []
         for kind, (label, place, dash) in _STYLES.items():
             x = [one.speed.middle for _, one in drawn if one.kind == kind]
             if x:
-                line = fig.vspan(x=x, color=colour(place), line_dash=dash, line_width=1.5)
-                line.level = "underlay"
+                line = fig.draw(
+                    "VSpan", {"x": x}, color=colour(place), line_dash=dash, line_width=1.5,
+                    level="underlay", unselected=FADED,
+                )  # fmt: skip
                 entries.append((label, [line]))
         add_legend(fig, entries)
         fig.tags, fig.height = [WIDE], _HEIGHT
         x = [one.speed.middle for _, one in drawn]
-        fig.text(
-            x=x, y=[y_range.end] * len(x), text=[str(number) for number, _ in drawn],
-            x_offset=2, y_offset=[_ROW * row for row in rows_of(x, self._width)],
-            text_baseline="top", text_font_size="10px", text_color=INK,
+        data = {
+            "x": x,
+            "y": [y_range.end] * len(x),
+            "text": [str(number) for number, _ in drawn],
+            "down": [_ROW * row for row in rows_of(x, self._width)],
+        }
+        fig.draw(
+            "Text", data, x_offset=2, y_offset=Field("down"), unselected=FADED,
+            text_baseline="top", text_font_size="10px", color=INK,
         )  # fmt: skip
 
     @property
