@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 
+import arcless
 from arcless.model import (
     MARKS,
     Line,
@@ -37,6 +38,9 @@ def test_the_worked_example_loads(tmp_path: Path) -> None:
     scenario = load(tmp_path / "my-scenario.yaml")
     assert scenario_warnings(scenario) == []
     assert scenario.line.provenance["contact_wire.tension"].mark == "A"
+    found = arcless.run(scenario).assessment
+    assert [c.name for c in found.criteria if c.passed is False] == []
+    assert found.notes == []
 
 
 @pytest.mark.parametrize("page", sorted(DOCS.rglob("*.md")), ids=lambda page: page.stem)
