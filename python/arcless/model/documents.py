@@ -10,8 +10,8 @@ from typing import Any
 from pydantic import Field, model_validator
 
 from arcless.errors import ModelError
-from arcless.model.fields import Mark, Part, Path, nearest
-from arcless.units import show
+from arcless.model.fields import Mark, Part, Path, after_comma, nearest
+from arcless.units import plain, show
 
 MARKS: dict[str, str] = {
     "A": "read in the named source",
@@ -131,7 +131,7 @@ def _check_wrapper(value: Mapping[str, Any], path: Path) -> None:
                 "unknown field beside a value",
                 got=show(key),
                 expected=", ".join(known),
-                hint="write a note that contains a comma in quotes",
+                hint=after_comma(key, value) or "write a note that contains a comma in quotes",
                 field=(*path, key),
             )
 
@@ -139,6 +139,11 @@ def _check_wrapper(value: Mapping[str, Any], path: Path) -> None:
 def dotted(path: Path) -> str:
     """Return the dotted form of a field path: ``("masses", 2, "mass")`` → ``masses.2.mass``."""
     return ".".join(str(part) for part in path)
+
+
+def printed(path: Path) -> str:
+    """Return a field path for a message: names come from a file, and may hold anything."""
+    return ".".join(plain(str(part)) for part in path)
 
 
 def written(value: object) -> str:

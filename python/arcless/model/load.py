@@ -10,7 +10,7 @@ from pydantic import ValidationError
 
 from arcless.errors import ModelError
 from arcless.model.controller import with_function
-from arcless.model.documents import dotted
+from arcless.model.documents import printed
 from arcless.model.explain import explain
 from arcless.model.fields import Path
 from arcless.model.force_tables import with_force_tables
@@ -19,7 +19,7 @@ from arcless.model.line import Line
 from arcless.model.pantograph import Pantograph
 from arcless.model.reader import Origin, is_file, parse, read_text
 from arcless.model.roof import with_points
-from arcless.model.scenario import Scenario
+from arcless.model.scenario import MAX_PANTOGRAPHS, Scenario
 from arcless.model.tables import with_tables
 from arcless.units import show
 
@@ -146,7 +146,7 @@ def check_format(data: Mapping[str, Any], kind: str, origin: Origin, prefix: Pat
     if given is None:
         hint = f"start the file with format: {expected}"
     raise ModelError(
-        f"{dotted(path)}: {what}",
+        f"{printed(path)}: {what}",
         where=origin.where(path),
         got=None if given is None else show(given),
         expected=expected,
@@ -178,7 +178,9 @@ def _resolve(data: dict[str, Any], origin: Origin) -> dict[str, Any]:
     placements = data.get("pantographs")
     if isinstance(placements, (list, tuple)):
         resolved["pantographs"] = [
-            _placement(item, origin, ("pantographs", index)) if isinstance(item, Mapping) else item
+            _placement(item, origin, ("pantographs", index))
+            if isinstance(item, Mapping) and index < MAX_PANTOGRAPHS
+            else item
             for index, item in enumerate(placements)
         ]
     return resolved
@@ -206,7 +208,7 @@ def reference(value: object, kind: Kind, origin: Origin, path: Path) -> object:
         return value
     if not isinstance(value, str):
         raise ModelError(
-            dotted(path),
+            printed(path),
             where=origin.where(path),
             got=show(value),
             expected=f"the name of a shipped {kind}, a file, or a mapping",
@@ -215,7 +217,7 @@ def reference(value: object, kind: Kind, origin: Origin, path: Path) -> object:
     try:
         file = _locate(value, kind, origin)
     except ModelError as error:
-        error.what, error.where = f"{dotted(path)}: {error.what}", origin.where(path)
+        error.what, error.where = f"{printed(path)}: {error.what}", origin.where(path)
         raise
     with origin.referring(path):
         return _load_file(file, kind, origin)

@@ -11,7 +11,8 @@ from arcless.model.catalogue import GIVES
 from arcless.model.documents import dotted, written
 from arcless.model.fields import Unit, find_unit, nearest
 from arcless.model.load import build, load_line, load_pantograph
-from arcless.model.reader import parse, scalar
+from arcless.model.nodes import scalar
+from arcless.model.reader import parse
 from arcless.model.scenario import Scenario
 from arcless.units import show
 
