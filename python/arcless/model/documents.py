@@ -4,13 +4,14 @@ The form ``{value: 22 kN, mark: A, source: S1, note: "…"}`` is taken apart whe
 pantograph, scenario) is validated; the provenance is kept beside the plain data.
 """
 
+import re
 from collections.abc import Callable, Mapping
 from typing import Any
 
 from pydantic import Field, model_validator
 
 from arcless.errors import ModelError
-from arcless.model.fields import Mark, Part, Path, after_comma, nearest
+from arcless.model.fields import Mark, Name, Part, Path, after_comma, nearest
 from arcless.units import plain, show
 
 MARKS: dict[str, str] = {
@@ -23,6 +24,13 @@ MARKS: dict[str, str] = {
     "assumed": "chosen for this model; the note says why",
 }
 MAX_DEPTH = 40
+# Control characters but for line breaks and tabs, and marks that turn the direction of writing.
+_STEERING = re.compile(
+    "[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ufeff]"
+)
+FIRST_PRINTED = 0xA0
+# Of `sources` and `provenance`: the section, an entry of it, a field of that.
+MOST_LEVELS = 3
 # Of a table with thousands of rows, a note of where it comes from needs no copy.
 MAX_WRITTEN = 2000
 
@@ -44,7 +52,7 @@ class Provenance(Part):
 class Document(Part):
     """Base of the three file formats: a name, a description, sources and provenance."""
 
-    name: str = Field(description="Short name, used in lists and in file names.", min_length=1)
+    name: Name = Field(description="Short name, used in lists and in file names.", min_length=1)
     description: str = Field(default="", description="What it is, in a sentence.")
     sources: dict[str, str] = Field(
         default_factory=dict, description="Citation of each source key used below."
@@ -59,6 +67,8 @@ class Document(Part):
         if not isinstance(data, Mapping):
             return data
         found: dict[str, Any] = {}
+        for name in ("sources", "provenance"):
+            _check_texts(data.get(name), (name,))
         plain = {
             key: value if key in {"sources", "provenance"} else unwrap(value, (key,), found.update)
             for key, value in data.items()
@@ -109,7 +119,11 @@ def unwrap(value: Any, path: Path, keep: Callable[[dict[str, Any]], None]) -> An
     """
     if len(path) > MAX_DEPTH:
         raise ModelError("nested too deep", expected=f"at most {MAX_DEPTH} levels", field=path[:1])
+    if isinstance(value, str):
+        _check_characters(value, path)
     if isinstance(value, Mapping):
+        for key in value:
+            _check_characters(str(key), path)
         if "format" in value:
             return value
         if "value" in value:
@@ -121,6 +135,32 @@ def unwrap(value: Any, path: Path, keep: Callable[[dict[str, Any]], None]) -> An
     if isinstance(value, (list, tuple)):
         return [unwrap(item, (*path, index), keep) for index, item in enumerate(value)]
     return value
+
+
+def _check_texts(value: object, path: Path) -> None:
+    """Check the texts of `sources` or `provenance`, two levels deep; more is refused elsewhere."""
+    items = value.items() if isinstance(value, Mapping) and len(path) < MOST_LEVELS else ()
+    for key, item in items:
+        _check_characters(str(key), path)
+        _check_texts(item, (*path, str(key)))
+    if isinstance(value, str):
+        _check_characters(value, path)
+
+
+def _check_characters(text: str, path: Path) -> None:
+    """Refuse what steers a terminal or turns the direction of writing, in names as in texts."""
+    found = _STEERING.search(text)
+    if found is not None:
+        code = f"U+{ord(found.group()):04X}"
+        kind = (
+            "a control character" if ord(found.group()) < FIRST_PRINTED else "a mark of direction"
+        )
+        raise ModelError(
+            "character that does not print",
+            got=f"{kind}, {code}, in {show(text)}",
+            expected="characters that print",
+            field=path,
+        )
 
 
 def _check_wrapper(value: Mapping[str, Any], path: Path) -> None:

@@ -4,13 +4,15 @@ A value in a file is a number in SI, a text with its unit, or a mapping that als
 value comes from: ``{value: 22 kN, mark: A, source: S1, note: "…"}``; see `documents`.
 """
 
+import re
 from collections.abc import Mapping, Sequence, Sized
 from difflib import get_close_matches
 from functools import cache
 from types import UnionType
-from typing import Annotated, Any, Literal, Union, get_args, get_origin
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Union, get_args, get_origin
 
 from pydantic import (
+    AfterValidator,
     BaseModel,
     ConfigDict,
     GetCoreSchemaHandler,
@@ -126,6 +128,14 @@ class Unit:
         return {"anyOf": [*plain, wrapped_schema(plain)], "unit": self.label}
 
 
+def _printed(text: str) -> str:
+    """Refuse a name of several lines: names are printed, and become names of files."""
+    if re.search("[\t\n]", text):
+        raise ModelError(WRONG_VALUE, got=show(text), expected="a name in one line, without tabs")
+    return text
+
+
+Name = Annotated[str, AfterValidator(_printed)]
 Lengths = tuple[Annotated[float, Unit("m", minimum=-1e6, maximum=1e6)], ...]
 
 
@@ -180,6 +190,24 @@ class Part(BaseModel):
         populate_by_name=True,
         defer_build=True,  # halves the import time; validators are built at first use
     )
+
+    if not TYPE_CHECKING:
+
+        def __setattr__(self, name: str, value: Any) -> None:
+            """Refuse: models never change; what they found out about themselves may be kept."""
+            if not name.startswith("_"):
+                raise self._unchangeable(name)
+            super().__setattr__(name, value)
+
+        def __delattr__(self, name: str) -> None:
+            """Refuse: models never change."""
+            raise self._unchangeable(name)
+
+    def _unchangeable(self, name: str) -> ModelError:
+        kind = type(self).__name__
+        hint = 'with_(speed="300 km/h"), of a scenario, returns a changed copy'
+        expected = "a model that stays as it is"
+        return ModelError(f"{kind} cannot be changed", got=show(name), expected=expected, hint=hint)
 
     @model_validator(mode="before")
     @classmethod

@@ -12,6 +12,7 @@ from arcless.model.nodes import Node, Position, compose
 from arcless.units import show
 
 MAX_BYTES = 5_000_000
+KINDS: dict[type, str] = {str: "text", bool: "word"}
 
 
 @dataclass(frozen=True)
@@ -106,7 +107,9 @@ def parse(text: str, label: str) -> tuple[dict[str, Any], dict[Path, Position]]:
     if not isinstance(data, dict):
         where = f"{label}:{root.position.line}"
         expected = "fields such as name: and format:"
-        raise ModelError("not a model file", where=where, got=show(data), expected=expected)
+        # What it is, not what it says: any file may be named, by a stranger too.
+        got = show(data) if isinstance(data, list) else f"a {KINDS.get(type(data), 'number')}"
+        raise ModelError("not a model file", where=where, got=got, expected=expected)
     return data, positions
 
 

@@ -12,6 +12,7 @@ import numpy as np
 
 from arcless import _core
 from arcless.model import Scenario, scenario_warnings
+from arcless.model.load import check_kind
 from arcless.results import Result
 from arcless.results.files import replacing
 from arcless.results.plain import Plain
@@ -73,6 +74,7 @@ def run(
     OutputError
         The file cannot be written.
     """
+    check_kind(scenario)
     if certainty is not None:
         scenario = with_certainty(scenario, certainty)
     decided = Controllers(scenario, controllers)

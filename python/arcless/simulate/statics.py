@@ -9,6 +9,7 @@ import numpy as np
 
 from arcless.mesh import StitchPlace
 from arcless.model import Scenario
+from arcless.model.load import check_kind
 from arcless.simulate import equilibrium
 from arcless.simulate.failure import replayable
 
@@ -214,6 +215,7 @@ def statics(scenario: Scenario, progress: Progress | None = None) -> StaticsResu
     MeshError, EquilibriumError
         See `arcless.simulate.equilibrium.find`.
     """
+    check_kind(scenario)
     tell = progress or (lambda _fraction, _text: None)
     tell(0.0, "static equilibrium")
     with replayable(scenario):
