@@ -6,11 +6,13 @@ pantograph, scenario) is validated; the provenance is kept beside the plain data
 
 import re
 from collections.abc import Callable, Mapping
-from typing import Any
+from functools import cached_property
+from typing import Any, Self
 
-from pydantic import Field, model_validator
+from pydantic import Field, ModelWrapValidatorHandler, model_validator
 
 from arcless.errors import ModelError
+from arcless.model.as_typed import Given, given_in, keep
 from arcless.model.fields import Mark, Name, Part, Path, after_comma, nearest
 from arcless.units import plain, show
 
@@ -83,6 +85,43 @@ class Document(Part):
     def prepare(cls, data: dict[str, Any]) -> dict[str, Any]:
         """Return the plain data with what a document fills in by itself."""
         return data
+
+    @model_validator(mode="wrap")
+    @classmethod
+    def _keep_given(cls, data: object, make: ModelWrapValidatorHandler[Self]) -> Self:
+        made = make(data)
+        if isinstance(data, Mapping):
+            keep(made, given_in(data))
+        return made
+
+    @cached_property
+    def given(self) -> Given | None:
+        """What was given, by dotted path, with its text where it was one; None: not known.
+
+        It is kept beside the data: it plays no part in whether two documents are equal.
+        """
+        return None
+
+    def as_typed(self, path: str) -> str | None:
+        """Return a value as it was typed, ``22 kN``; None where a number was given, or nothing.
+
+        Parameters
+        ----------
+        path
+            Dotted path of the field, items of lists numbered from 0.
+        """
+        text = (self.given or {}).get(path)
+        origin = self.provenance.get(path)
+        return text or (origin.given or None if origin is not None else None)
+
+    def is_given(self, path: str) -> bool | None:
+        """Return whether a field, or the group it is in, was given; None where that is unknown."""
+        if path in self.provenance:
+            return True
+        if self.given is None:
+            return None
+        parts = path.split(".")
+        return any(".".join(parts[:count]) in self.given for count in range(len(parts), 0, -1))
 
     def origin_of(self, path: str) -> Provenance | None:
         """Return the provenance of a field by dotted path: its own, or that of its group."""

@@ -12,6 +12,7 @@ import numpy as np
 
 from arcless import _core
 from arcless.model import Scenario, scenario_warnings
+from arcless.model.as_typed import typed_in
 from arcless.model.load import check_kind
 from arcless.results import Result
 from arcless.results.files import replacing
@@ -263,6 +264,7 @@ def attributes_of(
     return {
         "arcless_version": _core.__version__,
         "scenario": scenario.to_dict(),
+        "as_typed": typed_in(scenario),
         "scenario_name": scenario.name,
         "section_m": list(scenario.analysis_range()),
         "scheme": scenario.stepping.scheme.name,
