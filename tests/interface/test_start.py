@@ -44,7 +44,7 @@ def loaded_by(*words: object) -> set[str]:
 
 
 def test_help_loads_nothing_slow() -> None:
-    assert not loaded_by("--help") & (SLOW | {"numpy", "pydantic", "ruamel"})
+    assert not loaded_by("--help") & (SLOW | {"numpy", "pydantic", "yaml"})
 
 
 @pytest.mark.parametrize("words", [("check", SHORT), ("library",), ("schema",)])

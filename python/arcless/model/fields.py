@@ -4,12 +4,15 @@ A value in a file is a number in SI, a text with its unit, or a mapping that als
 value comes from: ``{value: 22 kN, mark: A, source: S1, note: "…"}``; see `documents`.
 """
 
-from collections.abc import Mapping
+import re
+from collections.abc import Mapping, Sequence, Sized
 from difflib import get_close_matches
 from functools import cache
-from typing import Annotated, Any, Literal, get_args
+from types import UnionType
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Union, get_args, get_origin
 
 from pydantic import (
+    AfterValidator,
     BaseModel,
     ConfigDict,
     GetCoreSchemaHandler,
@@ -19,9 +22,21 @@ from pydantic import (
 from pydantic_core import core_schema
 
 from arcless.errors import ModelError
-from arcless.units import WRONG_VALUE, accepted, show, spell, to_si
+from arcless.units import (
+    DECIMAL_POINT,
+    MAX_TEXT,
+    WRONG_VALUE,
+    accepted,
+    plain,
+    show,
+    spell,
+    to_si,
+)
 
 Path = tuple[str | int, ...]
+UNKNOWN_FIELD = "unknown field"
+# So many names are listed whole where a name is unknown; of more, the first ones.
+FEW = 10
 Mark = Literal["A", "A'", "B", "C", "C*", "D", "assumed"]
 
 
@@ -113,6 +128,14 @@ class Unit:
         return {"anyOf": [*plain, wrapped_schema(plain)], "unit": self.label}
 
 
+def _printed(text: str) -> str:
+    """Refuse a name of several lines: names are printed, and become names of files."""
+    if re.search("[\t\n]", text):
+        raise ModelError(WRONG_VALUE, got=show(text), expected="a name in one line, without tabs")
+    return text
+
+
+Name = Annotated[str, AfterValidator(_printed)]
 Lengths = tuple[Annotated[float, Unit("m", minimum=-1e6, maximum=1e6)], ...]
 
 
@@ -131,10 +154,30 @@ def wrapped_schema(values: list[dict[str, Any]]) -> dict[str, Any]:
     }
 
 
-def nearest(name: str, known: list[str]) -> str:
-    """Return the hint for an unknown name: the nearest known one, or all of them."""
-    close = get_close_matches(name, known, n=1)
-    return f"did you mean {close[0]}?" if close else f"known: {', '.join(known)}"
+def nearest(name: str, known: Sequence[str]) -> str:
+    """Return the hint for an unknown name: the nearest known one, or all of them, if few."""
+    # No name of ours is longer; to look for a long text among many takes seconds.
+    close = get_close_matches(name, known, n=1) if len(name) <= MAX_TEXT else []
+    if close:
+        return f"did you mean {plain(close[0])}?"
+    shown = [plain(one) for one in (known if len(known) <= FEW else known[: FEW - 2])]
+    more = f" and {len(known) - len(shown)} more" if len(shown) < len(known) else ""
+    return f"known: {', '.join(shown)}{more}"
+
+
+def after_comma(name: object, data: Mapping[Any, Any]) -> str | None:
+    """Return the hint for a field that is what stands behind a decimal comma, or None.
+
+    In braces ``tension: 10,5 kN`` is two fields, `tension` and `5 kN`, the second without a value.
+    """
+    names = list(data)
+    place = names.index(name)
+    before = data[names[place - 1]] if place else None
+    is_rest = isinstance(name, str) and name[:1].isdigit() and data[name] is None
+    if not is_rest or isinstance(before, bool) or not isinstance(before, int):
+        return None
+    number = f"{before}.{plain(str(name))}"
+    return f"{DECIMAL_POINT}: {names[place - 1]}: {number}"
 
 
 _OF_PYDANTIC = frozenset(name for name in dir(BaseModel) if not name.startswith("_"))
@@ -156,6 +199,24 @@ class Part(BaseModel):
         fields = type(self).model_fields
         return [name for name in super().__dir__() if name in fields or name not in _OF_PYDANTIC]
 
+    if not TYPE_CHECKING:
+
+        def __setattr__(self, name: str, value: Any) -> None:
+            """Refuse: models never change; what they found out about themselves may be kept."""
+            if not name.startswith("_"):
+                raise self._unchangeable(name)
+            super().__setattr__(name, value)
+
+        def __delattr__(self, name: str) -> None:
+            """Refuse: models never change."""
+            raise self._unchangeable(name)
+
+    def _unchangeable(self, name: str) -> ModelError:
+        kind = type(self).__name__
+        hint = 'with_(speed="300 km/h"), of a scenario, returns a changed copy'
+        expected = "a model that stays as it is"
+        return ModelError(f"{kind} cannot be changed", got=show(name), expected=expected, hint=hint)
+
     @model_validator(mode="before")
     @classmethod
     def _check_names(cls, data: object) -> object:
@@ -164,31 +225,32 @@ class Part(BaseModel):
         if not isinstance(data, Mapping):
             expected = f"a mapping with {', '.join(cls.field_names())}"
             raise ModelError("not a mapping", got=show(data), expected=expected)
-        taken, needed = _names_of(cls)
+        taken, needed, longest = _names_of(cls)
         for key in data:
             if key not in taken:
                 raise ModelError(
-                    "unknown field",
+                    UNKNOWN_FIELD,
                     got=show(key),
-                    expected=f"a field of {cls._title()}",
-                    hint=nearest(str(key), cls.field_names()),
+                    expected=f"a field of the {cls.__name__.lower()}",
+                    hint=after_comma(key, data) or nearest(str(key), cls.field_names()),
                     field=(key if isinstance(key, int) else str(key),),
                 )
         for name, alias in needed:
             if name not in data and alias not in data:
                 raise ModelError("missing field", expected=cls._expected(name), field=(alias,))
+        for name, most in longest:
+            # Refused before thousands of items are read, each with a mistake of its own.
+            if name in data and isinstance(data[name], Sized) and len(data[name]) > most:
+                got = show(data[name])
+                raise ModelError(
+                    WRONG_VALUE, got=got, expected=f"at most {most} items", field=(name,)
+                )
         return data
 
     @classmethod
     def field_names(cls) -> list[str]:
         """Return the names of the fields as they are written in files."""
         return [field.alias or name for name, field in cls.model_fields.items()]
-
-    @classmethod
-    def _title(cls) -> str:
-        title = (cls.__doc__ or cls.__name__).split("\n", maxsplit=1)[0].rstrip(".")
-        is_phrase = title.split(" ", maxsplit=1)[0] in {"A", "How", "The", "What", "Where"}
-        return title[0].lower() + title[1:] if is_phrase else title
 
     @classmethod
     def _expected(cls, name: str) -> str:
@@ -207,14 +269,33 @@ class Part(BaseModel):
 
 
 @cache
-def _names_of(model: type[Part]) -> tuple[frozenset[str], list[tuple[str, str]]]:
-    """Return what keys of a model's data may be called; name and alias of those that must be there.
+def _names_of(
+    model: type[Part],
+) -> tuple[frozenset[str], list[tuple[str, str]], list[tuple[str, int]]]:
+    """Return what keys of a model's data may be called, and what is known of some of them.
 
-    Found once: a table has thousands of rows, a study thousands of scenarios.
+    That is: name and alias of those that must be there; name and highest number of items of lists
+    and tables. Found once: a table has thousands of rows, a study thousands of scenarios.
     """
     fields = model.model_fields.items()
     needed = [(name, field.alias or name) for name, field in fields if field.is_required()]
-    return frozenset([*model.field_names(), *model.model_fields]), needed
+    most = [(field.alias or name, _most_items(field)) for name, field in fields]
+    longest = [(name, count) for name, count in most if count is not None]
+    return frozenset([*model.field_names(), *model.model_fields]), needed, longest
+
+
+def _most_items(annotated: Any) -> int | None:
+    """Return how many items a list or table may have, of an annotation or a pydantic field."""
+    metadata: Any = getattr(annotated, "metadata", None) or getattr(annotated, "__metadata__", ())
+    for item in metadata:
+        for limit in (item, *getattr(item, "metadata", ())):
+            most: int | None = getattr(limit, "max_length", None)
+            if most is not None:
+                return most
+    inner = getattr(annotated, "annotation", None)
+    is_union = get_origin(annotated) in {Union, UnionType}
+    children = (inner,) if inner is not None else get_args(annotated) if is_union else ()
+    return next((count for count in map(_most_items, children) if count is not None), None)
 
 
 def find_unit(annotated: Any) -> Unit | None:

@@ -15,6 +15,7 @@ from arcless import _core
 from arcless.errors import ModelError
 from arcless.mesh import Mesh
 from arcless.model import Scenario
+from arcless.model.load import check_kind
 from arcless.simulate.failure import translated
 from arcless.simulate.realtime_start import Start, fingerprint, names_of, start
 
@@ -61,6 +62,7 @@ def realtime(scenario: Scenario, *, simulated: bool = False) -> "Realtime":
     MeshError, EquilibriumError, ContactError
         The line cannot be divided, has no equilibrium, or the start is not on it.
     """
+    check_kind(scenario)
     return Realtime(scenario, start(scenario, simulated=simulated))
 
 

@@ -10,6 +10,7 @@ import numpy as np
 from arcless.mesh import SPATIAL, StitchPlace
 from arcless.model import Line, Scenario
 from arcless.model.families import CUBIC, CUBIC_STEP
+from arcless.model.load import check_kind
 from arcless.model.schemes import GeneralisedAlpha
 from arcless.model.settings import Solver
 from arcless.simulate import equilibrium
@@ -233,6 +234,7 @@ def statics(scenario: Scenario, progress: Progress | None = None) -> StaticsResu
     MeshError, EquilibriumError
         See `arcless.simulate.equilibrium.find`.
     """
+    check_kind(scenario)
     tell = progress or (lambda _fraction, _text: None)
     tell(0.0, "static equilibrium")
     found = equilibrium.find(scenario)
