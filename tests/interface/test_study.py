@@ -11,8 +11,7 @@ import pytest
 from typer.testing import Result
 
 from arcless.cli.study_progress import words
-from arcless.study import Progress
-from arcless.study.journal import Journal
+from arcless.study import Progress, StudyFolder, load
 from tests.support.studies import QUICK, SHORT, filled, rows, written
 
 Arcless = Callable[..., Result]
@@ -151,7 +150,7 @@ def test_status_leaves_percentiles_of_what_is_there(arcless: Arcless, tmp_path: 
     assert shown["percentiles"] == left
     assert left["outputs"]["sigma"]["values"] == 3
     (place / "percentiles.json").unlink()
-    with Journal(place / "journal.jsonl"):  # who computes it writes them in the end
+    with StudyFolder(load(file), place).open_journal():  # who computes it writes them in the end
         assert arcless("study", "status", file, "--out", place).exit_code == 0
     assert not (place / "percentiles.json").exists()
 
@@ -180,14 +179,15 @@ def test_a_search_tells_what_pruning_saved(arcless: Arcless, tmp_path: Path) -> 
     force = {"force": {"field": "pantographs.0.static_force", "range": [60, 140]}}
     fine = {**QUICK, "solver.time_step": "1 ms"}
     file = written(tmp_path, design=design, variables=force, set=fine)
-    url = f"sqlite:///{tmp_path}/trials.db"
-    found = json.loads(arcless("study", "run", file, "--storage", url, "--json").stdout)
+    found = json.loads(arcless("study", "run", file, "--json").stdout)
     assert found["pruned"] > 0 and found["done"] + found["pruned"] == 8
     assert 0 < found["steps_saved"] < found["steps_taken"]
-    done = arcless("study", "resume", file, "--storage", url)
+    done = arcless("study", "resume", file)
     assert f"{found['done']} of 8 done, {found['pruned']} pruned, 0 invalid" in done.stdout
     assert f"pruning saved some {found['steps_saved']} steps" in done.stdout
     status = arcless("study", "status", file)
     assert f"saved some {found['steps_saved']} steps; {found['steps_taken']} taken" in status.stdout
+    wrote = arcless("study", "trials", file)
+    assert wrote.stdout == "wrote runs/studies/small/trials.db: 8 trials\n"
+    url = f"sqlite:///{tmp_path}/runs/studies/small/trials.db"
     assert len(optuna.load_study(study_name="small", storage=url).trials) == 8
-    assert not (tmp_path / "runs/studies/small/optuna.db").exists()

@@ -52,16 +52,6 @@ SchedulerOption = Annotated[
         show_default=False,
     ),
 ]
-StorageOption = Annotated[
-    str | None,
-    typer.Option(
-        "--storage",
-        metavar="URL",
-        help="Database for Optuna's trials, such as postgresql+psycopg://user@host/db; of a study "
-        "that optimises. A file in its folder if not named.",
-        show_default=False,
-    ),
-]
 # Variants of a front that are printed.
 _MOST_SHOWN = 10
 # How long a study that is stopped may take to put its table and its workers in order, in s.
@@ -85,7 +75,6 @@ def run(
     executor: ExecutorOption = None,
     workers: WorkersOption = None,
     scheduler: SchedulerOption = None,
-    storage: StorageOption = None,
     json: JsonOption = False,
     quiet: QuietOption = False,
 ) -> None:
@@ -95,7 +84,7 @@ def run(
     that the study was cut off.
     """
     how = (executor, workers, scheduler)
-    _compute(file, out, how, json=json, quiet=quiet, storage=storage)
+    _compute(file, out, how, json=json, quiet=quiet)
 
 
 @app.command()
@@ -106,7 +95,6 @@ def resume(
     executor: ExecutorOption = None,
     workers: WorkersOption = None,
     scheduler: SchedulerOption = None,
-    storage: StorageOption = None,
     retry_failed: Annotated[
         bool, typer.Option("--retry-failed", help="Compute those again that failed.")
     ] = False,
@@ -119,8 +107,7 @@ def resume(
     may be another executor.
     """
     how = (executor, workers, scheduler)
-    more = {"resume": True, "retry_failed": retry_failed, "storage": storage}
-    _compute(file, out, how, json=json, quiet=quiet, **more)
+    _compute(file, out, how, json=json, quiet=quiet, resume=True, retry_failed=retry_failed)
 
 
 @app.command()
@@ -162,6 +149,29 @@ def report(
     from arcless.study.report import write
 
     console.data(f"wrote {write(studies.load(file), out, to)}")
+
+
+@app.command()
+def trials(
+    file: FileArgument,
+    *,
+    out: FolderOption = None,
+    to: Annotated[
+        Path | None,
+        typer.Option(
+            "--to",
+            metavar="FILE",
+            help="The SQLite file to write; trials.db in the folder of the study if not named.",
+            show_default=False,
+        ),
+    ] = None,
+) -> None:
+    """Write the trials of an optimisation for Optuna's own programs, also while it is computed."""
+    from arcless import study as studies
+    from arcless.study import trials as written
+
+    path, count = written.write(studies.load(file), out, to)
+    console.data(f"wrote {path}: {count} trials")
 
 
 @app.command()
@@ -339,4 +349,11 @@ def _show_status(found: "StudyStatus") -> None:
     if len(found.versions) > 1:
         versions = ", ".join(f"{count} by {version}" for version, count in found.versions.items())
         console.data(f"  rows of several versions: {versions}")
+    if found.damaged != 0:
+        what = "the file" if found.damaged is None else f"rows left out: {found.damaged}"
+        console.warn(
+            f"the journal is damaged, {what}; `arcless study resume` computes what is missing again"
+        )
+    if found.journal is not None:
+        console.data(f"journal: {found.journal}")
     console.data(f"table: {found.folder}/table.parquet")

@@ -1,7 +1,8 @@
 """Locks between processes that every system lets go of when their holder ends, however it ends.
 
-A lock is an SQLite database without content, and an exclusive transaction on it. SQLite locks files
-by what the system at hand has for it, so there is one kind of lock everywhere. The file stays empty.
+A lock is an SQLite database without content, and an exclusive transaction on it. SQLite locks
+files by what the system at hand has for it, so there is one kind of lock everywhere. The file stays
+empty.
 """
 
 import errno

@@ -98,10 +98,9 @@ def _file(source: "str | os.PathLike[str]") -> Path:
 
 
 def meaning(study: Study) -> dict[str, Any]:
-    """Return what decides the rows of a study as plain data: no words, no executor, no storage."""
+    """Return what decides the rows of a study as plain data: no words, no executor."""
     data = study.to_dict()
     del data["executor"]
-    data["design"].pop("storage", None)  # who may look on
     data["order of variables"] = list(data["variables"])
     data["models"] = study.model_contents()
     plain: dict[str, Any] = _without_words(json.loads(json.dumps(data)))

@@ -23,6 +23,11 @@ class StudyStatus:
         The study and its folder.
     running
         Whether a process computes it just now.
+    journal
+        How SQLite keeps the journal whole; None of a study of an older version.
+    damaged
+        Rows of the journal that are damaged, and are computed again by who goes on; None where its
+        file is, and nobody can tell how many it had.
     total, done, pruned, invalid, failed, missing
         Variants: of the study, and by what came of them.
     steps_taken, steps_saved
@@ -38,6 +43,8 @@ class StudyStatus:
     name: str
     folder: str
     running: bool
+    journal: str | None
+    damaged: int | None
     total: int
     done: int
     pruned: int
@@ -103,12 +110,14 @@ class Tally:
 
     def status(self, study: Study, place: StudyFolder) -> StudyStatus:
         """Return what the rows that were read say of a study."""
-        counts = self._counts
+        counts, state = self._counts, place.state()
         saving = Saving.of_counts(self._steps, self._of_run) if study.watched else None
         return StudyStatus(
             name=study.name,
             folder=str(place.path),
             running=journal.is_locked(place.journal),
+            journal=None if state is None else state.get("journal"),
+            damaged=None if place.damage.file else len(place.damage.rows),
             total=study.plan.count,
             done=counts["done"],
             pruned=counts["pruned"],

@@ -12,7 +12,6 @@ from arcless.errors import StudyError
 from arcless.model import load as load_scenario
 from arcless.model import parse_override
 from arcless.study import StudyFolder, load, run
-from arcless.study.journal import Journal
 from arcless.study.report import html, write
 from arcless.study.report.commands import Commands
 from arcless.study.report.effects import effect
@@ -39,7 +38,7 @@ def test_a_study_that_is_going_on_says_so(tmp_path: Path) -> None:
     assert "Incomplete: 2 of 6 variants computed, 4 missing; it is not being" in html(
         made, tmp_path
     )
-    with Journal(StudyFolder(made, tmp_path).journal):
+    with StudyFolder(made, tmp_path).open_journal():
         assert "it is being computed now" in html(made, tmp_path)
 
 
