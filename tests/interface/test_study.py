@@ -1,6 +1,7 @@
 """`arcless study` as a user meets it."""
 
 import json
+import re
 import subprocess
 import sys
 from collections import Counter
@@ -72,7 +73,7 @@ def test_a_study_without_any_value_fails(arcless: Arcless, tmp_path: Path) -> No
             ["run", "small.yaml", "--executor", "threads", "--scheduler", "tcp://h:1"],
             "scheduler without Dask",
         ),
-        (["run", "small.yaml", "--storage", "sqlite:///x.db"], "does not optimise has no storage"),
+        (["trials", "small.yaml"], "does not optimise has no trials"),
         (["start", "small.yaml"], "No such command"),
     ],
 )  # fmt: skip
@@ -161,7 +162,8 @@ def test_an_optimisation_ends_with_its_best(arcless: Arcless, tmp_path: Path) ->
     file = written(tmp_path, design=design, variables=force)
     done = arcless("study", "run", file)
     assert done.exit_code == 0, done.output
-    assert "best: variant " in done.stdout
+    (best,) = (line for line in done.stdout.splitlines() if line.startswith("best: variant "))
+    assert re.fullmatch(r"best: variant \d: force [\d.]+ N, sigma [\d.]+ N, ratio [\d.]+", best)
     found = json.loads(arcless("study", "resume", file, "--json").stdout)
     table = rows(tmp_path / "runs/studies/small/table.parquet")
     assert found["best"] == [min(table, key=lambda row: row["sigma"])["variant"]]

@@ -67,7 +67,6 @@ def filled(folder: Path, *, of: int | None = None, error: str = "", **changes: A
     """Return a study whose rows are made up, not computed: sigma is a plain sum."""
     made = study(**changes)
     place = StudyFolder(made, folder)
-    place.make()
     with place.open_journal() as journal:
         place.write_state(journal.mode)
         for number in range(1, (made.plan.count if of is None else of) + 1):

@@ -243,7 +243,7 @@ def _compute(
         console.data(console.json_text(facts | best | {"table": str(place.table)}))
     else:
         _show_done(facts)
-        _show_front(front)
+        _show_front(loaded, front)
         console.data(f"wrote {place.table}")
     if not done.counts["done"]:
         raise typer.Exit(FAILED)
@@ -304,21 +304,26 @@ def _front(loaded: "Study", place: "StudyFolder") -> "list[Row] | None":
     return design.best(place.rows()) if isinstance(design, studies.Optimise) else None
 
 
-def _show_front(front: "list[Row] | None") -> None:
+def _show_front(loaded: "Study", front: "list[Row] | None") -> None:
     if front is None:
         return
     if not front:
         console.data("best: no variant that keeps the constraints")
     for row in front[:_MOST_SHOWN]:
-        numbers = (row.values | row.outputs).items()
-        values = ", ".join(f"{name} {_short(value)}" for name, value in numbers)
-        console.data(f"best: variant {row.variant}: {values}")
+        console.data(f"best: variant {row.variant}: {_in_words(loaded, row)}")
     if len(front) > _MOST_SHOWN:
         console.data(f"and {len(front) - _MOST_SHOWN} more, none of which surpasses another")
 
 
-def _short(value: Any) -> str:
-    return f"{value:.6g}" if isinstance(value, int | float) else str(value)
+def _in_words(loaded: "Study", row: "Row") -> str:
+    """Return variables in the units of the study file, and outputs, of a row."""
+    from arcless.study.table import unit_of_output
+
+    parts = [f"{axis.name} {axis.shown(row.values[axis.name])}" for axis in loaded.axes]
+    for name, value in row.outputs.items():
+        number = "–" if value is None else f"{value:.6g} {unit_of_output(loaded, name)}".rstrip()
+        parts.append(f"{name} {number}")
+    return ", ".join(parts)
 
 
 def _show_done(facts: dict[str, Any]) -> None:

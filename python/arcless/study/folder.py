@@ -173,7 +173,8 @@ class StudyFolder:
         return state
 
     def open_journal(self) -> Journal:
-        """Return the journal, to be entered by who computes the study."""
+        """Return the journal, to be entered by who computes the study; make the folder for it."""
+        self.make()
         return Journal(self.journal, self.hash)
 
     def take_former(self) -> str | None:

@@ -79,7 +79,6 @@ def run(
     before = place.check_same() if resume else None
     if before is None:
         _check_new(place)
-    place.make()
     with (
         closing(choose(executor or study.executor, say)) as computing,
         place.open_journal() as kept,

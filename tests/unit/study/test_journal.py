@@ -69,7 +69,6 @@ def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Return the folder of a study of many made-up rows, at rest."""
     folder = tmp_path_factory.mktemp("whole") / "study"
     place = StudyFolder(LARGE_STUDY(), folder)
-    place.make()
     numbers = list(range(1, COUNT + 1))
     random.Random(1).shuffle(numbers)
     with place.open_journal() as kept:

@@ -47,7 +47,6 @@ ROWS = [
 
 def begun(folder: Path, rows: list[Row]) -> StudyFolder:
     place = StudyFolder(search(), folder)
-    place.make()
     with place.open_journal() as journal:
         place.write_state(journal.mode)
         for one in rows:

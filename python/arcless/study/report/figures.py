@@ -103,11 +103,14 @@ class Drawing:
         raise KeyError(column.name)
 
     def shown(self, column: Column) -> tuple[str, str]:
-        """Return name and value of a column as a tooltip shows them."""
+        """Return name and value of a column as a tooltip shows them.
+
+        The value is a template, whose marks take raw HTML from the data: no word of a user may
+        stand in it. The name is plain text.
+        """
         key = self.key(column)
-        if column.words is not None:
-            return plain(column.name), f"@{{{key} word}}"
-        return plain(column.name), f"@{key}{{0.[00000]}} {plain(column.unit)}"
+        value = f"@{key}{{0.[00000]}}" if column.words is None else f"@{{{key} word}}"
+        return plain(column.label), value
 
     def _effect(self, variable: Column, output: Column) -> Any:
         fig, _ = self._scatter(variable, output, f"{output.name} over {variable.name}")
@@ -125,8 +128,8 @@ class Drawing:
             if variable.words is None:
                 fig.line("x", "mean", **style)
             dots = fig.scatter("x", "mean", source=means, size=7, color=colour(1))
-            unit = plain(output.unit)
-            add_hover(fig, [dots], [("mean", f"@mean{{0.[00000]}} {unit}")])
+            name = f"mean, {output.unit}" if output.unit else "mean"
+            add_hover(fig, [dots], [(plain(name), "@mean{0.[00000]}")])
         return fig
 
     def _pair(self, one: Column, other: Column, output: Column) -> Any:

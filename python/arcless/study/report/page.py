@@ -130,7 +130,10 @@ def _texts(record: Record, drawn: int) -> dict[str, Any]:
 
 
 def _speeds(found: Marks | None) -> dict[str, Any]:
-    return {"speeds": found.rows() if found else [], "speed_notes": found.notes if found else ()}
+    if found is None:
+        return {"speeds": [], "speed_unit": "", "speed_notes": ()}
+    unit = found.column.unit
+    return {"speeds": found.rows(), "speed_unit": unit, "speed_notes": found.notes}
 
 
 def _state(record: Record) -> tuple[str, str]:
