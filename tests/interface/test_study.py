@@ -193,3 +193,65 @@ def test_a_search_tells_what_pruning_saved(arcless: Arcless, tmp_path: Path) -> 
     assert wrote.stdout == "wrote runs/studies/small/trials.db: 8 trials\n"
     url = f"sqlite:///{tmp_path}/runs/studies/small/trials.db"
     assert len(optuna.load_study(study_name="small", storage=url).trials) == 8
+
+
+@pytest.mark.parametrize("named", ["", "journal.db", "table.parquet", "study.json", "study.yaml"])
+def test_a_study_is_named_by_its_folder_too(
+    arcless: Arcless, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, named: str
+) -> None:
+    (tmp_path / "sources").mkdir()
+    (tmp_path / "moved").mkdir()
+    file = written(tmp_path / "sources", description="all of it")
+    filled(tmp_path / "moved" / "there", of=5, description="all of it")
+    file.unlink()  # the folder has all that was asked
+    monkeypatch.chdir(tmp_path / "moved")
+    given = Path("there", named)
+    found = json.loads(arcless("study", "status", given, "--json").stdout)
+    assert (found["name"], found["folder"], found["missing"]) == ("small", "there", 1)
+    done = arcless("study", "resume", given)
+    assert done.exit_code == 0, done.output
+    assert "computed 1" in done.stdout and "wrote there/table.parquet" in done.stdout
+    assert arcless("study", "report", given).stdout == "wrote there/report.html\n"
+    page = Path("there/report.html").read_text("utf-8")
+    assert "all of it" in page
+    assert re.search(r"arcless study variant there (\d) --to variant-\1.yaml &amp;&amp; arcless", page)
+    one = json.loads(arcless("study", "variant", given, "2").stdout)
+    assert one["pantographs"][0]["static_force"] == 90.0
+    again = arcless("study", "run", given)
+    assert again.exit_code == 2
+    assert "complete already" in again.stderr
+    assert "`arcless study report there --out there`" in again.stderr
+    # A new folder may begin with what an old one asks.
+    assert arcless("study", "run", given, "--out", "new").exit_code == 0
+    assert rows(Path("new/table.parquet"))[0]["status"] == "done"
+
+
+def test_a_folder_without_a_study(arcless: Arcless, tmp_path: Path) -> None:
+    done = arcless("study", "status", tmp_path)
+    assert done.exit_code == 2
+    assert "no study was begun here: expected the folder of a study, or a study file" in done.stderr
+    for spoilt in ({}, {"study": {}, "hash": "", "arcless_version": ""}):
+        (tmp_path / "study.json").write_text(json.dumps(spoilt))
+        done = arcless("study", "status", tmp_path)
+        assert (done.exit_code, "state of the study cannot be read" in done.stderr) == (2, True)
+
+
+def test_beginning_twice_says_what_there_is_to_do(arcless: Arcless, tmp_path: Path) -> None:
+    file = written(tmp_path)
+    filled(tmp_path / "runs/studies/small", of=2)
+    done = arcless("study", "run", file)
+    assert done.exit_code == 2
+    assert "the study was begun here already: got 2 of 6 variants" in done.stderr
+    assert f"go on with `arcless study resume {file}`, or begin anew with" in done.stderr
+
+
+def test_status_tells_of_damage_once(arcless: Arcless, tmp_path: Path) -> None:
+    filled(tmp_path)
+    file = tmp_path / "journal.db"
+    file.write_bytes(file.read_bytes().replace(b'"variant":2,', b'"variant":3,'))
+    done = arcless("study", "status", tmp_path)
+    assert done.exit_code == 0
+    assert "5 of 6 done" in done.stdout
+    (line,) = done.stderr.splitlines()
+    assert "the journal is damaged, rows left out: 1; `arcless study resume` computes" in line
+    assert "damaged" in arcless("study", "report", tmp_path).stderr

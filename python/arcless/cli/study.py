@@ -21,6 +21,13 @@ app = typer.Typer(rich_markup_mode=None, add_completion=False, no_args_is_help=T
 FileArgument = Annotated[
     Path, typer.Argument(metavar="FILE", help="A study file, or the name of a shipped study.")
 ]
+BegunArgument = Annotated[
+    Path,
+    typer.Argument(
+        metavar="STUDY",
+        help="A study file, the name of a shipped study, or the folder or journal of a study.",
+    ),
+]
 FolderOption = Annotated[
     Path | None,
     typer.Option(
@@ -89,7 +96,7 @@ def run(
 
 @app.command()
 def resume(
-    file: FileArgument,
+    file: BegunArgument,
     *,
     out: FolderOption = None,
     executor: ExecutorOption = None,
@@ -111,12 +118,13 @@ def resume(
 
 
 @app.command()
-def status(file: FileArgument, *, out: FolderOption = None, json: JsonOption = False) -> None:
+def status(file: BegunArgument, *, out: FolderOption = None, json: JsonOption = False) -> None:
     """Say how far a study is, also while it is being computed."""
     from arcless import study as studies
     from arcless.study import findings
+    from arcless.study.begun import located
 
-    loaded = studies.load(file)
+    loaded, out = located(file, out)
     found, more = findings.findings(loaded, out)
     if not found.running:  # who computes it writes them in the end
         try:
@@ -131,7 +139,7 @@ def status(file: FileArgument, *, out: FolderOption = None, json: JsonOption = F
 
 @app.command()
 def report(
-    file: FileArgument,
+    file: BegunArgument,
     *,
     out: FolderOption = None,
     to: Annotated[
@@ -145,15 +153,15 @@ def report(
     ] = None,
 ) -> None:
     """Write one HTML file with tables and figures of a study, also while it is being computed."""
-    from arcless import study as studies
+    from arcless.study.begun import located
     from arcless.study.report import write
 
-    console.data(f"wrote {write(studies.load(file), out, to)}")
+    console.data(f"wrote {write(*located(file, out), to)}")
 
 
 @app.command()
 def trials(
-    file: FileArgument,
+    file: BegunArgument,
     *,
     out: FolderOption = None,
     to: Annotated[
@@ -167,16 +175,16 @@ def trials(
     ] = None,
 ) -> None:
     """Write the trials of an optimisation for Optuna's own programs, also while it is computed."""
-    from arcless import study as studies
-    from arcless.study import trials as written
+    from arcless.study.begun import located
+    from arcless.study.trials import write
 
-    path, count = written.write(studies.load(file), out, to)
+    path, count = write(*located(file, out), to)
     console.data(f"wrote {path}: {count} trials")
 
 
 @app.command()
 def variant(
-    file: FileArgument,
+    file: BegunArgument,
     number: Annotated[int, typer.Argument(metavar="NUMBER", help="Its number, from 1.", min=1)],
     *,
     out: FolderOption = None,
@@ -193,9 +201,10 @@ def variant(
     """Write the scenario of one variant, which `arcless run` takes."""
     from arcless import study as studies
     from arcless.results.files import write_bytes
+    from arcless.study.begun import located
     from arcless.study.variants import scenario
 
-    loaded = studies.load(file)
+    loaded, out = located(file, out)
     if isinstance(loaded.design, studies.Optimise):
         studies.StudyFolder(loaded, out).recall()
     made = scenario(loaded, number)
@@ -217,8 +226,9 @@ def _compute(
     **options: Any,
 ) -> None:
     from arcless import study as studies
+    from arcless.study.begun import located
 
-    loaded = studies.load(file)
+    loaded, out = located(file, out)
     place = studies.StudyFolder(loaded, out)
     chosen = _execution(loaded, *how)
     note = (lambda _text: None) if quiet else console.warn
@@ -232,9 +242,7 @@ def _compute(
         except KeyboardInterrupt:
             _wait_for_end(_LEAVES_WITHIN_S[chosen.kind])
             if not quiet:
-                console.note(
-                    f"rows so far: {place.table}; go on with `arcless study resume {file}`"
-                )
+                console.note(f"rows so far: {place.table}; go on with `{place.command('resume')}`")
             raise
     facts = _facts(loaded, place, done)
     front = _front(loaded, place)
@@ -354,11 +362,8 @@ def _show_status(found: "StudyStatus") -> None:
     if len(found.versions) > 1:
         versions = ", ".join(f"{count} by {version}" for version, count in found.versions.items())
         console.data(f"  rows of several versions: {versions}")
-    if found.damaged != 0:
-        what = "the file" if found.damaged is None else f"rows left out: {found.damaged}"
-        console.warn(
-            f"the journal is damaged, {what}; `arcless study resume` computes what is missing again"
-        )
+    if found.damage is not None:
+        console.warn(found.damage)
     if found.journal is not None:
         console.data(f"journal: {found.journal}")
     console.data(f"table: {found.folder}/table.parquet")

@@ -14,17 +14,50 @@ from arcless.errors import OutputError, StudyError
 from arcless.results.files import write_bytes
 from arcless.study import journal, lines
 from arcless.study.journal import Journal
-from arcless.study.load import differences, digest, meaning
+from arcless.study.load import contents, differences, digest, meaning
 from arcless.study.model import Study
 from arcless.study.rows import Row
 from arcless.study.salvage import Damage, add
 from arcless.study.search import Search
 from arcless.study.version import code_version
 
-_STATE, _COPY, _JOURNAL, _RESULTS = "study.json", "study.yaml", "journal.db", "results"
+STATE, _COPY, _JOURNAL, _RESULTS = "study.json", "study.yaml", "journal.db", "results"
 TABLE = "table.parquet"
 # The journal as it was before it was a database, and its name when its rows are in one.
 _LINES, _FORMER = "journal.jsonl", "journal-former.jsonl"
+# Files that a study may be named by, as its folder may.
+NAMES = {STATE, _COPY, _JOURNAL, TABLE, _LINES, "report.html"}
+
+
+def read_state(folder: Path) -> dict[str, Any] | None:
+    """Return what was asked when the study of a folder was begun; None where none was.
+
+    Raises
+    ------
+    StudyError
+        It cannot be read.
+    """
+    file = folder / STATE
+    if not file.exists():
+        return None
+    try:
+        state: dict[str, Any] = json.loads(file.read_text("utf-8"))
+        known = isinstance(state["study"], dict) and isinstance(state["arcless_version"], str)
+        if not (known and isinstance(state["hash"], str)):
+            raise TypeError
+    except (OSError, ValueError, KeyError, TypeError, RecursionError):
+        raise unreadable(file) from None
+    return state
+
+
+def unreadable(file: Path) -> StudyError:
+    """Return the error of a state that is damaged."""
+    return StudyError(
+        "the state of the study cannot be read",
+        where=str(file),
+        expected="the file as `arcless study run` wrote it",
+        hint="copy it again, or choose another folder with `--out`",
+    )
 
 
 class StudyFolder:
@@ -53,7 +86,7 @@ class StudyFolder:
     @cached_property
     def hash(self) -> str:
         """Hash of what the study asks: what every row is sealed with."""
-        return digest(meaning(self.study))
+        return digest(meaning(contents(self.study)))
 
     def command(self, word: str) -> str:
         """Return `arcless study WORD` as it is called for this folder."""
@@ -104,9 +137,9 @@ class StudyFolder:
             "arcless_version": code_version(),
             "begun": datetime.now(UTC).isoformat(timespec="seconds"),
             "journal": mode,
-            "study": meaning(self.study),
+            "study": contents(self.study),
         }
-        if self.study.file is not None:
+        if self.study.file is not None and Path(self.study.file).is_file():
             write_bytes(self.path / _COPY, Path(self.study.file).read_bytes())
         self._write(state)
 
@@ -117,7 +150,7 @@ class StudyFolder:
             self._write(state | {"journal": mode})
 
     def _write(self, state: dict[str, Any]) -> None:
-        write_bytes(self.path / _STATE, json.dumps(state, indent=1, ensure_ascii=False).encode())
+        write_bytes(self.path / STATE, json.dumps(state, indent=1, ensure_ascii=False).encode())
 
     def state(self) -> dict[str, Any] | None:
         """Return what was asked when the study was begun; None where none was.
@@ -127,22 +160,7 @@ class StudyFolder:
         StudyError
             It cannot be read.
         """
-        file = self.path / _STATE
-        if not file.exists():
-            return None
-        try:
-            state: dict[str, Any] = json.loads(file.read_text("utf-8"))
-            known = isinstance(state["study"], dict) and isinstance(state["arcless_version"], str)
-            if not (known and isinstance(state["hash"], str)):
-                raise TypeError
-        except (OSError, ValueError, KeyError, TypeError, RecursionError):
-            raise StudyError(
-                "the state of the study cannot be read",
-                where=str(file),
-                expected="the file as `arcless study run` wrote it",
-                hint="copy it again, or choose another folder with `--out`",
-            ) from None
-        return state
+        return read_state(self.path)
 
     def check_same(self) -> dict[str, Any]:
         """Return the state; refuse a study that is not the one that was begun here.
@@ -160,8 +178,7 @@ class StudyFolder:
                 hint="begin it with `arcless study run`, or name its folder with `--out`",
             )
         if state["hash"] != self.hash:
-            asked = json.loads(json.dumps(meaning(self.study)))
-            fields = differences(state["study"], asked)
+            fields = differences(meaning(state["study"]), meaning(contents(self.study)))
             raise StudyError(
                 "the study is another one than when it was begun",
                 where=self.study.file or str(self.path),

@@ -13,6 +13,10 @@ from arcless.study.pruning import Saving
 from arcless.study.rows import Row
 
 
+class DamagedJournalWarning(UserWarning):
+    """Rows of a study are left out as they are damaged."""
+
+
 @dataclass(frozen=True)
 class StudyStatus:
     """How far a study is.
@@ -56,6 +60,15 @@ class StudyStatus:
     wall_time_s: float
     errors: dict[str, int]
     versions: dict[str, int]
+
+    @property
+    def damage(self) -> str | None:
+        """What is damaged of the journal, in a sentence; None where nothing is."""
+        if self.damaged == 0:
+            return None
+        what = "its file" if self.damaged is None else f"rows left out: {self.damaged}"
+        todo = "`arcless study resume` computes again what is missing"
+        return f"the journal is damaged, {what}; {todo}"
 
     def to_dict(self) -> dict[str, Any]:
         """Return it as plain values."""

@@ -1,5 +1,6 @@
 """Tables and figures of a study → one HTML file that needs no network."""
 
+import warnings
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
@@ -20,7 +21,7 @@ from arcless.study.report.figures import (
 from arcless.study.report.record import Record
 from arcless.study.report.sensitivity import sections
 from arcless.study.report.speeds import WIDE, Marks, marks
-from arcless.study.status import StudyStatus
+from arcless.study.status import DamagedJournalWarning, StudyStatus
 from arcless.study.version import code_version
 
 NAME = "report.html"
@@ -51,6 +52,8 @@ def write(study: Study, folder: Path | None = None, path: Path | None = None) ->
         The file cannot be written; nothing half-written stays behind.
     """
     record = Record(study, folder)
+    if record.status.damage is not None:
+        warnings.warn(record.status.damage, DamagedJournalWarning, stacklevel=2)
     target = path or record.place.path / NAME
     write_bytes(target, _page(record).encode())
     if not record.status.running:
