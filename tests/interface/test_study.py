@@ -214,7 +214,9 @@ def test_a_study_is_named_by_its_folder_too(
     assert arcless("study", "report", given).stdout == "wrote there/report.html\n"
     page = Path("there/report.html").read_text("utf-8")
     assert "all of it" in page
-    assert re.search(r"arcless study variant there (\d) --to variant-\1.yaml &amp;&amp; arcless", page)
+    assert re.search(
+        r"arcless study variant there (\d) --to variant-\1.yaml &amp;&amp; arcless", page
+    )
     one = json.loads(arcless("study", "variant", given, "2").stdout)
     assert one["pantographs"][0]["static_force"] == 90.0
     again = arcless("study", "run", given)
