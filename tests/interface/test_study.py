@@ -232,8 +232,14 @@ def test_a_folder_without_a_study(arcless: Arcless, tmp_path: Path) -> None:
     done = arcless("study", "status", tmp_path)
     assert done.exit_code == 2
     assert "no study was begun here: expected the folder of a study, or a study file" in done.stderr
-    for spoilt in ({}, {"study": {}, "hash": "", "arcless_version": ""}):
-        (tmp_path / "study.json").write_text(json.dumps(spoilt))
+    filled(tmp_path, of=1)
+    text = (tmp_path / "study.json").read_text("utf-8")
+    for spoilt in (
+        "{}",
+        '{"study": {}, "hash": "", "arcless_version": ""}',
+        text.replace("90", "91"),
+    ):
+        (tmp_path / "study.json").write_text(spoilt, "utf-8")
         done = arcless("study", "status", tmp_path)
         assert (done.exit_code, "state of the study cannot be read" in done.stderr) == (2, True)
 

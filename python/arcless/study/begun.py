@@ -5,7 +5,7 @@ from pathlib import Path
 
 from arcless.errors import ArclessError, StudyError
 from arcless.model.library import shipped
-from arcless.study.folder import NAMES, STATE, read_state, unreadable
+from arcless.study.folder import NAMES, STATE, StudyFolder, read_state, unreadable
 from arcless.study.load import load, of_contents
 from arcless.study.model import Study
 
@@ -48,9 +48,12 @@ def begun(folder: Path) -> Study:
             hint="begin one with `arcless study run FILE`",
         )
     try:
-        return of_contents(state["study"], str(folder))
+        made = of_contents(state["study"], str(folder))
     except (ArclessError, ValueError, KeyError, TypeError, AttributeError):
         raise unreadable(folder / STATE) from None
+    if not StudyFolder(made, folder).is_of_this_study:
+        raise unreadable(folder / STATE)
+    return made
 
 
 def _folder(source: Path) -> Path | None:
