@@ -145,7 +145,3 @@ class StudyError(ArclessError):
 
 class ExecutorError(ArclessError):
     """What computes the variants of a study does not answer, or went away."""
-
-
-class StorageError(ArclessError):
-    """The database that an optimisation keeps its trials in does not answer, or went away."""

@@ -127,6 +127,23 @@ def to_si(value: object, unit: str) -> float:
     return number
 
 
+def written_in(value: object, unit: str) -> tuple[str, float] | None:
+    """Return the unit that an amount is written in, as printed, and its size in SI.
+
+    None for a bare number, and for what is no amount of this kind.
+
+    Examples
+    --------
+    >>> written_in("275 km/h", "m/s")
+    ('km/h', 0.2777777777777778)
+    """
+    if not isinstance(value, str) or (number := _NUMBER.match(value.strip())) is None:
+        return None
+    name = _canonical(value.strip()[number.end() :].strip())
+    factor = KINDS[unit].units.get(name)
+    return None if factor is None or not name else (spell(name), float(factor))
+
+
 @cache
 def accepted(unit: str) -> str:
     """Say which kind and which units a field takes, e.g. ``a force (N, kN, daN, MN)``."""

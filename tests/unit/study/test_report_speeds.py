@@ -31,7 +31,8 @@ def test_a_sweep_of_speed_has_them(tmp_path: Path) -> None:
     for number, one in found.numbered:
         # 60 and 240 km/h are in the range.
         assert (number is not None) == (60.0 <= 3.6 * one.speed.middle <= 240.0)
-    for row in found.rows():
+    for row, (_, one) in zip(found.rows(), found.numbered, strict=True):
+        assert row["speed"] == f"{3.6 * one.speed.middle:.0f}"
         assert row["name"] in page
         assert row["source"].replace("&", "&amp;") in page
 
@@ -46,7 +47,9 @@ def test_they_are_drawn_over_the_speed_and_only_there(tmp_path: Path) -> None:
     assert len(spans[0]) > 1  # over the speed: a renderer for each kind
     assert not spans[1]  # over the force
     assert found is not None
-    drawn = sum(len(one.data_source.data["x"]) for one in spans[0])
+    places = [x for one in spans[0] for x in one.data_source.data["x"]]
+    assert all(60.0 <= x <= 240.0 for x in places)  # in km/h, as the axis is
+    drawn = len(places)
     assert drawn == sum(number is not None for number, _ in found.numbered)
 
 

@@ -104,11 +104,14 @@ class Drawing:
         raise KeyError(column.name)
 
     def shown(self, column: Column) -> tuple[str, str]:
-        """Return name and value of a column as a tooltip shows them."""
+        """Return name and value of a column as a tooltip shows them.
+
+        The value is a template, whose marks take raw HTML from the data: no word of a user may
+        stand in it. The name is plain text.
+        """
         key = self.key(column)
-        if column.words is not None:
-            return plain(column.name), f"@{{{key} word}}"
-        return plain(column.name), f"@{key}{{0.[00000]}} {plain(column.unit)}"
+        value = f"@{key}{{0.[00000]}}" if column.words is None else f"@{{{key} word}}"
+        return plain(column.label), value
 
     def _effect(self, variable: Column, output: Column) -> Figure:
         fig, _ = self._scatter(variable, output, f"{output.name} over {variable.name}")
@@ -126,8 +129,8 @@ class Drawing:
             if variable.words is None:
                 fig.draw("Line", means, "x", "mean", line_width=2, **style)
             dots = fig.draw("Scatter", means, "x", "mean", size=7, **style)
-            unit = plain(output.unit)
-            add_hover(fig, [dots], [("mean", f"@mean{{0.[00000]}} {unit}")])
+            name = f"mean, {output.unit}" if output.unit else "mean"
+            add_hover(fig, [dots], [(plain(name), "@mean{0.[00000]}")])
         return fig
 
     def _pair(self, one: Column, other: Column, output: Column) -> Figure:

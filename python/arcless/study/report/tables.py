@@ -51,7 +51,7 @@ def variable_rows(study: Study) -> list[dict[str, str]]:
         {
             "name": axis.name,
             "field": axis.field,
-            "unit": "" if axis.unit == "1" else axis.unit,
+            "unit": axis.typed_unit,
             "values": _ways(study.variables[axis.name]),
             "about": study.variables[axis.name].description,
         }
