@@ -25,6 +25,8 @@ MARKS: dict[str, str] = {
     "D": "computed from other data",
     "assumed": "chosen for this model; the note says why",
 }
+# The keys of a value that says where it comes from.
+WRAPPED_IN = ("value", "mark", "source", "note")
 MAX_DEPTH = 40
 # Control characters but for line breaks and tabs, and marks that turn the direction of writing.
 _STEERING = re.compile(
@@ -203,13 +205,12 @@ def _check_characters(text: str, path: Path) -> None:
 
 
 def _check_wrapper(value: Mapping[str, Any], path: Path) -> None:
-    known = ["value", "mark", "source", "note"]
     for key in value:
-        if key not in known:
+        if key not in WRAPPED_IN:
             raise ModelError(
                 "unknown field beside a value",
                 got=show(key),
-                expected=", ".join(known),
+                expected=", ".join(WRAPPED_IN),
                 hint=after_comma(key, value) or "write a note that contains a comma in quotes",
                 field=(*path, key),
             )

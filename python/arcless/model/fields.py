@@ -7,9 +7,7 @@ value comes from: ``{value: 22 kN, mark: A, source: S1, note: "…"}``; see `doc
 import re
 from collections.abc import Mapping, Sequence, Sized
 from difflib import get_close_matches
-from functools import cache
-from types import UnionType
-from typing import TYPE_CHECKING, Annotated, Any, Literal, Union, get_args, get_origin
+from typing import TYPE_CHECKING, Annotated, Any, Literal, get_args
 
 from pydantic import (
     AfterValidator,
@@ -22,6 +20,7 @@ from pydantic import (
 from pydantic_core import core_schema
 
 from arcless.errors import ModelError
+from arcless.model.known_names import names_of
 from arcless.units import (
     DECIMAL_POINT,
     MAX_TEXT,
@@ -225,7 +224,7 @@ class Part(BaseModel):
         if not isinstance(data, Mapping):
             expected = f"a mapping with {', '.join(cls.field_names())}"
             raise ModelError("not a mapping", got=show(data), expected=expected)
-        taken, needed, longest = _names_of(cls)
+        taken, needed, longest = names_of(cls)
         for key in data:
             if key not in taken:
                 raise ModelError(
@@ -266,36 +265,6 @@ class Part(BaseModel):
             unit = find_unit(field)
             if unit is not None:
                 field.json_schema_extra = {"unit": unit.label}
-
-
-@cache
-def _names_of(
-    model: type[Part],
-) -> tuple[frozenset[str], list[tuple[str, str]], list[tuple[str, int]]]:
-    """Return what keys of a model's data may be called, and what is known of some of them.
-
-    That is: name and alias of those that must be there; name and highest number of items of lists
-    and tables. Found once: a table has thousands of rows, a study thousands of scenarios.
-    """
-    fields = model.model_fields.items()
-    needed = [(name, field.alias or name) for name, field in fields if field.is_required()]
-    most = [(field.alias or name, _most_items(field)) for name, field in fields]
-    longest = [(name, count) for name, count in most if count is not None]
-    return frozenset([*model.field_names(), *model.model_fields]), needed, longest
-
-
-def _most_items(annotated: Any) -> int | None:
-    """Return how many items a list or table may have, of an annotation or a pydantic field."""
-    metadata: Any = getattr(annotated, "metadata", None) or getattr(annotated, "__metadata__", ())
-    for item in metadata:
-        for limit in (item, *getattr(item, "metadata", ())):
-            most: int | None = getattr(limit, "max_length", None)
-            if most is not None:
-                return most
-    inner = getattr(annotated, "annotation", None)
-    is_union = get_origin(annotated) in {Union, UnionType}
-    children = (inner,) if inner is not None else get_args(annotated) if is_union else ()
-    return next((count for count in map(_most_items, children) if count is not None), None)
 
 
 def find_unit(annotated: Any) -> Unit | None:

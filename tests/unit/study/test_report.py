@@ -165,7 +165,12 @@ def test_no_word_of_a_user_is_a_template_of_a_tooltip(tmp_path: Path) -> None:
     drawing = Drawing(Record(made, tmp_path))
     panels = [fig for _, figures in (*drawing.effects(), *drawing.pairs()) for fig in figures]
     panels += drawing.fronts()
-    tips = [pair for fig in panels for tool in fig.tools for pair in getattr(tool, "tooltips", [])]
+    tips = [
+        pair
+        for fig in panels
+        for tool in fig.toolbar.tools
+        for pair in getattr(tool, "tooltips", [])
+    ]
     assert len(tips) > 20
     assert all(OWN_VALUE.fullmatch(value) for _, value in tips), tips
     # A label is put into the page as text; a value has its unit there.
