@@ -1,4 +1,4 @@
-"""What a row costs in the journal of a study, and as a line of JSON: `python -m benchmarks.journal`.
+"""A row in the journal of a study beside one as a line of JSON: `python -m benchmarks.journal`.
 
 Processor time, as a disk that is shared says little; the best of some rounds.
 """
