@@ -9,7 +9,7 @@ it is a single file that can be read from any folder.
 import sqlite3
 import time
 from collections.abc import Iterator
-from contextlib import suppress
+from contextlib import ExitStack, closing, suppress
 from pathlib import Path
 from types import TracebackType
 from typing import Literal, Self
@@ -66,25 +66,17 @@ class Journal:
 
     def __enter__(self) -> Self:
         """Take it for this process, put it in order, and open it."""
-        try:
-            self._lock = Lock(lock_of(self.path))
-            held = self._lock.take(_WAITS_S)
-        except OSError as error:
-            raise self._not_written(error) from error
-        if not held:
-            raise in_use(self.path.parent)
-        try:
-            if self.path.exists() and self.path.stat().st_size:
-                self.damage = mend(self.path, self._study)
-            make(self.path, self._study)
-            self._base = connect(self.path, "rw")
-            self._choose_mode()
-        except (OSError, *ERRORS) as error:
-            self._lock.close()
-            raise self._not_written(error) from error
-        except BaseException:
-            self._lock.close()
-            raise
+        with ExitStack() as held:
+            self._take(held)
+            try:
+                if self.path.exists() and self.path.stat().st_size:
+                    self.damage = mend(self.path, self._study)
+                make(self.path, self._study)
+                self._base = held.enter_context(closing(connect(self.path, "rw")))
+                self._choose_mode()
+            except (OSError, *ERRORS) as error:
+                raise self._not_written(error) from error
+            self._held = held.pop_all()
         return self
 
     def __exit__(
@@ -104,8 +96,7 @@ class Journal:
             if error is None:
                 raise self._not_written(failed) from failed
         finally:
-            self._base.close()
-            self._lock.close()
+            self._held.close()
 
     def append(self, row: Row) -> None:
         """Write a row; after an error the journal is as it was before."""
@@ -124,6 +115,20 @@ class Journal:
             raise self._not_written(error) from error
         if sync:
             self._synced = now
+
+    def _take(self, held: ExitStack) -> None:
+        try:
+            lock = Lock(lock_of(self.path))
+        except OSError as error:
+            raise self._not_written(error) from error
+        held.callback(lock.close)
+        try:
+            taken = lock.take(_WAITS_S)
+        except OSError as error:
+            hint = "choose another folder with `--out`, on a file system that has locks"
+            raise OutputError.of(error, "the study cannot be locked", lock.path, hint) from error
+        if not taken:
+            raise in_use(self.path.parent)
 
     def _choose_mode(self) -> None:
         self._base.execute("PRAGMA synchronous = NORMAL")

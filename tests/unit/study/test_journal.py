@@ -139,6 +139,14 @@ def test_what_the_system_refuses_is_no_damage(
     assert not list(tmp_path.glob("journal-damaged*"))
 
 
+def test_a_folder_without_locks(tmp_path: Path) -> None:
+    made = filled(tmp_path, of=2)
+    (tmp_path / "journal.lock").write_bytes(b"words of somebody " * 100)
+    with pytest.raises(OutputError, match=r"cannot be locked: got no lock.*that has locks"):
+        StudyFolder(made, tmp_path).open_journal().__enter__()
+    assert status(made, tmp_path).done == 2
+
+
 APPENDS = """
 import sys
 from pathlib import Path
