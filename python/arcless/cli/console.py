@@ -4,7 +4,7 @@ import json
 import os
 import sys
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from typing import TYPE_CHECKING, Any, TextIO
 
 if TYPE_CHECKING:
@@ -41,7 +41,7 @@ def show(*blocks: "RenderableType") -> None:
 
 def note(text: str) -> None:
     """Write one line to standard error."""
-    write(sys.stderr, text + "\n")
+    _say(text + "\n")
 
 
 def warn(text: str) -> None:
@@ -80,7 +80,13 @@ def _labelled(label: str, style: str, text: str) -> None:
     from rich.text import Text
 
     line = Text.assemble((label, style), ": ", text)
-    write(sys.stderr, _render(sys.stderr, line, fold=False))
+    _say(_render(sys.stderr, line, fold=False))
+
+
+def _say(text: str) -> None:
+    """Write to standard error; work goes on where nobody can read it any more."""
+    with suppress(OSError):
+        write(sys.stderr, text)
 
 
 def _render(stream: TextIO, *blocks: "RenderableType", fold: bool) -> str:

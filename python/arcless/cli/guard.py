@@ -11,7 +11,7 @@ import typer
 from typer.core import TyperGroup
 from typer.exceptions import TyperException
 
-from arcless.cli import console
+from arcless.cli import console, interrupts
 from arcless.cli.background import unfinished
 from arcless.errors import ArclessError
 
@@ -76,8 +76,8 @@ def _report(error: BaseException) -> int:
             code = WRONG_INPUT
             console.fail(error.format_message().rstrip("."), _usage_hint(error))
         case KeyboardInterrupt() | typer.Abort():
-            code = FAILED
-            console.note("interrupted")
+            code = interrupts.exit_code(FAILED)
+            console.note(interrupts.word())
         case MemoryError():
             code = FAILED
             hint = "record less (`--set output.line_every=50`) or shorten the line"
