@@ -9,6 +9,8 @@ import numpy as np
 import pytest
 from typer.testing import Result
 
+from arcless.model import load
+
 Arcless = Callable[..., Result]
 
 # The keys that outside programs read; a missing one breaks them.
@@ -179,7 +181,7 @@ def test_run_json_is_the_assessment_and_nothing_else(arcless: Arcless, short: Pa
     # 180 km/h is 50 m/s; the value passes through the file's seven-digit text at most.
     assert assessment["speed_m_s"] == pytest.approx(50.0, rel=1e-6)
     missed = any(item["passed"] is False for item in assessment["criteria"])
-    assert done.exit_code == (1 if missed else 0)
+    assert done.exit_code == (3 if missed else 0)
     assert sorted(path.name for path in Path("runs/short").iterdir()) == [
         "assessment.json",
         "result.nc",
@@ -271,3 +273,40 @@ def test_an_earlier_name_of_a_scenario_runs_and_says_what_it_is_called_now(
     assert "is now called en50318-ac-simple-320" in done.stderr
     done = arcless("run", "ac-simple-3d-320", *until, "--quiet", "--out", tmp_path / "quiet")
     assert "is now called" not in done.stderr
+
+
+ARMS = {"kind": "arm", "length": 1.2, "slope": 0.14, "mass": 0.7}
+
+
+@pytest.mark.parametrize("kind", ["line", "scenario"])
+def test_check_finds_the_line_at_rest(
+    arcless: Arcless, short: Path, tmp_path: Path, kind: str
+) -> None:
+    """Three equal staggers leave an arm with what leaning droppers do: it would have to push."""
+    data = load(str(short)).to_dict()
+    line = data["line"]
+    line["steady_arm"] = ARMS
+    line["geometry"]["stagger_contact_wire"] = [0.3, 0.3, 0.3, -0.3, -0.3, -0.3]
+    written = data if kind == "scenario" else line
+    (tmp_path / "pushed.yaml").write_text(json.dumps(written), "utf-8")
+    done = arcless("check", "pushed.yaml")
+    assert (done.exit_code, done.stdout) == (2, "")
+    assert "pushed.yaml: " in done.stderr
+    assert "the steady arm at support" in done.stderr
+    assert "would have to push: got a force of -" in done.stderr
+    if kind == "scenario":
+        assert arcless("statics", "pushed.yaml").exit_code == 1
+
+
+@pytest.mark.parametrize("command", ["assess", "report"])
+def test_a_run_is_named_by_its_folder_or_its_file(
+    arcless: Arcless, finished: Path, tmp_path: Path, command: str
+) -> None:
+    shutil.copytree(finished, tmp_path / "kept")
+    by_folder = arcless(command, "kept")
+    assert by_folder.exit_code in (0, 3), by_folder.output
+    assert by_folder.stdout == arcless(command, "kept/result.nc").stdout
+    (tmp_path / "empty").mkdir()
+    refused = arcless(command, "empty")
+    assert refused.exit_code == 2
+    assert "empty/result.nc" in refused.stderr

@@ -54,10 +54,11 @@ def check(
         ),
     ],
 ) -> None:
-    """Check a model file without computing.
+    """Check a model file, and the line at rest that it describes. Nothing is run.
 
     Says what is wrong, in which line and field, what was given and what is expected. Exit code 2
-    means that something is wrong. Warnings, such as a speed above the wave speed, are no errors.
+    means that something is wrong. Warnings, such as a speed above the wave speed or a tension that
+    looks like another unit, are no errors.
     """
     from arcless import model, study
 
@@ -72,9 +73,31 @@ def check(
     if isinstance(checked, model.Line):
         for warning in model.line_warnings(checked):
             console.warn(warning)
+    if not isinstance(checked, model.Pantograph):
+        _check_at_rest(file, checked)
     console.data(f"{file}: valid {_description(checked)}")
     if isinstance(checked, model.Scenario):
         console.data(f"a run takes {checked.choice.sentence}")
+
+
+def _check_at_rest(file: str, checked: "Scenario | Line") -> None:
+    """Find the line at rest; what has no equilibrium is a mistake in the file.
+
+    Raises
+    ------
+    ModelError
+        The line has no equilibrium, or a dropper or a steady arm would have to push.
+    """
+    from arcless.errors import EquilibriumError, ModelError
+    from arcless.simulate import check_at_rest
+
+    try:
+        check_at_rest(checked)
+    except EquilibriumError as error:
+        where = file if error.where is None else f"{file}: {error.where}"
+        raise ModelError(
+            error.what, where=where, got=error.got, expected=error.expected, hint=error.hint
+        ) from error
 
 
 def schema() -> None:

@@ -15,7 +15,9 @@ if TYPE_CHECKING:
 ResultArgument = Annotated[
     Path,
     typer.Argument(
-        metavar="RESULT", help="A result.nc written by `arcless run`.", show_default=False
+        metavar="RUN",
+        help="A run: the folder that `arcless run` wrote, or the result.nc in it.",
+        show_default=False,
     ),
 ]
 
@@ -89,8 +91,9 @@ def report(
 ) -> None:
     """Write the HTML report of a saved run again."""
     from arcless.results import open as open_result
+    from arcless.results import result_file
 
-    target = out or result.with_name("report.html")
+    target = out or result_file(result).with_name("report.html")
     open_result(result).write_report(target)
     console.data(f"wrote {target}")
 

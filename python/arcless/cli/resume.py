@@ -25,7 +25,7 @@ def resume(
         typer.Option(
             "--out",
             metavar="DIR",
-            help="Folder for the results; the one of RESULT if not named.",
+            help="Folder for the results; the one of RUN if not named.",
             show_default=False,
         ),
     ] = None,
@@ -36,15 +36,16 @@ def resume(
     """Go on with a run that `arcless run --until` stopped.
 
     Writes and prints what `arcless run` would have done without stopping: the result is the same,
-    bit for bit. Without --out, result.nc in the folder of RESULT is replaced when all is done.
+    bit for bit. Without --out, result.nc in the folder of RUN is replaced when all is done.
 
-    Exit codes are those of `arcless run`; 2 when RESULT holds no state to go on from, or one of
+    Exit codes are those of `arcless run`; 2 when RUN holds no state to go on from, or one of
     another version or scenario.
     """
     from arcless.results import open as open_result
+    from arcless.results import result_file
 
     opened = open_result(result)
-    with OutputFolder(out or result.parent, *outcome.FILES) as folder:
+    with OutputFolder(out or result_file(result).parent, *outcome.FILES) as folder:
         whole = _go_on(opened, until, folder.file(outcome.RESULT), quiet=quiet)
         written = outcome.write(whole, folder, report=not no_report)
     outcome.tell(whole, written, json=json, quiet=quiet)

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from arcless.errors import ModelError
 from arcless.model.line import POSITION_TOLERANCE
+from arcless.model.schemes import EXPLICIT
 from arcless.model.settings import ONE_ELEMENT
 from arcless.units import show
 
@@ -24,6 +25,7 @@ ROUNDING = 1e-9
 
 def check_scenario(scenario: "Scenario") -> None:
     """Raise `ModelError` for the first thing that does not fit, the speed being as it should."""
+    _check_scheme(scenario)
     _check_pantographs(scenario)
     _check_travel(scenario)
     _check_lift(scenario)
@@ -34,6 +36,19 @@ def check_scenario(scenario: "Scenario") -> None:
     _check_step(scenario)
     _check_steps(scenario)
     _check_energy(scenario)
+
+
+def _check_scheme(scenario: "Scenario") -> None:
+    line = scenario.line
+    wire = next((name for name, each in line.wires() if each.tension == 0), None)
+    if scenario.solver.scheme.name == EXPLICIT and wire is not None:
+        raise ModelError(
+            "explicit steps on a rail",
+            got=f"{scenario.solver.scheme.name} with line.{wire}.tension of 0 N",
+            expected="a wire under tension: waves of a rail have no speed that bounds a step",
+            hint="leave solver.scheme to auto, which takes a matrix for this line",
+            field=("solver", "scheme"),
+        )
 
 
 def check_speed(scenario: "Scenario") -> None:

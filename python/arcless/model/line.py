@@ -1,5 +1,6 @@
 """An overhead line as engineers describe it: geometry, spans, and their components."""
 
+from collections.abc import Iterator
 from itertools import accumulate
 from math import sqrt
 from typing import Annotated, Any, Literal
@@ -15,6 +16,7 @@ from arcless.model.components import (
     NoSteadyArm,
     SteadyArm,
     StitchWire,
+    TensionedWire,
     Wire,
 )
 from arcless.model.documents import Document
@@ -37,6 +39,8 @@ from arcless.units import WRONG_VALUE, show
 
 # Positions typed with few digits may lie this far outside the line's exact length. In m.
 POSITION_TOLERANCE = 1e-6
+# Fields of a line that hold a wire.
+WIRES = ("contact_wire", "messenger_wire", "auxiliary_wire", "stitch_wire", "bridle")
 
 
 class Line(Document):
@@ -159,6 +163,13 @@ class Line(Document):
                     expected="0 m, or a steady arm of kind spring or arm",
                     field=("geometry", "stagger_contact_wire", index),
                 )
+
+    def wires(self) -> Iterator[tuple[str, TensionedWire]]:
+        """Yield the wires of the line by the names of their fields."""
+        for name in WIRES:
+            wire = getattr(self, name)
+            if wire is not None:
+                yield name, wire
 
     def span_list(self) -> list[SpanType]:
         """Return the span types in order, one entry per span."""

@@ -15,8 +15,9 @@ from collections.abc import Iterator
 from math import sqrt
 from typing import TYPE_CHECKING, NamedTuple
 
+from arcless.model.ends import GRAVITY
+
 if TYPE_CHECKING:
-    from arcless.model.components import TensionedWire
     from arcless.model.line import Line
     from arcless.model.placement import PantographPlacement
     from arcless.model.scenario import Scenario
@@ -61,7 +62,7 @@ def pantograph_plausibility(scenario: "Scenario") -> list[str]:
 
 
 def _about_wires(line: "Line") -> Iterator[str]:
-    for name, wire in _wires(line):
+    for name, wire in line.wires():
         if not wire.tension:  # a rail
             continue
         yield from _beyond(f"line.{name}.mass", "the mass", wire.mass, MASS)
@@ -81,13 +82,6 @@ def _about_wires(line: "Line") -> Iterator[str]:
         yield from _beyond("line.contact_wire", what, line.wave_speed, WAVE_SPEED)
 
 
-def _wires(line: "Line") -> "Iterator[tuple[str, TensionedWire]]":
-    for name in ("contact_wire", "messenger_wire", "auxiliary_wire", "stitch_wire"):
-        wire = getattr(line, name)
-        if wire is not None:
-            yield name, wire
-
-
 def _about_geometry(line: "Line") -> Iterator[str]:
     geometry = line.geometry
     what = "the height of the contact wire"
@@ -96,6 +90,7 @@ def _about_geometry(line: "Line") -> Iterator[str]:
     if geometry.encumbrance is not None:
         what = "the encumbrance"
         yield from _beyond("line.geometry.encumbrance", what, geometry.encumbrance, ENCUMBRANCE)
+        yield from _about_sag(line, geometry.encumbrance)
     if line.dropper is not None:
         what = "the stiffness of a dropper"
         yield from _beyond(
@@ -103,9 +98,28 @@ def _about_geometry(line: "Line") -> Iterator[str]:
         )
 
 
+def _about_sag(line: "Line", encumbrance: float) -> Iterator[str]:
+    """Say that the messenger wire would hang as low as the contact wire: w L²/8T."""
+    messenger = line.messenger_wire
+    if messenger is None:
+        return
+    wires = 2 if line.twin_contact_wires is not None else 1
+    mass = messenger.mass + wires * line.contact_wire.mass
+    if line.auxiliary_wire is not None:
+        mass += line.auxiliary_wire.mass
+    longest = max(span.length for span in line.span_list())
+    sag = mass * GRAVITY * longest**2 / (8.0 * messenger.tension)
+    if sag > encumbrance:
+        yield (
+            f"line.messenger_wire.tension: {messenger.tension:g} N lets the messenger wire sag by"
+            f" some {sag:.2g} m in a span of {longest:g} m, and the encumbrance is"
+            f" {encumbrance:g} m: is a unit wrong?"
+        )
+
+
 def _about_damping(line: "Line") -> Iterator[str]:
     """Say that waves of a line never die down, where nothing in its wires damps them."""
-    wires = dict(_wires(line))
+    wires = dict(line.wires())
     if any(wire.damping.alpha or wire.damping.beta for wire in wires.values()):
         return
     yield (

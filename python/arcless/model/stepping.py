@@ -223,12 +223,7 @@ def too_stiff_along(scenario: "Scenario", step: float) -> str:
 
 
 def _wires(scenario: "Scenario") -> list[tuple[str, TensionedWire]]:
-    line = scenario.line
-    named = {
-        name: getattr(line, name)
-        for name in ("contact_wire", "messenger_wire", "auxiliary_wire", "stitch_wire", "bridle")
-    }
-    return [(f"line.{name}", wire) for name, wire in named.items() if wire is not None]
+    return [(f"line.{name}", wire) for name, wire in scenario.line.wires()]
 
 
 def _has_above(scenario: "Scenario") -> bool:

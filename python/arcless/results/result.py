@@ -17,6 +17,10 @@ if TYPE_CHECKING:
     from arcless.results.plain import Dataset
 
 
+# What a run's own file is called in its folder.
+RESULT_NAME = "result.nc"
+
+
 @dataclass(frozen=True, eq=False)
 class Result:
     """A run, finished or stopped early: its dataset, and what follows from it.
@@ -109,13 +113,19 @@ class Result:
         return f"<Result {facts['scenario_name']}: {facts['simulated_time_s']:.2f} s simulated>"
 
 
+def result_file(path: str | Path) -> Path:
+    """Return the file of a run that is named by its folder or by its file."""
+    place = Path(path)
+    return place / RESULT_NAME if place.is_dir() else place
+
+
 def open_result(path: str | Path) -> Result:
     """Open a saved result.
 
     Parameters
     ----------
     path
-        A file written by `Result.save` or ``arcless run``.
+        A file written by `Result.save` or ``arcless run``, or the folder of a run.
 
     Raises
     ------
@@ -124,5 +134,5 @@ def open_result(path: str | Path) -> Result:
     """
     from arcless.model import load
 
-    dataset = open_plain(path)
+    dataset = open_plain(result_file(path))
     return Result(dataset, load(metadata(dataset)["scenario"]))

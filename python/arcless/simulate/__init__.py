@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from arcless.simulate.control import ControlInput
 from arcless.simulate.run import resume, run
-from arcless.simulate.statics import StaticsResult, statics
+from arcless.simulate.statics import StaticsResult, check_at_rest, statics
 from arcless.simulate.streaming import is_long
 
 if TYPE_CHECKING:
@@ -26,6 +26,7 @@ __all__ = [
     "Stopped",
     "Watching",
     "batch",
+    "check_at_rest",
     "is_long",
     "realtime",
     "resonance_speeds",

@@ -15,6 +15,7 @@ from arcless.errors import ArclessError, EquilibriumError
 from arcless.mesh import SPATIAL, Mesh, alteration, build_mesh, end_forces, without
 from arcless.model import Line, Scenario, schemes
 from arcless.model.measured import matched
+from arcless.model.settings import Solver
 from arcless.simulate.designing import check_arms, why_pushing
 from arcless.simulate.sliding_ends import SlidingEnds, undecided
 
@@ -197,9 +198,33 @@ def find(scenario: Scenario) -> Equilibrium:
     """
     given = scenario.as_built.measured_heights
     heights = matched(scenario.line, given) if given else {}
-    solver = scenario.stepping
-    mesh = build_mesh(scenario.line, solver, heights)
-    with _designed(mesh, scenario.line, heights):
+    mesh, core = designed(scenario.line, scenario.stepping, heights)
+    if not scenario.as_built.is_empty:
+        mesh, core = _as_built(scenario, mesh, core)
+    return Equilibrium(mesh, core, core.arrays())
+
+
+def designed(
+    line: Line, solver: Solver, heights: Mapping[float, float]
+) -> tuple[Mesh, _core.Equilibrium]:
+    """Find the shape that a line was designed for.
+
+    Parameters
+    ----------
+    line
+        The line.
+    solver
+        Elements and scheme, no words left in it.
+    heights
+        Measured heights in m by place in m, in the place of those drawn.
+
+    Raises
+    ------
+    MeshError, EquilibriumError
+        As `find`.
+    """
+    mesh = build_mesh(line, solver, heights)
+    with _designed(mesh, line, heights):
         core = _core.Equilibrium(
             *(mesh.dimension, mesh.positions, mesh.slopes, mesh.parts, mesh.gravity),
             design=True,
@@ -207,10 +232,8 @@ def find(scenario: Scenario) -> Equilibrium:
             fitted_bends=solver.scheme.name == schemes.EXPLICIT,
             across_only=solver.motion == "across",
         )
-    check_arms(mesh, scenario.line, core.arrays()["strut_tension"])
-    if not scenario.as_built.is_empty:
-        mesh, core = _as_built(scenario, mesh, core)
-    return Equilibrium(mesh, core, core.arrays())
+    check_arms(mesh, line, core.arrays()["strut_tension"])
+    return mesh, core
 
 
 def _as_built(

@@ -10,7 +10,8 @@ if TYPE_CHECKING:
 # Numbers of an assessment that can only grow, or only fall, as more of a run is known.
 RISING = (
     "max_force_N", "unfiltered_max_force_N", "max_uplift_at_support_mm", "max_gap_mm",
-    "longest_loss_s", "contact_loss_percent", "contact_point_range_mm", "slack_droppers_max",
+    "longest_loss_s", "contact_loss_percent", "NQ_percent", "contact_point_range_mm",
+    "slack_droppers_max",
 )  # fmt: skip
 FALLING = ("min_force_N", "unfiltered_min_force_N", "min_dropper_force_N", "criteria.uplift_space")
 # Of these the filter looks ahead: they are certain in the part where it has settled.

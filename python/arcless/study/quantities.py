@@ -43,7 +43,9 @@ def keys(scenario: Scenario) -> list[str]:
 def values(assessment: Assessment) -> dict[str, float | None]:
     """Return the value of every key; None for what was not recorded or not judged."""
     found: dict[str, float | None] = {name: getattr(assessment, name) for name in _RUN}
-    found["passed"] = _all_met(assessment.criteria, of_none=1.0)
+    # A limit that was not read decides nothing: `criteria.NAME` shows it.
+    deciding = [item for item in assessment.criteria if item.passed is not False or item.fails]
+    found["passed"] = _all_met(deciding, of_none=1.0)
     for index, pantograph in enumerate(assessment.pantographs):
         for key in _PANTOGRAPH:
             value = getattr(pantograph, key)

@@ -115,12 +115,14 @@ def test_loss_is_counted_in_time_and_on_the_unfiltered_force() -> None:
 @pytest.mark.parametrize(("lasts", "counts"), [(0.005, False), (0.006, True)])
 def test_arcs_count_from_5_ms_on(lasts: float, counts: bool) -> None:
     [found] = assess(synthetic_dataset(force=lost(12.0, 12.0 + lasts))).pantographs
+    # Counts over a count: round-off, here and below.
     assert found.contact_loss_percent == pytest.approx(1e5 * lasts / 10_001, rel=1e-9)
     assert found.NQ_percent == (found.contact_loss_percent if counts else 0.0)
 
 
 def test_of_an_arc_over_the_border_the_whole_decides_and_the_part_inside_counts() -> None:
     [found] = assess(synthetic_dataset(force=lost(9.9, 10.002))).pantographs
+    # Counts times a step, and over a count: round-off.
     assert found.longest_loss_s == pytest.approx(0.002, rel=1e-9)
     assert found.NQ_percent == pytest.approx(100.0 * 2 / 10_001, rel=1e-12)
 

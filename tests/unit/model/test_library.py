@@ -24,12 +24,24 @@ REQUIRED_SCENARIOS = {
     "praks-360",
 }
 # The published method damps: that is a property to be told, not a mistake in the file.
+# The worked example of the paper has no damping in its wires.
+UNDAMPED = "line: no wire has damping"
 WARNED = {
-    "praks-180": ["solver.scheme: backward differences with a step of 5 ms damp 20 Hz by 28.4%"],
-    "praks-250": ["solver.scheme: backward differences with a step of 3.6 ms damp 20 Hz by 21.4%"],
-    "praks-340": ["solver.scheme: backward differences with a step of 2.65 ms damp 20 Hz by 16.1%"],
+    "praks-180": [
+        UNDAMPED,
+        "solver.scheme: backward differences with a step of 5 ms damp 20 Hz by 28.4%",
+    ],
+    "praks-250": [
+        UNDAMPED,
+        "solver.scheme: backward differences with a step of 3.6 ms damp 20 Hz by 21.4%",
+    ],
+    "praks-340": [
+        UNDAMPED,
+        "solver.scheme: backward differences with a step of 2.65 ms damp 20 Hz by 16.1%",
+    ],
     "praks-360": [
         "speed: 360 km/h is 74% of the wave speed 487 km/h; EN 50119 allows 70%",
+        UNDAMPED,
         "solver.scheme: backward differences with a step of 2.5 ms damp 20 Hz by 15.3%",
     ],
 }

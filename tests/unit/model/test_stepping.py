@@ -6,6 +6,7 @@ from typing import Any
 import pytest
 
 import arcless
+from arcless.errors import ModelError
 from arcless.model import Scenario, load, scenario_warnings
 from arcless.model.load import shipped
 from arcless.model.stepping import LADDER, longest_step
@@ -145,3 +146,13 @@ def test_steps_that_auto_takes_are_stable(name: str, length: float) -> None:
         | {"travel": {}, "analysis": {}},
     )
     arcless.simulate.job.ready_line(scenario, lambda _share, _text: None)
+
+
+def test_explicit_steps_on_a_rail_are_refused_with_what_helps() -> None:
+    rail = load("conductor-rail-1-120")
+    with pytest.raises(ModelError) as caught:
+        rail.with_(**{"solver.scheme": {"name": "central-difference"}})
+    text = str(caught.value)
+    assert "explicit steps on a rail" in text
+    assert "leave solver.scheme to auto" in text
+    assert rail.with_(**{"solver.scheme": {"name": "auto"}}).choice.why
