@@ -5,7 +5,8 @@ import os
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
-from typing import TYPE_CHECKING, Any, TextIO
+from io import TextIOBase
+from typing import IO, TYPE_CHECKING, Any, TextIO, cast
 
 if TYPE_CHECKING:
     from rich.console import Console, RenderableType
@@ -21,7 +22,7 @@ def write(stream: TextIO, text: str) -> None:
         stream.write(text)
         stream.flush()
     except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
+        _lead_nowhere(stream)
 
 
 def data(text: str) -> None:
@@ -67,7 +68,9 @@ def progress(*, quiet: bool = False) -> Iterator[Progress | None]:
     from rich.progress import Progress as Bar
 
     columns = (TextColumn("{task.description}"), BarColumn(), TaskProgressColumn())
-    with Bar(*columns, TimeRemainingColumn(), console=Console(stderr=True), transient=True) as bar:
+    with Bar(
+        *columns, TimeRemainingColumn(), console=Console(file=lasting()), transient=True
+    ) as bar:
         task = bar.add_task("", total=1.0)
 
         def advance(fraction: float, text: str) -> None:
@@ -83,10 +86,39 @@ def _labelled(label: str, style: str, text: str) -> None:
     _say(_render(sys.stderr, line, fold=False))
 
 
-def _say(text: str) -> None:
+def lasting() -> IO[str]:
+    """Return standard error for what is drawn on it again and again, also after it was closed."""
+    return cast(IO[str], _Lasting(sys.stderr))
+
+
+class _Lasting(TextIOBase):
+    def __init__(self, stream: TextIO) -> None:
+        self._stream = stream  # while a bar is drawn, `sys.stderr` is the bar's
+
+    def write(self, text: str) -> int:
+        _say(text, self._stream)
+        return len(text)
+
+    def isatty(self) -> bool:
+        return self._stream.isatty()
+
+    def fileno(self) -> int:
+        return self._stream.fileno()
+
+
+def _say(text: str, stream: TextIO | None = None) -> None:
     """Write to standard error; work goes on where nobody can read it any more."""
-    with suppress(OSError):
-        write(sys.stderr, text)
+    stream = stream or sys.stderr
+    try:
+        write(stream, text)
+    except OSError:
+        _lead_nowhere(stream)
+
+
+def _lead_nowhere(stream: TextIO) -> None:
+    """Let what is still to be written to a stream, by Python when it ends as well, be lost."""
+    with suppress(OSError, ValueError):
+        os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
 
 
 def _render(stream: TextIO, *blocks: "RenderableType", fold: bool) -> str:

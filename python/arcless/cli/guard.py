@@ -44,7 +44,8 @@ def exit_code_of(command: Callable[[], Any]) -> int:
     except (Exception, KeyboardInterrupt) as error:
         if os.environ.get("ARCLESS_TRACEBACK"):
             raise
-        return _report(error)
+        # What fails after a signal has ended the work follows from that: a closed terminal.
+        return _report(KeyboardInterrupt() if interrupts.ended() else error)
     return _report(KeyboardInterrupt()) if code == _INTERRUPTED_BY_TYPER else code
 
 

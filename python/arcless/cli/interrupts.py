@@ -44,6 +44,11 @@ def answer_once() -> None:
             signal.signal(number, answer)
 
 
+def ended() -> bool:
+    """Whether SIGTERM or SIGHUP has ended the work."""
+    return bool(_ended_by)
+
+
 def word() -> str:
     """Say in a word what ended the work."""
     return _ENDING[signal.Signals(_ended_by[0])] if _ended_by else _BY_CTRL_C
