@@ -45,11 +45,12 @@ class ContactWire(Wire):
 
     @model_validator(mode="after")
     def _check_kind(self) -> "ContactWire":
-        if self.tension == 0 and self.kind == "wire":
+        least = extremes.LEAST_TENSION
+        if self.tension < least and (self.kind == "wire" or self.tension > 0):
             raise ModelError(
                 WRONG_VALUE,
-                got="0 N",
-                expected=f"{accepted('N')}, above 0 N",
+                got=f"{self.tension:g} N",
+                expected=f"{accepted('N')}, at least {least:g} N",
                 hint="only a conductor rail (kind: conductor_rail) is without tension",
                 field=("tension",),
             )
