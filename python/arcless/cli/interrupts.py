@@ -75,10 +75,10 @@ def held_back() -> Iterator[None]:
     try:
         yield
     finally:
-        for number, handler in before.items():
-            signal.signal(number, handler)
-    for number, frame in came:
-        before[number](number, frame)
+        for held, handler in before.items():
+            signal.signal(held, handler)
+    for held, frame in came:
+        before[held](held, frame)
 
 
 def ignore() -> None:

@@ -30,6 +30,7 @@ def check_entry(name: str, entry: Entry, sizes: Mapping[str, int], file: object)
         Its dimensions or sizes are others, it holds no numbers, or one that is not finite.
     """
     dims, values, _ = entry
+    expected: tuple[str, ...]
     if name in DIMENSIONS:
         expected, is_text = (name,), DIMENSIONS[name].kind == "name"
     elif name in VARIABLES:

@@ -123,8 +123,8 @@ def put_behind(
     A result has no series without columns, such as the forces of no droppers: here neither.
     """
     empty = [n for n, values in variables.items() if n not in earlier and not values.size]
-    for name in empty:
-        del variables[name]
+    for without in empty:
+        del variables[without]
     for axis in SERIES:
         before = earlier[axis].values if axis in earlier else np.zeros(0)
         labels[axis] = np.concatenate([before, labels[axis]])

@@ -58,7 +58,7 @@ def case(seed: int) -> str:
 
 def finite(result: Any) -> None:
     """See that the numbers of a result are finite, and its assessment can be written."""
-    if not np.isfinite(result.recorded["contact_force"]).all():
+    if not np.isfinite(result.recorded["contact_force"].values).all():
         raise FoundError("forces that are not finite")
     if "NaN" in result.assessment.to_json():
         raise FoundError("NaN in the assessment")
