@@ -69,6 +69,7 @@ fuzz: build ## look for input that breaks something, for SECONDS (600) each targ
 	target/fuzz/$(HOST)/release/$$target -max_total_time=$(SECONDS) -timeout=20 -max_len=256 -len_control=0 \
 	-verbosity=0 -artifact_prefix=target/fuzz/$$target- target/fuzz/kept/$$target $(FUZZ)/corpus/$$target || exit 1; done
 	ARCLESS_SEARCH=20 $(BIN)/python -m pytest -m "" tests/hostile
+	OPENBLAS_NUM_THREADS=1 $(BIN)/python -m tests.hostile.campaign --seconds $(SECONDS)
 
 lint: build ## check format, lints and types, and that no lock file or local path is tracked
 	cargo fmt --all --check

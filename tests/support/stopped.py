@@ -30,6 +30,12 @@ CHANGES = {
 TAKES_ROOM = {"open", "os.mkdir"}
 WRITES = os.O_WRONLY | os.O_RDWR
 LIMIT_S = 120.0
+SIGNALS = {
+    "kill": signal.SIGKILL,
+    "interrupt": signal.SIGINT,
+    "terminate": signal.SIGTERM,
+    "hang up": signal.SIGHUP,
+}
 
 
 @dataclass(frozen=True)
@@ -38,7 +44,7 @@ class Job:
 
     words: list[str]
     folder: str  # where it runs, and whose files count
-    how: str  # kill, interrupt, full (disk), never
+    how: str  # kill, interrupt, terminate, hang up, full (disk), never
     operation: int = 0  # number of the file operation before which it happens, from 1
     moment_s: float = 0.0  # or the time after the start
     reads: bool = False  # opening a file to read it is an operation too
@@ -73,7 +79,7 @@ class Watch:
         if self.job.how == "full" and event in TAKES_ROOM and self.seen >= self.job.operation > 0:
             raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(arguments[0]))
         if self.seen == self.job.operation and self.job.how != "full":
-            os.kill(os.getpid(), signal.SIGKILL if self.job.how == "kill" else signal.SIGINT)
+            os.kill(os.getpid(), SIGNALS[self.job.how])
 
     def counts(self, event: str, arguments: tuple[Any, ...]) -> bool:
         if event == "sqlite3.connect":
@@ -119,6 +125,8 @@ def become(job: Job, files: list[Path]) -> None:
     from arcless.cli import main
 
     signal.signal(signal.SIGINT, signal.default_int_handler)
+    for number in (signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, signal.SIG_DFL)
     for number, file in ((1, files[0]), (2, files[1])):
         os.dup2(os.open(file, os.O_WRONLY), number)
     told = os.open(files[2], os.O_WRONLY)
@@ -138,7 +146,7 @@ def wait(child: int, job: Job) -> int:
                 wait_for_rows(ended, Path(job.folder) / job.file, job.rows)
             else:
                 select.select([ended], [], [], job.moment_s)
-            os.kill(child, signal.SIGKILL if job.how == "kill" else signal.SIGINT)
+            os.kill(child, SIGNALS[job.how])
         if not select.select([ended], [], [], LIMIT_S)[0]:
             os.kill(child, signal.SIGKILL)
     finally:

@@ -127,7 +127,7 @@ def _attributes(
         "slack_droppers_max": 2,
         "lcp_pivots_total": 40_000,
         "lcp_pivots_max": 7,
-        "static_force_found": [60.0],
+        "static_force_found": {"P1": 60.0},
         "warnings": ["this run was drawn, not computed"],
         "command": "arcless run synthetic",
         **(attrs or {}),

@@ -5,7 +5,11 @@ use crate::common;
 use arcless_core::CoreError;
 use arcless_core::dynamics::actuator::Actuator;
 use arcless_core::dynamics::given::History;
+use arcless_core::dynamics::line::Line;
+use arcless_core::dynamics::path::Path;
+use arcless_core::dynamics::stepper::Prepared;
 use arcless_core::dynamics::still::Still;
+use arcless_core::published::Matrix;
 use arcless_core::scheme::Scheme;
 use arcless_core::statics::Geometry;
 use arcless_core::structure::{Spring, SpringMode, Strut};
@@ -171,4 +175,52 @@ fn a_run_that_ends_beyond_all_numbers_is_an_error() {
             }
         }
     }
+}
+
+/// The time of its steps was infinite, and nothing said so.
+#[test]
+fn steps_that_no_line_takes_are_refused() {
+    let (s, lanes) = STRING.structure(2);
+    let geometry = Geometry::<2, 4>::new(s).expect("sound");
+    let shape = geometry.settle(&geometry.initial_shape()).expect("firm");
+    let prepare = |h: f64| {
+        let paths = Path::lanes(&geometry, &shape, std::slice::from_ref(&lanes))?;
+        let line = Line::new(&geometry, shape.clone());
+        Prepared::new(line, paths, scheme(), h, 5e4)
+    };
+    assert!(prepare(1e-3).is_ok());
+    for h in [0.0, -1e-3, 1e-200, 1e100, 1e308, f64::INFINITY, f64::NAN] {
+        assert!(is_refused(prepare(h), "solver"), "{h}");
+    }
+}
+
+/// The number of entries wrapped round to what was given: the first look at the matrix panicked.
+#[test]
+fn matrices_of_more_entries_than_can_be_counted_are_refused() {
+    for (rows, values) in [(1 << 32, 0), (1 << 33, 0), (1 << 63, 0), (usize::MAX, 1)] {
+        let found = Matrix::new("mass", rows, rows, vec![1.0; values]);
+        assert!(is_refused(found, "mass"), "{rows}");
+    }
+}
+
+/// A basis that spans everything went on in rounding, and nobody could stop it.
+#[test]
+fn frequencies_are_bounded_and_can_be_given_up() {
+    let (s, _) = STRING.structure(2);
+    let geometry = Geometry::<2, 4>::new(s).expect("sound");
+    let shape = geometry.settle(&geometry.initial_shape()).expect("firm");
+    let line = Line::new(&geometry, shape);
+    let all = line.frequencies(1000).expect("a firm line");
+    assert!(all.len() <= line.free.iter().flatten().filter(|f| **f).count());
+    assert!(all.iter().all(|f| f.is_finite()));
+    for count in [1001, 1 << 20, 1 << 63, usize::MAX] {
+        assert!(is_refused(line.frequencies(count), "count"));
+    }
+    let mut asked = 0;
+    let given_up = line.frequencies_while(1000, &mut || {
+        asked += 1;
+        false
+    });
+    assert!(matches!(given_up, Err(CoreError::Cancelled { .. })));
+    assert_eq!(asked, 1);
 }

@@ -127,8 +127,15 @@ impl Equilibrium {
 
     /// Lowest natural frequencies in Hz.
     fn frequencies(&self, py: Python<'_>, count: usize) -> PyResult<Vec<f64>> {
-        let found = py.detach(|| either!(&self.0, s => s.frequencies(count)));
-        found.map_err(|e| convert(py, &e))
+        let mut raised = None::<PyErr>;
+        let found = py.detach(|| {
+            let mut go_on = || {
+                let signals = Python::attach(|py| py.check_signals());
+                signals.map_err(|error| raised = Some(error)).is_ok()
+            };
+            either!(&self.0, s => s.line().frequencies_while(count, &mut go_on))
+        });
+        found.map_err(|e| raised.unwrap_or_else(|| convert(py, &e)))
     }
 
     /// Modes that a vertical force of 1 N at coordinate `x` moves, shared alike by the wires of `lanes`:
@@ -253,10 +260,6 @@ impl<const DIM: usize, const D: usize> Solved<DIM, D> {
     ) -> Result<Vec<f64>, CoreError> {
         let (line, lanes) = (self.line(), self.lanes(lanes)?);
         Still::new(&line)?.elasticity(&lanes, x, force)
-    }
-
-    fn frequencies(&self, count: usize) -> Result<Vec<f64>, CoreError> {
-        self.line().frequencies(count)
     }
 
     fn modes_moved(

@@ -9,6 +9,7 @@ __all__ = ["main"]
 
 def main() -> None:
     """Run the command `arcless` and leave with its exit code."""
+    start.have_streams()
     interrupts.answer_once()
     start.own_process()
     try:
@@ -17,6 +18,7 @@ def main() -> None:
 
         app(prog_name="arcless")
     except KeyboardInterrupt:  # while the commands themselves are still being imported
-        sys.exit("interrupted")
+        print(interrupts.word(), file=sys.stderr)  # noqa: T201 - the console is not there yet
+        sys.exit(interrupts.exit_code(1))
     finally:
         interrupts.ignore()

@@ -5,8 +5,9 @@ import os
 import re
 import sys
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any, TextIO
+from contextlib import contextmanager, suppress
+from io import TextIOBase
+from typing import IO, TYPE_CHECKING, Any, TextIO, cast
 
 if TYPE_CHECKING:
     from rich.console import Console, RenderableType
@@ -23,7 +24,7 @@ def write(stream: TextIO, text: str) -> None:
         stream.write(text)
         stream.flush()
     except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
+        _lead_nowhere(stream)
 
 
 def data(text: str) -> None:
@@ -43,7 +44,7 @@ def show(*blocks: "RenderableType") -> None:
 
 def note(text: str) -> None:
     """Write one line to standard error."""
-    write(sys.stderr, text + "\n")
+    _say(text + "\n")
 
 
 def warn(text: str) -> None:
@@ -69,7 +70,9 @@ def progress(*, quiet: bool = False) -> Iterator[Progress | None]:
     from rich.progress import Progress as Bar
 
     columns = (TextColumn("{task.description}"), BarColumn(), TaskProgressColumn())
-    with Bar(*columns, TimeRemainingColumn(), console=Console(stderr=True), transient=True) as bar:
+    with Bar(
+        *columns, TimeRemainingColumn(), console=Console(file=lasting()), transient=True
+    ) as bar:
         task = bar.add_task("", total=1.0)
 
         def advance(fraction: float, text: str) -> None:
@@ -82,7 +85,42 @@ def _labelled(label: str, style: str, text: str) -> None:
     from rich.text import Text
 
     line = Text.assemble((label, style), ": ", text)
-    write(sys.stderr, _render(sys.stderr, line, fold=False))
+    _say(_render(sys.stderr, line, fold=False))
+
+
+def lasting() -> IO[str]:
+    """Return standard error for what is drawn on it again and again, also after it was closed."""
+    return cast(IO[str], _Lasting(sys.stderr))
+
+
+class _Lasting(TextIOBase):
+    def __init__(self, stream: TextIO) -> None:
+        self._stream = stream  # while a bar is drawn, `sys.stderr` is the bar's
+
+    def write(self, text: str) -> int:
+        _say(text, self._stream)
+        return len(text)
+
+    def isatty(self) -> bool:
+        return self._stream.isatty()
+
+    def fileno(self) -> int:
+        return self._stream.fileno()
+
+
+def _say(text: str, stream: TextIO | None = None) -> None:
+    """Write to standard error; work goes on where nobody can read it any more."""
+    stream = stream or sys.stderr
+    try:
+        write(stream, text)
+    except OSError:
+        _lead_nowhere(stream)
+
+
+def _lead_nowhere(stream: TextIO) -> None:
+    """Let what is still to be written to a stream, by Python when it ends as well, be lost."""
+    with suppress(OSError, ValueError):
+        os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
 
 
 def _render(stream: TextIO, *blocks: "RenderableType", fold: bool) -> str:

@@ -11,7 +11,7 @@ import typer
 from typer.core import TyperGroup
 from typer.exceptions import TyperException
 
-from arcless.cli import console
+from arcless.cli import console, interrupts
 from arcless.cli.background import unfinished
 from arcless.errors import ArclessError
 
@@ -44,7 +44,8 @@ def exit_code_of(command: Callable[[], Any]) -> int:
     except (Exception, KeyboardInterrupt) as error:
         if os.environ.get("ARCLESS_TRACEBACK"):
             raise
-        return _report(error)
+        # What fails after a signal has ended the work follows from that: a closed terminal.
+        return _report(KeyboardInterrupt() if interrupts.ended() else error)
     return _report(KeyboardInterrupt()) if code == _INTERRUPTED_BY_TYPER else code
 
 
@@ -76,8 +77,8 @@ def _report(error: BaseException) -> int:
             code = WRONG_INPUT
             console.fail(error.format_message().rstrip("."), _usage_hint(error))
         case KeyboardInterrupt() | typer.Abort():
-            code = FAILED
-            console.note("interrupted")
+            code = interrupts.exit_code(FAILED)
+            console.note(interrupts.word())
         case MemoryError():
             code = FAILED
             hint = "record less (`--set output.line_every=50`) or shorten the line"

@@ -1,26 +1,35 @@
-"""What Ctrl-C does while the command line cleans up, or moves finished files to their names."""
+"""What Ctrl-C, SIGTERM and SIGHUP do while the command line cleans up, or moves finished files.
+
+All three end a run in the same way: what is unfinished is removed. Only the exit codes differ.
+"""
 
 import signal
 import sys
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
+# Asked for by a batch system or `kill`; by a terminal that was closed.
+_ENDING = {signal.SIGTERM: "terminated", signal.SIGHUP: "hung up"}
+_BY_CTRL_C = "interrupted"
 _ONE_STROKE_S = 1.0  # leaving takes less than this; Ctrl-C again during it changes nothing
+_AFTER_SIGNAL = 128  # what a shell adds to the number of the signal that ended a program
+
+_ended_by: list[int] = []
 
 
 def answer_once() -> None:
-    """Take several Ctrl-C within a second for one: the second must not stop the cleaning up.
+    """Take several signals within a second for one: the second must not stop the cleaning up.
 
-    A process that was started to ignore Ctrl-C (`nohup`) goes on ignoring it.
+    A process that was started to ignore one (`nohup`) goes on ignoring it.
     """
-    if signal.getsignal(signal.SIGINT) is not signal.default_int_handler:
-        return
     answered = -_ONE_STROKE_S
 
-    def answer(_number: int, _frame: object) -> None:
+    def answer(number: int, _frame: object) -> None:
         nonlocal answered
+        if number != signal.SIGINT:
+            _ended_by.append(number)
         now = time.monotonic()
         if now - answered >= _ONE_STROKE_S:
             answered = now
@@ -28,26 +37,51 @@ def answer_once() -> None:
             sys.unraisablehook = lambda _: None
             raise KeyboardInterrupt
 
-    signal.signal(signal.SIGINT, answer)
+    if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
+        signal.signal(signal.SIGINT, answer)
+    for number in _ENDING:
+        if signal.getsignal(number) is signal.SIG_DFL:
+            signal.signal(number, answer)
+
+
+def ended() -> bool:
+    """Whether SIGTERM or SIGHUP has ended the work."""
+    return bool(_ended_by)
+
+
+def word() -> str:
+    """Say in a word what ended the work."""
+    return _ENDING[signal.Signals(_ended_by[0])] if _ended_by else _BY_CTRL_C
+
+
+def exit_code(by_ctrl_c: int) -> int:
+    """Return the exit code of work that was ended; Ctrl-C has one of its own."""
+    return _AFTER_SIGNAL + _ended_by[0] if _ended_by else by_ctrl_c
 
 
 @contextmanager
 def held_back() -> Iterator[None]:
-    """Answer Ctrl-C after the block, not within; the block takes milliseconds."""
-    before = signal.getsignal(signal.SIGINT)
-    if threading.current_thread() is not threading.main_thread() or not callable(before):
+    """Answer signals after the block, not within; the block takes milliseconds."""
+    if threading.current_thread() is not threading.main_thread():
         yield
         return
-    came: list[int] = []
-    signal.signal(signal.SIGINT, lambda number, _frame: came.append(number))
+    before: dict[int, Callable[..., object]] = {}
+    came: list[tuple[int, object]] = []
+    for number in (signal.SIGINT, *_ENDING):
+        handler = signal.getsignal(number)
+        if callable(handler) and not isinstance(handler, signal.Handlers):
+            before[number] = handler
+            signal.signal(number, lambda number, frame: came.append((number, frame)))
     try:
         yield
     finally:
-        signal.signal(signal.SIGINT, before)
-    if came:
-        raise KeyboardInterrupt
+        for held, handler in before.items():
+            signal.signal(held, handler)
+    for held, frame in came:
+        before[held](held, frame)
 
 
 def ignore() -> None:
-    """Answer Ctrl-C no more: everything is done, and the process is leaving."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    """Answer no signal more: everything is done, and the process is leaving."""
+    for number in (signal.SIGINT, *_ENDING):
+        signal.signal(number, signal.SIG_IGN)

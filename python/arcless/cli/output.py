@@ -1,5 +1,6 @@
 """An output folder that holds finished files or none."""
 
+import os
 import shutil
 import time
 from contextlib import suppress
@@ -40,7 +41,8 @@ class OutputFolder:
     Entering proves that the folder can be written, before any computing. Leaving without
     `publish` removes whatever was made, the folder itself included if it is new. Of the `files`
     that belong together the others follow from the first: those of an older run go when it is
-    replaced, so that none ever tells of another run than the first does.
+    replaced, so that none ever tells of another run than the first does. A link in the place of a
+    file is replaced itself; what it leads to stays as it is. A folder there is refused.
     """
 
     def __init__(self, path: Path, *files: str) -> None:
@@ -54,9 +56,10 @@ class OutputFolder:
         from arcless.results import unfinished
 
         self._staging = self.path / unfinished.new_name()
+        self._refuse_folders()
         try:
             for folder in reversed([self.path, *self.path.parents]):
-                if not folder.exists():
+                if not os.path.exists(folder):  # noqa: PTH110 - `Path.exists` fails on long names
                     self._made.append(folder)
                     folder.mkdir(exist_ok=True)
             unfinished.sweep(self.path)
@@ -90,6 +93,7 @@ class OutputFolder:
         try:
             published = sorted(self.path / staged.name for staged in self._staging.iterdir())
             with interrupts.held_back():
+                self._refuse_folders()
                 self._move()
             settle(self.path)
         except OSError as error:
@@ -102,7 +106,7 @@ class OutputFolder:
         aside: list[str] = []
         try:
             for name in others:
-                if (self.path / name).exists():
+                if os.path.lexists(self.path / name):
                     (self.path / name).replace(self._staging / f"{_OLD}{name}")
                     aside.append(name)
             (self._staging / first).replace(self.path / first)
@@ -112,6 +116,18 @@ class OutputFolder:
             raise
         for name in made:
             (self._staging / name).replace(self.path / name)
+
+    def _refuse_folders(self) -> None:
+        """Refuse folders where files are to be: what they hold is not ours to move or to remove."""
+        for name in self._files:
+            if os.path.isdir(self.path / name):  # noqa: PTH112 - `Path.is_dir` fails on long names
+                raise OutputError(
+                    "the file cannot be written",
+                    where=str(self.path / name),
+                    got="a folder",
+                    expected="a file, or nothing",
+                    hint="move it away, or choose another folder with `--out`",
+                )
 
     def _clear(self) -> None:
         with interrupts.held_back():
@@ -126,7 +142,7 @@ class OutputFolder:
         """Remove the hidden folder, although a run that is cut off may still write into it."""
         for _ in range(_TRIES):
             shutil.rmtree(self._staging, ignore_errors=True)
-            if not self._staging.exists():
+            if not os.path.lexists(self._staging):
                 return
             time.sleep(_BETWEEN_TRIES_S)
 

@@ -2,11 +2,28 @@
 
 import gc
 import os
+import sys
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 
 _ours = threading.Event()
+
+
+def have_streams() -> None:
+    """Open what the process was started without of its standard streams, so that it leads nowhere.
+
+    Services and timed jobs close them (`2>&-`). The next file that is opened would take the number
+    of the stream, and whatever a library says of errors would be written into it.
+    """
+    for number, name in enumerate(("stdin", "stdout", "stderr")):
+        try:
+            os.fstat(number)
+        except OSError:
+            os.open(os.devnull, os.O_RDWR)  # takes the lowest number that is free: this one
+        if getattr(sys, name) is None:
+            mode = "r" if number == 0 else "w"
+            setattr(sys, name, open(number, mode, encoding="utf-8", closefd=False))  # noqa: SIM115
 
 
 def own_process() -> None:

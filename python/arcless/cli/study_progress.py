@@ -20,8 +20,10 @@ def progress(*, quiet: bool = False) -> "Iterator[Callable[[Progress], None] | N
     from rich.progress import BarColumn, MofNCompleteColumn, TextColumn
     from rich.progress import Progress as Bar
 
+    from arcless.cli.console import lasting
+
     columns = (BarColumn(), MofNCompleteColumn(), TextColumn("{task.description}"))
-    with Bar(*columns, console=Console(stderr=True), transient=True) as bar:
+    with Bar(*columns, console=Console(file=lasting()), transient=True) as bar:
         task = bar.add_task("", total=None)
 
         def tell(now: "Progress") -> None:

@@ -36,8 +36,8 @@ class LcpInfo:
         Whether the energy criterion came back to a set of contacts that it had left, and the finite
         least-index rule took over.
     residual : float
-        Largest violation of the four conditions, relative to the terms that are added up; at most
-        1e-10, else the problem counts as not solved.
+        Largest violation of the four conditions, relative to the largest terms that are added up in
+        any row, all at unit diagonal of H; at most 1e-10, else the problem counts as not solved.
     status : str
         Always ``"solved"``; anything else is raised.
     """

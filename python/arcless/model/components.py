@@ -5,6 +5,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
+from arcless.model import extremes
 from arcless.model.ends import GRAVITY, USUAL_RATIO, Ends, check_ends
 from arcless.model.fields import Part, Unit
 
@@ -12,8 +13,10 @@ from arcless.model.fields import Part, Unit
 class Rayleigh(Part):
     """Proportional damping C = alpha M + beta K."""
 
-    alpha: Annotated[float, Unit("1/s", minimum=0)] = Field(default=0.0, description="Mass share.")
-    beta: Annotated[float, Unit("s", minimum=0)] = Field(
+    alpha: Annotated[float, Unit("1/s", minimum=0, maximum=extremes.MASS_SHARE)] = Field(
+        default=0.0, description="Mass share."
+    )
+    beta: Annotated[float, Unit("s", minimum=0, maximum=extremes.STIFFNESS_SHARE)] = Field(
         default=0.0, description="Stiffness share."
     )
 
@@ -28,12 +31,20 @@ class TensionedWire(Part):
     catalogue: str | None = Field(
         default=None, description="Wire of the shipped catalogue; it gives what is not given here."
     )
-    mass: Annotated[float, Unit("kg/m", above=0)] = Field(description="Mass per metre.")
-    axial_stiffness: Annotated[float, Unit("N", above=0)] = Field(description="Axial stiffness EA.")
-    bending_stiffness: Annotated[float, Unit("N m2", minimum=0)] = Field(
-        description="Bending stiffness EI."
-    )
-    tension: Annotated[float, Unit("N", above=0)] = Field(description="Tension.")
+    mass: Annotated[
+        float,
+        Unit("kg/m", minimum=extremes.LEAST_MASS_PER_METRE, maximum=extremes.MASS_PER_METRE),
+    ] = Field(description="Mass per metre.")
+    axial_stiffness: Annotated[
+        float,
+        Unit("N", minimum=extremes.LEAST_AXIAL_STIFFNESS, maximum=extremes.AXIAL_STIFFNESS),
+    ] = Field(description="Axial stiffness EA.")
+    bending_stiffness: Annotated[
+        float, Unit("N m2", minimum=0, maximum=extremes.BENDING_STIFFNESS)
+    ] = Field(description="Bending stiffness EI.")
+    tension: Annotated[
+        float, Unit("N", minimum=extremes.LEAST_TENSION, maximum=extremes.TENSION)
+    ] = Field(description="Tension.")
     damping: Rayleigh = Field(default_factory=Rayleigh, description="Rayleigh damping of the wire.")
     thermal_expansion: Annotated[float, Unit("1/K", minimum=0, maximum=1e-3)] = Field(
         default=COPPER_EXPANSION,
@@ -52,8 +63,8 @@ class Wire(TensionedWire):
         description="Ends anchored (fixed), or held by weights, a device of constant force or a"
         " spring; without it, fixed, and a notice says what temperature then does.",
     )
-    end_stiffness: Annotated[float, Unit("N/m", above=0)] | None = Field(
-        default=None, description="Stiffness of a tensioning spring; only with ends: spring."
+    end_stiffness: Annotated[float, Unit("N/m", above=0, maximum=extremes.STIFFNESS)] | None = (
+        Field(default=None, description="Stiffness of a tensioning spring; only with ends: spring.")
     )
     end_ratio: Annotated[float, Unit("1", minimum=1, maximum=20)] | None = Field(
         default=None,
@@ -102,7 +113,7 @@ class StitchWire(TensionedWire):
     length: Annotated[float, Unit("m", above=0, maximum=500)] = Field(
         description="Distance between its clamps, half of it on each side of the support."
     )
-    clamp_mass: Annotated[float, Unit("kg", minimum=0)] = Field(
+    clamp_mass: Annotated[float, Unit("kg", minimum=0, maximum=extremes.MASS)] = Field(
         default=0.0, description="Mass of each clamp on the messenger wire."
     )
 
@@ -118,19 +129,21 @@ class AuxiliaryWire(Wire):
 class DropperType(Part):
     """The droppers of a line: tension only when slackens is true."""
 
-    stiffness: Annotated[float, Unit("N/m", above=0)] = Field(description="Stiffness when taut.")
-    mass: Annotated[float, Unit("kg/m", minimum=0)] = Field(
+    stiffness: Annotated[float, Unit("N/m", above=0, maximum=extremes.STIFFNESS)] = Field(
+        description="Stiffness when taut."
+    )
+    mass: Annotated[float, Unit("kg/m", minimum=0, maximum=extremes.MASS_PER_METRE)] = Field(
         default=0.0, description="Mass per metre."
     )
-    damping: Annotated[float, Unit("N s/m", minimum=0)] = Field(
+    damping: Annotated[float, Unit("N s/m", minimum=0, maximum=extremes.DAMPING)] = Field(
         default=0.0, description="Viscous damping along the dropper."
     )
     rayleigh: Rayleigh = Field(default_factory=Rayleigh, description="Rayleigh damping.")
-    clamp_mass_contact_wire: Annotated[float, Unit("kg", minimum=0)] = Field(
+    clamp_mass_contact_wire: Annotated[float, Unit("kg", minimum=0, maximum=extremes.MASS)] = Field(
         default=0.0, description="Mass of the clamp on the contact wire."
     )
-    clamp_mass_messenger_wire: Annotated[float, Unit("kg", minimum=0)] = Field(
-        default=0.0, description="Mass of the clamp on the messenger wire."
+    clamp_mass_messenger_wire: Annotated[float, Unit("kg", minimum=0, maximum=extremes.MASS)] = (
+        Field(default=0.0, description="Mass of the clamp on the messenger wire.")
     )
     slackens: bool = Field(default=True, strict=True, description="False: can be compressed.")
     thermal_expansion: Annotated[float, Unit("1/K", minimum=0, maximum=1e-3)] = Field(
@@ -142,32 +155,34 @@ class DropperType(Part):
 class MessengerSupport(Part):
     """The support of the messenger wire at each mast."""
 
-    vertical_stiffness: Annotated[float, Unit("N/m", above=0)] = Field(
+    vertical_stiffness: Annotated[float, Unit("N/m", above=0, maximum=extremes.STIFFNESS)] = Field(
         description="Vertical stiffness."
     )
-    lateral_stiffness: Annotated[float, Unit("N/m", above=0)] | None = Field(
-        default=None, description="Stiffness across the track; without it, the vertical one."
+    lateral_stiffness: Annotated[float, Unit("N/m", above=0, maximum=extremes.STIFFNESS)] | None = (
+        Field(default=None, description="Stiffness across the track; without it, the vertical one.")
     )
-    longitudinal_stiffness: Annotated[float, Unit("N/m", minimum=0)] = Field(
-        default=0.0, description="Stiffness along the track."
+    longitudinal_stiffness: Annotated[float, Unit("N/m", minimum=0, maximum=extremes.STIFFNESS)] = (
+        Field(default=0.0, description="Stiffness along the track.")
     )
-    vertical_damping: Annotated[float, Unit("N s/m", minimum=0)] = Field(
+    vertical_damping: Annotated[float, Unit("N s/m", minimum=0, maximum=extremes.DAMPING)] = Field(
         default=0.0, description="Vertical damping."
     )
-    mass: Annotated[float, Unit("kg", minimum=0)] = Field(default=0.0, description="Moving mass.")
+    mass: Annotated[float, Unit("kg", minimum=0, maximum=extremes.MASS)] = Field(
+        default=0.0, description="Moving mass."
+    )
 
 
 class SteadyArmSpring(Part):
     """A steady arm reduced to a vertical spring."""
 
     kind: Literal["spring"] = Field(default="spring", description="Kind of steady arm.")
-    vertical_stiffness: Annotated[float, Unit("N/m", minimum=0)] = Field(
-        description="Vertical stiffness at the contact wire."
+    vertical_stiffness: Annotated[float, Unit("N/m", minimum=0, maximum=extremes.STIFFNESS)] = (
+        Field(description="Vertical stiffness at the contact wire.")
     )
-    vertical_damping: Annotated[float, Unit("N s/m", minimum=0)] = Field(
+    vertical_damping: Annotated[float, Unit("N s/m", minimum=0, maximum=extremes.DAMPING)] = Field(
         default=0.0, description="Vertical damping at the contact wire."
     )
-    mass: Annotated[float, Unit("kg", minimum=0)] = Field(
+    mass: Annotated[float, Unit("kg", minimum=0, maximum=extremes.MASS)] = Field(
         default=0.0, description="Moving mass at the contact wire."
     )
 
@@ -182,10 +197,10 @@ class SteadyArmBar(Part):
     slope: Annotated[float, Unit("rad", above=-pi / 3, below=pi / 3)] = Field(
         default=0.0, description="Angle to the horizontal, positive with the hinge end higher."
     )
-    mass: Annotated[float, Unit("kg/m", minimum=0)] = Field(
+    mass: Annotated[float, Unit("kg/m", minimum=0, maximum=extremes.MASS_PER_METRE)] = Field(
         default=0.0, description="Mass per metre."
     )
-    axial_stiffness: Annotated[float, Unit("N", above=0)] = Field(
+    axial_stiffness: Annotated[float, Unit("N", above=0, maximum=extremes.AXIAL_STIFFNESS)] = Field(
         default=17e6,
         description="Axial stiffness EA; default assumed (aluminium, 250 mm²).",
     )

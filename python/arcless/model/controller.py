@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 from pydantic import Field, model_validator
 
 from arcless.errors import ModelError
+from arcless.model import extremes
 from arcless.model.documents import printed
 from arcless.model.fields import Part, Path, Unit
 from arcless.model.reader import Origin, is_file
@@ -58,7 +59,7 @@ class Controller(Part):
     maximum_force: Annotated[float, Unit("N", minimum=-10_000, maximum=10_000)] | None = Field(
         default=None, description="Highest force; no limit without."
     )
-    rate_limit: Annotated[float, Unit("N/s", above=0)] | None = Field(
+    rate_limit: Annotated[float, Unit("N/s", above=0, maximum=extremes.RATE)] | None = Field(
         default=None, description="Most that the force changes in a second; no limit without."
     )
     pid: Pid | None = Field(default=None, description="Controller of the contact force.")

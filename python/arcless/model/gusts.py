@@ -6,6 +6,7 @@ from typing import Annotated
 from pydantic import Field, model_validator
 
 from arcless.errors import ModelError
+from arcless.model import extremes
 from arcless.model.fields import Part, Unit
 from arcless.model.lists import check_count
 
@@ -21,11 +22,18 @@ Speeds = Annotated[
 class Gusts(Part):
     """Wind over time; every entry of its lists is one reading, the places in any order."""
 
-    time: Annotated[tuple[Annotated[float, Unit("s")], ...], Field(max_length=MAX_ROWS)] = Field(
-        description="Time of each reading since the start of the run."
-    )
+    time: Annotated[
+        tuple[Annotated[float, Unit("s", minimum=-extremes.TIME, maximum=extremes.TIME)], ...],
+        Field(max_length=MAX_ROWS),
+    ] = Field(description="Time of each reading since the start of the run.")
     position: (
-        Annotated[tuple[Annotated[float, Unit("m")], ...], Field(max_length=MAX_ROWS)] | None
+        Annotated[
+            tuple[
+                Annotated[float, Unit("m", minimum=-extremes.PLACE, maximum=extremes.PLACE)], ...
+            ],
+            Field(max_length=MAX_ROWS),
+        ]
+        | None
     ) = Field(
         default=None,
         description="Place of each reading along the line; without it, the same wind everywhere.",

@@ -6,6 +6,7 @@ from typing import Annotated
 from pydantic import Field, model_validator
 
 from arcless.errors import ModelError
+from arcless.model import extremes
 from arcless.model.fields import Part, Unit
 from arcless.model.lists import check_count
 
@@ -22,11 +23,11 @@ class StripRoll(Part):
     inertia: Annotated[float, Unit("kg m2", above=0, maximum=1e4)] = Field(
         description="Moment of inertia of a strip about its middle."
     )
-    stiffness: Annotated[float, Unit("N m/rad", above=0)] = Field(
-        description="Roll stiffness of its suspension; two springs k/2 at ±b give k b²."
+    stiffness: Annotated[float, Unit("N m/rad", above=0, maximum=extremes.ANGULAR_STIFFNESS)] = (
+        Field(description="Roll stiffness of its suspension; two springs k/2 at ±b give k b².")
     )
-    damping: Annotated[float, Unit("N m s/rad", minimum=0)] = Field(
-        default=0.0, description="Roll damping of its suspension."
+    damping: Annotated[float, Unit("N m s/rad", minimum=0, maximum=extremes.ANGULAR_DAMPING)] = (
+        Field(default=0.0, description="Roll damping of its suspension.")
     )
 
 
@@ -36,7 +37,7 @@ class StripMode(Part):
     frequency: Annotated[float, Unit("Hz", above=0, maximum=1e4)] = Field(
         description="Natural frequency."
     )
-    modal_mass: Annotated[float, Unit("kg", above=0)] = Field(
+    modal_mass: Annotated[float, Unit("kg", above=0, maximum=extremes.MASS)] = Field(
         description="Modal mass that belongs to the shape as written."
     )
     damping_ratio: Annotated[float, Unit("1", minimum=0, below=1)] = Field(
@@ -59,16 +60,18 @@ class CollectorHead(Part):
     half_length: Annotated[float, Unit("m", above=0, maximum=2)] = Field(
         description="Half of the length over which a strip can touch a wire."
     )
-    mass: Annotated[float, Unit("kg", above=0)] = Field(description="Mass of each strip.")
-    stiffness: Annotated[float, Unit("N/m", above=0)] = Field(
+    mass: Annotated[float, Unit("kg", above=0, maximum=extremes.MASS)] = Field(
+        description="Mass of each strip."
+    )
+    stiffness: Annotated[float, Unit("N/m", above=0, maximum=extremes.STIFFNESS)] = Field(
         description="Suspension of each strip from the last mass."
     )
-    damping: Annotated[float, Unit("N s/m", minimum=0)] = Field(
+    damping: Annotated[float, Unit("N s/m", minimum=0, maximum=extremes.DAMPING)] = Field(
         description="Damping of the suspension of each strip."
     )
-    aerodynamic: Annotated[float, Unit("N/(m/s)2")] = Field(
-        default=0.0, description="Upward aerodynamic force on each strip over speed squared."
-    )
+    aerodynamic: Annotated[
+        float, Unit("N/(m/s)2", minimum=-extremes.AERODYNAMIC, maximum=extremes.AERODYNAMIC)
+    ] = Field(default=0.0, description="Upward aerodynamic force on each strip over speed squared.")
     roll: StripRoll | None = Field(
         default=None, description="Roll of each strip; without it, strips stay level."
     )

@@ -5,6 +5,7 @@ from typing import Annotated, Literal
 from pydantic import Field, model_validator
 
 from arcless.errors import ModelError
+from arcless.model import extremes
 from arcless.model.fields import Part, Unit
 from arcless.model.force_tables import DampingTable, StiffnessTable
 
@@ -20,9 +21,10 @@ class BumpStops(Part):
     above: Annotated[float, Unit("m", minimum=0, maximum=10)] | None = Field(
         default=None, description="Way up to the upper stop at the start of a run; none without."
     )
-    stiffness: Annotated[float | Literal["rigid"], Unit("N/m", above=0, words=(RIGID,))] = Field(
-        description="Stiffness of a stop, or rigid."
-    )
+    stiffness: Annotated[
+        float | Literal["rigid"],
+        Unit("N/m", above=0, maximum=extremes.STIFFNESS, words=(RIGID,)),
+    ] = Field(description="Stiffness of a stop, or rigid.")
 
     @model_validator(mode="after")
     def _check(self) -> "BumpStops":

@@ -5,6 +5,7 @@ from typing import Annotated, Literal
 from pydantic import Field, model_validator
 
 from arcless.errors import ModelError
+from arcless.model import extremes
 from arcless.model.components import TensionedWire, Wire
 from arcless.model.fields import Part, Unit
 from arcless.units import WRONG_VALUE, accepted
@@ -13,7 +14,9 @@ from arcless.units import WRONG_VALUE, accepted
 class Joints(Part):
     """Joints of a conductor rail, each a point mass."""
 
-    mass: Annotated[float, Unit("kg", above=0)] = Field(description="Mass of each joint.")
+    mass: Annotated[float, Unit("kg", above=0, maximum=extremes.MASS)] = Field(
+        description="Mass of each joint."
+    )
     spacing: Annotated[float, Unit("m", minimum=1, maximum=500)] = Field(
         description="Distance from joint to joint."
     )
@@ -35,18 +38,19 @@ class ContactWire(Wire):
     kind: Literal["wire", "conductor_rail"] = Field(
         default="wire", description="A wire, or a rail that may be without tension."
     )
-    tension: Annotated[float, Unit("N", minimum=0)] = Field(
+    tension: Annotated[float, Unit("N", minimum=0, maximum=extremes.TENSION)] = Field(
         description="Tension; 0 only in a rail."
     )
     joints: Joints | None = Field(default=None, description="Joints of a conductor rail.")
 
     @model_validator(mode="after")
     def _check_kind(self) -> "ContactWire":
-        if self.tension == 0 and self.kind == "wire":
+        least = extremes.LEAST_TENSION
+        if self.tension < least and (self.kind == "wire" or self.tension > 0):
             raise ModelError(
                 WRONG_VALUE,
-                got="0 N",
-                expected=f"{accepted('N')}, above 0 N",
+                got=f"{self.tension:g} N",
+                expected=f"{accepted('N')}, at least {least:g} N",
                 hint="only a conductor rail (kind: conductor_rail) is without tension",
                 field=("tension",),
             )
@@ -70,16 +74,18 @@ class ContactWire(Wire):
 class ContactSupport(Part):
     """What holds a contact wire without a messenger wire at each mast, or its bridle."""
 
-    vertical_stiffness: Annotated[float, Unit("N/m", above=0)] = Field(
+    vertical_stiffness: Annotated[float, Unit("N/m", above=0, maximum=extremes.STIFFNESS)] = Field(
         description="Vertical stiffness."
     )
-    lateral_stiffness: Annotated[float, Unit("N/m", above=0)] | None = Field(
-        default=None, description="Stiffness across the track; without it, the vertical one."
+    lateral_stiffness: Annotated[float, Unit("N/m", above=0, maximum=extremes.STIFFNESS)] | None = (
+        Field(default=None, description="Stiffness across the track; without it, the vertical one.")
     )
-    vertical_damping: Annotated[float, Unit("N s/m", minimum=0)] = Field(
+    vertical_damping: Annotated[float, Unit("N s/m", minimum=0, maximum=extremes.DAMPING)] = Field(
         default=0.0, description="Vertical damping."
     )
-    mass: Annotated[float, Unit("kg", minimum=0)] = Field(default=0.0, description="Moving mass.")
+    mass: Annotated[float, Unit("kg", minimum=0, maximum=extremes.MASS)] = Field(
+        default=0.0, description="Moving mass."
+    )
 
 
 class Bridle(TensionedWire):
@@ -88,6 +94,6 @@ class Bridle(TensionedWire):
     length: Annotated[float, Unit("m", above=0, maximum=100)] = Field(
         description="Distance between its clamps, half of it on each side of the support."
     )
-    clamp_mass: Annotated[float, Unit("kg", minimum=0)] = Field(
+    clamp_mass: Annotated[float, Unit("kg", minimum=0, maximum=extremes.MASS)] = Field(
         default=0.0, description="Mass of each clamp on the contact wire."
     )

@@ -6,6 +6,7 @@ from typing import Annotated
 from pydantic import Field, model_validator
 
 from arcless.errors import ModelError
+from arcless.model import extremes
 from arcless.model.fields import Part, Unit
 from arcless.model.force_tables import LiftTable
 from arcless.model.joint import Joint
@@ -17,7 +18,13 @@ ROUNDED = 1e-9
 # The strip rises with the whole pantograph but for rounding of what is written.
 RAISED = 1e-6
 
-Vector = tuple[Annotated[float, Unit("1")], ...]
+Vector = tuple[Annotated[float, Unit("1", minimum=-extremes.SHARE, maximum=extremes.SHARE)], ...]
+Mass = Annotated[float, Unit("kg", minimum=-extremes.MASS, maximum=extremes.MASS)]
+Damping = Annotated[float, Unit("N s/m", minimum=-extremes.DAMPING, maximum=extremes.DAMPING)]
+Stiffness = Annotated[float, Unit("N/m", minimum=-extremes.STIFFNESS, maximum=extremes.STIFFNESS)]
+Aerodynamic = Annotated[
+    float, Unit("N/(m/s)2", minimum=-extremes.AERODYNAMIC, maximum=extremes.AERODYNAMIC)
+]
 
 
 class MatrixJoint(Joint):
@@ -49,22 +56,22 @@ class MatrixLift(LiftTable):
 class PantographMatrices(Part):
     """A linear pantograph in coordinates of its own: m ü + c u̇ + k u = forces."""
 
-    mass: tuple[tuple[Annotated[float, Unit("kg")], ...], ...] = Field(
+    mass: tuple[tuple[Mass, ...], ...] = Field(
         description="Mass matrix, row by row: symmetric, positive definite.",
         min_length=1,
         max_length=MAX_COORDINATES,
     )
-    damping: tuple[tuple[Annotated[float, Unit("N s/m")], ...], ...] = Field(
+    damping: tuple[tuple[Damping, ...], ...] = Field(
         description="Damping matrix, row by row: symmetric, not negative."
     )
-    stiffness: tuple[tuple[Annotated[float, Unit("N/m")], ...], ...] = Field(
+    stiffness: tuple[tuple[Stiffness, ...], ...] = Field(
         description="Stiffness matrix, row by row: symmetric, not negative."
     )
     strip: Vector = Field(description="Height of the strip for a unit of each coordinate.")
     preload: Vector = Field(
         description="Work of a unit of the uplift force on a unit of each coordinate."
     )
-    lift: tuple[Annotated[float, Unit("N/(m/s)2")], ...] | None = Field(
+    lift: tuple[Aerodynamic, ...] | None = Field(
         default=None,
         description="Upward aerodynamic force on each coordinate over speed squared; zero without.",
     )

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Annotated
 from pydantic import Field
 
 from arcless.errors import ModelError
+from arcless.model import extremes
 from arcless.model.fields import Part, Unit
 
 if TYPE_CHECKING:
@@ -14,7 +15,7 @@ if TYPE_CHECKING:
 class MidpointAnchor(Part):
     """What keeps the wires in place along the track when a device tensions them at either end."""
 
-    stiffness: Annotated[float, Unit("N/m", above=0)] = Field(
+    stiffness: Annotated[float, Unit("N/m", above=0, maximum=extremes.STIFFNESS)] = Field(
         description="Along the track, of what holds each wire there."
     )
     support: Annotated[int, Field(ge=1, strict=True)] | None = Field(

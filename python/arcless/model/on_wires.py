@@ -4,6 +4,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
+from arcless.model import extremes
 from arcless.model.fields import Part, Unit
 
 OnWire = Literal["contact_wire", "messenger_wire", "auxiliary_wire"]
@@ -26,18 +27,22 @@ class _OnWire(Part):
 class LumpedMass(_OnWire):
     """A mass on a wire."""
 
-    mass: Annotated[float, Unit("kg", above=0)] = Field(description="Mass.")
+    mass: Annotated[float, Unit("kg", above=0, maximum=extremes.MASS)] = Field(description="Mass.")
 
 
 class Insert(_OnWire):
     """A piece of a wire that is made of something else, such as a section insulator."""
 
     length: Annotated[float, Unit("m", above=0, maximum=50)] = Field(description="Length.")
-    mass: Annotated[float, Unit("kg", above=0)] = Field(description="Mass of all of it.")
-    axial_stiffness: Annotated[float, Unit("N", above=0)] = Field(description="Axial stiffness EA.")
-    bending_stiffness: Annotated[float, Unit("N m2", minimum=0)] = Field(
-        description="Bending stiffness EI."
+    mass: Annotated[float, Unit("kg", above=0, maximum=extremes.MASS)] = Field(
+        description="Mass of all of it."
     )
+    axial_stiffness: Annotated[float, Unit("N", above=0, maximum=extremes.AXIAL_STIFFNESS)] = Field(
+        description="Axial stiffness EA."
+    )
+    bending_stiffness: Annotated[
+        float, Unit("N m2", minimum=0, maximum=extremes.BENDING_STIFFNESS)
+    ] = Field(description="Bending stiffness EI.")
 
     @property
     def ends(self) -> tuple[float, float]:

@@ -5,6 +5,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, model_validator
 
 from arcless.errors import ModelError
+from arcless.model import extremes
 from arcless.model.documents import Document
 from arcless.model.fields import Unit
 from arcless.model.force_tables import LiftTable
@@ -18,14 +19,16 @@ MAX_MASSES = MAX_COORDINATES
 class PantographMass(Joint):
     """A mass of the chain, with what joins it to the mass below."""
 
-    mass: Annotated[float, Unit("kg", above=0)] = Field(description="Mass.")
-    stiffness: Annotated[float, Unit("N/m", minimum=0)] | None = Field(
+    mass: Annotated[float, Unit("kg", above=0, maximum=extremes.MASS)] = Field(description="Mass.")
+    stiffness: Annotated[float, Unit("N/m", minimum=0, maximum=extremes.STIFFNESS)] | None = Field(
         default=None, description="Spring to the mass below, or to the base frame."
     )
-    damping: Annotated[float, Unit("N s/m", minimum=0)] | None = Field(
+    damping: Annotated[float, Unit("N s/m", minimum=0, maximum=extremes.DAMPING)] | None = Field(
         default=None, description="Damper to the mass below, or to the base frame."
     )
-    aerodynamic: Annotated[float, Unit("N/(m/s)2")] = Field(
+    aerodynamic: Annotated[
+        float, Unit("N/(m/s)2", minimum=-extremes.AERODYNAMIC, maximum=extremes.AERODYNAMIC)
+    ] = Field(
         default=0.0,
         description="Upward aerodynamic force on this mass over speed squared.",
     )

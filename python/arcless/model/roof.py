@@ -7,12 +7,15 @@ from typing import Annotated, Any
 from pydantic import Field, model_validator
 
 from arcless.errors import ModelError
+from arcless.model import extremes
 from arcless.model.fields import Part, Path, Unit
 from arcless.model.lists import check_count
 from arcless.model.reader import Origin
 from arcless.model.tables import Table, read_table
 
 MAX_POINTS = 50_000
+# In s or m; closer points are a step, and a curve through them has slopes beyond all reason.
+CLOSEST = 1e-6
 # Fields that hold points, and columns of a file.
 POINTS = Table({"time": "s", "position": "m", "displacement": "m"}, either=("time", "position"))
 
@@ -24,10 +27,14 @@ class RoofMotion(Part):
         default=None,
         description="CSV file with the points, relative to this file; read when it is loaded.",
     )
-    time: tuple[Annotated[float, Unit("s")], ...] | None = Field(
-        default=None, description="Times since the start of the run.", max_length=MAX_POINTS
-    )
-    position: tuple[Annotated[float, Unit("m")], ...] | None = Field(
+    time: (
+        tuple[Annotated[float, Unit("s", minimum=-extremes.TIME, maximum=extremes.TIME)], ...]
+        | None
+    ) = Field(default=None, description="Times since the start of the run.", max_length=MAX_POINTS)
+    position: (
+        tuple[Annotated[float, Unit("m", minimum=-extremes.PLACE, maximum=extremes.PLACE)], ...]
+        | None
+    ) = Field(
         default=None,
         description="Positions of the pantograph along the line; excludes time.",
         max_length=MAX_POINTS,
@@ -54,11 +61,11 @@ class RoofMotion(Part):
         check_count(self.displacement, len(self.points), name, ("displacement",))
         unit = POINTS.columns[name]
         for index, (earlier, later) in enumerate(pairwise(self.points), start=1):
-            if later <= earlier:
+            if later - earlier < CLOSEST:
                 raise ModelError(
-                    "points out of order",
-                    got=f"{later:g} {unit} after {earlier:g} {unit}",
-                    expected=f"a {name} that increases",
+                    "points out of order" if later <= earlier else "points too close together",
+                    got=f"{later:.12g} {unit} after {earlier:.12g} {unit}",
+                    expected=f"a {name} that increases, by at least {CLOSEST:g} {unit}",
                     field=(name, index),
                 )
         return self

@@ -6,6 +6,7 @@ from typing import Annotated, Any, Final, Literal, TypeAlias
 from pydantic import Field, model_validator
 
 from arcless.errors import ModelError
+from arcless.model import extremes
 from arcless.model.fields import Lengths, Part, Unit
 from arcless.model.lists import check_count
 from arcless.model.schemes import AUTOMATIC, EXPLICIT, Auto, Scheme
@@ -31,7 +32,7 @@ ElementLength: TypeAlias = Annotated[
 class SpeedProfile(Part):
     """Speed over time, linear between the given points."""
 
-    time: tuple[Annotated[float, Unit("s", minimum=0)], ...] = Field(
+    time: tuple[Annotated[float, Unit("s", minimum=0, maximum=extremes.TIME)], ...] = Field(
         description="Times, the first one 0.", min_length=2, max_length=MAX_PROFILE
     )
     speed: tuple[Annotated[float, Unit("m/s", minimum=0, maximum=MAX_SPEED)], ...] = Field(
@@ -63,7 +64,7 @@ class Contact(Part):
     """The contact between collector strip and contact wire."""
 
     law: Literal["compliant", "rigid"] = Field(default="compliant", description="Contact law.")
-    stiffness: Annotated[float, Unit("N/m", above=0)] = Field(
+    stiffness: Annotated[float, Unit("N/m", above=0, maximum=extremes.STIFFNESS)] = Field(
         default=50e3, description="Stiffness of the compliant law."
     )
     friction_coefficient: Annotated[float, Unit("1", minimum=0, maximum=2)] = Field(

@@ -83,7 +83,7 @@ def variables(given: Mapping[str, Any], names: Mapping[str, Any]) -> tuple[Descr
         variable = VARIABLES[name]
         _check_shape(name, variable, array, coords)
         if array.size:
-            _check_finite(name, variable, array, coords)
+            check_finite(name, variable, array, coords)
             meaning = {"units": variable.units, "long_name": variable.long_name}
             data[name] = (variable.dims, array, meaning)
     used = {dim for dims, _, _ in data.values() for dim in dims}
@@ -158,9 +158,10 @@ def _check_shape(
         )
 
 
-def _check_finite(
+def check_finite(
     name: str, variable: Variable, array: NDArray[Any], coords: Mapping[str, NDArray[Any]]
 ) -> None:
+    """Refuse an array with a value that is not finite where the table of variables allows none."""
     bad = ~np.isfinite(array)
     if variable.padded:
         bad &= ~np.all(np.isnan(array), axis=0)

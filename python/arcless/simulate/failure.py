@@ -19,7 +19,7 @@ from arcless.mesh import Mesh
 from arcless.model import Scenario
 from arcless.model.placement import PantographPlacement
 from arcless.simulate.contacts import label
-from arcless.simulate.equilibrium import translate
+from arcless.simulate.equilibrium import place_of, translate
 from arcless.simulate.joints import laws
 
 # A run starts in statics, and with updated kinematics the tangent is factorised in every step.
@@ -40,16 +40,18 @@ STEPS = {
 
 
 @contextmanager
-def preparing(scenario: Scenario) -> Iterator[None]:
-    """Turn what the core refuses of `solver`, for this line, into an error of the scenario."""
+def preparing(mesh: Mesh, scenario: Scenario) -> Iterator[None]:
+    """Turn what the core refuses of `solver`, or of the line, into an error that names it."""
     try:
         yield
     except _core.NativeError as error:
-        kind, _, details = error.args
+        kind, message, details = error.args
         if kind == "too_long":
             raise _too_long(scenario, details["longest"]) from error
+        if kind == "singular":
+            raise _unsolvable(mesh, details["node"]) from error
         if (kind, details.get("array")) != ("input", "solver"):
-            raise
+            raise translate(mesh, kind, message, details) from error
         scheme = scenario.stepping.scheme.name
         raise ModelError(
             f"this line cannot be stepped with the scheme {scheme}",
@@ -57,6 +59,16 @@ def preparing(scenario: Scenario) -> Iterator[None]:
             got=details["reason"],
             hint="leave solver.scheme to auto",
         ) from error
+
+
+def _unsolvable(mesh: Mesh, node: int) -> EquilibriumError:
+    """Say that the matrix of the steps is singular, although the line at rest is firm."""
+    return EquilibriumError(
+        "the equations of a step cannot be solved",
+        where=place_of(mesh, node),
+        got="stiffness, damping or mass that outweighs all else there by more than numbers resolve",
+        hint="check damping, masses and stiffnesses around that place",
+    )
 
 
 def _too_long(scenario: Scenario, longest_s: float) -> ModelError:

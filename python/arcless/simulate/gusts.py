@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from arcless.mesh import Mesh, diameters
 from arcless.model import AsBuilt, Gusts, Scenario
-from arcless.simulate.equilibrium import Equilibrium
+from arcless.simulate.equilibrium import Equilibrium, named
 from arcless.simulate.motion import Motion
 
 Floats = NDArray[np.float64]
@@ -40,7 +40,9 @@ def line_loads(found: Equilibrium, scenario: Scenario, travel: Motion) -> list[L
             if sizes.any():
                 pattern = np.zeros((len(share), 3))
                 pattern[:, component] = share * thickness
-                loads.append((found.core.nodal_forces(pattern), sizes.tolist()))
+                with named(found.mesh):
+                    forces = found.core.nodal_forces(pattern)
+                loads.append((forces, sizes.tolist()))
     return loads
 
 

@@ -206,8 +206,10 @@ def prepare(found: equilibrium.Equilibrium, scenario: Scenario) -> _core.Prepare
     ------
     ModelError
         The line cannot be stepped as `solver` asks.
+    EquilibriumError
+        The equations of a step cannot be solved.
     """
-    with preparing(scenario):
+    with preparing(found.mesh, scenario):
         return found.core.prepare(
             found.mesh.lanes,
             motion.scheme_numbers(scenario.stepping.scheme),

@@ -118,7 +118,13 @@ def joined(pieces: Sequence[dict[str, Any]]) -> dict[str, Any]:
 def put_behind(
     earlier: "xarray.Dataset", variables: dict[str, Floats], labels: dict[str, Any]
 ) -> None:
-    """Put the rows of a part of a run behind those that an earlier result has."""
+    """Put the rows of a part of a run behind those that an earlier result has.
+
+    A result has no series without columns, such as the forces of no droppers: here neither.
+    """
+    empty = [n for n, values in variables.items() if n not in earlier and not values.size]
+    for without in empty:
+        del variables[without]
     for axis in SERIES:
         before = earlier[axis].values if axis in earlier else np.zeros(0)
         labels[axis] = np.concatenate([before, labels[axis]])

@@ -109,7 +109,7 @@ def _sobol(
         calc_second_order=design.second_order,
         num_resamples=RESAMPLES,
         conf_level=CONFIDENCE,
-        seed=seed,
+        seed=seed + 1,  # SALib takes 0 for none
     )
     names = problem["names"]
     result: dict[str, Any] = {}

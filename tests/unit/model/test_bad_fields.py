@@ -30,7 +30,8 @@ Refused = Callable[..., str]
             "tension: 22 kN",
             "tension: 0",
             "line.yaml:7: contact_wire.tension: got 0 N, expected a force (N, kN, daN, MN),"
-            " above 0 N; hint: only a conductor rail (kind: conductor_rail) is without tension",
+            " at least 0.001 N; hint: only a conductor rail (kind: conductor_rail) is without"
+            " tension",
         ),
         (
             "tension: 22 kN",
@@ -41,7 +42,7 @@ Refused = Callable[..., str]
             "  tension: 22 kN\n",
             "",
             "line.yaml:3: contact_wire.tension: missing field: expected Tension; 0 only in a"
-            " rail: a force (N, kN, daN, MN), at least 0 N",
+            " rail: a force (N, kN, daN, MN), at least 0 N and at most 1e+09 N",
         ),
         (
             "tension: 22 kN",
@@ -53,7 +54,7 @@ Refused = Callable[..., str]
             "mass: 1.35 kg/m",
             "mass: -1.35 kg/m",
             'line.yaml:4: contact_wire.mass: got "-1.35 kg/m", expected a mass per length (kg/m,'
-            " g/m, kg/km, t/km), above 0 kg/m",
+            " g/m, kg/km, t/km), at least 1e-06 kg/m and at most 10000 kg/m",
         ),
         (
             "[10, 20, 35, 45]",

@@ -44,7 +44,8 @@ def test_friction_is_a_steep_damper_up_to_the_sliding_speed() -> None:
         (
             chain(stiffness=None),
             "masses.0.stiffness: missing field: expected Spring to the mass below, or to the base"
-            " frame: a stiffness (N/m, kN/m, N/mm, MN/m), at least 0 N/m, or stiffness_table",
+            " frame: a stiffness (N/m, kN/m, N/mm, MN/m), at least 0 N/m and at most"
+            " 1e+13 N/m, or stiffness_table",
         ),
         (
             chain(damping_table=DAMPER),

@@ -36,6 +36,7 @@ def accepts(schema: dict[str, Any], value: Any) -> bool:
         checks.append(isinstance(value, TYPES[schema["type"]]) and not is_bool)
     if isinstance(value, (int, float)):
         checks += [value > schema.get("exclusiveMinimum", float("-inf"))]
+        checks += [value >= schema.get("minimum", float("-inf"))]
         checks += [value <= schema.get("maximum", float("inf"))]
     if isinstance(value, dict):
         properties, rest = schema.get("properties", {}), schema.get("additionalProperties", True)

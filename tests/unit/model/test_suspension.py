@@ -89,8 +89,8 @@ def test_a_rail_has_no_wave_speed_to_be_warned_of() -> None:
         ),
         (
             {"contact_wire__tension": 0},
-            "contact_wire.tension: got 0 N, expected a force (N, kN, daN, MN), above 0 N; hint:"
-            " only"
+            "contact_wire.tension: got 0 N, expected a force (N, kN, daN, MN), at least"
+            " 0.001 N; hint: only"
             " a conductor rail (kind: conductor_rail) is without tension",
         ),
         (

@@ -26,7 +26,12 @@ use crate::error::CoreError;
 use crate::linalg::{BlockLdl, Kernel, widest};
 use crate::scheme::{Coefficients, Scheme};
 use crate::statics::Geometry;
+use std::ops::RangeInclusive;
 use std::sync::OnceLock;
+
+/// Step lengths in s. Their squares divide masses and multiply forces: far beyond what moves a line,
+/// and far inside of what numbers can hold.
+const STEP_LENGTHS: RangeInclusive<f64> = 1e-12..=1e6;
 
 /// Everything that stays the same during a run, and may be shared by many runs.
 #[derive(Debug, Clone)]
@@ -169,7 +174,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         (updating, explicit): (Option<Updating<DIM, D>>, Option<Explicit<DIM>>),
     ) -> Result<Self, CoreError> {
         scheme.check()?;
-        if !(h.is_finite() && h > 0.0) || contact_stiffness.is_nan() || contact_stiffness <= 0.0 {
+        if !STEP_LENGTHS.contains(&h) || contact_stiffness.is_nan() || contact_stiffness <= 0.0 {
             let reason = format!("step {h} s, contact stiffness {contact_stiffness} N/m");
             return Err(CoreError::Input {
                 array: "solver",

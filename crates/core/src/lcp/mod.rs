@@ -51,7 +51,7 @@ use pivoting::Pivoting;
 use polish::DirectSolve;
 use tableau::Tableau;
 
-/// Largest accepted [`residual`], relative to the size of the terms that are added up.
+/// Largest accepted [`residual`], relative to the largest terms that are added up in any row.
 ///
 /// Well-conditioned problems leave 10⁻¹⁵, nearly singular ones up to 3·10⁻¹², where [`FEASIBILITY`]
 /// cuts; a wrong active set left 5·10⁻⁵ or more. The limit sits between the two.

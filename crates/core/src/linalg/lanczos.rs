@@ -29,6 +29,9 @@ const SETTLED: f64 = 1e-10;
 const BEYOND: f64 = 1e-7;
 /// What is left of a vector that the basis already spans, relative.
 const SPANNED: f64 = 1e-8;
+/// Steps between two questions whether to go on: some milliseconds of a long line, and none of the
+/// usual ten frequencies of a short one.
+const ASKED_EVERY: usize = 128;
 
 fn dot<const D: usize>(x: &[[f64; D]], y: &[[f64; D]]) -> f64 {
     x.iter()
@@ -50,7 +53,7 @@ fn axpy<const D: usize>(y: &mut [[f64; D]], factor: f64, x: &[[f64; D]]) {
 ///
 /// `free(node, component)` tells whether a degree of freedom can move, `below` how many modes have
 /// ω² below a value, `None` where that cannot be told. After the last round what is there is taken.
-#[must_use]
+/// `go_on` is asked now and then; `None` when it says no.
 pub fn lowest_frequencies<const DIM: usize, const D: usize>(
     stiffness: &BlockLdl<D>,
     mass: &MassMatrix<DIM, D>,
@@ -58,24 +61,32 @@ pub fn lowest_frequencies<const DIM: usize, const D: usize>(
     free: impl Fn(usize, usize) -> bool,
     count: usize,
     below: impl Fn(f64) -> Option<usize>,
-) -> Vec<f64> {
+    go_on: &mut dyn FnMut() -> bool,
+) -> Option<Vec<f64>> {
     let mut process = Process::new(stiffness, mass, nodes, free);
+    // No structure has more modes than coordinates.
+    let count = count.min(process.dimension);
     let mut steps = FIRST_STEPS * count;
     let mut values = Vec::new();
     for _ in 0..MOST_ROUNDS {
-        process.extend(steps);
+        while process.basis.len() < steps && !process.exhausted {
+            process.extend(steps.min(process.basis.len() + ASKED_EVERY));
+            if process.basis.len() < steps && !process.exhausted && !go_on() {
+                return None;
+            }
+        }
         values = process.values(process.basis.len());
         if process.exhausted || count == 0 || is_complete(&process, &values, count, &below) {
             break;
         }
         steps += steps / 2;
     }
-    values
-        .iter()
-        .take(count)
-        .filter(|&&v| v > 0.0)
-        .map(|v| 1.0 / (v.sqrt() * std::f64::consts::TAU))
-        .collect()
+    let found = values.iter().take(count).filter(|&&v| v > 0.0);
+    Some(
+        found
+            .map(|v| 1.0 / (v.sqrt() * std::f64::consts::TAU))
+            .collect(),
+    )
 }
 
 /// Lanczos' process begun with one vector: its matrix, and the square of the vector's length.
@@ -136,6 +147,8 @@ struct Process<'a, const DIM: usize, const D: usize, F> {
     mass: &'a MassMatrix<DIM, D>,
     free: F,
     seed: u64,
+    /// Coordinates that can move: a basis has no more vectors.
+    dimension: usize,
     basis: Vec<Vec<[f64; D]>>,
     basis_mass: Vec<Vec<[f64; D]>>,
     diagonal: Vec<f64>,
@@ -152,7 +165,10 @@ impl<'a, const DIM: usize, const D: usize, F: Fn(usize, usize) -> bool> Process<
         nodes: usize,
         free: F,
     ) -> Self {
+        let coordinates = (0..nodes).flat_map(|i| (0..D).map(move |c| (i, c)));
+        let dimension = coordinates.filter(|&(i, c)| free(i, c)).count();
         let mut process = Self {
+            dimension,
             stiffness,
             mass,
             free,
@@ -217,7 +233,8 @@ impl<'a, const DIM: usize, const D: usize, F: Fn(usize, usize) -> bool> Process<
                 coupling = 0.0;
                 self.exhausted = norm < SPANNED * before;
             }
-            self.exhausted |= norm.is_nan() || norm <= f64::MIN_POSITIVE;
+            let spans_all = self.basis.len() == self.dimension;
+            self.exhausted |= spans_all || norm.is_nan() || norm <= f64::MIN_POSITIVE;
             if !self.exhausted {
                 if !self.basis.is_empty() {
                     self.off.push(coupling);

@@ -29,7 +29,10 @@ impl Matrix {
         columns: usize,
         values: Vec<f64>,
     ) -> Result<Self, CoreError> {
-        finite(array, &values, rows * columns)?;
+        let Some(length) = rows.checked_mul(columns) else {
+            return refuse(array, format!("{rows} × {columns} entries"));
+        };
+        finite(array, &values, length)?;
         Ok(Self {
             rows,
             columns,

@@ -193,6 +193,7 @@ def data_table(drawing: Drawing) -> Any:
         row_height=_ROW,
         selectable=True,
         sortable=True,
+        reorderable=False,
     )
 
 

@@ -1,0 +1,108 @@
+"""SIGTERM and SIGHUP, of batch systems and closed terminals: they clean up as Ctrl-C does."""
+
+import os
+import pty
+import random
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from tests.drills.conftest import NEW, OLD, RUN, Stop, check_whole, leftovers
+from tests.drills.test_interrupt import ENDLESS, STOPS_WITHIN_S, start
+from tests.drills.test_long_run import LONG
+from tests.support.stopped import End, Job
+
+Place = Callable[[str], Path]
+FEW = [*RUN, "--no-report"]
+# What a shell says of a program that a signal ended: 128 and its number.
+WAYS = {
+    "terminate": (signal.SIGTERM, 143, "terminated\n"),
+    "hang up": (signal.SIGHUP, 129, "hung up\n"),
+}
+
+
+def check_stopped(end: End, folder: Path, kind: str, how: str) -> bool:
+    """See that a run was stopped and left the older files, or was done and put its own there."""
+    assert "Traceback" not in end.err, end
+    assert leftovers(folder) == []
+    told = check_whole(folder / "out")
+    _, code, word = WAYS[how]
+    if (end.code, end.out, end.err) == (code, "", word):
+        assert told in (OLD if kind == "older" else None, NEW)
+        return True
+    # It came too late, or before there was anybody to answer.
+    assert end.code in (0, 3) or (end.code, told) == (-WAYS[how][0], None), end
+    return False
+
+
+@pytest.mark.parametrize("how", WAYS)
+def test_at_every_operation_beside_an_older_run(stop: Stop, place: Place, how: str) -> None:
+    for stopped in range(100):
+        folder = place("older")
+        end = stop(Job(FEW, str(folder), how, operation=stopped + 1))
+        check_stopped(end, folder, "older", how)
+        if end.operations <= stopped:
+            assert stopped > 8
+            return
+    raise AssertionError("it never comes to an end")
+
+
+def test_while_results_stream_to_the_disk(stop: Stop, place: Place) -> None:
+    moments = random.Random(3)
+    stopped = 0
+    for number in range(4):
+        folder, how = place("fresh"), list(WAYS)[number % 2]
+        end = stop(Job(LONG, str(folder), how, moment_s=moments.uniform(0.3, 2.5)))
+        stopped += check_stopped(end, folder, "fresh", how)
+    assert stopped > 1
+
+
+@pytest.mark.parametrize("how", WAYS)
+@pytest.mark.parametrize("kind", ENDLESS)
+def test_in_native_code(tmp_path: Path, kind: str, how: str) -> None:
+    number, code, word = WAYS[how]
+    words = ENDLESS[kind] + ([] if kind == "validate" else ["--out", "out"])
+    running = start(words, tmp_path)
+    time.sleep(3.0)  # past the imports
+    assert running.poll() is None, running.communicate()
+    began = time.monotonic()
+    running.send_signal(number)
+    out, err = running.communicate(timeout=60)
+    assert time.monotonic() - began < STOPS_WITHIN_S
+    assert (running.returncode, out, err) == (code, "", word)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_closed_terminal(tmp_path: Path) -> None:
+    """The word that ends it has nowhere to go."""
+    ours, theirs = pty.openpty()
+    running = subprocess.Popen(
+        [sys.executable, "-m", "arcless", *ENDLESS["stepping"], "--out", "out"],
+        cwd=tmp_path,
+        stdin=theirs,
+        stdout=theirs,
+        stderr=theirs,
+        start_new_session=True,
+    )
+    os.close(theirs)
+    time.sleep(3.0)
+    os.close(ours)
+    running.send_signal(signal.SIGHUP)
+    assert running.wait(timeout=60) == 129
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_nohup_goes_on(tmp_path: Path) -> None:
+    before = signal.signal(signal.SIGHUP, signal.SIG_IGN)
+    try:
+        running = start(["schema"], tmp_path)
+        os.kill(running.pid, signal.SIGHUP)
+        _, err = running.communicate(timeout=60)
+    finally:
+        signal.signal(signal.SIGHUP, before)
+    assert (running.returncode, err) == (0, "")
