@@ -16,7 +16,7 @@ from arcless.model import load_any
 from arcless.model.reader import MAX_BYTES
 from tests.unit.model.conftest import LINE
 
-MOST_S = 25.0  # of this process; 2 s to 5 s are usual
+MOST_S = 25.0  # of this process; 1 s to 7 s are usual
 HEAD = "format: arcless-line/1\nname: x\n"
 SCENARIO = "format: arcless-scenario/1\nname: x\nline: ac-simple-55\n"
 RUNNING = f"{SCENARIO}pantographs: [{{model: dsa-380}}]\nspeed: 50\n"
