@@ -39,6 +39,7 @@ LINE = {
         }
     },
     "spans": [{"type": "standard", "count": 12}],
+    "design": {"supply": "AC 25 kV"},  # chooses the limits of force
 }
 
 SCENARIO = {

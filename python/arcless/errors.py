@@ -8,6 +8,9 @@ the input is wrong.
 from collections.abc import Sequence
 from typing import ClassVar, Self
 
+# Separators that messages of our own have: lines of a table, thin spaces in numbers.
+_KEPT = "\n\u00a0\u202f"
+
 
 class ArclessError(Exception):
     """Base of all errors raised on purpose.
@@ -45,15 +48,22 @@ class ArclessError(Exception):
         self.hint = hint
 
     def __str__(self) -> str:
-        """One message: ``where: what: got …, expected …; hint: …``."""
-        head = self.what if self.where is None else f"{self.where}: {self.what}"
-        facts = [
+        """One message: ``where: what: got …, expected …; hint: …``.
+
+        What does not print, as what steers a terminal, is a question mark: names of files and
+        fields come from anywhere.
+        """
+        message = self.what if self.where is None else f"{self.where}: {self.what}"
+        facts = ", ".join(
             f"{word} {text}"
             for word, text in (("got", self.got), ("expected", self.expected))
             if text is not None
-        ]
-        message = f"{head}: {', '.join(facts)}" if facts else head
-        return message if self.hint is None else f"{message}; hint: {self.hint}"
+        )
+        message = f"{message}: {facts}" if facts else message
+        message = message if self.hint is None else f"{message}; hint: {self.hint}"
+        if message.isprintable():
+            return message
+        return "".join(c if c.isprintable() or c in _KEPT else "?" for c in message)
 
 
 class ModelError(ArclessError, ValueError):
@@ -86,7 +96,8 @@ class ModelError(ArclessError, ValueError):
 
     def __str__(self) -> str:
         """Return the message of this mistake, then one line for each further one."""
-        return "\n".join([super().__str__(), *(str(error) for error in self.also)])
+        one = super().__str__()
+        return "\n".join([one, *(str(error) for error in self.also)]) if self.also else one
 
 
 class MeshError(ArclessError):
@@ -134,7 +145,3 @@ class StudyError(ArclessError):
 
 class ExecutorError(ArclessError):
     """What computes the variants of a study does not answer, or went away."""
-
-
-class StorageError(ArclessError):
-    """The database that an optimisation keeps its trials in does not answer, or went away."""

@@ -9,6 +9,7 @@ import numbers
 import re
 from difflib import get_close_matches
 from fractions import Fraction
+from functools import cache, lru_cache
 from typing import NamedTuple
 
 from arcless.errors import ModelError
@@ -84,6 +85,7 @@ _NOT_FINITE = re.compile(r"[+-]?\.?(nan|inf|infinity)\b", re.IGNORECASE)
 MAX_TEXT = 80
 # What is wrong when got and expected say it all; messages then leave it out.
 WRONG_VALUE = "wrong value"
+DECIMAL_POINT = "write the decimal point as a point"
 
 
 def to_si(value: object, unit: str) -> float:
@@ -125,6 +127,24 @@ def to_si(value: object, unit: str) -> float:
     return number
 
 
+def written_in(value: object, unit: str) -> tuple[str, float] | None:
+    """Return the unit that an amount is written in, as printed, and its size in SI.
+
+    None for a bare number, and for what is no amount of this kind.
+
+    Examples
+    --------
+    >>> written_in("275 km/h", "m/s")
+    ('km/h', 0.2777777777777778)
+    """
+    if not isinstance(value, str) or (number := _NUMBER.match(value.strip())) is None:
+        return None
+    name = _canonical(value.strip()[number.end() :].strip())
+    factor = KINDS[unit].units.get(name)
+    return None if factor is None or not name else (spell(name), float(factor))
+
+
+@cache
 def accepted(unit: str) -> str:
     """Say which kind and which units a field takes, e.g. ``a force (N, kN, daN, MN)``."""
     kind = KINDS[unit]
@@ -145,9 +165,14 @@ def show(value: object) -> str:
     if value is None:
         return "nothing"
     text = str(value).lower() if isinstance(value, bool) else str(value)
-    text = text if len(text) <= MAX_TEXT else f"{text[:MAX_TEXT]}…"
-    text = "".join(c if c.isprintable() else "?" for c in text)
+    text = plain(text)
     return f'"{text}"' if isinstance(value, str) else text
+
+
+def plain(text: str) -> str:
+    """Return a text from a file for a message: without what does not print, and never long."""
+    text = text if len(text) <= MAX_TEXT else f"{text[:MAX_TEXT]}…"
+    return text if text.isprintable() else "".join(c if c.isprintable() else "?" for c in text)
 
 
 def _parse(text: str, unit: str) -> float:
@@ -155,11 +180,11 @@ def _parse(text: str, unit: str) -> float:
     number = _NUMBER.match(stripped)
     grouped = _GROUPED.match(stripped)
     if grouped:
-        plain = re.sub(r"[ ,'_\u00a0\u202f]", "", grouped.group())
-        hint = f"write digits without separators ({plain}) and the decimal point as a point"
+        digits = plain(re.sub(r"[ ,'_\u00a0\u202f]", "", grouped.group()))
+        hint = f"write digits without separators ({digits}) and the decimal point as a point"
         raise _refused(text, unit, hint)
     if _DECIMAL_COMMA.match(stripped):
-        raise _refused(text, unit, "write the decimal point as a point")
+        raise _refused(text, unit, DECIMAL_POINT)
     if number is None:
         not_finite = _NOT_FINITE.match(stripped)
         form = "write a number, then its unit, such as 1.5 m"
@@ -186,13 +211,19 @@ def _factor(written: str, unit: str, text: str) -> int | float | Fraction:
     name = _canonical(written)
     if name in kind.units:
         return kind.units[name]
+    raise _refused(text, unit, _about_unit(plain(written), plain(name), unit))
+
+
+@lru_cache(100)  # a long list may have the same mistake in every item
+def _about_unit(written: str, name: str, unit: str) -> str:
+    """Return the hint about a unit that a field does not take."""
+    units = KINDS[unit].units
     other = _KIND_OF_UNIT.get(name)
     if other is not None:
-        raise _refused(text, unit, f"{written} is the unit of {other.name}")
-    by_case = [known for known in kind.units if known.lower() == name.lower()]
-    close = by_case or get_close_matches(name, kind.units, n=1)
-    hint = f"did you mean {spell(close[0])}?" if close else f'unknown unit "{written[:20]}"'
-    raise _refused(text, unit, hint)
+        return f"{written} is the unit of {other.name}"
+    by_case = [known for known in units if known.lower() == name.lower()]
+    close = by_case or get_close_matches(name, units, n=1)
+    return f"did you mean {spell(close[0])}?" if close else f'unknown unit "{written[:20]}"'
 
 
 def _canonical(written: str) -> str:

@@ -101,8 +101,8 @@ def test_a_run_that_stopped_early_can_still_go_on(stop: Stop, place: Place) -> N
 def test_a_file_of_one_name_is_swept_too(stop: Stop, place: Place) -> None:
     folder = place("older")
     again = ["assess", "out/result.nc", "--out", "out/again.json", "--quiet"]
-    assert stop(Job(again, str(folder), "kill", operation=2)).code == KILLED
-    assert len(leftovers(folder)) == 1
+    assert stop(Job(again, str(folder), "kill", operation=3)).code == KILLED
+    assert len(leftovers(folder)) == 2  # a hidden file, and its lock
     assert "again.json" not in names(folder / "out")
     assert stop(Job(again, str(folder), "never")).code in (0, 1)
     assert leftovers(folder) == []
@@ -110,9 +110,9 @@ def test_a_file_of_one_name_is_swept_too(stop: Stop, place: Place) -> None:
 
 def test_a_writer_at_work_is_not_swept(stop: Stop, place: Place) -> None:
     folder = place("older") / "out"
-    with unfinished.create(folder / unfinished.new_name()) as mine:
-        mine.write(b"not yet")
+    hidden = folder / unfinished.new_name()
+    with unfinished.claimed(hidden):
+        hidden.write_bytes(b"not yet")
         assert stop(Job(FEW, str(folder.parent), "never")).code in (0, 1)
-        assert [path.read_bytes() for path in folder.glob(".*")] == [b""]
-        mine.flush()
-        assert [path.read_bytes() for path in folder.glob(".*")] == [b"not yet"]
+        assert hidden.read_bytes() == b"not yet"
+        assert sorted(folder.glob(".*")) == [hidden, folder / f"{hidden.name}.lock"]

@@ -5,11 +5,15 @@ import os
 import subprocess
 import sys
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
+from shutil import copyfile
 
 import pytest
 
+from arcless.study import StudyFolder
 from tests.drills.conftest import OLD, RUN, check_whole, leftovers
+from tests.support.studies import filled
 
 Place = Callable[[str], Path]
 # Who may write everywhere (root) gives that up in a process of his own, and only then starts.
@@ -106,6 +110,33 @@ def test_what_it_holds_can_be_read(
     assert done.returncode in (0, 1), done.stderr
     assert json.loads(done.stdout) == json.loads((folder / "out/assessment.json").read_text())
     assert check_whole(folder / "out") == OLD
+
+
+@pytest.mark.parametrize("state", ["at rest", "killed"])
+def test_a_study_can_be_looked_at(
+    powerless: Callable[..., subprocess.CompletedProcess[str]], tmp_path: Path, state: str
+) -> None:
+    made = tmp_path / "study"
+    place = StudyFolder(filled(made, of=3), made)
+    if state == "killed":  # rows are in the log, which nobody can put in order there
+        with place.open_journal() as journal:
+            journal.append(replace(next(place.rows()), variant=4))
+            for end in ("", "-wal"):
+                copyfile(f"{place.journal}{end}", tmp_path / f"kept{end}")
+        for end in ("", "-wal"):
+            (tmp_path / f"kept{end}").replace(f"{place.journal}{end}")
+    made.chmod(0o555)
+    done = powerless(tmp_path, "-m", "arcless", "study", "status", "study", "--json")
+    assert done.returncode == 0, done.stderr
+    assert json.loads(done.stdout)["done"] == (4 if state == "killed" else 3)
+    assert "damaged" not in done.stderr
+    words = ["study", "report", "study", "--to", "report.html"]
+    assert powerless(tmp_path, "-m", "arcless", *words).returncode == 0
+    refused = powerless(tmp_path, "-m", "arcless", "study", "resume", "study")
+    made.chmod(0o755)
+    assert refused.returncode == 2, refused.stderr
+    assert "cannot be written: got " in refused.stderr
+    assert not list(made.glob("journal-damaged*"))
 
 
 def test_the_drill_can_fail(

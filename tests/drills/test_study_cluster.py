@@ -15,7 +15,7 @@ from arcless.errors import ExecutorError
 from arcless.study import Execution, Progress, Study, load, run, status
 from tests.support.cluster import Cluster
 from tests.support.signals import interruptible
-from tests.support.studies import QUICK, VARIABLES, data, rows, written
+from tests.support.studies import QUICK, VARIABLES, data, rows, rows_in, written
 
 # 2 × 12 variants, two of them invalid.
 FORCES = {**VARIABLES["force"], "values": [-5, *range(60, 115, 5)]}
@@ -185,12 +185,12 @@ def test_a_terminal_interrupts_worker_processes_too(tmp_path: Path) -> None:
             [sys.executable, *words, "--workers", "2"], cwd=tmp_path, start_new_session=True,
             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
         )  # fmt: skip
-    journal = tmp_path / "out" / "journal.jsonl"
-    while not journal.exists() or not journal.read_bytes():
+    while not rows_in(tmp_path / "out" / "journal.db"):
         assert running.poll() is None, running.communicate()
         time.sleep(0.01)
     os.killpg(running.pid, signal.SIGINT)  # as Ctrl-C does: all processes get it
     out, err = running.communicate(timeout=60)
     assert (running.returncode, out) == (1, "")
-    note = "rows so far: out/table.parquet; go on with `arcless study resume small.yaml`"
+    todo = "go on with `arcless study resume small.yaml --out out`"
+    note = f"rows so far: out/table.parquet; {todo}"
     assert err.splitlines() == [note, "interrupted"]

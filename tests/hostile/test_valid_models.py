@@ -4,12 +4,11 @@ dict → Scenario → dict → file (JSON, YAML) → Scenario: all equal, to the
 """
 
 import json
-from io import StringIO
 from pathlib import Path
 from typing import Any
 
+import yaml
 from hypothesis import given
-from ruamel.yaml import YAML
 
 from arcless.model import load, scenario_warnings
 from arcless.model.scenario import Scenario
@@ -17,15 +16,22 @@ from tests.support.hostile import numbers_in, searching
 from tests.support.valid_models import scenarios
 
 
+class Quoting(yaml.SafeDumper):
+    """Texts in quotes: what PyYAML takes for a text when it stands bare may be a number here."""
+
+
+Quoting.add_representer(
+    str, lambda dumper, text: dumper.represent_scalar("tag:yaml.org,2002:str", text, style='"')
+)
+
+
 def again(scenario: Scenario, folder: Path) -> list[Scenario]:
     """The same scenario, loaded from its plain data, from JSON and from YAML."""
     data = scenario.to_dict()
     text = json.dumps(data, allow_nan=False)
     (folder / "again.json").write_text(text, encoding="utf-8")
-    written, writer = StringIO(), YAML(typ="safe", pure=True)
-    writer.width = 10**6  # it breaks long keys where YAML forbids it
-    writer.dump(data, written)
-    (folder / "again.yaml").write_text(written.getvalue(), encoding="utf-8")
+    written = yaml.dump(data, Dumper=Quoting, allow_unicode=True, width=10**6)
+    (folder / "again.yaml").write_text(written, encoding="utf-8")
     return [load(data), load(folder / "again.json"), load(folder / "again.yaml")]
 
 

@@ -310,3 +310,38 @@ def test_a_run_is_named_by_its_folder_or_its_file(
     refused = arcless(command, "empty")
     assert refused.exit_code == 2
     assert "empty/result.nc" in refused.stderr
+
+
+def test_the_library_is_short_and_has_its_sources_on_demand(arcless: Arcless) -> None:
+    short, long = arcless("library").stdout, arcless("library", "--sources").stdout
+    assert len(short.splitlines()) < len(long.splitlines()) / 2
+    assert "GitHub" not in short
+    assert "GitHub" in long
+    assert arcless("library", "-v").stdout == long
+
+
+def test_tables_in_a_pipe_end_without_blanks(arcless: Arcless) -> None:
+    lines = arcless("statics", "norway-s25-250").stdout.splitlines()
+    assert lines
+    assert [line for line in lines if line != line.rstrip()] == []
+
+
+def test_a_run_that_ends_before_until_is_refused(arcless: Arcless, short: Path) -> None:
+    done = arcless("run", short, "--until", "5 km")
+    assert done.exit_code == 2
+    assert "until: the run ends before that: got" in done.stderr
+    assert "5 km" in done.stderr
+
+
+def test_notes_and_tolerances_stand_on_the_terminal(
+    arcless: Arcless, short: Path, tmp_path: Path
+) -> None:
+    text = short.read_text("utf-8").replace("  design: {supply: AC 25 kV}\n", "")
+    (tmp_path / "silent.yaml").write_text(text, "utf-8")
+    done = arcless("run", "silent.yaml")
+    assert done.exit_code == 0, done.output  # a supply that nobody gave decides nothing
+    assert "Notes:\n- line.design.supply is not given" in done.stdout
+    assert "Criteria, AC 25 kV" in done.stdout
+    assert "+ 1 " in done.stdout
+    assert "warning: line.design.supply: not given" in done.stderr
+    assert "not met (unverified)" in done.stdout or "not met" not in done.stdout

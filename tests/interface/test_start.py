@@ -44,7 +44,7 @@ def loaded_by(*words: object) -> set[str]:
 
 
 def test_help_loads_nothing_slow() -> None:
-    assert not loaded_by("--help") & (SLOW | {"numpy", "pydantic", "ruamel"})
+    assert not loaded_by("--help") & (SLOW | {"numpy", "pydantic", "yaml"})
 
 
 @pytest.mark.parametrize("words", [("check", SHORT), ("library",), ("schema",)])
@@ -58,6 +58,12 @@ def test_a_run_without_a_report_loads_no_more_than_it_needs(tmp_path: Path) -> N
     # Results are files of HDF5; splines of SciPy are for heads and irregular tracks alone.
     assert not {name.partition(".")[0] for name in modules} & (SLOW - {"h5py"})
     assert not modules & (OF_OTHERS | {"numpy.ma"})
+
+
+def test_a_report_loads_no_classes_of_bokeh(tmp_path: Path) -> None:
+    loaded = loaded_by("run", SHORT, "--quiet", "--out", tmp_path)
+    assert (tmp_path / "report.html").exists()
+    assert not loaded & (SLOW - {"h5py"})
 
 
 def test_published_ranges_load_no_other_suite() -> None:

@@ -1,6 +1,7 @@
 """`arcless study` as a user meets it."""
 
 import json
+import re
 import subprocess
 import sys
 from collections import Counter
@@ -11,8 +12,7 @@ import pytest
 from typer.testing import Result
 
 from arcless.cli.study_progress import words
-from arcless.study import Progress
-from arcless.study.journal import Journal
+from arcless.study import Progress, StudyFolder, load
 from tests.support.studies import QUICK, SHORT, filled, rows, written
 
 Arcless = Callable[..., Result]
@@ -73,7 +73,7 @@ def test_a_study_without_any_value_fails(arcless: Arcless, tmp_path: Path) -> No
             ["run", "small.yaml", "--executor", "threads", "--scheduler", "tcp://h:1"],
             "scheduler without Dask",
         ),
-        (["run", "small.yaml", "--storage", "sqlite:///x.db"], "does not optimise has no storage"),
+        (["trials", "small.yaml"], "does not optimise has no trials"),
         (["start", "small.yaml"], "No such command"),
     ],
 )  # fmt: skip
@@ -151,7 +151,7 @@ def test_status_leaves_percentiles_of_what_is_there(arcless: Arcless, tmp_path: 
     assert shown["percentiles"] == left
     assert left["outputs"]["sigma"]["values"] == 3
     (place / "percentiles.json").unlink()
-    with Journal(place / "journal.jsonl"):  # who computes it writes them in the end
+    with StudyFolder(load(file), place).open_journal():  # who computes it writes them in the end
         assert arcless("study", "status", file, "--out", place).exit_code == 0
     assert not (place / "percentiles.json").exists()
 
@@ -162,7 +162,8 @@ def test_an_optimisation_ends_with_its_best(arcless: Arcless, tmp_path: Path) ->
     file = written(tmp_path, design=design, variables=force)
     done = arcless("study", "run", file)
     assert done.exit_code == 0, done.output
-    assert "best: variant " in done.stdout
+    (best,) = (line for line in done.stdout.splitlines() if line.startswith("best: variant "))
+    assert re.fullmatch(r"best: variant \d: force [\d.]+ N, sigma [\d.]+ N, ratio [\d.]+", best)
     found = json.loads(arcless("study", "resume", file, "--json").stdout)
     table = rows(tmp_path / "runs/studies/small/table.parquet")
     assert found["best"] == [min(table, key=lambda row: row["sigma"])["variant"]]
@@ -180,14 +181,85 @@ def test_a_search_tells_what_pruning_saved(arcless: Arcless, tmp_path: Path) -> 
     force = {"force": {"field": "pantographs.0.static_force", "range": [60, 140]}}
     fine = {**QUICK, "solver.time_step": "1 ms"}
     file = written(tmp_path, design=design, variables=force, set=fine)
-    url = f"sqlite:///{tmp_path}/trials.db"
-    found = json.loads(arcless("study", "run", file, "--storage", url, "--json").stdout)
+    found = json.loads(arcless("study", "run", file, "--json").stdout)
     assert found["pruned"] > 0 and found["done"] + found["pruned"] == 8
     assert 0 < found["steps_saved"] < found["steps_taken"]
-    done = arcless("study", "resume", file, "--storage", url)
+    done = arcless("study", "resume", file)
     assert f"{found['done']} of 8 done, {found['pruned']} pruned, 0 invalid" in done.stdout
     assert f"pruning saved some {found['steps_saved']} steps" in done.stdout
     status = arcless("study", "status", file)
     assert f"saved some {found['steps_saved']} steps; {found['steps_taken']} taken" in status.stdout
+    wrote = arcless("study", "trials", file)
+    assert wrote.stdout == "wrote runs/studies/small/trials.db: 8 trials\n"
+    url = f"sqlite:///{tmp_path}/runs/studies/small/trials.db"
     assert len(optuna.load_study(study_name="small", storage=url).trials) == 8
-    assert not (tmp_path / "runs/studies/small/optuna.db").exists()
+
+
+@pytest.mark.parametrize("named", ["", "journal.db", "table.parquet", "study.json", "study.yaml"])
+def test_a_study_is_named_by_its_folder_too(
+    arcless: Arcless, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, named: str
+) -> None:
+    (tmp_path / "sources").mkdir()
+    (tmp_path / "moved").mkdir()
+    file = written(tmp_path / "sources", description="all of it")
+    filled(tmp_path / "moved" / "there", of=5, description="all of it")
+    file.unlink()  # the folder has all that was asked
+    monkeypatch.chdir(tmp_path / "moved")
+    given = Path("there", named)
+    found = json.loads(arcless("study", "status", given, "--json").stdout)
+    assert (found["name"], found["folder"], found["missing"]) == ("small", "there", 1)
+    done = arcless("study", "resume", given)
+    assert done.exit_code == 0, done.output
+    assert "computed 1" in done.stdout and "wrote there/table.parquet" in done.stdout
+    assert arcless("study", "report", given).stdout == "wrote there/report.html\n"
+    page = Path("there/report.html").read_text("utf-8")
+    assert "all of it" in page
+    assert re.search(
+        r"arcless study variant there (\d) --to variant-\1.yaml &amp;&amp; arcless", page
+    )
+    one = json.loads(arcless("study", "variant", given, "2").stdout)
+    assert one["pantographs"][0]["static_force"] == 90.0
+    again = arcless("study", "run", given)
+    assert again.exit_code == 2
+    assert "complete already" in again.stderr
+    assert "`arcless study report there --out there`" in again.stderr
+    # A new folder may begin with what an old one asks.
+    assert arcless("study", "run", given, "--out", "new").exit_code == 0
+    assert rows(Path("new/table.parquet"))[0]["status"] == "done"
+
+
+def test_a_folder_without_a_study(arcless: Arcless, tmp_path: Path) -> None:
+    done = arcless("study", "status", tmp_path)
+    assert done.exit_code == 2
+    assert "no study was begun here: expected the folder of a study, or a study file" in done.stderr
+    filled(tmp_path, of=1)
+    text = (tmp_path / "study.json").read_text("utf-8")
+    for spoilt in (
+        "{}",
+        '{"study": {}, "hash": "", "arcless_version": ""}',
+        text.replace("90", "91"),
+    ):
+        (tmp_path / "study.json").write_text(spoilt, "utf-8")
+        done = arcless("study", "status", tmp_path)
+        assert (done.exit_code, "state of the study cannot be read" in done.stderr) == (2, True)
+
+
+def test_beginning_twice_says_what_there_is_to_do(arcless: Arcless, tmp_path: Path) -> None:
+    file = written(tmp_path)
+    filled(tmp_path / "runs/studies/small", of=2)
+    done = arcless("study", "run", file)
+    assert done.exit_code == 2
+    assert "the study was begun here already: got 2 of 6 variants" in done.stderr
+    assert f"go on with `arcless study resume {file}`, or begin anew with" in done.stderr
+
+
+def test_status_tells_of_damage_once(arcless: Arcless, tmp_path: Path) -> None:
+    filled(tmp_path)
+    file = tmp_path / "journal.db"
+    file.write_bytes(file.read_bytes().replace(b'"variant":2,', b'"variant":3,'))
+    done = arcless("study", "status", tmp_path)
+    assert done.exit_code == 0
+    assert "5 of 6 done" in done.stdout
+    (line,) = done.stderr.splitlines()
+    assert "the journal is damaged, rows left out: 1; `arcless study resume` computes" in line
+    assert "damaged" in arcless("study", "report", tmp_path).stderr

@@ -20,8 +20,13 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
+from tests.support.studies import rows_in
+
 # What is told before it happens and changes files; `open` counts when it may write.
-CHANGES = {"open", "os.mkdir", "os.rename", "os.remove", "os.rmdir", "os.truncate", "os.link"}
+CHANGES = {
+    "open", "os.mkdir", "os.rename", "os.remove", "os.rmdir", "os.truncate", "os.link",
+    "sqlite3.connect",
+}  # fmt: skip
 TAKES_ROOM = {"open", "os.mkdir"}
 WRITES = os.O_WRONLY | os.O_RDWR
 LIMIT_S = 120.0
@@ -43,7 +48,7 @@ class Job:
     operation: int = 0  # number of the file operation before which it happens, from 1
     moment_s: float = 0.0  # or the time after the start
     reads: bool = False  # opening a file to read it is an operation too
-    lines: int = 0  # or when a file, named next, has so many lines
+    rows: int = 0  # or when the journal of a study, named next, has so many rows
     file: str = ""
 
 
@@ -77,6 +82,8 @@ class Watch:
             os.kill(os.getpid(), SIGNALS[self.job.how])
 
     def counts(self, event: str, arguments: tuple[Any, ...]) -> bool:
+        if event == "sqlite3.connect":
+            return f"{self.job.folder}/" in str(arguments[0])
         if event == "open" and not (self.job.reads or self.may_write(arguments[2])):
             return False
         path = arguments[0]
@@ -134,9 +141,9 @@ def wait(child: int, job: Job) -> int:
     """Stop the child at its moment, if it has one; return its exit code."""
     ended = os.pidfd_open(child)
     try:
-        if job.moment_s or job.lines:
-            if job.lines:
-                wait_for_lines(ended, Path(job.folder) / job.file, job.lines)
+        if job.moment_s or job.rows:
+            if job.rows:
+                wait_for_rows(ended, Path(job.folder) / job.file, job.rows)
             else:
                 select.select([ended], [], [], job.moment_s)
             os.kill(child, SIGNALS[job.how])
@@ -147,10 +154,10 @@ def wait(child: int, job: Job) -> int:
     return os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
 
 
-def wait_for_lines(ended: int, file: Path, lines: int) -> None:
-    """Wait until a file has so many lines, or the process has ended."""
+def wait_for_rows(ended: int, journal: Path, count: int) -> None:
+    """Wait until a journal has so many rows, or the process has ended."""
     while not select.select([ended], [], [], 0.002)[0]:
-        if file.exists() and file.read_bytes().count(b"\n") >= lines:
+        if rows_in(journal) >= count:
             return
 
 
@@ -163,9 +170,7 @@ def main() -> None:
         with redirect_stdout(io.StringIO()), suppress(SystemExit):
             arcless()  # imports whatever the work needs
         with suppress(ImportError):
-            from arcless.study.database import Database
-
-            Database._import()  # and a study that optimises
+            import optuna  # noqa: F401 - and a study that optimises
         for line in sys.stdin:
             end = carry_out(Job(**json.loads(line)), Path(folder))
             print(json.dumps(asdict(end)), flush=True)  # noqa: T201

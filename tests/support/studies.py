@@ -1,10 +1,11 @@
 """A small study: a short line, runs of some ten milliseconds each."""
 
+import sqlite3
+from contextlib import closing
 from pathlib import Path
 from typing import Any
 
 from arcless.study import Study, StudyFolder, load
-from arcless.study.journal import Journal
 from arcless.study.rows import Row, Status
 from arcless.study.variants import variant
 
@@ -66,10 +67,9 @@ def filled(folder: Path, *, of: int | None = None, error: str = "", **changes: A
     """Return a study whose rows are made up, not computed: sigma is a plain sum."""
     made = study(**changes)
     place = StudyFolder(made, folder)
-    place.make()
-    place.write_state()
-    with Journal(place.journal) as journal:
-        for number in range(1, (of or made.plan.count) + 1):
+    with place.open_journal() as journal:
+        place.write_state(journal.mode)
+        for number in range(1, (made.plan.count if of is None else of) + 1):
             one = variant(made, number)
             numbers = [value for value in one.values.values() if isinstance(value, float)]
             outputs: dict[str, float | None] = dict.fromkeys(made.outputs, 1e-3 * sum(numbers))
@@ -78,3 +78,28 @@ def filled(folder: Path, *, of: int | None = None, error: str = "", **changes: A
                 Row(number, one.key, one.values, status, {} if error else outputs, error, 0.1, "v")
             )
     return made
+
+
+def journal_of(folder: Path, name: str = "small") -> StudyFolder:
+    """Return the folder of a study that a command line began below a folder."""
+    return StudyFolder(load(folder / f"{name}.yaml"), folder / "runs" / "studies" / name)
+
+
+def rows_in(journal: Path) -> int:
+    """Return how many rows a journal has, whoever is writing it; 0 of none."""
+    try:
+        with closing(sqlite3.connect(f"{journal.absolute().as_uri()}?mode=ro", uri=True)) as base:
+            return int(base.execute("SELECT count(*) FROM rows").fetchone()[0])
+    except sqlite3.OperationalError:  # not made yet
+        return 0
+
+
+def made_up(made: Study, number: int) -> Row:
+    """Return a row that follows from its variant, without computing; some are long, some fail."""
+    one = variant(made, number)
+    sigma = sum(value for value in one.values.values() if isinstance(value, float)) / 7.0
+    long = "no contact " * (600 if number % 50 == 0 else number % 9)  # beyond a page of the file
+    if number % 10 == 0:
+        return Row(number, one.key, one.values, "failed", {}, long, 0.25, "v")
+    outputs = {"sigma": sigma, "ratio": None}
+    return Row(number, one.key, one.values, "done", outputs, "", 0.25, "v")

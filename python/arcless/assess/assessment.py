@@ -11,7 +11,7 @@ import numpy as np
 
 from arcless.assess.certainty import COVERAGE, Draws, student_factor
 from arcless.assess.criteria import Criterion, evaluate
-from arcless.assess.facts import criteria_facts, lateral_mm, supply_notes
+from arcless.assess.facts import criteria_facts, lateral_mm, supply_notes, uplift_notes
 from arcless.assess.section import (
     ForceRecord,
     Section,
@@ -130,7 +130,7 @@ def assess(
     notes += _absences(line, facts["scenario"])
     notes += wear_notes(facts["scenario"].get("wear"), wear)
     judged_by = criteria_facts(facts, speed, line["max_uplift_at_support_mm"])
-    notes += supply_notes(judged_by)
+    notes += supply_notes(judged_by) + uplift_notes(line["max_uplift_at_support_mm"])
     own = ("steps", "setup_time_s", "wall_time_s", "real_time_factor")
     draws, method, about_draws = _draws(facts, limits, cutoff_Hz)
     if draws is not None:

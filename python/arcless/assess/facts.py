@@ -15,6 +15,8 @@ if TYPE_CHECKING:
 
 # What is taken for a line that names no supply.
 ASSUMED_SUPPLY = "AC 25 kV"
+# Above this an uplift is told: more than twice the 120 mm that lines are built for. Assumed.
+LARGEST_USUAL_UPLIFT_MM = 250.0
 
 
 def criteria_facts(facts: Mapping[str, Any], speed: Any, uplift_mm: float | None) -> Facts:
@@ -51,6 +53,16 @@ def supply_notes(facts: Facts) -> list[str]:
     return [
         f"line.design.supply is not given: the limits of force are those of {facts.supply}, and"
         " decide nothing (mark assumed)"
+    ]
+
+
+def uplift_notes(uplift_mm: float | None) -> list[str]:
+    """Say that an uplift is beyond what lines in service have."""
+    if uplift_mm is None or uplift_mm <= LARGEST_USUAL_UPLIFT_MM:
+        return []
+    return [
+        f"an uplift of {uplift_mm:.0f} mm at a support is beyond what lines have in service, up to"
+        f" {LARGEST_USUAL_UPLIFT_MM:g} mm: check forces, tensions and units"
     ]
 
 

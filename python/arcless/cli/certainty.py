@@ -49,7 +49,7 @@ def asked_for(scenario: "Scenario", starts: str | None) -> "Scenario":
     """Return the scenario with the certainty that the command line asks for."""
     if starts is None:
         return scenario
-    from arcless.model.reader import scalar
+    from arcless.model.nodes import scalar
     from arcless.simulate.run import with_certainty
 
     return with_certainty(scenario, scalar(starts))
@@ -65,7 +65,7 @@ def number_of(starts: str | None, *, once: bool) -> int | None:
     """
     from arcless.errors import ModelError
     from arcless.model.certainty import FEWEST_STARTS, MOST_STARTS, STARTS
-    from arcless.model.reader import scalar
+    from arcless.model.nodes import scalar
 
     if once:
         if starts is None:

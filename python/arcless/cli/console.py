@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
@@ -13,6 +14,7 @@ if TYPE_CHECKING:
 
 Progress = Callable[[float, str], None]
 
+_TRAILING = re.compile(r"[ \t]+$", re.MULTILINE)
 PIPE_WIDTH = 120  # columns of a table that no terminal limits
 
 
@@ -126,7 +128,9 @@ def _render(stream: TextIO, *blocks: "RenderableType", fold: bool) -> str:
     with console.capture() as captured:
         for block in blocks:
             console.print(block, soft_wrap=not fold)
-    return captured.get()
+    text = captured.get()
+    # Cells are filled up with blanks; in a pipe or a file nobody wants them.
+    return text if stream.isatty() else _TRAILING.sub("", text)
 
 
 def _console(stream: TextIO) -> "Console":

@@ -17,12 +17,16 @@ def library(
         typer.Argument(help="What to list."),
     ] = "all",
     *,
+    sources: Annotated[
+        bool, typer.Option("--sources", "-v", help="List the sources of each model, too.")
+    ] = False,
     json: JsonOption = False,
 ) -> None:
-    """List the shipped models and where their numbers are from.
+    """List the shipped models.
 
     A scenario can be run by its name, and so can a study (`arcless study run NAME`). A scenario
-    file may name a line and pantographs, and a line file may name wires of the catalogue.
+    file may name a line and pantographs, and a line file may name wires of the catalogue. With
+    --sources, where the numbers of each are from.
     """
     from arcless import model
 
@@ -36,11 +40,12 @@ def library(
 
     for shown in dict.fromkeys(entry.kind for entry in entries):
         plural = "studies" if shown == "study" else f"{shown}s"
-        made = table(f"Shipped {plural}", "name", "description and sources", lines=True)
+        columns = ("name", "description and sources" if sources else "description")
+        made = table(f"Shipped {plural}", *columns, lines=sources)
         for entry in entries:
             if entry.kind == shown:
-                sources = Text(f"\n{entry.source}", style="dim")
-                made.add_row(entry.name, Text(entry.title) + sources)
+                cited = Text(f"\n{entry.source}" if sources else "", style="dim")
+                made.add_row(entry.name, Text(entry.title) + cited)
         console.show(made)
 
 

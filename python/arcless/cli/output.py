@@ -6,11 +6,14 @@ import time
 from contextlib import suppress
 from pathlib import Path
 from types import TracebackType
-from typing import Self
+from typing import TYPE_CHECKING, Self
 
 from arcless.cli import interrupts
 from arcless.errors import OutputError
 from arcless.units import show
+
+if TYPE_CHECKING:
+    from arcless.results.unfinished import Claim
 
 _OLD = "old-"
 # How long a run that is cut off may take to notice that its folder is gone: 0.2 s in all.
@@ -46,7 +49,7 @@ class OutputFolder:
         self.path = path
         self._files = files
         self._made: list[Path] = []  # folders that did not exist before, outermost first
-        self._lock: int | None = None
+        self._claim: Claim | None = None
 
     def __enter__(self) -> Self:
         """Make the folder and a hidden one inside it."""
@@ -60,7 +63,7 @@ class OutputFolder:
                     self._made.append(folder)
                     folder.mkdir(exist_ok=True)
             unfinished.sweep(self.path)
-            self._lock = unfinished.create_folder(self._staging)
+            self._claim = unfinished.create_folder(self._staging)
         except BaseException as error:
             self._clear()
             if isinstance(error, OSError):
@@ -129,8 +132,8 @@ class OutputFolder:
     def _clear(self) -> None:
         with interrupts.held_back():
             self._remove()
-            if self._lock is not None:
-                os.close(self._lock)
+            if self._claim is not None:
+                self._claim.close()
             for folder in reversed(self._made):
                 with suppress(OSError):  # it holds published files, or was not made after all
                     folder.rmdir()

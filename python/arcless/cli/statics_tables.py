@@ -99,7 +99,12 @@ def _resonance(found: dict[str, Any]) -> "RenderableType":
 
 def _summary(name: str, found: dict[str, Any]) -> "RenderableType":
     made = table(f"{name}: initial configuration", "quantity", "unit", "value", numbers=("value",))
-    made.add_row("sag of the contact wire", "m", number(found["contact_wire_sag_m"], 4))
+    span = f"span {found['middle_span']}"
+    sag = f"sag of the contact wire, highest minus lowest point of {span}"
+    made.add_row(sag, "m", number(found["contact_wire_sag_m"], 4))
+    lateral = found["contact_wire_lateral_max_m"]
+    if lateral is not None:
+        made.add_row("largest lateral position of the contact wire", "m", number(lateral, 3))
     elasticity = [point["mm_per_N"] for point in found["elasticity"]]
     if elasticity:
         made.add_row("elasticity, lowest", "mm/N", number(min(elasticity), 3))
@@ -113,6 +118,7 @@ def _summary(name: str, found: dict[str, Any]) -> "RenderableType":
     for quantity, value in (found["as_built"] or {}).items():
         words, _, unit = quantity.rpartition("_")
         made.add_row(f"as built: {words.replace('_', ' ')}", unit, number(value, 4))
-    for index, frequency in enumerate(found["natural_frequencies_Hz"][:5], start=1):
-        made.add_row(f"natural frequency {index}", "Hz", number(frequency, 3))
+    frequencies = found["natural_frequencies_Hz"]
+    if frequencies:
+        made.add_row("lowest natural frequency", "Hz", number(frequencies[0], 3))
     return made

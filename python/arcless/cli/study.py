@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
-from arcless.cli import console
+from arcless.cli import console, study_shown
 from arcless.cli.background import compute, unfinished
 from arcless.cli.guard import FAILED
 from arcless.cli.scenario import JsonOption, QuietOption
@@ -14,12 +14,18 @@ from arcless.cli.study_progress import progress
 from arcless.errors import OutputError
 
 if TYPE_CHECKING:
-    from arcless.study import Execution, Progress, Study, StudyFolder, StudyStatus
-    from arcless.study.rows import Row
+    from arcless.study import Execution, Study
 
 app = typer.Typer(rich_markup_mode=None, add_completion=False, no_args_is_help=True)
 FileArgument = Annotated[
     Path, typer.Argument(metavar="FILE", help="A study file, or the name of a shipped study.")
+]
+BegunArgument = Annotated[
+    Path,
+    typer.Argument(
+        metavar="STUDY",
+        help="A study file, the name of a shipped study, or the folder or journal of a study.",
+    ),
 ]
 FolderOption = Annotated[
     Path | None,
@@ -52,18 +58,6 @@ SchedulerOption = Annotated[
         show_default=False,
     ),
 ]
-StorageOption = Annotated[
-    str | None,
-    typer.Option(
-        "--storage",
-        metavar="URL",
-        help="Database for Optuna's trials, such as postgresql+psycopg://user@host/db; of a study "
-        "that optimises. A file in its folder if not named.",
-        show_default=False,
-    ),
-]
-# Variants of a front that are printed.
-_MOST_SHOWN = 10
 # How long a study that is stopped may take to put its table and its workers in order, in s.
 _LEAVES_WITHIN_S = {"threads": 0.8, "dask": 20.0}
 
@@ -85,7 +79,6 @@ def run(
     executor: ExecutorOption = None,
     workers: WorkersOption = None,
     scheduler: SchedulerOption = None,
-    storage: StorageOption = None,
     json: JsonOption = False,
     quiet: QuietOption = False,
 ) -> None:
@@ -95,18 +88,17 @@ def run(
     that the study was cut off.
     """
     how = (executor, workers, scheduler)
-    _compute(file, out, how, json=json, quiet=quiet, storage=storage)
+    _compute(file, out, how, json=json, quiet=quiet)
 
 
 @app.command()
 def resume(
-    file: FileArgument,
+    file: BegunArgument,
     *,
     out: FolderOption = None,
     executor: ExecutorOption = None,
     workers: WorkersOption = None,
     scheduler: SchedulerOption = None,
-    storage: StorageOption = None,
     retry_failed: Annotated[
         bool, typer.Option("--retry-failed", help="Compute those again that failed.")
     ] = False,
@@ -119,17 +111,17 @@ def resume(
     may be another executor.
     """
     how = (executor, workers, scheduler)
-    more = {"resume": True, "retry_failed": retry_failed, "storage": storage}
-    _compute(file, out, how, json=json, quiet=quiet, **more)
+    _compute(file, out, how, json=json, quiet=quiet, resume=True, retry_failed=retry_failed)
 
 
 @app.command()
-def status(file: FileArgument, *, out: FolderOption = None, json: JsonOption = False) -> None:
+def status(file: BegunArgument, *, out: FolderOption = None, json: JsonOption = False) -> None:
     """Say how far a study is, also while it is being computed."""
     from arcless import study as studies
     from arcless.study import findings
+    from arcless.study.begun import located
 
-    loaded = studies.load(file)
+    loaded, out = located(file, out)
     found, more = findings.findings(loaded, out)
     if not found.running:  # who computes it writes them in the end
         try:
@@ -139,12 +131,12 @@ def status(file: FileArgument, *, out: FolderOption = None, json: JsonOption = F
     if json:
         console.data(console.json_text(found.to_dict() | more))
     else:
-        _show_status(found)
+        study_shown.show_status(found)
 
 
 @app.command()
 def report(
-    file: FileArgument,
+    file: BegunArgument,
     *,
     out: FolderOption = None,
     to: Annotated[
@@ -158,15 +150,38 @@ def report(
     ] = None,
 ) -> None:
     """Write one HTML file with tables and figures of a study, also while it is being computed."""
-    from arcless import study as studies
+    from arcless.study.begun import located
     from arcless.study.report import write
 
-    console.data(f"wrote {write(studies.load(file), out, to)}")
+    console.data(f"wrote {write(*located(file, out), to)}")
+
+
+@app.command()
+def trials(
+    file: BegunArgument,
+    *,
+    out: FolderOption = None,
+    to: Annotated[
+        Path | None,
+        typer.Option(
+            "--to",
+            metavar="FILE",
+            help="The SQLite file to write; trials.db in the folder of the study if not named.",
+            show_default=False,
+        ),
+    ] = None,
+) -> None:
+    """Write the trials of an optimisation for Optuna's own programs, also while it is computed."""
+    from arcless.study.begun import located
+    from arcless.study.trials import write
+
+    path, count = write(*located(file, out), to)
+    console.data(f"wrote {path}: {count} trials")
 
 
 @app.command()
 def variant(
-    file: FileArgument,
+    file: BegunArgument,
     number: Annotated[int, typer.Argument(metavar="NUMBER", help="Its number, from 1.", min=1)],
     *,
     out: FolderOption = None,
@@ -183,9 +198,10 @@ def variant(
     """Write the scenario of one variant, which `arcless run` takes."""
     from arcless import study as studies
     from arcless.results.files import write_bytes
+    from arcless.study.begun import located
     from arcless.study.variants import scenario
 
-    loaded = studies.load(file)
+    loaded, out = located(file, out)
     if isinstance(loaded.design, studies.Optimise):
         studies.StudyFolder(loaded, out).recall()
     made = scenario(loaded, number)
@@ -207,8 +223,9 @@ def _compute(
     **options: Any,
 ) -> None:
     from arcless import study as studies
+    from arcless.study.begun import located
 
-    loaded = studies.load(file)
+    loaded, out = located(file, out)
     place = studies.StudyFolder(loaded, out)
     chosen = _execution(loaded, *how)
     note = (lambda _text: None) if quiet else console.warn
@@ -222,18 +239,16 @@ def _compute(
         except KeyboardInterrupt:
             _wait_for_end(_LEAVES_WITHIN_S[chosen.kind])
             if not quiet:
-                console.note(
-                    f"rows so far: {place.table}; go on with `arcless study resume {file}`"
-                )
+                console.note(f"rows so far: {place.table}; go on with `{place.command('resume')}`")
             raise
-    facts = _facts(loaded, place, done)
-    front = _front(loaded, place)
+    facts = study_shown.facts_of(loaded, place, done)
+    front = study_shown.front_of(loaded, place)
     if json:
         best = {} if front is None else {"best": [row.variant for row in front]}
         console.data(console.json_text(facts | best | {"table": str(place.table)}))
     else:
-        _show_done(facts)
-        _show_front(front)
+        study_shown.show_done(facts)
+        study_shown.show_front(loaded, front)
         console.data(f"wrote {place.table}")
     if not done.counts["done"]:
         raise typer.Exit(FAILED)
@@ -259,84 +274,3 @@ def _wait_for_end(longest_s: float) -> None:
     deadline = time.monotonic() + longest_s
     while unfinished() and time.monotonic() < deadline:
         time.sleep(0.02)
-
-
-def _facts(loaded: "Study", place: "StudyFolder", done: "Progress") -> dict[str, Any]:
-    return {
-        "study": loaded.name,
-        "folder": str(place.path),
-        "total": done.total,
-        **{status: done.counts[status] for status in ("done", "pruned", "invalid", "failed")},
-        "computed": done.computed,
-        "elapsed_s": round(done.elapsed_s, 3),
-        "variants_per_s": None if done.rate is None else round(done.rate, 3),
-        **_saving(loaded, place),
-    }
-
-
-def _saving(loaded: "Study", place: "StudyFolder") -> dict[str, Any]:
-    """Return what pruning has saved; nothing of a study whose runs nobody looks at."""
-    from arcless.study.status import saving_of
-
-    found = saving_of(loaded, place)
-    if found is None:
-        return {}
-    percent = round(found.percent, 2)
-    saved = round(found.saved)
-    return {"steps_taken": found.taken, "steps_saved": saved, "steps_saved_percent": percent}
-
-
-def _front(loaded: "Study", place: "StudyFolder") -> "list[Row] | None":
-    """Return the best rows of an optimisation; None of other studies."""
-    from arcless import study as studies
-
-    design = loaded.design
-    return design.best(place.rows()) if isinstance(design, studies.Optimise) else None
-
-
-def _show_front(front: "list[Row] | None") -> None:
-    if front is None:
-        return
-    if not front:
-        console.data("best: no variant that keeps the constraints")
-    for row in front[:_MOST_SHOWN]:
-        numbers = (row.values | row.outputs).items()
-        values = ", ".join(f"{name} {_short(value)}" for name, value in numbers)
-        console.data(f"best: variant {row.variant}: {values}")
-    if len(front) > _MOST_SHOWN:
-        console.data(f"and {len(front) - _MOST_SHOWN} more, none of which surpasses another")
-
-
-def _short(value: Any) -> str:
-    return f"{value:.6g}" if isinstance(value, int | float) else str(value)
-
-
-def _show_done(facts: dict[str, Any]) -> None:
-    rate = facts["variants_per_s"]
-    speed = "" if rate is None else f" in {facts['elapsed_s']:.1f} s, {rate:.3g} variants/s"
-    pruned = f"{facts['pruned']} pruned, " if "steps_saved" in facts else ""
-    console.data(
-        f"{facts['study']}: {facts['done']} of {facts['total']} done, {pruned}"
-        f"{facts['invalid']} invalid, {facts['failed']} failed; "
-        f"computed {facts['computed']}{speed}"
-    )
-    if "steps_saved" in facts:
-        share = f"{facts['steps_saved_percent']:.3g} % of all"
-        console.data(f"pruning saved some {facts['steps_saved']} steps, {share}")
-
-
-def _show_status(found: "StudyStatus") -> None:
-    going = "being computed now" if found.running else "not being computed"
-    pruned = "" if found.steps_saved is None else f"{found.pruned} pruned, "
-    console.data(
-        f"{found.name}: {found.done} of {found.total} done, {pruned}{found.invalid} invalid, "
-        f"{found.failed} failed, {found.missing} missing; {going}"
-    )
-    if found.pruned:
-        console.data(f"pruning saved some {found.steps_saved} steps; {found.steps_taken} taken")
-    for error, count in list(found.errors.items())[:10]:
-        console.data(f"  {count} × {error}")
-    if len(found.versions) > 1:
-        versions = ", ".join(f"{count} by {version}" for version, count in found.versions.items())
-        console.data(f"  rows of several versions: {versions}")
-    console.data(f"table: {found.folder}/table.parquet")

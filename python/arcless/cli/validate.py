@@ -69,9 +69,10 @@ def validate(
         noted = [row for topic in topics for row in topic.as_rows()]
         console.data(console.json_text([dataclasses.asdict(row) for row in [*rows, *noted]]))
     else:
+        from arcless.assess import decides
         from arcless.cli import tables
 
-        verified = [row for row in rows if row.mark == cases.VERIFIED]
+        verified = [row for row in rows if decides(row.mark)]
         inside = sum(row.verdict == cases.INSIDE for row in verified)
         close = sum(row.verdict.endswith(cases.CLOSE) for row in verified)
         sources = [cases.SEED_SOURCE] if suite != "en50318" else []

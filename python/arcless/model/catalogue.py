@@ -58,7 +58,8 @@ def with_catalogue(line: type[Document], data: dict[str, Any]) -> dict[str, Any]
         wire = data.get(name)
         if not isinstance(wire, Mapping) or not isinstance(wire.get("catalogue"), str):
             continue
-        given = {key: value for key, value in wire.items() if value is not None}
+        # `mass: null` asks for the catalogue's value; what is no field is left to be refused.
+        given = {key: value for key, value in wire.items() if value is not None or key not in GIVES}
         missing = [key for key in GIVES if key not in given]
         entry = _entry(name, wire["catalogue"])
         values = {key: getattr(entry, key) for key in missing if getattr(entry, key) is not None}

@@ -7,7 +7,7 @@ from pydantic import Field, model_validator
 
 from arcless.errors import ModelError
 from arcless.model import extremes
-from arcless.model.documents import dotted
+from arcless.model.documents import printed
 from arcless.model.fields import Part, Path, Unit
 from arcless.model.reader import Origin, is_file
 from arcless.units import show
@@ -120,7 +120,7 @@ def with_function(data: Mapping[str, Any], origin: Origin, path: Path) -> dict[s
     file = origin.folder / name
     if origin.label is not None and not is_file(file):
         raise ModelError(
-            f"{dotted((*path, 'function'))}: file not found",
+            f"{printed((*path, 'function'))}: file not found",
             where=origin.where((*path, "function")),
             got=show(name),
             expected=f"a file {file}",

@@ -4,14 +4,17 @@ The form ``{value: 22 kN, mark: A, source: S1, note: "…"}`` is taken apart whe
 pantograph, scenario) is validated; the provenance is kept beside the plain data.
 """
 
+import re
 from collections.abc import Callable, Mapping
-from typing import Any
+from functools import cached_property
+from typing import Any, Self
 
-from pydantic import Field, model_validator
+from pydantic import Field, ModelWrapValidatorHandler, model_validator
 
 from arcless.errors import ModelError
-from arcless.model.fields import Mark, Part, Path, nearest
-from arcless.units import show
+from arcless.model.as_typed import Given, given_in, keep
+from arcless.model.fields import Mark, Name, Part, Path, after_comma, nearest
+from arcless.units import plain, show
 
 MARKS: dict[str, str] = {
     "A": "read in the named source",
@@ -22,7 +25,16 @@ MARKS: dict[str, str] = {
     "D": "computed from other data",
     "assumed": "chosen for this model; the note says why",
 }
+# The keys of a value that says where it comes from.
+WRAPPED_IN = ("value", "mark", "source", "note")
 MAX_DEPTH = 40
+# Control characters but for line breaks and tabs, and marks that turn the direction of writing.
+_STEERING = re.compile(
+    "[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ufeff]"
+)
+FIRST_PRINTED = 0xA0
+# Of `sources` and `provenance`: the section, an entry of it, a field of that.
+MOST_LEVELS = 3
 # Of a table with thousands of rows, a note of where it comes from needs no copy.
 MAX_WRITTEN = 2000
 
@@ -44,7 +56,7 @@ class Provenance(Part):
 class Document(Part):
     """Base of the three file formats: a name, a description, sources and provenance."""
 
-    name: str = Field(description="Short name, used in lists and in file names.", min_length=1)
+    name: Name = Field(description="Short name, used in lists and in file names.", min_length=1)
     description: str = Field(default="", description="What it is, in a sentence.")
     sources: dict[str, str] = Field(
         default_factory=dict, description="Citation of each source key used below."
@@ -59,6 +71,8 @@ class Document(Part):
         if not isinstance(data, Mapping):
             return data
         found: dict[str, Any] = {}
+        for name in ("sources", "provenance"):
+            _check_texts(data.get(name), (name,))
         plain = {
             key: value if key in {"sources", "provenance"} else unwrap(value, (key,), found.update)
             for key, value in data.items()
@@ -73,6 +87,43 @@ class Document(Part):
     def prepare(cls, data: dict[str, Any]) -> dict[str, Any]:
         """Return the plain data with what a document fills in by itself."""
         return data
+
+    @model_validator(mode="wrap")
+    @classmethod
+    def _keep_given(cls, data: object, make: ModelWrapValidatorHandler[Self]) -> Self:
+        made = make(data)
+        if isinstance(data, Mapping):
+            keep(made, given_in(data))
+        return made
+
+    @cached_property
+    def given(self) -> Given | None:
+        """What was given, by dotted path, with its text where it was one; None: not known.
+
+        It is kept beside the data: it plays no part in whether two documents are equal.
+        """
+        return None
+
+    def as_typed(self, path: str) -> str | None:
+        """Return a value as it was typed, ``22 kN``; None where a number was given, or nothing.
+
+        Parameters
+        ----------
+        path
+            Dotted path of the field, items of lists numbered from 0.
+        """
+        text = (self.given or {}).get(path)
+        origin = self.provenance.get(path)
+        return text or (origin.given or None if origin is not None else None)
+
+    def is_given(self, path: str) -> bool | None:
+        """Return whether a field, or the group it is in, was given; None where that is unknown."""
+        if path in self.provenance:
+            return True
+        if self.given is None:
+            return None
+        parts = path.split(".")
+        return any(".".join(parts[:count]) in self.given for count in range(len(parts), 0, -1))
 
     def origin_of(self, path: str) -> Provenance | None:
         """Return the provenance of a field by dotted path: its own, or that of its group."""
@@ -109,7 +160,11 @@ def unwrap(value: Any, path: Path, keep: Callable[[dict[str, Any]], None]) -> An
     """
     if len(path) > MAX_DEPTH:
         raise ModelError("nested too deep", expected=f"at most {MAX_DEPTH} levels", field=path[:1])
+    if isinstance(value, str):
+        _check_characters(value, path)
     if isinstance(value, Mapping):
+        for key in value:
+            _check_characters(str(key), path)
         if "format" in value:
             return value
         if "value" in value:
@@ -123,15 +178,40 @@ def unwrap(value: Any, path: Path, keep: Callable[[dict[str, Any]], None]) -> An
     return value
 
 
+def _check_texts(value: object, path: Path) -> None:
+    """Check the texts of `sources` or `provenance`, two levels deep; more is refused elsewhere."""
+    items = value.items() if isinstance(value, Mapping) and len(path) < MOST_LEVELS else ()
+    for key, item in items:
+        _check_characters(str(key), path)
+        _check_texts(item, (*path, str(key)))
+    if isinstance(value, str):
+        _check_characters(value, path)
+
+
+def _check_characters(text: str, path: Path) -> None:
+    """Refuse what steers a terminal or turns the direction of writing, in names as in texts."""
+    found = _STEERING.search(text)
+    if found is not None:
+        code = f"U+{ord(found.group()):04X}"
+        kind = (
+            "a control character" if ord(found.group()) < FIRST_PRINTED else "a mark of direction"
+        )
+        raise ModelError(
+            "character that does not print",
+            got=f"{kind}, {code}, in {show(text)}",
+            expected="characters that print",
+            field=path,
+        )
+
+
 def _check_wrapper(value: Mapping[str, Any], path: Path) -> None:
-    known = ["value", "mark", "source", "note"]
     for key in value:
-        if key not in known:
+        if key not in WRAPPED_IN:
             raise ModelError(
                 "unknown field beside a value",
                 got=show(key),
-                expected=", ".join(known),
-                hint="write a note that contains a comma in quotes",
+                expected=", ".join(WRAPPED_IN),
+                hint=after_comma(key, value) or "write a note that contains a comma in quotes",
                 field=(*path, key),
             )
 
@@ -139,6 +219,11 @@ def _check_wrapper(value: Mapping[str, Any], path: Path) -> None:
 def dotted(path: Path) -> str:
     """Return the dotted form of a field path: ``("masses", 2, "mass")`` → ``masses.2.mass``."""
     return ".".join(str(part) for part in path)
+
+
+def printed(path: Path) -> str:
+    """Return a field path for a message: names come from a file, and may hold anything."""
+    return ".".join(plain(str(part)) for part in path)
 
 
 def written(value: object) -> str:

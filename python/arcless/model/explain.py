@@ -7,8 +7,8 @@ from typing import Any
 from pydantic import ValidationError
 
 from arcless.errors import ModelError
-from arcless.model.documents import dotted
-from arcless.model.fields import Path, nearest
+from arcless.model.documents import printed
+from arcless.model.fields import UNKNOWN_FIELD, Path, nearest
 from arcless.model.reader import Origin
 from arcless.units import WRONG_VALUE, show
 
@@ -29,11 +29,15 @@ def explain(error: ValidationError, data: object, origin: Origin, prefix: Path =
     prefix : tuple of str or int
         Path of the data inside the file.
     """
-    items = [item for item in error.errors() if not _is_echo(item)]
-    found = [_explain_one(item, data, origin, prefix) for item in items]
-    found.sort(key=lambda mistake: origin.position(mistake.field) or (0, 0))
-    first, *others = found
-    first.also = tuple(others[:MAX_LISTED])
+    # A long list may be wrong in every item: only what is listed is put into words.
+    found = [
+        (item, _path(item, data, prefix))
+        for item in error.errors(include_url=False)
+        if not _is_echo(item)
+    ]
+    found.sort(key=lambda mistake: origin.position(mistake[1]) or (0, 0))
+    first, *others = [_explain_one(item, path, origin) for item, path in found[: MAX_LISTED + 1]]
+    first.also = tuple(others)
     return first
 
 
@@ -42,12 +46,21 @@ def _is_echo(item: Any) -> bool:
     return item["type"] == "too_short" and bool(len(item["input"]) >= item["ctx"]["min_length"])
 
 
-def _explain_one(item: Any, data: object, origin: Origin, prefix: Path) -> ModelError:
-    below = _without_tags(item["loc"], data)
+def _path(item: Any, data: object, prefix: Path) -> Path:
+    """Return the field that a mistake is about."""
+    raised = item.get("ctx", {}).get("error")
+    inside: Path = raised.field if isinstance(raised, ModelError) else ()
+    if item["type"] in {"union_tag_invalid", "union_tag_not_found"}:
+        inside = (item["ctx"]["discriminator"].strip("'"),)
+    return _plain_provenance((*prefix, *_without_tags(item["loc"], data), *inside))
+
+
+def _explain_one(item: Any, path: Path, origin: Origin) -> ModelError:
     raised = item.get("ctx", {}).get("error")
     cause = raised if isinstance(raised, ModelError) else _native(item)
-    path = _plain_provenance((*prefix, *below, *cause.field))
-    name = dotted(path) or "model"
+    name = printed(path) or "model"
+    if cause.what == UNKNOWN_FIELD and len(path) > 1:
+        cause.expected = f"a field of {printed(path[:-1])}"
     return ModelError(
         name if cause.what == WRONG_VALUE else f"{name}: {cause.what}",
         where=origin.where(path),
@@ -70,10 +83,9 @@ def _native(item: Any) -> ModelError:
         expected = " or ".join(known)
         return ModelError(WRONG_VALUE, got=show(given), expected=expected, hint=hint)
     if kind in {"union_tag_invalid", "union_tag_not_found"}:
-        field = (context["discriminator"].strip("'"),)
         if kind == "union_tag_not_found":
             got = None if isinstance(given, Mapping) else show(given)
-            return ModelError("missing field", got=got, expected="the kind", field=field)
+            return ModelError("missing field", got=got, expected="the kind")
         known = re.findall(r"'([^']*)'", context["expected_tags"])
         hint = nearest(context["tag"], known)
         return ModelError(
@@ -81,7 +93,6 @@ def _native(item: Any) -> ModelError:
             got=show(context["tag"]),
             expected=" or ".join(known),
             hint=hint,
-            field=field,
         )
     if kind in {"too_short", "too_long", "missing"}:
         limit = context.get("min_length", context.get("max_length"))

@@ -4,12 +4,13 @@ A value in a file is a number in SI, a text with its unit, or a mapping that als
 value comes from: ``{value: 22 kN, mark: A, source: S1, note: "…"}``; see `documents`.
 """
 
-from collections.abc import Mapping
+import re
+from collections.abc import Mapping, Sequence, Sized
 from difflib import get_close_matches
-from functools import cache
-from typing import Annotated, Any, Literal, get_args
+from typing import TYPE_CHECKING, Annotated, Any, Literal, get_args
 
 from pydantic import (
+    AfterValidator,
     BaseModel,
     ConfigDict,
     GetCoreSchemaHandler,
@@ -19,9 +20,22 @@ from pydantic import (
 from pydantic_core import core_schema
 
 from arcless.errors import ModelError
-from arcless.units import WRONG_VALUE, accepted, show, spell, to_si
+from arcless.model.known_names import names_of
+from arcless.units import (
+    DECIMAL_POINT,
+    MAX_TEXT,
+    WRONG_VALUE,
+    accepted,
+    plain,
+    show,
+    spell,
+    to_si,
+)
 
 Path = tuple[str | int, ...]
+UNKNOWN_FIELD = "unknown field"
+# So many names are listed whole where a name is unknown; of more, the first ones.
+FEW = 10
 Mark = Literal["A", "A'", "B", "C", "C*", "D", "assumed"]
 
 
@@ -113,6 +127,14 @@ class Unit:
         return {"anyOf": [*plain, wrapped_schema(plain)], "unit": self.label}
 
 
+def _printed(text: str) -> str:
+    """Refuse a name of several lines: names are printed, and become names of files."""
+    if re.search("[\t\n]", text):
+        raise ModelError(WRONG_VALUE, got=show(text), expected="a name in one line, without tabs")
+    return text
+
+
+Name = Annotated[str, AfterValidator(_printed)]
 Lengths = tuple[Annotated[float, Unit("m", minimum=-1e6, maximum=1e6)], ...]
 
 
@@ -131,10 +153,33 @@ def wrapped_schema(values: list[dict[str, Any]]) -> dict[str, Any]:
     }
 
 
-def nearest(name: str, known: list[str]) -> str:
-    """Return the hint for an unknown name: the nearest known one, or all of them."""
-    close = get_close_matches(name, known, n=1)
-    return f"did you mean {close[0]}?" if close else f"known: {', '.join(known)}"
+def nearest(name: str, known: Sequence[str]) -> str:
+    """Return the hint for an unknown name: the nearest known one, or all of them, if few."""
+    # No name of ours is longer; to look for a long text among many takes seconds.
+    close = get_close_matches(name, known, n=1) if len(name) <= MAX_TEXT else []
+    if close:
+        return f"did you mean {plain(close[0])}?"
+    shown = [plain(one) for one in (known if len(known) <= FEW else known[: FEW - 2])]
+    more = f" and {len(known) - len(shown)} more" if len(shown) < len(known) else ""
+    return f"known: {', '.join(shown)}{more}"
+
+
+def after_comma(name: object, data: Mapping[Any, Any]) -> str | None:
+    """Return the hint for a field that is what stands behind a decimal comma, or None.
+
+    In braces ``tension: 10,5 kN`` is two fields, `tension` and `5 kN`, the second without a value.
+    """
+    names = list(data)
+    place = names.index(name)
+    before = data[names[place - 1]] if place else None
+    is_rest = isinstance(name, str) and name[:1].isdigit() and data[name] is None
+    if not is_rest or isinstance(before, bool) or not isinstance(before, int):
+        return None
+    number = f"{before}.{plain(str(name))}"
+    return f"{DECIMAL_POINT}: {names[place - 1]}: {number}"
+
+
+_OF_PYDANTIC = frozenset(name for name in dir(BaseModel) if not name.startswith("_"))
 
 
 class Part(BaseModel):
@@ -148,6 +193,29 @@ class Part(BaseModel):
         defer_build=True,  # halves the import time; validators are built at first use
     )
 
+    def __dir__(self) -> list[str]:
+        """Return the names to complete: fields and methods of the model, not those of pydantic."""
+        fields = type(self).model_fields
+        return [name for name in super().__dir__() if name in fields or name not in _OF_PYDANTIC]
+
+    if not TYPE_CHECKING:
+
+        def __setattr__(self, name: str, value: Any) -> None:
+            """Refuse: models never change; what they found out about themselves may be kept."""
+            if not name.startswith("_"):
+                raise self._unchangeable(name)
+            super().__setattr__(name, value)
+
+        def __delattr__(self, name: str) -> None:
+            """Refuse: models never change."""
+            raise self._unchangeable(name)
+
+    def _unchangeable(self, name: str) -> ModelError:
+        kind = type(self).__name__
+        hint = 'with_(speed="300 km/h"), of a scenario, returns a changed copy'
+        expected = "a model that stays as it is"
+        return ModelError(f"{kind} cannot be changed", got=show(name), expected=expected, hint=hint)
+
     @model_validator(mode="before")
     @classmethod
     def _check_names(cls, data: object) -> object:
@@ -156,31 +224,32 @@ class Part(BaseModel):
         if not isinstance(data, Mapping):
             expected = f"a mapping with {', '.join(cls.field_names())}"
             raise ModelError("not a mapping", got=show(data), expected=expected)
-        taken, needed = _names_of(cls)
+        taken, needed, longest = names_of(cls)
         for key in data:
             if key not in taken:
                 raise ModelError(
-                    "unknown field",
+                    UNKNOWN_FIELD,
                     got=show(key),
-                    expected=f"a field of {cls._title()}",
-                    hint=nearest(str(key), cls.field_names()),
+                    expected=f"a field of the {cls.__name__.lower()}",
+                    hint=after_comma(key, data) or nearest(str(key), cls.field_names()),
                     field=(key if isinstance(key, int) else str(key),),
                 )
         for name, alias in needed:
             if name not in data and alias not in data:
                 raise ModelError("missing field", expected=cls._expected(name), field=(alias,))
+        for name, most in longest:
+            # Refused before thousands of items are read, each with a mistake of its own.
+            if name in data and isinstance(data[name], Sized) and len(data[name]) > most:
+                got = show(data[name])
+                raise ModelError(
+                    WRONG_VALUE, got=got, expected=f"at most {most} items", field=(name,)
+                )
         return data
 
     @classmethod
     def field_names(cls) -> list[str]:
         """Return the names of the fields as they are written in files."""
         return [field.alias or name for name, field in cls.model_fields.items()]
-
-    @classmethod
-    def _title(cls) -> str:
-        title = (cls.__doc__ or cls.__name__).split("\n", maxsplit=1)[0].rstrip(".")
-        is_phrase = title.split(" ", maxsplit=1)[0] in {"A", "How", "The", "What", "Where"}
-        return title[0].lower() + title[1:] if is_phrase else title
 
     @classmethod
     def _expected(cls, name: str) -> str:
@@ -196,17 +265,6 @@ class Part(BaseModel):
             unit = find_unit(field)
             if unit is not None:
                 field.json_schema_extra = {"unit": unit.label}
-
-
-@cache
-def _names_of(model: type[Part]) -> tuple[frozenset[str], list[tuple[str, str]]]:
-    """Return what keys of a model's data may be called; name and alias of those that must be there.
-
-    Found once: a table has thousands of rows, a study thousands of scenarios.
-    """
-    fields = model.model_fields.items()
-    needed = [(name, field.alias or name) for name, field in fields if field.is_required()]
-    return frozenset([*model.field_names(), *model.model_fields]), needed
 
 
 def find_unit(annotated: Any) -> Unit | None:

@@ -89,9 +89,13 @@ class Line(Document):
         default=(), description="Pieces of a wire made of something else, as section insulators."
     )
     geometry: Geometry = Field(description="Heights and staggers.")
-    span_types: dict[str, SpanType] = Field(description="Span types by name.", min_length=1)
+    span_types: dict[str, SpanType] = Field(
+        description="Span types by name.", min_length=1, max_length=MAX_SPANS
+    )
     spans: tuple[SpanRun, ...] = Field(
-        description="Spans from the start of the line to its end.", min_length=1
+        description="Spans from the start of the line to its end.",
+        min_length=1,
+        max_length=MAX_SPANS,
     )
     tension_lengths: Annotated[tuple[TensionLength, ...], Field(min_length=1)] | None = Field(
         default=None,

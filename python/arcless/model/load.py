@@ -10,7 +10,7 @@ from pydantic import ValidationError
 
 from arcless.errors import ModelError
 from arcless.model.controller import with_function
-from arcless.model.documents import dotted
+from arcless.model.documents import printed
 from arcless.model.explain import explain
 from arcless.model.fields import Path
 from arcless.model.force_tables import with_force_tables
@@ -19,9 +19,9 @@ from arcless.model.line import Line
 from arcless.model.pantograph import Pantograph
 from arcless.model.reader import Origin, is_file, parse, read_text
 from arcless.model.roof import with_points
-from arcless.model.scenario import Scenario
+from arcless.model.scenario import MAX_PANTOGRAPHS, Scenario
 from arcless.model.tables import with_tables
-from arcless.units import show
+from arcless.units import plain, show
 
 Kind = Literal["scenario", "line", "pantograph"]
 Source = str | os.PathLike[str] | Mapping[str, Any]
@@ -30,6 +30,13 @@ _MODELS: dict[Kind, type[Scenario] | type[Line] | type[Pantograph]] = {
     "scenario": Scenario,
     "line": Line,
     "pantograph": Pantograph,
+}
+# What to do with a file of a format that was not asked for.
+_COMMANDS = {
+    "scenario": "`arcless run {}`",
+    "line": "`arcless check {}`, or name it as the line of a scenario",
+    "pantograph": "`arcless check {}`, or name it as a model of a scenario's pantographs",
+    "study": "`arcless study run {}`",
 }
 _SUFFIXES = {".yaml", ".yml", ".json"}
 
@@ -142,17 +149,48 @@ def check_format(data: Mapping[str, Any], kind: str, origin: Origin, prefix: Pat
     path = (*prefix, "format")
     what = "missing field" if given is None else "wrong format"
     is_version = isinstance(given, str) and given.startswith(f"arcless-{kind}/")
-    hint = "this version of Arcless reads version 1" if is_version else None
+    hint = "this version of Arcless reads version 1" if is_version else _other_kind(given, origin)
     if given is None:
         hint = f"start the file with format: {expected}"
     raise ModelError(
-        f"{dotted(path)}: {what}",
+        f"{printed(path)}: {what}",
         where=origin.where(path),
         got=None if given is None else show(given),
         expected=expected,
         hint=hint,
         field=path,
     )
+
+
+def _other_kind(given: object, origin: Origin) -> str | None:
+    """Return what a file of another format is, and the command for it; None if it is none."""
+    name, _, _ = given.partition("/") if isinstance(given, str) else ("", "", "")
+    kind = name.removeprefix("arcless-")
+    if name == kind or kind not in _COMMANDS:
+        return None
+    is_named = origin.label is None or len(origin.chain) > 1
+    file = origin.label or ""
+    command = "" if is_named else f": {_COMMANDS[kind].format(plain(file) if file else '')}"
+    return f"this is a {kind}{command}"
+
+
+def check_kind(value: object, kind: Kind = "scenario") -> None:
+    """Refuse what is no model where a function of the package takes one.
+
+    Raises
+    ------
+    ModelError
+        It is a name, a path or plain data, which `arcless.load` and its like take.
+    """
+    if isinstance(value, _MODELS[kind]):
+        return
+    given = repr(os.fspath(value)) if isinstance(value, str | os.PathLike) else "…"
+    loader = "load" if kind == "scenario" else f"load_{kind}"
+    got = show(value) if isinstance(value, str | Mapping | None) else f"a {type(value).__name__}"
+    hint = f"arcless.{loader}({plain(given)}) gives one"
+    if kind == "scenario" and isinstance(value, Line):
+        hint = "a scenario names a line, pantographs and a speed"
+    raise ModelError(f"not a {kind}", got=got, expected=f"a {kind}", hint=hint)
 
 
 def _kind_of(given: object, origin: Origin) -> Kind:
@@ -165,6 +203,7 @@ def _kind_of(given: object, origin: Origin) -> Kind:
         where=origin.where(("format",)),
         got=None if given is None else show(given),
         expected=" or ".join(f"arcless-{kind}/1" for kind in kinds),
+        hint=_other_kind(given, origin),
     )
 
 
@@ -178,7 +217,9 @@ def _resolve(data: dict[str, Any], origin: Origin) -> dict[str, Any]:
     placements = data.get("pantographs")
     if isinstance(placements, (list, tuple)):
         resolved["pantographs"] = [
-            _placement(item, origin, ("pantographs", index)) if isinstance(item, Mapping) else item
+            _placement(item, origin, ("pantographs", index))
+            if isinstance(item, Mapping) and index < MAX_PANTOGRAPHS
+            else item
             for index, item in enumerate(placements)
         ]
     return resolved
@@ -206,7 +247,7 @@ def reference(value: object, kind: Kind, origin: Origin, path: Path) -> object:
         return value
     if not isinstance(value, str):
         raise ModelError(
-            dotted(path),
+            printed(path),
             where=origin.where(path),
             got=show(value),
             expected=f"the name of a shipped {kind}, a file, or a mapping",
@@ -215,7 +256,7 @@ def reference(value: object, kind: Kind, origin: Origin, path: Path) -> object:
     try:
         file = _locate(value, kind, origin)
     except ModelError as error:
-        error.what, error.where = f"{dotted(path)}: {error.what}", origin.where(path)
+        error.what, error.where = f"{printed(path)}: {error.what}", origin.where(path)
         raise
     with origin.referring(path):
         return _load_file(file, kind, origin)

@@ -7,11 +7,15 @@ from typing import Any
 from pydantic import BaseModel
 
 from arcless.errors import ModelError
+from arcless.model.as_typed import carry
 from arcless.model.catalogue import GIVES
-from arcless.model.documents import dotted, written
+from arcless.model.documents import Document, dotted, written
 from arcless.model.fields import Unit, find_unit, nearest
+from arcless.model.line import Line
 from arcless.model.load import build, load_line, load_pantograph
-from arcless.model.reader import parse, scalar
+from arcless.model.nodes import scalar
+from arcless.model.pantograph import Pantograph
+from arcless.model.reader import parse
 from arcless.model.scenario import Scenario
 from arcless.units import show
 
@@ -67,10 +71,13 @@ def apply(scenario: Scenario, changes: Mapping[str, Any]) -> Scenario:
     data = scenario.model_dump(mode="json", by_alias=True, include={"provenance", *changed_groups})
     # What no change reaches into is valid as it is; to read a line again takes longest of all.
     data = {name: data.get(name, getattr(scenario, name)) for name in type(scenario).model_fields}
+    replaced: set[str] = set()
+    named: dict[str, Document] = {}
     for path, value in changes.items():
-        _set(data, path, value, set(changes))
+        replaced |= _set(data, path, value, set(changes), named)
     changed = build(data, "scenario")
     assert isinstance(changed, Scenario)
+    carry(scenario, changed, replaced, named)
     return changed
 
 
@@ -95,7 +102,14 @@ def field_of(scenario: Scenario, path: str) -> tuple[str, Unit | None]:
     return dotted(tuple(whole)), unit
 
 
-def _set(data: dict[str, Any], path: str, value: Any, changed: set[str]) -> None:
+def _set(
+    data: dict[str, Any],
+    path: str,
+    value: Any,
+    changed: set[str],
+    named: dict[str, Document],
+) -> set[str]:
+    """Set a field, note the model that was named for it; return the paths that are other now."""
     *groups, last = _full_path(data, path)
     place: Any = data
     document, inside = data, 0
@@ -105,21 +119,28 @@ def _set(data: dict[str, Any], path: str, value: Any, changed: set[str]) -> None
             document, inside = place, depth
     before, _, _ = path.rpartition(".")
     # A change further inside must not reach the mapping of whoever asked.
-    place[last] = deepcopy(_named_model(last, value))
+    model = _named_model(last, value)
+    place[last] = deepcopy(value) if model is None else model.to_dict()
+    whole = dotted((*groups, last))
+    replaced = {whole}
+    if model is not None:
+        named[whole] = model
     for other in _EXCLUSIVE.get(str(last), ()) if isinstance(place, dict) else ():
         if other in place and f"{before}.{other}".lstrip(".") not in changed:
             place[other] = None
+            replaced.add(dotted((*groups, other)))
     relative = ".".join(str(part) for part in (*groups, last)[inside:])
     _renew_provenance(document["provenance"], relative, value)
+    return replaced
 
 
-def _named_model(field: str | int, value: Any) -> Any:
-    """Return the data of a model that is given by name, so that later changes can go into it."""
+def _named_model(field: str | int, value: Any) -> Line | Pantograph | None:
+    """Return the model that is given by name, or None: later changes can go into its data."""
     if isinstance(value, str) and field == "line":
-        return load_line(value).to_dict()
+        return load_line(value)
     if isinstance(value, str) and field == "model":
-        return load_pantograph(value).to_dict()
-    return value
+        return load_pantograph(value)
+    return None
 
 
 def _renew_provenance(provenance: dict[str, Any], path: str, value: Any) -> None:

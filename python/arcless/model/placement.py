@@ -6,7 +6,7 @@ from pydantic import Field, PrivateAttr, model_validator
 
 from arcless.errors import ModelError
 from arcless.model.controller import Controller
-from arcless.model.fields import Part, Unit
+from arcless.model.fields import Name, Part, Unit
 from arcless.model.pantograph import Pantograph
 from arcless.model.roof import RoofMotion
 from arcless.model.spacing import TSI, Word, tsi_spacing
@@ -19,7 +19,7 @@ class PantographPlacement(Part):
         description="Pantograph: shipped name, file relative to this one, or written here.",
         json_schema_extra={"reference": "pantograph"},
     )
-    name: str = Field(default="", description="Name in results; P1, P2, … without it.")
+    name: Name = Field(default="", description="Name in results; P1, P2, … without it.")
     distance_: Annotated[float | Word, Unit("m", minimum=0, words=(TSI,))] = Field(
         default=0.0,
         alias="distance",

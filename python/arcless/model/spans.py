@@ -8,25 +8,28 @@ from pydantic import Field, model_validator
 from arcless.errors import ModelError
 from arcless.model.fields import Lengths, Part, Unit
 from arcless.model.lists import check_count
-from arcless.units import WRONG_VALUE
+from arcless.units import DECIMAL_POINT, WRONG_VALUE
 
 MAX_SPANS = 5000
 MAX_DROPPERS_PER_SPAN = 200
+Places = Annotated[Lengths, Field(max_length=MAX_DROPPERS_PER_SPAN)]
 # A dropper nearer to a support than this stands at the support. In m.
 AT_SUPPORT = 1e-6
+# A position below, behind a greater one, is perhaps what stands behind a decimal comma. In m.
+LEAST_PLACE = 10
 
 
 class SpanDroppers(Part):
     """Droppers (hangers) of a span: design by pre-sag, or as built by lengths."""
 
-    positions: Annotated[Lengths, Field(max_length=MAX_DROPPERS_PER_SPAN)] = Field(
+    positions: Places = Field(
         description="Distance of each dropper from the left support of the span."
     )
-    presag: Lengths | None = Field(
+    presag: Places | None = Field(
         default=None,
         description="The wire held, below its nominal height at each dropper; zeros without it.",
     )
-    lengths: Lengths | None = Field(
+    lengths: Places | None = Field(
         default=None, description="Unstretched distance between the clamps of each dropper."
     )
 
@@ -43,16 +46,20 @@ class SpanDroppers(Part):
                 expected="presag (design) or lengths (as built)",
                 field=("lengths",),
             )
-        for name in ("presag", "lengths"):
-            check_count(getattr(self, name), len(self.positions), "positions", (name,))
+        # Before they are counted: a decimal comma makes two positions of one.
         for index, (left, right) in enumerate(pairwise(self.positions), start=1):
             if right <= left:
+                is_rest = right.is_integer() and left.is_integer() and right < LEAST_PLACE
+                point = f"{DECIMAL_POINT}: {left:g}.{right:g}"
                 raise ModelError(
                     "droppers out of order",
                     got=f"{right:g} m after {left:g} m",
                     expected="positions that increase along the span",
+                    hint=point if is_rest else None,
                     field=("positions", index),
                 )
+        for name in ("presag", "lengths"):
+            check_count(getattr(self, name), len(self.positions), "positions", (name,))
         for index, length in enumerate(self.lengths or ()):
             if length <= 0:
                 raise ModelError(

@@ -4,16 +4,17 @@ from typing import Any
 
 import numpy as np
 
+from arcless.report.figure import Figure
+from arcless.report.models import Field, Model, columns
 from arcless.report.reduce import envelope, every
 from arcless.report.scene import Scene
-from arcless.report.style import GREY, add_hover, add_legend, colour, models, plain, single
+from arcless.report.style import GREY, add_hover, add_legend, colour, plain, single
 from arcless.report.track import (
     MARKS,
     RAW_POINTS,
     SMOOTH_POINTS,
     hover,
     series,
-    source,
     support_entry,
     track_figure,
 )
@@ -28,7 +29,7 @@ TRACES, TRACE_POINTS = 24, 400
 BEFORE_M, AFTER_M = 100.0, 200.0
 
 
-def force(scene: Scene) -> Any:
+def force(scene: Scene) -> Figure:
     """Draw the contact force, unfiltered and filtered, with supports and droppers marked."""
     title = f"Contact force after the {scene.assessment.low_pass_Hz:g} Hz low-pass, and unfiltered"
     fig = track_figure(scene, title, "contact force, N", height=360)
@@ -36,18 +37,16 @@ def force(scene: Scene) -> Any:
     for i, name in enumerate(scene.pantographs):
         raw = series(scene, i, scene.record.force[:, i], RAW_POINTS)
         smooth = series(scene, i, scene.record.bands.total[:, i], SMOOTH_POINTS)
-        style = {"source": raw, "color": colour(i), "line_width": 0.8, "line_alpha": 0.5}
-        thin = fig.line("x", "y", **style)
-        thick = fig.line("x", "y", source=smooth, color=colour(i), line_width=1.6, name=plain(name))
+        thin = fig.draw("Line", raw, color=colour(i), line_width=0.8, alpha=0.5)
+        thick = fig.draw("Line", smooth, color=colour(i), line_width=1.6, name=plain(name))
         entries.append((name, [thick]))
         filtered.append(thick)
         unfiltered.append(thin)
     entries.append(("unfiltered", unfiltered))
     if scene.has("dropper_x"):
         x = single(scene.values("dropper_x")[every(scene.values("dropper_x").size, MARKS)])
-        ticks = fig.scatter(
-            x=x, y=np.zeros_like(x), marker="dash", angle=np.pi / 2, size=8, color=GREY
-        )
+        feet = {"x": x, "y": np.zeros_like(x)}
+        ticks = fig.draw("Scatter", feet, marker="dash", angle=np.pi / 2, size=8, color=GREY)
         entries.append(("dropper", [ticks]))
     entries += support_entry(scene, fig)
     add_legend(fig, entries)
@@ -55,7 +54,7 @@ def force(scene: Scene) -> Any:
     return fig
 
 
-def gap(scene: Scene) -> Any | None:
+def gap(scene: Scene) -> Figure | None:
     """Draw the gap between strip and wire where contact is lost, or could be without a trace."""
     values = scene.values("contact_gap")
     if not (scene.rigid_contact or np.any(scene.record.force <= 0.0)):
@@ -64,36 +63,36 @@ def gap(scene: Scene) -> Any | None:
     entries, lines = [], []
     for i, name in enumerate(scene.pantographs):
         path = series(scene, i, 1e3 * values[:, i], RAW_POINTS)
-        line = fig.line("x", "y", source=path, color=colour(i), line_width=1.2, name=plain(name))
+        line = fig.draw("Line", path, color=colour(i), line_width=1.2, name=plain(name))
         entries.append((name, [line]))
         lines.append(line)
     largest = float(1e3 * values.max(initial=0.0))
-    fig.y_range = models().Range1d(0.0, 1.1 * largest or 1.0)
+    fig.y_range = Model("Range1d", start=0.0, end=1.1 * largest or 1.0)
     add_legend(fig, [*entries, *support_entry(scene, fig)])
     hover(fig, lines, "gap", "0.000 mm")
     return fig
 
 
-def height(scene: Scene) -> Any:
+def height(scene: Scene) -> Figure:
     """Draw the height of the contact point over the height of the wire at rest."""
     fig = track_figure(scene, "Height of the contact point", "height above rail, m")
     entries, hovered = [], []
     if scene.has("contact_wire_node_x", "contact_wire_node_z"):
         x, z = wire_points(scene, "contact_wire", "z", SMOOTH_POINTS)
-        rest = fig.line(single(x), single(z), color=GREY, line_width=1)
+        rest = fig.draw("Line", {"x": single(x), "y": single(z)}, color=GREY)
         entries.append(("contact wire at rest", [rest]))
     for i, name in enumerate(scene.pantographs):
         path = series(scene, i, scene.dataset["contact_height"].values[:, i], SMOOTH_POINTS)
-        line = fig.line("x", "y", source=path, color=colour(i), line_width=1.4, name=plain(name))
+        line = fig.draw("Line", path, color=colour(i), line_width=1.4, name=plain(name))
         entries.append((name, [line]))
         hovered.append(line)
-    fig.yaxis.formatter = models().NumeralTickFormatter(format="0.00")
+    fig.yaxis.formatter = Model("NumeralTickFormatter", format="0.00")
     add_legend(fig, [*entries, *support_entry(scene, fig)])
     hover(fig, hovered, "height", "0.000 m")
     return fig
 
 
-def uplift(scene: Scene) -> Any | None:
+def uplift(scene: Scene) -> Figure | None:
     """Draw the uplift at supports: the section's during the passage, and the peak of each."""
     if not scene.has("support_x", "support_uplift_max"):
         return None
@@ -106,29 +105,29 @@ def uplift(scene: Scene) -> Any | None:
     x, peak = scene.values("support_x"), 1e3 * scene.values("support_uplift_max")
     kept = every(x.size, MARKS)
     data = {"x": single(x[kept]), "y": single(peak[kept]), "name": _names(scene, "support", kept)}
-    dots = fig.scatter("x", "y", source=source(data), size=6, color=colour(0))
+    dots = fig.draw("Scatter", data, size=6, color=colour(0))
     add_hover(fig, [dots], [("", "@name"), ("highest uplift", "@y{0.0} mm")])
     add_legend(fig, [*entries, ("peak at each support", [dots]), *support_entry(scene, fig)])
     return fig
 
 
-def droppers(scene: Scene) -> Any | None:
+def droppers(scene: Scene) -> Figure | None:
     """Draw the range of every dropper's force, and its force at rest."""
     if not scene.has("dropper_x", "dropper_force_min", "dropper_force_max"):
         return None
     fig = track_figure(scene, "Range of the dropper forces", "dropper force, N")
     kept = every(scene.values("dropper_x").size, MARKS)
-    columns = {"x": "dropper_x", "low": "dropper_force_min", "high": "dropper_force_max"}
+    names = {"x": "dropper_x", "low": "dropper_force_min", "high": "dropper_force_max"}
     if scene.has("dropper_force_static"):
-        columns["rest"] = "dropper_force_static"
-    data = {key: single(scene.values(name)[kept]) for key, name in columns.items()}
-    data_source = source({**data, "name": _names(scene, "dropper", kept)})
-    bars = fig.segment("x", "low", "x", "high", source=data_source, line_width=3, color=colour(0))
-    bars.glyph.line_alpha = 0.45
+        names["rest"] = "dropper_force_static"
+    data = {key: single(scene.values(name)[kept]) for key, name in names.items()}
+    source = columns({**data, "name": _names(scene, "dropper", kept)})
+    ends = ("x", "low", "x", "high")
+    bars = fig.draw("Segment", source, *ends, line_width=3, color=colour(0), alpha=0.45)
     entries = [("lowest to highest", [bars])]
     tips = [("", "@name"), ("lowest", "@low{0.0} N"), ("highest", "@high{0.0} N")]
     if "rest" in data:
-        rest = fig.scatter("x", "rest", source=data_source, size=5, color=colour(1))
+        rest = fig.draw("Scatter", source, "x", "rest", size=5, color=colour(1))
         entries.append(("at rest", [rest]))
         tips.append(("at rest", "@rest{0.0} N"))
     add_hover(fig, [bars], tips)
@@ -136,7 +135,7 @@ def droppers(scene: Scene) -> Any | None:
     return fig
 
 
-def dropper_passages(scene: Scene) -> Any | None:
+def dropper_passages(scene: Scene) -> Figure | None:
     """Draw the forces of the droppers of the section's middle span while the train passes."""
     if not (scene.has("dropper_x", "dropper_span") and is_recorded(scene.dataset, "dropper")):
         return None
@@ -153,22 +152,20 @@ def dropper_passages(scene: Scene) -> Any | None:
 
 
 def _passages(
-    scene: Scene, fig: Any, place: Place, chosen: Any, *, scale: float, tip: tuple[str, str]
-) -> list[tuple[str, list[Any]]]:
+    scene: Scene, fig: Figure, place: Place, chosen: Any, *, scale: float, tip: tuple[str, str]
+) -> list[tuple[str, list[Model]]]:
     """Draw the channel of some supports or droppers, each while the train is there."""
     x = scene.values(f"{place}_x")
     if not is_recorded(scene.dataset, place):
         return []
     pieces = [_passage(scene, place, i, x[i]) for i in chosen]
-    data_source = source(
-        {
-            "x": [single(scene.line_position[kept]) for kept, _ in pieces],
-            "y": [single(scale * values) for _, values in pieces],
-            "name": _names(scene, place, chosen),
-            "colour": [colour(n) for n in range(len(pieces))],
-        }
-    )
-    lines = fig.multi_line("x", "y", source=data_source, line_width=1.2, color="colour")
+    data = {
+        "xs": [single(scene.line_position[kept]) for kept, _ in pieces],
+        "ys": [single(scale * values) for _, values in pieces],
+        "name": _names(scene, place, chosen),
+        "colour": [colour(n) for n in range(len(pieces))],
+    }
+    lines = fig.draw("MultiLine", data, line_width=1.2, color=Field("colour"))
     add_hover(fig, [lines], [("", "@name"), tip], line_policy="interp")
     return [("passage of the train", [lines])]
 

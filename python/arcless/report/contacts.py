@@ -1,14 +1,13 @@
 """How the wires and strips of a pantograph share its force."""
 
-from typing import Any
-
 from arcless.assess.filter import low_pass, sample_rate_Hz
+from arcless.report.figure import Figure
 from arcless.report.scene import Scene
 from arcless.report.style import add_legend, colour, plain
 from arcless.report.track import SMOOTH_POINTS, hover, series, support_entry, track_figure
 
 
-def shares(scene: Scene) -> Any | None:
+def shares(scene: Scene) -> Figure | None:
     """Draw the filtered force of each contact, where a pantograph has several."""
     if not scene.has("wire_contact_force"):
         return None
@@ -23,7 +22,7 @@ def shares(scene: Scene) -> Any | None:
     entries, lines = [], []
     for i, name in enumerate(names):
         path = series(scene, _pantograph(scene, name), forces[:, i], points)
-        line = fig.line("x", "y", source=path, color=colour(i), line_width=1.4, name=plain(name))
+        line = fig.draw("Line", path, color=colour(i), line_width=1.4, name=plain(name))
         entries.append((name, [line]))
         lines.append(line)
     add_legend(fig, [*entries, *support_entry(scene, fig)])

@@ -1,19 +1,19 @@
 """Figures of the contact force over the section: histogram and spectrum."""
 
-from typing import Any
-
 import numpy as np
 
 from arcless.assess.filter import spectrum
+from arcless.report.figure import Figure
+from arcless.report.models import Model
 from arcless.report.scene import Scene
-from arcless.report.style import GREY, add_hover, add_legend, colour, figure, models, single
+from arcless.report.style import DASHES, GREY, add_hover, add_legend, colour, figure, single
 
 BINS = 40
 HIGHEST_HZ = 50.0
 DECADES = 6
 
 
-def histogram(scene: Scene) -> Any:
+def histogram(scene: Scene) -> Figure:
     """Share of time over contact force, filtered, with the mean and three deviations."""
     low_pass = f"{scene.assessment.low_pass_Hz:g} Hz"
     title = "Contact force in the section; lines: mean, mean ± 3σ"
@@ -25,20 +25,15 @@ def histogram(scene: Scene) -> Any:
     for i, numbers in enumerate(scene.assessment.pantographs):
         values = total[inside[:, i], i]
         share = 100.0 * np.histogram(values, edges)[0] / values.size
-        bars = fig.quad(
-            left=edges[:-1], right=edges[1:], top=share, bottom=0.0,
-            fill_color=colour(i), fill_alpha=0.35, line_color=colour(i), line_width=0.8,
-        )  # fmt: skip
+        columns = {"left": edges[:-1], "right": edges[1:], "top": share, "bottom": 0.0 * share}
+        bars = fig.draw("Quad", columns, color=colour(i), fill_alpha=0.35, line_width=0.8)
         tips = [("force", "@left{0.0} to @right{0.0} N"), ("time", "@top{0.00} %")]
         add_hover(fig, [bars], tips)
         entries.append((numbers.name, [bars]))
         for place in (numbers.statistical_min_N, numbers.mean_force_N, numbers.statistical_max_N):
-            dash = "solid" if place == numbers.mean_force_N else "dashed"
-            fig.add_layout(
-                models().Span(
-                    location=place, dimension="height", line_color=colour(i), line_dash=dash
-                )
-            )
+            dash = () if place == numbers.mean_force_N else DASHES
+            look = {"line_color": colour(i), "line_dash": dash}
+            fig.center.append(Model("Span", location=place, dimension="height", **look))
     numbers_of = scene.assessment.pantographs
     low = min([lowest, *(p.statistical_min_N for p in numbers_of)])
     high = max([highest, *(p.statistical_max_N for p in numbers_of)])
@@ -49,22 +44,21 @@ def histogram(scene: Scene) -> Any:
     return fig
 
 
-def force_spectrum(scene: Scene) -> Any:
+def force_spectrum(scene: Scene) -> Figure:
     """Power spectral density of the unfiltered force, with the bands and the span passing."""
     fig = figure(
         "Spectrum of the unfiltered contact force in the section",
         "frequency, Hz",
         "power spectral density, N²/Hz",
-        y_axis_type="log",
+        logarithmic=True,
     )
     entries, lines, top = [], [], 0.0
     for i, name in enumerate(scene.pantographs):
         values = scene.record.force[scene.record.inside[:, i], i]
         frequency, density = spectrum(values, scene.record.rate_Hz)
         shown = (frequency > 0.0) & (frequency <= HIGHEST_HZ) & (density > 0.0)
-        line = fig.line(
-            single(frequency[shown]), single(density[shown]), color=colour(i), line_width=1.4
-        )
+        points = {"x": single(frequency[shown]), "y": single(density[shown])}
+        line = fig.draw("Line", points, color=colour(i), line_width=1.4)
         lines.append(line)
         top = max(top, float(density[shown].max(initial=0.0)))
         entries.append((name, [line]))
@@ -76,7 +70,7 @@ def force_spectrum(scene: Scene) -> Any:
     return fig
 
 
-def _frequencies(scene: Scene, fig: Any) -> list[tuple[str, list[Any]]]:
+def _frequencies(scene: Scene, fig: Figure) -> list[tuple[str, list[Model]]]:
     a = scene.assessment
     bands = [a.band_split_Hz, a.low_pass_Hz]
     marks = [(f"{bands[0]:g} and {bands[1]:g} Hz", bands, "dashed", GREY)]
@@ -86,6 +80,6 @@ def _frequencies(scene: Scene, fig: Any) -> list[tuple[str, list[Any]]]:
         marks.append((f"span passing, {passing:.2f} Hz", [passing], "dotted", colour(7)))
     entries = []
     for label, places, dash, shade in marks:
-        lines = fig.vspan(x=places, line_color=shade, line_dash=dash, line_width=1.2)
+        lines = fig.draw("VSpan", {"x": places}, color=shade, line_dash=dash, line_width=1.2)
         entries.append((label, [lines]))
     return entries

@@ -1,13 +1,22 @@
 """Figures of the line itself: its shape at rest, its elasticity, and the energy ledger."""
 
-from typing import Any
-
 import numpy as np
 from numpy.typing import NDArray
 
+from arcless.report.figure import Figure
 from arcless.report.reduce import envelope, every
 from arcless.report.scene import Scene
-from arcless.report.style import COLOURS, GREY, LIGHT, add_hover, add_legend, colour, figure, single
+from arcless.report.style import (
+    COLOURS,
+    DASHES,
+    GREY,
+    LIGHT,
+    add_hover,
+    add_legend,
+    colour,
+    figure,
+    single,
+)
 from arcless.report.track import MARKS, X_LABEL
 from arcless.report.wires import wire_points
 
@@ -25,7 +34,7 @@ WIRES = (
 )
 
 
-def side_view(scene: Scene) -> Any | None:
+def side_view(scene: Scene) -> Figure | None:
     """Draw the line at rest from the side; heights are drawn larger than lengths."""
     fig = _view(scene, "Initial configuration, side view", "z", "height above rail, m", 280)
     if fig is None:
@@ -33,12 +42,12 @@ def side_view(scene: Scene) -> Any | None:
     if scene.has("dropper_x", "dropper_top_z", "dropper_bottom_z"):
         kept = every(scene.values("dropper_x").size, MARKS)
         x = single(scene.values("dropper_x")[kept])
-        ends = (single(scene.values(f"dropper_{end}_z")[kept]) for end in ("top", "bottom"))
-        fig.segment(x, next(ends), x, next(ends), color=GREY, line_width=1)
+        top, foot = (single(scene.values(f"dropper_{end}_z")[kept]) for end in ("top", "bottom"))
+        fig.draw("Segment", {"x0": x, "y0": top, "x1": x, "y1": foot}, color=GREY)
     return fig
 
 
-def plan_view(scene: Scene) -> Any | None:
+def plan_view(scene: Scene) -> Figure | None:
     """Draw the line at rest from above when it is not straight."""
     sides = [scene.values(f"{wire}_node_y") for wire, _, _ in WIRES]
     if not any(side.size and np.ptp(side) > 0.0 for side in sides):
@@ -46,7 +55,7 @@ def plan_view(scene: Scene) -> Any | None:
     return _view(scene, "Initial configuration, from above", "y", "across the track, m", 220)
 
 
-def elasticity(scene: Scene) -> Any | None:
+def elasticity(scene: Scene) -> Figure | None:
     """Draw the static elasticity of the contact wire."""
     if not scene.has("elasticity"):
         return None
@@ -57,13 +66,13 @@ def elasticity(scene: Scene) -> Any | None:
         title += f" (non-uniformity {100.0 * np.ptp(values) / total:.0f} %)"
     fig = figure(title, X_LABEL, "elasticity, mm/N")
     kept = envelope(values, NODE_POINTS)
-    line = fig.line(single(scene.values("elasticity_x")[kept]), single(values[kept]))
-    line.glyph.line_color, line.glyph.line_width = colour(0), 1.6
+    points = {"x": single(scene.values("elasticity_x")[kept]), "y": single(values[kept])}
+    line = fig.draw("Line", points, color=colour(0), line_width=1.6)
     add_hover(fig, [line], [("elasticity", "@y{0.000} mm/N"), ("position", "@x{0.0} m")])
     return fig
 
 
-def energy(scene: Scene) -> Any | None:
+def energy(scene: Scene) -> Figure | None:
     """Draw every term of the energy ledger over time."""
     terms = [(name, label) for name, label in energy_terms(scene) if settled(scene, name).any()]
     if not terms:
@@ -74,9 +83,9 @@ def energy(scene: Scene) -> Any | None:
     time = single(times[kept])
     entries = []
     for i, (name, label) in enumerate(terms):
-        dash = ("solid", "dashed")[i // len(COLOURS) % 2]
-        values = single(settled(scene, name)[kept])
-        line = fig.line(time, values, color=colour(i), line_dash=dash)
+        dash = ((), DASHES)[i // len(COLOURS) % 2]
+        points = {"x": time, "y": single(settled(scene, name)[kept])}
+        line = fig.draw("Line", points, color=colour(i), line_dash=dash)
         add_hover(fig, [line], [(label, "@y{0.000} J"), ("time", "@x{0.000} s")])
         entries.append((label, [line]))
     add_legend(fig, entries)
@@ -95,7 +104,7 @@ def settled(scene: Scene, name: str) -> Floats:
     return values[np.isfinite(values)]
 
 
-def _view(scene: Scene, title: str, axis: str, y_label: str, height: int) -> Any | None:
+def _view(scene: Scene, title: str, axis: str, y_label: str, height: int) -> Figure | None:
     if not scene.has(f"contact_wire_node_{axis}", "contact_wire_node_x"):
         return None
     fig = figure(title, X_LABEL, y_label, height=height, x_range=scene.track)
@@ -104,13 +113,14 @@ def _view(scene: Scene, title: str, axis: str, y_label: str, height: int) -> Any
         if not scene.has(f"{wire}_node_x", f"{wire}_node_{axis}"):
             continue
         x, values = wire_points(scene, wire, axis, NODE_POINTS)
-        drawn = fig.line(single(x), single(values), color=colour(shade), line_width=1.5)
+        points = {"x": single(x), "y": single(values)}
+        drawn = fig.draw("Line", points, color=colour(shade), line_width=1.5)
         add_hover(fig, [drawn], [(label, "@y{0.000} m"), ("position", "@x{0.0} m")])
         entries.append((label, [drawn]))
     supports = scene.values("support_x")
     if supports.size:
         places = single(supports[every(supports.size, MARKS)])
-        lines = fig.vspan(x=places, line_color=LIGHT, line_dash="dashed")
+        lines = fig.draw("VSpan", {"x": places}, color=LIGHT, line_dash="dashed")
         entries.append(("support", [lines]))
     add_legend(fig, entries)
     return fig

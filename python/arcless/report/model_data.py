@@ -6,7 +6,10 @@ from typing import Any
 
 from pydantic import BaseModel
 
+from arcless.errors import ModelError
 from arcless.model import Line, Pantograph, Provenance, Scenario
+from arcless.model.fields import Unit, find_unit
+from arcless.units import to_si
 
 Document = Scenario | Line | Pantograph
 
@@ -28,10 +31,16 @@ _TAKEN: dict[str, Callable[[Scenario], Any]] = {
 
 @dataclass(frozen=True)
 class Row:
-    """One value: its dotted path, the value with its unit, and where it comes from."""
+    """One value: its dotted path, the value as it was typed, and where it comes from.
+
+    `si` is the value in SI with its unit, where that is written otherwise; `is_default` says that
+    nobody gave it.
+    """
 
     path: str
     value: str
+    si: str = ""
+    is_default: bool = False
     mark: str = ""
     source: str = ""
     note: str = ""
@@ -73,14 +82,13 @@ def _rows(document: Document, part: BaseModel, prefix: str) -> Iterator[Row]:
     for name, field in type(part).model_fields.items():
         if part is document and name in _NOT_DATA:
             continue
-        extra = field.json_schema_extra
-        unit = str(extra.get("unit", "")) if isinstance(extra, Mapping) else ""
+        unit = find_unit(field)
         yield from _value_rows(
             document, getattr(part, name), f"{prefix}{field.alias or name}", unit
         )
 
 
-def _value_rows(document: Document, value: Any, path: str, unit: str) -> Iterator[Row]:
+def _value_rows(document: Document, value: Any, path: str, unit: Unit | None) -> Iterator[Row]:
     if value is None or (isinstance(value, Document) and value is not document):
         return
     if isinstance(value, BaseModel):
@@ -95,14 +103,51 @@ def _value_rows(document: Document, value: Any, path: str, unit: str) -> Iterato
         yield _row(document, value, path, unit)
 
 
-def _row(document: Document, value: Any, path: str, unit: str) -> Row:
-    shown = "" if unit == "1" else unit
+def _row(document: Document, value: Any, path: str, unit: Unit | None) -> Row:
+    shown = "" if unit is None or unit.unit == "1" else unit.label
     text = _text(value, shown)
+    typed = _typed(document, value, path, unit)
     if isinstance(value, str) and isinstance(document, Scenario) and path in _TAKEN:
         taken = _text(_TAKEN[path](document), shown)
         text += f" ({taken})" if taken != text else ""
     origin = _origin(document, path)
-    return Row(path, text, origin.mark or "", origin.source or "", origin.note or "")
+    return Row(
+        path,
+        typed or text,
+        text if typed and typed != text else "",
+        document.is_given(path) is False,
+        origin.mark or "",
+        origin.source or "",
+        origin.note or "",
+    )
+
+
+def _typed(document: Document, value: Any, path: str, unit: Unit | None) -> str:
+    """Return a quantity, or a list of some, as it was typed; empty where a number was given.
+
+    It must mean the value: a text that was kept and does not is left out.
+    """
+    if unit is None:
+        return ""
+    if isinstance(value, tuple):
+        items = [
+            _typed(document, item, f"{path}.{place}", unit) for place, item in enumerate(value)
+        ]
+        plain = [_text(item, unit.label) for item in value]
+        found = [item or text for item, text in zip(items, plain, strict=True)]
+        return _cut(", ".join(found)) if any(items) else ""
+    text = (document.as_typed(path) or "").strip()
+    has_unit = text[-1:].isalpha() or text[-1:] in "°²³)" or (text[-1:].isdigit() and "/" in text)
+    if not text or not has_unit or not isinstance(value, float):
+        return ""
+    try:
+        return _cut(text) if to_si(text, unit.unit) == value else ""
+    except ModelError:
+        return ""
+
+
+def _cut(text: str) -> str:
+    return text if len(text) <= MAX_TEXT else text[:MAX_TEXT] + " …"
 
 
 def _origin(document: Document, path: str) -> Provenance:
@@ -123,6 +168,4 @@ def _text(value: Any, unit: str) -> str:
         text = f"{value:,.8g}".replace(",", "\u202f")
     else:  # words and counts have no unit
         text, unit = str(value), ""
-    if len(text) > MAX_TEXT:
-        text = text[:MAX_TEXT] + " …"
-    return f"{text} {unit}".rstrip()
+    return f"{_cut(text)} {unit}".rstrip()

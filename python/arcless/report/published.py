@@ -6,15 +6,16 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from arcless.report.figure import Figure
+from arcless.report.models import Model
 from arcless.report.scene import Scene
 from arcless.report.style import (
     GREY,
-    SECTION_FILL,
     add_hover,
     add_legend,
+    add_section,
     colour,
     figure,
-    models,
     single,
 )
 from arcless.report.tables import number
@@ -77,7 +78,7 @@ def _cells(verdict: Mapping[str, Any]) -> dict[str, Any]:
     return {**verdict, "rows": rows}
 
 
-def force(scene: Scene) -> Any:
+def force(scene: Scene) -> Figure:
     """Draw the unfiltered contact force over time."""
     values = scene.record.force[:, 0]
     seen = values[scene.record.inside[:, 0]]
@@ -85,7 +86,7 @@ def force(scene: Scene) -> Any:
     return _over_time(scene, title, ("contact force", "N"), values, "0.0")
 
 
-def gap(scene: Scene) -> Any:
+def gap(scene: Scene) -> Figure:
     """Draw the gap between strip and wire over time."""
     values = 1e3 * scene.dataset["contact_gap"].values[:, 0]
     seen = values[scene.record.inside[:, 0]]
@@ -97,30 +98,19 @@ def _speed(scene: Scene) -> str:
     return f"{3.6 * scene.assessment.speed_m_s:.0f} km/h"
 
 
-def _over_time(scene: Scene, title: str, axis: tuple[str, str], values: Any, form: str) -> Any:
+def _over_time(scene: Scene, title: str, axis: tuple[str, str], values: Any, form: str) -> Figure:
     time, x = scene.values("time"), scene.dataset["position"].values[:, 0]
     name, unit = axis
     fig = figure(title, "time, s", f"{name}, {unit}", height=270)
     begin, end = np.interp(scene.assessment.section_m, x, time)
-    fig.add_layout(
-        models().BoxAnnotation(
-            left=begin, right=end, fill_color=SECTION_FILL, fill_alpha=0.05, level="image"
-        )
-    )
+    add_section(fig, begin, end)
     data = {"t": single(time), "y": single(values), "x": single(x)}
-    source = models().ColumnDataSource(data)
-    line = fig.line("t", "y", source=source, color=colour(0), line_width=1.1)
+    line = fig.draw("Line", data, "t", "y", color=colour(0), line_width=1.1)
     joints = scene.values("dropper_x")
     passed = np.interp(joints[(joints >= x[0]) & (joints <= x[-1])], x, time)
-    ticks = fig.scatter(
-        x=single(passed),
-        y=np.zeros_like(passed),
-        marker="dash",
-        angle=np.pi / 2,
-        size=9,
-        color=GREY,
-    )
-    fig.y_range = models().Range1d(0.0, 1.08 * float(values.max()) or 1.0)
+    feet = {"x": single(passed), "y": np.zeros_like(passed)}
+    ticks = fig.draw("Scatter", feet, marker="dash", angle=np.pi / 2, size=9, color=GREY)
+    fig.y_range = Model("Range1d", start=0.0, end=1.08 * float(values.max()) or 1.0)
     tips = [("time", "@t{0.0000} s"), ("position", "@x{0.00} m"), (name, f"@y{{{form}}} {unit}")]
     add_hover(fig, [line], tips, mode="vline")
     add_legend(fig, [(name, [line]), ("hanger joint", [ticks])])

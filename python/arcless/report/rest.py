@@ -4,14 +4,17 @@ Drawn is what the mesh holds: every wire element by the name of its wire, every 
 two nodes, every bar to its anchor. No type of line has a drawing of its own.
 """
 
+from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from arcless.mesh import PLANAR
-from arcless.report.style import GREY, INK, LIGHT, add_hover, add_legend, colour, figure, models
+from arcless.report.figure import Figure
+from arcless.report.models import Model
+from arcless.report.style import GREY, INK, LIGHT, add_hover, add_legend, colour, figure
 from arcless.report.template import render
 from arcless.report.track import X_LABEL
 from arcless.results.files import write_bytes
@@ -89,13 +92,13 @@ def facts(found: "StaticsResult") -> list[tuple[str, str]]:
     return pairs
 
 
-def elasticity(found: "StaticsResult", track: Any) -> Any:
+def elasticity(found: "StaticsResult", track: Model) -> Figure:
     """Draw the elasticity over the middle span."""
     percent = 100 * found.elasticity_nonuniformity
     title = f"Elasticity of the middle span (non-uniformity {percent:.0f} %)"
     fig = figure(title, X_LABEL, "elasticity, mm/N", height=230, x_range=track)
-    line = fig.line(found.elasticity_x_m, 1e3 * np.array(found.elasticity_m_per_N), line_width=1.6)
-    line.glyph.line_color = colour(0)
+    points = {"x": found.elasticity_x_m, "y": 1e3 * np.array(found.elasticity_m_per_N)}
+    line = fig.draw("Line", points, color=colour(0), line_width=1.6)
     fig.y_range.start = 0.0
     add_hover(fig, [line], [("elasticity", "@y{0.000} mm/N"), ("position", "@x{0.0} m")])
     return fig
@@ -115,9 +118,10 @@ class _Sight:
         self.end = min(last, middle + 0.5 * DRAWN) if self.cut else last
         start, stop = left - (right - left), right + (right - left)
         margin = 0.02 * (self.end - self.begin)
-        self.track = models().Range1d(
-            max(start, self.begin - margin),
-            min(stop, self.end + margin),
+        self.track = Model(
+            "Range1d",
+            start=max(start, self.begin - margin),
+            end=min(stop, self.end + margin),
             bounds=(self.begin - margin, self.end + margin),
         )
 
@@ -130,7 +134,7 @@ class _Sight:
         digits = 10 ** np.floor(np.log10(ratio))
         return float(np.round(ratio / digits) * digits)
 
-    def view(self, axis: int, title: str, y_label: str, height: int) -> Any | None:
+    def view(self, axis: int, title: str, y_label: str, height: int) -> Figure | None:
         """Draw the line along the track and one other axis; None if nothing is off that axis."""
         if not np.ptp(self.points[:, axis]) > 0.0:
             return None
@@ -144,7 +148,7 @@ class _Sight:
         add_legend(fig, entries)
         return fig
 
-    def _wires(self, fig: Any, axis: int) -> Any:
+    def _wires(self, fig: Figure, axis: int) -> Iterator[tuple[str, Model]]:
         """Yield each wire's name and its line; elements that do not meet leave a gap."""
         ends = self._element_ends()
         for index, (field, rows) in enumerate(self.mesh.wire_rows.items()):
@@ -152,7 +156,8 @@ class _Sight:
             if x.size == 0:
                 continue
             name = field.replace("_", " ")
-            drawn = fig.line(x, y, line_width=1.6, line_color=colour(SHADES.get(field, index + 3)))
+            shade = colour(SHADES.get(field, index + 3))
+            drawn = fig.draw("Line", {"x": x, "y": y}, line_width=1.6, color=shade)
             add_hover(fig, [drawn], [(name, "@y{0.000} m"), ("position", "@x{0.0} m")])
             yield name, drawn
 
@@ -161,7 +166,7 @@ class _Sight:
         table = parts["wires"][0] if len(parts["wires"][0]) else parts["segments"][0]
         return np.asarray(table, dtype=np.int64)[:, :2]
 
-    def _droppers(self, fig: Any, axis: int) -> Any:
+    def _droppers(self, fig: Figure, axis: int) -> Iterator[Model]:
         """Yield the droppers, each between the two nodes that it joins."""
         pairs = zip(self.mesh.droppers, self.found.droppers, strict=True)
         kept = [pair for pair in pairs if self.begin <= pair[0].x <= self.end]
@@ -169,23 +174,18 @@ class _Sight:
             return
         places, chosen = zip(*kept, strict=True)
         top, bottom = (self.points[[place.nodes[end] for place in places]] for end in (0, 1))
-        source = models().ColumnDataSource(
-            {
-                "x0": top[:, ALONG],
-                "y0": top[:, axis],
-                "x1": bottom[:, ALONG],
-                "y1": bottom[:, axis],
-                "name": [d["name"] for d in chosen],
-                "length": [d["length_m"] for d in chosen],
-                "force": [d["force_N"] for d in chosen],
-            }
-        )
-        drawn = fig.segment("x0", "y0", "x1", "y1", source=source, color=GREY, line_width=1)
+        data = {
+            **_between(top, bottom, axis),
+            "name": [d["name"] for d in chosen],
+            "length": [d["length_m"] for d in chosen],
+            "force": [d["force_N"] for d in chosen],
+        }
+        drawn = fig.draw("Segment", data, color=GREY)
         tips = [("", "@name"), ("length", "@length{0.000} m"), ("force", "@force{0.0} N")]
         add_hover(fig, [drawn], tips)
         yield drawn
 
-    def _bars(self, fig: Any, axis: int) -> Any:
+    def _bars(self, fig: Figure, axis: int) -> Iterator[Model]:
         """Yield the bars that hold a wire sideways, from the wire to their anchor."""
         nodes = np.asarray(self.mesh.parts["struts"][0], dtype=np.int64)
         if len(nodes) == 0:
@@ -195,34 +195,37 @@ class _Sight:
             anchors = np.column_stack([anchors[:, 0], np.zeros(len(nodes)), anchors[:, 1]])
         held = self.points[nodes[:, 0]]
         kept = (held[:, ALONG] >= self.begin) & (held[:, ALONG] <= self.end)
-        held, anchors = held[kept], anchors[kept]
-        yield fig.segment(
-            held[:, ALONG], held[:, axis], anchors[:, ALONG], anchors[:, axis],
-            color=INK, line_width=2,
-        )  # fmt: skip
+        yield fig.draw(
+            "Segment", _between(held[kept], anchors[kept], axis), color=INK, line_width=2
+        )
 
-    def _supports(self, fig: Any) -> Any:
+    def _supports(self, fig: Figure) -> Model:
         places = [s.x for s in self.mesh.supports if self.begin <= s.x <= self.end]
-        return fig.vspan(x=places, line_color=LIGHT, line_dash="dashed")
+        return fig.draw("VSpan", {"x": places}, color=LIGHT, line_dash="dashed")
 
-    def _staggers(self, fig: Any) -> Any:
+    def _staggers(self, fig: Figure) -> Model:
         """Mark the contact wire at the supports."""
         places = [s for s in self.mesh.supports if self.begin <= s.x <= self.end]
         points = self.points[[place.contact_node for place in places]]
-        source = models().ColumnDataSource(
-            {
-                "x": points[:, ALONG],
-                "y": points[:, ACROSS],
-                "name": [place.name for place in places],
-            }
-        )
-        drawn = fig.scatter("x", "y", source=source, size=6, color=colour(0), line_color=None)
+        data = {
+            "x": points[:, ALONG],
+            "y": points[:, ACROSS],
+            "name": [place.name for place in places],
+        }
+        drawn = fig.draw("Scatter", data, size=6, color=colour(0), line_color=None)
         add_hover(fig, [drawn], [("", "@name"), ("stagger", "@y{0.000} m"), ("at", "@x{0.0} m")])
         return drawn
 
     def _inside(self, points: Floats) -> Floats:
         kept: Floats = points[(points[:, ALONG] >= self.begin) & (points[:, ALONG] <= self.end)]
         return kept
+
+
+def _between(one: Floats, other: Floats, axis: int) -> dict[str, Floats]:
+    """Return the ends of straight pieces as columns."""
+    return {
+        "x0": one[:, ALONG], "y0": one[:, axis], "x1": other[:, ALONG], "y1": other[:, axis],
+    }  # fmt: skip
 
 
 def _chained(

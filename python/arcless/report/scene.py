@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from arcless.assess import Assessment
 from arcless.assess.section import ForceRecord, force_record
-from arcless.report.style import models
+from arcless.report.models import Model
 
 if TYPE_CHECKING:
     from arcless.results.plain import Dataset
@@ -57,7 +57,7 @@ class Scene:
             min(begin, *(line[:1])) - margin if line.size else begin - margin,
             max(end, *(line[-1:])) + margin if line.size else end + margin,
         )
-        return models().Range1d(begin - margin, end + margin, bounds=bounds)
+        return Model("Range1d", start=begin - margin, end=end + margin, bounds=bounds)
 
     @cached_property
     def line_position(self) -> NDArray[np.float64]:

@@ -1,15 +1,21 @@
 """How the figures look: one place for colours, axes and tools."""
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
+
+from arcless.report.figure import Figure
+from arcless.report.models import Model, Value
 
 # Dark enough to print, told apart by people who see red and green alike.
 COLOURS = ("#1f5a92", "#d0652a", "#3b8a5a", "#8a4f9e", "#a88a1c", "#4aa3b5", "#b03a5b", "#666666")
 GREY, LIGHT, INK = "#8d949c", "#c9ced4", "#2b2f33"
 SECTION_FILL = "#1f5a92"
+FADED = 0.1  # opacity of what is not selected while something is
 LEGEND_COLUMNS, LEGEND_LETTERS = 5, 22
-TOOLS = "box_zoom,pan,xwheel_zoom,reset,save"
+HEIGHT = 290  # px
+DASHES: tuple[int, ...] = (6,)  # px; what the script calls dashed is shorter
 
 
 def colour(index: int) -> str:
@@ -29,63 +35,92 @@ def single(values: Any) -> Any:
     return np.asarray(values, dtype=np.float32)
 
 
-def models() -> Any:
-    """Return bokeh's models; untyped, since its own type hints leave most of them out."""
-    import bokeh.models
-
-    return bokeh.models
-
-
 def figure(
     title: str,
     x_label: str,
     y_label: str,
     *,
-    height: int = 290,
-    tools: str = TOOLS,
-    drag: str = "box_zoom",
-    **options: Any,
-) -> Any:
-    """Return an empty figure in the style of the report."""
-    from bokeh.plotting import figure as bokeh_figure
+    logarithmic: bool = False,
+    names: Sequence[str] = (),
+    selects: bool = False,
+    **attributes: Any,
+) -> Figure:
+    """Return an empty figure in the style of the report.
 
-    fig: Any = bokeh_figure(
-        title=title,
-        x_axis_label=x_label,
-        y_axis_label=y_label,
-        height=height,
+    Parameters
+    ----------
+    title, x_label, y_label
+        What it says.
+    logarithmic
+        Whether the axis upwards is.
+    names
+        What stands along the axis upwards in place of numbers, the lowest first.
+    selects
+        Whether what is drawn can be selected, by a box or one by one.
+    **attributes
+        Others of the figure, such as its height in px or a range that figures share.
+    """
+    kind = "Categorical" if names else "Log" if logarithmic else "Linear"
+    fig = Figure(
+        _axis("LinearAxis", x_label),
+        _axis(f"{kind}Axis", y_label),
+        _tools(selects=selects),
+        title=Model("Title", text=title, text_color=INK),
+        x_range=attributes.pop("x_range", None) or Model("DataRange1d"),
+        y_range=attributes.pop("y_range", None) or Model("DataRange1d"),
+        y_scale=Model(f"{kind}Scale"),
         sizing_mode="stretch_width",
-        tools=tools,
-        active_drag=drag,
-        active_scroll=None,
-        output_backend="canvas",
-        **options,
+        outline_line_color=None,
+        min_border_left=72,  # the frames of all figures begin at the same place
+        min_border_right=16,
+        **{"height": HEIGHT, **attributes},
     )
-    fig.toolbar.logo = None
-    fig.toolbar.autohide = False
-    fig.outline_line_color = None
-    fig.title.text_font_size = "13px"
-    fig.title.text_color = INK
-    fig.grid.grid_line_color = "#eceef0"
-    fig.axis.axis_line_color = LIGHT
-    fig.axis.major_tick_line_color = LIGHT
-    fig.axis.minor_tick_line_color = None
-    fig.axis.axis_label_text_font_style = "normal"
-    fig.axis.axis_label_text_font_size = "12px"
-    fig.axis.axis_label_text_color = INK
-    fig.axis.major_label_text_color = "#555b61"
-    fig.min_border_left = 72  # the frames of all figures begin at the same place
-    fig.min_border_right = 16
+    if names:
+        fig.y_range = Model("FactorRange", factors=list(names))
+    for grid in fig.center:
+        grid.grid_line_color = "#eceef0"
     return fig
 
 
-def add_legend(fig: Any, entries: list[tuple[str, list[Any]]]) -> None:
+def _axis(kind: str, label: str) -> Model:
+    axis = Model(
+        kind,
+        axis_label=label or None,
+        axis_label_text_font_style="normal",
+        axis_label_text_font_size="12px",
+        axis_label_text_color=INK,
+        major_label_text_color="#555b61",
+        axis_line_color=LIGHT,
+        major_tick_line_color=LIGHT,
+        minor_tick_line_color=None,
+    )
+    if kind == "LogAxis":
+        axis.ticker = Model("LogTicker", num_minor_ticks=10)
+    return axis
+
+
+def _tools(*, selects: bool) -> list[Model]:
+    """Return the tools of a figure; the first one is what a drag does."""
+    tools = [Model("BoxSelectTool"), Model("TapTool")] if selects else []
+    tools += [Model("BoxZoomTool", dimensions="both"), Model("PanTool")]
+    tools += [Model("WheelZoomTool", dimensions="width"), Model("ResetTool"), Model("SaveTool")]
+    return tools
+
+
+def add_section(fig: Figure, begin: float, end: float) -> None:
+    """Shade the section assessed, given in the numbers of the horizontal axis."""
+    shade = {"fill_color": SECTION_FILL, "fill_alpha": 0.05, "level": "image"}
+    fig.center.append(Model("BoxAnnotation", left=begin, right=end, **shade))
+
+
+def add_legend(fig: Figure, entries: list[tuple[str, list[Model]]]) -> None:
     """Put a legend above the plot, where it hides no data; a click hides its series."""
     if not entries:
         return
-    legend = models().Legend(
+    legend = Model(
+        "Legend",
         items=[
-            models().LegendItem(label={"value": _short(label)}, renderers=drawn)
+            Model("LegendItem", label=Value(_short(label)), renderers=drawn)
             for label, drawn in entries
         ],
         orientation="horizontal",
@@ -99,7 +134,7 @@ def add_legend(fig: Any, entries: list[tuple[str, list[Any]]]) -> None:
         margin=4,
         glyph_width=18,
     )
-    fig.add_layout(legend, "above")
+    fig.above.append(legend)
 
 
 def _short(label: str) -> str:
@@ -107,7 +142,9 @@ def _short(label: str) -> str:
     return plain(cut)
 
 
-def add_hover(fig: Any, drawn: list[Any], tooltips: list[tuple[str, str]], **options: Any) -> None:
+def add_hover(
+    fig: Figure, drawn: list[Model], tooltips: list[tuple[str, str]], **options: Any
+) -> None:
     """Show values under the pointer."""
-    hover = models().HoverTool(renderers=drawn, tooltips=tooltips, visible=False, **options)
-    fig.add_tools(hover)
+    hover = Model("HoverTool", renderers=drawn, tooltips=tooltips, visible=False, **options)
+    fig.toolbar.tools.append(hover)

@@ -1,24 +1,27 @@
 """Figures and texts → one HTML text that loads nothing."""
 
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+import html
+import json
+from collections.abc import Mapping
 from functools import cache
-from importlib import import_module
+from importlib.metadata import version
+from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
+
+from arcless.report.models import Model, document
 
 if TYPE_CHECKING:
     from jinja2 import Environment
 
-# What figures need.
-_NEEDED = ("bokeh.embed", "bokeh.models", "bokeh.plotting")
+# Bokeh's script, and the further ones of tables.
+_SCRIPTS, _TABLES = ("bokeh",), ("bokeh-widgets", "bokeh-tables")
 
 
 def get_ready() -> None:
-    """Import what figures and pages need: it takes as long as a short run, and can go beside it."""
-    for name in _NEEDED:
-        import_module(name)
+    """Do what the page of a run needs, and what can go beside the run."""
     _templates().get_template("page.html")
+    _library(_SCRIPTS)
 
 
 @cache
@@ -34,20 +37,19 @@ def _templates() -> "Environment":
     )
 
 
-@contextmanager
-def _unchecked() -> Iterator[None]:
-    """Leave out Bokeh's look for mistakes in figures, a sixth of a page's time: tests do it."""
-    from bokeh.settings import settings
-
-    settings.perform_document_validation.set_value(False)
-    try:
-        yield
-    finally:
-        settings.perform_document_validation.unset_value()
+@cache
+def _library(names: tuple[str, ...]) -> str:
+    """Return scripts of Bokeh, for the head of a page; Bokeh itself is not imported."""
+    found = find_spec("bokeh")
+    assert found is not None and found.origin is not None
+    folder = Path(found.origin).parent / "server" / "static" / "js"
+    texts = [(folder / f"{name}.min.js").read_text("utf-8") for name in names]
+    texts.append('Bokeh.set_log_level("warn");')
+    return "".join(f"<script>\n{text}\n</script>\n" for text in texts)
 
 
 def render(
-    template: str, figures: Mapping[str, Any], *, widgets: bool = False, **texts: Any
+    template: str, figures: Mapping[str, Model | None], *, widgets: bool = False, **texts: Any
 ) -> str:
     """Fill a template of this folder.
 
@@ -62,24 +64,40 @@ def render(
     **texts
         What else the template shows; escaped there.
     """
-    from bokeh.document import Document
-    from bokeh.embed import components
-    from bokeh.resources import Resources
     from markupsafe import Markup
 
     drawn = {name: fig for name, fig in figures.items() if fig is not None}
-    page = Document()
-    with page.models.freeze():  # else every figure that shares data is looked through again
-        for fig in drawn.values():
-            page.add_root(fig)
-    with _unchecked():
-        script, places = components(drawn) if drawn else ("", {})
-    parts: list[Any] = ["bokeh", "bokeh-widgets", "bokeh-tables"] if widgets else ["bokeh"]
-    library = Resources(mode="inline", components=parts, log_level="warn").render()
+    objects, roots = document(drawn.values())
     filled = _templates().get_template(template)
     return filled.render(
-        library=Markup(library),
-        script=Markup(script),
-        figure={name: Markup(place) for name, place in places.items()},
+        library=Markup(_library((*_SCRIPTS, *_TABLES) if widgets else _SCRIPTS)),
+        script=Markup(_script(objects, roots) if drawn else ""),
+        figure={
+            name: Markup(f'<div id="{_place(root)}" style="display: contents;"></div>')
+            for name, root in zip(drawn, roots, strict=True)
+        },
         **texts,
     )
+
+
+def _place(root: str) -> str:
+    return f"figure-{root}"
+
+
+def _script(objects: list[Any], roots: list[str]) -> str:
+    """Return the script that draws, at the end of a page.
+
+    The objects are text between quotes, in which the script undoes what is escaped: no name in it
+    ends the text or the page's own script.
+    """
+    page = {"page": {"version": version("bokeh"), "roots": objects}}
+    text = html.escape(json.dumps(page, allow_nan=False, separators=(",", ":")), quote=False)
+    text = text.replace("'", "&#x27;").replace("\\", "\\\\")
+    places = {root: _place(root) for root in roots}
+    items = [{"docid": "page", "roots": places, "root_ids": roots}]
+    return f"""<script>
+Bokeh.safely(() => {{
+const docs_json = '{text}';
+Bokeh.embed.embed_items(docs_json, {json.dumps(items)});
+}});
+</script>"""

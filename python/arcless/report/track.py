@@ -2,9 +2,11 @@
 
 from typing import Any
 
+from arcless.report.figure import Figure
+from arcless.report.models import Model, columns
 from arcless.report.reduce import envelope, every
 from arcless.report.scene import Scene
-from arcless.report.style import LIGHT, SECTION_FILL, add_hover, figure, models, single
+from arcless.report.style import HEIGHT, LIGHT, add_hover, add_section, figure, single
 
 X_LABEL = "position along the track, m"
 # Points in the file, shared by the pantographs: bounds the size whatever the run's length.
@@ -13,23 +15,18 @@ RAW_POINTS, SMOOTH_POINTS = 6000, 3000
 MARKS = 1000
 
 
-def track_figure(scene: Scene, title: str, y_label: str, *, height: int = 290) -> Any:
+def track_figure(scene: Scene, title: str, y_label: str, *, height: int = HEIGHT) -> Figure:
     """Return an empty figure over the track with the analysis section shaded."""
     fig = figure(title, X_LABEL, y_label, height=height, x_range=scene.track)
-    begin, end = scene.assessment.section_m
-    fig.add_layout(
-        models().BoxAnnotation(
-            left=begin, right=end, fill_color=SECTION_FILL, fill_alpha=0.05, level="image"
-        )
-    )
+    add_section(fig, *scene.assessment.section_m)
     return fig
 
 
-def series(scene: Scene, pantograph: int, values: Any, points: int) -> Any:
+def series(scene: Scene, pantograph: int, values: Any, points: int) -> Model:
     """Return a channel over the position of its pantograph, thinned out."""
     kept = envelope(values, max(200, points // len(scene.pantographs)))
     position = scene.dataset["position"].values[:, pantograph]
-    return source(
+    return columns(
         {
             "x": single(position[kept]),
             "y": single(values[kept]),
@@ -38,27 +35,20 @@ def series(scene: Scene, pantograph: int, values: Any, points: int) -> Any:
     )
 
 
-def support_entry(scene: Scene, fig: Any) -> list[tuple[str, list[Any]]]:
+def support_entry(scene: Scene, fig: Figure) -> list[tuple[str, list[Model]]]:
     """Mark the supports; return the entry of the legend."""
     x = scene.values("support_x")
     if not x.size:
         return []
-    lines = fig.vspan(
-        x=single(x[every(x.size, MARKS)]), line_color=LIGHT, line_dash="dashed", line_width=1
-    )
-    lines.level = "underlay"
+    places = {"x": single(x[every(x.size, MARKS)])}
+    lines = fig.draw("VSpan", places, level="underlay", color=LIGHT, line_dash="dashed")
     return [("support", [lines])]
 
 
-def hover(fig: Any, renderers: list[Any], word: str, form: str) -> None:
+def hover(fig: Figure, renderers: list[Model], word: str, form: str) -> None:
     """Show name, value (`form`: a format and its unit), position and time under the pointer."""
     value, unit = form.split(" ")
     tips = [("", "$name"), (word, f"@y{{{value}}} {unit}")]
     tips += [("position", "@x{0.0} m"), ("time", "@t{0.000} s")]
     mode = "vline" if len(renderers) == 1 else "mouse"
     add_hover(fig, renderers, tips, mode=mode, line_policy="nearest")
-
-
-def source(columns: dict[str, Any]) -> Any:
-    """Return columns as Bokeh takes them."""
-    return models().ColumnDataSource(columns)

@@ -59,17 +59,19 @@ def replacing(path: str | Path) -> Iterator[BinaryIO]:
     temporary = target.with_name(unfinished.new_name())
     try:
         unfinished.sweep(target.parent)
-        with unfinished.create(temporary) as file:
-            yield file
-            file.flush()
-            os.fsync(file.fileno())
-            temporary.replace(target)
+        with unfinished.claimed(temporary):
+            try:
+                with temporary.open("x+b") as file:
+                    yield file
+                    file.flush()
+                    os.fsync(file.fileno())
+                temporary.replace(target)
+            finally:
+                with suppress(OSError):
+                    temporary.unlink(missing_ok=True)
         settle(target.parent)
     except OSError as error:
         raise _not_written(path, error) from error
-    finally:
-        with suppress(OSError):
-            temporary.unlink(missing_ok=True)
 
 
 def _not_written(path: str | Path, error: OSError) -> OutputError:

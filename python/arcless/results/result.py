@@ -133,6 +133,10 @@ def open_result(path: str | Path) -> Result:
         The file is missing, damaged, or of another format version.
     """
     from arcless.model import load
+    from arcless.model.as_typed import restore
 
     dataset = open_plain(result_file(path))
-    return Result(dataset, load(metadata(dataset)["scenario"]))
+    facts = metadata(dataset)
+    scenario = load(facts["scenario"])
+    restore(scenario, facts["as_typed"])
+    return Result(dataset, scenario)

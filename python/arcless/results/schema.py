@@ -236,6 +236,7 @@ ATTRIBUTES: dict[str, Attribute] = {
     "arcless_version": Attribute("text", "version that computed the run", required=True),
     "created": Attribute("text", "when the dataset was built, ISO 8601, UTC", required=True),
     "scenario": Attribute("json", "the whole resolved scenario, with provenance", required=True),
+    "as_typed": Attribute("json", "values of the scenario, its line and pantographs as typed"),
     "scenario_name": Attribute("text", "name of the scenario", required=True),
     "section_m": Attribute("json", "analysis section, [from, to]", required=True),
     "scheme": Attribute("text", "time-stepping scheme, also where the scenario says `auto`"),

@@ -15,6 +15,7 @@ from arcless import _core
 from arcless.errors import ModelError
 from arcless.mesh import Mesh
 from arcless.model import Scenario
+from arcless.model.load import check_kind
 from arcless.simulate.failure import translated
 from arcless.simulate.realtime_start import Start, fingerprint, names_of, start
 
@@ -61,6 +62,7 @@ def realtime(scenario: Scenario, *, simulated: bool = False) -> "Realtime":
     MeshError, EquilibriumError, ContactError
         The line cannot be divided, has no equilibrium, or the start is not on it.
     """
+    check_kind(scenario)
     return Realtime(scenario, start(scenario, simulated=simulated))
 
 
@@ -109,6 +111,13 @@ class Realtime:
         self._first, self.pantograph_force_N = begun.first, np.zeros(len(begun.first))
         self._steps, self._position, self._speed = self._core.place()
         self._read()
+
+    def __repr__(self) -> str:
+        """Say where the loop is and what it asks for."""
+        return (
+            f"<Realtime step {self.step_number}, {self.time_s:.6g} s, {self.position_m:.6g} m;"
+            f" takes {', '.join(self.inputs)}; {1e3 * self.time_step_s:g} ms a step>"
+        )
 
     @property
     def step_number(self) -> int:

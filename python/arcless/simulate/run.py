@@ -12,6 +12,8 @@ import numpy as np
 
 from arcless import _core
 from arcless.model import Scenario, scenario_warnings
+from arcless.model.as_typed import typed_in
+from arcless.model.load import check_kind
 from arcless.results import Result
 from arcless.results.files import replacing
 from arcless.results.plain import Plain
@@ -74,6 +76,7 @@ def run(
     OutputError
         The file cannot be written.
     """
+    check_kind(scenario)
     if certainty is not None:
         scenario = with_certainty(scenario, certainty)
     decided = Controllers(scenario, controllers)
@@ -262,6 +265,7 @@ def attributes_of(
     return {
         "arcless_version": _core.__version__,
         "scenario": scenario.to_dict(),
+        "as_typed": typed_in(scenario),
         "scenario_name": scenario.name,
         "section_m": list(scenario.analysis_range()),
         "scheme": scenario.stepping.scheme.name,

@@ -41,12 +41,13 @@ def stop_step(travel: Motion, until: str | float | None, after: int = 0) -> int:
     """Return the number of steps after which a run has reached `until`.
 
     A place is that of the first pantograph, a time counts from the start; the run goes on to the
-    end of the step in which it gets there, and to its own end where that comes first.
+    end of the step in which it gets there.
 
     Raises
     ------
     ModelError
-        Neither a place nor a time, or one that leaves no step to do after the first `after`.
+        Neither a place nor a time, one that leaves no step to do after the first `after`, or one
+        beyond the end of the run.
     ResultFormatError
         The travel has no step after the first `after`.
     """
@@ -71,7 +72,16 @@ def stop_step(travel: Motion, until: str | float | None, after: int = 0) -> int:
             got=show(until),
             expected=f"a place beyond {travel.positions[after]:g} m, or a time after {time:g} s",
         )
-    return min(step, travel.steps)
+    if step > travel.steps:
+        end, time = travel.positions[-1], travel.steps * travel.time_step
+        raise ModelError(
+            "the run ends before that",
+            where="until",
+            got=show(until),
+            expected=f"a place up to {end:g} m, or a time up to {time:g} s",
+            hint="the run stops by itself where travel ends",
+        )
+    return step
 
 
 def _seconds(until: str | float) -> float:

@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from arcless.mesh import StitchPlace
+from arcless.mesh import SPATIAL, StitchPlace
 from arcless.model import Line, Scenario
 from arcless.model.families import CUBIC, CUBIC_STEP
+from arcless.model.load import check_kind
 from arcless.model.schemes import GeneralisedAlpha
 from arcless.model.settings import Solver
 from arcless.simulate import equilibrium
@@ -148,6 +149,15 @@ class StaticsResult:
         return max(sags)
 
     @property
+    def contact_wire_lateral_max_m(self) -> float | None:
+        """Largest lateral position of a contact wire at rest, wind included; None when planar."""
+        mesh = self.equilibrium.mesh
+        if mesh.dimension != SPATIAL:
+            return None
+        nodes = [node for wire in mesh.contact_wires for node in wire]
+        return float(np.abs(self.equilibrium.positions[nodes, 1]).max())
+
+    @property
     def wave_speed(self) -> float | None:
         """Wave speed of the contact wire in m/s: of the design, or the lowest as built."""
         return wave_speed_of(self.scenario, self.equilibrium)
@@ -201,6 +211,7 @@ class StaticsResult:
             ],
             "elasticity_nonuniformity": self.elasticity_nonuniformity,
             "contact_wire_sag_m": self.contact_wire_sag_m,
+            "contact_wire_lateral_max_m": self.contact_wire_lateral_max_m,
             "wave_speed_m_s": self.wave_speed,
             "natural_frequencies_Hz": self.natural_frequencies_Hz,
             "resonance_speeds": self.resonance_speeds.to_dict(),
@@ -223,6 +234,7 @@ def statics(scenario: Scenario, progress: Progress | None = None) -> StaticsResu
     MeshError, EquilibriumError
         See `arcless.simulate.equilibrium.find`.
     """
+    check_kind(scenario)
     tell = progress or (lambda _fraction, _text: None)
     tell(0.0, "static equilibrium")
     found = equilibrium.find(scenario)

@@ -65,8 +65,6 @@ class Keeper:
         Rows that are there already, by status.
     tell, note
         Told the progress after every row, and what a user should know.
-    also
-        Told every row when it is in the journal.
     """
 
     def __init__(
@@ -78,11 +76,9 @@ class Keeper:
         *,
         tell: Tell | None,
         note: Note,
-        also: Callable[[Row], None] | None = None,
     ) -> None:
         self._study, self._place, self._journal = study, place, journal
         self._tell, self._note = tell or (lambda _progress: None), note
-        self._also = also or (lambda _row: None)
         table.make_ready()
         self._versions = {code_version()}
         self._began = self._written = time.monotonic()
@@ -101,7 +97,6 @@ class Keeper:
         self.progress.computed += 1
         self.progress.elapsed_s = now - self._began
         self._tell(self.progress)
-        self._also(row)
         if now - self._written > max(_WRITE_EVERY_S, _WRITE_PART * self._writing_s):
             self.write_table()
 

@@ -97,14 +97,33 @@ def _file(source: "str | os.PathLike[str]") -> Path:
     return path
 
 
-def meaning(study: Study) -> dict[str, Any]:
-    """Return what decides the rows of a study as plain data: no words, no executor, no storage."""
+def contents(study: Study) -> dict[str, Any]:
+    """Return all that a study asks, with what it names, as plain data."""
     data = study.to_dict()
-    del data["executor"]
-    data["design"].pop("storage", None)  # who may look on
     data["order of variables"] = list(data["variables"])
     data["models"] = study.model_contents()
-    plain: dict[str, Any] = _without_words(json.loads(json.dumps(data)))
+    plain: dict[str, Any] = json.loads(json.dumps(data))
+    return plain
+
+
+def of_contents(data: Mapping[str, Any], label: str) -> Study:
+    """Return a study from all that it asks; those of version 1 have no words.
+
+    Raises
+    ------
+    ValidationError
+        They are those of no study.
+    """
+    given = {name: data[name] for name in data if name not in ("order of variables", "models")}
+    order = data.get("order of variables", list(given["variables"]))
+    given["variables"] = {name: given["variables"][name] for name in order}
+    context = {"file": label, "models": data.get("models", {})}
+    return Study.model_validate(given, context=context)
+
+
+def meaning(data: Mapping[str, Any]) -> dict[str, Any]:
+    """Return what of all that a study asks decides its rows: no words, no executor."""
+    plain: dict[str, Any] = _without_words({key: data[key] for key in data if key != "executor"})
     return plain
 
 

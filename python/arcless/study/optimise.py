@@ -3,7 +3,6 @@
 What the study file says of it, which rows keep the constraints, and which are the best.
 """
 
-import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import Literal
 
@@ -23,7 +22,6 @@ from arcless.study.variables import Axis
 from arcless.units import show
 
 _SIGNS = {"minimise": 1.0, "maximise": -1.0}
-_URL = re.compile(r"[a-z][a-z0-9]*(\+[a-z0-9_]+)?://", re.IGNORECASE)
 
 
 class Constraint(Part):
@@ -63,10 +61,6 @@ class Optimise(Part):
     pruning: Pruning | None = Field(
         default=None, description="When a run is stopped that cannot become good; never without."
     )
-    storage: str | None = Field(
-        default=None,
-        description="URL of a database for Optuna's trials; without, a file beside the table.",
-    )
 
     @model_validator(mode="after")
     def _check_pruning(self) -> "Optimise":
@@ -78,10 +72,6 @@ class Optimise(Part):
                 hint="with several, `hard: true` in constraints stops what has broken them",
                 field=("pruning",),
             )
-        if self.storage is not None and not _URL.match(self.storage):
-            # What was given may hold a password: it is not shown.
-            expected = "a URL such as postgresql+psycopg://user@host/database"
-            raise ModelError("no URL of a database", expected=expected, field=("storage",))
         return self
 
     def plan(self, axes: Sequence[Axis], seed: int) -> "Search":

@@ -1,7 +1,9 @@
 """A row of a study: what came out of one variant."""
 
-from dataclasses import dataclass, field
-from typing import Any, Literal
+from collections.abc import Callable
+from dataclasses import MISSING, dataclass, field, fields
+from math import isfinite
+from typing import Any, Literal, get_args
 
 Status = Literal["done", "pruned", "invalid", "failed"]
 # What a row has only where runs were looked at while they stepped.
@@ -52,3 +54,65 @@ class Row:
     def to_dict(self) -> dict[str, Any]:
         """Return it as plain values, the row's own; without those of looks if there were none."""
         return {name: v for name, v in vars(self).items() if v or name not in _WATCHED}
+
+
+def row_of(data: Any) -> Row | None:
+    """Return a row from plain data; None where a name is missing or unknown, or a type is wrong."""
+    if not isinstance(data, dict) or not _NEEDED <= data.keys() <= _FITS.keys():
+        return None
+    fits = all(_FITS[name](value) for name, value in data.items())
+    return Row(**data) if fits else None
+
+
+def _is_finite(value: Any) -> bool:
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return False
+    try:
+        return isfinite(value)
+    except OverflowError:
+        return False
+
+
+def _is_finite_or_none(value: Any) -> bool:
+    return value is None or _is_finite(value)
+
+
+def _is_count(value: Any) -> bool:
+    return type(value) is int and 0 <= value < _TOO_MANY
+
+
+def _is_text(value: Any) -> bool:
+    return isinstance(value, str)
+
+
+def _is_named(fits: Callable[[Any], bool]) -> Callable[[Any], bool]:
+    """Whether a value has values that fit by their names."""
+    return lambda value: (
+        isinstance(value, dict) and all(map(_is_text, value)) and all(map(fits, value.values()))
+    )
+
+
+def _is_list(value: Any) -> bool:
+    return isinstance(value, list) and all(map(_is_finite_or_none, value))
+
+
+# Whole numbers in tables have 64 bits.
+_TOO_MANY = 1 << 63
+_FITS: dict[str, Callable[[Any], bool]] = {
+    "variant": lambda value: _is_count(value) and value > 0,
+    "key": _is_text,
+    "values": _is_named(lambda _value: True),
+    "status": lambda value: value in get_args(Status),
+    "outputs": _is_named(_is_finite_or_none),
+    "error": _is_text,
+    "wall_time_s": lambda value: _is_finite(value) and value >= 0.0,
+    "arcless_version": _is_text,
+    "so_far": _is_named(_is_list),
+    "steps": _is_count,
+    "steps_of_run": _is_count,
+    "stopped_at_m": _is_finite_or_none,
+    "stopped_after_s": _is_finite_or_none,
+}
+_NEEDED = {
+    one.name for one in fields(Row) if one.default is MISSING and one.default_factory is MISSING
+}

@@ -1,11 +1,10 @@
 """A study, begun or gone on with: what is missing is computed, every row is kept as it comes."""
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from contextlib import closing, contextmanager, suppress
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import closing, suppress
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from arcless.errors import OutputError, StudyError
 from arcless.study import findings, sensitivity, table
@@ -13,7 +12,7 @@ from arcless.study.evaluate import Cancel, Task
 from arcless.study.executors import Note
 from arcless.study.executors import executor as choose
 from arcless.study.folder import StudyFolder
-from arcless.study.journal import Journal
+from arcless.study.journal import in_use, is_locked
 from arcless.study.keeper import Keeper, Progress, Tell
 from arcless.study.model import Execution, Study
 from arcless.study.optimise import Optimise
@@ -23,9 +22,6 @@ from arcless.study.search import Search
 from arcless.study.variants import in_order, key, variant
 from arcless.study.version import code_version
 
-if TYPE_CHECKING:
-    from arcless.study.storage import Storage
-
 
 def run(
     study: Study,
@@ -34,7 +30,6 @@ def run(
     resume: bool = False,
     retry_failed: bool = False,
     executor: Execution | None = None,
-    storage: str | None = None,
     tell: Tell | None = None,
     note: Note | None = None,
     cancel: Cancel | None = None,
@@ -53,9 +48,6 @@ def run(
         Compute those again that failed.
     executor
         What computes, in place of what the study says.
-    storage
-        URL of the database for Optuna's trials, in place of what the study says; only of a study
-        that optimises.
     tell
         Called with the progress after every row.
     note
@@ -72,45 +64,41 @@ def run(
     Raises
     ------
     StudyError
-        The folder or the storage holds a study already, none, or another one; a package is
-        missing.
+        The folder holds a study already, none, or another one; a package is missing.
     ExecutorError
         The scheduler does not answer, or went away.
-    StorageError
-        The database does not answer, or went away.
     OutputError
         The folder cannot be written, or its disk is full.
     """
     table.check_available()
     sensitivity.check_available(study)
+    if isinstance(study.design, Optimise):
+        table.needs("optuna", "a study that optimises")
     say = note or (lambda _text: None)
     place = StudyFolder(study, folder)
     before = place.check_same() if resume else None
     if before is None:
         _check_new(place)
-    computing = choose(executor or study.executor, say)
     with (
-        closing(computing),
-        _storage(study, place, storage) as trials,
-        _journal(place) as journal,
+        closing(choose(executor or study.executor, say)) as computing,
+        place.open_journal() as kept,
     ):
-        journal.mend()
+        for told in (kept.damage, place.take_former()):
+            if told is not None:
+                say(told)
         there = _valid_rows(study, place, retry_failed=retry_failed)
         if before is None:
             _check_new(place)  # another process may have been faster
-            place.write_state()
-        elif before["arcless_version"] != code_version():
-            say(_other_version(before["arcless_version"]))
-        also = None
-        if trials is not None:
-            trials.begin(anew=before is None)
-            also = trials.take
-        counts = Counter(there.values())
-        keeper = Keeper(study, place, journal, counts, tell=tell, note=say, also=also)
+            place.write_state(kept.mode)
+        else:
+            place.note_mode(kept.mode)
+            if before["arcless_version"] != code_version():
+                say(_other_version(before["arcless_version"]))
+        keeper = Keeper(study, place, kept, Counter(there.values()), tell=tell, note=say)
         task = Task.of(study, place.results if study.keep == "results" else None)
         stop = cancel or (lambda: False)
         try:
-            for numbers, watch in _rounds(study, place, also):
+            for numbers, watch in _rounds(study, place):
                 missing = [number for number in numbers if number not in there]
                 if missing:
                     ordered = (variant(study, number) for number in in_order(study, missing))
@@ -125,63 +113,41 @@ def run(
     return keeper.progress
 
 
-def _rounds(
-    study: Study, place: StudyFolder, told: Callable[[Row], None] | None
-) -> Iterator[tuple[Sequence[int], Watch | None]]:
+def _rounds(study: Study, place: StudyFolder) -> Iterator[tuple[Sequence[int], Watch | None]]:
     """Yield numbers of variants in rounds, and what their runs are watched for.
 
-    Of most designs there is one with all of them. `told` is told the rows that are there already.
+    Of most designs there is one with all of them.
     """
     if not isinstance(study.plan, Search):
         yield range(1, study.plan.count + 1), None
         return
     for numbers, watch in study.plan.rounds(place.rows):
-        there = [row for row in place.rows() if row.variant in numbers]
-        _check_rows(study, place, there)
-        for row in there:
-            if told is not None:
-                told(row)
+        _check_rows(study, place, place.rows(numbers[0], numbers[-1]))
         yield numbers, watch
 
 
-@contextmanager
-def _storage(study: Study, place: StudyFolder, url: str | None) -> Iterator["Storage | None"]:
-    """Open the storage of a study that optimises, before anything is written for it."""
-    if not isinstance(study.design, Optimise):
-        if url is not None:
-            raise StudyError(
-                "a study that does not optimise has no storage",
-                got=f"design `{study.design.kind}`",
-                expected="design `optimise` with `--storage`",
-            )
-        yield None
-        return
-    table.needs("optuna", "a study that optimises")
-    from arcless.study.storage import Storage
-
-    opened = Storage(study, place, url or study.design.storage)
-    try:
-        yield opened
-    finally:
-        opened.close()
-
-
-@contextmanager
-def _journal(place: StudyFolder) -> Iterator[Journal]:
-    place.make()
-    with Journal(place.journal) as journal:
-        yield journal
-
-
 def _check_new(place: StudyFolder) -> None:
-    if next(place.rows(), None) is not None:
-        raise StudyError(
-            "a study was begun here already",
-            where=str(place.path),
-            got="rows of it",
-            expected="a new folder",
-            hint="go on with it by `arcless study resume`, or name another folder with `--out`",
-        )
+    """Refuse a folder with rows; say how far its study is, and what to do with it."""
+    there, total = sum(1 for _ in place.rows()), place.study.plan.count
+    if not there and not place.damage.found:
+        return
+    if is_locked(place.journal):
+        raise in_use(place.path)
+    if not place.is_of_this_study:
+        what, got, todo = "another study was begun here", "rows of that", "choose another folder"
+    elif there < total:
+        what, got = "the study was begun here already", f"{there} of {total} variants"
+        todo = f"go on with `{place.command('resume')}`, or begin anew"
+    else:
+        what, got = "the study is complete already", f"all {total} variants"
+        todo = f"look at it with `{place.command('report')}`, or begin anew"
+    raise StudyError(
+        what,
+        where=str(place.path),
+        got=got,
+        expected="a folder without rows",
+        hint=f"{todo} with `--out NEW_FOLDER`",
+    )
 
 
 def _valid_rows(study: Study, place: StudyFolder, *, retry_failed: bool) -> dict[int, str]:

@@ -61,10 +61,12 @@ class Search(Plan):
         for row in rows:
             self.known[row.variant - 1] = tuple(row.values[axis.name] for axis in self.axes)
 
-    def rounds(self, rows: Callable[[], Iterable[Row]]) -> Iterator[tuple[list[int], Watch | None]]:
+    def rounds(
+        self, rows: Callable[[int, int], Iterable[Row]]
+    ) -> Iterator[tuple[list[int], Watch | None]]:
         """Yield the numbers of each round, from 1, and what its runs are watched for.
 
-        `rows` has all of a round when it is over.
+        `rows` gives those from one number to another; it has all of a round when that is over.
         """
         earlier: list[Row] = []
         told: list[Any] = []
@@ -76,7 +78,7 @@ class Search(Plan):
                     _value(axis, trial.params[axis.name]) for axis in self.axes
                 )
             yield numbers, self.design.watch(earlier)
-            there = {row.variant: row for row in rows()}
+            there = {row.variant: row for row in rows(numbers[0], numbers[-1])}
             for number, trial in zip(numbers, asked, strict=True):
                 earlier.append(there[number])
                 told.append(frozen(self.design, there[number], trial.params, trial.distributions))

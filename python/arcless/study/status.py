@@ -13,6 +13,10 @@ from arcless.study.pruning import Saving
 from arcless.study.rows import Row
 
 
+class DamagedJournalWarning(UserWarning):
+    """Rows of a study are left out as they are damaged."""
+
+
 @dataclass(frozen=True)
 class StudyStatus:
     """How far a study is.
@@ -23,6 +27,11 @@ class StudyStatus:
         The study and its folder.
     running
         Whether a process computes it just now.
+    journal
+        How SQLite keeps the journal whole; None of a study of an older version.
+    damaged
+        Rows of the journal that are damaged, and are computed again by who goes on; None where its
+        file is, and nobody can tell how many it had.
     total, done, pruned, invalid, failed, missing
         Variants: of the study, and by what came of them.
     steps_taken, steps_saved
@@ -38,6 +47,8 @@ class StudyStatus:
     name: str
     folder: str
     running: bool
+    journal: str | None
+    damaged: int | None
     total: int
     done: int
     pruned: int
@@ -49,6 +60,15 @@ class StudyStatus:
     wall_time_s: float
     errors: dict[str, int]
     versions: dict[str, int]
+
+    @property
+    def damage(self) -> str | None:
+        """What is damaged of the journal, in a sentence; None where nothing is."""
+        if self.damaged == 0:
+            return None
+        what = "its file" if self.damaged is None else f"rows left out: {self.damaged}"
+        todo = "`arcless study resume` computes again what is missing"
+        return f"the journal is damaged, {what}; {todo}"
 
     def to_dict(self) -> dict[str, Any]:
         """Return it as plain values."""
@@ -103,12 +123,14 @@ class Tally:
 
     def status(self, study: Study, place: StudyFolder) -> StudyStatus:
         """Return what the rows that were read say of a study."""
-        counts = self._counts
+        counts, state = self._counts, place.state()
         saving = Saving.of_counts(self._steps, self._of_run) if study.watched else None
         return StudyStatus(
             name=study.name,
             folder=str(place.path),
             running=journal.is_locked(place.journal),
+            journal=None if state is None else state.get("journal"),
+            damaged=None if place.damage.file else len(place.damage.rows),
             total=study.plan.count,
             done=counts["done"],
             pruned=counts["pruned"],

@@ -152,11 +152,17 @@ def _output(study: Study, name: str) -> _Column:
     import pyarrow
 
     output = study.outputs[name]
+    words = output.description or output.expression.strip()
+    unit = unit_of_output(study, name)
+    return _Column(name, pyarrow.float64(), unit, words, lambda row: row.outputs.get(name))
+
+
+def unit_of_output(study: Study, name: str) -> str:
+    """Return the unit of an output: as the study file says, else that of its key."""
+    output = study.outputs[name]
     text = output.expression.strip()
     is_key = study.expressions[name].names == {text}
-    unit = output.unit or (unit_of_key(text) if is_key else "")
-    words = output.description or text
-    return _Column(name, pyarrow.float64(), unit, words, lambda row: row.outputs.get(name))
+    return output.unit or (unit_of_key(text) if is_key else "")
 
 
 def _kind(axis: Axis) -> str:

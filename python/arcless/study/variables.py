@@ -10,7 +10,7 @@ from arcless.model.fields import Part, Unit, nearest
 from arcless.study.amounts import Amount, number, plain
 from arcless.study.distributions import Choice, Distribution, Quantile, Uniform
 from arcless.study.random_fields import FIELDS, RandomField, drawing
-from arcless.units import show
+from arcless.units import show, written_in
 
 WAYS = ("values", "range", "distribution", "random_field")
 
@@ -68,6 +68,9 @@ class Axis:
         The values that can be counted out; None for a range without count and a distribution.
     quantile
         The value at a point 0 < u < 1 of a sample.
+    typed_unit, scale
+        Unit that the study file gives its values in, as printed, and its size in SI: what people
+        are shown.
     """
 
     name: str
@@ -75,11 +78,19 @@ class Axis:
     unit: str
     levels: tuple[Any, ...] | None
     quantile: Quantile
+    typed_unit: str = ""
+    scale: float = 1.0
 
     @property
     def is_drawn(self) -> bool:
         """Whether its values are numbers of drawings, of which none is near another one."""
         return self.quantile is drawing
+
+    def shown(self, value: Any) -> str:
+        """Return one of its values in words: a number in the unit of the study file."""
+        if isinstance(value, bool) or not isinstance(value, int | float):
+            return str(value)
+        return f"{value / self.scale:.6g} {self.typed_unit}".rstrip()
 
 
 def axis(name: str, variable: Variable, field: str, unit: Unit | None) -> Axis:
@@ -91,7 +102,21 @@ def axis(name: str, variable: Variable, field: str, unit: Unit | None) -> Axis:
         A value is no amount of that unit, or a range is empty; `field` says where below it.
     """
     levels, quantile = _values(variable, unit)
-    return Axis(name, field, "" if unit is None else unit.label, levels, quantile)
+    label = "" if unit is None else unit.label
+    typed, scale = _typed(variable, unit)
+    return Axis(name, field, label, levels, quantile, typed, scale)
+
+
+def _typed(variable: Variable, unit: Unit | None) -> tuple[str, float]:
+    """Return the first unit that a variable is given in, and its size; SI of bare numbers."""
+    if unit is None or unit.unit == "1":
+        return "", 1.0
+    given: list[Any] = [*(variable.values or ()), *(variable.range or ())]
+    if variable.distribution is not None:
+        for one in variable.distribution.model_dump().values():
+            given += one if isinstance(one, list | tuple) else [one]
+    found = (written_in(value, unit.unit) for value in given)
+    return next((one for one in found if one is not None), (unit.label, 1.0))
 
 
 def _values(variable: Variable, unit: Unit | None) -> tuple[tuple[Any, ...] | None, Quantile]:

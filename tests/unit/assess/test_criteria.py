@@ -237,3 +237,10 @@ def test_every_rule_has_source_and_mark() -> None:
         assert rule.source
         assert rule.mark in {"A", "B", "C"}
         assert ("memory" in rule.source) == (rule.mark == "C") or "taken over" in rule.note
+
+
+@pytest.mark.parametrize("supply", ANY_SUPPLY)
+def test_the_law_of_the_mean_force_says_that_tunnels_have_another(supply: str) -> None:
+    found = verdict("mean_force", replace(FACTS, supply=supply))
+    assert "open line" in found.note
+    assert "tunnels" in found.note

@@ -48,7 +48,7 @@ Refused = Callable[..., str]
             "tension: 22 kN",
             "tensoin: 22 kN",
             'line.yaml:7: contact_wire.tensoin: unknown field: got "tensoin", expected a field of'
-            " a contact wire under tension, or a conductor rail; hint: did you mean tension?",
+            " contact_wire; hint: did you mean tension?",
         ),
         (
             "mass: 1.35 kg/m",

@@ -4,11 +4,15 @@ import re
 from pathlib import Path
 from typing import Any
 
+import pytest
+
+import arcless
 from arcless.model import (
     MARKS,
     Line,
     Pantograph,
     Scenario,
+    line_warnings,
     load,
     load_any,
     load_line,
@@ -16,6 +20,7 @@ from arcless.model import (
 )
 from arcless.model.components import Rayleigh, TensionedWire, Wire
 from arcless.model.documents import Provenance
+from arcless.model.library import shipped
 from arcless.model.reader import parse
 from arcless.units import KINDS, spell
 from tests.support.line_types import compound_data, stitched_data
@@ -33,6 +38,29 @@ def test_the_worked_example_loads(tmp_path: Path) -> None:
     scenario = load(tmp_path / "my-scenario.yaml")
     assert scenario_warnings(scenario) == []
     assert scenario.line.provenance["contact_wire.tension"].mark == "A"
+    found = arcless.run(scenario).assessment
+    assert [c.name for c in found.criteria if c.passed is False] == []
+    assert found.notes == []
+
+
+@pytest.mark.parametrize("page", sorted(DOCS.rglob("*.md")), ids=lambda page: page.stem)
+def test_scenarios_of_the_pages_give_no_warning(page: Path, tmp_path: Path) -> None:
+    """Each file of a page is written down, so that one may name another."""
+    blocks = re.findall(
+        r"```\w+\n# (\S+\.(?:yaml|csv|py))\b[^\n]*\n(.*?)```", page.read_text("utf-8"), re.DOTALL
+    )
+    for name, text in blocks:
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    for name, text in blocks:
+        if "format: arcless-scenario/1" in text:
+            assert scenario_warnings(load(tmp_path / name)) == []
+
+
+@pytest.mark.parametrize("name", [path.stem for path in shipped("line").values()])
+def test_shipped_lines_give_no_warning(name: str) -> None:
+    told = line_warnings(load_line(name))
+    # The worked example of the paper has no damping.
+    assert [text[:30] for text in told] == ["line: no wire has damping (con"] * (name == "praks")
 
 
 def test_the_line_types_of_the_guide_load() -> None:

@@ -93,3 +93,9 @@ def test_any_valid_model(line: dict[str, Any], speed: float) -> None:
     assert scenario.with_(speed=speed).line == scenario.line
     first, last = scenario.analysis_range()
     assert 0 <= first < last <= scenario.line.total_length
+
+
+def test_completion_shows_the_model_and_not_what_it_is_built_with() -> None:
+    shown = dir(load("norway-s25-250"))
+    assert {"line", "pantographs", "with_", "to_dict"} <= set(shown)
+    assert not {"parse_obj", "from_orm", "schema_json", "construct", "model_dump"} & set(shown)

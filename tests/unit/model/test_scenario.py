@@ -90,8 +90,11 @@ def test_models_may_be_given_as_objects(data: dict[str, Any]) -> None:
 
 
 def test_a_scenario_cannot_be_changed() -> None:
-    with pytest.raises(ValueError, match="frozen"):
+    with pytest.raises(ModelError, match="Scenario cannot be changed") as caught:
         SCENARIO.speed = 3  # type: ignore[misc]
+    assert "http" not in str(caught.value)
+    with pytest.raises(ModelError, match="Line cannot be changed"):
+        del SCENARIO.line.name
 
 
 def test_spans_of_several_types(data: dict[str, Any]) -> None:

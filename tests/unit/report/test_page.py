@@ -12,9 +12,8 @@ from arcless import report
 from arcless.assess import assess
 from arcless.errors import OutputError
 from arcless.model import load
-from arcless.report.page import FIGURES as FIGURES_DRAWN
-from arcless.report.scene import Scene
 from arcless.results import Result
+from tests.support.bokeh_pages import document_in, mistakes_of
 from tests.support.synthetic import scenario_data, synthetic_dataset
 
 MAX_BYTES = 2_000_000
@@ -201,24 +200,16 @@ def test_a_record_with_little_in_it_still_has_a_report() -> None:
     assert "max_uplift_at_support_mm is not in the record" in Page(text).text
 
 
-@pytest.mark.parametrize("name", FIGURES_DRAWN)
-def test_bokeh_finds_no_mistake_in_a_figure(name: str) -> None:
-    """Pages leave out that look, which takes a sixth of their time."""
-    from bokeh.core.validation.check import check_integrity
-
-    result = result_of(synthetic_dataset())
-    figure = FIGURES_DRAWN[name](Scene(result.latest, result.assessment))
-    if figure is None:
-        pytest.skip("there are no data for it")
-    issues = check_integrity(figure.references())
-    assert not issues.error and not issues.warning
+def test_bokeh_finds_no_mistake_in_a_page(page: str, rich: str) -> None:
+    """Its script looks for none: it would draw something else."""
+    rigid = report.html(result_of(synthetic_dataset(scenario=scenario_data(contact__law="rigid"))))
+    for text in (page, rich, rigid):
+        assert not mistakes_of(document_in(text))
 
 
-def test_the_look_of_others_is_left_on() -> None:
-    from bokeh.settings import settings
-
-    report.html(result_of(synthetic_dataset()))
-    assert settings.perform_document_validation()
+def test_the_same_result_has_the_same_figures(page: str) -> None:
+    again = report.html(result_of(synthetic_dataset()))
+    assert figures_in(again) == figures_in(page)
 
 
 def test_a_silent_force_has_a_report() -> None:

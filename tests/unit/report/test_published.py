@@ -10,6 +10,7 @@ from arcless.errors import OutputError
 from arcless.model import load
 from arcless.report import published
 from arcless.results import Result
+from tests.support.bokeh_pages import document_in, mistakes_of
 from tests.support.synthetic import scenario_data, synthetic_dataset
 from tests.unit.report.test_page import Page
 
@@ -61,6 +62,7 @@ def test_the_page(tmp_path: Path) -> None:
         for name in ("src", "href"):
             assert (attributes.get(name) or "data:").startswith("data:")
     assert len(text) < 2_000_000
+    assert not mistakes_of(document_in(text))
 
 
 def test_a_folder_that_is_not_there(tmp_path: Path) -> None:

@@ -11,6 +11,7 @@ from arcless.errors import OutputError
 from arcless.model import load
 from arcless.report import rest
 from arcless.simulate import StaticsResult, statics
+from tests.support.bokeh_pages import document_in, mistakes_of
 from tests.support.line_types import compound_data, scenario_data, stitched_data
 from tests.support.overlaps import overlap_data, plain_data
 
@@ -34,7 +35,7 @@ def found(request: pytest.FixtureRequest) -> StaticsResult:
 
 def named(fig: Any) -> dict[str, Any]:
     """What is drawn, by its name in the legend."""
-    return {item.label.value: item.renderers[0].data_source.data for item in fig.legend[0].items}
+    return {item.label.value: item.renderers[0].data_source.data for item in fig.above[0].items}
 
 
 def side(found: StaticsResult) -> dict[str, Any]:
@@ -109,6 +110,7 @@ def test_page_is_whole_and_says_that_heights_are_exaggerated(
     assert f"Heights are drawn larger than lengths, about {factor:g} times" in text
     assert f"{found.elasticity_nonuniformity * 100:.1f} %" in text
     assert [p.name for p in tmp_path.iterdir()] == ["line.html"]
+    assert not mistakes_of(document_in(text))
 
 
 def test_a_long_line_is_cut_and_the_page_says_so(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -1,6 +1,9 @@
 """Writing a file: whole or absent, and left-overs of killed writers."""
 
+import errno
 import os
+import subprocess
+import sys
 import threading
 from pathlib import Path
 
@@ -9,6 +12,7 @@ import pytest
 from arcless.errors import OutputError
 from arcless.results import unfinished
 from arcless.results.files import check_writable, write_bytes
+from arcless.results.lock import Lock
 
 
 def test_a_pipe_is_written_and_not_replaced(tmp_path: Path) -> None:
@@ -43,7 +47,7 @@ def test_links_in_a_circle_are_refused(tmp_path: Path) -> None:
 
 def test_only_what_nobody_holds_is_swept(tmp_path: Path) -> None:
     at_work = tmp_path / unfinished.new_name()
-    lock = unfinished.create_folder(at_work)
+    claim = unfinished.create_folder(at_work)
     left = tmp_path / unfinished.new_name()
     (left / "inside").mkdir(parents=True)
     (tmp_path / unfinished.new_name()).write_bytes(b"half")
@@ -51,10 +55,47 @@ def test_only_what_nobody_holds_is_swept(tmp_path: Path) -> None:
     for other in others:
         other.write_bytes(b"of the user")
     unfinished.sweep(tmp_path)
-    assert sorted(tmp_path.iterdir()) == sorted([at_work, *others])
-    os.close(lock)
+    beside = at_work.with_name(at_work.name + ".lock")
+    assert sorted(tmp_path.iterdir()) == sorted([at_work, beside, *others])
+    claim.close()
+    at_work.rmdir()
+    (tmp_path / f"{unfinished.new_name()}.lock").touch()  # killed before it had a file
     unfinished.sweep(tmp_path)
     assert sorted(tmp_path.iterdir()) == sorted(others)
+
+
+def test_what_another_process_holds_is_not_swept(tmp_path: Path) -> None:
+    script = (
+        "import sys, pathlib; from arcless.results import unfinished\n"
+        "with unfinished.claimed(pathlib.Path(sys.argv[1])):\n"
+        "    pathlib.Path(sys.argv[1]).touch(); print('held', flush=True); sys.stdin.read()\n"
+    )
+    name = tmp_path / unfinished.new_name()
+    with subprocess.Popen(
+        [sys.executable, "-c", script, str(name)], stdin=subprocess.PIPE, stdout=subprocess.PIPE
+    ) as other:
+        assert other.stdout is not None
+        assert other.stdout.readline() == b"held\n"
+        unfinished.sweep(tmp_path)
+        assert name.exists()
+        other.kill()
+    unfinished.sweep(tmp_path)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_where_there_are_no_locks_nothing_is_swept(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def none(_lock: Lock, _wait_s: float = 0.0) -> bool:
+        raise OSError(errno.ENOLCK, "no locks")
+
+    monkeypatch.setattr(Lock, "take", none)
+    write_bytes(tmp_path / "file", b"content")
+    assert [path.name for path in tmp_path.iterdir()] == ["file"]
+    left = tmp_path / unfinished.new_name()
+    left.touch()
+    unfinished.sweep(tmp_path)
+    assert left.exists()
 
 
 def test_a_link_is_never_swept_through(tmp_path: Path) -> None:
@@ -67,17 +108,18 @@ def test_a_link_is_never_swept_through(tmp_path: Path) -> None:
 def test_a_writer_that_was_swept_before_its_lock_begins_anew(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    flock, name = unfinished.fcntl.flock, tmp_path / unfinished.new_name()
+    take, name = Lock.take, tmp_path / unfinished.new_name()
 
-    def late(descriptor: int, operation: int) -> None:
-        monkeypatch.setattr(unfinished.fcntl, "flock", flock)
-        name.unlink()  # what a sweeper does that came between creating and locking
-        flock(descriptor, operation)
+    def late(lock: Lock, wait_s: float) -> bool:
+        monkeypatch.setattr(Lock, "take", take)
+        lock.path.unlink()  # what a sweeper does that came between making and taking
+        return take(lock, wait_s)
 
-    monkeypatch.setattr(unfinished.fcntl, "flock", late)
-    with unfinished.create(name) as file:
-        file.write(b"content")
-    assert name.read_bytes() == b"content"
+    monkeypatch.setattr(Lock, "take", late)
+    with unfinished.claimed(name):
+        name.write_bytes(b"content")
+        unfinished.sweep(tmp_path)
+        assert name.read_bytes() == b"content"
 
 
 @pytest.mark.parametrize(

@@ -62,6 +62,12 @@ def test_result_opens_with_its_scenario(dataset, tmp_path: Path) -> None:
     assert "synthetic" in repr(again)
 
 
+def test_an_opened_result_is_saved_again(dataset, tmp_path: Path) -> None:
+    save(dataset, tmp_path / "x.nc")
+    results.open(tmp_path / "x.nc").save(tmp_path / "again.nc")
+    assert open_dataset(tmp_path / "again.nc").identical(open_dataset(tmp_path / "x.nc"))
+
+
 def test_other_programs_can_read_the_file(dataset, tmp_path: Path) -> None:
     save(dataset, tmp_path / "x.nc")
     with h5netcdf.File(tmp_path / "x.nc") as file:

@@ -51,8 +51,15 @@ def test_a_part_is_the_beginning_of_the_whole(short: Short, run: Callable[..., R
     assert part.metadata["simulated_time_s"] == facts["step"] * short().time_step_s
 
 
-def test_beyond_the_end_is_the_whole_run(short: Short, run: Callable[..., Result]) -> None:
-    assert unlike(run(), arcless.run(short(), until="1 km"))[1] == 0
+def test_the_end_is_the_whole_run(short: Short, run: Callable[..., Result]) -> None:
+    end = run().metadata["simulated_time_s"]
+    assert unlike(run(), arcless.run(short(), until=f"{end} s"))[1] == 0
+
+
+@pytest.mark.parametrize("until", ["1 km", "1 h", "100 s"])
+def test_beyond_the_end_is_refused(short: Short, until: str) -> None:
+    with pytest.raises(ModelError, match="until"):
+        arcless.run(short(), until=until)
 
 
 @pytest.mark.parametrize("until", ["5 kN", "soon", "50 m", "-1 s", "0 s", float("nan")])

@@ -69,7 +69,7 @@ def test_the_difference_is_shown_as_in_the_guide(tmp_path: Path) -> None:
     name = "force-and-tension.yaml"
     place = StudyFolder(example(name, tmp_path), tmp_path / "out")
     place.make()
-    place.write_state()
+    place.write_state("")
     (tmp_path / name).write_text(EXAMPLES[name].replace("100 N", "90 N"), "utf-8")
     with pytest.raises(StudyError) as caught:
         StudyFolder(load(tmp_path / name), tmp_path / "out").check_same()

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -189,7 +190,9 @@ def test_a_variant_is_known_once_the_search_has_come_to_it(found: tuple[Study, P
 def test_failed_variants_are_not_computed_again(tmp_path: Path) -> None:
     made = search(design={"trials": 4})
     run(made, tmp_path)
-    journal = StudyFolder(made, tmp_path).journal
-    journal.write_text(journal.read_text("utf-8").replace('"done"', '"failed"'), "utf-8")
+    place = StudyFolder(made, tmp_path)
+    one = next(place.rows())
+    with place.open_journal() as journal:
+        journal.append(replace(one, status="failed"))
     with pytest.raises(StudyError, match="optimisation does not"):
         run(made, tmp_path, resume=True, retry_failed=True)

@@ -10,6 +10,7 @@ from arcless.study.report import html
 from arcless.study.report.figures import Drawing, is_path
 from arcless.study.report.record import Column, Record
 from arcless.study.report.speeds import marks, rows_of
+from tests.support.bokeh_pages import document_in, mistakes_of
 from tests.support.studies import filled
 
 SPEED = {"field": "speed", "range": ["60 km/h", "240 km/h"], "count": 19}
@@ -20,6 +21,7 @@ def test_a_sweep_of_speed_has_them(tmp_path: Path) -> None:
     made = filled(tmp_path, **SWEEP)
     page = html(made, tmp_path)
     assert "<h2>Resonance speeds</h2>" in page
+    assert not mistakes_of(document_in(page))
     record = Record(made, tmp_path)
     found = marks(record)
     assert found is not None
@@ -29,7 +31,8 @@ def test_a_sweep_of_speed_has_them(tmp_path: Path) -> None:
     for number, one in found.numbered:
         # 60 and 240 km/h are in the range.
         assert (number is not None) == (60.0 <= 3.6 * one.speed.middle <= 240.0)
-    for row in found.rows():
+    for row, (_, one) in zip(found.rows(), found.numbered, strict=True):
+        assert row["speed"] == f"{3.6 * one.speed.middle:.0f}"
         assert row["name"] in page
         assert row["source"].replace("&", "&amp;") in page
 
@@ -40,11 +43,13 @@ def test_they_are_drawn_over_the_speed_and_only_there(tmp_path: Path) -> None:
     record = Record(filled(tmp_path, **{**SWEEP, "variables": variables}), tmp_path)
     found = marks(record)
     ((_, panels), *_) = Drawing(record, found).effects()
-    spans = [[r for r in fig.renderers if type(r.glyph).__name__ == "VSpan"] for fig in panels]
+    spans = [[r for r in fig.renderers if r.glyph.kind == "VSpan"] for fig in panels]
     assert len(spans[0]) > 1  # over the speed: a renderer for each kind
     assert not spans[1]  # over the force
     assert found is not None
-    drawn = sum(len(one.data_source.data["x"]) for one in spans[0])
+    places = [x for one in spans[0] for x in one.data_source.data["x"]]
+    assert all(60.0 <= x <= 240.0 for x in places)  # in km/h, as the axis is
+    drawn = len(places)
     assert drawn == sum(number is not None for number, _ in found.numbered)
 
 

@@ -1,6 +1,5 @@
 """A study as a whole: its table, rows of every kind, going on, and what is refused."""
 
-import json
 from collections import Counter
 from pathlib import Path
 from typing import Any
@@ -11,9 +10,8 @@ import arcless
 from arcless.errors import OutputError, StudyError
 from arcless.study import Execution, Progress, Study, StudyFolder, run, status
 from arcless.study import evaluate as evaluating
-from arcless.study.journal import Journal
 from arcless.study.variants import variant
-from tests.support.studies import OUTPUTS, QUICK, VARIABLES, rows, study
+from tests.support.studies import OUTPUTS, QUICK, VARIABLES, filled, rows, study
 
 
 @pytest.fixture(scope="module")
@@ -77,19 +75,20 @@ def test_going_on_gives_the_same_table(whole: Path, tmp_path: Path, count: int) 
     assert run(study(), tmp_path, resume=True).computed == 0
 
 
-def test_a_torn_line_and_damage_cost_their_variants_only(whole: Path, tmp_path: Path) -> None:
-    run(study(), tmp_path)
-    journal = tmp_path / "journal.jsonl"
-    lines = journal.read_bytes().splitlines(keepends=True)
-    lines[1] = b"\0" * len(lines[1][:-1]) + b"\n"
-    journal.write_bytes(b"".join(lines[:-1]) + lines[-1][:40])
-    assert run(study(), tmp_path, resume=True).computed == 2
-    assert rows(tmp_path / "table.parquet") == rows(whole / "table.parquet")
-
-
 def test_beginning_twice_is_refused(whole: Path) -> None:
-    with pytest.raises(StudyError, match=r"begun here already.*study resume"):
+    with pytest.raises(StudyError, match=r"complete already: got all 6 variants.*study report"):
         run(study(), whole)
+
+
+def test_beginning_what_was_begun_says_how_far_it_is(tmp_path: Path) -> None:
+    stopped_after(3, study(), tmp_path)
+    count = len(rows(tmp_path / "table.parquet"))
+    with pytest.raises(StudyError) as caught:
+        run(study(), tmp_path)
+    assert f"was begun here already: got {count} of 6 variants" in str(caught.value)
+    assert f"go on with `arcless study resume FILE --out {tmp_path}`" in str(caught.value)
+    with pytest.raises(StudyError, match="another study was begun here"):
+        run(study(outputs={"sigma": "max_force_N"}), tmp_path)
 
 
 def test_going_on_with_nothing_is_refused(tmp_path: Path) -> None:
@@ -182,20 +181,26 @@ def test_another_version_is_said_and_stands_in_the_rows(
 
 def test_one_process_at_a_time(tmp_path: Path) -> None:
     stopped_after(1, study(), tmp_path)
-    with Journal(tmp_path / "journal.jsonl"):
+    with StudyFolder(study(), tmp_path).open_journal():
         assert status(study(), tmp_path).running
         with pytest.raises(StudyError, match="being computed already"):
             run(study(), tmp_path, resume=True)
     assert not status(study(), tmp_path).running
 
 
-def test_rows_of_other_values_are_refused(tmp_path: Path) -> None:
-    stopped_after(1, study(), tmp_path)
-    journal = tmp_path / "journal.jsonl"
-    row = json.loads(journal.read_text().splitlines()[0])
-    journal.write_text(json.dumps({**row, "key": "0" * 16}) + "\n")
+def test_rows_of_another_study_are_refused(tmp_path: Path) -> None:
+    filled(tmp_path / "other", outputs={"sigma": "max_force_N"})
+    stopped_after(1, study(), tmp_path / "own")
+    before = (tmp_path / "other" / "journal.db").read_bytes()
+    (tmp_path / "own" / "journal.db").write_bytes(before)
     with pytest.raises(StudyError, match="rows are of another study"):
-        run(study(), tmp_path, resume=True)
+        run(study(), tmp_path / "own", resume=True)
+    assert (tmp_path / "own" / "journal.db").read_bytes() == before
+
+
+def test_one_that_never_had_a_row_may_begin_as_another(tmp_path: Path) -> None:
+    filled(tmp_path, of=0, outputs={"sigma": "max_force_N"})
+    assert run(study(), tmp_path).computed == 6
 
 
 def test_status_counts_and_names_the_reasons(tmp_path: Path) -> None:

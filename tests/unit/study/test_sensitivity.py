@@ -15,6 +15,7 @@ from arcless.study.designs import Morris, SobolIndices
 from arcless.study.findings import FILES
 from arcless.study.report import html
 from arcless.study.sensitivity import of_output
+from tests.support.bokeh_pages import document_in, mistakes_of
 from tests.support.studies import QUICK, data, filled, study
 
 NAMES = ["x1", "x2", "x3"]
@@ -154,7 +155,9 @@ def test_mean_force_is_shared_as_the_forces_that_make_it(tmp_path: Path) -> None
         assert abs(one["total"] - width**2 / total) < max(1.5 * one["total_interval"], 0.02)
         assert abs(one["first"] - width**2 / total) < max(1.5 * one["first_interval"], 0.02)
         assert one["total_interval"] < 0.5
-    assert "Sobol indices: the share" in html(made, tmp_path)
+    page = html(made, tmp_path)
+    assert "Sobol indices: the share" in page
+    assert not mistakes_of(document_in(page))
 
 
 def test_in_the_report(tmp_path: Path) -> None:
@@ -163,6 +166,7 @@ def test_in_the_report(tmp_path: Path) -> None:
     page = html(made, tmp_path)
     assert "7 blocks of the design are whole; 1 with a variant" in page
     assert "mean size μ*" in page
+    assert not mistakes_of(document_in(page))
 
 
 def test_a_missing_package_is_one_sentence(tmp_path: Path, monkeypatch: Any) -> None:

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from arcless.errors import ModelError
 from arcless.model import Scenario
+from arcless.model.load import check_kind
 from arcless.simulate.batch.course import Look, Watching
 from arcless.simulate.batch.crew import Crew, Watch
 from arcless.simulate.batch.groups import Groups, Member
@@ -126,6 +127,7 @@ class _Source:
                 self.goes_on = False
                 groups.close()
                 return
+            check_kind(scenario)
             member = self._member(scenario)
             found = self._found(member)
             if found is None:

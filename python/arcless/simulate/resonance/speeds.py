@@ -256,7 +256,7 @@ def _of_spacings(scenario: "Scenario", span: Span) -> "Iterator[ResonanceSpeed]"
             worst = half % 2 == 0
             yield ResonanceSpeed(
                 "spacing, worst" if worst else "spacing, best",
-                f"{other.name} {distance:g} m behind {one.name}, {k:g} periods",
+                f"{other.name} {distance:g} m behind {one.name}, {k:g} period{'s' * (k != 1)}",
                 f.scaled(distance / k), "v = f d/k", OWN_RUNS, f.middle, distance, k,
             )  # fmt: skip
 

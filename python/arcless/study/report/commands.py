@@ -40,7 +40,9 @@ class Commands:
 
     @cached_property
     def _scenario(self) -> str | None:
-        """The scenario as `arcless run` takes it; None where it stands in the study file."""
+        """The scenario as `arcless run` takes it; None where it stands in the study itself."""
+        if Path(str(self._study.file)).is_dir():  # a study that was named by its folder
+            return None
         data, _ = read(Path(str(self._study.file)), Origin())
         name = data.get("scenario")
         return self._place(name) if isinstance(name, str) else None

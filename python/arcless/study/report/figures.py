@@ -7,8 +7,10 @@ from typing import Any
 
 import numpy as np
 
+from arcless.report.figure import Figure
+from arcless.report.models import Field, Model, columns
 from arcless.report.reduce import every
-from arcless.report.style import INK, add_hover, colour, figure, models, plain, single
+from arcless.report.style import FADED, INK, add_hover, colour, figure, plain, single
 from arcless.study.report.effects import effect
 from arcless.study.report.record import Column, Record, shortened
 from arcless.study.report.speeds import Marks
@@ -17,7 +19,6 @@ from arcless.study.report.speeds import Marks
 MOST_POINTS = 4000
 MOST_VARIABLES, MOST_OUTPUTS = 6, 6
 PAIRED_VARIABLES, PAIRED_OUTPUTS = 4, 3
-_TOOLS = "box_select,tap,box_zoom,pan,xwheel_zoom,reset,save"
 _MOST_TICKS = 40
 _FEW_POINTS = 200
 # Letters that fit beside each other under a figure.
@@ -39,10 +40,10 @@ class Drawing:
         self.record, self.speeds = record, speeds
         self.outputs = [out for out in record.outputs if np.isfinite(out.values).any()]
         self.drawn = every(len(record.done), MOST_POINTS)
-        self.source = models().ColumnDataSource(self._columns())
-        self._ranges: dict[str, Any] = {}
+        self.source = columns(self._columns())
+        self._ranges: dict[str, Model] = {}
 
-    def effects(self) -> list[tuple[Column, list[Any]]]:
+    def effects(self) -> list[tuple[Column, list[Figure]]]:
         """Return, for each output, a figure over each variable; the stronger ones of many."""
         found = []
         for output in self.outputs[:MOST_OUTPUTS]:
@@ -52,7 +53,7 @@ class Drawing:
                 found.append((output, figures))
         return found
 
-    def pairs(self) -> list[tuple[Column, list[Any]]]:
+    def pairs(self) -> list[tuple[Column, list[Figure]]]:
         """Return, for each output, figures of two variables each, coloured by the output."""
         found = []
         for output in [out for out in self.outputs if out.varies][:PAIRED_OUTPUTS]:
@@ -66,7 +67,7 @@ class Drawing:
                 found.append((output, figures))
         return found
 
-    def fronts(self) -> list[Any]:
+    def fronts(self) -> list[Figure]:
         """Return figures of two outputs each."""
         chosen = [out for out in self.outputs if out.varies][:PAIRED_VARIABLES]
         return [
@@ -96,53 +97,59 @@ class Drawing:
 
     def key(self, column: Column) -> str:
         """Return the name of a column in the source; an output may have that of a variable."""
-        for kind, columns in (("v", self.record.variables), ("o", self.outputs)):
-            for place, one in enumerate(columns):
+        for kind, those in (("v", self.record.variables), ("o", self.outputs)):
+            for place, one in enumerate(those):
                 if one is column:
                     return f"{kind}{place}"
         raise KeyError(column.name)
 
     def shown(self, column: Column) -> tuple[str, str]:
-        """Return name and value of a column as a tooltip shows them."""
-        key = self.key(column)
-        if column.words is not None:
-            return plain(column.name), f"@{{{key} word}}"
-        return plain(column.name), f"@{key}{{0.[00000]}} {plain(column.unit)}"
+        """Return name and value of a column as a tooltip shows them.
 
-    def _effect(self, variable: Column, output: Column) -> Any:
+        The value is a template, whose marks take raw HTML from the data: no word of a user may
+        stand in it. The name is plain text.
+        """
+        key = self.key(column)
+        value = f"@{key}{{0.[00000]}}" if column.words is None else f"@{{{key} word}}"
+        return plain(column.label), value
+
+    def _effect(self, variable: Column, output: Column) -> Figure:
         fig, _ = self._scatter(variable, output, f"{output.name} over {variable.name}")
         if self.speeds is not None and variable is self.speeds.column:
             self.speeds.draw(fig, self._range(output))
         found = effect(variable, output)
         if is_path(self.record.variables):
-            style = {"source": self.source, "color": colour(0), "line_width": 1.5}
-            fig.line(self.key(variable), self.key(output), nonselection_alpha=0.3, **style)
+            ends = (self.key(variable), self.key(output))
+            fig.draw("Line", self.source, *ends, unselected=0.3, color=colour(0), line_width=1.5)
         elif found is not None:
-            ends = {"x": found.x, "low": found.mean - found.error, "high": found.mean + found.error}
-            means = models().ColumnDataSource({**ends, "mean": found.mean})
-            style = {"source": means, "color": colour(1), "line_width": 2}
-            fig.segment("x", "low", "x", "high", **style)
+            error = {"low": found.mean - found.error, "high": found.mean + found.error}
+            means = columns({"x": found.x, "mean": found.mean, **error})
+            style: Any = {"color": colour(1), "unselected": FADED}
+            fig.draw("Segment", means, "x", "low", "x", "high", line_width=2, **style)
             if variable.words is None:
-                fig.line("x", "mean", **style)
-            dots = fig.scatter("x", "mean", source=means, size=7, color=colour(1))
-            unit = plain(output.unit)
-            add_hover(fig, [dots], [("mean", f"@mean{{0.[00000]}} {unit}")])
+                fig.draw("Line", means, "x", "mean", line_width=2, **style)
+            dots = fig.draw("Scatter", means, "x", "mean", size=7, **style)
+            name = f"mean, {output.unit}" if output.unit else "mean"
+            add_hover(fig, [dots], [(plain(name), "@mean{0.[00000]}")])
         return fig
 
-    def _pair(self, one: Column, other: Column, output: Column) -> Any:
-        from bokeh.transform import linear_cmap
+    def _pair(self, one: Column, other: Column, output: Column) -> Figure:
+        from bokeh.palettes import Viridis256
 
         known = output.values[np.isfinite(output.values)]
-        mapped = linear_cmap(
-            self.key(output),
-            "Viridis256",
+        mapper = Model(
+            "LinearColorMapper",
+            palette=Viridis256,
             low=float(known.min()),
             high=float(known.max()),
             nan_color="#d7dade",
         )
+        mapped = Field(self.key(output), mapper)
         title = f"{output.name} by colour"
-        fig, dots = self._scatter(one, other, title, color=mapped, alpha=0.9, size=7)
-        bar = dots.construct_color_bar(
+        fig, _ = self._scatter(one, other, title, color=mapped, alpha=0.9, size=7)
+        bar = Model(
+            "ColorBar",
+            color_mapper=mapper,
             width=10,
             padding=4,
             label_standoff=6,
@@ -150,26 +157,25 @@ class Drawing:
             title_text_font_style="normal",
             major_label_text_font_size="11px",
         )
-        fig.add_layout(bar, "right")
+        fig.right.append(bar)
         return fig
 
-    def _scatter(self, x: Column, y: Column, title: str, **style: Any) -> tuple[Any, Any]:
+    def _scatter(self, x: Column, y: Column, title: str, **style: Any) -> tuple[Figure, Model]:
         fig = figure(
             plain(title),
             plain(x.label),
             plain(y.label),
             height=270,
-            tools=_TOOLS,
-            drag="box_select",
+            selects=True,
             x_range=self._range(x),
             y_range=self._range(y),
         )
         fig.toolbar.autohide = True
         few = len(self.drawn) <= _FEW_POINTS
         plainly = {"color": colour(0), "alpha": 0.7 if few else 0.35, "size": 6 if few else 4}
-        dots = fig.scatter(
-            self.key(x), self.key(y), source=self.source, line_color=None,
-            nonselection_alpha=0.08, **{**plainly, **style},
+        dots = fig.draw(
+            "Scatter", self.source, self.key(x), self.key(y), line_color=None,
+            unselected=0.08, **{**plainly, **style},
         )  # fmt: skip
         tips = dict([self.shown(column) for column in (*self.record.variables, *self.outputs)][:14])
         add_hover(fig, [dots], [("variant", "@variant"), *tips.items()], limit=3)
@@ -177,7 +183,7 @@ class Drawing:
         _words_at(fig.yaxis, y)
         return fig, dots
 
-    def _range(self, column: Column) -> Any:
+    def _range(self, column: Column) -> Model:
         """Return the range that all figures share in which a column is an axis."""
         key = self.key(column)
         if key not in self._ranges:
@@ -187,7 +193,7 @@ class Drawing:
                 margin = 0.5
             else:
                 margin = 0.06 * (high - low) or 0.05 * abs(high) or 1.0
-            self._ranges[key] = models().Range1d(low - margin, high + margin)
+            self._ranges[key] = Model("Range1d", start=low - margin, end=high + margin)
         return self._ranges[key]
 
 
@@ -205,13 +211,13 @@ def _share(variable: Column, output: Column) -> float:
     return 0.0 if found is None else found.share
 
 
-def _words_at(axis: Any, column: Column) -> None:
+def _words_at(axis: Model, column: Column) -> None:
     """Write words at an axis in place of numbers."""
     if column.words is None:
         return
     words = [plain(word) for word in shortened(column.words)]
     kept = [int(place) for place in every(len(words), _MOST_TICKS)]
-    axis.ticker = models().FixedTicker(ticks=kept)
+    axis.ticker = Model("FixedTicker", ticks=kept)
     axis.major_label_overrides = {place: words[place] for place in kept}
     axis.major_label_text_color = INK
     if sum(map(len, words)) > _LETTERS:

@@ -1,10 +1,12 @@
 """Tables and figures of a study → one HTML file that needs no network."""
 
+import warnings
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
 from arcless.errors import OutputError
+from arcless.report.models import Model
 from arcless.report.template import render
 from arcless.results.files import write_bytes
 from arcless.study import findings
@@ -20,7 +22,7 @@ from arcless.study.report.figures import (
 from arcless.study.report.record import Record
 from arcless.study.report.sensitivity import sections
 from arcless.study.report.speeds import WIDE, Marks, marks
-from arcless.study.status import StudyStatus
+from arcless.study.status import DamagedJournalWarning, StudyStatus
 from arcless.study.version import code_version
 
 NAME = "report.html"
@@ -51,6 +53,8 @@ def write(study: Study, folder: Path | None = None, path: Path | None = None) ->
         The file cannot be written; nothing half-written stays behind.
     """
     record = Record(study, folder)
+    if record.status.damage is not None:
+        warnings.warn(record.status.damage, DamagedJournalWarning, stacklevel=2)
     target = path or record.place.path / NAME
     write_bytes(target, _page(record).encode())
     if not record.status.running:
@@ -92,10 +96,14 @@ def _page(record: Record) -> str:
         **_texts(record, drawn),
         **_speeds(speeds),
         **groups,
-        wide=[name for name, made in figures.items() if made is not None and WIDE in made.tags],
+        wide=[name for name, made in figures.items() if WIDE in _tags(made)],
         fronts=fronts,
         sensitivity=sensitivity,
     )
+
+
+def _tags(made: Model | None) -> list[str]:
+    return [] if made is None else vars(made).get("tags", [])
 
 
 def _texts(record: Record, drawn: int) -> dict[str, Any]:
@@ -130,7 +138,10 @@ def _texts(record: Record, drawn: int) -> dict[str, Any]:
 
 
 def _speeds(found: Marks | None) -> dict[str, Any]:
-    return {"speeds": found.rows() if found else [], "speed_notes": found.notes if found else ()}
+    if found is None:
+        return {"speeds": [], "speed_unit": "", "speed_notes": ()}
+    unit = found.column.unit
+    return {"speeds": found.rows(), "speed_unit": unit, "speed_notes": found.notes}
 
 
 def _state(record: Record) -> tuple[str, str]:

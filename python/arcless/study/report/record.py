@@ -28,13 +28,16 @@ class Column:
     Attributes
     ----------
     name, unit, about
-        Of the table; `about` is a description, or where it comes from.
+        Of a variable the unit that the study file gives it in; `about` is a description, or where
+        it comes from.
     values
-        Numbers, NaN for none; of words the place in `words`.
+        Numbers in that unit, NaN for none; of words the place in `words`.
     words
         The values that are no numbers, in the order of the study file; None for numbers.
     is_drawn
         Whether the values are numbers of drawings, over which there is nothing to plot.
+    scale
+        Size of the unit in SI.
     """
 
     name: str
@@ -43,6 +46,7 @@ class Column:
     values: Floats
     words: tuple[str, ...] | None = None
     is_drawn: bool = False
+    scale: float = 1.0
 
     @property
     def label(self) -> str:
@@ -102,8 +106,13 @@ class Record:
             given = [row.values[axis.name] for row in self.done]
             levels = axis.levels or ()
             if all(is_number(value) for value in levels):
-                numbers = np.array(given, dtype=float)
-                found.append(Column(axis.name, axis.unit, about, numbers, is_drawn=axis.is_drawn))
+                numbers = np.array(given, dtype=float) / axis.scale
+                found.append(
+                    Column(
+                        axis.name, axis.typed_unit, about, numbers,
+                        is_drawn=axis.is_drawn, scale=axis.scale,
+                    )
+                )  # fmt: skip
             else:
                 words = list(dict.fromkeys(_word(value) for value in levels))
                 codes = np.array([words.index(_word(value)) for value in given], dtype=float)
@@ -113,11 +122,10 @@ class Record:
     @cached_property
     def outputs(self) -> list[Column]:
         """The outputs."""
-        schema = table.table(self.study, {}).schema
         found = []
         for name, output in self.study.outputs.items():
             values = [row.outputs.get(name) for row in self.done]
-            unit = schema.field(name).metadata[b"unit"].decode()
+            unit = table.unit_of_output(self.study, name)
             about = output.description or output.expression
             found.append(Column(name, unit, about, np.array(values, dtype=float)))
         return found
@@ -133,7 +141,3 @@ def _word(value: Any) -> str:
     import json
 
     return value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)
-
-
-def _unit(label: str) -> str:
-    return "" if label == "1" else label

@@ -2,7 +2,9 @@
 
 from typing import Any
 
-from arcless.report.style import add_hover, add_legend, colour, figure, models, plain
+from arcless.report.figure import Figure
+from arcless.report.models import Field, Model, columns
+from arcless.report.style import add_hover, add_legend, colour, figure, plain
 from arcless.study.report.record import Record
 from arcless.study.report.tables import number
 
@@ -56,13 +58,13 @@ def _short(value: float | None) -> float | None:
     return None if value is None else float(f"{value:.3g}")
 
 
-def _figure(output: str, values: dict[str, Any], *, sobol: bool) -> Any:
+def _figure(output: str, values: dict[str, Any], *, sobol: bool) -> Figure:
     if not sobol:
         return _plane(output, values)
     names = [plain(name) for name in values]
     fig = figure(
         plain(f"Share of the variance of {output}"), "index", "",
-        height=90 + 34 * len(names), y_range=list(reversed(names)),
+        height=90 + 34 * len(names), names=names[::-1],
     )  # fmt: skip
     entries = []
     for place, (title, (key, interval)) in enumerate(_SOBOL.items()):
@@ -74,27 +76,27 @@ def _figure(output: str, values: dict[str, Any], *, sobol: bool) -> Any:
             "high": [m + h for m, h in zip(middles, halves, strict=True)],
             "y": [(name, 0.12 - 0.24 * place) for name in names],
         }
-        source = models().ColumnDataSource(data)
-        bar = fig.segment("low", "y", "high", "y", source=source, color=colour(place), line_width=2)
-        dot = fig.scatter("x", "y", source=source, color=colour(place), size=8)
+        source, ends = columns(data), ("low", "y", "high", "y")
+        bar = fig.draw("Segment", source, *ends, color=colour(place), line_width=2)
+        dot = fig.draw("Scatter", source, color=colour(place), size=8)
         add_hover(fig, [dot], [(title, "@x{0.000} (@low{0.000} to @high{0.000})")])
         entries.append((title, [bar, dot]))
     add_legend(fig, entries)
     return fig
 
 
-def _plane(output: str, values: dict[str, Any]) -> Any:
+def _plane(output: str, values: dict[str, Any]) -> Figure:
     fig = figure(plain(f"Effects on {output}"), "mean size of effects μ*", "deviation σ")
-    data = {
-        "x": [one["mu_star"] for one in values.values()],
-        "y": [one["sigma"] for one in values.values()],
-        "name": [plain(name) for name in values],
-    }
-    source = models().ColumnDataSource(data)
-    dots = fig.scatter("x", "y", source=source, color=colour(0), size=9)
-    labels = models().LabelSet(
-        x="x", y="y", text="name", source=source, x_offset=7, y_offset=4, text_font_size="12px"
+    source = columns(
+        {
+            "x": [one["mu_star"] for one in values.values()],
+            "y": [one["sigma"] for one in values.values()],
+            "name": [plain(name) for name in values],
+        }
     )
-    fig.add_layout(labels)
+    dots = fig.draw("Scatter", source, color=colour(0), size=9)
+    place = {"x": Field("x"), "y": Field("y"), "x_offset": 7, "y_offset": 4}
+    labels = Model("LabelSet", source=source, text=Field("name"), text_font_size="12px", **place)
+    fig.center.append(labels)
     add_hover(fig, [dots], [("", "@name"), ("μ*", "@x{0.[000]}"), ("σ", "@y{0.[000]}")])
     return fig

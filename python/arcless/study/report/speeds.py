@@ -4,12 +4,14 @@ They are those of the scenario that the study varies, at rest: computed when the
 """
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from arcless.errors import ArclessError
-from arcless.report.style import INK, add_legend, colour
+from arcless.report.figure import Figure
+from arcless.report.models import Field, Model
+from arcless.report.style import FADED, INK, add_legend, colour
 from arcless.study.model import Study
 from arcless.study.report.record import Column, Record
 
@@ -35,7 +37,6 @@ WIDE = "wide"
 _HEIGHT = 330
 # Fields beside the speed that leave the speeds as they are.
 _FORCES = ("static_force", "mean_force")
-_KMH = 3.6
 
 
 @dataclass(frozen=True)
@@ -53,8 +54,8 @@ class Marks:
                 "number": "" if number is None else str(number),
                 "kind": one.kind,
                 "name": one.name,
-                "speed": f"{_KMH * one.speed.middle:.0f}",
-                "band": _band(one),
+                "speed": self._shown(one.speed.middle),
+                "band": self._band(one),
                 "formula": one.formula,
                 "frequency": "" if one.frequency_Hz is None else f"{one.frequency_Hz:.2f}",
                 "about": one.about,
@@ -63,24 +64,39 @@ class Marks:
             for number, one in self.numbered
         ]
 
-    def draw(self, fig: Any, y_range: Any) -> None:
+    def draw(self, fig: Figure, y_range: Model) -> None:
         """Draw the numbered speeds as lines from top to bottom, with a legend above."""
         drawn = [(number, one) for number, one in self.numbered if number is not None]
         entries = []
         for kind, (label, place, dash) in _STYLES.items():
-            x = [one.speed.middle for _, one in drawn if one.kind == kind]
+            x = [one.speed.middle / self.column.scale for _, one in drawn if one.kind == kind]
             if x:
-                line = fig.vspan(x=x, color=colour(place), line_dash=dash, line_width=1.5)
-                line.level = "underlay"
+                line = fig.draw(
+                    "VSpan", {"x": x}, color=colour(place), line_dash=dash, line_width=1.5,
+                    level="underlay", unselected=FADED,
+                )  # fmt: skip
                 entries.append((label, [line]))
         add_legend(fig, entries)
         fig.tags, fig.height = [WIDE], _HEIGHT
-        x = [one.speed.middle for _, one in drawn]
-        fig.text(
-            x=x, y=[y_range.end] * len(x), text=[str(number) for number, _ in drawn],
-            x_offset=2, y_offset=[_ROW * row for row in rows_of(x, self._width)],
-            text_baseline="top", text_font_size="10px", text_color=INK,
+        x = [one.speed.middle / self.column.scale for _, one in drawn]
+        data = {
+            "x": x,
+            "y": [y_range.end] * len(x),
+            "text": [str(number) for number, _ in drawn],
+            "down": [_ROW * row for row in rows_of(x, self._width)],
+        }
+        fig.draw(
+            "Text", data, x_offset=2, y_offset=Field("down"), unselected=FADED,
+            text_baseline="top", text_font_size="10px", color=INK,
         )  # fmt: skip
+
+    def _shown(self, speed_m_s: float) -> str:
+        """Return a speed in the unit of the axis: km/h whole, m/s with a tenth."""
+        return f"{speed_m_s / self.column.scale:.{0 if self.column.scale < 1.0 else 1}f}"
+
+    def _band(self, one: "ResonanceSpeed") -> str:
+        low, high = one.speed.low, one.speed.high
+        return "" if low == high else f"{self._shown(low)} to {self._shown(high)}"
 
     @property
     def _width(self) -> float:
@@ -127,7 +143,7 @@ def rows_of(places: list[float], width: float) -> list[int]:
 def _numbered(
     column: Column, found: "ResonanceSpeeds"
 ) -> tuple[tuple[int | None, "ResonanceSpeed"], ...]:
-    low, high = float(np.nanmin(column.values)), float(np.nanmax(column.values))
+    low, high = (column.scale * float(end(column.values)) for end in (np.nanmin, np.nanmax))
     numbers = iter(range(1, len(found.speeds) + 1))
     return tuple(
         (next(numbers) if low <= one.speed.middle <= high else None, one) for one in found.speeds
@@ -145,9 +161,3 @@ def _varied(study: Study) -> list[str]:
     if not others:
         return []
     return [f"of the scenario with its own values of {', '.join(others)}, not those varied"]
-
-
-def _band(one: "ResonanceSpeed") -> str:
-    if one.speed.low == one.speed.high:
-        return ""
-    return f"{_KMH * one.speed.low:.0f} to {_KMH * one.speed.high:.0f}"

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from arcless.report.style import models
+from arcless.report.models import Model
 from arcless.study.designs import Grid
 from arcless.study.distributions import Choice
 from arcless.study.model import Study
@@ -51,7 +51,7 @@ def variable_rows(study: Study) -> list[dict[str, str]]:
         {
             "name": axis.name,
             "field": axis.field,
-            "unit": "" if axis.unit == "1" else axis.unit,
+            "unit": axis.typed_unit,
             "values": _ways(study.variables[axis.name]),
             "about": study.variables[axis.name].description,
         }
@@ -176,14 +176,15 @@ def _leader(record: Record, out: Column, place: int, commands: Commands) -> Lead
 
 def data_table(drawing: Drawing) -> Any:
     """Return the table of all variants that are drawn: a click on a title sorts it."""
-    columns = [_column("variant", "variant", models().NumberFormatter(format="0"), 70)]
+    columns = [_column("variant", "variant", Model("NumberFormatter", format="0"), 70)]
     for column in (*drawing.record.variables, *drawing.outputs):
         key = drawing.key(column)
         if column.words is not None:
-            columns.append(_column(f"{key} word", column.label, models().StringFormatter()))
+            columns.append(_column(f"{key} word", column.label, Model("StringFormatter")))
         else:
             columns.append(_column(key, column.label, _format(column)))
-    return models().DataTable(
+    return Model(
+        "DataTable",
         source=drawing.source,
         columns=columns,
         index_position=None,
@@ -198,7 +199,7 @@ def data_table(drawing: Drawing) -> Any:
 def _column(field: str, title: str, formatter: Any, width: int = 120) -> Any:
     # The table takes titles as HTML.
     safe = html.escape(title)
-    return models().TableColumn(field=field, title=safe, formatter=formatter, width=width)
+    return Model("TableColumn", field=field, title=safe, formatter=formatter, width=width)
 
 
 def _format(column: Column) -> Any:
@@ -207,14 +208,15 @@ def _format(column: Column) -> Any:
     known = known[known > 0.0]
     largest, smallest = (float(known.max()), float(known.min())) if known.size else (1.0, 1.0)
     if largest >= _LARGEST or smallest < _SMALLEST:
-        return models().ScientificFormatter(precision=_DIGITS - 1, nan_format="–", null_format="–")
+        unknown = {"nan_format": "–", "null_format": "–"}
+        return Model("ScientificFormatter", precision=_DIGITS - 1, **unknown)
     if np.all(column.values[np.isfinite(column.values)] % 1.0 == 0.0):
         decimals = 0
     else:
         decimals = max(0, _DIGITS - 1 - floor(log10(largest)))
     form = "0." + "0" * decimals if decimals else "0"
     style = {"text_align": "right", "nan_format": "–", "null_format": "–"}
-    return models().NumberFormatter(format=form, **style)
+    return Model("NumberFormatter", format=form, **style)
 
 
 def _ways(variable: Variable) -> str:

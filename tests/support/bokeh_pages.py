@@ -1,0 +1,49 @@
+"""Pages read again with Bokeh's own classes, which know each object and attribute."""
+
+import html
+import json
+from typing import Any
+
+_CONFIG = {
+    "type": "object", "name": "DocumentConfig", "id": "config",
+    "attributes": {"notifications": {"type": "object", "name": "Notifications", "id": "notes"}},
+}  # fmt: skip
+
+
+def document_of(roots: list[Any]) -> Any:
+    """Return the document of objects as a page has them."""
+    import bokeh.models  # noqa: F401 - only imported classes are known
+    from bokeh.document import Document
+
+    _check_names(roots)
+    return Document.from_json({"version": "", "title": "", "config": _CONFIG, "roots": roots})
+
+
+def _check_names(written: Any) -> None:
+    """Fail at an attribute that its object has not: Bokeh leaves it out, and only logs that."""
+    from bokeh.model import Model
+
+    if isinstance(written, dict):
+        if written.get("type") == "object":
+            known = Model.model_class_reverse_map[written["name"]].properties()
+            unknown = set(written["attributes"]) - set(known)
+            assert not unknown, f"{written['name']} has no {unknown}"
+        written = list(written.values())
+    if isinstance(written, list):
+        for item in written:
+            _check_names(item)
+
+
+def document_in(page: str) -> Any:
+    """Return the document that the script of a page draws."""
+    start = page.rindex("const docs_json = '") + len("const docs_json = '")
+    text = page[start : page.index("'", start)].replace("\\\\", "\\")
+    return document_of(json.loads(html.unescape(text))["page"]["roots"])
+
+
+def mistakes_of(document: Any) -> list[Any]:
+    """Return what Bokeh finds wrong with a document that it could read."""
+    from bokeh.core.validation.check import check_integrity
+
+    found = check_integrity(document.models)
+    return [*found.error, *found.warning]
