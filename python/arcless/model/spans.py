@@ -43,16 +43,17 @@ class SpanDroppers(Part):
                 expected="presag (design) or lengths (as built)",
                 field=("lengths",),
             )
-        for name in ("presag", "lengths"):
-            check_count(getattr(self, name), len(self.positions), "positions", (name,))
         for index, (left, right) in enumerate(pairwise(self.positions), start=1):
             if right <= left:
                 raise ModelError(
                     "droppers out of order",
                     got=f"{right:g} m after {left:g} m",
                     expected="positions that increase along the span",
+                    hint=_decimal_comma(left, right),
                     field=("positions", index),
                 )
+        for name in ("presag", "lengths"):
+            check_count(getattr(self, name), len(self.positions), "positions", (name,))
         for index, length in enumerate(self.lengths or ()):
             if length <= 0:
                 raise ModelError(
@@ -62,6 +63,13 @@ class SpanDroppers(Part):
                     field=("lengths", index),
                 )
         return self
+
+
+def _decimal_comma(left: float, right: float) -> str | None:
+    """Ask whether 17, 5 in a list was meant for 17.5: a digit follows a whole number."""
+    if not (left.is_integer() and right.is_integer() and right in range(10)):
+        return None
+    return f"a comma separates values: did you mean {left:g}.{right:g}?"
 
 
 class SpanType(Part):
@@ -95,10 +103,10 @@ class SpanType(Part):
             if min(abs(x), abs(x - self.length)) < AT_SUPPORT and name == "droppers":
                 side = "left" if abs(x) < AT_SUPPORT else "right"
                 raise ModelError(
-                    "dropper (hanger) at a support",
+                    "dropper at a support",
                     got=f"{x:g} m, the place of the {side} support",
                     expected=f"a position between the supports at 0 and {self.length:g} m",
-                    hint="at a support the messenger wire is held, a dropper has no part there",
+                    hint="leave it out: the support holds the messenger wire there",
                     field=field,
                 )
             if not 0 < x < self.length:
