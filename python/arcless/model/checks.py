@@ -242,7 +242,7 @@ def _check_section(scenario: "Scenario") -> None:
             "no place that every pantograph passes",
             got=f"{start:g} m to {end:g} m of the first one, and the last one {rear:g} m behind it",
             expected=f"a way of more than {rear:g} m",
-            hint=f"add spans (some {rear - (end - start):.0f} m are missing), or bring the"
+            hint=f"add spans of more than {rear - (end - start):.0f} m in all, or bring the"
             " pantographs closer together",
             field=("pantographs", len(scenario.pantographs) - 1, "distance"),
         )

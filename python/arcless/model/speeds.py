@@ -12,7 +12,7 @@ KMH = 3.6
 # EN 50119:2009, 5.2.4: speed at most 70 % of the wave speed of the contact wire.
 WAVE_SPEED_SHARE = 0.70
 # Just above the wave speed a run can be asked for to see what happens there. Nobody has run
-# that far beyond it: such a speed is one in km/h without its unit, or the tension is wrong.
+# that far beyond it: such a speed is one in km/h without its unit.
 SUPERCRITICAL = 1.25
 # Wave speeds of lines in service are 380 to 570 km/h; a lower one is a tension in another unit. m/s.
 SLOW_WAVES = 200.0 / KMH

@@ -17,7 +17,7 @@ from arcless.model import Line, Scenario, schemes
 from arcless.model.measured import matched
 from arcless.model.settings import Solver
 from arcless.simulate.designing import check_arms
-from arcless.simulate.reasons import why_loose, why_pushing
+from arcless.simulate.reasons import check_carried, why_loose, why_pushing
 from arcless.simulate.sliding_ends import SlidingEnds, undecided
 
 Floats = NDArray[np.float64]
@@ -227,6 +227,7 @@ def designed(
         As `find`.
     """
     mesh = build_mesh(line, solver, heights)
+    check_carried(line, mesh.gravity)
     with _designed(mesh, line, heights):
         core = _core.Equilibrium(
             *(mesh.dimension, mesh.positions, mesh.slopes, mesh.parts, mesh.gravity),

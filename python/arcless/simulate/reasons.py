@@ -16,6 +16,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from arcless.errors import EquilibriumError
 from arcless.mesh import DropperPlace, Mesh
 from arcless.model import Line, SteadyArmBar
 
@@ -23,6 +24,8 @@ from arcless.model import Line, SteadyArmBar
 NEIGHBOURS = 50.0
 # No wire and no rail in service sags by a tenth of the distance between what holds it.
 DEEP = 0.1
+# As deep as half of that distance is no line at all: Newton's method would wander for long.
+BOTTOMLESS = 0.5
 # Positions that are one. In m.
 SAME = 1e-6
 KILO = 1e3
@@ -69,21 +72,54 @@ def _low_messenger(line: Line, gravity: float, span: float) -> str | None:
     )
 
 
+class Deep(NamedTuple):
+    """How deep a wire sags: its field and what is given there, over which way, by how much in m."""
+
+    field: str
+    given: str
+    apart: float
+    sag: float
+
+
+def check_carried(line: Line, gravity: float) -> None:
+    """Refuse a wire that hangs so deep that no shape has to be looked for."""
+    for deep in _sags(line, gravity):
+        if deep.sag > BOTTOMLESS * deep.apart:
+            raise EquilibriumError(
+                "a wire that does not carry its own weight",
+                where=deep.field,
+                got=f"{deep.given}: over {deep.apart:g} m it would sag by some {deep.sag:.3g} m",
+                expected="a small part of that",
+                hint="look at its unit (N for kN?), at the mass of the wire, and at the spans",
+            )
+
+
 def _deep(line: Line, gravity: float) -> Iterator[str]:
-    """Say of each contact wire or rail how deep it sags where that is no shape of a wire."""
+    """Say of the contact wire or rail how deep it sags where that is no shape of a wire."""
+    for deep in _sags(line, gravity):
+        if deep.sag > DEEP * deep.apart:
+            yield (
+                f"{deep.field} is {deep.given}: where {deep.apart:g} m lie between what holds it, it"
+                f" sags by some {deep.sag:.2g} m; look at the unit, at the mass and at the spans"
+            )
+
+
+def _sags(line: Line, gravity: float) -> Iterator[Deep]:
+    """Yield how deep the contact wire hangs between what holds it, and the messenger wire."""
     wire, apart = line.contact_wire, _longest_free(line)
     weight = wire.mass * gravity
     if wire.tension > 0:
-        sag, field = weight * apart**2 / (8.0 * wire.tension), "tension"
-        given = f"{_newtons(wire.tension)}"
+        sag = weight * apart**2 / (8.0 * wire.tension)
+        yield Deep("contact_wire.tension", _newtons(wire.tension), apart, sag)
     else:
-        sag = 5.0 * weight * apart**4 / (384.0 * wire.bending_stiffness)
-        field, given = "bending_stiffness", f"{wire.bending_stiffness:g} N m²"
-    if sag > DEEP * apart:
-        yield (
-            f"contact_wire.{field} is {given}: where {apart:g} m lie between what holds it, it"
-            f" sags by some {sag:.2g} m; look at the unit, at contact_wire.mass and at the spans"
-        )
+        stiffness = wire.bending_stiffness
+        sag = 5.0 * weight * apart**4 / (384.0 * stiffness)
+        yield Deep("contact_wire.bending_stiffness", f"{stiffness:g} N m²", apart, sag)
+    above = line.messenger_wire
+    if above is not None:
+        span = max(span.length for span in line.span_list())
+        sag = line.hanging_mass * gravity * span**2 / (8.0 * above.tension)
+        yield Deep("messenger_wire.tension", _newtons(above.tension), span, sag)
 
 
 def _longest_free(line: Line) -> float:

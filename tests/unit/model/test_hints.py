@@ -122,7 +122,7 @@ def test_a_train_longer_than_its_way_is_told_how_much_is_missing() -> None:
     whole = {"start": 0.7 * length, "end": 0.9 * length}
     text = refused(pantographs=two(0.6 * length), travel=whole)
     assert text.startswith("pantographs.1.distance: no place that every pantograph passes")
-    assert "(some 192 m are missing)" in text
+    assert "add spans of more than 192 m in all" in text
 
 
 def test_travel_that_was_given_backwards_is_not_asked_for() -> None:

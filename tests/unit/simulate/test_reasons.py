@@ -9,6 +9,7 @@ import pytest
 from arcless.errors import EquilibriumError
 from arcless.model import Scenario, load
 from arcless.simulate import equilibrium
+from arcless.simulate.reasons import why_loose
 from tests.support.line_types import scenario_data
 from tests.support.overlaps import plain_data
 
@@ -46,9 +47,22 @@ def test_a_messenger_wire_that_sags_below_the_contact_wire_names_its_tension() -
     holds(messenger_wire__tension=1e3 * number(r"it takes some ([\d.]+) kN", text))
 
 
-def test_a_tension_in_the_wrong_unit_is_named_where_no_shape_is_found() -> None:
-    assert hint(messenger_wire__tension=15.0).startswith("messenger_wire.tension is 15 N")
-    assert hint(contact_wire__tension=15.0).startswith("contact_wire.tension is 15 N: where 10 m")
+@pytest.mark.parametrize("wire", ["contact_wire", "messenger_wire"])
+def test_a_tension_in_the_wrong_unit_is_named_before_anything_is_computed(wire: str) -> None:
+    with pytest.raises(EquilibriumError) as caught:
+        equilibrium.find(scenario(**{f"{wire}__tension": 15.0}))
+    text = str(caught.value)
+    assert text.startswith(f"{wire}.tension: a wire that does not carry its own weight: got 15 N")
+    assert "look at its unit (N for kN?)" in text
+
+
+def test_a_loose_contact_wire_is_named_where_no_shape_is_found() -> None:
+    """Between the two bounds: only what the core cannot find is told so."""
+    line = scenario(contact_wire__tension=50.0).line
+    told = why_loose(line, 9.81)
+    assert told is not None
+    assert told.startswith("contact_wire.tension is 50 N: where 10 m lie between what holds it")
+    assert why_loose(scenario().line, 9.81) is None
 
 
 def test_too_much_pre_sag_names_its_entry_and_how_much_hangs() -> None:
