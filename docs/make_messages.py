@@ -25,11 +25,12 @@ SCENARIO = "my-scenario.yaml"
 ENVIRONMENT = {"COLUMNS": "10000", "NO_COLOR": "1"}
 HEAD = """# Twenty mistakes of a first day
 
-What was typed, what Arcless says, and what to do. The files are `my-line.yaml` and `my-scenario.yaml` of
-[model files](../reference/model-files.md#an-example), each time with one mistake. A message says where, what is wrong,
-what was given (`got`), what is `expected`, and a `hint`. Exit code 2 means that the input is wrong, 1 that the
-computation failed, 0 that there are warnings at most. This page is made by `python docs/make_messages.py`, and a test
-compares it with what the program says.
+What was typed, what Arcless says, and what to do. The files are `my-line.yaml` and
+`my-scenario.yaml` of [model files](../reference/model-files.md#an-example), each time with one
+mistake. A message says where, what is wrong, what was given (`got`), what is `expected`, and a
+`hint`. Exit code 2 means that the input is wrong, 1 that the computation failed, 0 that there are
+warnings at most. This page is made by `python docs/make_messages.py`, and a test compares it with
+what the program says.
 """
 
 

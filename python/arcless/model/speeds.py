@@ -14,7 +14,7 @@ WAVE_SPEED_SHARE = 0.70
 # Just above the wave speed a run can be asked for to see what happens there. Nobody has run
 # that far beyond it: such a speed is one in km/h without its unit.
 SUPERCRITICAL = 1.25
-# Wave speeds of lines in service are 380 to 570 km/h; a lower one is a tension in another unit. m/s.
+# Lines in service have 380 to 570 km/h; much less is a tension in another unit. In m/s.
 SLOW_WAVES = 200.0 / KMH
 ROUNDING = 1e-9
 

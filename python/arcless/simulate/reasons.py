@@ -99,8 +99,8 @@ def _deep(line: Line, gravity: float) -> Iterator[str]:
     for deep in _sags(line, gravity):
         if deep.sag > DEEP * deep.apart:
             yield (
-                f"{deep.field} is {deep.given}: where {deep.apart:g} m lie between what holds it, it"
-                f" sags by some {deep.sag:.2g} m; look at the unit, at the mass and at the spans"
+                f"{deep.field} is {deep.given}: where {deep.apart:g} m lie between what holds it,"
+                f" it sags by some {deep.sag:.2g} m; look at the unit, at the mass and at the spans"
             )
 
 
