@@ -9,11 +9,9 @@ from arcless.model.line import Line
 from arcless.model.plausibility import line_plausibility, pantograph_plausibility
 from arcless.model.scenario import Scenario
 from arcless.model.settings import ONE_ELEMENT
+from arcless.model.speeds import speed_warnings
 from arcless.model.track_checks import deviation_warnings
 
-# EN 50119:2009, 5.2.4: speed at most 70 % of the wave speed of the contact wire.
-WAVE_SPEED_SHARE = 0.70
-KMH = 3.6
 # Updated kinematics of lumped wires, PRAKS line at 340 km/h, 1 ms, no mass at the joints: runs with
 # a spectral radius of 0.95 and more grow without bound, with 0.9 and less they do not. The members
 # of the other families that damp the highest frequencies as much.
@@ -50,7 +48,7 @@ def scenario_warnings(scenario: Scenario) -> list[str]:
         Empty when there is nothing to say.
     """
     return [
-        *_about_speed(scenario),
+        *speed_warnings(scenario),
         *_about_section(scenario),
         *_about_line(scenario),
         *_about_track(scenario),
@@ -59,21 +57,6 @@ def scenario_warnings(scenario: Scenario) -> list[str]:
         *_about_scheme(scenario),
         *_about_solver(scenario),
     ]
-
-
-def _about_speed(scenario: Scenario) -> list[str]:
-    speed, wave = scenario.top_speed, scenario.line.wave_speed
-    if wave is None:
-        return []
-    share = f"{speed * KMH:.0f} km/h is {speed / wave:.0%} of the wave speed {wave * KMH:.0f} km/h"
-    if speed >= wave:
-        return [
-            f"speed: {share} of the contact wire; the run is made, but linear theory says little"
-            " above the wave speed (a speed in km/h needs its unit)"
-        ]
-    if speed > WAVE_SPEED_SHARE * wave:
-        return [f"speed: {share}; EN 50119 allows {WAVE_SPEED_SHARE:.0%}"]
-    return []
 
 
 def _about_section(scenario: Scenario) -> list[str]:
@@ -85,7 +68,10 @@ def _about_section(scenario: Scenario) -> list[str]:
     if analysis.spans is None and scenario.default_section() is None:
         found.append("analysis: the line is too short for inner spans; all of the travel is taken")
     elif first < supports[min(2, len(supports) - 1)] or last > supports[max(-3, -len(supports))]:
-        found.append("analysis: the section reaches into the first or last two spans of the line")
+        found.append(
+            "analysis: the section reaches into the first or last two spans of the line, where its"
+            " ends and the start of the run disturb the forces"
+        )
     if first < start or last > end:
         found.append(
             f"analysis: the section {first:g} to {last:g} m is not travelled in full by every"
@@ -100,7 +86,10 @@ def _about_section(scenario: Scenario) -> list[str]:
             )
         )
         if start + way < last:
-            found.append("speed_profile: it ends before the first pantograph has left the section")
+            found.append(
+                f"speed_profile: it ends at {start + way:.4g} m, before the first pantograph has"
+                f" left the section at {last:g} m; give it more time, or the section an earlier end"
+            )
     return found
 
 
@@ -141,14 +130,14 @@ def _about_track(scenario: Scenario) -> list[str]:
     found += gradient_warnings(line, scenario.top_speed)
     start = line.geometry.contact_wire_height
     largest = max((abs(height - start) for height in line.contact_wire_heights()), default=0.0)
-    for placement in scenario.pantographs:
+    for index, placement in enumerate(scenario.pantographs):
         masses = placement.model.masses
         lost = largest * ((masses[0].stiffness or 0.0) if masses else 0.0)
         if lost > LOST_FORCE:
             found.append(
-                f"pantographs: the base spring of {placement.name} changes its force by"
-                f" {lost:.0f} N over a change of height of {largest:.3g} m; a lifting device keeps"
-                " it: give the first mass a stiffness of 0"
+                f"pantographs.{index}.model.masses.0.stiffness: the base spring of {placement.name}"
+                f" changes its force by {lost:.0f} N over a change of height of {largest:.3g} m; a"
+                " lifting device keeps it: give this stiffness as 0"
             )
     return found
 

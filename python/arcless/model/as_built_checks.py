@@ -93,7 +93,7 @@ def _check_supports(scenario: "Scenario") -> None:
             raise ModelError(
                 "no support that holds wires",
                 got=str(error.name),
-                expected=f"one of the line's {last} supports that is no end of a tension length",
+                expected=f"a support from 2 to {last - 1} that is no end of a tension length",
                 hint="at their ends wires are anchored at the height as drawn",
                 field=field,
             )
@@ -134,6 +134,7 @@ def _check_ice(scenario: "Scenario") -> None:
                 "ice on a wire that the line does not have",
                 got=f"{coat:g} kg/m",
                 expected="0 kg/m, or a line with this wire",
+                hint="leave it out",
                 field=("as_built", "ice", name),
             )
 
@@ -171,5 +172,6 @@ def _check_wind(scenario: "Scenario", field: tuple[str, ...], got: str) -> None:
             raise ModelError(
                 "wind on a wire without diameter",
                 expected=f"line.{name}.diameter: {accepted('m')}",
+                hint="that of a contact wire of 100 mm² is 12 mm",
                 field=("as_built", *field),
             )

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 from arcless.errors import ModelError
 from arcless.model.line import POSITION_TOLERANCE
 from arcless.model.schemes import EXPLICIT
-from arcless.model.settings import ONE_ELEMENT
+from arcless.model.speeds import check_supercritical
+from arcless.model.step_checks import check_steps
 from arcless.units import show
 
 if TYPE_CHECKING:
@@ -16,15 +17,16 @@ if TYPE_CHECKING:
     from arcless.model.pantograph import Pantograph
     from arcless.model.scenario import Scenario
 
-# Opening a result reads all of it; this many steps at 1 ms are nearly three hours.
-MAX_STEPS = 10_000_000
 MAX_ELEMENTS = 500_000
+KMH = 3.6
 # Speed times (element over speed) is the element up to a rounding or two.
 ROUNDING = 1e-9
 
 
 def check_scenario(scenario: "Scenario") -> None:
     """Raise `ModelError` for the first thing that does not fit, the speed being as it should."""
+    check_supercritical(scenario)
+    _check_dimension(scenario)
     _check_scheme(scenario)
     _check_pantographs(scenario)
     _check_travel(scenario)
@@ -33,9 +35,7 @@ def check_scenario(scenario: "Scenario") -> None:
     _check_section(scenario)
     _check_points(scenario)
     _check_elements(scenario)
-    _check_step(scenario)
-    _check_steps(scenario)
-    _check_energy(scenario)
+    check_steps(scenario)
 
 
 def _check_scheme(scenario: "Scenario") -> None:
@@ -51,14 +51,32 @@ def _check_scheme(scenario: "Scenario") -> None:
         )
 
 
+def _check_dimension(scenario: "Scenario") -> None:
+    if scenario.solver.dimension == "planar" and scenario.line.is_spatial:
+        raise ModelError(
+            "a planar calculation of a line that is not planar",
+            got="planar",
+            expected="auto or spatial for a line with stagger, curves or hinged steady arms",
+            hint="leave solver.dimension out; a planar line is straight, without stagger, with"
+            " steady arms of kind spring",
+            field=("solver", "dimension"),
+        )
+
+
 def check_speed(scenario: "Scenario") -> None:
     """Raise `ModelError` unless there is one speed, or one profile, with motion."""
     if scenario.speed is None and scenario.speed_profile is None:
-        raise ModelError("missing field", expected="speed or speed_profile", field=("speed",))
+        raise ModelError(
+            "missing field",
+            expected="speed or speed_profile",
+            hint="for instance speed: 160 km/h",
+            field=("speed",),
+        )
     if scenario.speed is not None and scenario.speed_profile is not None:
         raise ModelError(
             "both speed and speed_profile given",
-            expected="speed or speed_profile",
+            expected="one of the two",
+            hint="leave out the one that is not meant",
             field=("speed_profile",),
         )
     if scenario.speed_profile is not None and max(scenario.speed_profile.speed) <= 0:
@@ -111,6 +129,7 @@ def _check_travel(scenario: "Scenario") -> None:
             "the last pantograph starts outside the line",
             got=f"a start at {start:g} m with {last:g} m between first and last",
             expected=f"a start of at least {last:g} m",
+            hint="travel.start is the place of the first pantograph",
             field=("travel", "start"),
         )
     if start >= end:
@@ -118,9 +137,20 @@ def _check_travel(scenario: "Scenario") -> None:
             "no travel",
             got=f"{start:g} m to {end:g} m",
             expected="a start before the end",
-            hint="give travel, add spans, or bring the pantographs closer together",
+            hint=_why_no_travel(scenario, length, last),
             field=("travel",),
         )
+
+
+def _why_no_travel(scenario: "Scenario", length: float, last: float) -> str:
+    if scenario.travel.start is not None and scenario.travel.end is not None:
+        return "travel.start and travel.end are places of the first pantograph"
+    if last:
+        return (
+            f"the line is {length:g} m long and the last pantograph {last:g} m behind the first:"
+            " add spans, bring the pantographs closer together, or give travel.start and travel.end"
+        )
+    return "add spans, or give travel.start and travel.end"
 
 
 def _check_lift(scenario: "Scenario") -> None:
@@ -135,11 +165,18 @@ def _check_lift(scenario: "Scenario") -> None:
             if slowest < first * (1 - ROUNDING) or fastest > last * (1 + ROUNDING):
                 raise ModelError(
                     "the table does not reach over the speeds travelled",
-                    got=f"{first:g} to {last:g} m/s",
-                    expected=f"at least {slowest:g} to {fastest:g} m/s",
-                    hint="nothing is assumed beyond a table's ends",
+                    got=f"{first * KMH:.4g} to {last * KMH:.4g} km/h",
+                    expected=_over(slowest, fastest),
+                    hint="give the table more points, or change the speed: nothing is assumed"
+                    " beyond a table's ends",
                     field=("pantographs", index, "model", *field, "speed"),
                 )
+
+
+def _over(slowest: float, fastest: float) -> str:
+    if isclose(slowest, fastest):
+        return f"a table over {fastest * KMH:.4g} km/h"
+    return f"at least {slowest * KMH:.4g} to {fastest * KMH:.4g} km/h"
 
 
 def _lift_tables(pantograph: "Pantograph") -> "list[tuple[Path, LiftTable]]":
@@ -200,12 +237,21 @@ def _check_section(scenario: "Scenario") -> None:
             field=("analysis", name),
         )
     rear = scenario.pantographs[-1].distance
+    if start >= end - rear:
+        raise ModelError(
+            "no place that every pantograph passes",
+            got=f"{start:g} m to {end:g} m of the first one, and the last one {rear:g} m behind it",
+            expected=f"a way of more than {rear:g} m",
+            hint=f"add spans of more than {rear - (end - start):.0f} m in all, or bring the"
+            " pantographs closer together",
+            field=("pantographs", len(scenario.pantographs) - 1, "distance"),
+        )
     if last <= start or first >= end - rear:
         raise ModelError(
             "analysis section not travelled by every pantograph",
             got=f"{first:g} m to {last:g} m",
             expected=f"a section between {start:g} m and {end - rear:g} m",
-            hint="change analysis or travel",
+            hint="choose a section within that, or change travel.start or travel.end",
             field=("analysis", name),
         )
 
@@ -240,64 +286,4 @@ def _check_elements(scenario: "Scenario") -> None:
             expected=f"at most {MAX_ELEMENTS}",
             hint="use longer elements or a shorter line",
             field=("solver", "contact_wire_element"),
-        )
-
-
-def _check_step(scenario: "Scenario") -> None:
-    solver, field = scenario.solver, ("solver", "time_step")
-    if solver.time_step == ONE_ELEMENT and scenario.speed is None:
-        raise ModelError(
-            "no time step",
-            got=f"{show(solver.time_step)} with a speed profile",
-            expected="a time: with a changing speed, one element takes no fixed time",
-            field=field,
-        )
-    way, element = (
-        scenario.top_speed * scenario.time_step_s,
-        scenario.stepping.contact_wire_element_m,
-    )
-    if way > element * (1 + ROUNDING):
-        raise ModelError(
-            "step longer than an element",
-            got=f"{way:.4g} m in a step",
-            expected=f"at most {element:g} m, one element of the contact wire",
-            hint=f"at most {1e3 * element / scenario.top_speed:.4g} ms at this speed, or a longer"
-            " solver.contact_wire_element",
-            field=field,
-        )
-
-
-def _check_energy(scenario: "Scenario") -> None:
-    if scenario.output.energy != "always":
-        return
-    if scenario.solver.kinematics == "updated":
-        raise ModelError(
-            "no energy ledger with updated kinematics",
-            got="always",
-            expected="auto or never, or solver.kinematics linearised",
-            hint="stiffness that is formed anew in each step belongs to no stored energy",
-            field=("output", "energy"),
-        )
-
-
-def _check_steps(scenario: "Scenario") -> None:
-    duration = scenario.duration
-    step = scenario.time_step_s
-    if duration / step > MAX_STEPS:
-        raise ModelError(
-            "too many time steps",
-            got=f"about {duration / step:.3g}",
-            expected=f"at most {MAX_STEPS}",
-            hint=f"the run lasts {duration:.3g} s; shorten the travel or use a longer time step",
-            field=("solver", "time_step"),
-        )
-    nyquist = 0.5 / (step * scenario.output.contact_every)
-    low_pass = scenario.analysis.low_pass
-    if low_pass >= nyquist or isclose(low_pass, nyquist):
-        raise ModelError(
-            "the recorded steps are too long for the filter",
-            got=f"{low_pass:g} Hz",
-            expected=f"less than {nyquist:g} Hz, half the record rate",
-            hint="shorten solver.time_step or lower output.contact_every",
-            field=("analysis", "low_pass"),
         )

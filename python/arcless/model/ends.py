@@ -49,7 +49,8 @@ def check_ends(wire: "Wire") -> None:
                 expected=f"ends: {' or '.join(kinds)}, or no {name}",
                 field=(name,),
             )
-    if wire.ends == "weights" and wire.tension == 0:
+    # A contact wire without tension that is no rail is told so itself, `ContactWire`.
+    if wire.ends == "weights" and wire.tension == 0 and getattr(wire, "kind", "") != "wire":
         raise ModelError(
             "weights at a rail without tension",
             got="ends: weights",

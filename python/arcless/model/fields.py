@@ -21,6 +21,7 @@ from pydantic_core import core_schema
 
 from arcless.errors import ModelError
 from arcless.model.known_names import names_of
+from arcless.model.meant import meant_unit
 from arcless.units import (
     DECIMAL_POINT,
     MAX_TEXT,
@@ -100,15 +101,19 @@ class Unit:
             if self.words:
                 error.expected = self.expected
             raise
-        inside = (
+        if not self._holds(number):
+            hint = meant_unit(value, self.unit, self._holds)
+            raise ModelError(WRONG_VALUE, got=show(value), expected=self.expected, hint=hint)
+        return number
+
+    def _holds(self, number: float) -> bool:
+        """Whether a number in SI keeps the bounds."""
+        return (
             (self.above is None or number > self.above)
             and (self.minimum is None or number >= self.minimum)
             and (self.below is None or number < self.below)
             and (self.maximum is None or number <= self.maximum)
         )
-        if not inside:
-            raise ModelError(WRONG_VALUE, got=show(value), expected=self.expected)
-        return number
 
     def __get_pydantic_core_schema__(
         self, source: Any, handler: GetCoreSchemaHandler

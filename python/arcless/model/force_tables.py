@@ -80,7 +80,7 @@ class DampingTable(Part):
             "no force of zero at velocity 0",
             got=got,
             expected="a damper that is without force at rest",
-            hint="what holds at rest is friction",
+            hint="give the table the point 0 m/s with 0 N; what holds at rest is friction",
             field=("force",),
         )
 

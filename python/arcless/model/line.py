@@ -37,6 +37,8 @@ from arcless.model.track_checks import check_track
 from arcless.model.twin_wires import TwinContactWires
 from arcless.units import WRONG_VALUE, show
 
+# Two clamps need more room; less is a number in m that was given as one in mm. In m.
+LEAST_ENCUMBRANCE = 0.02
 # Positions typed with few digits may lie this far outside the line's exact length. In m.
 POSITION_TOLERANCE = 1e-6
 # Fields of a line that hold a wire.
@@ -127,6 +129,7 @@ class Line(Document):
         check_suspension(self)
         for name, span in self.span_types.items():
             self._check_presag(name, span)
+            self._check_lengths(name, span)
         self._check_stagger()
         total = sum(run.count for run in self.spans)
         if total > MAX_SPANS:
@@ -147,6 +150,14 @@ class Line(Document):
     def _check_presag(self, name: str, span: SpanType) -> None:
         if self.geometry.encumbrance is None:
             return
+        if self.geometry.encumbrance < LEAST_ENCUMBRANCE:
+            raise ModelError(
+                WRONG_VALUE,
+                got=f"{self.geometry.encumbrance:g} m",
+                expected=f"an encumbrance of at least {LEAST_ENCUMBRANCE:g} m",
+                hint="mind mm and m",
+                field=("geometry", "encumbrance"),
+            )
         holders = "droppers" if span.hangers is None else "hangers"
         for index, presag in enumerate(span.holders.presag or ()):
             if not abs(presag) < self.geometry.encumbrance:
@@ -156,6 +167,19 @@ class Line(Document):
                     expected=f"less than the encumbrance, {self.geometry.encumbrance:g} m",
                     hint="pre-sag is positive downwards; mind mm and m",
                     field=("span_types", name, holders, "presag", index),
+                )
+
+    def _check_lengths(self, name: str, span: SpanType) -> None:
+        """Refuse droppers that reach from the messenger wire to the ground."""
+        top = self.geometry.contact_wire_height + (self.geometry.encumbrance or 0.0)
+        for index, length in enumerate(span.droppers.lengths or ()):
+            if length >= top:
+                raise ModelError(
+                    "a dropper that reaches the ground",
+                    got=f"{length:g} m",
+                    expected=f"less than {top:g} m, the height of the messenger wire",
+                    hint="mind mm and m",
+                    field=("span_types", name, "droppers", "lengths", index),
                 )
 
     def _check_stagger(self) -> None:
@@ -174,6 +198,13 @@ class Line(Document):
             wire = getattr(self, name)
             if wire is not None:
                 yield name, wire
+
+    @property
+    def hanging_mass(self) -> float:
+        """Mass in kg/m of the messenger wire and of the wires that hang on it."""
+        below = 1 if self.twin_contact_wires is None else 2
+        own = (self.messenger_wire, self.auxiliary_wire)
+        return below * self.contact_wire.mass + sum(wire.mass for wire in own if wire is not None)
 
     def span_list(self) -> list[SpanType]:
         """Return the span types in order, one entry per span."""

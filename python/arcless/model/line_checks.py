@@ -60,9 +60,15 @@ def _check_stitch_droppers(line: "Line", stitch: "StitchWire") -> None:
             "no dropper on the stitch wire",
             got=got,
             expected=f"one less than {0.5 * stitch.length:g} m, half of the stitch wire, from it",
-            hint="droppers of a span hang on the stitch wire where they are below it",
+            hint=_reach(nearest),
             field=("stitch_wire", "length"),
         )
+
+
+def _reach(nearest: float | None) -> str:
+    if nearest is None:
+        return "give the spans beside the supports droppers"
+    return f"a stitch wire of more than {2 * nearest:g} m, or a dropper nearer to each support"
 
 
 def _check_auxiliary(line: "Line", wire: "AuxiliaryWire") -> None:
@@ -80,9 +86,11 @@ def _check_auxiliary(line: "Line", wire: "AuxiliaryWire") -> None:
             if not 0 < wire.height - presag < encumbrance:
                 raise ModelError(
                     "auxiliary wire not between contact and messenger wire",
-                    got=f"{presag:g} m below {wire.height:g} m above the contact wire",
+                    got=f"{wire.height - presag:g} m above the contact wire: auxiliary_wire.height,"
+                    f" {wire.height:g} m, less a pre-sag of {presag:g} m",
                     expected=f"a height between 0 and {encumbrance:g} m above it",
-                    hint="droppers hold the auxiliary wire: their pre-sag is that of this wire",
+                    hint="droppers hold the auxiliary wire: their pre-sag is that of this wire;"
+                    " that of the contact wire belongs to hangers",
                     field=("span_types", name, "droppers", "presag", index),
                 )
 
@@ -109,6 +117,7 @@ def _check_hangers(line: "Line") -> None:
             raise ModelError(
                 "missing field",
                 expected="hangers: what the contact wire hangs on below the auxiliary wire",
+                hint="for instance hangers: {positions: [10 m, 20 m, 30 m, 40 m]}",
                 field=field,
             )
         for index, presag in enumerate((span.hangers and span.hangers.presag) or ()):

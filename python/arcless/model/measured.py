@@ -76,12 +76,16 @@ def matched(line: "Line", given: Sequence[MeasuredHeight]) -> dict[float, float]
     return {place: given[found[place]].height for place in places}
 
 
+def _count(given: "Sequence[MeasuredHeight]") -> str:
+    return "1 height" if len(given) == 1 else f"{len(given)} heights"
+
+
 def check_measured(line: "Line", given: Sequence[MeasuredHeight]) -> None:
     """Raise `ModelError` for measured heights that do not fit a line."""
     if line.has_overlaps:
         raise ModelError(
             "measured heights of a line with several tension lengths",
-            got=f"{len(given)} heights",
+            got=_count(given),
             expected="a line with one tension length",
             hint="in an overlap two wires hang at one place; leave tension_lengths out",
             field=FIELD,
@@ -89,7 +93,7 @@ def check_measured(line: "Line", given: Sequence[MeasuredHeight]) -> None:
     if line.bridle is not None:
         raise ModelError(
             "measured heights of a line with bridles",
-            got=f"{len(given)} heights",
+            got=_count(given),
             expected="a line whose supports or droppers hold the contact wire itself",
             hint="bridles have no lengths to be found from heights",
             field=FIELD,

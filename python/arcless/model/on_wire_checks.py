@@ -10,6 +10,8 @@ if TYPE_CHECKING:
 
 # Positions typed with few digits may lie this far outside. In m.
 TOLERANCE = 1e-6
+# Wires that masses and inserts may be on.
+PLACES = ("contact_wire", "messenger_wire", "auxiliary_wire")
 
 
 def check_on_wires(line: "Line") -> None:
@@ -32,7 +34,7 @@ def _check_place(
         raise ModelError(
             f"{what} on a wire that the line does not have",
             got=part.wire,
-            expected="a wire of the line",
+            expected=f"one of: {', '.join(_wires(line))}",
             field=(*field, "wire"),
         )
     covered = line.tension_lengths_over(*ends)
@@ -58,6 +60,10 @@ def _check_place(
             expected=f"tension_length: {' or '.join(str(number) for number in covered)}",
             field=(*field, "tension_length"),
         )
+
+
+def _wires(line: "Line") -> list[str]:
+    return [name for name in PLACES if getattr(line, name) is not None]
 
 
 def _check_apart(line: "Line") -> None:

@@ -52,8 +52,8 @@ class PantographPlacement(Part):
         if self.static_force is not None and self.mean_force is not None:
             raise ModelError(
                 "both static_force and mean_force given",
-                expected="static_force or mean_force",
-                hint="mean_force finds the static force itself",
+                expected="one of the two",
+                hint="leave static_force out: mean_force finds it",
                 field=("mean_force",),
             )
         if self.start_force is None:

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from arcless.model.placement import PantographPlacement
     from arcless.model.scenario import Scenario
 
+THOUSAND, MILLION = 1e3, 1e6
 COPPER_DENSITY = 8900.0  # kg/m³
 RAYLEIGH_EXAMPLE = "damping: {alpha: 0.17 1/s, beta: 0.1 ms}"
 
@@ -103,16 +104,12 @@ def _about_sag(line: "Line", encumbrance: float) -> Iterator[str]:
     messenger = line.messenger_wire
     if messenger is None:
         return
-    wires = 2 if line.twin_contact_wires is not None else 1
-    mass = messenger.mass + wires * line.contact_wire.mass
-    if line.auxiliary_wire is not None:
-        mass += line.auxiliary_wire.mass
     longest = max(span.length for span in line.span_list())
-    sag = mass * GRAVITY * longest**2 / (8.0 * messenger.tension)
+    sag = line.hanging_mass * GRAVITY * longest**2 / (8.0 * messenger.tension)
     if sag > encumbrance:
         yield (
             f"line.messenger_wire.tension: {messenger.tension:g} N lets the messenger wire sag by"
-            f" some {sag:.2g} m in a span of {longest:g} m, and the encumbrance is"
+            f" some {sag:.2g} m in a span of {longest:g} m, and line.geometry.encumbrance is"
             f" {encumbrance:g} m: is a unit wrong?"
         )
 
@@ -143,11 +140,17 @@ def _about_pantograph(path: str, placement: "PantographPlacement") -> Iterator[s
         yield from _beyond(f"{path}.model.masses", "the moving mass", total, MOVING_MASS)
 
 
+def _number(value: float) -> str:
+    """Return a number in three digits, without an exponent where that is short."""
+    rounded = float(f"{value:.3g}")
+    return f"{rounded:.0f}" if THOUSAND <= value < MILLION else f"{rounded:g}"
+
+
 def _beyond(path: str, what: str, value: float, usual: Usual) -> Iterator[str]:
     """Say that a value in SI is beyond its usual range; mind the unit."""
     shown = value / usual.scale
     if not usual.low <= shown <= usual.high:
         yield (
-            f"{path}: {what} is {shown:.3g} {usual.unit}; usual are {usual.low:g} to"
+            f"{path}: {what} is {_number(shown)} {usual.unit}; usual are {usual.low:g} to"
             f" {usual.high:g} {usual.unit}: is a unit wrong?"
         )

@@ -102,10 +102,10 @@ class SpanType(Part):
             if min(abs(x), abs(x - self.length)) < AT_SUPPORT and name == "droppers":
                 side = "left" if abs(x) < AT_SUPPORT else "right"
                 raise ModelError(
-                    "dropper (hanger) at a support",
+                    "dropper at a support",
                     got=f"{x:g} m, the place of the {side} support",
                     expected=f"a position between the supports at 0 and {self.length:g} m",
-                    hint="at a support the messenger wire is held, a dropper has no part there",
+                    hint="leave it out: the support holds the messenger wire there",
                     field=field,
                 )
             if not 0 < x < self.length:

@@ -17,6 +17,11 @@ ABOVE = {
     "hanger": "hangers",
     "twin_contact_wires": "twin contact wires",
 }
+EXAMPLES = {
+    "dropper": "{stiffness: 100 kN/m}",
+    "support": "{vertical_stiffness: 500 kN/m}",
+    "steady_arm": "{kind: spring, vertical_stiffness: 250 N/m}",
+}
 STANDARD_GRAVITY = 9.81
 TROLLEY = "without a messenger wire the contact wire hangs on contact_support alone"
 
@@ -51,14 +56,25 @@ def _check_hung(line: "Line") -> None:
     for name in ("dropper", "support", "steady_arm"):
         missing = name not in line.model_fields_set if name == "steady_arm" else None
         if missing or getattr(line, name) is None:
-            raise ModelError("missing field", expected=line._expected(name), field=(name,))
+            raise ModelError(
+                "missing field",
+                expected=f"{name}, which a line with a messenger wire has",
+                hint=f"for instance {name}: {EXAMPLES[name]}",
+                field=(name,),
+            )
     if line.geometry.encumbrance is None:
         expected = line.geometry._expected("encumbrance")
         raise ModelError("missing field", expected=expected, field=("geometry", "encumbrance"))
     for name, span in line.span_types.items():
         if "droppers" not in span.model_fields_set:
             field = ("span_types", name, "droppers")
-            raise ModelError("missing field", expected=span._expected("droppers"), field=field)
+            raise ModelError(
+                "missing field",
+                expected="droppers, which the contact wire hangs on",
+                hint="for instance droppers: {positions: [10 m, 20 m, 30 m]}; a span without any"
+                " has droppers: {positions: []}",
+                field=field,
+            )
 
 
 def _check_trolley(line: "Line") -> None:

@@ -64,6 +64,7 @@ def _check_covered(lengths: tuple[TensionLength, ...], spans: int) -> None:
                 "spans without wires",
                 got=f"no tension length over {gap}",
                 expected="tension lengths over all spans of the line",
+                hint="two that follow each other share 3 to 5 spans, their overlap",
                 field=("tension_lengths", *field),
             )
         reached = last
@@ -80,7 +81,8 @@ def _check_meeting(meeting: Meeting) -> None:
         got=f"{shared} that tension lengths {meeting.before + 1} and {meeting.before + 2} share",
         expected=f"{FEWEST} to {MOST} spans",
         hint="from_span of the one behind is the first span of the overlap, to_span of the one"
-        " before it the last",
+        " before it the last, for instance {from_span: 1, to_span: 7} and {from_span: 5, to_span:"
+        " 12}",
         field=("tension_lengths", meeting.before + 1, "from_span"),
     )
 
@@ -129,9 +131,10 @@ def _check_raise(overlap: Overlap, found: list[Meeting]) -> None:
     for index, (outer, inner) in enumerate(pairwise(overlap.raise_), start=1):
         if inner > outer:
             raise ModelError(
-                "a wire that rises away from its anchor",
+                "a wire that hangs lower at its anchor than further in",
                 got=f"{inner:g} m after {outer:g} m",
                 expected="values that do not increase from the anchor inwards",
+                hint="the first value is that beside the anchor",
                 field=("overlap", "raise", index),
             )
     raised = sum(value > 0 for value in overlap.raise_)

@@ -1,6 +1,7 @@
 """Whether curves and staggers of a line go together."""
 
 from itertools import pairwise
+from math import sqrt
 from typing import TYPE_CHECKING, NamedTuple
 
 from arcless.errors import ModelError
@@ -57,6 +58,7 @@ def check_track(line: "Line") -> None:
             "nothing holds the contact wire in a curve",
             got="a steady arm of kind none",
             expected="a steady arm of kind spring or arm, or a straight track",
+            hint="for instance steady_arm: {kind: spring, vertical_stiffness: 250 N/m}",
             field=("track", "curves"),
         )
     worst = farthest(line)
@@ -66,9 +68,19 @@ def check_track(line: "Line") -> None:
             got=f"the contact wire {abs(worst.distance):.3g} m aside at {worst.x:.4g} m, in span"
             f" {worst.span}, {abs(worst.curve_part):.3g} m of it by the curve",
             expected=f"at most {WIDEST:g} m: no collector reaches farther",
-            hint="shorter spans, or more stagger to the outside of the curve",
+            hint=_shorter(line, worst),
             field=("track", "curves"),
         )
+
+
+def _shorter(line: "Line", worst: Aside) -> str:
+    """Say how long spans may be: the part of the curve goes with the square of their length."""
+    by_stagger = abs(worst.distance) - abs(worst.curve_part)
+    room, length = WIDEST - by_stagger, line.span_list()[worst.span - 1].length
+    spans = "shorter spans"
+    if 0 < room < abs(worst.curve_part):
+        spans += f" there, of at most {int(length * sqrt(room / abs(worst.curve_part)))} m"
+    return f"{spans}, or more stagger to the outside of the curve; is the radius as meant?"
 
 
 def deviation_warnings(line: "Line", placements: "Sequence[PantographPlacement]" = ()) -> list[str]:

@@ -16,7 +16,8 @@ from arcless.mesh import SPATIAL, Mesh, alteration, build_mesh, end_forces, with
 from arcless.model import Line, Scenario, schemes
 from arcless.model.measured import matched
 from arcless.model.settings import Solver
-from arcless.simulate.designing import check_arms, why_pushing
+from arcless.simulate.designing import check_arms
+from arcless.simulate.reasons import check_carried, why_loose, why_pushing
 from arcless.simulate.sliding_ends import SlidingEnds, undecided
 
 Floats = NDArray[np.float64]
@@ -31,6 +32,8 @@ MOST_KEPT = 50
 REACH = 0.02
 # Friction of tensioning devices: bound on the rounds, two or three are normal.
 MOST_ROUNDS = 8
+# What the core says of a line that has no shape at rest.
+NO_SHAPE = ("singular", "unstable", "equilibrium")
 
 
 @dataclass(frozen=True)
@@ -224,6 +227,7 @@ def designed(
         As `find`.
     """
     mesh = build_mesh(line, solver, heights)
+    check_carried(line, mesh.gravity)
     with _designed(mesh, line, heights):
         core = _core.Equilibrium(
             *(mesh.dimension, mesh.positions, mesh.slopes, mesh.parts, mesh.gravity),
@@ -276,7 +280,7 @@ def _found_again(
 
 @contextmanager
 def _designed(mesh: Mesh, line: Line, heights: Mapping[float, float]) -> Iterator[None]:
-    """As `named`; look further for why a dropper would have to push."""
+    """As `named`; look further for why there is no equilibrium."""
     try:
         yield
     except _core.NativeError as error:
@@ -284,6 +288,8 @@ def _designed(mesh: Mesh, line: Line, heights: Mapping[float, float]) -> Iterato
         found = translate(mesh, kind, message, details)
         if kind == "pushing":
             found.hint = why_pushing(mesh, line, heights, details["link"]) or found.hint
+        elif kind in NO_SHAPE:
+            found.hint = why_loose(line, mesh.gravity) or found.hint
         raise found from error
 
 
@@ -324,17 +330,24 @@ def translate(mesh: Mesh, kind: str, message: str, details: dict[str, Any]) -> A
             where=f"{dropper.x:.2f} m",
             got=f"a force of {details['force']:.1f} N",
             expected="a tension",
-            hint=f"the heights ask the {dropper.wires[1]} to bend upwards there: check the pre-sag",
+            hint=f"the heights bend the {dropper.wires[1]} there more sharply than its weight"
+            " does: try a smaller pre-sag of this dropper, or larger ones beside it",
         )
     if kind == "singular":
         return EquilibriumError(
-            "the line is loose", where=place_of(mesh, details["node"]), hint="is it held there?"
+            "the line is loose",
+            where=place_of(mesh, details["node"]),
+            got="a place that any small push moves away",
+            expected="a wire under tension, with what holds it",
+            hint="look at tension and bending_stiffness of this wire, and at support,"
+            " contact_support and steady_arm",
         )
     if kind == "unstable":
         return EquilibriumError(
             "the static equilibrium is unstable",
             got=f"{details['directions']} directions in which a small push moves the line away",
-            hint="is a steady arm in compression, or a link between wires longer than its place?",
+            hint="look for steady arms that push (stagger, curves, steady_arm.slope), and for"
+            " droppers whose lengths are longer than the wires are apart",
         )
     if kind == "equilibrium":
         return _not_found(mesh, details)
@@ -350,7 +363,7 @@ def _not_found(mesh: Mesh, details: dict[str, Any]) -> EquilibriumError:
             what,
             got=f"a shape that grows beyond all bounds {after}",
             expected="tensions that carry the wires within the encumbrance",
-            hint=f"{hint}: is a tension in N that was meant in kN?",
+            hint=f"{hint}, and their units: kN for N, m for mm",
         )
     return EquilibriumError(
         what,

@@ -125,6 +125,7 @@ def searching(job: "Job") -> Searching:
     if copy is not None:
         rule = yield from _on_copy(job, copy, rule)
     for _ in range(MOST_RUNS):
+        tried = rule.given()
         raw = yield rule.trial(job)
         assert raw is not None
         means = _means(job, raw)
@@ -133,7 +134,7 @@ def searching(job: "Job") -> Searching:
         rule.correct(means)
         if np.min(rule.forces) <= 0.0:
             break
-    raise _not_reached(job, means, targets)
+    raise _not_reached(job, means, targets, tried)
 
 
 def _on_copy(
@@ -227,13 +228,18 @@ def _at_instants(copy: "Job", times: Floats, forces: Floats, run: "Job") -> tupl
     return np.column_stack(found), positions
 
 
-def _not_reached(job: "Job", means: Floats, targets: Floats) -> ContactError:
+def _not_reached(job: "Job", means: Floats, targets: Floats, tried: list[float]) -> ContactError:
     placements = job.scenario.pantographs
     worst = int(np.nanargmax(np.abs(targets - means)))
     return ContactError(
         f"the mean force of pantograph {placements[worst].name} was not reached",
         where=f"pantographs.{worst}.mean_force",
-        got=f"{means[worst]:.2f} N",
+        got=f"{means[worst]:.2f} N, with a static force of {tried[worst]:.4g} N",
         expected=f"{targets[worst]:.2f} N within {TOLERANCE:g} N",
-        hint="give static_force, or a longer analysis section",
+        hint="lift and base spring give more than that by themselves: ask for a larger mean_force,"
+        " or look at lift and masses.0.stiffness of the pantograph"
+        if means[worst] - tried[worst] > targets[worst]
+        else "the mean does not follow the static force, mostly where contact is lost for long:"
+        " give static_force in place of mean_force and look at the run, lower the speed, or"
+        " assess a longer section",
     )

@@ -8,8 +8,8 @@ from numpy.typing import NDArray
 
 from arcless.errors import ModelError
 from arcless.model import Scenario
-from arcless.model.checks import MAX_STEPS
 from arcless.model.schemes import GeneralisedAlpha, HilberHughesTaylor, Newmark, Scheme
+from arcless.model.step_checks import MAX_STEPS
 
 Floats = NDArray[np.float64]
 

@@ -130,16 +130,32 @@ def _given(
 def _check(scenario: Scenario, *, simulated: bool) -> None:
     """Refuse what a loop cannot do."""
     if scenario.solver.kinematics == "updated":
-        raise _refusal("updated kinematics factorise in every step", "solver.kinematics")
+        raise _refusal(
+            "updated kinematics factorise in every step",
+            "solver.kinematics",
+            hint="set solver.kinematics to linearised",
+        )
     if scenario.as_built.gusts is not None:
-        raise _refusal("gusts are given for a whole run", "as_built.gusts")
+        raise _refusal(
+            "gusts are given for a whole run",
+            "as_built.gusts",
+            hint="leave them out; as_built.wind is steady and can stay",
+        )
     for index, placement in enumerate(scenario.pantographs if simulated else ()):
         field, model = f"pantographs.{index}", placement.model
         if placement.roof_motion is not None:
-            raise _refusal("the roof moves as given for a whole run", f"{field}.roof_motion")
+            raise _refusal(
+                "the roof moves as given for a whole run",
+                f"{field}.roof_motion",
+                hint="leave roof_motion out",
+            )
         tables = bool(model.matrices and model.matrices.lift_tables)
         if tables or any(part.lift is not None for part in model.masses):
-            raise _refusal("lift tables are read for a whole run", f"{field}.model")
+            raise _refusal(
+                "lift tables are read for a whole run",
+                f"{field}.model",
+                hint="leave the table out, and give static_force with the lift at the speed",
+            )
         if placement.mean_force is not None:
             raise _refusal(
                 "a mean force is found by whole runs",

@@ -75,5 +75,5 @@ def undecided(rounds: int) -> EquilibriumError:
         "tensioning devices with friction start and stop without end",
         got=f"{rounds} rounds",
         expected="a state in which each holds still or slides",
-        hint="end_efficiency: 1 leaves friction out; please report the line",
+        hint="leave end_efficiency out, and friction is left out; please report the line",
     )

@@ -129,7 +129,7 @@ def test_a_csv_file_that_is_not_there(files: Path) -> None:
         ),
         (
             "support_height_errors: [{support: 1, height_error: 3 mm}]",
-            ["no support that holds wires: got support 1", "9 supports", "anchored"],
+            ["no support that holds wires: got support 1", "a support from 2 to 8", "anchored"],
         ),
         ("support_height_errors: [{support: 99, height_error: 3 mm}]", ["got support 99"]),
         (

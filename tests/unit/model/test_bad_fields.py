@@ -66,18 +66,16 @@ Refused = Callable[..., str]
         (
             "positions: [10, 20, 35, 45]",
             "positions: [10, 20, 35, 55]",
-            "line.yaml:27: span_types.standard.droppers.positions.3: dropper (hanger) at a support:"
+            "line.yaml:27: span_types.standard.droppers.positions.3: dropper at a support:"
             " got 55 m, the place of the right support, expected a position between the supports at"
-            " 0 and 55 m; hint: at a support the messenger wire is held, a dropper has no part"
-            " there",
+            " 0 and 55 m; hint: leave it out: the support holds the messenger wire there",
         ),
         (
             "positions: [10, 20, 35, 45]",
             "positions: [0 mm, 20, 35, 45]",
-            "line.yaml:27: span_types.standard.droppers.positions.0: dropper (hanger) at a support:"
+            "line.yaml:27: span_types.standard.droppers.positions.0: dropper at a support:"
             " got 0 m, the place of the left support, expected a position between the supports at"
-            " 0 and 55 m; hint: at a support the messenger wire is held, a dropper has no part"
-            " there",
+            " 0 and 55 m; hint: leave it out: the support holds the messenger wire there",
         ),
         (
             "[10, 20, 35, 45]",
@@ -200,13 +198,14 @@ def test_line(refused: Refused, old: str, new: str, message: str) -> None:
         (
             "speed: 200 km/h\n",
             "",
-            "scenario.yaml: speed: missing field: expected speed or speed_profile",
+            "scenario.yaml: speed: missing field: expected speed or speed_profile; hint: for"
+            " instance speed: 160 km/h",
         ),
         (
             "model: dsa-380",
             "{model: dsa-380, static_force: 70 N, mean_force: 100 N}",
             "scenario.yaml:5: pantographs.0.mean_force: both static_force and mean_force given:"
-            " expected static_force or mean_force; hint: mean_force finds the static force itself",
+            " expected one of the two; hint: leave static_force out: mean_force finds it",
         ),
         (
             "model: dsa-380",
@@ -224,7 +223,8 @@ def test_line(refused: Refused, old: str, new: str, message: str) -> None:
             "- model: dsa-380",
             "- model: dsa-380\n  - {model: dsa-380, distance: 400 m}",
             "scenario.yaml: travel: no travel: got 455 m to 385 m, expected a start before the"
-            " end; hint: give travel, add spans, or bring the pantographs closer together",
+            " end; hint: the line is 440 m long and the last pantograph 400 m behind the first: add"
+            " spans, bring the pantographs closer together, or give travel.start and travel.end",
         ),
         (
             "- model: dsa-380",
@@ -249,8 +249,8 @@ def test_line(refused: Refused, old: str, new: str, message: str) -> None:
             "speed:",
             "analysis: {spans: [1, 1]}\nspeed:",
             "scenario.yaml:6: analysis.spans: analysis section not travelled by every pantograph:"
-            " got 0 m to 55 m, expected a section between 55 m and 385 m; hint: change analysis or"
-            " travel",
+            " got 0 m to 55 m, expected a section between 55 m and 385 m; hint: choose a section"
+            " within that, or change travel.start or travel.end",
         ),
         (
             "speed:",
@@ -281,15 +281,15 @@ def test_line(refused: Refused, old: str, new: str, message: str) -> None:
             "speed:",
             "solver: {time_step: 25 ms, contact_wire_element: 1.45 m}\nspeed:",
             "scenario.yaml: analysis.low_pass: the recorded steps are too long for the filter: got"
-            " 20 Hz, expected less than 20 Hz, half the record rate; hint: shorten"
-            " solver.time_step or lower output.contact_every",
+            " 20 Hz, expected less than 20 Hz, half the record rate; hint: give"
+            " solver.time_step less than 25 ms (it is 25 ms), or a lower analysis.low_pass",
         ),
         (
             "speed:",
             "solver: {time_step: 50 ms}\nspeed:",
             "scenario.yaml:6: solver.time_step: step longer than an element: got 2.778 m in a step,"
-            " expected at most 0.725 m, one element of the contact wire; hint: at most 13.05 ms at"
-            " this speed, or a longer solver.contact_wire_element",
+            " expected at most 0.725 m, one element of the contact wire; hint: give at most"
+            " 13.05 ms at this speed, or leave solver.time_step out, and it is chosen",
         ),
         (
             "speed: 200 km/h",

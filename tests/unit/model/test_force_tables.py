@@ -75,7 +75,8 @@ def test_friction_is_a_steep_damper_up_to_the_sliding_speed() -> None:
         (
             chain(damping=None, damping_table={"velocity": [-1, 1], "force": [0, 10]}),
             "masses.0.damping_table.force: no force of zero at velocity 0: got 5 N, expected a"
-            " damper that is without force at rest; hint: what holds at rest is friction",
+            " damper that is without force at rest; hint: give the table the"
+            " point 0 m/s with 0 N; what holds at rest is friction",
         ),
         (
             chain(damping=None, damping_table={"velocity": [1, 2], "force": [1, 2]}),

@@ -40,14 +40,14 @@ def test_without_the_fields_a_line_is_simple() -> None:
         (
             {"stitch_wire__length": 9.0},
             "stitch_wire.length: no dropper on the stitch wire: got the nearest one 5 m from a"
-            " support, expected one less than 4.5 m, half of the stitch wire, from it; hint:"
-            " droppers of a span hang on the stitch wire where they are below it",
+            " support, expected one less than 4.5 m, half of the stitch wire, from it; hint: a"
+            " stitch wire of more than 10 m, or a dropper nearer to each support",
         ),
         (
             {"span_types__span__droppers__positions": []},
             "stitch_wire.length: no dropper on the stitch wire: got no dropper, expected one less"
-            " than 9 m, half of the stitch wire, from it; hint: droppers of a span hang on the"
-            " stitch wire where they are below it",
+            " than 9 m, half of the stitch wire, from it; hint: give the spans beside the supports"
+            " droppers",
         ),
         (
             {"stitch_wire__tension": 15e3},
@@ -82,9 +82,10 @@ def test_a_stitch_wire_needs_its_length() -> None:
         (
             {"span_types__span__droppers__presag": [0, 0, 0.3, 0, 0]},
             "span_types.span.droppers.presag.2: auxiliary wire not between contact and messenger"
-            " wire: got 0.3 m below 0.3 m above the contact wire, expected a height between 0 and"
-            " 1.8 m above it; hint: droppers hold the auxiliary wire: their pre-sag is that of this"
-            " wire",
+            " wire: got 0 m above the contact wire: auxiliary_wire.height, 0.3 m, less a pre-sag of"
+            " 0.3 m, expected a height between 0 and 1.8 m above it; hint: droppers hold the"
+            " auxiliary wire: their pre-sag is that of this wire; that of the contact wire belongs"
+            " to hangers",
         ),
         (
             {"span_types__span__hangers__presag": [0, -0.3, *[0] * 8]},
@@ -101,7 +102,8 @@ def test_a_stitch_wire_needs_its_length() -> None:
         (
             {"span_types__span__hangers": None},
             "span_types.span.hangers: missing field: expected hangers: what the contact wire hangs"
-            " on below the auxiliary wire",
+            " on below the auxiliary wire; hint: for instance hangers: {positions: [10 m, 20 m,"
+            " 30 m, 40 m]}",
         ),
         (
             {"auxiliary_wire": None},

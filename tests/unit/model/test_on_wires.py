@@ -41,7 +41,7 @@ def test_round_trip() -> None:
         (
             {"point_masses": [{"wire": "auxiliary_wire", "position": 4.0, "mass": 1.0}]},
             "point_masses.0.wire: mass on a wire that the line does not have: got auxiliary_wire,"
-            " expected a wire of the line",
+            " expected one of: contact_wire",
         ),
         (
             {"point_masses": [{"position": 401.0, "mass": 1.0}]},

@@ -84,7 +84,7 @@ def lines(draw: st.DrawFn) -> dict[str, Any]:
 
 @settings(max_examples=60, deadline=None)
 # Slower than 5 m/s, a long line takes more steps than are allowed.
-@given(line=lines(), speed=positive(5, 300))
+@given(line=lines(), speed=positive(5, 65))
 def test_any_valid_model(line: dict[str, Any], speed: float) -> None:
     scenario = load(
         {"name": "x", "line": line, "pantographs": [{"model": "dsa-380"}], "speed": speed}

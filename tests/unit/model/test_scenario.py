@@ -120,7 +120,10 @@ def test_spans_of_several_types(data: dict[str, Any]) -> None:
         ({"analysis.spans": [2, 15]}, "first or last two spans"),
         ({"analysis.spans": [6, 19]}, "first or last two spans"),
         ({"travel.start": 400}, "is not travelled in full"),
-        ({"speed_profile": {"time": [0, 2], "speed": [80, 80]}}, "ends before"),
+        (
+            {"speed_profile": {"time": [0, 2], "speed": [80, 80]}},
+            "m, before the first pantograph has left the section at",
+        ),
         ({**BY_MATRIX, "solver.time_step": "10 ms"}, "more than half an element"),
         ({**BY_MATRIX, "solver.contact_wire_element": "3 m"}, "3 m is more than the"),
         (

@@ -168,7 +168,11 @@ def test_a_rail_without_tension_must_resist_bending() -> None:
             "bridle: bridle beside a messenger wire: expected messenger_wire, or bridle; hint:"
             " droppers hold a contact wire below a messenger wire",
         ),
-        ({"dropper": None}, "dropper: missing field: expected Droppers"),
+        (
+            {"dropper": None},
+            "dropper: missing field: expected dropper, which a line with a messenger wire has;"
+            " hint: for instance dropper: {stiffness: 100 kN/m}",
+        ),
         (
             {"geometry__encumbrance": None},
             "geometry.encumbrance: missing field: expected Messenger wire above contact wire at the"
@@ -176,11 +180,14 @@ def test_a_rail_without_tension_must_resist_bending() -> None:
         ),
         (
             {"steady_arm": None},
-            "steady_arm: missing field: expected Steady arm: kind spring, arm or none",
+            "steady_arm: missing field: expected steady_arm, which a line with a messenger wire"
+            " has; hint: for instance steady_arm: {kind: spring, vertical_stiffness: 250 N/m}",
         ),
         (
             {"span_types__span__droppers": None},
-            "span_types.span.droppers: missing field: expected Droppers of the span",
+            "span_types.span.droppers: missing field: expected droppers, which the contact wire"
+            " hangs on; hint: for instance droppers: {positions: [10 m, 20 m, 30 m]}; a span"
+            " without any has droppers: {positions: []}",
         ),
         (
             {"contact_wire__kind": "conductor_rail"},

@@ -162,3 +162,15 @@ def test_a_mean_force_that_cannot_be_reached(short: Short, monkeypatch: pytest.M
     monkeypatch.setattr("arcless.simulate.mean_force._means", lambda *_: np.array([50.0]))
     with pytest.raises(ContactError, match=r"pantographs\.0\.mean_force.*P1 was not reached"):
         arcless.run(short(**{"pantographs.0.mean_force": 80.0}))
+
+
+def test_a_mean_force_below_the_lift_is_told_why(short: Short) -> None:
+    lift = {"speed": [0.0, 100.0], "force": [200.0, 200.0]}
+    change = {
+        "pantographs.0.mean_force": 40.0,
+        "pantographs.0.static_force": None,
+        "pantographs.0.model.masses.0.lift": lift,
+    }
+    with pytest.raises(ContactError, match="with a static force of") as caught:
+        arcless.run(short(**change))
+    assert "lift and base spring give more than that by themselves" in str(caught.value)
