@@ -191,3 +191,10 @@ def test_a_drawing_that_cannot_be_written_is_refused_before_computing(
     before = sorted(tmp_path.rglob("*"))
     assert_refused(arcless("statics", short, "--plot", tmp_path / name), *words)
     assert sorted(tmp_path.rglob("*")) == before
+
+
+def test_a_speed_without_its_unit_is_refused_before_computing(
+    arcless: Arcless, short: Path
+) -> None:
+    for words in (("--speed", "300"), ("--set", "speed=300")):
+        assert_refused(arcless("run", short, *words), "did you mean 300 km/h?")

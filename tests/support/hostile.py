@@ -89,7 +89,10 @@ def scaled(value: Any, factor: float) -> Any:
             return f"{float(number) * factor:g} {unit}"
         except ValueError:
             return value[::-1]
-    return value * factor if isinstance(value, (int, float)) else value
+    try:
+        return value * factor if isinstance(value, (int, float)) else value
+    except OverflowError:  # a whole number beyond all floats
+        return -value
 
 
 @st.composite

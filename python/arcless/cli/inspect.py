@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from arcless.cli import console
-from arcless.cli.scenario import JsonOption
+from arcless.cli.scenario import JsonOption, check_speed
 
 if TYPE_CHECKING:
     from arcless.model import Line, Pantograph, Scenario
@@ -73,6 +73,7 @@ def check(
         return
     checked = model.load_any(file)
     if isinstance(checked, model.Scenario):
+        check_speed(checked, file)
         for warning in model.scenario_warnings(checked):
             console.warn(warning)
     if isinstance(checked, model.Line):

@@ -57,10 +57,23 @@ def load(
         overrides["speed"] = speed
     if overrides:
         scenario = scenario.with_(**overrides)
+    check_speed(scenario, name if speed is None else None)
     if not quiet:
         for warning in model.scenario_warnings(scenario):
             console.warn(warning)
     return scenario
+
+
+def check_speed(scenario: "Scenario", file: str | None) -> None:
+    """Refuse a speed without its unit that looks like one in km/h, before anything is computed."""
+    from arcless.errors import ModelError
+    from arcless.model.speeds import check_typed_speed
+
+    try:
+        check_typed_speed(scenario)
+    except ModelError as error:
+        error.where = "--speed" if file is None else f"{file}: speed"
+        raise
 
 
 def folder_of(scenario: "Scenario") -> Path:

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 from arcless.errors import ModelError
 from arcless.model.line import POSITION_TOLERANCE
 from arcless.model.schemes import EXPLICIT
-from arcless.model.speeds import check_supercritical
 from arcless.model.step_checks import check_steps
 from arcless.units import show
 
@@ -25,7 +24,6 @@ ROUNDING = 1e-9
 
 def check_scenario(scenario: "Scenario") -> None:
     """Raise `ModelError` for the first thing that does not fit, the speed being as it should."""
-    check_supercritical(scenario)
     _check_dimension(scenario)
     _check_scheme(scenario)
     _check_pantographs(scenario)

@@ -3,35 +3,46 @@
 from typing import TYPE_CHECKING
 
 from arcless.errors import ModelError
+from arcless.units import written_in
 
 if TYPE_CHECKING:
-    from arcless.model.fields import Path
     from arcless.model.scenario import Scenario
 
 KMH = 3.6
 # EN 50119:2009, 5.2.4: speed at most 70 % of the wave speed of the contact wire.
 WAVE_SPEED_SHARE = 0.70
-# Just above the wave speed a run can be asked for to see what happens there. Nobody has run
-# that far beyond it: such a speed is one in km/h without its unit.
+# Beyond the wave speed a run can be asked for to see what happens there. A whole number of m/s that
+# far beyond it is one in km/h without its unit.
 SUPERCRITICAL = 1.25
 # Lines in service have 380 to 570 km/h; much less is a tension in another unit. In m/s.
 SLOW_WAVES = 200.0 / KMH
-ROUNDING = 1e-9
 
 
-def check_supercritical(scenario: "Scenario") -> None:
-    """Refuse a speed far beyond the wave speed of the contact wire, if that is one of a line."""
+def check_typed_speed(scenario: "Scenario") -> None:
+    """Refuse a speed typed without its unit that is far beyond the wave speed of the contact wire.
+
+    Asked by the command line, where it saves a run; from Python, and of a stored scenario, a number
+    is in m/s by right, and a warning says how fast that is.
+
+    Raises
+    ------
+    ModelError
+        The speed looks like one in km/h.
+    """
     speed, wave = scenario.top_speed, scenario.line.wave_speed
-    if wave is None or wave < SLOW_WAVES or speed <= SUPERCRITICAL * wave * (1 + ROUNDING):
+    typed = scenario.as_typed("speed")
+    bare = scenario.speed is not None and (typed is None or written_in(typed, "m/s") is None)
+    if not bare or wave is None or speed <= SUPERCRITICAL * wave:
         return
-    profile = scenario.speed_profile is not None
-    field: Path = ("speed_profile", "speed") if profile else ("speed",)
+    meant = _meant(scenario)
+    if not meant:
+        return
     raise ModelError(
         "a speed far beyond the wave speed of the contact wire",
         got=f"{speed:g} m/s ({speed * KMH:.0f} km/h), {speed / wave:.0%} of {wave * KMH:.0f} km/h",
-        expected=f"at most {SUPERCRITICAL * wave * KMH:.0f} km/h",
-        hint=_meant(scenario) or "look at speed, and at tension and mass of line.contact_wire",
-        field=field,
+        expected="a speed with its unit",
+        hint=f"{meant}; if m/s are meant, write {speed:g} m/s",
+        field=("speed",),
     )
 
 

@@ -1,6 +1,6 @@
 """Whether time steps fit the elements, the filter and what can be recorded."""
 
-from math import ceil, floor, isclose, log10
+from math import ceil, floor, isclose
 from typing import TYPE_CHECKING
 
 from arcless.errors import ModelError
@@ -99,5 +99,6 @@ def _slower_filter(scenario: "Scenario", low_pass: float) -> str:
 
 def _floor(value: float) -> str:
     """Return a number in four digits that is not above the one given."""
-    digits = 3 - floor(log10(value))
-    return f"{floor(value * 10**digits * (1 + ROUNDING)) / 10**digits:.4g}"
+    mantissa, exponent = f"{value:.15e}".split("e")
+    digits = floor(1e3 * float(mantissa) * (1 + ROUNDING))
+    return f"{float(f'{digits}e{int(exponent) - 3}'):.4g}"
