@@ -107,7 +107,7 @@ def test_what_it_holds_can_be_read(
     powerless: Callable[..., subprocess.CompletedProcess[str]], folder: Path
 ) -> None:
     done = powerless(folder, "-m", "arcless", "assess", "out/result.nc", "--json")
-    assert done.returncode in (0, 1), done.stderr
+    assert done.returncode in (0, 3), done.stderr
     assert json.loads(done.stdout) == json.loads((folder / "out/assessment.json").read_text())
     assert check_whole(folder / "out") == OLD
 

@@ -15,7 +15,6 @@ from arcless.errors import (
     ModelError,
     OutputError,
     ResultFormatError,
-    StorageError,
     StudyError,
 )
 
@@ -70,11 +69,6 @@ EXAMPLES = [
     (
         ExecutorError("the scheduler does not answer", where="tcp://localhost:1"),
         "tcp://localhost:1: the scheduler does not answer",
-        1,
-    ),
-    (
-        StorageError("the database does not answer", where="mysql://h/d", got="nothing for 8 s"),
-        "mysql://h/d: the database does not answer: got nothing for 8 s",
         1,
     ),
 ]

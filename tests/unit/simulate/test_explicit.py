@@ -11,11 +11,11 @@ from typer.testing import CliRunner
 import arcless
 from arcless import _core
 from arcless.cli.app import app
-from arcless.errors import ContactError, ModelError
+from arcless.errors import ContactError, EquilibriumError, ModelError
 from arcless.mesh import Mesh
 from arcless.model import Scenario
 from arcless.results import Result
-from arcless.simulate import failure
+from arcless.simulate import equilibrium, failure
 from arcless.simulate.batch.keys import shared_key
 from arcless.simulate.failure import translated
 from tests.support.explicit import EXPLICIT
@@ -178,14 +178,19 @@ def test_the_command_line_says_so_in_words(short: Short, tmp_path: Path) -> None
 
 
 def test_what_else_the_core_refuses_is_said(short: Short) -> None:
-    message = "input array solver: node 3 moves without mass"
-    with pytest.raises(ModelError) as caught, failure.preparing(short(**EXPLICIT)):
-        raise _core.NativeError("input", message, {"array": "solver"})
+    scenario = short(**EXPLICIT)
+    mesh = equilibrium.find(scenario).mesh
+    facts = {"array": "solver", "reason": "node 3 moves without mass"}
+    with pytest.raises(ModelError) as caught, failure.preparing(mesh, scenario):
+        raise _core.NativeError("input", "", facts)
     assert str(caught.value) == (
         "solver.scheme: this line cannot be stepped with the scheme central-difference: got node 3"
-        " moves without mass; hint: another solver.scheme"
+        " moves without mass; hint: leave solver.scheme to auto"
     )
-    with pytest.raises(_core.NativeError), failure.preparing(short(**EXPLICIT)):
+    with (
+        pytest.raises(EquilibriumError, match="lanes: none"),
+        failure.preparing(mesh, scenario),
+    ):
         raise _core.NativeError("input", "input array lanes: none", {"array": "lanes"})
 
 
