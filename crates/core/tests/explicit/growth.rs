@@ -71,20 +71,11 @@ const DAMPINGS: [Rayleigh; 3] = [
 
 /// The longest step that a refusal names.
 fn named(chain: &Chain, h: f64) -> f64 {
-    let Err(CoreError::Input {
-        array: "solver",
-        reason,
-    }) = prepare::<2, 2>(chain, h)
-    else {
+    let Err(CoreError::StepTooLong { step, longest }) = prepare::<2, 2>(chain, h) else {
         panic!("{h} s is too long");
     };
-    assert!(
-        reason.contains(&format!("explicit steps of {h} s")),
-        "{reason}"
-    );
-    let words = reason.split_whitespace();
-    let mut numbers = words.filter_map(|word| word.parse::<f64>().ok());
-    numbers.next_back().expect("a step")
+    assert!(step.total_cmp(&h).is_eq(), "{step} {h}");
+    longest
 }
 
 /// Of ω h = 2, 0.95 may be used; a step is named with four figures, rounded down. The shortest wave of
