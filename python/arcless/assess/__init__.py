@@ -8,6 +8,7 @@ from arcless.assess.criteria import (
     NOT_MET_UNVERIFIED,
     TOO_CLOSE,
     Criterion,
+    allowance,
     uncertainty_of,
     verdict_of,
 )
@@ -26,6 +27,7 @@ __all__ = [
     "Criterion",
     "PantographAssessment",
     "Rule",
+    "allowance",
     "assess",
     "decides",
     "uncertainty_of",

@@ -55,6 +55,13 @@ def verdict_of(criterion: Mapping[str, Any]) -> str:
     return TOO_CLOSE if (criterion.get("reason") or "").startswith(TOO_CLOSE) else NOT_JUDGED
 
 
+def allowance(criterion: Mapping[str, Any]) -> str:
+    """Return what follows a printed limit: the tolerance of the comparison, if there is one."""
+    if not criterion["tolerance"] or criterion["limit"] is None:
+        return ""
+    return f" {'−' if criterion['relation'].startswith('>') else '+'} {criterion['tolerance']:g}"
+
+
 def uncertainty_of(certainty: Mapping[str, float | None] | None) -> float | None:
     """Return spread and discretisation together; None where neither is known."""
     return None if certainty is None else Certainty(**certainty).uncertainty

@@ -8,13 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arcless.assess.rules import DECIDING, Facts, HeadLimit
-from arcless.model.pantograph import LATERAL_LIMITS
+from arcless.model.geometry import ASSUMED_SUPPLY
+from arcless.model.pantograph import lateral_limit
 
 if TYPE_CHECKING:
     from arcless.results.plain import Dataset
 
-# What is taken for a line that names no supply.
-ASSUMED_SUPPLY = "AC 25 kV"
 # Above this an uplift is told: more than twice the 120 mm that lines are built for. Assumed.
 LARGEST_USUAL_UPLIFT_MM = 250.0
 
@@ -126,7 +125,7 @@ def _heads(placements: list[dict[str, Any]]) -> dict[str, HeadLimit]:
         model = placement["model"]
         width, range_ = model.get("head_width"), model.get("lateral_range")
         given = "lateral_range" if range_ is not None else "head_width"
-        limit = range_ if range_ is not None else LATERAL_LIMITS.get(round(width or 0.0, 3))
+        limit = lateral_limit(range_, width)
         if limit is not None:
             found[placement["name"]] = HeadLimit(1e3 * limit, _mark(model, given))
     return found

@@ -14,6 +14,7 @@ from arcless.assess import (
     NOT_MET,
     NOT_MET_UNVERIFIED,
     TOO_CLOSE,
+    allowance,
     uncertainty_of,
     verdict_of,
 )
@@ -155,21 +156,12 @@ def criteria(assessment: dict[str, Any]) -> Table:
             item["title"],
             item["pantograph"] or "run",
             values[str(row)],
-            f"{_RELATIONS[item['relation']]} {_limit(item)}",
+            f"{_RELATIONS[item['relation']]} {number(item['limit'], _of(item))}{allowance(item)}",
             item["unit"].replace("1", ""),
             _verdict(verdict_of(item)),
             f"{item['source']} ({item['mark']})",
         )
     return made
-
-
-def _limit(item: dict[str, Any]) -> str:
-    """Return a limit, with the tolerance that it is compared with."""
-    text = number(item["limit"], _of(item))
-    if not item["tolerance"] or item["limit"] is None:
-        return text
-    sign = "−" if item["relation"].startswith(">") else "+"
-    return f"{text} {sign} {item['tolerance']:g}"
 
 
 def notes(assessment: dict[str, Any]) -> list[str]:

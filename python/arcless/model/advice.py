@@ -4,6 +4,7 @@ from itertools import pairwise
 from math import atan, hypot, log1p, pi
 
 from arcless.model.end_notices import end_notices
+from arcless.model.geometry import ASSUMED_SUPPLY
 from arcless.model.heights import gradient_warnings
 from arcless.model.line import Line
 from arcless.model.plausibility import line_plausibility, pantograph_plausibility
@@ -106,8 +107,8 @@ def _line_warnings(line: Line) -> list[str]:
     found = [*line_plausibility(line), *end_notices(line)]
     if line.design.supply is None:
         found.append(
-            "line.design.supply: not given; the limits of force are shown for AC 25 kV and decide"
-            " nothing"
+            f"line.design.supply: not given; the limits of force are shown for {ASSUMED_SUPPLY} and"
+            " decide nothing"
         )
     if line.steady_arm.kind == "arm" and not any(line.geometry.stagger_contact_wire):
         found.append(

@@ -42,6 +42,10 @@ class Geometry(Part):
     )
 
 
+# Whose limits are shown for a line that names no supply; they decide nothing.
+ASSUMED_SUPPLY = "AC 25 kV"
+
+
 class DesignSpace(Part):
     """What the line was designed for; used by the assessment only."""
 

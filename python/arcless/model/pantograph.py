@@ -61,6 +61,11 @@ class PantographMass(Joint):
 LATERAL_LIMITS = {1.6: 0.4, 1.95: 0.55}
 
 
+def lateral_limit(given: float | None, head_width: float | None) -> float | None:
+    """Return a lateral range in m: the one given, or what the width of the head in m allows."""
+    return given if given is not None else LATERAL_LIMITS.get(round(head_width or 0.0, 3))
+
+
 class Pantograph(Document):
     """A pantograph: a chain of masses from base to head, or a linear system given by matrices."""
 
@@ -95,9 +100,7 @@ class Pantograph(Document):
     @property
     def lateral_limit(self) -> float | None:
         """How far from the middle of its head the contact wire may run, in m; None if not known."""
-        if self.lateral_range is not None or self.head_width is None:
-            return self.lateral_range
-        return LATERAL_LIMITS.get(round(self.head_width, 3))
+        return lateral_limit(self.lateral_range, self.head_width)
 
     @classmethod
     def prepare(cls, data: dict[str, Any]) -> dict[str, Any]:

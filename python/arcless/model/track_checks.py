@@ -5,6 +5,7 @@ from math import sqrt
 from typing import TYPE_CHECKING, NamedTuple
 
 from arcless.errors import ModelError
+from arcless.model.pantograph import LATERAL_LIMITS
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -16,9 +17,8 @@ if TYPE_CHECKING:
 ROUNDING = 1e-9
 # No collector in service is wider than 1.95 m, with 0.975 m to either side. In m.
 WIDEST = 1.0
-# Lateral deviation allowed for a head of 1.60 m and for one of 1.95 m: the source S11 of the design
-# data, mark A. In m.
-ALLOWED = (0.40, 0.55)
+# Lateral deviation allowed for a head of 1.60 m and for one of 1.95 m. In m.
+ALLOWED = tuple(LATERAL_LIMITS.values())
 # Offsets of a straight wire from the line between its supports: at both ends. In m.
 STRAIGHT = (0.0, 0.0)
 

@@ -4,7 +4,14 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from arcless.assess import TOO_CLOSE, Assessment, Criterion, uncertainty_of, verdict_of
+from arcless.assess import (
+    TOO_CLOSE,
+    Assessment,
+    Criterion,
+    allowance,
+    uncertainty_of,
+    verdict_of,
+)
 from arcless.report.line import energy_terms, settled
 from arcless.report.scene import Scene
 
@@ -155,7 +162,7 @@ def criterion_rows(assessment: Assessment) -> list[dict[str, Any]]:
             "title": "" if c.name == previous else c.title,
             "pantograph": c.pantograph or "",
             "value": pair(c.value, uncertainty_of(c.certainty), _decimals(c)),
-            "limit": f"{SIGNS[c.relation]} {_limit(c)}",
+            "limit": f"{SIGNS[c.relation]} {number(c.limit, _decimals(c))}{allowance(asdict(c))}",
             "unit": "" if c.unit == "1" else c.unit,
             "verdict": verdict_of(asdict(c)),
             "state": "missed" if c.fails else verdict_of(asdict(c)).split(" (")[0],
@@ -166,14 +173,6 @@ def criterion_rows(assessment: Assessment) -> list[dict[str, Any]]:
         }
         for c, previous in zip(assessment.criteria, above, strict=False)
     ]
-
-
-def _limit(criterion: Criterion) -> str:
-    """Return a limit as text, with the tolerance that it is compared with."""
-    text = number(criterion.limit, _decimals(criterion))
-    if not criterion.tolerance or criterion.limit is None:
-        return text
-    return f"{text} {'−' if criterion.relation.startswith('>') else '+'} {criterion.tolerance:g}"
 
 
 def _reason(criterion: Criterion) -> str:
