@@ -125,6 +125,7 @@ def test_wrong_section_and_filter(arcless: Arcless, finished: Path) -> None:
     assert_refused(arcless("assess", result, "--from", "9000 m", "--to", "9100 m"), "section")
     assert_refused(arcless("assess", result, "--from", "3 kg"), "--from", "km")
     assert_refused(arcless("assess", result, "--low-pass", "5 kHz"), "low-pass")
+    assert_refused(arcless("assess", result, "--low-pass", "1e-100 Hz"), "low-pass", "0.001 Hz")
 
 
 @pytest.mark.parametrize(

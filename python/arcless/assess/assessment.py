@@ -22,6 +22,7 @@ from arcless.assess.section import (
 from arcless.assess.statistics import PantographAssessment, pantograph_assessment
 from arcless.assess.wear import WearRates, wear_notes, wear_rates
 from arcless.errors import ModelError, ResultFormatError
+from arcless.model.extremes import LEAST_FREQUENCY
 from arcless.results import metadata
 
 if TYPE_CHECKING:
@@ -205,6 +206,14 @@ def _checked(section: Any) -> Section:
 def _frequencies(scenario: Mapping[str, Any], low_pass_Hz: float | None) -> tuple[float, float]:
     analysis = scenario["analysis"]
     cutoff = analysis["low_pass"] if low_pass_Hz is None else low_pass_Hz
+    if not cutoff >= LEAST_FREQUENCY:
+        raise ModelError(
+            "the low-pass frequency is too low",
+            where="analysis.low_pass",
+            got=f"{cutoff:g} Hz",
+            expected=f"at least {LEAST_FREQUENCY:g} Hz",
+            hint="give a frequency with its unit, such as 20 Hz",
+        )
     return float(cutoff), float(analysis["band_split"])
 
 

@@ -29,3 +29,5 @@ PLACE = 1e6  # m; a line is at most 1e5 long
 AERODYNAMIC = 1e6  # N/(m/s)²; pantographs have 0.01
 RATE = 1e12  # N/s
 SHARE = 1e6  # of a coordinate in a direction
+# No run lasts for one period of a lower frequency, and its filter cannot be solved for.
+LEAST_FREQUENCY = 1e-3  # Hz; bands of contact force begin at 0.1

@@ -13,6 +13,7 @@ from arcless.model.certainty import Certainty, spelt_out
 from arcless.model.checks import check_scenario, check_speed
 from arcless.model.controller import check_controllers
 from arcless.model.documents import Document
+from arcless.model.extremes import LEAST_FREQUENCY
 from arcless.model.fields import Part, Unit
 from arcless.model.line import Line
 from arcless.model.placement import PantographPlacement, placed
@@ -22,8 +23,6 @@ from arcless.model.wear import WearModel
 from arcless.units import WRONG_VALUE, show
 
 MAX_PANTOGRAPHS = 8
-# In Hz; no run lasts for a swing of lower ones, and filters of them cannot be solved for.
-SLOWEST = 1e-3
 
 
 class Travel(Part):
@@ -53,10 +52,10 @@ class Analysis(Part):
     spans: tuple[SpanNumber, SpanNumber] | None = Field(
         default=None, description="First and last span of the section, counted from 1."
     )
-    low_pass: Annotated[float, Unit("Hz", minimum=SLOWEST, maximum=1000)] = Field(
+    low_pass: Annotated[float, Unit("Hz", minimum=LEAST_FREQUENCY, maximum=1000)] = Field(
         default=20.0, description="Cut-off frequency of the low-pass filter."
     )
-    band_split: Annotated[float, Unit("Hz", minimum=SLOWEST, maximum=1000)] = Field(
+    band_split: Annotated[float, Unit("Hz", minimum=LEAST_FREQUENCY, maximum=1000)] = Field(
         default=5.0, description="Frequency between the lower and the upper band."
     )
 

@@ -339,6 +339,12 @@ def test_a_low_pass_below_the_band_split_leaves_nothing_in_the_upper_band() -> N
     assert assess(dataset, low_pass_Hz=4.0).pantographs[0].std_force_5_20Hz_N == 0.0
 
 
+@pytest.mark.parametrize("frequency", [0.0, -1.0, 1e-100, 1e-4, 1e6, math.nan, math.inf])
+def test_a_low_pass_that_cannot_be_is_refused(frequency: float) -> None:
+    with pytest.raises(ModelError, match="low-pass"):
+        assess(synthetic_dataset(), low_pass_Hz=frequency)
+
+
 def test_the_dataset_stays_as_it_was() -> None:
     dataset = synthetic_dataset()
     before = dataset.copy(deep=True)
