@@ -4,7 +4,7 @@
 SHELL := /bin/sh
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help build demo test peers evidence fuzz lint bench counts wheel clean check-python check-rust
+.PHONY: help build demo test peers evidence fuzz golden lint bench counts wheel clean check-python check-rust
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -70,6 +70,9 @@ fuzz: build ## look for input that breaks something, for SECONDS (600) each targ
 	-verbosity=0 -artifact_prefix=target/fuzz/$$target- target/fuzz/kept/$$target $(FUZZ)/corpus/$$target || exit 1; done
 	ARCLESS_SEARCH=20 $(BIN)/python -m pytest -m "" tests/hostile
 	OPENBLAS_NUM_THREADS=1 $(BIN)/python -m tests.hostile.campaign --seconds $(SECONDS)
+
+golden: build ## compare the bits of results with those kept; REASON="why" keeps them anew
+	OPENBLAS_NUM_THREADS=1 $(BIN)/python -m tests.golden $(if $(REASON),--renew "$$REASON")
 
 lint: build ## check format, lints and types, and that no lock file or local path is tracked
 	cargo fmt --all --check
