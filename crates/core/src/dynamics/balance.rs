@@ -32,7 +32,7 @@ use super::rider_halves::Halves;
 use super::stepper::{LineState, Prepared};
 
 /// Running ledger of explicit steps, and its work space.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Balance<const DIM: usize, const D: usize> {
     /// Entries so far.
     pub entries: Entries,

@@ -30,7 +30,7 @@ use super::stepper::{LineState, Prepared};
 use crate::linalg::{Kernel, widest};
 
 /// Running ledger and its work space.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Ledger<const D: usize> {
     /// Entries so far.
     pub entries: Entries,
@@ -115,7 +115,7 @@ pub struct StepForces<'a, const DIM: usize> {
     /// Friction force along the wire at each contact, N.
     pub friction: &'a [f64],
     /// Loads on the line at the time of balance.
-    pub(super) loads: &'a Loads<'a>,
+    pub(super) loads: Loads<'a>,
     /// Height strips count from, m.
     pub datum: f64,
 }

@@ -12,10 +12,10 @@
 //! by rider, until no share moves.
 
 use super::contacts::{Contact, Contacts};
+use super::model::Model;
 use super::path::Path;
 use super::rest::{self, Rest};
 use super::rider::{Rider, inner, times};
-use super::run::Travel;
 use super::share::{share, unshared};
 use super::stepper::Prepared;
 use super::still::{Still, StillState, compliance};
@@ -32,7 +32,10 @@ const SETTLED: f64 = 1e-12;
 pub(super) struct Start<'a, const DIM: usize, const D: usize> {
     p: &'a Prepared<DIM, D>,
     riders: &'a [Rider],
-    travel: &'a Travel,
+    /// Position of the first rider, m.
+    position: f64,
+    /// Speed, m/s.
+    speed: f64,
     /// `None` with updated kinematics.
     still: Option<Still<'a, DIM, D>>,
     pub(super) lanes: Vec<Path<DIM>>,
@@ -46,13 +49,14 @@ pub(super) struct Start<'a, const DIM: usize, const D: usize> {
 
 impl<'a, const DIM: usize, const D: usize> Start<'a, DIM, D> {
     pub(super) fn new(
-        p: &'a Prepared<DIM, D>,
-        riders: &'a [Rider],
-        travel: &'a Travel,
+        model: &Model<'a, DIM, D>,
+        position: f64,
+        speed: f64,
     ) -> Result<Self, CoreError> {
+        let (p, riders) = (model.line, model.riders);
         let rest = vec![[0.0; D]; p.line.nodes()];
-        let (lanes, position) = (p.lanes.clone(), travel.positions[0]);
-        let contacts = Contacts::new(riders, &travel.distances, &lanes, position, &rest)?;
+        let lanes = p.lanes.clone();
+        let contacts = Contacts::new(riders, model.distances, &lanes, position, &rest)?;
         let mut start = Self {
             still: match p.updating {
                 None => Some(Still::of(p)?),
@@ -63,7 +67,8 @@ impl<'a, const DIM: usize, const D: usize> Start<'a, DIM, D> {
             datum: datum(&contacts),
             p,
             riders,
-            travel,
+            position,
+            speed,
             lanes,
             contacts,
         };
@@ -96,7 +101,7 @@ impl<'a, const DIM: usize, const D: usize> Start<'a, DIM, D> {
 
     /// The line under the present forces; contacts follow it where it moves along the track.
     fn line(&mut self) -> Result<StillState<D>, CoreError> {
-        let position = self.travel.positions[0];
+        let position = self.position;
         if let Some(still) = &mut self.still {
             let places = self.contacts.active().map(|c| (c.place, c.yields));
             let places: Vec<_> = places.collect();
@@ -144,7 +149,7 @@ impl<'a, const DIM: usize, const D: usize> Start<'a, DIM, D> {
     /// A rider under its present forces: with one contact at the height of its wire, with several at
     /// its level, or at first at the height of the wire that carries it.
     pub(super) fn stand(&self, j: usize, line: &StillState<D>) -> Result<Rest, CoreError> {
-        let (own, rider, speed) = (self.own(j), &self.riders[j], self.travel.speeds[0]);
+        let (own, rider, speed) = (self.own(j), &self.riders[j], self.speed);
         let [first, ..] = own[..] else {
             return Err(unshared());
         };

@@ -443,6 +443,20 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         state.links.follow(moved, of, &state.delta);
     }
 
+    /// Tell an explicit line which nodes are read in the coming step.
+    pub(super) fn look_at(&self, state: &mut LineState<D>, nodes: impl Iterator<Item = usize>) {
+        if let (Some(steps), Some(grid)) = (self.explicit_steps(), &mut state.grid) {
+            steps.look_at(grid, nodes);
+        }
+    }
+
+    /// Tell an explicit line which nodes are read in every step.
+    pub(super) fn watch(&self, state: &mut LineState<D>, nodes: impl Iterator<Item = usize>) {
+        if let (Some(steps), Some(grid)) = (self.explicit_steps(), &mut state.grid) {
+            steps.watch(grid, nodes);
+        }
+    }
+
     /// What the next step starts from, for a state that was put back.
     pub(super) fn go_on(&self, state: &mut LineState<D>) {
         if let (Some(steps), Some(grid)) = (self.explicit_steps(), &mut state.grid) {
