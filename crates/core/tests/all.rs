@@ -29,5 +29,6 @@ mod resume;
 mod rider;
 mod scheme;
 mod statics;
+mod step;
 mod untensioned;
 mod updated;

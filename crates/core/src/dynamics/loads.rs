@@ -52,7 +52,8 @@ pub struct Loads<'a> {
 
 impl<'a> Loads<'a> {
     /// Loads, and the size of each of them.
-    pub(super) fn new(given: &'a [Load], sizes: &'a [f64]) -> Self {
+    #[must_use]
+    pub fn new(given: &'a [Load], sizes: &'a [f64]) -> Self {
         Self { given, sizes }
     }
 

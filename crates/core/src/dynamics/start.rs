@@ -10,11 +10,12 @@ use crate::error::CoreError;
 
 impl<const DIM: usize, const D: usize> State<DIM, D> {
     /// Static equilibrium of the line and the riders, the first of them at a position (m), with the
-    /// speed at the start (m/s). Nothing sleeps yet, and nothing is recorded.
+    /// speed at the start (m/s). Nothing sleeps yet, and nothing is recorded. `may_sleep`: whether
+    /// islands that no rider has reached may be left out of steps, which loads on nodes forbid.
     ///
     /// # Errors
     /// [`CoreError::Input`], [`CoreError::OffWire`], or any error of the equilibrium.
-    pub(super) fn standing(
+    pub fn standing(
         model: &Model<'_, DIM, D>,
         (position, speed): (f64, f64),
         may_sleep: bool,

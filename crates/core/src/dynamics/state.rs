@@ -40,6 +40,26 @@ pub struct Motion<const DIM: usize, const D: usize> {
     pub(super) may_sleep: bool,
 }
 
+impl<const DIM: usize, const D: usize> State<DIM, D> {
+    /// Steps done.
+    #[must_use]
+    pub fn steps(&self) -> usize {
+        self.motion.steps
+    }
+
+    /// Force of each contact (strip on a lane) in the last step, N.
+    #[must_use]
+    pub fn contact_forces(&self) -> &[f64] {
+        &self.motion.unilateral.force
+    }
+
+    /// Displacements of a rider, m.
+    #[must_use]
+    pub fn rider_displacement(&self, rider: usize) -> &[f64] {
+        &self.motion.riders[rider].u
+    }
+}
+
 impl<const DIM: usize, const D: usize> Motion<DIM, D> {
     /// Line at rest and undisturbed, riders as they stand, no force anywhere.
     pub(super) fn at_rest(
