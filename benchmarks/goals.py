@@ -7,7 +7,7 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from arcless.model import Scenario, load
-from arcless.simulate import equilibrium
+from arcless.simulate.equilibrium import equilibrium
 from benchmarks.clock import Taken, process, timed
 from benchmarks.whole_runs import SOLVED, SOLVED_IN_SPACE, Stepping
 

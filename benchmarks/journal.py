@@ -9,9 +9,9 @@ from collections.abc import Callable
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from arcless.study.journal import Journal, rows
-from arcless.study.rows import Row, row_of
-from arcless.study.salvage import Damage
+from arcless.study.journal.journal import Journal, rows
+from arcless.study.journal.row import Row, row_of
+from arcless.study.journal.salvage import Damage
 
 COUNT, ROUNDS = 10_000, 3
 STUDY = "0123456789abcdef"

@@ -4,8 +4,8 @@ Lines are compared in turn with the first, so that a slow moment of the machine 
 """
 
 from arcless.model import load
-from arcless.model.library import shipped
-from arcless.model.schemes import EXPLICIT
+from arcless.model.settings.schemes import EXPLICIT
+from arcless.model.shipped.library import shipped
 from benchmarks.clock import interleaved
 from benchmarks.whole_runs import Stepping
 

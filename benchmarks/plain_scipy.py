@@ -22,7 +22,7 @@ from scipy.sparse.linalg import splu
 
 from arcless import lcp
 from arcless.model import Scenario
-from arcless.simulate.equilibrium import Equilibrium
+from arcless.simulate.equilibrium.equilibrium import Equilibrium
 from benchmarks.plain_matrices import Matrices, shape
 
 Array = Any

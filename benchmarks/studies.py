@@ -18,9 +18,10 @@ from tempfile import TemporaryDirectory
 from typing import Any
 from unittest.mock import patch
 
-from arcless.simulate.job import Job
-from arcless.study import Execution, load, run, table
-from arcless.study.journal import Journal
+from arcless.simulate.runs.job import Job
+from arcless.study import Execution, load, run
+from arcless.study.folder import table
+from arcless.study.journal.journal import Journal
 from benchmarks.batch import spent
 
 HEAD = (

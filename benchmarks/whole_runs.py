@@ -4,10 +4,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from arcless.model import Scenario, Solver, load, schemes
-from arcless.simulate import equilibrium, motion, riders
-from arcless.simulate.control import Controllers
-from arcless.simulate.job import Job, prepare
+from arcless.model import Scenario, Solver, load
+from arcless.model.settings import schemes
+from arcless.simulate.equilibrium import equilibrium
+from arcless.simulate.runs.job import Job, prepare
+from arcless.simulate.setup import pantographs, trajectory
+from arcless.simulate.setup.controllers import Controllers
 from benchmarks.clock import Taken, interleaved, timed
 from benchmarks.floor import Floor, floor, mass_entries
 
@@ -61,8 +63,8 @@ class Stepping:
     def of(cls, scenario: Scenario) -> "Stepping":
         """Find the equilibrium, factorise."""
         found = equilibrium.find(scenario)
-        travel = motion.motion(scenario)
-        given = riders.given_motions(scenario, travel)
+        travel = trajectory.motion(scenario)
+        given = pantographs.given_motions(scenario, travel)
         nobody = Controllers(scenario)
         job = Job(
             scenario, found, prepare(found, scenario), travel, given, [], nobody, lambda _step: True

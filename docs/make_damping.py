@@ -8,7 +8,7 @@ from math import ceil, pi
 from typing import Any
 
 import arcless
-from arcless.model.spacing import tsi_spacing
+from arcless.model.pantograph.spacing import tsi_spacing
 
 LINES = ("germany-re-330-300", "france-lgv-est-320", "spain-ca-220-220")
 # Share of critical damping at the frequency at which a line was measured, Hz; and β of all lines.

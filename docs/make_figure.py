@@ -6,7 +6,7 @@ import matplotlib as mpl
 import matplotlib.pyplot as plt
 
 import arcless
-from arcless.assess.filter import low_pass
+from arcless.assess.signals.filter import low_pass
 
 
 def main(result_file: str, figure_file: str) -> None:

@@ -11,7 +11,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import arcless
-from arcless.model.reader import parse
+from arcless.model.files.yaml_reader import parse
 from arcless.simulate import StaticsResult, statics
 
 GUIDE = Path(__file__).parent / "guide"

@@ -24,7 +24,7 @@ from validation.variants import (
 )
 
 import arcless
-from arcless.model.schemes import EXPLICIT
+from arcless.model.settings.schemes import EXPLICIT
 from arcless.results import Result
 from arcless.validate import CASES, compare
 from arcless.validate.reference import DROPPERS, INSIDE

@@ -91,7 +91,7 @@ def rms(values: Floats) -> float:
 
 def slow(values: Floats) -> Floats:
     """Return the part of a motion below 1 Hz, far below the wire's first longitudinal mode."""
-    from arcless.assess.filter import low_pass
+    from arcless.assess.signals.filter import low_pass
 
     return np.asarray(low_pass(values[:, np.newaxis], 500.0, 1.0)[:, 0])
 

@@ -9,7 +9,7 @@ from validation.runs import table
 from validation.variants import WIRES, Changes
 
 import arcless
-from arcless.mesh import chains
+from arcless.mesh.division import nodes
 from arcless.results import Result
 
 # By explicit steps with their own elements: what discretisation leaves is below what is shown.
@@ -37,14 +37,14 @@ SHOWN = {
 @contextmanager
 def stiff_saddles() -> Iterator[None]:
     """Let messenger wires bend over their supports as if they were not hinged there."""
-    plain = chains.number
+    plain = nodes.number
 
     def number(systems: Any, *, lumped: bool) -> Any:
         for system in systems:
             system.messenger.hinges = []
         return plain(systems, lumped=lumped)
 
-    with patch.object(chains, "number", number):
+    with patch.object(nodes, "number", number):
         yield
 
 

@@ -17,7 +17,7 @@ from validation.runs import table
 
 import arcless
 from arcless import lcp
-from arcless.assess.filter import low_pass
+from arcless.assess.signals.filter import low_pass
 from arcless.results import Result
 
 Changes = dict[str, Any]

@@ -8,7 +8,7 @@ from validation.runs import table
 from validation.shipped import at_rest
 
 from arcless.model import Line, Pantograph, load_line, load_pantograph
-from arcless.model.library import shipped
+from arcless.model.shipped.library import shipped
 
 MARKS = (("A", "A'", "D"), ("B",), ("C", "C*"), ("assumed",))
 KNOWN = ("read", "second-hand", "memory", "assumed")

@@ -9,8 +9,8 @@ from validation.variants import Changes, elements, force, rayleigh
 
 from arcless.results import Result
 from arcless.validate import Row
+from arcless.validate.founding_paper import GAPS, INTERVAL, JOINTS, held, rows
 from arcless.validate.observation import Observation, observe
-from arcless.validate.seed import GAPS, INTERVAL, JOINTS, held, rows
 
 SPEEDS = (180, 250, 340, 360)
 Varied = Changes | Callable[[int], Changes]

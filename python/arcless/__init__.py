@@ -29,11 +29,11 @@ if TYPE_CHECKING:
     )
     from arcless.model import Scenario, library, load, load_line, load_pantograph
     from arcless.results import Result, open
-    from arcless.simulate.batch import Outcome, batch
-    from arcless.simulate.control import ControlInput
-    from arcless.simulate.realtime import Realtime, RealtimeState, realtime
+    from arcless.simulate.batches.batch import Outcome, batch
     from arcless.simulate.resonance import ResonanceSpeeds, resonance_speeds
     from arcless.simulate.run import resume, run
+    from arcless.simulate.session.realtime import Realtime, RealtimeState, realtime
+    from arcless.simulate.setup.controllers import ControlInput
     from arcless.simulate.statics import statics
 
     __version__: str

@@ -10,7 +10,7 @@ from types import SimpleNamespace
 import pytest
 
 from arcless.errors import ArclessError
-from arcless.simulate.failure import translated
+from arcless.simulate.runs.failures import translated
 from tests.drills.conftest import NEW, OLD, ROOT, RUN, Stop, check_whole, leftovers
 from tests.support.stopped import End, Job
 

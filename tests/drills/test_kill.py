@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 import arcless
-from arcless.results import unfinished
+from arcless.storage import hidden_files
 from tests.drills.conftest import NEW, OLD, RUN, Stop, check_whole, leftovers, names
 from tests.support.stopped import Job
 
@@ -110,8 +110,8 @@ def test_a_file_of_one_name_is_swept_too(stop: Stop, place: Place) -> None:
 
 def test_a_writer_at_work_is_not_swept(stop: Stop, place: Place) -> None:
     folder = place("older") / "out"
-    hidden = folder / unfinished.new_name()
-    with unfinished.claimed(hidden):
+    hidden = folder / hidden_files.new_name()
+    with hidden_files.claimed(hidden):
         hidden.write_bytes(b"not yet")
         assert stop(Job(FEW, str(folder.parent), "never")).code in (0, 3)
         assert hidden.read_bytes() == b"not yet"

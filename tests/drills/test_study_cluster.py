@@ -99,7 +99,7 @@ def test_all_workers_are_killed_and_another_one_comes(
     expected: list[dict[str, Any]],
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr("arcless.study.executors.pieces._ALONE_S", 0.1)
+    monkeypatch.setattr("arcless.study.executors.dask_chunks._ALONE_S", 0.1)
 
     def kill_all() -> None:
         for worker in cluster.workers:

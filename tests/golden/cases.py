@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 import arcless
-from arcless.model.library import shipped
+from arcless.model.shipped.library import shipped
 
 Case = Callable[[], dict[str, Any]]
 

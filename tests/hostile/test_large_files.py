@@ -13,7 +13,7 @@ import pytest
 
 from arcless.errors import ModelError
 from arcless.model import load_any
-from arcless.model.reader import MAX_BYTES
+from arcless.model.files.yaml_reader import MAX_BYTES
 from tests.unit.model.conftest import LINE
 
 MOST_S = 25.0  # of this process; 1 s to 7 s are usual

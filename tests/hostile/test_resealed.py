@@ -11,7 +11,7 @@ import pytest
 
 import arcless
 from arcless.errors import ResultFormatError
-from arcless.results import seal
+from arcless.results.netcdf import checksum
 
 SHORT = Path(__file__).parents[1] / "interface" / "data" / "short.yaml"
 Change = Callable[[Any], None]
@@ -32,7 +32,7 @@ def resealed(sound: bytes, tmp_path: Path) -> Callable[[Change], Path]:
         with h5py.File(path, "r+") as file:
             change(file)
         with path.open("r+b") as opened:
-            seal.put(opened)
+            checksum.put(opened)
         return path
 
     return make

@@ -13,9 +13,9 @@ from hypothesis import strategies as st
 
 from arcless.errors import ModelError
 from arcless.model import load, load_any, scenario_warnings
-from arcless.model.library import shipped
-from arcless.model.reader import parse, read_text
-from arcless.model.scenario import Scenario
+from arcless.model.files.yaml_reader import parse, read_text
+from arcless.model.scenario.scenario import Scenario
+from arcless.model.shipped.library import shipped
 from tests.support.hostile import numbers_in, searching, spoilt
 from tests.support.valid_models import scenarios
 

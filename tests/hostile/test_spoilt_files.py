@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from arcless.errors import ModelError
 from arcless.model import load, load_any
-from arcless.model.library import FOLDER
+from arcless.model.shipped.library import FOLDER
 from tests.support.hostile import searching, spoilt_text
 
 FILES = sorted(FOLDER.glob("*/*.yaml"))

@@ -11,7 +11,7 @@ import yaml
 from hypothesis import given
 
 from arcless.model import load, scenario_warnings
-from arcless.model.scenario import Scenario
+from arcless.model.scenario.scenario import Scenario
 from tests.support.hostile import numbers_in, searching
 from tests.support.valid_models import scenarios
 

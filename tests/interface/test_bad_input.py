@@ -169,7 +169,7 @@ def test_a_fault_of_ours_is_a_message_too(
 
 
 def test_json_never_holds_nan() -> None:
-    from arcless.cli.console import json_text
+    from arcless.cli.terminal.console import json_text
 
     with pytest.raises(ValueError, match="Out of range"):
         json_text({"value": float("nan")})

@@ -9,7 +9,7 @@ import pytest
 from typer.testing import Result
 
 import arcless as package
-from arcless.cli.certainty import spelt_out
+from arcless.cli.arguments.certainty import spelt_out
 
 Arcless = Callable[..., Result]
 # Eight spans with a run-in of two.
@@ -200,7 +200,7 @@ def test_validation_says_how_sure_its_values_are(
 
 
 def test_a_study_leaves_out_what_is_too_close_to_tell(tmp_path: Path) -> None:
-    from arcless.study.quantities import reasons, values
+    from arcless.study.definition.quantities import reasons, values
 
     short = Path(__file__).parent / "data" / "short.yaml"
     scenario = package.load(short).with_(

@@ -10,7 +10,7 @@ import arcless
 
 PACKAGE = Path(arcless.__file__).parent
 ORDER = (
-    "errors", "units", "model", "mesh", "lcp", "results", "assess", "simulate", "report",
+    "errors", "units", "storage", "model", "mesh", "lcp", "results", "assess", "simulate", "report",
     "study", "validate", "cli",
 )  # fmt: skip
 CORE_USERS = {"mesh", "lcp", "assess", "simulate"}

@@ -44,7 +44,7 @@ def test_folders_in_the_place_of_files_of_a_run(
 def test_a_folder_that_comes_while_it_computes(
     arcless: Arcless, short: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from arcless.cli import outcome
+    from arcless.cli.output import outcome
 
     write, made = outcome.write, []
 

@@ -13,7 +13,7 @@ from typer.testing import Result
 SLOW = {"xarray", "scipy", "bokeh", "h5netcdf", "h5py", "pandas", "matplotlib"}
 SHORT = Path(__file__).parent / "data" / "short.yaml"
 # What runs many, one in real time, or only reads the line at rest.
-OF_OTHERS = {f"arcless.simulate.{name}" for name in ("batch", "realtime", "resonance")}
+OF_OTHERS = {f"arcless.simulate.{name}" for name in ("batches", "session", "resonance")}
 COMMAND = (
     "from arcless.cli import main\n"
     "try:\n    main()\nexcept SystemExit as leave:\n    assert not leave.code, leave.code\n"
@@ -68,10 +68,12 @@ def test_a_report_loads_no_classes_of_bokeh(tmp_path: Path) -> None:
 
 def test_published_ranges_load_no_other_suite() -> None:
     script = "import sys, arcless.validate\nprint(*sys.modules, file=sys.stderr)"
-    assert not {"arcless.validate.seed", "arcless.validate.evidence"} & set(told_by(script))
+    assert not {"arcless.validate.founding_paper", "arcless.validate.evidence"} & set(
+        told_by(script)
+    )
 
 
-@pytest.mark.parametrize("first", ["batch.groups", "realtime", "resonance.spans"])
+@pytest.mark.parametrize("first", ["batches.groups", "session.realtime", "resonance.spans"])
 def test_no_module_hides_the_function_of_its_name(first: str) -> None:
     script = (
         f"import sys, arcless.simulate.{first}\nfrom arcless import simulate\n"

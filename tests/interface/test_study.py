@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 from typer.testing import Result
 
-from arcless.cli.study_progress import words
+from arcless.cli.terminal.study_progress import words
 from arcless.study import Progress, StudyFolder, load
 from tests.support.studies import QUICK, SHORT, filled, rows, written
 

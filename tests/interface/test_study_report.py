@@ -8,8 +8,8 @@ from typer.testing import Result
 
 from arcless.model import load as load_scenario
 from arcless.study import load
+from arcless.study.evaluation.variants import scenario
 from arcless.study.report.commands import Commands
-from arcless.study.variants import scenario
 from tests.support.studies import filled, study, written
 
 Arcless = Callable[..., Result]

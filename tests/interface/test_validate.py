@@ -9,11 +9,24 @@ from typing import Any
 import pytest
 from typer.testing import Result
 
-from arcless.validate import CASES, VERIFIED, Row, cases, compare, recorded, reference, seed
+from arcless.validate import (
+    CASES,
+    VERIFIED,
+    Row,
+    cases,
+    compare,
+    founding_paper,
+    recorded,
+    reference,
+)
 
 Arcless = Callable[..., Result]
 CONCLUDED = [
-    Row.of(seed.INTERVAL, reference.Range("force_interval_N", "width", "N", 0.0, None, "A"), 1.0)
+    Row.of(
+        founding_paper.INTERVAL,
+        reference.Range("force_interval_N", "width", "N", 0.0, None, "A"),
+        1.0,
+    )
 ]
 
 
@@ -41,7 +54,7 @@ def assessed(monkeypatch: pytest.MonkeyPatch) -> dict[str, dict[str, Any]]:
     monkeypatch.setattr("arcless.simulate.run", simulated)
     monkeypatch.setattr("arcless.simulate.statics", lambda *_, **__: statics)
     monkeypatch.setattr(cases, "load", lambda name: SimpleNamespace(name=name))
-    monkeypatch.setattr(seed, "run", lambda *_: list(CONCLUDED))
+    monkeypatch.setattr(founding_paper, "run", lambda *_: list(CONCLUDED))
     return answers
 
 
@@ -169,11 +182,11 @@ def test_a_conclusion_that_does_not_hold_ends_with_3(
     arcless: Arcless, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     light = {"line.dropper.clamp_mass_contact_wire": 0.0}
-    shipped = seed.load
-    monkeypatch.setattr(seed, "load", lambda name: shipped(name).with_(**light))
+    shipped = founding_paper.load
+    monkeypatch.setattr(founding_paper, "load", lambda name: shipped(name).with_(**light))
     done = arcless("validate", "seed", "--json")
     assert done.exit_code == 3
     outside = [row for row in json.loads(done.stdout) if row["verdict"] == "outside"]
-    assert {row["case"] for row in outside} == {seed.GAPS}
+    assert {row["case"] for row in outside} == {founding_paper.GAPS}
     assert [row["quantity"][:8] for row in outside] == ["340 km/h", "360 km/h"]
     assert all(row["checked"] and "fittings" in row["assumption"] for row in outside)

@@ -5,7 +5,7 @@ import re
 import pytest
 
 from arcless.model import load_line
-from arcless.model.library import shipped
+from arcless.model.shipped.library import shipped
 from tests.support.pages import DOCS, maker
 
 make = maker("make_damping")

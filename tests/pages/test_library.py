@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from arcless.model.library import shipped as known
+from arcless.model.shipped.library import shipped as known
 from tests.support.pages import cells, from_docs, table
 
 shipped = from_docs("shipped")

@@ -17,7 +17,7 @@ from scipy.sparse import coo_matrix, csc_matrix
 from scipy.sparse.linalg import splu
 
 from arcless.model import Scenario
-from arcless.model.components import SteadyArmSpring, TensionedWire
+from arcless.model.line.parts.components import SteadyArmSpring, TensionedWire
 
 Floats = NDArray[np.float64]
 # Elements in m: point forces find corners that are rounded over 0.1 m.

@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arcless.mesh import PLANAR, Mesh
-from arcless.mesh.parts import GIVEN, Parts
-from arcless.model.settings import Solver
-from arcless.simulate import motion
-from arcless.simulate.riders import RiderData, plain
+from arcless.mesh.tables.parts import GIVEN, Parts
+from arcless.model.settings.run_settings import Solver
+from arcless.simulate.setup import trajectory
+from arcless.simulate.setup.pantographs import RiderData, plain
 from tests.support.schemes import Member
 from tests.support.structures import at_rest, mesh_of
 
@@ -62,7 +62,7 @@ def run(mesh: Mesh, rider: RiderData, asked: Asked, *, design: bool = False) -> 
     """Return what the core records of a run with one rider, every step of it."""
     core = at_rest(mesh, design=design).core
     solver = Solver.model_validate({"scheme": asked.scheme.settings})
-    scheme = motion.scheme_numbers(solver.scheme)
+    scheme = trajectory.scheme_numbers(solver.scheme)
     prepared = core.prepare(mesh.lanes, scheme, asked.h, asked.contact_stiffness, asked.updated)
     plan = {
         "contact_every": 1,

@@ -25,8 +25,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.polynomial import Polynomial
 
-from arcless.mesh import wires
-from arcless.model.components import Wire
+from arcless.mesh.division import wires
+from arcless.model.line.parts.components import Wire
 from tests.support.waves import Complex, Floats, Waves
 
 # Largest b: docs/theory/dynamics.md.

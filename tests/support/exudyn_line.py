@@ -14,7 +14,7 @@ from exudyn.solver import ComputeLinearizedSystem
 from scipy.sparse import csr_matrix
 
 from arcless.model import Scenario
-from arcless.simulate.equilibrium import Equilibrium
+from arcless.simulate.equilibrium.equilibrium import Equilibrium
 
 ALONG, UP = 0, 1
 Place = tuple[int, int]  # nodes of position and slope; at a hinge one position has two slopes

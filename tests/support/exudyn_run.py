@@ -11,9 +11,9 @@ import exudyn as exu
 import exudyn.itemInterface as items  # noqa: N813
 import numpy as np
 
-from arcless.assess.filter import low_pass
+from arcless.assess.signals.filter import low_pass
 from arcless.model import Scenario
-from arcless.simulate.equilibrium import Equilibrium
+from arcless.simulate.equilibrium.equilibrium import Equilibrium
 from tests.support.exudyn_line import ALONG, UP, Line, rayleigh, settings
 
 

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from arcless.model.components import Wire
+from arcless.model.line.parts.components import Wire
 from tests.support import straight
 from tests.support.evidence import Evidence
 from tests.support.explicit_waves import of_chain

@@ -8,9 +8,9 @@ from unittest.mock import patch
 
 import numpy as np
 
-from arcless.simulate import equilibrium
+from arcless.simulate.equilibrium import equilibrium
 
-# Float columns of the tables in `arcless.mesh.types.Mesh`.
+# Float columns of the tables in `arcless.mesh.tables.mesh_types.Mesh`.
 COLUMNS = {
     "wires": ("length", "EA", "EI", "mass", "alpha", "beta", "tension"),
     "segments": ("length", "EA", "mass", "alpha", "beta", "tension"),

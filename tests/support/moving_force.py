@@ -17,7 +17,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from arcless.model.components import Wire
+from arcless.model.line.parts.components import Wire
 from tests.support.pushing import Pressed, press
 from tests.support.straight import Floats, Straight
 from tests.support.waves import Waves

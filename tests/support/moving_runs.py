@@ -10,9 +10,9 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.signal import butter, sosfiltfilt
 
-from arcless.model.pantograph import Pantograph
-from arcless.simulate import riders
-from arcless.simulate.equilibrium import Equilibrium
+from arcless.model.pantograph.pantograph import Pantograph
+from arcless.simulate.equilibrium.equilibrium import Equilibrium
+from arcless.simulate.setup import pantographs
 from tests.support.families import Family
 from tests.support.straight import Floats, Straight
 from tests.support.waves import Waves
@@ -57,7 +57,7 @@ class Travel:
         given = [([([1.0], (f - f[0]).tolist())], None) for f in forces]
         raw = prepared.run(
             [
-                riders.rider(strip, PRESSED, own)
+                pantographs.rider(strip, PRESSED, own)
                 for strip, own in zip(self.strips, given, strict=True)
             ],
             list(self.behind),

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from arcless.model.components import Wire
+from arcless.model.line.parts.components import Wire
 from tests.support.families import Family
 from tests.support.pushing import TRAPEZOIDAL, press
 from tests.support.straight import Floats, Straight

@@ -3,7 +3,7 @@
 from typing import Any
 
 from arcless.model import load
-from arcless.simulate import equilibrium
+from arcless.simulate.equilibrium import equilibrium
 from tests.support.line_types import scenario_data
 from tests.support.simple_lines import trolley_data
 

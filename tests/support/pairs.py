@@ -4,8 +4,8 @@ from functools import cache
 from typing import Any, Final
 
 import arcless
-from arcless.model.library import shipped
-from arcless.model.scenario import Scenario
+from arcless.model.scenario.scenario import Scenario
+from arcless.model.shipped.library import shipped
 from tests.support.random_trains import spacing
 
 USUAL: Final = 100.0

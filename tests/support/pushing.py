@@ -6,10 +6,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from arcless.model.pantograph import Pantograph
-from arcless.simulate import riders
-from arcless.simulate.equilibrium import Equilibrium
-from arcless.simulate.gusts import LoadData
+from arcless.model.pantograph.pantograph import Pantograph
+from arcless.simulate.equilibrium.equilibrium import Equilibrium
+from arcless.simulate.setup import pantographs
+from arcless.simulate.setup.gust_loads import LoadData
 
 Floats = NDArray[np.float64]
 
@@ -86,7 +86,7 @@ def press(
         Whether the mass of the wires is corrected for the period error of the scheme.
     """
     pantograph = strip or mass(WEIGHTLESS)
-    given = riders.NOTHING if added is None else ([([1.0], added.tolist())], None)
+    given = pantographs.NOTHING if added is None else ([([1.0], added.tolist())], None)
     plan = {
         "contact_every": 1,
         "line_every": 1,
@@ -98,7 +98,7 @@ def press(
     }
     prepared = line.core.prepare(line.mesh.lanes, scheme, step, contact, False, period_correction)
     raw = prepared.run(
-        [riders.rider(pantograph, start_force, given)],
+        [pantographs.rider(pantograph, start_force, given)],
         [0.0],
         positions.tolist(),
         [speed] * len(positions),

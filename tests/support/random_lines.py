@@ -11,7 +11,7 @@ from typing import Any
 
 import arcless
 from arcless.errors import ArclessError
-from arcless.simulate import equilibrium
+from arcless.simulate.equilibrium import equilibrium
 from tests.support.random_parts import (
     damping,
     dropper,

@@ -6,14 +6,14 @@ from copy import deepcopy
 from typing import Any
 from unittest.mock import patch
 
-from arcless.simulate import equilibrium
+from arcless.simulate.equilibrium import equilibrium
 
 PREPARED = ("lanes", "scheme", "step", "contact_stiffness", "updated", "corrected")
 RUN = (
     "riders", "distances", "positions", "speeds", "friction", "loads", "plan", "observe",
     "state", "until",
 )  # fmt: skip
-# Where `arcless.simulate.riders.RiderData` keeps its matrices.
+# Where `arcless.simulate.setup.pantographs.RiderData` keeps its matrices.
 RIDER = {"mass": 0, "damping": 1, "stiffness": 2}
 START_FORCE = 6
 # False where there was nothing to spoil.

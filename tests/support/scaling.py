@@ -5,8 +5,9 @@ from typing import Any
 
 import numpy as np
 
-from arcless.simulate import equilibrium, motion, riders
-from arcless.simulate.job import Job
+from arcless.simulate.equilibrium import equilibrium
+from arcless.simulate.runs.job import Job
+from arcless.simulate.setup import pantographs, trajectory
 
 # Powers of (length, mass, time).
 Powers = tuple[int, int, int]
@@ -15,7 +16,7 @@ SPEED, FORCE, ENERGY = (1, 0, -1), (1, 1, -2), (2, 1, -2)
 STIFFNESS, DAMPING, BENDING = (0, 1, -2), (0, 1, -1), (3, 1, -2)
 LINE_MASS, RATE, ACCELERATION = (-1, 1, 0), (0, 0, -1), (1, 0, -2)
 
-# Columns of the tables in `arcless.mesh.types.Mesh`.
+# Columns of the tables in `arcless.mesh.tables.mesh_types.Mesh`.
 COLUMNS: dict[str, tuple[Powers, ...]] = {
     "wires": (LENGTH, FORCE, BENDING, LINE_MASS, RATE, TIME, FORCE),
     "segments": (LENGTH, FORCE, LINE_MASS, RATE, TIME, FORCE),
@@ -64,7 +65,7 @@ def run(job: Job, force: float, units: Units) -> dict[str, Any]:
         mesh.gravity * of(ACCELERATION), design=True,
     )  # fmt: skip
     prepared = core.prepare(
-        mesh.lanes, motion.scheme_numbers(scenario.stepping.scheme),
+        mesh.lanes, trajectory.scheme_numbers(scenario.stepping.scheme),
         scenario.time_step_s * of(TIME), scenario.contact.stiffness * of(STIFFNESS), False,
     )  # fmt: skip
     raw = prepared.run(
@@ -78,7 +79,7 @@ def run(job: Job, force: float, units: Units) -> dict[str, Any]:
 
 
 def _rider(job: Job, force: float, units: Units) -> tuple[Any, ...]:
-    made = riders.rider(job.scenario.pantographs[0].model, force)
+    made = pantographs.rider(job.scenario.pantographs[0].model, force)
     assert made[3][0][1:] == (np.inf, [0.0], made[3][0][3]), "a plain strip"
     mass, damping, stiffness, strips, preload, lift, start, *rest = made
 

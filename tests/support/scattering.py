@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from arcless.model.components import Wire
+from arcless.model.line.parts.components import Wire
 from tests.support.pushing import EXPLICIT, TRAPEZOIDAL, Pressed, press
 from tests.support.straight import Floats, Straight, stations
 from tests.support.waves import Complex, Waves, balanced, pulse, spectrum

@@ -11,7 +11,7 @@ from scipy.sparse import coo_matrix, csc_matrix
 from scipy.sparse.linalg import eigsh, splu
 
 from arcless.model import Scenario
-from arcless.simulate.equilibrium import Equilibrium
+from arcless.simulate.equilibrium.equilibrium import Equilibrium
 from tests.support.skfem_wires import Array, Wire
 
 X, Z = 0, 1

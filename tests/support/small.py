@@ -6,8 +6,8 @@ import numpy as np
 
 import arcless
 from arcless.model import Scenario
-from arcless.simulate.control import Controllers
-from arcless.simulate.job import Job, lay_out
+from arcless.simulate.runs.job import Job, lay_out
+from arcless.simulate.setup.controllers import Controllers
 
 FORCE = 150.0  # N, static
 # Length and droppers of each span, m; pre-sag a parabola of a thousandth of the length.

@@ -5,8 +5,8 @@ from typing import Any
 import numpy as np
 
 from arcless.mesh import PLANAR, Mesh
-from arcless.mesh.parts import Parts
-from arcless.simulate.equilibrium import Equilibrium
+from arcless.mesh.tables.parts import Parts
+from arcless.simulate.equilibrium.equilibrium import Equilibrium
 from tests.support import catenary
 from tests.support.structures import at_rest, mesh_of
 

@@ -5,8 +5,8 @@ from typing import Any
 import numpy as np
 
 from arcless.mesh import Mesh
-from arcless.mesh.parts import Parts
-from arcless.simulate import equilibrium
+from arcless.mesh.tables.parts import Parts
+from arcless.simulate.equilibrium import equilibrium
 
 
 def mesh_of(

@@ -6,8 +6,8 @@ from pathlib import Path
 from typing import Any
 
 from arcless.study import Study, StudyFolder, load
-from arcless.study.rows import Row, Status
-from arcless.study.variants import variant
+from arcless.study.evaluation.variants import variant
+from arcless.study.journal.row import Row, Status
 
 SHORT = Path(__file__).parents[1] / "interface" / "data" / "short.yaml"
 # Four spans in 4 ms steps.

@@ -4,7 +4,7 @@ from typing import Any
 
 from hypothesis import strategies as st
 
-from arcless.model.library import shipped
+from arcless.model.shipped.library import shipped
 from arcless.units import KINDS
 
 Draw = st.DrawFn

@@ -21,8 +21,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from arcless.mesh import wires
-from arcless.model.components import Wire
+from arcless.mesh.division import wires
+from arcless.model.line.parts.components import Wire
 
 Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]

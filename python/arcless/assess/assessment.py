@@ -22,11 +22,11 @@ from arcless.assess.section import (
 from arcless.assess.statistics import PantographAssessment, pantograph_assessment
 from arcless.assess.wear import WearRates, wear_notes, wear_rates
 from arcless.errors import ModelError, ResultFormatError
-from arcless.model.extremes import LEAST_FREQUENCY
+from arcless.model.fields.extremes import LEAST_FREQUENCY
 from arcless.results import metadata
 
 if TYPE_CHECKING:
-    from arcless.results.plain import Dataset
+    from arcless.results.dataset.plain_dataset import Dataset
 
 
 WEAR_KEYS = tuple(field.name for field in fields(WearRates))

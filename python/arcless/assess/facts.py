@@ -8,11 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arcless.assess.rules import DECIDING, Facts, HeadLimit
-from arcless.model.geometry import ASSUMED_SUPPLY
-from arcless.model.pantograph import lateral_limit
+from arcless.model.line.parts.geometry import ASSUMED_SUPPLY
+from arcless.model.pantograph.pantograph import lateral_limit
 
 if TYPE_CHECKING:
-    from arcless.results.plain import Dataset
+    from arcless.results.dataset.plain_dataset import Dataset
 
 # Above this an uplift is told: more than twice the 120 mm that lines are built for. Assumed.
 LARGEST_USUAL_UPLIFT_MM = 250.0
@@ -113,7 +113,7 @@ def _wave_speed_use(speed: float, facts: Mapping[str, Any]) -> float | None:
 
 
 def _as_built(scenario: Mapping[str, Any]) -> bool:
-    from arcless.model.as_built import AsBuilt
+    from arcless.model.as_built.as_built import AsBuilt
 
     given = scenario.get("as_built")
     return given is not None and not AsBuilt.model_validate(given).is_empty

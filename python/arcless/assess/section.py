@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from arcless.assess.filter import sample_rate_Hz
+from arcless.assess.signals.filter import sample_rate_Hz
 from arcless.assess.statistics import ForceBands, force_bands
 from arcless.errors import ModelError
 
 if TYPE_CHECKING:
-    from arcless.results.plain import Dataset
+    from arcless.results.dataset.plain_dataset import Dataset
 
 Section = tuple[float, float]
 

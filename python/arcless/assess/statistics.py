@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from arcless.assess.filter import low_pass
-from arcless.assess.loss import arcing_percent, contact_loss_percent, longest_loss_s
+from arcless.assess.loss_of_contact import arcing_percent, contact_loss_percent, longest_loss_s
+from arcless.assess.signals.filter import low_pass
 
 Array = NDArray[np.float64]
 

@@ -2,7 +2,7 @@
 
 import sys
 
-from arcless.cli import interrupts, start
+from arcless.cli.process import interrupts, start
 
 __all__ = ["main"]
 

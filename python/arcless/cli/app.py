@@ -4,10 +4,10 @@ from typing import Annotated
 
 import typer
 
-from arcless.cli import inspect, replay, results, resume, run, study, validate
-from arcless.cli.certainty import WithCertainty
-from arcless.cli.console import data
-from arcless.cli.guard import GuardedGroup
+from arcless.cli.arguments.certainty import WithCertainty
+from arcless.cli.commands import model_files, replay, resume, run, saved_results, study, validate
+from arcless.cli.process.guard import GuardedGroup
+from arcless.cli.terminal.console import data
 
 app = typer.Typer(
     cls=GuardedGroup,
@@ -49,13 +49,13 @@ def arcless(
 
 
 for _command in (
-    inspect.library,
-    inspect.check,
-    inspect.schema,
+    model_files.library,
+    model_files.check,
+    model_files.schema,
     run.statics,
     resume.resume,
-    results.assess,
-    results.report,
+    saved_results.assess,
+    saved_results.report,
     replay.replay,
 ):
     app.command()(_command)

@@ -1,8 +1,8 @@
 """Model → arrays: nodes, elements and the names behind their numbers."""
 
-from arcless.mesh.alteration import alteration, diameters, end_forces, without
-from arcless.mesh.build import build_mesh
-from arcless.mesh.types import (
+from arcless.mesh.build.alteration import alteration, diameters, end_forces, without
+from arcless.mesh.build.mesh import build_mesh
+from arcless.mesh.tables.mesh_types import (
     PLANAR,
     SPATIAL,
     DropperPlace,

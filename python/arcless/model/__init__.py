@@ -1,8 +1,11 @@
 """Model files: validated lines, pantographs and scenarios, and the shipped library."""
 
-from arcless.model.advice import line_warnings, scenario_warnings
-from arcless.model.as_built import AsBuilt, DropperLengthError, Ice, Wear, Wind
-from arcless.model.components import (
+from arcless.model.advice.advice import line_warnings, scenario_warnings
+from arcless.model.as_built.as_built import AsBuilt, DropperLengthError, Ice, Wear, Wind
+from arcless.model.as_built.gusts import Gusts
+from arcless.model.fields.document import MARKS, Provenance
+from arcless.model.line.line import Line
+from arcless.model.line.parts.components import (
     AuxiliaryWire,
     DropperType,
     MessengerSupport,
@@ -13,22 +16,24 @@ from arcless.model.components import (
     StitchWire,
     Wire,
 )
-from arcless.model.documents import MARKS, Provenance
-from arcless.model.geometry import DesignSpace, Geometry
-from arcless.model.gusts import Gusts
-from arcless.model.library import LibraryEntry, ModelRenamed, library
-from arcless.model.line import Line
-from arcless.model.load import load, load_any, load_line, load_pantograph
-from arcless.model.overrides import parse_override
-from arcless.model.pantograph import Pantograph, PantographMass
-from arcless.model.placement import PantographPlacement
-from arcless.model.scenario import Analysis, Scenario, Travel
-from arcless.model.schema import json_schema
-from arcless.model.schemes import GeneralisedAlpha, HilberHughesTaylor, Newmark, Trapezoidal
-from arcless.model.settings import Contact, Output, Solver, SpeedProfile
-from arcless.model.spans import SpanDroppers, SpanRun, SpanType
-from arcless.model.tension_lengths import Overlap, TensionLength
-from arcless.model.track import Curve, Track
+from arcless.model.line.parts.geometry import DesignSpace, Geometry
+from arcless.model.line.parts.spans import SpanDroppers, SpanRun, SpanType
+from arcless.model.line.parts.tension_lengths import Overlap, TensionLength
+from arcless.model.line.parts.track import Curve, Track
+from arcless.model.loading.json_schema import json_schema
+from arcless.model.loading.load import load, load_any, load_line, load_pantograph
+from arcless.model.loading.overrides import parse_override
+from arcless.model.pantograph.pantograph import Pantograph, PantographMass
+from arcless.model.pantograph.placement import PantographPlacement
+from arcless.model.scenario.scenario import Analysis, Scenario, Travel
+from arcless.model.settings.run_settings import Contact, Output, Solver, SpeedProfile
+from arcless.model.settings.schemes import (
+    GeneralisedAlpha,
+    HilberHughesTaylor,
+    Newmark,
+    Trapezoidal,
+)
+from arcless.model.shipped.library import LibraryEntry, ModelRenamed, library
 
 __all__ = [
     "MARKS",

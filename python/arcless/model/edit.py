@@ -14,10 +14,10 @@ from pathlib import Path as FilePath
 from typing import Any
 
 from arcless.errors import ModelError, OutputError
-from arcless.model.fields import Path
-from arcless.model.nodes import compose
-from arcless.model.patches import Found, Patch, added, find, removed, replaced
-from arcless.model.reader import parse, read_text
+from arcless.model.fields.part import Path
+from arcless.model.files.text_patches import Found, Patch, added, find, removed, replaced
+from arcless.model.files.yaml_nodes import compose
+from arcless.model.files.yaml_reader import parse, read_text
 from arcless.units import plain
 
 _BOM = b"\xef\xbb\xbf"

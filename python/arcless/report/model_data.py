@@ -8,7 +8,7 @@ from pydantic import BaseModel
 
 from arcless.errors import ModelError
 from arcless.model import Line, Pantograph, Provenance, Scenario
-from arcless.model.fields import Unit, find_unit
+from arcless.model.fields.part import Unit, find_unit
 from arcless.units import to_si
 
 Document = Scenario | Line | Pantograph

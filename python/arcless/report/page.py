@@ -5,13 +5,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from arcless.assess import Assessment
-from arcless.assess.words import explained
+from arcless.assess.certainty_words import explained
 from arcless.model import MARKS
-from arcless.report import along, contacts, distribution, line, tables
+from arcless.report import tables
+from arcless.report.figures import along_track, contacts, distribution, line_at_rest
+from arcless.report.figures.run_data import Scene
 from arcless.report.model_data import groups, marks_used
-from arcless.report.scene import Scene
 from arcless.report.template import render
-from arcless.results.files import write_bytes
+from arcless.storage.whole_files import write_bytes
 
 if TYPE_CHECKING:
     from arcless.results import Result
@@ -22,19 +23,19 @@ MAX_WARNINGS = 50
 
 # Place on the page → figure; a figure that the record has no data for is None.
 FIGURES = {
-    "force": along.force,
+    "force": along_track.force,
     "shares": contacts.shares,
-    "gap": along.gap,
-    "height": along.height,
-    "uplift": along.uplift,
-    "droppers": along.droppers,
-    "dropper_passages": along.dropper_passages,
+    "gap": along_track.gap,
+    "height": along_track.height,
+    "uplift": along_track.uplift,
+    "droppers": along_track.droppers,
+    "dropper_passages": along_track.dropper_passages,
     "histogram": distribution.histogram,
     "spectrum": distribution.force_spectrum,
-    "side_view": line.side_view,
-    "plan_view": line.plan_view,
-    "elasticity": line.elasticity,
-    "energy": line.energy,
+    "side_view": line_at_rest.side_view,
+    "plan_view": line_at_rest.plan_view,
+    "elasticity": line_at_rest.elasticity,
+    "energy": line_at_rest.energy,
 }
 
 

@@ -12,8 +12,8 @@ from arcless.assess import (
     uncertainty_of,
     verdict_of,
 )
-from arcless.report.line import energy_terms, settled
-from arcless.report.scene import Scene
+from arcless.report.figures.line_at_rest import energy_terms, settled
+from arcless.report.figures.run_data import Scene
 
 REFERENCE_KEYS = ("quantity", "value", "low", "high", "verdict", "mark", "source")
 SIGNS = {"<=": "≤", ">=": "≥", ">": ">"}

@@ -9,7 +9,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from arcless.report.models import Model, document
+from arcless.report.drawing.bokeh_objects import Model, document
 
 if TYPE_CHECKING:
     from jinja2 import Environment

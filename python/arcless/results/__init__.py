@@ -1,9 +1,9 @@
 """Record → Dataset: building, saving and opening results."""
 
-from arcless.results.build import dataset_from
+from arcless.results.dataset.build import dataset_from
+from arcless.results.netcdf.store import metadata, open_dataset, save
 from arcless.results.result import RESULT_NAME, Result, result_file
 from arcless.results.result import open_result as open
-from arcless.results.store import metadata, open_dataset, save
 
 __all__ = [
     "RESULT_NAME",

@@ -5,16 +5,16 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from arcless.results.passages import CHANNELS, Place, passage
-from arcless.results.plain import Plain
-from arcless.results.store import metadata, open_plain, save
+from arcless.results.dataset.plain_dataset import Plain
+from arcless.results.dataset.recorded_series import CHANNELS, Place, passage
+from arcless.results.netcdf.store import metadata, open_plain, save
 
 if TYPE_CHECKING:
     import xarray
 
     from arcless.assess import Assessment
     from arcless.model import Scenario
-    from arcless.results.plain import Dataset
+    from arcless.results.dataset.plain_dataset import Dataset
 
 
 # What a run's own file is called in its folder.
@@ -133,7 +133,7 @@ def open_result(path: str | Path) -> Result:
         The file is missing, damaged, or of another format version.
     """
     from arcless.model import load
-    from arcless.model.as_typed import restore
+    from arcless.model.fields.as_typed import restore
 
     dataset = open_plain(result_file(path))
     facts = metadata(dataset)

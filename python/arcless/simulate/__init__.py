@@ -1,19 +1,17 @@
 """The arrow: scenario → mesh → equilibrium → record → dataset. Only this package knows all."""
 
 import importlib
-import sys
-from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
-from arcless.simulate.control import ControlInput
 from arcless.simulate.run import resume, run
+from arcless.simulate.runs.streaming import is_long
+from arcless.simulate.setup.controllers import ControlInput
 from arcless.simulate.statics import StaticsResult, check_at_rest, statics
-from arcless.simulate.streaming import is_long
 
 if TYPE_CHECKING:
-    from arcless.simulate.batch import Look, Outcome, Stopped, Watching, batch
-    from arcless.simulate.realtime import Realtime, RealtimeState, realtime
+    from arcless.simulate.batches.batch import Look, Outcome, Stopped, Watching, batch
     from arcless.simulate.resonance import ResonanceSpeeds, resonance_speeds
+    from arcless.simulate.session.realtime import Realtime, RealtimeState, realtime
 
 __all__ = [
     "ControlInput",
@@ -37,8 +35,8 @@ __all__ = [
 
 # What one run does without: name → module.
 _LATER = {
-    **dict.fromkeys(("Look", "Outcome", "Stopped", "Watching", "batch"), "batch"),
-    **dict.fromkeys(("Realtime", "RealtimeState", "realtime"), "realtime"),
+    **dict.fromkeys(("Look", "Outcome", "Stopped", "Watching", "batch"), "batches.batch"),
+    **dict.fromkeys(("Realtime", "RealtimeState", "realtime"), "session.realtime"),
     **dict.fromkeys(("ResonanceSpeeds", "resonance_speeds"), "resonance"),
 }
 
@@ -50,14 +48,3 @@ def __getattr__(name: str) -> Any:
     value = getattr(importlib.import_module(f"{__name__}.{_LATER[name]}"), name)
     globals()[name] = value
     return value
-
-
-class _Package(ModuleType):
-    """Keeps `batch` and `realtime` the functions: an import would put their modules there."""
-
-    def __setattr__(self, name: str, value: Any) -> None:
-        if not (name in _LATER and isinstance(value, ModuleType)):
-            super().__setattr__(name, value)
-
-
-sys.modules[__name__].__class__ = _Package

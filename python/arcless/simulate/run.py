@@ -12,18 +12,20 @@ import numpy as np
 
 from arcless import _core
 from arcless.model import Scenario, scenario_warnings
-from arcless.model.as_typed import typed_in
-from arcless.model.load import check_kind
+from arcless.model.fields.as_typed import typed_in
+from arcless.model.loading.load import check_kind
 from arcless.results import Result
-from arcless.results.files import replacing
-from arcless.results.plain import Plain
-from arcless.results.store import open_plain
-from arcless.simulate import joints, record, state
-from arcless.simulate.control import ControlFunction, Controllers
-from arcless.simulate.job import SEARCHING, Cancel, Job, Progress, Take, lay_out, observer
-from arcless.simulate.mean_force import find_forces
+from arcless.results.dataset.plain_dataset import Plain
+from arcless.results.netcdf.store import open_plain
+from arcless.simulate.recording import record
+from arcless.simulate.runs import checkpoint
+from arcless.simulate.runs.job import SEARCHING, Cancel, Job, Progress, Take, lay_out, observer
+from arcless.simulate.runs.mean_force import find_forces
+from arcless.simulate.runs.streaming import Stream
+from arcless.simulate.setup import stops_and_friction
+from arcless.simulate.setup.controllers import ControlFunction, Controllers
 from arcless.simulate.statics import wave_speed_of
-from arcless.simulate.streaming import Stream
+from arcless.storage.whole_files import replacing
 
 
 def run(
@@ -86,7 +88,7 @@ def run(
     tell = progress or (lambda _fraction, _text: None)
     started = time.perf_counter()
     job = lay_out(scenario, decided, tell, cancel)
-    last = state.stop_step(job.travel, until)
+    last = checkpoint.stop_step(job.travel, until)
     searching = observer(job.travel.steps, SEARCHING, tell, cancel)
     # The last run of a search is the run that is asked for, unless that stops early or is streamed.
     full = last == job.travel.steps and to is None
@@ -125,15 +127,15 @@ def resume(
     ContactError, ControlError
         A step cannot be solved, or a controller failed.
     """
-    saved = state.read(result)
+    saved = checkpoint.read(result)
     _check_starts(result.scenario)
     tell = progress or (lambda _fraction, _text: None)
     started = time.perf_counter()
     decided = Controllers(result.scenario)
     job = lay_out(result.scenario, decided, tell, cancel)
-    state.check_identity(result, state.identity(job.scenario, job.found, job.travel))
-    last = state.stop_step(job.travel, until, after=saved.step)
-    forces = state.take_forces(saved, len(job.scenario.pantographs))
+    checkpoint.check_identity(result, checkpoint.identity(job.scenario, job.found, job.travel))
+    last = checkpoint.stop_step(job.travel, until, after=saved.step)
+    forces = checkpoint.take_forces(saved, len(job.scenario.pantographs))
     sure = partial(_sure, job, forces, tell, cancel)
     part = _Part(job, forces, started, result.metadata["command"], sure, result)
     if to is None:
@@ -153,7 +155,7 @@ class _Part:
     earlier: Result | None = None
 
     def step(
-        self, saved: state.State | None, last: int, take: Take | None = None
+        self, saved: checkpoint.State | None, last: int, take: Take | None = None
     ) -> dict[str, Any]:
         """Take the steps to the last one; returns what the core does."""
         return self.job.step(self.forces, full=True, state=saved, until=last, take=take)
@@ -169,7 +171,9 @@ class _Part:
         tell(1.0, "done")
         return Result(dataset, job.scenario)
 
-    def to_file(self, to: Path, saved: state.State | None, last: int, tell: Progress) -> Result:
+    def to_file(
+        self, to: Path, saved: checkpoint.State | None, last: int, tell: Progress
+    ) -> Result:
         """Take the steps to the last one, and write meanwhile all that was recorded so far."""
         first = 0 if saved is None else saved.step
         with replacing(to) as file, Stream(file, self.job, range(first, last)) as stream:
@@ -194,11 +198,11 @@ class _Part:
         if raw["steps"] == job.travel.steps and scenario.certainty is not None and self.sure:
             attributes["certainty"] = self.sure()
         if raw["steps"] < job.travel.steps:
-            numbers = {**raw["state"].numbers, state.STATIC_FORCE: np.array(self.forces)}
-            stopped = state.State(raw["steps"], numbers)
+            numbers = {**raw["state"].numbers, checkpoint.STATIC_FORCE: np.array(self.forces)}
+            stopped = checkpoint.State(raw["steps"], numbers)
             place = float(job.travel.positions[stopped.step])
-            of = state.identity(scenario, found, job.travel)
-            static["state"], attributes["state"] = state.stored(stopped, place, of)
+            of = checkpoint.identity(scenario, found, job.travel)
+            static["state"], attributes["state"] = checkpoint.stored(stopped, place, of)
         return static, attributes
 
 
@@ -260,7 +264,7 @@ def attributes_of(
     stops = {
         placement.name: force
         for placement, force in zip(scenario.pantographs, raw["stop_max"].tolist(), strict=True)
-        if joints.stops(placement.model)
+        if stops_and_friction.stops(placement.model)
     }
     return {
         "arcless_version": _core.__version__,
@@ -291,7 +295,7 @@ def attributes_of(
         **job.controllers.attribute(),
         "warnings": [
             *scenario_warnings(scenario),
-            *joints.tables_left(scenario.pantographs, raw["law_ranges"].tolist()),
+            *stops_and_friction.tables_left(scenario.pantographs, raw["law_ranges"].tolist()),
         ],
     }
 

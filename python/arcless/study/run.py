@@ -7,20 +7,21 @@ from dataclasses import replace
 from pathlib import Path
 
 from arcless.errors import OutputError, StudyError
-from arcless.study import findings, sensitivity, table
-from arcless.study.evaluate import Cancel, Task
+from arcless.study.analysis import findings, sensitivity
+from arcless.study.definition.study import Execution, Study
+from arcless.study.evaluation.evaluate import Cancel, Task
+from arcless.study.evaluation.variants import in_order, key, variant
+from arcless.study.evaluation.version import code_version
 from arcless.study.executors import Note
 from arcless.study.executors import executor as choose
-from arcless.study.folder import StudyFolder
-from arcless.study.journal import in_use, is_locked
-from arcless.study.keeper import Keeper, Progress, Tell
-from arcless.study.model import Execution, Study
-from arcless.study.optimise import Optimise
-from arcless.study.pruning import Watch
-from arcless.study.rows import Row
-from arcless.study.search import Search
-from arcless.study.variants import in_order, key, variant
-from arcless.study.version import code_version
+from arcless.study.folder import table
+from arcless.study.folder.folder import StudyFolder
+from arcless.study.folder.row_writer import Keeper, Progress, Tell
+from arcless.study.journal.journal import in_use, is_locked
+from arcless.study.journal.row import Row
+from arcless.study.optimisation.optimise import Optimise
+from arcless.study.optimisation.pruning import Watch
+from arcless.study.optimisation.search import Search
 
 
 def run(

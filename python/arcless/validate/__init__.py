@@ -9,7 +9,7 @@ from arcless.validate.rows import Row
 
 if TYPE_CHECKING:
     from arcless.validate.evidence import Topic, recorded
-    from arcless.validate.seed import SOURCE as SEED_SOURCE
+    from arcless.validate.founding_paper import SOURCE as SEED_SOURCE
 
 __all__ = [
     "CASES",
@@ -30,7 +30,7 @@ __all__ = [
 
 # What published ranges do without: name → module, and its name there.
 _LATER = {
-    "SEED_SOURCE": ("seed", "SOURCE"),
+    "SEED_SOURCE": ("founding_paper", "SOURCE"),
     "Topic": ("evidence", "Topic"),
     "recorded": ("evidence", "recorded"),
 }

@@ -6,7 +6,7 @@ from typing import Any
 from arcless.assess import uncertainty_of
 from arcless.errors import ModelError
 from arcless.model import Scenario, load
-from arcless.results.files import check_writable
+from arcless.storage.whole_files import check_writable
 from arcless.validate.reference import CASES, DROPPERS, Case, Range
 from arcless.validate.rows import Progress, Row, part
 
@@ -40,18 +40,18 @@ def run(
     list of Row
         One row for each published range, and for each part of a conclusion.
     """
-    from arcless.validate import seed
+    from arcless.validate import founding_paper
 
     if which not in SUITES:
         raise ModelError("reference cases", got=f"`{which}`", expected=" or ".join(SUITES))
     if report is not None:
         _check_report(which, report)
     if which == "seed":
-        return seed.run(progress, report)
+        return founding_paper.run(progress, report)
     if which == "en50318":
         return _published(progress, certainty)
     rows = _published(part(progress, 0.0, LONG_PART), certainty)
-    return rows + seed.run(part(progress, LONG_PART, 1.0), report)
+    return rows + founding_paper.run(part(progress, LONG_PART, 1.0), report)
 
 
 def _check_report(which: str, report: Path) -> None:

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from arcless.validate.joints import JointChanges, joint_changes
+from arcless.validate.hanger_joints import JointChanges, joint_changes
 
 if TYPE_CHECKING:
     from arcless.results import Result

@@ -3,9 +3,9 @@
 from collections.abc import Callable
 from unittest.mock import patch
 
-from arcless.mesh.wiring import Wiring
+from arcless.mesh.build.wires_and_droppers import Wiring
 from arcless.model import Wire
-from arcless.model.midpoint import MidpointAnchor
+from arcless.model.line.parts.midpoint_anchor import MidpointAnchor
 from tests.support.faults import misbuilt, scaled
 from tests.verification.closed_forms import test_tensioning_weights as checks
 

@@ -6,11 +6,12 @@ from unittest.mock import patch
 
 import pytest
 
-from arcless.simulate import record, riders
+from arcless.simulate.recording import record
+from arcless.simulate.setup import pantographs
 from tests.verification.conservation import test_energy
 
 Noticed = Callable[..., None]
-variables, chain = record.dynamic_variables, riders._chain
+variables, chain = record.dynamic_variables, pantographs._chain
 LOST = {
     "energy_dissipated_supports": "generalised-alpha",
     "energy_switching": "rigid contact, loss of contact",
@@ -53,7 +54,7 @@ def test_a_damper_of_the_pantograph_that_is_off(noticed: Noticed) -> None:
         (mass, damping, stiffness), lift, strips = chain(pantograph)
         return [mass, 1.0001 * damping, stiffness], lift, strips
 
-    with patch.object(riders, "_chain", damped):
+    with patch.object(pantographs, "_chain", damped):
         noticed("dampers 0.01 % off", test_energy.test_energies_of_the_pantograph)
 
 

@@ -10,7 +10,7 @@ from unittest.mock import patch
 
 import pytest
 
-from arcless.simulate import record
+from arcless.simulate.recording import record
 from tests.verification.conservation import test_energy_explicit
 
 Noticed = Callable[..., None]

@@ -9,7 +9,7 @@ import pytest
 
 from arcless.errors import ContactError
 from arcless.results import Result
-from arcless.simulate import state
+from arcless.simulate.runs import checkpoint
 from tests.verification.conservation import test_save_resume
 
 Noticed = Callable[..., None]
@@ -38,7 +38,7 @@ LOST_TOO = {
     "rider_0_waiting": CONTROLLED,
     "grid_along": EXPLICIT,
 }
-read = state.read
+read = checkpoint.read
 
 
 def lose(noticed: Noticed, folder: Path, name: str, case: str) -> None:
@@ -50,7 +50,7 @@ def lose(noticed: Noticed, folder: Path, name: str, case: str) -> None:
         saved.numbers[name][:] = 0.0
         return saved
 
-    with patch.object(state, "read", forgetful):
+    with patch.object(checkpoint, "read", forgetful):
         noticed(f"`{name}` lost", parts, tmp_path=folder, case=case)
     assert any(hits), "there was something to lose"
 

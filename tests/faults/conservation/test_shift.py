@@ -5,7 +5,7 @@ from dataclasses import replace
 from typing import Any
 from unittest.mock import patch
 
-from arcless.simulate.motion import Motion
+from arcless.simulate.setup.trajectory import Motion
 from tests.verification.conservation import test_shift
 
 Noticed = Callable[..., None]

@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 
 from arcless.assess import certainty as sums
-from arcless.simulate.certainty import starts
+from arcless.simulate.certainty import other_starts
 from tests.support.python_faults import wrong
 from tests.verification.conservation import test_starts_within_a_span as topic
 
@@ -14,7 +14,7 @@ Noticed = Callable[..., None]
 
 
 def test_a_force_that_is_not_carried_over(noticed: Noticed) -> None:
-    with wrong(starts, "base_stiffness", lambda _stiffness: 0.0):
+    with wrong(other_starts, "base_stiffness", lambda _stiffness: 0.0):
         noticed(
             "static force kept as a number at other starts",
             topic.test_the_mean_force_stays_what_was_asked_for,
@@ -35,9 +35,9 @@ def test_starts_that_are_all_alike(noticed: Noticed) -> None:
     def alike(places: list[float]) -> list[float]:
         return [place if place == places[0] else places[0] + 0.5 for place in places]
 
-    from arcless.simulate.certainty import beside
+    from arcless.simulate.certainty import runs_beside
 
-    with wrong(beside.starts, "places", alike):
+    with wrong(runs_beside.starts, "places", alike):
         noticed(
             "other starts all half a metre further on",
             topic.test_the_spread_is_that_of_starts_at_random,

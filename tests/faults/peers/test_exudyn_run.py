@@ -2,7 +2,7 @@
 
 from unittest.mock import patch
 
-from arcless.simulate import motion
+from arcless.simulate.setup import trajectory
 from tests.support.faults import scaled
 from tests.verification.peers import test_exudyn_run as checked
 
@@ -21,6 +21,6 @@ def test_droppers_without_damping(noticed) -> None:
 
 def test_softer_contact(noticed) -> None:
     with patch.object(
-        motion, "contact_stiffness", lambda scenario: 0.8 * scenario.contact.stiffness
+        trajectory, "contact_stiffness", lambda scenario: 0.8 * scenario.contact.stiffness
     ):
         noticed("contact 20 % too soft", check)

@@ -4,7 +4,7 @@ from unittest.mock import patch
 
 import pytest
 
-from arcless.simulate import motion
+from arcless.simulate.setup import trajectory
 from tests.support.faults import scaled
 from tests.support.lcp_faults import complementarity
 from tests.verification.peers import test_lcp_run as checked
@@ -23,7 +23,7 @@ def test_damping_of_droppers(noticed) -> None:
 
 
 def test_contact_stiffness(noticed) -> None:
-    with patch.object(motion, "contact_stiffness", lambda s: 1.0001 * s.contact.stiffness):
+    with patch.object(trajectory, "contact_stiffness", lambda s: 1.0001 * s.contact.stiffness):
         noticed("contact 1e-4 too stiff", checked.test_contact_force)
 
 

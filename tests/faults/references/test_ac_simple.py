@@ -5,7 +5,7 @@ from unittest.mock import patch
 
 from arcless.assess import statistics
 from arcless.results import Result
-from arcless.simulate import job, mean_force
+from arcless.simulate.runs import job, mean_force
 from tests.support import fresh
 from tests.verification.references import test_ac_simple as checks
 

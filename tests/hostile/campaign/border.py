@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 
 from arcless import _core
-from arcless.simulate import motion
-from arcless.simulate.control import Controllers
-from arcless.simulate.job import Job, lay_out
+from arcless.simulate.runs.job import Job, lay_out
+from arcless.simulate.setup import trajectory
+from arcless.simulate.setup.controllers import Controllers
 from tests.hostile.campaign import spoiling
 from tests.hostile.campaign.blocks import FoundError
 from tests.support.explicit import EXPLICIT
@@ -75,7 +75,7 @@ def at_rest(random: Random) -> Call:
         return core.frequencies, [5]
     if way == 4:
         return core.modes_moved, [mesh.lanes, 60.0, 5]
-    scheme = motion.scheme_numbers(scenario.stepping.scheme)
+    scheme = trajectory.scheme_numbers(scenario.stepping.scheme)
     given = [mesh.lanes, scheme, scenario.time_step_s, 5e4, False, True]
     return core.prepare, given
 

@@ -10,9 +10,9 @@ from typing import Any
 
 from arcless.errors import ModelError
 from arcless.model import load_any, scenario_warnings
-from arcless.model.library import shipped
-from arcless.model.reader import parse, read_text
-from arcless.model.scenario import Scenario
+from arcless.model.files.yaml_reader import parse, read_text
+from arcless.model.scenario.scenario import Scenario
+from arcless.model.shipped.library import shipped
 from tests.hostile.campaign import spoiling
 from tests.hostile.campaign.blocks import FoundError
 from tests.support.hostile import numbers_in

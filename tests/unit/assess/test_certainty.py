@@ -16,10 +16,10 @@ from arcless.assess import (
     verdict_of,
 )
 from arcless.assess.certainty import Certainty, Draw, Draws, certainty, student_factor
+from arcless.assess.certainty_words import explained
 from arcless.assess.criteria import Criterion, evaluate
 from arcless.assess.rules import MEAN_FORCE_TOLERANCE_N
 from arcless.assess.statistics import PantographAssessment
-from arcless.assess.words import explained
 from arcless.errors import ResultFormatError
 from tests.support.synthetic import synthetic_dataset
 from tests.unit.assess.test_criteria import FACTS, GOOD

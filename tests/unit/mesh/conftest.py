@@ -7,7 +7,7 @@ import pytest
 
 from arcless.mesh import Mesh, build_mesh
 from arcless.model import Line, load_line
-from arcless.model.settings import Solver
+from arcless.model.settings.run_settings import Solver
 
 SPAN = 50.0
 POSITIONS = [5.0, 15.0, 25.0, 35.0, 45.0]

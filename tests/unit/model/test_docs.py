@@ -18,10 +18,10 @@ from arcless.model import (
     load_line,
     scenario_warnings,
 )
-from arcless.model.components import Rayleigh, TensionedWire, Wire
-from arcless.model.documents import Provenance
-from arcless.model.library import shipped
-from arcless.model.reader import parse
+from arcless.model.fields.document import Provenance
+from arcless.model.files.yaml_reader import parse
+from arcless.model.line.parts.components import Rayleigh, TensionedWire, Wire
+from arcless.model.shipped.library import shipped
 from arcless.units import KINDS, spell
 from tests.support.line_types import compound_data, stitched_data
 

@@ -13,8 +13,8 @@ from hypothesis import strategies as st
 from arcless.errors import ModelError, OutputError
 from arcless.model import load, load_line
 from arcless.model.edit import change, edit_file, remove, undo_in_file
-from arcless.model.library import FOLDER
-from arcless.model.reader import parse
+from arcless.model.files.yaml_reader import parse
+from arcless.model.shipped.library import FOLDER
 from tests.support.hostile import searching
 
 TEXT = """\

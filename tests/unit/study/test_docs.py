@@ -6,12 +6,12 @@ from typing import Any
 
 import pytest
 
-from arcless.model.reader import parse
+from arcless.model.files.yaml_reader import parse
 from arcless.study import Study, load, run, status
-from arcless.study.hard import FALLING, RISING
-from arcless.study.model import COLUMNS, WATCHED
-from arcless.study.optimise import Optimise
-from arcless.study.quantities import keys
+from arcless.study.definition.quantities import keys
+from arcless.study.definition.study import COLUMNS, WATCHED
+from arcless.study.optimisation.optimise import Optimise
+from arcless.study.optimisation.pruning_rules import FALLING, RISING
 from tests.support.studies import rows
 
 DOCS = Path(__file__).parents[3] / "docs"

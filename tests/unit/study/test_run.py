@@ -9,8 +9,8 @@ import pytest
 import arcless
 from arcless.errors import OutputError, StudyError
 from arcless.study import Execution, Progress, Study, StudyFolder, run, status
-from arcless.study import evaluate as evaluating
-from arcless.study.variants import variant
+from arcless.study.evaluation import evaluate as evaluating
+from arcless.study.evaluation.variants import variant
 from tests.support.studies import OUTPUTS, QUICK, VARIABLES, filled, rows, study
 
 
@@ -131,7 +131,7 @@ def test_a_failure_is_a_row_and_can_be_retried(
     real = evaluating._Work.scenario
     with monkeypatch.context() as patch:
         patch.setattr(evaluating._Work, "scenario", lambda s, v: unreachable(real(s, v)))
-        patch.setattr("arcless.simulate.mean_force.MOST_RUNS", 1)
+        patch.setattr("arcless.simulate.runs.mean_force.MOST_RUNS", 1)
         run(study(), tmp_path)
     found = rows(tmp_path / "table.parquet")
     failed = [row for row in found if row["status"] == "failed"]
@@ -166,8 +166,8 @@ def test_another_version_is_said_and_stands_in_the_rows(
 ) -> None:
     with monkeypatch.context() as patch:
         patch.setattr(evaluating, "code_version", lambda: "0.0.9+old")
-        patch.setattr("arcless.study.folder.code_version", lambda: "0.0.9+old")
-        patch.setattr("arcless.study.keeper.code_version", lambda: "0.0.9+old")
+        patch.setattr("arcless.study.folder.folder.code_version", lambda: "0.0.9+old")
+        patch.setattr("arcless.study.folder.row_writer.code_version", lambda: "0.0.9+old")
         stopped_after(2, study(), tmp_path)
     told: list[str] = []
     run(study(), tmp_path, resume=True, note=told.append)
@@ -231,7 +231,7 @@ def test_the_folder_has_the_name_of_the_study() -> None:
 def test_the_table_is_written_part_by_part(whole: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     before = rows(whole / "table.parquet")
     for part in (1, 2, 6):
-        monkeypatch.setattr("arcless.study.table.PART", part)
+        monkeypatch.setattr("arcless.study.folder.table.PART", part)
         run(study(), whole, resume=True)
         assert rows(whole / "table.parquet") == before
 

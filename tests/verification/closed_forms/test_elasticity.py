@@ -26,7 +26,7 @@ import numpy as np
 import pytest
 
 from arcless.model import load
-from arcless.simulate import equilibrium
+from arcless.simulate.equilibrium import equilibrium
 from tests.support.beams import Beam
 from tests.support.catenary import green, hooke
 from tests.support.evidence import Evidence

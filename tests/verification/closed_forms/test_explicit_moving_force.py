@@ -21,7 +21,7 @@ over the largest.
 import numpy as np
 import pytest
 
-from arcless.model.components import Wire
+from arcless.model.line.parts.components import Wire
 from tests.support import moving_force, straight
 from tests.support.evidence import Evidence
 from tests.support.explicit_waves import Stepped

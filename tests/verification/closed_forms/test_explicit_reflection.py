@@ -27,7 +27,7 @@ N m²), masses 0.5 m apart everywhere, 1 ms, 2 to 30 Hz.
 import numpy as np
 import pytest
 
-from arcless.model.components import DropperType
+from arcless.model.line.parts.components import DropperType
 from tests.support import scattering, straight
 from tests.support.evidence import Evidence
 from tests.support.explicit_waves import Stepped, of_chain

@@ -27,7 +27,7 @@ from math import sqrt
 import numpy as np
 import pytest
 
-from arcless.model.components import Wire
+from arcless.model.line.parts.components import Wire
 from tests.support import straight
 from tests.support.evidence import Evidence
 from tests.support.pushing import press

@@ -23,7 +23,7 @@ The leading one pushes with 2 N for 20 ms more: a run without that is taken away
 import numpy as np
 import pytest
 
-from arcless.model.pantograph import Pantograph
+from arcless.model.pantograph.pantograph import Pantograph
 from tests.support.evidence import Evidence
 from tests.support.families import CONTACT, FAMILIES, YIELDING, Family, hold
 from tests.support.moving_runs import KMH, SPEEDS, STEP, Travel, Travelled

@@ -24,7 +24,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from arcless.model.components import DropperType
+from arcless.model.line.parts.components import DropperType
 from tests.support.evidence import Evidence
 from tests.support.families import CONTACT, FAMILIES, MESSENGER, YIELDING, Family, hold
 from tests.support.obstacles import HERTZ, Obstacle, answers, reflected, shown

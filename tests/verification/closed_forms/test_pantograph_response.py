@@ -29,7 +29,7 @@ import pytest
 from numpy.typing import NDArray
 
 from arcless.model import load_pantograph
-from arcless.simulate import riders
+from arcless.simulate.setup import pantographs
 from tests.support import bare, multisine, schemes
 
 Floats = NDArray[np.float64]
@@ -81,9 +81,9 @@ def on_roof(t: Floats) -> list[Complex]:
     return [coefficients(found["force"], found["time"]) / height]
 
 
-def asked(wire: Any, force: float, positions: Floats, given: Any = riders.NOTHING) -> Any:
+def asked(wire: Any, force: float, positions: Floats, given: Any = pantographs.NOTHING) -> Any:
     """Run the shipped pantograph below a wire."""
-    head = riders.rider(load_pantograph("en50318-2002"), force, given)
+    head = pantographs.rider(load_pantograph("en50318-2002"), force, given)
     return bare.run(wire, head, bare.Asked(SCHEME, H, positions, contact_stiffness=CONTACT))
 
 

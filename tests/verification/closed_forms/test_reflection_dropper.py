@@ -26,7 +26,7 @@ its tension, 200 N. For the slack one the wires have no bending stiffness, S = 1
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from arcless.model.components import DropperType
+from arcless.model.line.parts.components import DropperType
 from tests.support import scattering, straight
 from tests.support.evidence import Evidence
 from tests.support.pushing import press

@@ -24,7 +24,7 @@ import pytest
 from scipy.optimize import brentq
 
 from arcless.model import load
-from arcless.simulate import equilibrium
+from arcless.simulate.equilibrium import equilibrium
 from tests.support.evidence import Evidence
 from tests.support.line_types import scenario_data
 from tests.support.simple_lines import trolley_data

@@ -26,8 +26,8 @@ from operator import itemgetter
 import numpy as np
 import pytest
 
-from arcless.mesh import wires
-from arcless.model.components import Wire
+from arcless.mesh.division import wires
+from arcless.model.line.parts.components import Wire
 from tests.support import scattering, straight
 from tests.support.evidence import Evidence
 from tests.support.pushing import TRAPEZOIDAL, Pressed, press

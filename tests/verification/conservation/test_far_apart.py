@@ -14,8 +14,9 @@ scenario refuses two pantographs that never share a section, hence the prepared 
 import numpy as np
 
 import arcless
-from arcless.assess.filter import low_pass
-from arcless.simulate import equilibrium, motion, riders
+from arcless.assess.signals.filter import low_pass
+from arcless.simulate.equilibrium import equilibrium
+from arcless.simulate.setup import pantographs, trajectory
 from tests.support.evidence import Evidence
 
 FORCE, APART = 170.0, 6_000.0
@@ -37,10 +38,10 @@ PLAN = {
 def test_trailing(evidence: Evidence) -> None:
     scenario = arcless.load("en50318-ac-simple-320-planar").with_(**CHANGES)
     found = equilibrium.find(scenario)
-    numbers = motion.scheme_numbers(scenario.stepping.scheme)
+    numbers = trajectory.scheme_numbers(scenario.stepping.scheme)
     prepared = found.core.prepare(found.mesh.lanes, numbers, 2e-3, 50e3, False)
-    travel = motion.motion(scenario)
-    rider = riders.rider(scenario.pantographs[0].model, FORCE)
+    travel = trajectory.motion(scenario)
+    rider = pantographs.rider(scenario.pantographs[0].model, FORCE)
 
     def force(distances: list[float]) -> np.ndarray:
         first = (travel.positions + distances[-1]).tolist()

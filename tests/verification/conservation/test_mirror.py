@@ -20,7 +20,7 @@ from typing import Any
 
 import numpy as np
 
-from arcless.simulate.motion import Motion
+from arcless.simulate.setup.trajectory import Motion
 from tests.support.small import FORCE, SPANS, differing, laid_out, small
 
 Raw = dict[str, Any]

@@ -19,8 +19,8 @@ from typing import Any
 import numpy as np
 
 from arcless.mesh import Mesh
-from arcless.simulate.job import Job, prepare
-from arcless.simulate.motion import Motion
+from arcless.simulate.runs.job import Job, prepare
+from arcless.simulate.setup.trajectory import Motion
 from tests.support.small import FORCE, laid_out, small
 from tests.support.structures import at_rest
 

@@ -28,7 +28,7 @@ from typing import Any
 
 import numpy as np
 
-from arcless.simulate.job import Job
+from arcless.simulate.runs.job import Job
 from tests.support import scaling
 from tests.support.scaling import Units
 from tests.support.small import FORCE, differing, laid_out, small

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 from arcless.model import Line, load, load_line
-from arcless.model.library import shipped
+from arcless.model.shipped.library import shipped
 from arcless.simulate import StaticsResult, statics
 from tests.support.evidence import Evidence
 

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 import arcless
-from arcless.model.library import shipped
+from arcless.model.shipped.library import shipped
 from tests.support.against_limit import compare
 from tests.support.limit_rows import record
 

@@ -24,7 +24,7 @@ import pytest
 from numpy.typing import NDArray
 
 from arcless.model import load_pantograph
-from arcless.simulate import riders
+from arcless.simulate.setup import pantographs
 from tests.support import bare, schemes, spans
 
 Floats = NDArray[np.float64]
@@ -52,7 +52,7 @@ def force(model: str, kind: str, count: int) -> Floats:
     t = H * np.arange(round(DURATION / H) + 1)
     turn = 2.0 * np.pi / DURATION
     x = 20.0 + 0.5 * SPEED * (t - np.sin(turn * t) / turn)
-    head = riders.rider(load_pantograph("en50318-2002"), 120.0)
+    head = pantographs.rider(load_pantograph("en50318-2002"), 120.0)
     found = bare.run(wire, head, bare.Asked(schemes.DEFAULT, H, x, contact_stiffness=50e3))
     return np.asarray(found["force"])
 

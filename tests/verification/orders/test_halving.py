@@ -14,7 +14,7 @@ from typing import Any
 import pytest
 
 import arcless
-from arcless.model.schemes import EXPLICIT
+from arcless.model.settings.schemes import EXPLICIT
 from arcless.results import Result
 from tests.support.evidence import Evidence
 

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
 from arcless.model import load_pantograph
-from arcless.simulate import riders
+from arcless.simulate.setup import pantographs
 from tests.support import bare, schemes, spans
 from tests.support.schemes import Member
 
@@ -43,7 +43,7 @@ def uplift(model: str, kinematics: str, scheme: Member, h: float) -> tuple[Float
     t = h * np.arange(round(DURATION / h) + 1)
     turn = 2.0 * np.pi / DURATION
     x = 20.6 + 0.5 * SPEED * (t - np.sin(turn * t) / turn)
-    head = riders.rider(load_pantograph("en50318-2002"), 120.0)
+    head = pantographs.rider(load_pantograph("en50318-2002"), 120.0)
     updated = kinematics == "updated"
     asked = bare.Asked(scheme, h, x, contact_stiffness=50e3, points=[35.0], updated=updated)
     found = bare.run(wire, head, asked)

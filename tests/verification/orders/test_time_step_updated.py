@@ -24,7 +24,7 @@ from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
 from arcless.mesh import Mesh
-from arcless.mesh.parts import Parts
+from arcless.mesh.tables.parts import Parts
 from tests.support import bare, schemes
 from tests.support.schemes import Member
 

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 import arcless
-from arcless.assess.filter import low_pass
+from arcless.assess.signals.filter import low_pass
 from tests.support import across
 from tests.support.evidence import Evidence
 

@@ -12,7 +12,7 @@ Asked as `praks-180`, `-250`, `-340`, `-360` with the paper's own method.
 from collections.abc import Callable
 
 from arcless.results import Result
-from arcless.validate import seed
+from arcless.validate import founding_paper
 from arcless.validate.observation import observe
 from tests.support.evidence import Evidence
 
@@ -21,7 +21,7 @@ SOURCE = "conclusions read in the paper (A); limits ours"
 
 
 def test_conclusions(evidence: Evidence, run_once: RunOnce) -> None:
-    rows = seed.rows([observe(run_once(name)) for name in seed.SCENARIOS])
+    rows = founding_paper.rows([observe(run_once(name)) for name in founding_paper.SCENARIOS])
     assert len(rows) == 16
     for row in rows:
         assert row.value is not None
@@ -29,4 +29,4 @@ def test_conclusions(evidence: Evidence, run_once: RunOnce) -> None:
             row.quantity, row.value, row.low, row.high, unit=row.unit or "1", mark=row.mark,
             source=SOURCE,
         )  # fmt: skip
-    assert all(seed.held(rows).values())
+    assert all(founding_paper.held(rows).values())

@@ -15,10 +15,10 @@ from math import inf, pi
 import numpy as np
 from numpy.typing import NDArray
 
-from arcless.model.pantograph import Pantograph
-from arcless.simulate import joints
+from arcless.model.pantograph.pantograph import Pantograph
 from arcless.simulate.resonance.spans import Band
-from arcless.simulate.riders import rider
+from arcless.simulate.setup import stops_and_friction
+from arcless.simulate.setup.pantographs import rider
 
 Floats = NDArray[np.float64]
 
@@ -49,7 +49,7 @@ class PantographMode:
 
 def why_no_modes(pantograph: Pantograph) -> str | None:
     """Return why a pantograph has no natural frequencies of its own; None where it has."""
-    tables = [law.field for law in joints.laws(pantograph) if not law.data[1]]
+    tables = [law.field for law in stops_and_friction.laws(pantograph) if not law.data[1]]
     if tables:
         return f"{tables[0]} is no constant: it has no natural frequency for all amplitudes"
     return None

@@ -9,7 +9,7 @@ from typing import Annotated
 from pydantic import Field
 
 from arcless.study.designs.blocks import Morris, SobolIndices
-from arcless.study.designs.counted import Grid, Listed
+from arcless.study.designs.grids_and_lists import Grid, Listed
 from arcless.study.designs.plan import MAX_VARIANTS, Plan
 from arcless.study.designs.samples import LatinHypercube, MonteCarlo, Sobol
 

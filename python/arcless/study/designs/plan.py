@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from arcless.errors import ModelError
-from arcless.study.variables import Axis
+from arcless.study.variables.variables import Axis
 
 MAX_VARIANTS = 1_000_000
 

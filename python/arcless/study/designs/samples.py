@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING, Any, Literal
 from pydantic import Field
 
 from arcless.errors import ModelError
-from arcless.model.fields import Part
+from arcless.model.fields.part import Part
 from arcless.study.designs.plan import Plan, checked
-from arcless.study.variables import Axis
+from arcless.study.variables.variables import Axis
 
 if TYPE_CHECKING:
     import numpy as np

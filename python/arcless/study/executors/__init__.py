@@ -3,10 +3,10 @@
 from collections.abc import Iterator
 from typing import Protocol
 
-from arcless.study.evaluate import Cancel, Take, Task
-from arcless.study.executors.note import Note
-from arcless.study.model import Execution
-from arcless.study.variants import Variant
+from arcless.study.definition.study import Execution
+from arcless.study.evaluation.evaluate import Cancel, Take, Task
+from arcless.study.evaluation.messages import Note
+from arcless.study.evaluation.variants import Variant
 
 __all__ = ["Executor", "Note", "executor"]
 

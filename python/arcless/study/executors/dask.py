@@ -8,12 +8,12 @@ from contextlib import ExitStack, contextmanager
 from typing import TYPE_CHECKING
 
 from arcless.errors import ExecutorError
-from arcless.study.evaluate import Cancel, Take, Task
-from arcless.study.executors.note import Note
-from arcless.study.executors.pieces import Pieces
-from arcless.study.model import Execution
-from arcless.study.table import needs
-from arcless.study.variants import Variant
+from arcless.study.definition.study import Execution
+from arcless.study.evaluation.evaluate import Cancel, Take, Task
+from arcless.study.evaluation.messages import Note
+from arcless.study.evaluation.variants import Variant
+from arcless.study.executors.dask_chunks import Pieces
+from arcless.study.folder.table import needs
 
 if TYPE_CHECKING:
     from distributed import Client

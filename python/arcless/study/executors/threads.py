@@ -3,8 +3,8 @@
 from collections.abc import Iterator
 from itertools import islice
 
-from arcless.study.evaluate import Cancel, Take, Task, evaluate
-from arcless.study.variants import Variant
+from arcless.study.evaluation.evaluate import Cancel, Take, Task, evaluate
+from arcless.study.evaluation.variants import Variant
 
 # A batch remembers its members to the end; so many at once keep memory small, and waiting rare.
 AT_ONCE = 10_000

@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from arcless.report.figure import Figure
-from arcless.report.models import Field, Model, columns
-from arcless.report.reduce import every
-from arcless.report.style import FADED, INK, add_hover, colour, figure, plain, single
+from arcless.report.drawing.bokeh_objects import Field, Model, columns
+from arcless.report.drawing.figure import Figure
+from arcless.report.drawing.style import FADED, INK, add_hover, colour, figure, plain, single
+from arcless.report.drawing.thinning import every
 from arcless.study.report.effects import effect
 from arcless.study.report.record import Column, Record, shortened
 from arcless.study.report.speeds import Marks

@@ -6,11 +6,13 @@ from pathlib import Path
 from typing import Any
 
 from arcless.errors import OutputError
-from arcless.report.models import Model
+from arcless.report.drawing.bokeh_objects import Model
 from arcless.report.template import render
-from arcless.results.files import write_bytes
-from arcless.study import findings
-from arcless.study.model import Study
+from arcless.storage.whole_files import write_bytes
+from arcless.study.analysis import findings
+from arcless.study.definition.study import Study
+from arcless.study.evaluation.version import code_version
+from arcless.study.folder.status import DamagedJournalWarning, StudyStatus
 from arcless.study.report import tables
 from arcless.study.report.figures import (
     MOST_OUTPUTS,
@@ -22,8 +24,6 @@ from arcless.study.report.figures import (
 from arcless.study.report.record import Record
 from arcless.study.report.sensitivity import sections
 from arcless.study.report.speeds import WIDE, Marks, marks
-from arcless.study.status import DamagedJournalWarning, StudyStatus
-from arcless.study.version import code_version
 
 NAME = "report.html"
 

@@ -9,13 +9,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from arcless.study import table
-from arcless.study.findings import Findings, of
-from arcless.study.folder import StudyFolder
-from arcless.study.model import Study
-from arcless.study.quantities import is_number
-from arcless.study.rows import Row
-from arcless.study.status import StudyStatus, Tally
+from arcless.study.analysis.findings import Findings, of
+from arcless.study.definition.quantities import is_number
+from arcless.study.definition.study import Study
+from arcless.study.folder import table
+from arcless.study.folder.folder import StudyFolder
+from arcless.study.folder.status import StudyStatus, Tally
+from arcless.study.journal.row import Row
 
 Floats = NDArray[np.float64]
 _LONGEST_WORD = 28

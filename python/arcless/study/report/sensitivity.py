@@ -2,9 +2,9 @@
 
 from typing import Any
 
-from arcless.report.figure import Figure
-from arcless.report.models import Field, Model, columns
-from arcless.report.style import add_hover, add_legend, colour, figure, plain
+from arcless.report.drawing.bokeh_objects import Field, Model, columns
+from arcless.report.drawing.figure import Figure
+from arcless.report.drawing.style import add_hover, add_legend, colour, figure, plain
 from arcless.study.report.record import Record
 from arcless.study.report.tables import number
 

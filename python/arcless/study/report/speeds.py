@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from arcless.errors import ArclessError
-from arcless.report.figure import Figure
-from arcless.report.models import Field, Model
-from arcless.report.style import FADED, INK, add_legend, colour
-from arcless.study.model import Study
+from arcless.report.drawing.bokeh_objects import Field, Model
+from arcless.report.drawing.figure import Figure
+from arcless.report.drawing.style import FADED, INK, add_legend, colour
+from arcless.study.definition.study import Study
 from arcless.study.report.record import Column, Record
 
 if TYPE_CHECKING:

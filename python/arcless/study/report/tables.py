@@ -9,15 +9,15 @@ from typing import Any
 
 import numpy as np
 
-from arcless.report.models import Model
+from arcless.report.drawing.bokeh_objects import Model
+from arcless.study.definition.study import Study
 from arcless.study.designs import Grid
-from arcless.study.distributions import Choice
-from arcless.study.model import Study
-from arcless.study.optimise import Optimise
+from arcless.study.optimisation.optimise import Optimise
 from arcless.study.report.commands import Commands
 from arcless.study.report.figures import Drawing
 from arcless.study.report.record import Column, Record
-from arcless.study.variables import Variable
+from arcless.study.variables.distributions import Choice
+from arcless.study.variables.variables import Variable
 from arcless.units import show
 
 # How many variants lead a list, for how many outputs, and how many reasons are told.

@@ -1,0 +1,164 @@
+"""`arcless run` and `arcless statics`."""
+
+import shlex
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from arcless.cli.arguments.certainty import CertaintyOption, asked_for, check_whole
+from arcless.cli.arguments.scenario import (
+    JsonOption,
+    QuietOption,
+    ScenarioArgument,
+    SetOption,
+    SpeedOption,
+    folder_of,
+    load,
+)
+from arcless.cli.output import outcome
+from arcless.cli.output.folder import OutputFolder, check_place
+from arcless.cli.output.outcome import NoReportOption, UntilOption
+from arcless.cli.process.background import compute
+from arcless.cli.process.start import staying
+from arcless.cli.terminal import console
+
+if TYPE_CHECKING:
+    from arcless.model import Scenario
+    from arcless.results import Result
+    from arcless.simulate import StaticsResult
+
+FolderOption = Annotated[
+    Path | None,
+    typer.Option("--out", metavar="DIR", help="Folder for the results.", show_default=False),
+]
+PlotOption = Annotated[
+    Path | None,
+    typer.Option(
+        "--plot",
+        metavar="FILE.html",
+        help="Draw the line at rest from the side and from above, with its elasticity.",
+        show_default=False,
+    ),
+]
+
+
+def run(
+    scenario: ScenarioArgument,
+    *,
+    speed: SpeedOption = None,
+    set_: SetOption = None,
+    out: FolderOption = None,
+    json: JsonOption = False,
+    until: UntilOption = None,
+    certainty: CertaintyOption = None,
+    no_report: NoReportOption = False,
+    quiet: QuietOption = False,
+) -> None:
+    """Simulate a scenario: line at rest, run, assessment, report.
+
+    Writes result.nc, assessment.json and report.html into a folder, runs/NAME unless --out names
+    another, and prints the numbers with the criteria and, for a shipped reference case, the
+    ranges published for it. With --until, only result.nc, for `arcless resume` to go on from.
+    With --certainty, every number with its spread over starts and its error of discretisation.
+
+    Exit code 1: the computation failed, and nothing is written. Exit code 3: everything is written,
+    and a criterion is not met. Limits that were not read in a source (marks C, C* and assumed) are
+    shown and set no exit code, nor do criteria too close to tell. Ranges of reference cases decide
+    nothing here; `arcless validate` is for them.
+    """
+    check_whole(certainty, until)
+    chosen = asked_for(load(scenario, speed=speed, changes=set_, quiet=quiet), certainty)
+    with OutputFolder(out or folder_of(chosen), *outcome.FILES) as folder:
+        command = _command(scenario, speed, set_, certainty)
+        result = _simulate(
+            chosen, until, folder.file(outcome.RESULT), command, quiet=quiet,
+            meanwhile=lambda: outcome.get_ready(report=not no_report and until is None),
+        )  # fmt: skip
+        written = outcome.write(result, folder, report=not no_report)
+    outcome.tell(result, written, json=json, quiet=quiet)
+
+
+def statics(
+    scenario: ScenarioArgument,
+    *,
+    set_: SetOption = None,
+    out: FolderOption = None,
+    plot: PlotOption = None,
+    json: JsonOption = False,
+    quiet: QuietOption = False,
+) -> None:
+    """Find the line at rest, without a run.
+
+    Prints dropper lengths and forces of one span, sag, elasticity, wave speed and natural
+    frequencies; --json has all spans. With --out, statics.json is written into that folder; with
+    --plot, side view, plan view and elasticity are drawn. Speed and pantographs have no part here.
+    """
+    from arcless.cli.terminal import statics_tables
+    from arcless.storage.whole_files import write_bytes
+
+    chosen = load(scenario, changes=set_, quiet=quiet)
+    written: list[Path] = []
+    if plot is not None:
+        check_place(plot, ".html", "--plot")
+    if out is None:
+        result = _find_statics(chosen, quiet=quiet)
+    else:
+        with OutputFolder(out, "statics.json") as folder:
+            result = _find_statics(chosen, quiet=quiet)
+            text = console.json_text(result.to_dict())
+            write_bytes(folder.file("statics.json"), text.encode())
+            written = folder.publish()
+    found = result.to_dict()
+    if plot is not None:
+        from arcless.report import rest_page
+
+        rest_page.write(result, plot)
+        written.append(plot)
+    if json:
+        console.data(console.json_text(found))
+    else:
+        console.show(*statics_tables.blocks(chosen.name, found))
+        outcome.say_written(written)
+
+
+def _simulate(
+    scenario: "Scenario",
+    until: str | None,
+    file: Path,
+    command: str,
+    *,
+    quiet: bool,
+    meanwhile: Callable[[], None],
+) -> "Result":
+    with staying():
+        from arcless import simulate
+
+    to = file if simulate.is_long(scenario) else None
+    with console.progress(quiet=quiet) as progress:
+        return compute(
+            lambda cancel: simulate.run(
+                scenario, until=until, to=to, command=command, progress=progress, cancel=cancel
+            ),
+            meanwhile,
+        )
+
+
+def _find_statics(scenario: "Scenario", *, quiet: bool) -> "StaticsResult":
+    with staying():
+        from arcless import simulate
+
+    with console.progress(quiet=quiet) as progress:
+        return compute(lambda _cancel: simulate.statics(scenario, progress=progress))
+
+
+def _command(
+    scenario: str, speed: str | None, changes: list[str] | None, certainty: str | None = None
+) -> str:
+    words = ["arcless", "run", scenario]
+    words += [] if speed is None else ["--speed", speed]
+    for change in changes or []:
+        words += ["--set", change]
+    words += [] if certainty is None else ["--certainty", certainty]
+    return shlex.join(words)

@@ -1,0 +1,1 @@
+"""What a command leaves: files in its folder, numbers on the screen."""

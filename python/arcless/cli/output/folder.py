@@ -1,0 +1,151 @@
+"""An output folder that holds finished files or none."""
+
+import os
+import shutil
+import time
+from contextlib import suppress
+from pathlib import Path
+from types import TracebackType
+from typing import TYPE_CHECKING, Self
+
+from arcless.cli.process import interrupts
+from arcless.errors import OutputError
+from arcless.units import show
+
+if TYPE_CHECKING:
+    from arcless.storage.hidden_files import Claim
+
+_OLD = "old-"
+# How long a run that is cut off may take to notice that its folder is gone: 0.2 s in all.
+_TRIES, _BETWEEN_TRIES_S = 20, 0.01
+
+
+def check_place(file: Path, suffix: str, option: str) -> None:
+    """Refuse a file that could not be written after the computing, before it."""
+    from arcless.storage.whole_files import check_writable
+
+    if file.suffix.lower() != suffix:
+        raise OutputError(
+            f"not a {suffix} file",
+            where=str(file),
+            got=show(file.suffix) if file.suffix else "a name without an ending",
+            expected=f"a name that ends in {suffix}",
+            hint=f"this is the only form that `{option}` writes; a browser can print it",
+        )
+    check_writable(file)
+
+
+class OutputFolder:
+    """Files are made in a hidden folder inside and moved to their names when all are done.
+
+    Entering proves that the folder can be written, before any computing. Leaving without
+    `publish` removes whatever was made, the folder itself included if it is new. Of the `files`
+    that belong together the others follow from the first: those of an older run go when it is
+    replaced, so that none ever tells of another run than the first does. A link in the place of a
+    file is replaced itself; what it leads to stays as it is. A folder there is refused.
+    """
+
+    def __init__(self, path: Path, *files: str) -> None:
+        self.path = path
+        self._files = files
+        self._made: list[Path] = []  # folders that did not exist before, outermost first
+        self._claim: Claim | None = None
+
+    def __enter__(self) -> Self:
+        """Make the folder and a hidden one inside it."""
+        from arcless.storage import hidden_files
+
+        self._staging = self.path / hidden_files.new_name()
+        self._refuse_folders()
+        try:
+            for folder in reversed([self.path, *self.path.parents]):
+                if not os.path.exists(folder):  # noqa: PTH110 - `Path.exists` fails on long names
+                    self._made.append(folder)
+                    folder.mkdir(exist_ok=True)
+            hidden_files.sweep(self.path)
+            self._claim = hidden_files.create_folder(self._staging)
+        except BaseException as error:
+            self._clear()
+            if isinstance(error, OSError):
+                raise self._cannot_write(error) from error
+            raise
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        """Remove what was not published; name files in an error as the user knows them."""
+        self._clear()
+        if isinstance(error, OutputError) and error.where:
+            error.where = error.where.replace(str(self._staging), str(self.path))
+
+    def file(self, name: str) -> Path:
+        """Return the path at which to write one of the files."""
+        return self._staging / name
+
+    def publish(self) -> list[Path]:
+        """Move all files that were made to their names and return these."""
+        from arcless.storage.whole_files import settle
+
+        try:
+            published = sorted(self.path / staged.name for staged in self._staging.iterdir())
+            with interrupts.held_back():
+                self._refuse_folders()
+                self._move()
+            settle(self.path)
+        except OSError as error:
+            raise self._cannot_write(error) from error
+        return published
+
+    def _move(self) -> None:
+        first, *others = self._files
+        made = [name for name in others if (self._staging / name).exists()]
+        aside: list[str] = []
+        try:
+            for name in others:
+                if os.path.lexists(self.path / name):
+                    (self.path / name).replace(self._staging / f"{_OLD}{name}")
+                    aside.append(name)
+            (self._staging / first).replace(self.path / first)
+        except OSError:
+            for name in aside:
+                (self._staging / f"{_OLD}{name}").replace(self.path / name)
+            raise
+        for name in made:
+            (self._staging / name).replace(self.path / name)
+
+    def _refuse_folders(self) -> None:
+        """Refuse folders where files are to be: what they hold is not ours to move or to remove."""
+        for name in self._files:
+            if os.path.isdir(self.path / name):  # noqa: PTH112 - `Path.is_dir` fails on long names
+                raise OutputError(
+                    "the file cannot be written",
+                    where=str(self.path / name),
+                    got="a folder",
+                    expected="a file, or nothing",
+                    hint="move it away, or choose another folder with `--out`",
+                )
+
+    def _clear(self) -> None:
+        with interrupts.held_back():
+            self._remove()
+            if self._claim is not None:
+                self._claim.close()
+            for folder in reversed(self._made):
+                with suppress(OSError):  # it holds published files, or was not made after all
+                    folder.rmdir()
+
+    def _remove(self) -> None:
+        """Remove the hidden folder, although a run that is cut off may still write into it."""
+        for _ in range(_TRIES):
+            shutil.rmtree(self._staging, ignore_errors=True)
+            if not os.path.lexists(self._staging):
+                return
+            time.sleep(_BETWEEN_TRIES_S)
+
+    def _cannot_write(self, error: OSError) -> OutputError:
+        what, hint = "the output folder cannot be written", "choose another one with `--out`"
+        return OutputError.of(error, what, self.path, hint)

@@ -1,0 +1,1 @@
+"""The process of a command: its start, its signals, its failures."""

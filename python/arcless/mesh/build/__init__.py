@@ -1,0 +1,1 @@
+"""Parts of a line → rows of the tables, and the whole mesh."""

@@ -1,0 +1,97 @@
+"""What holds the wires of a system at its supports → rows of the tables."""
+
+from arcless.mesh.division.chain import Chains
+from arcless.mesh.division.wire_names import BRIDLE, CONTACT
+from arcless.mesh.division.wires import Stations
+from arcless.mesh.tables.context import Kit
+from arcless.mesh.tables.mesh_types import SupportPlace
+from arcless.mesh.tables.parts import HELD, UNLOADED
+from arcless.model.line.parts.components import MessengerSupport, NoSteadyArm, SteadyArmBar
+from arcless.model.line.parts.contact_supports import ContactSupport
+
+
+class Holding:
+    """Adds the supports and steady arms of one system."""
+
+    def __init__(self, kit: Kit, places: Stations, chains: Chains) -> None:
+        self.kit, self.chains, self.system = kit, chains, places.system
+        self.line, self.parts = kit.line, kit.parts
+
+    def build(self) -> list[SupportPlace]:
+        """Add everything; at the first and the last support the wires are anchored."""
+        chains, system = self.chains, self.system
+        last = len(system.supports) - 1
+        found = []
+        for index, x in enumerate(system.supports):
+            inside = 0 < index < last
+            messenger = chains.messenger
+            spring = self._hold_messenger(messenger.at(x)) if inside and messenger else None
+            for name, contact in chains.contacts.items():
+                node = contact.at(x)
+                arm = self._hold_contact_wire(node, name, index) if inside else None
+                which = self._name(index, name)
+                if inside and messenger is None:
+                    spring = self._hold_alone(
+                        chains.of(BRIDLE, x).at(x) if chains.bridles else node
+                    )
+                found.append(SupportPlace(which, x, node, spring, arm))
+            if inside and chains.auxiliary is not None and self.kit.spatial:
+                # A pull-off keeps its lateral position; it hangs on droppers alone.
+                self.parts.add("fixed", (chains.auxiliary.at(x), 1))
+        return found
+
+    def _name(self, index: int, contact_wire: str) -> str:
+        """Return the name of a support; two contact wires have an arm each."""
+        name = self.system.named(f"support {self.system.first + index}")
+        return name + contact_wire.removeprefix(CONTACT).replace(" ", " wire ")
+
+    def _hold_alone(self, node: int) -> int:
+        """Hold a contact wire without messenger wire, or its bridle, at a support."""
+        assert self.line.contact_support is not None
+        return self._hold(node, self.line.contact_support)
+
+    def _hold_messenger(self, node: int) -> int:
+        support = self.line.support
+        assert support is not None
+        row = self._hold(node, support)
+        if support.longitudinal_stiffness > 0.0:
+            stiffness = (support.longitudinal_stiffness, 0.0, 0.0)
+            self.parts.add("springs", (node, 0, UNLOADED), stiffness)
+        return row
+
+    def _hold(self, node: int, support: ContactSupport | MessengerSupport) -> int:
+        """Hold a node up, and across in space; return the row of the vertical spring."""
+        vertical = (support.vertical_stiffness, support.vertical_damping, 0.0)
+        row = self.parts.add("springs", (node, self.kit.up, HELD), vertical)
+        if self.kit.spatial:
+            lateral = support.lateral_stiffness or support.vertical_stiffness
+            self.parts.add("springs", (node, 1, HELD), (lateral, 0.0, 0.0))
+        self.parts.add_mass(node, support.mass, 0.0)
+        return row
+
+    def _hold_contact_wire(self, node: int, name: str, index: int) -> int | None:
+        arm = self.line.steady_arm
+        if isinstance(arm, SteadyArmBar):
+            return self.parts.add_steady_arm(arm, node, self._pull_side(name, index))
+        if isinstance(arm, NoSteadyArm):
+            return None
+        if arm.vertical_stiffness > 0.0:
+            spring = (arm.vertical_stiffness, arm.vertical_damping, 0.0)
+            # It holds the wire at a measured height, and else carries nothing at rest.
+            mode = HELD if self.system.measured else UNLOADED
+            self.parts.add("springs", (node, self.kit.up, mode), spring)
+        self.parts.add_mass(node, arm.mass, 0.0)
+        if self.kit.spatial:
+            # An arm known only by its vertical stiffness holds the stagger rigidly.
+            self.parts.add("fixed", (node, 1))
+        return None
+
+    def _pull_side(self, name: str, index: int) -> float:
+        """Side the arm pulls to: outwards of the bend that stagger and curve make, in tension."""
+        before, here, after = self.system.stagger_of(name)[index - 1 : index + 2]
+        x0, x1, x2 = self.system.supports[index - 1 : index + 2]
+        bend = (here - before) / (x1 - x0) - (after - here) / (x2 - x1)
+        track, height = self.line.track, self.line.geometry.contact_wire_height
+        if track.curves:
+            bend -= track.mean_direction(x1, x2, height) - track.mean_direction(x0, x1, height)
+        return -1.0 if bend < 0.0 else 1.0

@@ -1,0 +1,1 @@
+"""Wires of all systems, divided into elements and nodes."""

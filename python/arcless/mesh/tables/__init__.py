@@ -1,0 +1,1 @@
+"""Tables of the mesh: rows for the core, and the names behind them."""

@@ -1,0 +1,1 @@
+"""What is allowed in a model but deserves a word to the user."""

@@ -1,0 +1,1 @@
+"""Parts that a line is described by: wires, supports, spans, heights, curves."""

@@ -1,0 +1,1 @@
+"""Names, files and plain data → validated models, changed copies, schemas."""

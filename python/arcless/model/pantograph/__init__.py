@@ -1,0 +1,1 @@
+"""A pantograph, its place on the train, and what acts on it."""

@@ -1,0 +1,177 @@
+"""A pantograph: a chain of masses, springs and dampers from base to head, or given by matrices."""
+
+from typing import Annotated, Any, Literal
+
+from pydantic import Field, model_validator
+
+from arcless.errors import ModelError
+from arcless.model.fields import extremes
+from arcless.model.fields.document import Document
+from arcless.model.fields.part import Unit
+from arcless.model.pantograph.force_tables import LiftTable
+from arcless.model.pantograph.head import CollectorHead
+from arcless.model.pantograph.joint import Joint
+from arcless.model.pantograph.matrices import MAX_COORDINATES, PantographMatrices
+
+MAX_MASSES = MAX_COORDINATES
+
+
+class PantographMass(Joint):
+    """A mass of the chain, with what joins it to the mass below."""
+
+    mass: Annotated[float, Unit("kg", above=0, maximum=extremes.MASS)] = Field(description="Mass.")
+    stiffness: Annotated[float, Unit("N/m", minimum=0, maximum=extremes.STIFFNESS)] | None = Field(
+        default=None, description="Spring to the mass below, or to the base frame."
+    )
+    damping: Annotated[float, Unit("N s/m", minimum=0, maximum=extremes.DAMPING)] | None = Field(
+        default=None, description="Damper to the mass below, or to the base frame."
+    )
+    aerodynamic: Annotated[
+        float, Unit("N/(m/s)2", minimum=-extremes.AERODYNAMIC, maximum=extremes.AERODYNAMIC)
+    ] = Field(
+        default=0.0,
+        description="Upward aerodynamic force on this mass over speed squared.",
+    )
+    lift: LiftTable | None = Field(
+        default=None, description="Upward force on this mass over speed; excludes aerodynamic."
+    )
+
+    @model_validator(mode="after")
+    def _check_given_once(self) -> "PantographMass":
+        if self.lift is not None and self.aerodynamic != 0.0:
+            raise ModelError(
+                "both aerodynamic and lift given", expected="aerodynamic or lift", field=("lift",)
+            )
+        for name in ("stiffness", "damping"):
+            number, table = getattr(self, name), getattr(self, f"{name}_table")
+            if number is not None and table is not None:
+                raise ModelError(
+                    f"both {name} and {name}_table given",
+                    expected=f"{name} or {name}_table",
+                    field=(f"{name}_table",),
+                )
+            if number is None and table is None:
+                expected = f"{self._expected(name)}, or {name}_table"
+                raise ModelError("missing field", expected=expected, field=(name,))
+        return self
+
+
+# Lateral position allowed by the width of the head over its horns, both in m: S11 of the shipped
+# models (course notes on UNE-EN 50367), mark A.
+LATERAL_LIMITS = {1.6: 0.4, 1.95: 0.55}
+
+
+def lateral_limit(given: float | None, head_width: float | None) -> float | None:
+    """Return a lateral range in m: the one given, or what the width of the head in m allows."""
+    return given if given is not None else LATERAL_LIMITS.get(round(head_width or 0.0, 3))
+
+
+class Pantograph(Document):
+    """A pantograph: a chain of masses from base to head, or a linear system given by matrices."""
+
+    format: Literal["arcless-pantograph/1"] = Field(
+        default="arcless-pantograph/1", description="Format and version."
+    )
+    masses: tuple[PantographMass, ...] = Field(
+        default=(), description="Masses from base to head.", max_length=MAX_MASSES
+    )
+    matrices: PantographMatrices | None = Field(
+        default=None, description="General linear pantograph; excludes masses."
+    )
+    head: CollectorHead | None = Field(
+        default=None, description="Strips on the last mass; without it, the last mass is the strip."
+    )
+    half_length: Annotated[float, Unit("m", above=0, maximum=2)] | None = Field(
+        default=None,
+        description="Half of the length over which the strip can touch a wire; none: no limit.",
+    )
+    head_width: Annotated[float, Unit("m", minimum=0.5, maximum=3)] | None = Field(
+        default=None, description="Width of the collector head over its horns, across the track."
+    )
+    lateral_range: Annotated[float, Unit("m", above=0, maximum=1.5)] | None = Field(
+        default=None,
+        description="How far from the middle of the head the contact wire may run; 0.40 m for a"
+        " head_width of 1.60 m and 0.55 m for one of 1.95 m if not given.",
+    )
+    static_force: Annotated[float, Unit("N", above=0, maximum=2000)] | None = Field(
+        default=None, description="Static force, used when a scenario gives no force."
+    )
+
+    @property
+    def lateral_limit(self) -> float | None:
+        """How far from the middle of its head the contact wire may run, in m; None if not known."""
+        return lateral_limit(self.lateral_range, self.head_width)
+
+    @classmethod
+    def prepare(cls, data: dict[str, Any]) -> dict[str, Any]:
+        """Take masses that are nothing as masses left out."""
+        return {key: value for key, value in data.items() if key != "masses" or value is not None}
+
+    @model_validator(mode="after")
+    def _check_kind(self) -> "Pantograph":
+        if self.masses and self.matrices is not None:
+            raise ModelError(
+                "both masses and matrices given", expected="masses or matrices", field=("matrices",)
+            )
+        if not self.masses and self.matrices is None:
+            raise ModelError(
+                "missing field",
+                expected="masses, from base to head, or matrices",
+                field=("masses",),
+            )
+        if self.head is not None and not self.masses:
+            raise ModelError(
+                "a head on matrices",
+                expected="masses below the head, or matrices that contain it",
+                field=("head",),
+            )
+        if self.head is not None and self.half_length is not None:
+            raise ModelError(
+                "half_length given twice",
+                expected="that of the head alone",
+                field=("half_length",),
+            )
+        return self
+
+    @property
+    def size(self) -> int:
+        """Number of coordinates: masses and those of the strips, or what the matrices have."""
+        if self.matrices is not None:
+            return len(self.matrices.strip)
+        return len(self.masses) + (0 if self.head is None else self.head.size)
+
+    @property
+    def raised(self) -> tuple[float, ...]:
+        """Coordinates of the whole pantograph raised by 1 m."""
+        if self.matrices is not None:
+            return self.matrices.rigid
+        strips = () if self.head is None else self.head.raised
+        return (1.0,) * len(self.masses) + strips
+
+    @property
+    def heights(self) -> list[int]:
+        """Coordinates that are displacements of a mass: not roll angles, not modes of strips."""
+        if self.matrices is not None:
+            return list(range(self.size))
+        return [i for i, value in enumerate(self.raised) if value]
+
+    @property
+    def rolls(self) -> list[int]:
+        """Coordinates that are the roll angles of strips."""
+        if self.head is None or self.head.roll is None:
+            return []
+        first = len(self.masses) + 1
+        return [first + number * self.head.strip_size for number in range(self.head.strips)]
+
+    def lift_at(self, speed: float) -> float:
+        """Return the share of the contact force in N that the air carries at a speed in m/s."""
+        if self.matrices is not None:
+            tables = sum(
+                table.raising(self.matrices.rigid, speed) for table in self.matrices.lift_tables
+            )
+            return self.matrices.lift_over_squared_speed * speed**2 + tables
+        tables = sum(part.lift.at(speed) for part in self.masses if part.lift is not None)
+        squared = sum(part.aerodynamic for part in self.masses)
+        if self.head is not None:
+            squared += self.head.strips * self.head.aerodynamic
+        return squared * speed**2 + tables

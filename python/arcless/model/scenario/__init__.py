@@ -1,0 +1,1 @@
+"""A scenario, the rules for it, and runs that follow from it."""

@@ -1,0 +1,1 @@
+"""Figures as Bokeh's script reads them."""

@@ -1,0 +1,1 @@
+"""Result files: NetCDF written whole or in pieces, sealed, checked and read."""

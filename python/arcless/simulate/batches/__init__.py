@@ -1,0 +1,1 @@
+"""Many runs that share what can be shared."""

@@ -1,0 +1,197 @@
+"""The runs beside a run, and what a result keeps of them.
+
+They go the way of a batch: the line at rest and its factor are those of the run, nothing is
+recorded but what an assessment reads, and the static force is not searched for again.
+"""
+
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from arcless.assess.certainty import Draw
+from arcless.errors import ArclessError
+from arcless.model import Scenario
+from arcless.model.scenario.other_family import other_family, steps_on_chains
+from arcless.simulate.batches.groups import Groups, Member
+from arcless.simulate.batches.member import assessed_alone
+from arcless.simulate.batches.outcome import Outcome
+from arcless.simulate.batches.workers import Crew, told
+from arcless.simulate.certainty import other_starts
+from arcless.simulate.runs.job import Cancel, Job, Line, Progress, lay_out
+from arcless.simulate.setup.controllers import Controllers
+
+# Between two questions whether to go on, in s.
+LOOK_EVERY_S = 0.1
+OWN, OTHER = "own", "other"
+# Runs scenarios, some on the line of a run, the others on lines of their own.
+Runs = Callable[[Sequence[Scenario]], list[Outcome]]
+LineOf = Callable[[Scenario], Line]
+
+
+def found_beside(job: Job, forces: list[float], runs: Runs) -> dict[str, Any]:
+    """Run what says how sure the numbers of a run are, and return what its result keeps of that.
+
+    Parameters
+    ----------
+    job
+        The run, which was made.
+    forces
+        Its static forces in N.
+    runs
+        Who runs the others.
+    """
+    asked = job.scenario.certainty
+    assert asked is not None
+    began = time.perf_counter()
+    places = other_starts.places(job.scenario)
+    scenarios = other_starts.begun_at(job, forces, places[1:])
+    if asked.other_family:
+        # First: it takes longest, and whoever is done before goes on with the starts.
+        scenarios.insert(0, _refined(job, forces))
+    outcomes = runs(scenarios)
+    refined = outcomes.pop(0) if asked.other_family else None
+    if refined is not None and refined.error is not None:
+        scenarios[0], refined = _tried_again(job, forces, scenarios[0], refined, runs)
+    done = [outcome for outcome in outcomes if outcome.assessment is not None]
+    return {
+        "starts_m": places,
+        "static_force_N": [forces, *(_forces(s) for s in scenarios[-len(outcomes) :])],
+        "draws": [_draw(outcome) for outcome in done],
+        "refined": None if refined is None or refined.assessment is None else _draw(refined),
+        "other_family": _words(scenarios[0]) if asked.other_family else None,
+        "wall_time_s": {
+            "starts": sum(outcome.wall_time_s for outcome in outcomes),
+            "other_family": None if refined is None else refined.wall_time_s,
+            "elapsed": time.perf_counter() - began,
+        },
+        "notes": [*_failures(outcomes), *_failure_of(refined)],
+    }
+
+
+def in_parallel(job: Job, tell: Progress, cancel: Cancel | None, workers: int) -> Runs:
+    """Return who runs scenarios side by side, on the line of a run where they share it."""
+
+    def runs(scenarios: Sequence[Scenario]) -> list[Outcome]:
+        own = job.scenario.solver
+        groups = Groups(lambda scenario: OWN if scenario.solver is own else OTHER)
+        for index, scenario in enumerate(scenarios):
+            line = Line(job.found, job.prepared) if scenario.solver is own else None
+            groups.put(Member(index, scenario, ""), line)
+        groups.close()
+        found: dict[int, Outcome] = {}
+        with Crew(groups, "assessment", None, workers, given=job.controllers.given) as crew:
+            while len(found) < len(scenarios):
+                for outcome in crew.outcomes(LOOK_EVERY_S):
+                    found[outcome.index] = outcome
+                    tell(len(found) / len(scenarios), f"{len(found)} of {len(scenarios)} repeats")
+                if cancel is not None and cancel():
+                    raise KeyboardInterrupt
+        return [found[index] for index in range(len(scenarios))]
+
+    return runs
+
+
+@dataclass(frozen=True)
+class _Alone:
+    """Runs scenarios one after the other in the thread that asks, as a member of a batch does."""
+
+    job: Job
+    cancel: Cancel
+    line_of: LineOf
+
+    def __call__(self, scenarios: Sequence[Scenario]) -> list[Outcome]:
+        return [self._run(index, scenario) for index, scenario in enumerate(scenarios)]
+
+    def _run(self, index: int, scenario: Scenario) -> Outcome:
+        began, job = time.perf_counter(), self.job
+        assessment, error = None, None
+        try:
+            is_own = scenario.solver is job.scenario.solver
+            line = Line(job.found, job.prepared) if is_own else self.line_of(scenario)
+            controllers = Controllers(scenario, job.controllers.given)
+            assessment = assessed_alone(
+                lay_out(scenario, controllers, _quiet, self.cancel, line), began
+            )
+        except Exception as failure:
+            error = told(failure)
+        wall_s = time.perf_counter() - began
+        return Outcome(index, scenario.name, assessment, error=error, wall_time_s=wall_s)
+
+
+def one_by_one(job: Job, cancel: Cancel, line_of: LineOf) -> Runs:
+    """Return who runs scenarios in the thread that asks: those beside a member of a batch.
+
+    `line_of` makes the line of a scenario that has another one than the member.
+    """
+    return _Alone(job, cancel, line_of)
+
+
+def _refined(job: Job, forces: list[float], *, chains: bool = True) -> Scenario:
+    """Return the run by the other family of elements, from the same start with the same forces."""
+    return other_family(_same(job, forces), chains=chains)
+
+
+def _same(job: Job, forces: list[float]) -> Scenario:
+    """Return the run with static forces that are known."""
+    placements = tuple(
+        placement.model_copy(update={"mean_force": None, "static_force": force})
+        for placement, force in zip(job.scenario.pantographs, forces, strict=True)
+    )
+    return job.scenario.model_copy(update={"pantographs": placements, "certainty": None})
+
+
+def _tried_again(
+    job: Job, forces: list[float], tried: Scenario, failed: Outcome, runs: Runs
+) -> tuple[Scenario, Outcome]:
+    """Refine cubic elements where a line refuses chains."""
+    if not steps_on_chains(tried.solver):
+        return tried, failed
+    cubic = _refined(job, forces, chains=False)
+    return cubic, runs([cubic])[0]
+
+
+def _forces(scenario: Scenario) -> list[float]:
+    return [placement.static_force or 0.0 for placement in scenario.pantographs]
+
+
+def _draw(outcome: Outcome) -> dict[str, Any]:
+    assert outcome.assessment is not None
+    return Draw.of(outcome.assessment).to_dict()
+
+
+def _words(scenario: Scenario) -> dict[str, Any]:
+    """Return what is told of the other family."""
+    solver = scenario.solver
+    return {
+        "scheme": solver.scheme.name,
+        "wire_model": solver.wires,
+        "contact_wire_element_m": solver.contact_wire_element_m,
+        "messenger_wire_element_m": solver.messenger_wire_element_m,
+        "time_step_s": scenario.time_step_s,
+    }
+
+
+def _failures(outcomes: Sequence[Outcome]) -> list[str]:
+    failed = [outcome.error for outcome in outcomes if outcome.error is not None]
+    if not failed:
+        return []
+    count = f"{len(failed)} of {len(outcomes)} runs from other starts failed"
+    return [f"{count}, and the spread is that of the others: {_reason(failed[0])}"]
+
+
+def _failure_of(refined: Outcome | None) -> list[str]:
+    if refined is None or refined.error is None:
+        return []
+    why = "the error of discretisation is not known, as the run by the other family failed"
+    return [f"{why}: {_reason(refined.error)}"]
+
+
+def _reason(error: ArclessError) -> str:
+    """Return what went wrong without the hint: it may name files of the machine that ran it."""
+    error.hint = None
+    return str(error)
+
+
+def _quiet(_fraction: float, _text: str) -> None:
+    pass

@@ -1,0 +1,1 @@
+"""The line at rest, and why it may have no shape."""

@@ -1,0 +1,1 @@
+"""What the core returns → variables of the result."""

@@ -1,0 +1,1 @@
+"""A run laid out and stepped: its forces, its state, its failures."""

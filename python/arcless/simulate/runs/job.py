@@ -1,0 +1,251 @@
+"""A run laid out and ready to step."""
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import cached_property, partial
+from threading import Lock
+from typing import Any
+
+from arcless import _core
+from arcless.errors import ArclessError
+from arcless.model import Scenario
+from arcless.model.scenario.coarse_copy import coarse
+from arcless.model.settings.schemes import EXPLICIT
+from arcless.simulate.equilibrium import equilibrium
+from arcless.simulate.recording.recording_window import Nearby, nearby
+from arcless.simulate.runs.checkpoint import State
+from arcless.simulate.runs.failures import preparing, stepping
+from arcless.simulate.setup import gust_loads, pantographs, trajectory
+from arcless.simulate.setup.controllers import Controllers
+
+Progress = Callable[[float, str], None]
+Cancel = Callable[[], bool]
+Take = Callable[[dict[str, Any]], None]
+# Numbers of a piece of the series: 8 MB.
+PIECE = 1 << 20
+# Steps between two in which explicit ones measure what wires store and dissipate, which takes as
+# long as ten others. With fewer the ledger would cost more; with more its rows are far apart.
+MEASURED_EVERY = 500
+# What is told of runs that search for a static force.
+SEARCHING = "finding the static force"
+
+
+@dataclass(frozen=True)
+class Job:
+    """A run that is ready to step.
+
+    Attributes
+    ----------
+    scenario, found, prepared, travel, given, loads, controllers
+        The scenario, its equilibrium, the factorised line, the travel, what is given over time for
+        each pantograph, and for the line, who decides on forces.
+    observe
+        Called with the number of steps done; tells whether to go on.
+    copy
+        Lays out a coarse copy of the run, on which a static force is searched for first; returns
+        None where none serves.
+    """
+
+    scenario: Scenario
+    found: equilibrium.Equilibrium
+    prepared: _core.Prepared
+    travel: trajectory.Motion
+    given: list[pantographs.GivenData]
+    loads: list[gust_loads.LoadData]
+    controllers: Controllers
+    observe: Callable[[int], bool]
+    copy: Callable[[], "Job | None"] = lambda: None
+
+    def step(
+        self,
+        forces: list[float],
+        *,
+        full: bool,
+        state: State | None = None,
+        until: int | None = None,
+        take: Take | None = None,
+        piece: int | None = None,
+    ) -> dict[str, Any]:
+        """Run steps with the given static forces in N; `full` records everything.
+
+        From the start or a state, to the end or until so many steps from the start are done. What
+        the core returns has the state there, as a `State`, and the wall time in s. With `take` the
+        series are handed to it in pieces of at least so many numbers, 8 MB without, and what is
+        returned has the last one; `arcless.simulate.recording.record.joined` puts them together.
+        """
+        placements, mesh = self.scenario.pantographs, self.found.mesh
+        speed = float(self.travel.speeds[0])
+        actuators = self.controllers.actuators()
+        numbers = {} if state is None else dict(state.numbers)
+        if state is not None:
+            self.controllers.put_back(actuators, numbers)
+        ridden = [
+            pantographs.rider(p.model, force + p.model.lift_at(speed), given, actuator)
+            for p, force, given, actuator in zip(
+                placements, forces, self.given, actuators, strict=True
+            )
+        ]
+        began = time.perf_counter()
+        with stepping(mesh, placements):
+            raw = self.prepared.run(
+                ridden,
+                [p.distance for p in placements],
+                self.travel.positions,
+                self.travel.speeds,
+                self.scenario.contact.friction_coefficient,
+                self.loads,
+                self._plan(full=full),
+                self.observe,
+                None if state is None else (state.step, numbers),
+                until,
+                *(() if take is None else ((piece or PIECE, take),)),
+            )
+        raw["wall_s"] = time.perf_counter() - began
+        step, after = raw["state"]
+        raw["state"] = State(step, {**after, **self.controllers.numbers(actuators)})
+        return raw
+
+    def _plan(self, *, full: bool) -> dict[str, Any]:
+        output = self.scenario.output
+        return {
+            "contact_every": output.contact_every,
+            "line_every": output.line_every if full else self.travel.steps + 1,
+            "links": full and output.droppers,
+            "nodes": [support.contact_node for support in self.found.mesh.supports],
+            "points": list(output.points),
+            "ledger": keeps_ledger(self.scenario) and (full or measured_every(self.scenario) > 1),
+            "ledger_every": measured_every(self.scenario),
+            "near": None if self.nearby is None else self.nearby.plan(self.found.mesh),
+        }
+
+    @cached_property
+    def nearby(self) -> Nearby | None:
+        """What of the line is recorded; None for all of it."""
+        return nearby(self.scenario, self.found.mesh, self.travel.steps)
+
+
+@dataclass(frozen=True)
+class Line:
+    """A line at rest and factorised for a time step: what runs may share."""
+
+    found: equilibrium.Equilibrium
+    prepared: _core.Prepared
+    _lock: Lock = field(default_factory=Lock, compare=False, repr=False)
+    _coarse: "list[Line | None]" = field(default_factory=list, compare=False, repr=False)
+
+    def of_copies(self, copied: Scenario, tell: Progress) -> "Line | None":
+        """Return the line of the coarse copies of runs that share this one.
+
+        It is made for the first who asks, given a copy; None where it cannot be made.
+        """
+        with self._lock:
+            if not self._coarse:
+                try:
+                    self._coarse.append(ready_line(copied, tell))
+                except ArclessError:
+                    self._coarse.append(None)
+            return self._coarse[0]
+
+
+def ready_line(scenario: Scenario, tell: Progress) -> Line:
+    """Find the line of a scenario at rest, and factorise it."""
+    tell(0.0, "static equilibrium")
+    found = equilibrium.find(scenario)
+    tell(0.0, "factorisation")
+    return Line(found, prepare(found, scenario))
+
+
+def lay_out(
+    scenario: Scenario,
+    controllers: Controllers,
+    tell: Progress,
+    cancel: Cancel | None,
+    line: Line | None = None,
+    *,
+    doing: str = "stepping",
+) -> Job:
+    """Lay out a run on its line: the travel, and what is given over time.
+
+    `doing` is what is told of its steps.
+    """
+    line = line or ready_line(scenario, tell)
+    travel = trajectory.motion(scenario)
+    given = pantographs.given_motions(scenario, travel)
+    loads = gust_loads.line_loads(line.found, scenario, travel)
+    observe = observer(travel.steps, doing, tell, cancel)
+    copy = partial(_coarse_copy, scenario, controllers, tell, cancel, line)
+    found, prepared = line.found, line.prepared
+    return Job(scenario, found, prepared, travel, given, loads, controllers, observe, copy)
+
+
+def _coarse_copy(
+    scenario: Scenario,
+    controllers: Controllers,
+    tell: Progress,
+    cancel: Cancel | None,
+    line: Line,
+) -> Job | None:
+    """Lay out a coarse copy of a run; None where none serves.
+
+    A controller is sampled in steps of the run, and may remember what it was asked.
+    """
+    copied = None if controllers.any else coarse(scenario)
+    coarser = None if copied is None else line.of_copies(copied, tell)
+    if copied is None or coarser is None:
+        return None
+    try:
+        return lay_out(copied, Controllers(copied), tell, cancel, coarser, doing=SEARCHING)
+    except ArclessError:
+        return None
+
+
+def prepare(found: equilibrium.Equilibrium, scenario: Scenario) -> _core.Prepared:
+    """Factorise a line for the steps of a scenario, or lay it out for explicit ones.
+
+    Raises
+    ------
+    ModelError
+        The line cannot be stepped as `solver` asks.
+    EquilibriumError
+        The equations of a step cannot be solved.
+    """
+    with preparing(found.mesh, scenario):
+        return found.core.prepare(
+            found.mesh.lanes,
+            trajectory.scheme_numbers(scenario.stepping.scheme),
+            scenario.time_step_s,
+            trajectory.contact_stiffness(scenario),
+            scenario.solver.kinematics == "updated",
+            scenario.solver.period_correction,
+        )
+
+
+def observer(steps: int, text: str, tell: Progress, cancel: Cancel | None) -> Callable[[int], bool]:
+    """Return who is called with the number of steps done."""
+
+    def observe(step: int) -> bool:
+        if cancel is not None and cancel():
+            raise KeyboardInterrupt
+        tell(step / steps, text)
+        return True
+
+    return observe
+
+
+def keeps_ledger(scenario: Scenario) -> bool:
+    """Whether energies are booked in a run of a scenario."""
+    # With a matrix the ledger costs about as much as the step itself; see docs/decisions.
+    # It books work against one stiffness: with updated kinematics there is none.
+    if scenario.solver.kinematics == "updated":
+        return False
+    wanted, scheme = scenario.output.energy, scenario.stepping.scheme.name
+    return wanted == "always" or (wanted == "auto" and scheme in ("trapezoidal", EXPLICIT))
+
+
+def measured_every(scenario: Scenario) -> int:
+    """Every how many steps the dissipation of the wires is measured, where a ledger is kept."""
+    if scenario.stepping.scheme.name != EXPLICIT or scenario.output.energy == "always":
+        return 1
+    rows = scenario.output.line_every
+    return rows * -(-MEASURED_EVERY // rows)

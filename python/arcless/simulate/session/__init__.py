@@ -1,0 +1,1 @@
+"""A line stepped from outside, in real time."""

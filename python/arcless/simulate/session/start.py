@@ -1,0 +1,171 @@
+"""Scenario → a loop of the core, standing at its start."""
+
+import hashlib
+import json
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from arcless import _core
+from arcless.errors import ModelError
+from arcless.mesh import Mesh
+from arcless.model import Scenario
+from arcless.model.pantograph.placement import PantographPlacement
+from arcless.simulate.equilibrium import equilibrium
+from arcless.simulate.recording import contacts
+from arcless.simulate.runs.failures import stepping, translated
+from arcless.simulate.runs.job import prepare
+from arcless.simulate.setup import pantographs as riders
+from arcless.simulate.setup import trajectory
+from arcless.simulate.setup.controllers import acts_on
+
+
+@dataclass(frozen=True)
+class Start:
+    """A loop of the core that stands at its start.
+
+    Attributes
+    ----------
+    core, mesh, simulated
+        The loop, names of its parts, its kind.
+    inputs
+        What a force is put in for.
+    pantographs
+        Their names.
+    first
+        Number of the first contact of each pantograph.
+    line
+        Fingerprint of the line at rest.
+    """
+
+    core: _core.Live
+    mesh: Mesh
+    simulated: bool
+    inputs: list[str]
+    pantographs: list[str]
+    first: NDArray[np.int64]
+    line: bytes
+
+
+def start(scenario: Scenario, *, simulated: bool) -> Start:
+    """Find the line at rest under the forces of the start, and factorise it.
+
+    Raises
+    ------
+    ModelError, MeshError, EquilibriumError, ContactError
+        See `realtime`.
+    """
+    _check(scenario, simulated=simulated)
+    found = equilibrium.find(scenario)
+    prepared = prepare(found, scenario)
+    travel = trajectory.motion(scenario)
+    position, speed = float(travel.positions[0]), float(travel.speeds[0])
+    begin = (position, speed, scenario.contact.friction_coefficient)
+    placements = scenario.pantographs
+    pantographs = [placement.name for placement in placements]
+    if simulated:
+        ridden = [_rider(placement, speed) for placement in placements]
+        distances = [placement.distance for placement in placements]
+        with stepping(found.mesh, placements):
+            core = _core.Live.with_riders(prepared, ridden, distances, begin)
+        inputs = pantographs
+        owners = [rider for rider, _, _ in core.contacts()]
+    else:
+        core, inputs, owners = _given(prepared, found.mesh, placements, begin)
+    first = np.searchsorted(owners, np.arange(len(placements)))
+    digest = hashlib.sha256()
+    for name in sorted(found.arrays):
+        digest.update(np.ascontiguousarray(found.arrays[name]).tobytes())
+    return Start(core, found.mesh, simulated, inputs, pantographs, first, digest.digest())
+
+
+def fingerprint(scenario: Scenario, begun: Start) -> str:
+    """Return what a state of the loop belongs to."""
+    text = json.dumps(scenario.to_dict(), sort_keys=True, ensure_ascii=False)
+    kind = f"{_core.__version__} {begun.simulated} "
+    return hashlib.sha256((kind + text).encode() + begun.line).hexdigest()
+
+
+def names_of(begun: Start) -> tuple[str, ...]:
+    """Return the names of the contacts."""
+    if not begun.simulated:
+        return tuple(begun.inputs)
+    raw = {"contacts": begun.core.contacts()}
+    return tuple(contacts.labels(raw, begun.pantographs) or begun.pantographs)
+
+
+def _rider(placement: PantographPlacement, speed: float) -> riders.RiderData:
+    pantograph = placement.model
+    force = (placement.start_force or 0.0) + pantograph.lift_at(speed)
+    mass = placement.controller.mass if placement.controller else None
+    # Every step brings its force; nobody is asked for one.
+    return riders.rider(pantograph, force, actuator=(acts_on(placement, mass), 1, 0, None))
+
+
+def _given(
+    prepared: _core.Prepared,
+    mesh: Mesh,
+    placements: tuple[PantographPlacement, ...],
+    begin: tuple[float, float, float],
+) -> tuple[_core.Live, list[str], list[int]]:
+    """Return the loop, and name and pantograph of each collector."""
+    if len(mesh.lanes) > 1:
+        what = "how several contact wires share a contact force that is given is not known"
+        raise _refusal(what, "line", hint="realtime(scenario, simulated=True)")
+    collectors, forces, names, owners = [], [], [], []
+    for number, placement in enumerate(placements):
+        strips = riders.rider(placement.model, 0.0)[3]
+        force = (placement.start_force or 0.0) + placement.model.lift_at(begin[1])
+        for strip, (offset, half_width, _, _) in enumerate(strips, start=1):
+            collectors.append((placement.distance + offset, half_width))
+            forces.append(force / len(strips))
+            owners.append(number)
+            several = len(strips) > 1
+            names.append(f"{placement.name} strip {strip}" if several else placement.name)
+    try:
+        core = _core.Live.with_forces(prepared, collectors, forces, begin)
+    except _core.NativeError as error:
+        raise translated(mesh, names, *error.args) from error
+    return core, names, owners
+
+
+def _check(scenario: Scenario, *, simulated: bool) -> None:
+    """Refuse what a loop cannot do."""
+    if scenario.solver.kinematics == "updated":
+        raise _refusal(
+            "updated kinematics factorise in every step",
+            "solver.kinematics",
+            hint="set solver.kinematics to linearised",
+        )
+    if scenario.as_built.gusts is not None:
+        raise _refusal(
+            "gusts are given for a whole run",
+            "as_built.gusts",
+            hint="leave them out; as_built.wind is steady and can stay",
+        )
+    for index, placement in enumerate(scenario.pantographs if simulated else ()):
+        field, model = f"pantographs.{index}", placement.model
+        if placement.roof_motion is not None:
+            raise _refusal(
+                "the roof moves as given for a whole run",
+                f"{field}.roof_motion",
+                hint="leave roof_motion out",
+            )
+        tables = bool(model.matrices and model.matrices.lift_tables)
+        if tables or any(part.lift is not None for part in model.masses):
+            raise _refusal(
+                "lift tables are read for a whole run",
+                f"{field}.model",
+                hint="leave the table out, and give static_force with the lift at the speed",
+            )
+        if placement.mean_force is not None:
+            raise _refusal(
+                "a mean force is found by whole runs",
+                f"{field}.mean_force",
+                hint="give static_force; static_force_found of a run tells which",
+            )
+
+
+def _refusal(what: str, where: str, hint: str | None = None) -> ModelError:
+    return ModelError(f"not in a real-time loop: {what}", where=where, hint=hint)

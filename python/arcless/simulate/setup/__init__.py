@@ -1,0 +1,1 @@
+"""Parts of a scenario → what the core is given to step."""

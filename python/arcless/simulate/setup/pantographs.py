@@ -1,0 +1,141 @@
+"""Pantograph → rider of the core: matrices, where forces act, what is given over time."""
+
+from collections.abc import Sequence
+from math import inf
+
+import numpy as np
+from numpy.typing import NDArray
+
+from arcless.model import Scenario
+from arcless.model.pantograph.pantograph import Pantograph
+from arcless.model.pantograph.placement import PantographPlacement
+from arcless.model.pantograph.roof import RoofMotion
+from arcless.simulate.setup import stops_and_friction
+from arcless.simulate.setup.collector_head import StripData, add_head
+from arcless.simulate.setup.controllers import ActuatorData
+from arcless.simulate.setup.stops_and_friction import elongation, unit_vector
+from arcless.simulate.setup.trajectory import Motion
+
+Floats = NDArray[np.float64]
+Numbers = list[float]
+# Forces as direction and N at every instant; the ground as what goes with it, m, and m/s.
+GivenData = tuple[list[tuple[Numbers, Numbers]], tuple[Numbers, Numbers, Numbers] | None]
+# Nobody is asked where every step brings its force.
+Actuated = ActuatorData | tuple[Numbers, int, int, None]
+RiderData = tuple[
+    Numbers,
+    Numbers,
+    Numbers,
+    list[StripData],
+    Numbers,
+    Numbers,
+    float,
+    GivenData,
+    list[stops_and_friction.StopData],
+    list[stops_and_friction.LawData],
+    Actuated | None,
+]
+NOTHING: GivenData = ([], None)
+
+
+def rider(
+    pantograph: Pantograph,
+    start_force: float,
+    given: GivenData = NOTHING,
+    actuator: Actuated | None = None,
+) -> RiderData:
+    """Return a pantograph as the core takes it.
+
+    Parameters
+    ----------
+    pantograph
+        A chain of masses, or matrices.
+    start_force
+        Contact force at the start in N.
+    given
+        What is given over time, see `given_motion`.
+    actuator
+        A force decided on during the run.
+    """
+    if pantograph.matrices is not None:
+        parts = pantograph.matrices
+        matrices = [np.array(m) for m in (parts.mass, parts.damping, parts.stiffness)]
+        # What is symmetric as written but for rounding is made so; the rest keeps its bits.
+        matrices = [(m + m.T) / 2.0 for m in matrices]
+        lift = list(parts.lift or (0.0,) * len(parts.strip))
+        strips, preload = [plain(parts.strip, pantograph.half_length)], list(parts.preload)
+    else:
+        matrices, lift, strips = _chain(pantograph)
+        preload = unit_vector(pantograph.size, 0)
+    mass, damping, stiffness = (m.ravel().tolist() for m in matrices)
+    laws = [law.data for law in stops_and_friction.laws(pantograph)]
+    stops = stops_and_friction.stops(pantograph)
+    forces = (strips, preload, lift, start_force)
+    return (mass, damping, stiffness, *forces, given, stops, laws, actuator)
+
+
+def plain(vector: Sequence[float], half_length: float | None) -> StripData:
+    """Return a strip that is the same everywhere; without a length it reaches every wire."""
+    return (0.0, half_length or inf, [0.0], [list(vector)])
+
+
+def _chain(pantograph: Pantograph) -> tuple[list[Floats], list[float], list[StripData]]:
+    """Return M, C and K; the aerodynamic coefficients; the strips.
+
+    Spring i joins mass i to the one below, the first to the base. The strip is the last mass, where
+    no head stands on it.
+    """
+    masses, size = pantograph.masses, pantograph.size
+    mass = np.diag([part.mass for part in masses] + [0.0] * (size - len(masses)))
+    stiffness, damping = np.zeros((size, size)), np.zeros((size, size))
+    for i, part in enumerate(masses):
+        joint = np.array(elongation(size, i))
+        stiffness += (part.stiffness or 0.0) * np.outer(joint, joint)
+        damping += (part.damping or 0.0) * np.outer(joint, joint)
+    lift = np.array([part.aerodynamic for part in masses] + [0.0] * (size - len(masses)))
+    if pantograph.head is None:
+        strip = plain(unit_vector(size, size - 1), pantograph.half_length)
+        return [mass, damping, stiffness], lift.tolist(), [strip]
+    head = add_head(pantograph.head, len(masses))
+    matrices = [mass + head.mass, damping + head.damping, stiffness + head.stiffness]
+    return matrices, (lift + head.lift).tolist(), head.strips
+
+
+def given_motions(scenario: Scenario, travel: Motion) -> list[GivenData]:
+    """Return lift tables and roof motion of each pantograph, at the start and after each step."""
+    return [_given(placement, travel) for placement in scenario.pantographs]
+
+
+def _given(placement: PantographPlacement, travel: Motion) -> GivenData:
+    pantograph = placement.model
+    tables = [
+        (unit_vector(pantograph.size, i), part.lift)
+        for i, part in enumerate(pantograph.masses)
+        if part.lift is not None
+    ]
+    if pantograph.matrices is not None:
+        tables += [(list(table.on), table) for table in pantograph.matrices.lift_tables]
+    forces = [
+        (direction, np.interp(travel.speeds, table.speed, table.force).tolist())
+        for direction, table in tables
+    ]
+    if placement.roof_motion is None:
+        return forces, None
+    height, rate = roof(placement.roof_motion, travel, placement.distance)
+    return forces, (list(pantograph.raised), height.tolist(), rate.tolist())
+
+
+def roof(motion: RoofMotion, travel: Motion, distance: float) -> tuple[Floats, Floats]:
+    """Return height in m and its rate in m/s of a roof `distance` m behind the first pantograph.
+
+    Between its points the height is the natural cubic spline, the rate its derivative; over
+    position, the slope times the speed.
+    """
+    from scipy.interpolate import CubicSpline
+
+    spline = CubicSpline(motion.points, motion.displacement, bc_type="natural")
+    if motion.position is None:
+        times = travel.time_step * np.arange(travel.steps + 1, dtype=np.float64)
+        return np.asarray(spline(times)), np.asarray(spline(times, 1))
+    places = travel.positions - distance
+    return np.asarray(spline(places)), np.asarray(spline(places, 1)) * travel.speeds

@@ -1,0 +1,118 @@
+"""Stops, tables and friction between the masses of a pantograph, as the core takes them."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from math import inf
+
+from arcless.model.pantograph.joint import Joint
+from arcless.model.pantograph.pantograph import Pantograph
+from arcless.model.pantograph.placement import PantographPlacement
+
+Numbers = list[float]
+# The motion that opens it, gap in m, stiffness in N/m.
+StopData = tuple[Numbers, float, float]
+# The motion it looks at, whether it is a damper, points in m (or m/s) and N.
+LawData = tuple[Numbers, bool, list[tuple[float, float]]]
+
+
+@dataclass(frozen=True)
+class Law:
+    """A spring or a damper with a table.
+
+    Attributes
+    ----------
+    field
+        Where it stands in the pantograph, such as masses.1.stiffness_table.
+    data
+        As the core takes it.
+    is_table
+        Whether it was given as a table: friction has no end.
+    """
+
+    field: str
+    data: LawData
+    is_table: bool
+
+    @property
+    def unit(self) -> str:
+        """Unit of what it looks at."""
+        return "m/s" if self.data[1] else "m"
+
+
+def unit_vector(size: int, i: int) -> Numbers:
+    """Return a vector of zeros with a one at `i`."""
+    return [float(k == i) for k in range(size)]
+
+
+def elongation(size: int, i: int) -> Numbers:
+    """Elongation of what is between mass i of a chain and the one below, or the base."""
+    joint = unit_vector(size, i)
+    if i > 0:
+        joint[i - 1] = -1.0
+    return joint
+
+
+def joints(pantograph: Pantograph) -> Iterator[tuple[str, Numbers, Joint]]:
+    """Yield where each joint stands in the pantograph, its elongation, and itself."""
+    size = pantograph.size
+    for i, mass in enumerate(pantograph.masses):
+        yield f"masses.{i}", elongation(size, i), mass
+    if pantograph.matrices is not None:
+        for i, joint in enumerate(pantograph.matrices.joints):
+            yield f"matrices.joints.{i}", list(joint.between), joint
+
+
+def stops(pantograph: Pantograph) -> list[StopData]:
+    """Return the bump stops of a pantograph as the core takes them."""
+    found: list[StopData] = []
+    for _, direction, joint in joints(pantograph):
+        if joint.stops is None:
+            continue
+        given = joint.stops.stiffness
+        stiffness = inf if isinstance(given, str) else given
+        if joint.stops.below is not None:
+            found.append((direction, joint.stops.below, stiffness))
+        if joint.stops.above is not None:
+            found.append(([-value for value in direction], joint.stops.above, stiffness))
+    return found
+
+
+def laws(pantograph: Pantograph) -> list[Law]:
+    """Return springs and dampers with tables, and friction, of a pantograph."""
+    found: list[Law] = []
+    for place, direction, joint in joints(pantograph):
+        for name, is_damper in (
+            ("stiffness_table", False),
+            ("damping_table", True),
+            ("friction", True),
+        ):
+            part = getattr(joint, name)
+            if part is not None:
+                data = (direction, is_damper, part.points)
+                found.append(Law(f"{place}.{name}", data, name != "friction"))
+    return found
+
+
+def tables_left(placements: tuple[PantographPlacement, ...], ranges: list[float]) -> list[str]:
+    """Return a warning for each table that a run went beyond.
+
+    Parameters
+    ----------
+    placements
+        The pantographs.
+    ranges
+        Smallest and largest motion of each law, in the order of `laws`.
+    """
+    numbers = iter(ranges)
+    warnings = []
+    for placement in placements:
+        for law in laws(placement.model):
+            lowest, highest = next(numbers), next(numbers)
+            first, last = law.data[2][0][0], law.data[2][-1][0]
+            if law.is_table and (lowest < first or highest > last):
+                warnings.append(
+                    f"pantograph {placement.name}: {law.field} was left: {lowest:.4g} to"
+                    f" {highest:.4g} {law.unit}, the table has {first:g} to {last:g} {law.unit};"
+                    " beyond it goes on with its last slope"
+                )
+    return warnings

@@ -1,0 +1,108 @@
+"""Hidden files and folders of writers at work, and what killed ones left behind.
+
+A writer holds a lock (`lock`) in a file beside its hidden file or folder, made before that and
+removed after it. The system lets go of the lock when the process ends, however it ends. So whatever
+carries the prefix and is not locked was left behind by a process that was killed, and is removed by
+the next writer in the same folder.
+"""
+
+import secrets
+import shutil
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+
+from arcless.storage.lock import Lock
+
+PREFIX = ".arcless-unfinished-"
+_LOCK = ".lock"
+# A sweeper holds a lock while it removes a name: some milliseconds.
+_PATIENCE_S = 10.0
+
+
+class Claim:
+    """A name for a hidden file or folder that belongs to this process until it is closed.
+
+    Raises
+    ------
+    OSError
+        Nothing can be written there.
+    """
+
+    def __init__(self, path: Path) -> None:
+        while True:
+            self._lock = Lock(path.with_name(path.name + _LOCK))
+            try:
+                with suppress(OSError):  # a file system without locks: nobody sweeps there
+                    self._lock.take(_PATIENCE_S)
+            except BaseException:
+                self.close()
+                raise
+            if self._lock.path.exists():
+                return
+            self._lock.close()  # a sweeper saw it before it was taken, and removed it
+
+    def close(self) -> None:
+        """Give the name back; what has it is gone, or goes with the next sweep."""
+        _remove_file(self._lock)
+
+
+def new_name() -> str:
+    """Return a name for a hidden file or folder that nobody else has."""
+    return f"{PREFIX}{secrets.token_hex(4)}"
+
+
+@contextmanager
+def claimed(path: Path) -> Iterator[None]:
+    """Claim the name of a hidden file while it is written."""
+    claim = Claim(path)
+    try:
+        yield
+    finally:
+        claim.close()
+
+
+def create_folder(path: Path) -> Claim:
+    """Create a hidden folder, which belongs to this process until the claim is closed."""
+    claim = Claim(path)
+    try:
+        path.mkdir(mode=0o700)
+    except BaseException:
+        claim.close()
+        raise
+    return claim
+
+
+def sweep(folder: Path) -> None:
+    """Remove what killed processes left in a folder; what cannot be removed stays."""
+    with suppress(OSError):
+        for name in {path.name.removesuffix(_LOCK) for path in folder.glob(f"{PREFIX}*")}:
+            _remove_if_left(folder / name)
+
+
+def _remove_if_left(path: Path) -> None:
+    beside = path.with_name(path.name + _LOCK)
+    if path.is_symlink() or beside.is_symlink():  # none of ours
+        return
+    with suppress(OSError):  # of another user, or without locks
+        lock = Lock(beside)  # made anew where the name was given back already
+        if lock.take():
+            try:
+                if path.is_dir():
+                    shutil.rmtree(path)
+                else:
+                    path.unlink(missing_ok=True)
+            finally:
+                _remove_file(lock)
+
+
+def _remove_file(lock: Lock) -> None:
+    """Remove a lock file while it is held: once let go of, its name may be another one's."""
+    try:
+        lock.path.unlink(missing_ok=True)
+    except OSError:  # a system that removes no file in use
+        lock.close()
+        with suppress(OSError):
+            lock.path.unlink(missing_ok=True)
+    else:
+        lock.close()

@@ -1,0 +1,1 @@
+"""The study file: what is asked for, and what comes out."""

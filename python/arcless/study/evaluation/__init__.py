@@ -1,0 +1,1 @@
+"""Variants, and the runs that make their rows."""

@@ -1,0 +1,1 @@
+"""Designs that choose their variants, and runs that are stopped early."""
