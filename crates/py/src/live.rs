@@ -35,6 +35,9 @@ macro_rules! either {
     };
 }
 
+// Python's objects are aligned to 16 bytes, and what lies in them is stepped where it lies.
+const _: () = assert!(align_of::<Loop>() <= 16);
+
 /// A line in a loop with the outside. Made by the class methods.
 #[pyclass]
 pub struct Live(Loop);

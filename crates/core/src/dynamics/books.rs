@@ -1,6 +1,7 @@
 //! The energy ledger of a run, whatever its steps are, and when it ends the run.
 
 use super::balance::Balance;
+use super::checkpoint::Walk;
 use super::entries::Entries;
 use super::inputs::Inputs;
 use super::ledger::{Ledger, StepForces};
@@ -35,13 +36,13 @@ impl<const DIM: usize, const D: usize> Books<DIM, D> {
     pub(super) fn open(model: &Model<'_, DIM, D>, motion: &Motion<DIM, D>, every: usize) -> Self {
         let (p, state, riders) = (model.line, &motion.line, &motion.riders);
         let (contacts, datum) = (&motion.contacts, motion.datum);
-        match (p.explicit_steps(), &state.grid) {
-            (Some(steps), Some(grid)) => {
+        match p.explicit_state(state) {
+            Some((steps, grid)) => {
                 let with = (datum, every);
                 let new = Balance::new(p, (steps, grid), state, riders, contacts, with);
                 Self::Explicit(Box::new(new))
             }
-            _ => Self::Solved(Box::new(Ledger::new(p, state, riders, contacts, datum))),
+            None => Self::Solved(Box::new(Ledger::new(p, state, riders, contacts, datum))),
         }
     }
 
@@ -61,6 +62,41 @@ impl<const DIM: usize, const D: usize> Books<DIM, D> {
                 [ledger.entries.residual(), 0.0, 0.0, stored]
             }
             Self::Explicit(b) => [b.residual(), b.least(), b.switched(), b.largest()],
+        }
+    }
+
+    /// Whether every island must be stepped for the ledger to close.
+    pub(super) fn needs_all_islands(&self) -> bool {
+        matches!(self, Self::Solved(_))
+    }
+
+    /// Book an island that is about to be laid to rest.
+    pub(super) fn leave(
+        &mut self,
+        model: &Model<'_, DIM, D>,
+        motion: &Motion<DIM, D>,
+        island: usize,
+    ) {
+        if let (Self::Explicit(own), Some(at)) = (self, model.line.explicit_state(&motion.line)) {
+            own.leave(model.line, at, island);
+        }
+    }
+
+    /// Find again what follows from a state that was put back.
+    pub(super) fn resume(&mut self, model: &Model<'_, DIM, D>, motion: &Motion<DIM, D>) {
+        if let Self::Explicit(own) = self {
+            own.go_on(model.line, &motion.riders);
+        }
+    }
+
+    /// Save or put back the sums so far.
+    ///
+    /// # Errors
+    /// [`CoreError::Input`] for numbers that do not fit.
+    pub(super) fn walk(&mut self, walk: &mut Walk<'_>) -> Result<(), CoreError> {
+        match self {
+            Self::Solved(own) => own.walk(walk),
+            Self::Explicit(own) => own.walk(walk),
         }
     }
 

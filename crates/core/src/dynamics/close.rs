@@ -36,7 +36,7 @@ impl<const DIM: usize, const D: usize> State<DIM, D> {
             total.fallback_used |= stats.fallback_used;
             total.residual = total.residual.max(stats.residual);
             at.line
-                .respond(&mut motion.line, &mut motion.unilateral, &motion.contacts);
+                .apply(&mut motion.line, &mut motion.unilateral, &motion.contacts);
             if !motion.collect(&at) {
                 motion.push_riders();
                 if !motion.turn(&at) {

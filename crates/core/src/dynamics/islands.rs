@@ -8,7 +8,7 @@
 use super::line::Line;
 use super::model::Model;
 use super::state::{Motion, State};
-use super::stepper::{LineState, Prepared};
+use super::stepper::Prepared;
 use crate::linalg::islands::islands;
 use std::ops::Range;
 
@@ -85,25 +85,6 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
     }
 }
 
-impl<const D: usize> LineState<D> {
-    /// Whether nothing of an island has moved.
-    fn lies(&self, island: &Island) -> bool {
-        let still = |field: &[[f64; D]]| {
-            let mut numbers = field[island.nodes.clone()].iter().flatten();
-            numbers.all(|v| *v == 0.0)
-        };
-        [&self.u, &self.v, &self.a].into_iter().all(|f| still(f))
-    }
-
-    /// Put an island back to rest.
-    fn lay(&mut self, island: &Island) {
-        for field in self.fields() {
-            field[island.nodes.clone()].fill([0.0; D]);
-        }
-        self.links.lay(island.links.clone());
-    }
-}
-
 impl<const DIM: usize, const D: usize> State<DIM, D> {
     /// At the start, and when a state was put back: let sleep what has not moved and is not touched.
     pub(super) fn let_sleep(&mut self, model: &Model<'_, DIM, D>) {
@@ -111,7 +92,8 @@ impl<const DIM: usize, const D: usize> State<DIM, D> {
             return;
         }
         for number in (0..model.line.islands.len()).rev() {
-            if self.motion.lies(model, number) && !self.motion.is_touched(model, number) {
+            let rests = model.line.is_at_rest(&self.motion.line, number);
+            if rests && !self.motion.is_touched(model, number) {
                 self.put_to_sleep(model, number);
             }
         }
@@ -153,16 +135,6 @@ impl<const DIM: usize, const D: usize> State<DIM, D> {
 }
 
 impl<const DIM: usize, const D: usize> Motion<DIM, D> {
-    /// Whether nothing of an island has moved.
-    fn lies(&self, model: &Model<'_, DIM, D>, number: usize) -> bool {
-        let (line, state) = (model.line, &self.line);
-        let grid_lies = match (line.explicit_steps(), &state.grid) {
-            (Some(steps), Some(grid)) => steps.lies(number, grid),
-            _ => true,
-        };
-        state.lies(&line.islands[number]) && grid_lies
-    }
-
     /// Wake the islands that contacts of this step act on.
     pub(super) fn wake(&mut self, model: &Model<'_, DIM, D>) {
         for &i in &self.contacts.active {
@@ -181,12 +153,8 @@ impl<const DIM: usize, const D: usize> Motion<DIM, D> {
 
     fn put_to_sleep(&mut self, model: &Model<'_, DIM, D>, number: usize) {
         let (line, state) = (model.line, &mut self.line);
-        let island = &line.islands[number];
-        state.lay(island);
-        if let (Some(steps), Some(grid)) = (line.explicit_steps(), &mut state.grid) {
-            steps.lay(number, grid);
-        }
-        for i in island.links.clone() {
+        line.reset(state, number);
+        for i in line.islands[number].links.clone() {
             let link = &line.line.links[i];
             self.unilateral.correction[i] = link.rest_correction();
             state.links.tension[i] = link.rest_tension;

@@ -4,7 +4,7 @@ use super::contacts::Contact;
 use super::live::Live;
 use super::loads::Load;
 use super::path::Path;
-use super::place::Place;
+use super::place::{Nodal, Place};
 use crate::error::CoreError;
 
 impl<const DIM: usize, const D: usize> Live<DIM, D> {
@@ -29,7 +29,7 @@ impl<const DIM: usize, const D: usize> Live<DIM, D> {
             let place = locate(lane, along, near, (number, step))?;
             // The step must not carry it off the wire either.
             locate(lane, end - collector.behind, place.element, (number, step))?;
-            let lateral = place.lateral + aside::<DIM, D>(&place, &motion.line.u);
+            let lateral = place.lateral + aside(&place, &motion.line.displacement());
             if lateral.abs() > collector.half_width {
                 return Err(CoreError::OutOfReach {
                     rider: number,
@@ -109,7 +109,10 @@ pub(super) fn locate<const DIM: usize>(
 }
 
 /// Displacement of the wire to the side, m.
-pub(super) fn aside<const DIM: usize, const D: usize>(place: &Place<DIM>, u: &[[f64; D]]) -> f64 {
+pub(super) fn aside<const DIM: usize, const D: usize>(
+    place: &Place<DIM>,
+    u: &(impl Nodal<D> + ?Sized),
+) -> f64 {
     if DIM < 3 {
         0.0
     } else {

@@ -1,10 +1,10 @@
 //! What a loop reads from the line after each step.
 
+use super::integrator::WireState;
 use super::live::Live;
 use super::live_push::{aside, locate};
 use super::path::Path;
 use super::place::Place;
-use super::stepper::LineState;
 use crate::error::CoreError;
 
 /// The wire where something touches it, and the riders. Where forces are given there is one value for
@@ -47,12 +47,12 @@ impl Reading {
         &mut self,
         number: usize,
         (lane, x, place): (&Path<DIM>, f64, &Place<DIM>),
-        line: &LineState<D>,
+        line: &WireState<D>,
         speed: f64,
     ) -> bool {
-        let (u, v) = (&line.u, &line.v);
+        let (u, v) = (&line.displacement(), &line.velocity());
         self.height[number] = place.height + place.displacement(u, DIM - 1);
-        self.lateral[number] = place.lateral + aside::<DIM, D>(place, u);
+        self.lateral[number] = place.lateral + aside(place, u);
         self.rate[number] = place.displacement(v, DIM - 1) + speed * lane.slope(x, place, u);
         self.height[number].is_finite() && self.rate[number].is_finite()
     }

@@ -143,9 +143,8 @@ impl<const DIM: usize, const D: usize> Live<DIM, D> {
         let kinks = motion.riders.iter().map(|r| r.kinks.len()).sum::<usize>();
         let rows = (motion.contacts.all.len() + links + kinks).min(ROOM);
         motion.unilateral.reserve(rows);
-        if let Some(grid) = &mut motion.line.grid {
-            grid.reserve(motion.contacts.all.len() + self.collectors.len());
-        }
+        let places = motion.contacts.all.len() + self.collectors.len();
+        motion.line.reserve(places);
         self.read()?;
         Ok(self)
     }
@@ -159,7 +158,7 @@ fn check<const DIM: usize, const D: usize>(
     if !all.iter().all(|v| v.is_finite()) {
         return Err(refuse("begin", "not finite"));
     }
-    if p.updating.is_some() {
+    if !p.steps_evenly() {
         let reason = "updated kinematics, which factorise in every step";
         return Err(refuse("solver", reason));
     }

@@ -6,7 +6,7 @@ use super::entries::Entries;
 use super::inputs::Inputs;
 use super::model::Model;
 use super::path::Path;
-use super::place::Place;
+use super::place::{Nodal, Place};
 use super::raised::{Spot, spots};
 use super::record::{Record, RecordPlan};
 use super::rider::RiderState;
@@ -108,10 +108,10 @@ impl<const DIM: usize, const D: usize> Recorder<DIM, D> {
         let is_due = is_row || step == self.last;
         let Some(books) = &mut self.books else {
             motion.advance(model);
-            return motion.check_explicit();
+            return motion.check_sound();
         };
         let settled = books.take(model, inputs, motion, is_due);
-        motion.check_explicit()?;
+        motion.check_sound()?;
         let row = if settled {
             books.check(model, &mut self.record, step)?
         } else {
@@ -263,11 +263,9 @@ impl<const DIM: usize, const D: usize> Recorder<DIM, D> {
             }
             record.uplift.extend(plan.nodes.iter().map(uplift));
         }
-        let (line, keep) = (&motion.line, model.line.coefficients.stiffness);
+        let ([u, delta], keep) = (motion.line.at_balance(), model.line.coefficients.stiffness);
         for place in &*points {
-            let moved = |c: usize| {
-                place.displacement(&line.u, c) + keep * place.displacement(&line.delta, c)
-            };
+            let moved = |c: usize| place.displacement(&u, c) + keep * place.displacement(&delta, c);
             let raised = motion.place_raised(model, place);
             record.point_uplift.push(moved(DIM - 1) + raised);
             record.point_along.push(moved(0));
@@ -281,7 +279,7 @@ impl<const DIM: usize, const D: usize> Recorder<DIM, D> {
     /// where all of the line is, and where a ledger needs all of it.
     pub(super) fn first_recorded(&self, model: &Model<'_, DIM, D>, position: f64) -> Option<f64> {
         let near = self.plan.near.as_ref()?;
-        let needs_all = matches!(self.books, Some(Books::Solved(_)));
+        let needs_all = self.books.as_ref().is_some_and(Books::needs_all_islands);
         let from = near.from(position, model.distances);
         (!needs_all).then(|| near.first_recorded(from))
     }
@@ -298,9 +296,8 @@ impl<const DIM: usize, const D: usize> Recorder<DIM, D> {
         motion: &Motion<DIM, D>,
         island: usize,
     ) {
-        let explicit = (model.line.explicit_steps(), &motion.line.grid);
-        if let (Some(Books::Explicit(b)), (Some(s), Some(g))) = (&mut self.books, explicit) {
-            b.leave(model.line, (s, g), island);
+        if let Some(books) = &mut self.books {
+            books.leave(model, motion, island);
         }
     }
 
@@ -325,8 +322,9 @@ impl<const DIM: usize, const D: usize> Motion<DIM, D> {
         } else {
             place.lateral
         };
-        rest + place.displacement(&self.line.u, c)
-            + model.line.coefficients.stiffness * place.displacement(&self.line.delta, c)
+        let [u, delta] = self.line.at_balance();
+        rest + place.displacement(&u, c)
+            + model.line.coefficients.stiffness * place.displacement(&delta, c)
     }
 
     /// Tension of a link at the time of balance, N.
@@ -346,8 +344,8 @@ fn node_uplift<const DIM: usize, const D: usize>(
     motion: &Motion<DIM, D>,
     node: usize,
 ) -> f64 {
-    let (line, keep) = (&motion.line, model.line.coefficients.stiffness);
-    let moved = line.u[node][DIM - 1] + keep * line.delta[node][DIM - 1];
+    let ([u, delta], keep) = (motion.line.at_balance(), model.line.coefficients.stiffness);
+    let moved = u.at(node)[DIM - 1] + keep * delta.at(node)[DIM - 1];
     let spot = spots.get(&node);
     moved + spot.map_or(0.0, |spot| motion.raised_since(model, spot))
 }

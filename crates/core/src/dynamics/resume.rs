@@ -4,12 +4,9 @@
 //! sides, and all that updated kinematics form.
 
 use super::actuator::ActuatorState;
-use super::balance::Balance;
-use super::books::Books;
 use super::checkpoint::{Checkpoint, Walk, count, refuse};
 use super::contacts::Contacts;
 use super::law::Side;
-use super::ledger::Ledger;
 use super::model::Model;
 use super::path::Path;
 use super::record::Record;
@@ -42,12 +39,12 @@ impl<const DIM: usize, const D: usize> State<DIM, D> {
         motion.steps = saved.step;
         if let Some(recorder) = &mut self.recorder {
             recorder.record.steps = saved.step;
-            if let Some(Books::Explicit(balance)) = &mut recorder.books {
-                balance.go_on(model.line, &motion.riders);
+            if let Some(books) = &mut recorder.books {
+                books.resume(model, motion);
             }
         }
         motion.contacts.go_on(model.riders);
-        model.line.go_on(&mut motion.line);
+        model.line.resume(&mut motion.line);
         motion.line.awake = (0..model.line.islands.len()).collect();
         self.let_sleep(model);
         Ok(())
@@ -56,15 +53,7 @@ impl<const DIM: usize, const D: usize> State<DIM, D> {
     fn walk(&mut self, model: &Model<'_, DIM, D>, walk: &mut Walk<'_>) -> Done {
         let lanes = &model.at(self.present.as_deref()).line.lanes;
         let motion = &mut self.motion;
-        let line = &mut motion.line;
-        walk.numbers("line_displacement", line.u.as_flattened_mut().iter_mut())?;
-        walk.numbers("line_velocity", line.v.as_flattened_mut().iter_mut())?;
-        walk.numbers("line_acceleration", line.a.as_flattened_mut().iter_mut())?;
-        if let Some(grid) = &mut line.grid {
-            walk.numbers("grid_across", grid.across())?;
-            walk.numbers("grid_along", grid.x.iter_mut().flatten())?;
-        }
-        walk.numbers("link_elongation", line.links.numbers())?;
+        motion.line.walk(walk)?;
         walk.numbers("link_correction", motion.unilateral.correction.iter_mut())?;
         walk.numbers("contact_force", motion.unilateral.force.iter_mut())?;
         walk.numbers("datum", std::iter::once(&mut motion.datum))?;
@@ -78,8 +67,7 @@ impl<const DIM: usize, const D: usize> State<DIM, D> {
         };
         walk_record(&mut recorder.record, walk)?;
         match &mut recorder.books {
-            Some(Books::Solved(ledger)) => walk_ledger(ledger, walk),
-            Some(Books::Explicit(balance)) => walk_balance(balance, walk),
+            Some(books) => books.walk(walk),
             None => Ok(()),
         }
     }
@@ -179,36 +167,6 @@ fn walk_record(record: &mut Record, walk: &mut Walk<'_>) -> Done {
     let counts = pivots.into_iter().map(|n| count("pivot_counts", n));
     record.pivot_counts = counts.collect::<Result<_, _>>()?;
     Ok(())
-}
-
-fn walk_ledger<const D: usize>(ledger: &mut Ledger<D>, walk: &mut Walk<'_>) -> Done {
-    walk.numbers("energy", ledger.entries.all_mut().into_iter())?;
-    let start = [
-        &mut ledger.start.contact,
-        &mut ledger.start.riders,
-        &mut ledger.start_linear,
-        &mut ledger.start_slack,
-        &mut ledger.start_laws,
-    ];
-    walk.numbers("energy_start", start.into_iter())?;
-    let sums = [
-        &mut ledger.inertia,
-        &mut ledger.scheme_elastic,
-        &mut ledger.scheme_riders,
-        &mut ledger.slack_energy,
-        &mut ledger.rider_energy,
-        &mut ledger.law_energy,
-    ];
-    walk.numbers("energy_sums", sums.into_iter())
-}
-
-fn walk_balance<const DIM: usize, const D: usize>(
-    balance: &mut Balance<DIM, D>,
-    walk: &mut Walk<'_>,
-) -> Done {
-    walk.numbers("energy", balance.entries.all_mut().into_iter())?;
-    walk.numbers("energy_sums", balance.numbers())?;
-    walk.flags("energy_contact_meets", balance.meets())
 }
 
 impl<const DIM: usize> Contacts<DIM> {

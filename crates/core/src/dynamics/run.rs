@@ -159,7 +159,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         part: Part<'_>,
         mut callers: Callers<'_>,
     ) -> Result<(Record, Checkpoint), CoreError> {
-        check(riders, travel, plan, self.updating.is_some())?;
+        check(riders, travel, plan, self.keeps_energy())?;
         check_nodes(&plan.nodes, self.line.nodes())?;
         if let Some(near) = &plan.near {
             near.check(self.line.links.len(), self.line.nodes())?;
@@ -245,7 +245,7 @@ pub(super) fn check(
     riders: &[Rider],
     travel: &Travel,
     plan: &RecordPlan,
-    updates: bool,
+    keeps_energy: bool,
 ) -> Result<(), CoreError> {
     let refuse = |array, reason: &str| {
         Err(CoreError::Input {
@@ -266,7 +266,7 @@ pub(super) fn check(
     for rider in riders {
         rider.given.check_instants(travel.positions.len())?;
     }
-    if plan.ledger && updates {
+    if plan.ledger && !keeps_energy {
         return refuse("plan", "an energy ledger with updated kinematics");
     }
     if plan.contact_every == 0 || plan.line_every == 0 || plan.ledger_every == 0 {

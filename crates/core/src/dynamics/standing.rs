@@ -12,14 +12,14 @@
 //! by rider, until no share moves.
 
 use super::contacts::{Contact, Contacts};
+use super::integrator::static_line::StaticLine;
 use super::model::Model;
 use super::path::Path;
 use super::rest::{self, Rest};
 use super::rider::{Rider, inner, times};
 use super::share::{share, unshared};
 use super::stepper::Prepared;
-use super::still::{Still, StillState, compliance};
-use super::updated::follow;
+use super::still::{StillState, compliance};
 use crate::error::CoreError;
 use crate::linalg::BlockLdl;
 
@@ -36,8 +36,7 @@ pub(super) struct Start<'a, const DIM: usize, const D: usize> {
     position: f64,
     /// Speed, m/s.
     speed: f64,
-    /// `None` with updated kinematics.
-    still: Option<Still<'a, DIM, D>>,
+    wires: StaticLine<'a, DIM, D>,
     pub(super) lanes: Vec<Path<DIM>>,
     pub(super) contacts: Contacts<DIM>,
     /// Forces of the active contacts, N.
@@ -58,10 +57,7 @@ impl<'a, const DIM: usize, const D: usize> Start<'a, DIM, D> {
         let lanes = p.lanes.clone();
         let contacts = Contacts::new(riders, model.distances, &lanes, position, &rest)?;
         let mut start = Self {
-            still: match p.updating {
-                None => Some(Still::of(p)?),
-                Some(_) => None,
-            },
+            wires: StaticLine::new(p)?,
             forces: vec![0.0; contacts.active.len()],
             levels: vec![None; riders.len()],
             datum: datum(&contacts),
@@ -101,18 +97,10 @@ impl<'a, const DIM: usize, const D: usize> Start<'a, DIM, D> {
 
     /// The line under the present forces; contacts follow it where it moves along the track.
     fn line(&mut self) -> Result<StillState<D>, CoreError> {
-        let position = self.position;
-        if let Some(still) = &mut self.still {
-            let places = self.contacts.active().map(|c| (c.place, c.yields));
-            let places: Vec<_> = places.collect();
-            return still.press(&places, &self.forces);
-        }
-        let Some(now) = &self.p.updating else {
-            return Err(unshared());
-        };
-        let found = self.p.settle(now, &self.contacts, position, &self.forces)?;
-        follow(&mut self.lanes, &found.u);
-        self.contacts.follow(&self.lanes, position);
+        let forces = (self.position, &self.forces[..]);
+        let found = self
+            .wires
+            .press(&mut self.lanes, &mut self.contacts, forces)?;
         self.datum = datum(&self.contacts);
         Ok(found)
     }

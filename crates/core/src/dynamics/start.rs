@@ -37,9 +37,8 @@ impl<const DIM: usize, const D: usize> State<DIM, D> {
         motion.unilateral.correction = found.correction;
         motion.datum = start.datum;
         motion.line = line.at_rest(found.u);
-        let present = line.updating.is_some();
         Ok(Self {
-            present: present.then(|| Box::new(line.on(start.lanes))),
+            present: line.present(&start.lanes),
             motion,
             recorder: None,
         })
@@ -59,9 +58,8 @@ impl<const DIM: usize, const D: usize> State<DIM, D> {
         let states = riders.iter().map(stand).collect::<Result<Vec<_>, _>>()?;
         let contacts = Contacts::blank(riders, model.distances, line.lanes.len());
         // With updated kinematics the first step forms everything that moves anew.
-        let present = line.updating.is_some();
         Ok(Self {
-            present: present.then(|| Box::new(line.clone())),
+            present: line.present(&line.lanes),
             motion: Motion::at_rest(model, states, contacts, may_sleep),
             recorder: None,
         })

@@ -2,10 +2,11 @@
 
 use super::contact::Unilateral;
 use super::contacts::Contacts;
+use super::integrator::WireState;
 use super::model::Model;
 use super::recorder::Recorder;
 use super::rider::RiderState;
-use super::stepper::{LineState, Prepared};
+use super::stepper::Prepared;
 use crate::error::CoreError;
 
 /// State between two steps. A copy of it goes on as the original does, bit for bit.
@@ -23,7 +24,7 @@ pub struct State<const DIM: usize, const D: usize> {
 pub struct Motion<const DIM: usize, const D: usize> {
     /// Steps done.
     pub(super) steps: usize,
-    pub(super) line: LineState<D>,
+    pub(super) line: WireState<D>,
     pub(super) riders: Vec<RiderState>,
     /// Displacements of the riders at the start, m.
     pub(super) start_u: Vec<Vec<f64>>,
@@ -79,7 +80,7 @@ impl<const DIM: usize, const D: usize> Motion<DIM, D> {
             friction: vec![0.0; count],
             gaps: vec![0.0; count],
             datum: 0.0,
-            may_sleep: may_sleep && line.updating.is_none(),
+            may_sleep: may_sleep && line.may_sleep(),
             riders,
             contacts,
         }
@@ -90,9 +91,8 @@ impl<const DIM: usize, const D: usize> Motion<DIM, D> {
     /// # Errors
     /// [`CoreError::NotFinite`].
     pub(super) fn check_finite(&self) -> Result<(), CoreError> {
-        let line = self.line.u.iter().flatten();
-        let riders = self.riders.iter().flat_map(|r| &r.u);
-        let finite = line.chain(riders).all(|v| v.is_finite());
+        let mut riders = self.riders.iter().flat_map(|r| &r.u);
+        let finite = self.line.is_finite() && riders.all(|v| v.is_finite());
         if finite && self.unilateral.force.iter().all(|v| v.is_finite()) {
             return Ok(());
         }

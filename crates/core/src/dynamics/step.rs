@@ -45,7 +45,7 @@ pub fn step<const DIM: usize, const D: usize>(
         Some(recorder) => recorder.take(&at, inputs, motion, &solved),
         None => {
             motion.advance(&at);
-            motion.check_explicit()
+            motion.check_sound()
         }
     }
 }
@@ -57,9 +57,9 @@ impl<const DIM: usize, const D: usize> Motion<DIM, D> {
         model: &Model<'_, DIM, D>,
         inputs: &Inputs<'_>,
     ) -> Result<(), CoreError> {
-        let (lanes, u) = (&model.line.lanes, &self.line.u);
+        let (lanes, u) = (&model.line.lanes, self.line.displacement());
         self.contacts
-            .find(model.riders, lanes, u, inputs.positions, self.steps)?;
+            .find(model.riders, lanes, &u, inputs.positions, self.steps)?;
         self.contacts.slide(&self.riders);
         self.unilateral.choose(&self.contacts);
         let with_wire = self.contacts.all.iter().filter(|c| c.has_wire);
@@ -87,7 +87,7 @@ impl<const DIM: usize, const D: usize> Motion<DIM, D> {
             friction,
             ..
         } = self;
-        model.line.free_increment(line, |f| {
+        model.line.predict(line, |f| {
             inputs.loads.add_to(f);
             for &i in contacts.active.iter().filter(|&&i| friction[i] != 0.0) {
                 contacts.all[i].place.add_force(friction[i], 0, f);
@@ -116,25 +116,21 @@ impl<const DIM: usize, const D: usize> Motion<DIM, D> {
 
     /// Take the increments: the state at the end of the step.
     pub(super) fn advance(&mut self, model: &Model<'_, DIM, D>) {
-        model.line.advance(&mut self.line);
+        model.line.commit(&mut self.line);
         for rider in &mut self.riders {
             rider.advance(&model.line.coefficients);
         }
         self.steps += 1;
     }
 
-    /// Refuse a motion of explicit steps that is not finite. They look at all they move, step by
-    /// step: nothing else sees all of it.
+    /// Refuse a motion that is not finite, step by step where only the integrator sees all of it.
     ///
     /// # Errors
     /// [`CoreError::NotFinite`].
-    pub(super) fn check_explicit(&self) -> Result<(), CoreError> {
-        let Some(grid) = &self.line.grid else {
-            return Ok(());
-        };
+    pub(super) fn check_sound(&self) -> Result<(), CoreError> {
         let of_riders = self.riders.iter().flat_map(|r| &r.u);
         let mut all = of_riders.chain(&self.unilateral.force);
-        if grid.is_sound() && all.all(|v| v.is_finite()) {
+        if self.line.is_sound() && all.all(|v| v.is_finite()) {
             return Ok(());
         }
         Err(CoreError::NotFinite {

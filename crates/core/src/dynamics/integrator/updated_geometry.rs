@@ -10,12 +10,14 @@
 //! to step, so what the tangent misses in one step is put right in the next. Links keep their own
 //! direction, contacts their place on the moved wire, and C = α M + β K follows K.
 
-use super::contacts::Contacts;
-use super::line::Line;
-use super::link_table::LinkTable;
-use super::path::Path;
-use super::stepper::{LineState, Prepared, Steps};
-use super::still::StillState;
+use super::implicit::Implicit;
+use super::{Integrator, Stepping, WireState};
+use crate::dynamics::contacts::Contacts;
+use crate::dynamics::line::Line;
+use crate::dynamics::link_table::LinkTable;
+use crate::dynamics::path::Path;
+use crate::dynamics::stepper::Prepared;
+use crate::dynamics::still::StillState;
 use crate::error::CoreError;
 use crate::linalg::{HeldEntry, Refactoring, SymmetricBlocks};
 use crate::scheme::Scheme;
@@ -26,7 +28,7 @@ const MOST_APPROXIMATIONS: usize = 50;
 
 /// What a run with updated kinematics needs beside the prepared line.
 #[derive(Debug, Clone)]
-pub struct Updating<const DIM: usize, const D: usize> {
+pub struct UpdatedGeometry<const DIM: usize, const D: usize> {
     geometry: Geometry<DIM, D>,
     /// Static shape r₀, from which u is measured.
     rest: Shape<D>,
@@ -59,7 +61,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         let c = scheme.coefficients(h);
         let mut constant = line.inertia(c.mass, c.damping);
         geometry.add_fixed_tangent(line.stiffness_factor(c.damping, c.stiffness), &mut constant);
-        let updating = Updating {
+        let now = UpdatedGeometry {
             geometry: geometry.clone(),
             rest: shape.clone(),
             shape: shape.clone(),
@@ -73,31 +75,37 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         Self::assemble(
             line,
             lanes,
-            scheme,
-            h,
+            (scheme, h),
             contact_stiffness,
-            (Some(updating), None),
+            |line, c, fixed| {
+                // The forces of the present position are given: no product K u.
+                let own = Implicit::new(line, c, fixed, 0.0)?;
+                Ok(Integrator::UpdatedGeometry(Box::new(own), Box::new(now)))
+            },
         )
     }
 
-    /// The same on lanes that have moved.
-    pub(super) fn on(&self, lanes: Vec<Path<DIM>>) -> Self {
+    /// Copy that a state owns and forms at its present position, on lanes that have moved; `None` where
+    /// the line stays as it is.
+    pub(in crate::dynamics) fn present(&self, lanes: &[Path<DIM>]) -> Option<Box<Self>> {
+        let Integrator::UpdatedGeometry(..) = self.integrator else {
+            return None;
+        };
         let mut own = self.clone();
-        own.lanes = lanes;
-        own
+        own.lanes = lanes.to_vec();
+        Some(Box::new(own))
     }
 
-    /// Form coordinates, forces, stiffness and links at the present position; nothing to do with
-    /// linearised kinematics.
+    /// Form coordinates, forces, stiffness and links at the present position.
     ///
     /// # Errors
     /// [`CoreError::Singular`], or [`CoreError::Folded`] when the motion has grown out of bounds.
-    pub(super) fn reform(
+    pub(in crate::dynamics) fn reform(
         &mut self,
-        state: &mut LineState<D>,
+        state: &mut WireState<D>,
         step: usize,
     ) -> Result<(), CoreError> {
-        let Some(now) = &mut self.updating else {
+        let Integrator::UpdatedGeometry(own, now) = &mut self.integrator else {
             return Ok(());
         };
         if !follow(&mut self.lanes, &state.u) {
@@ -117,18 +125,18 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         geometry.add_moving_tangent(shape, LinkLaw::Linear, factor, &mut now.matrix);
         self.line.add_dampers(c.damping, &mut now.matrix);
         now.matrix.hold(&now.held);
-        if let Steps::Solved(factor) = &mut self.steps {
-            factor.refactorise(&mut now.refactoring, &now.matrix)?;
-        }
+        own.factor.refactorise(&mut now.refactoring, &now.matrix)?;
         self.columns.forget();
         self.table = LinkTable::new(&self.line.links, &self.coefficients);
-        state.links.restart(&self.line.links, &state.v, &state.a);
+        if let Stepping::Implicit(own) = &state.stepping {
+            state.links.restart(&self.line.links, &state.v, &own.a);
+        }
         Ok(())
     }
 
     /// Compute the influence columns that contacts and the given links need, unless they
     /// are there already.
-    pub(super) fn provide(&mut self, contacts: &Contacts<DIM>, links: &[usize]) {
+    pub(in crate::dynamics) fn provide(&mut self, contacts: &Contacts<DIM>, links: &[usize]) {
         let of_contacts = contacts.active().flat_map(|c| c.place.columns::<D>());
         let of_links = links.iter().map(|&link| self.link_column(link));
         let needed = of_contacts.chain(of_links);
@@ -143,24 +151,26 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
             }
         }
     }
+}
 
+impl<const DIM: usize, const D: usize> UpdatedGeometry<DIM, D> {
     /// Equilibrium under vertical forces of the active contacts, the first rider at `position`, by
     /// successive approximations: the forces move the
     /// wire along the track, and so the places where they act.
     ///
     /// # Errors
     /// Those of [`Geometry::settle`].
-    pub(super) fn settle(
+    pub(super) fn equilibrium(
         &self,
-        now: &Updating<DIM, D>,
+        lanes: &[Path<DIM>],
         contacts: &Contacts<DIM>,
         position: f64,
         forces: &[f64],
     ) -> Result<StillState<D>, CoreError> {
-        let mut lanes = self.lanes.clone();
-        let mut geometry = now.geometry.clone();
+        let mut lanes = lanes.to_vec();
+        let mut geometry = self.geometry.clone();
         let given = geometry.structure.loads.len();
-        let mut shape = now.rest.clone();
+        let mut shape = self.rest.clone();
         let mut u = vec![[0.0; D]; shape.len()];
         for _ in 0..MOST_APPROXIMATIONS {
             geometry.structure.loads.truncate(given);
@@ -178,7 +188,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
             }
             shape = geometry.settle(&shape)?;
             let mut moved: f64 = 0.0;
-            for ((u, r), rest) in u.iter_mut().zip(&shape).zip(&now.rest) {
+            for ((u, r), rest) in u.iter_mut().zip(&shape).zip(&self.rest) {
                 for c in 0..D {
                     let new = r[c] - rest[c];
                     moved = moved.max((new - u[c]).abs());
