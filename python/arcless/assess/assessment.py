@@ -26,7 +26,7 @@ from arcless.model.fields.extremes import LEAST_FREQUENCY
 from arcless.results import metadata
 
 if TYPE_CHECKING:
-    from arcless.results.dataset.plain_dataset import Dataset
+    from arcless.dataset.plain_dataset import Dataset
 
 
 WEAR_KEYS = tuple(field.name for field in fields(WearRates))

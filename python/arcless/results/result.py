@@ -5,16 +5,16 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from arcless.results.dataset.plain_dataset import Plain
-from arcless.results.dataset.recorded_series import CHANNELS, Place, passage
-from arcless.results.netcdf.store import metadata, open_plain, save
+from arcless.dataset.netcdf.store import metadata, open_plain, save
+from arcless.dataset.plain_dataset import Plain
+from arcless.dataset.recorded_series import CHANNELS, Place, passage
 
 if TYPE_CHECKING:
     import xarray
 
     from arcless.assess import Assessment
+    from arcless.dataset.plain_dataset import Dataset
     from arcless.model import Scenario
-    from arcless.results.dataset.plain_dataset import Dataset
 
 
 # What a run's own file is called in its folder.

@@ -11,12 +11,12 @@ from typing import Any
 import numpy as np
 
 from arcless import _core
+from arcless.dataset.netcdf.store import open_plain
+from arcless.dataset.plain_dataset import Plain
 from arcless.model import Scenario, scenario_warnings
 from arcless.model.fields.as_typed import typed_in
-from arcless.model.loading.load import check_kind
+from arcless.model.load import check_kind
 from arcless.results import Result
-from arcless.results.dataset.plain_dataset import Plain
-from arcless.results.netcdf.store import open_plain
 from arcless.simulate.recording import record
 from arcless.simulate.runs import checkpoint
 from arcless.simulate.runs.job import SEARCHING, Cancel, Job, Progress, Take, lay_out, observer

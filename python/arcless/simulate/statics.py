@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from arcless.equilibrium import equilibrium
 from arcless.mesh import SPATIAL, StitchPlace
 from arcless.model import Line, Scenario
-from arcless.model.loading.load import check_kind
+from arcless.model.load import check_kind
 from arcless.model.scenario.other_family import CUBIC, CUBIC_STEP
 from arcless.model.settings.run_settings import Solver
 from arcless.model.settings.schemes import GeneralisedAlpha
-from arcless.simulate.equilibrium import equilibrium
 
 if TYPE_CHECKING:
     from arcless.simulate.resonance import ResonanceSpeeds
@@ -232,7 +232,7 @@ def statics(scenario: Scenario, progress: Progress | None = None) -> StaticsResu
     Raises
     ------
     MeshError, EquilibriumError
-        See `arcless.simulate.equilibrium.equilibrium.find`.
+        See `arcless.equilibrium.equilibrium.find`.
     """
     check_kind(scenario)
     tell = progress or (lambda _fraction, _text: None)
@@ -257,7 +257,7 @@ def check_at_rest(checked: Scenario | Line) -> None:
     Raises
     ------
     MeshError, EquilibriumError
-        See `arcless.simulate.equilibrium.equilibrium.find`.
+        See `arcless.equilibrium.equilibrium.find`.
     """
     if isinstance(checked, Scenario):
         equilibrium.find(checked)

@@ -247,6 +247,6 @@ class Scenario(Document):
         Scenario
             The copy, validated as a file is.
         """
-        from arcless.model.loading.overrides import apply
+        from arcless.model.scenario.overrides import apply
 
         return apply(self, changes)

@@ -32,7 +32,7 @@ from math import floor, pi, sqrt, tanh
 from typing import TYPE_CHECKING, Final
 
 from arcless.model.line.parts.components import TensionedWire
-from arcless.model.line.wire_places import shortest_distances
+from arcless.model.line.places.wire_places import shortest_distances
 from arcless.model.settings.run_settings import AUTO, ONE_ELEMENT, Solver
 from arcless.model.settings.schemes import (
     EXPLICIT,

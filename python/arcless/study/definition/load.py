@@ -14,7 +14,7 @@ from arcless.errors import ModelError
 from arcless.model.fields.part import Path as Field
 from arcless.model.files.pydantic_errors import explain
 from arcless.model.files.yaml_reader import Origin
-from arcless.model.loading.load import Kind, check_format, read, reference
+from arcless.model.load import Kind, check_format, read, reference
 from arcless.model.shipped.library import shipped
 from arcless.study.definition.study import FORMAT, Execution, Study
 from arcless.units import show

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 from numpy.typing import NDArray
 
-from arcless.results.dataset.build import Described, Entry, attributes, check_complete, variables
+from arcless.dataset.build import Described, Entry, attributes, check_complete, variables
 
 if TYPE_CHECKING:
     import xarray
@@ -54,7 +54,7 @@ class Plain:
         static: Mapping[str, Any],
         attrs: Mapping[str, Any],
     ) -> "Plain":
-        """Build the dataset of a run from what `arcless.results.dataset.build.dataset_from` takes.
+        """Build the dataset of a run from what `arcless.dataset.build.dataset_from` takes.
 
         Raises
         ------

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 if TYPE_CHECKING:
-    from arcless.results.dataset.plain_dataset import Dataset
+    from arcless.dataset.plain_dataset import Dataset
 
 Place = Literal["dropper", "support"]
 CHANNELS = {"dropper": "dropper_force", "support": "support_uplift"}

@@ -5,9 +5,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from arcless.equilibrium.equilibrium import Equilibrium, find
 from arcless.errors import EquilibriumError
 from arcless.model import load
-from arcless.simulate.equilibrium.equilibrium import Equilibrium, find
 from tests.support.line_types import scenario_data
 from tests.support.overlaps import overlap_data, plain_data
 

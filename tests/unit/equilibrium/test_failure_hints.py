@@ -6,10 +6,10 @@ from typing import Any
 
 import pytest
 
+from arcless.equilibrium import equilibrium
+from arcless.equilibrium.failure_hints import why_loose
 from arcless.errors import EquilibriumError
 from arcless.model import Scenario, load
-from arcless.simulate.equilibrium import equilibrium
-from arcless.simulate.equilibrium.failure_hints import why_loose
 from tests.support.line_types import scenario_data
 from tests.support.overlaps import plain_data
 

@@ -6,9 +6,9 @@ import h5py
 import pytest
 
 import arcless
+from arcless.dataset.netcdf import checksum
+from arcless.dataset.netcdf.store import save
 from arcless.errors import ResultFormatError
-from arcless.results.netcdf import checksum
-from arcless.results.netcdf.store import save
 from tests.support.synthetic import synthetic_dataset
 
 

@@ -8,10 +8,10 @@ from typing import Any, BinaryIO
 import numpy as np
 import pytest
 
+from arcless.dataset.netcdf.error_keeping_file import Disk
+from arcless.dataset.netcdf.stream_writer import Writer
 from arcless.errors import OutputError, ResultFormatError
 from arcless.results import open_dataset
-from arcless.results.netcdf.error_keeping_file import Disk
-from arcless.results.netcdf.stream_writer import Writer
 from arcless.storage.whole_files import replacing
 from tests.support.synthetic import synthetic_dataset
 

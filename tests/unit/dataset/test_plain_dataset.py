@@ -6,8 +6,8 @@ import h5py
 import numpy as np
 import pytest
 
+from arcless.dataset.plain_dataset import Plain
 from arcless.results import Result, open_dataset, save
-from arcless.results.dataset.plain_dataset import Plain
 from tests.support.synthetic import synthetic_dataset
 
 

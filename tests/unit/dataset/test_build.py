@@ -5,9 +5,9 @@ import json
 import numpy as np
 import pytest
 
+from arcless.dataset.schema import ATTRIBUTES, DIMENSIONS, RESULT_FORMAT, VARIABLES
 from arcless.errors import ResultFormatError
 from arcless.results import dataset_from, metadata
-from arcless.results.dataset.schema import ATTRIBUTES, DIMENSIONS, RESULT_FORMAT, VARIABLES
 from tests.support.synthetic import synthetic_dataset
 
 TIMES, PANTOGRAPHS = 4, 2

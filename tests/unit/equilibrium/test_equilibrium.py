@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 import arcless
-from arcless.simulate.equilibrium import equilibrium
-from arcless.simulate.equilibrium.equilibrium import MOST_KEPT
+from arcless.equilibrium import equilibrium
+from arcless.equilibrium.equilibrium import MOST_KEPT
 from tests.support.line_types import scenario_data
 from tests.support.overlaps import plain_data
 

@@ -6,20 +6,20 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from arcless.dataset.build import missing_variables
+from arcless.dataset.netcdf import checksum, lazy_reader
+from arcless.dataset.netcdf.form_checks import check_attributes, check_entry
+from arcless.dataset.netcdf.writer import netcdf
+from arcless.dataset.plain_dataset import Plain
+from arcless.dataset.schema import ATTRIBUTES, RESULT_FORMAT
 from arcless.errors import ResultFormatError
-from arcless.results.dataset.build import missing_variables
-from arcless.results.dataset.plain_dataset import Plain
-from arcless.results.dataset.schema import ATTRIBUTES, RESULT_FORMAT
-from arcless.results.netcdf import checksum, lazy_reader
-from arcless.results.netcdf.form_checks import check_attributes, check_entry
-from arcless.results.netcdf.writer import netcdf
 from arcless.storage.whole_files import write_bytes
 
 if TYPE_CHECKING:
     import xarray
 
-    from arcless.results.dataset.build import Entry
-    from arcless.results.dataset.plain_dataset import Dataset
+    from arcless.dataset.build import Entry
+    from arcless.dataset.plain_dataset import Dataset
 
 # Level 2 with byte shuffling gains nearly all that level 9 does, at a fifth of its time.
 COMPRESSION = {"zlib": True, "complevel": 2, "shuffle": True, "_FillValue": None}
@@ -38,7 +38,7 @@ def save(dataset: "Dataset", path: str | Path) -> None:
     Parameters
     ----------
     dataset
-        As built by `arcless.results.dataset.build.dataset_from`, or the same as `Plain`.
+        As built by `arcless.dataset.build.dataset_from`, or the same as `Plain`.
     path
         The file to write, usually ending in ``.nc``; the folder must exist.
 

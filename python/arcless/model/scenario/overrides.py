@@ -13,7 +13,7 @@ from arcless.model.fields.part import Unit, find_unit, nearest
 from arcless.model.files.yaml_nodes import scalar
 from arcless.model.files.yaml_reader import parse
 from arcless.model.line.line import Line
-from arcless.model.loading.load import build, load_line, load_pantograph
+from arcless.model.load import build, load_line, load_pantograph
 from arcless.model.pantograph.pantograph import Pantograph
 from arcless.model.scenario.scenario import Scenario
 from arcless.model.shipped.wire_catalogue import GIVES

@@ -11,15 +11,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arcless import _core
+from arcless.equilibrium.design_failures import check_arms
+from arcless.equilibrium.failure_hints import check_carried, why_loose, why_pushing
+from arcless.equilibrium.sliding_ends import SlidingEnds, undecided
 from arcless.errors import ArclessError, EquilibriumError
 from arcless.mesh import SPATIAL, Mesh, alteration, build_mesh, end_forces, without
 from arcless.model import Line, Scenario
 from arcless.model.as_built.measured_heights import matched
 from arcless.model.settings import schemes
 from arcless.model.settings.run_settings import Solver
-from arcless.simulate.equilibrium.design_failures import check_arms
-from arcless.simulate.equilibrium.failure_hints import check_carried, why_loose, why_pushing
-from arcless.simulate.equilibrium.sliding_ends import SlidingEnds, undecided
 
 Floats = NDArray[np.float64]
 

@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from arcless.errors import ResultFormatError
-from arcless.results.dataset.schema import (
+from arcless.dataset.schema import (
     ATTRIBUTES,
     DIMENSIONS,
     RESULT_FORMAT,
@@ -18,6 +17,7 @@ from arcless.results.dataset.schema import (
     Variable,
     sizes_of,
 )
+from arcless.errors import ResultFormatError
 
 if TYPE_CHECKING:
     import xarray
@@ -59,7 +59,7 @@ def dataset_from(
     Variables along a dimension of size zero (a line without droppers, no recorded points) are
     left out: NetCDF has no empty dimension that keeps its size.
     """
-    from arcless.results.dataset.plain_dataset import Plain  # which needs what is below
+    from arcless.dataset.plain_dataset import Plain  # which needs what is below
 
     return Plain.of(record, names, static, attrs).dataset()
 

@@ -12,11 +12,11 @@ from typing import Any, BinaryIO, Self
 import numpy as np
 from numpy.typing import NDArray
 
+from arcless.dataset.build import Described, attributes, check_complete, variables
+from arcless.dataset.netcdf import checksum
+from arcless.dataset.netcdf.error_keeping_file import Disk
+from arcless.dataset.netcdf.writer import parts
 from arcless.errors import ResultFormatError
-from arcless.results.dataset.build import Described, attributes, check_complete, variables
-from arcless.results.netcdf import checksum
-from arcless.results.netcdf.error_keeping_file import Disk
-from arcless.results.netcdf.writer import parts
 
 # Level 1: of series in pieces as small as level 2 makes them, in two thirds of its time.
 COMPRESSION = {"compression": "gzip", "compression_opts": 1, "shuffle": True}

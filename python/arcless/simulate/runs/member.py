@@ -5,14 +5,14 @@ from collections.abc import Callable, Generator
 from typing import Any
 
 from arcless.assess import Assessment, assess
+from arcless.dataset.build import attributes, variables
+from arcless.dataset.plain_dataset import Plain
 from arcless.results import Result
-from arcless.results.dataset.build import attributes, variables
-from arcless.results.dataset.plain_dataset import Plain
-from arcless.simulate.batches.outcome import Keep
 from arcless.simulate.recording import contacts
 from arcless.simulate.run import attributes_of, whole
 from arcless.simulate.runs.job import Job, keeps_ledger, measured_every
 from arcless.simulate.runs.mean_force import Trial, make_runs, searching
+from arcless.simulate.runs.outcome import Keep
 
 # Gives runs to make, and is sent what the core returned.
 Running = Generator[Trial, dict[str, Any] | None, Assessment | Result]

@@ -14,7 +14,7 @@ import numpy as np
 if TYPE_CHECKING:
     import h5py
 
-    from arcless.results.dataset.build import Entry
+    from arcless.dataset.build import Entry
 
 # What HDF5 and NetCDF note on a variable for themselves.
 OWN = frozenset({"CLASS", "NAME", "DIMENSION_LIST", "REFERENCE_LIST", "_FillValue"})

@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 import arcless
+from arcless.equilibrium import equilibrium
+from arcless.equilibrium.sliding_ends import SlidingEnds
 from arcless.errors import EquilibriumError
 from arcless.model import load
-from arcless.simulate.equilibrium import equilibrium
-from arcless.simulate.equilibrium.sliding_ends import SlidingEnds
 from tests.support.line_types import compound_data, scenario_data, stitched_data
 
 ANCHOR = {"midpoint_anchor": {"stiffness": 1e6}}

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from arcless.results.dataset.plain_dataset import Plain
+from arcless.dataset.plain_dataset import Plain
 
 # Level 2 with byte shuffling gains nearly all that level 9 does, at a fifth of its time.
 COMPRESSION = {"compression": "gzip", "compression_opts": 2, "shuffle": True}

@@ -9,9 +9,9 @@ from typing import Any
 
 import numpy as np
 
+from arcless.dataset.build import Entry, check_finite
+from arcless.dataset.schema import DIMENSIONS, VARIABLES
 from arcless.errors import ResultFormatError
-from arcless.results.dataset.build import Entry, check_finite
-from arcless.results.dataset.schema import DIMENSIONS, VARIABLES
 
 
 def check_entry(name: str, entry: Entry, sizes: Mapping[str, int], file: object) -> None:
