@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from arcless.assess.certainty import COVERAGE, Draws, student_factor
+from arcless.assess.certainty import COVERAGE, RUN_KEYS, Draw, Draws, numbers_of, student_factor
 from arcless.assess.criteria import Criterion, evaluate
 from arcless.assess.facts import criteria_facts, lateral_mm, supply_notes, uplift_notes
 from arcless.assess.section import (
@@ -151,6 +151,15 @@ def assess(
         certainty_method=method,
         **line,
         **{name: facts[name] for name in own},
+    )
+
+
+def draw_of(assessment: Assessment) -> Draw:
+    """Return what is kept of an assessed run beside another one."""
+    return Draw(
+        {each.name: numbers_of(each) for each in assessment.pantographs},
+        {key: getattr(assessment, key) for key in RUN_KEYS},
+        {(c.name, c.pantograph): (c.value, c.limit) for c in assessment.criteria},
     )
 
 

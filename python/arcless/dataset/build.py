@@ -1,10 +1,10 @@
-"""Record of a run (plain NumPy arrays) → xarray dataset, checked against the one table."""
+"""Arrays of a run → described variables and attributes, checked against the one table."""
 
 import json
 from collections.abc import Collection, Mapping
 from datetime import UTC, datetime
 from difflib import get_close_matches
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,51 +18,6 @@ from arcless.dataset.schema import (
     sizes_of,
 )
 from arcless.errors import ResultFormatError
-
-if TYPE_CHECKING:
-    import xarray
-
-
-def dataset_from(
-    record: Mapping[str, Any],
-    names: Mapping[str, Any],
-    static: Mapping[str, Any],
-    attrs: Mapping[str, Any],
-) -> "xarray.Dataset":
-    """Build the dataset of a run.
-
-    Parameters
-    ----------
-    record
-        Variable name → array, the channels of the run and their extremes. SI units.
-    names
-        Dimension name → its labels (times in s, names, positions in m). Dimensions that only
-        count (``mass``, nodes, ``mode``) may be left out: they are numbered from 1.
-    static
-        Variable name → array, the initial configuration. SI units.
-    attrs
-        Attributes; lists and dictionaries become JSON text, ``None`` is left out.
-
-    Returns
-    -------
-    xarray.Dataset
-        With ``units`` and ``long_name`` on every variable.
-
-    Raises
-    ------
-    ResultFormatError
-        A name is unknown, a required one missing, a shape does not fit its dimensions, or a
-        value is not finite.
-
-    Notes
-    -----
-    Variables along a dimension of size zero (a line without droppers, no recorded points) are
-    left out: NetCDF has no empty dimension that keeps its size.
-    """
-    from arcless.dataset.plain_dataset import Plain  # which needs what is below
-
-    return Plain.of(record, names, static, attrs).dataset()
-
 
 Entry = tuple[tuple[str, ...], NDArray[Any], dict[str, str]]
 Described = dict[str, Entry]

@@ -54,7 +54,7 @@ class Plain:
         static: Mapping[str, Any],
         attrs: Mapping[str, Any],
     ) -> "Plain":
-        """Build the dataset of a run from what `arcless.dataset.build.dataset_from` takes.
+        """Build the dataset of a run from what `dataset_from` takes.
 
         Raises
         ------
@@ -84,6 +84,45 @@ class Plain:
         import xarray
 
         return xarray.Dataset(dict(self._data), dict(self._coords), self.attrs)
+
+
+def dataset_from(
+    record: Mapping[str, Any],
+    names: Mapping[str, Any],
+    static: Mapping[str, Any],
+    attrs: Mapping[str, Any],
+) -> "xarray.Dataset":
+    """Build the dataset of a run.
+
+    Parameters
+    ----------
+    record
+        Variable name → array, the channels of the run and their extremes. SI units.
+    names
+        Dimension name → its labels (times in s, names, positions in m). Dimensions that only
+        count (``mass``, nodes, ``mode``) may be left out: they are numbered from 1.
+    static
+        Variable name → array, the initial configuration. SI units.
+    attrs
+        Attributes; lists and dictionaries become JSON text, ``None`` is left out.
+
+    Returns
+    -------
+    xarray.Dataset
+        With ``units`` and ``long_name`` on every variable.
+
+    Raises
+    ------
+    ResultFormatError
+        A name is unknown, a required one missing, a shape does not fit its dimensions, or a
+        value is not finite.
+
+    Notes
+    -----
+    Variables along a dimension of size zero (a line without droppers, no recorded points) are
+    left out: NetCDF has no empty dimension that keeps its size.
+    """
+    return Plain.of(record, names, static, attrs).dataset()
 
 
 Dataset: TypeAlias = "xarray.Dataset | Plain"

@@ -1,7 +1,7 @@
 """Record → Dataset: building, saving and opening results."""
 
-from arcless.dataset.build import dataset_from
 from arcless.dataset.netcdf.store import metadata, open_dataset, save
+from arcless.dataset.plain_dataset import dataset_from
 from arcless.results.result import RESULT_NAME, Result, result_file
 from arcless.results.result import open_result as open
 

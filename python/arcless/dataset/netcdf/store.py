@@ -38,7 +38,7 @@ def save(dataset: "Dataset", path: str | Path) -> None:
     Parameters
     ----------
     dataset
-        As built by `arcless.dataset.build.dataset_from`, or the same as `Plain`.
+        As built by `arcless.dataset.plain_dataset.dataset_from`, or the same as `Plain`.
     path
         The file to write, usually ending in ``.nc``; the folder must exist.
 

@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from arcless.assess.certainty import Draw
+from arcless.assess.assessment import draw_of
 from arcless.errors import ArclessError
 from arcless.model import Scenario
 from arcless.model.scenario.other_family import other_family, steps_on_chains
@@ -157,7 +157,7 @@ def _forces(scenario: Scenario) -> list[float]:
 
 def _draw(outcome: Outcome) -> dict[str, Any]:
     assert outcome.assessment is not None
-    return Draw.of(outcome.assessment).to_dict()
+    return draw_of(outcome.assessment).to_dict()
 
 
 def _words(scenario: Scenario) -> dict[str, Any]:

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from arcless.dataset.build import dataset_from
+from arcless.dataset.plain_dataset import dataset_from
 from arcless.errors import ResultFormatError
 from arcless.simulate.recording import contacts
 
