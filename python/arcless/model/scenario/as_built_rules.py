@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING
 
 from arcless.errors import ModelError
 from arcless.model.as_built.measured_heights import check_measured
-from arcless.model.line.line import POSITION_TOLERANCE
+from arcless.model.line.line_data import POSITION_TOLERANCE
 from arcless.model.line.places.dropper_names import DropperName, droppers_called, parse_name
 from arcless.model.line.places.support_names import SupportName, supports_called
 from arcless.units import accepted

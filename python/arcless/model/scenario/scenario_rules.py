@@ -5,7 +5,7 @@ from math import isclose
 from typing import TYPE_CHECKING
 
 from arcless.errors import ModelError
-from arcless.model.line.line import POSITION_TOLERANCE
+from arcless.model.line.line_data import POSITION_TOLERANCE
 from arcless.model.scenario.step_rules import check_steps
 from arcless.model.settings.schemes import EXPLICIT
 from arcless.units import show

@@ -2,13 +2,11 @@
 
 import re
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 from arcless.errors import ModelError
+from arcless.model.line.line import Line
 from arcless.units import show
-
-if TYPE_CHECKING:
-    from arcless.model.line.line import Line
 
 _NAME = re.compile(
     r"\s*(?:tension\s+length\s+(\d{1,6})\s+)?span\s+(\d{1,6})\s+dropper\s+(\d{1,6})"
@@ -53,7 +51,7 @@ def parse_name(value: object) -> DropperName:
     return DropperName(span, dropper, length, wire)
 
 
-def droppers_called(line: "Line", name: DropperName) -> list[DropperName]:
+def droppers_called(line: Line, name: DropperName) -> list[DropperName]:
     """Return the droppers of a line that a name fits, each with its full name."""
     spans, lengths = line.span_list(), line.tension_length_list()
     if not 1 <= name.span <= len(spans):

@@ -1,9 +1,8 @@
 """Names of supports that hold wires: ``support 4``, and the tension length where that fits two."""
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
-if TYPE_CHECKING:
-    from arcless.model.line.line import Line
+from arcless.model.line.line import Line
 
 
 class SupportName(NamedTuple):
@@ -21,7 +20,7 @@ class SupportName(NamedTuple):
         return f"{front}support {self.support}"
 
 
-def supports_called(line: "Line", name: SupportName) -> list[SupportName]:
+def supports_called(line: Line, name: SupportName) -> list[SupportName]:
     """Return the inner supports of a line that a name fits, each with its full name.
 
     At both ends of a tension length its wires are anchored.

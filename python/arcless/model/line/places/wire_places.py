@@ -2,17 +2,15 @@
 
 from collections.abc import Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:
-    from arcless.model.line.line import Line
-    from arcless.model.line.parts.spans import SpanType
+from arcless.model.line.line import Line
+from arcless.model.line.parts.spans import SpanType
 
 # Nearer to one another two places are one, in m.
 SAME_PLACE = 1e-3
 
 
-def shortest_distances(line: "Line") -> dict[str, list[float]]:
+def shortest_distances(line: Line) -> dict[str, list[float]]:
     """Return distances in m between neighbouring places by wire, for those where they are short.
 
     Places of droppers, hangers, supports and clamps in each type of span. Masses and inserts on
@@ -36,7 +34,7 @@ def shortest_distances(line: "Line") -> dict[str, list[float]]:
     return {name: sorted(gaps) for name, gaps in own.items()}
 
 
-def _places(line: "Line", span: "SpanType") -> dict[str, list[float]]:
+def _places(line: Line, span: SpanType) -> dict[str, list[float]]:
     """Places in a span, from its left support, by wire."""
     ends = [0.0, span.length]
     clamps: list[float] = []
@@ -59,7 +57,7 @@ def _places(line: "Line", span: "SpanType") -> dict[str, list[float]]:
     }
 
 
-def _on_wires(line: "Line") -> list[tuple[str, float]]:
+def _on_wires(line: Line) -> list[tuple[str, float]]:
     masses = [(mass.wire, mass.position) for mass in line.point_masses]
     inserts = [(insert.wire, x) for insert in line.inserts for x in insert.ends]
     return [*masses, *inserts]
