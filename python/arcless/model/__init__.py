@@ -25,7 +25,8 @@ from arcless.model.load import load, load_any, load_line, load_pantograph
 from arcless.model.pantograph.pantograph import Pantograph, PantographMass
 from arcless.model.pantograph.placement import PantographPlacement
 from arcless.model.scenario.overrides import parse_override
-from arcless.model.scenario.scenario import Analysis, Scenario, Travel
+from arcless.model.scenario.scenario import Scenario
+from arcless.model.scenario.scenario_data import Analysis, Travel
 from arcless.model.settings.run_settings import Contact, Output, Solver, SpeedProfile
 from arcless.model.settings.schemes import (
     GeneralisedAlpha,

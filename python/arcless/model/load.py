@@ -1,29 +1,26 @@
-"""Names, files and plain data → validated models; references between files are resolved here."""
+"""Names, files and plain data → validated models."""
 
 import os
 from collections.abc import Mapping
-from difflib import get_close_matches
-from pathlib import Path as FilePath
-from typing import Any, Literal, TypeVar
-
-from pydantic import ValidationError
+from typing import Any, TypeVar
 
 from arcless.errors import ModelError
-from arcless.model.fields.document import printed
-from arcless.model.fields.part import Path
-from arcless.model.files.csv_tables import with_tables
-from arcless.model.files.pydantic_errors import explain
-from arcless.model.files.yaml_reader import Origin, is_file, parse, read_text
+from arcless.model.files.yaml_reader import Origin
 from arcless.model.line.line import Line
-from arcless.model.pantograph.controller import with_function
-from arcless.model.pantograph.force_tables import with_force_tables
 from arcless.model.pantograph.pantograph import Pantograph
-from arcless.model.pantograph.roof import with_points
-from arcless.model.scenario.scenario import MAX_PANTOGRAPHS, Scenario
-from arcless.model.shipped.library import find, shipped
+from arcless.model.scenario.references import (
+    KINDS,
+    Kind,
+    build,
+    load_file,
+    locate,
+    other_kind,
+    read,
+)
+from arcless.model.scenario.scenario import Scenario
+from arcless.model.shipped.library import find
 from arcless.units import plain, show
 
-Kind = Literal["scenario", "line", "pantograph"]
 Source = str | os.PathLike[str] | Mapping[str, Any]
 Model = TypeVar("Model", Scenario, Line, Pantograph)
 _MODELS: dict[Kind, type[Scenario] | type[Line] | type[Pantograph]] = {
@@ -31,14 +28,6 @@ _MODELS: dict[Kind, type[Scenario] | type[Line] | type[Pantograph]] = {
     "line": Line,
     "pantograph": Pantograph,
 }
-# What to do with a file of a format that was not asked for.
-_COMMANDS = {
-    "scenario": "`arcless run {}`",
-    "line": "`arcless check {}`, or name it as the line of a scenario",
-    "pantograph": "`arcless check {}`, or name it as a model of a scenario's pantographs",
-    "study": "`arcless study run {}`",
-}
-_SUFFIXES = {".yaml", ".yml", ".json"}
 
 
 def load(source: Source | Scenario) -> Scenario:
@@ -77,101 +66,24 @@ def load_pantograph(source: Source | Pantograph) -> Pantograph:
 def load_any(source: Source) -> Scenario | Line | Pantograph:
     """Return the model in a file of any of the three formats, or a shipped one by name."""
     if isinstance(source, Mapping):
-        return _load_kind(source, _kind_of(source.get("format"), Origin()))
+        kind = _kind_of(source.get("format"), Origin())
+        return build(dict(source), kind, _MODELS[kind], Origin())
     if isinstance(source, str):
-        for kind in ("scenario", "line", "pantograph"):
+        for kind in KINDS:
             if file := find(kind, source):
-                return _load_file(file, kind, Origin())
-    data, origin = read(_locate(source, "scenario", Origin()), Origin())
-    return _build(data, _kind_of(data.get("format"), origin), origin)
-
-
-def build(data: Mapping[str, Any], kind: Kind) -> Scenario | Line | Pantograph:
-    """Return the model of plain data; references are relative to the current folder."""
-    return _build(dict(data), kind, Origin())
+                return load_file(file, kind, _MODELS[kind], Origin())
+    data, origin = read(locate(source, "scenario", Origin()), Origin())
+    kind = _kind_of(data.get("format"), origin)
+    return build(data, kind, _MODELS[kind], origin)
 
 
 def _load(source: Source, kind: Kind, model: type[Model]) -> Model:
-    loaded = _load_kind(source, kind)
-    assert isinstance(loaded, model)
-    return loaded
-
-
-def _load_kind(source: Source, kind: Kind) -> Scenario | Line | Pantograph:
     if isinstance(source, Mapping):
-        return build(source, kind)
+        return build(dict(source), kind, model, Origin())
     if not isinstance(source, (str, os.PathLike)):
         expected = f"the name of a shipped {kind}, a file, or a mapping"
         raise ModelError(kind, got=show(source), expected=expected)
-    return _load_file(_locate(source, kind, Origin()), kind, Origin())
-
-
-def _load_file(path: FilePath, kind: Kind, referrer: Origin) -> Scenario | Line | Pantograph:
-    data, origin = read(path, referrer)
-    return _build(data, kind, origin)
-
-
-def read(path: FilePath, referrer: Origin) -> tuple[dict[str, Any], Origin]:
-    """Return the data in a file, and where they come from; `referrer` names the file."""
-    label = str(path)
-    text = read_text(path, label)
-    resolved = path.resolve()
-    if resolved in referrer.chain:
-        names = " → ".join(part.name for part in (*referrer.chain, resolved))
-        expected = "files that do not refer to each other in a circle"
-        raise ModelError("recursive reference", where=label, got=names, expected=expected)
-    data, positions = parse(text, label)
-    return data, Origin(label, path.parent, positions, (*referrer.chain, resolved))
-
-
-def _build(
-    data: dict[str, Any], kind: Kind, origin: Origin, prefix: Path = ()
-) -> Scenario | Line | Pantograph:
-    check_format(data, kind, origin, prefix)
-    if kind == "scenario":
-        data = _resolve(data, origin)
-    elif kind == "pantograph":
-        data = with_force_tables(data, origin, prefix)
-    try:
-        return _MODELS[kind].model_validate(data)
-    except ValidationError as error:
-        raise explain(error, data, origin, prefix) from None
-
-
-def check_format(data: Mapping[str, Any], kind: str, origin: Origin, prefix: Path = ()) -> None:
-    """Refuse data that are not version 1 of the format ``arcless-KIND``."""
-    expected = f"arcless-{kind}/1"
-    given = data.get("format")
-    # Data that are not a file of their own need no format: nobody has to guess what they are.
-    is_file = origin.label is not None and not prefix
-    if given == expected or (given is None and not is_file):
-        return
-    path = (*prefix, "format")
-    what = "missing field" if given is None else "wrong format"
-    is_version = isinstance(given, str) and given.startswith(f"arcless-{kind}/")
-    hint = "this version of Arcless reads version 1" if is_version else _other_kind(given, origin)
-    if given is None:
-        hint = f"start the file with format: {expected}"
-    raise ModelError(
-        f"{printed(path)}: {what}",
-        where=origin.where(path),
-        got=None if given is None else show(given),
-        expected=expected,
-        hint=hint,
-        field=path,
-    )
-
-
-def _other_kind(given: object, origin: Origin) -> str | None:
-    """Return what a file of another format is, and the command for it; None if it is none."""
-    name, _, _ = given.partition("/") if isinstance(given, str) else ("", "", "")
-    kind = name.removeprefix("arcless-")
-    if name == kind or kind not in _COMMANDS:
-        return None
-    is_named = origin.label is None or len(origin.chain) > 1
-    file = origin.label or ""
-    command = "" if is_named else f": {_COMMANDS[kind].format(plain(file) if file else '')}"
-    return f"this is a {kind}{command}"
+    return load_file(locate(source, kind, Origin()), kind, model, Origin())
 
 
 def check_kind(value: object, kind: Kind = "scenario") -> None:
@@ -194,95 +106,13 @@ def check_kind(value: object, kind: Kind = "scenario") -> None:
 
 
 def _kind_of(given: object, origin: Origin) -> Kind:
-    kinds: tuple[Kind, ...] = ("scenario", "line", "pantograph")
-    for kind in kinds:
+    for kind in KINDS:
         if isinstance(given, str) and given.startswith(f"arcless-{kind}/"):
             return kind
     raise ModelError(
         "format: missing field" if given is None else "format",
         where=origin.where(("format",)),
         got=None if given is None else show(given),
-        expected=" or ".join(f"arcless-{kind}/1" for kind in kinds),
-        hint=_other_kind(given, origin),
+        expected=" or ".join(f"arcless-{kind}/1" for kind in KINDS),
+        hint=other_kind(given, origin),
     )
-
-
-def _resolve(data: dict[str, Any], origin: Origin) -> dict[str, Any]:
-    """Replace the references of a scenario by the models they name."""
-    resolved = dict(data)
-    if "line" in data:
-        resolved["line"] = reference(data["line"], "line", origin, ("line",))
-    if "as_built" in data:
-        resolved["as_built"] = with_tables(data["as_built"], origin)
-    placements = data.get("pantographs")
-    if isinstance(placements, (list, tuple)):
-        resolved["pantographs"] = [
-            _placement(item, origin, ("pantographs", index))
-            if isinstance(item, Mapping) and index < MAX_PANTOGRAPHS
-            else item
-            for index, item in enumerate(placements)
-        ]
-    return resolved
-
-
-def _placement(item: Mapping[str, Any], origin: Origin, path: Path) -> dict[str, Any]:
-    resolved = dict(item)
-    if "model" in item:
-        model = item["model"]
-        resolved["model"] = reference(model, "pantograph", origin, (*path, "model"))
-    controller = item.get("controller")
-    if isinstance(controller, Mapping):
-        resolved["controller"] = with_function(controller, origin, (*path, "controller"))
-    motion = item.get("roof_motion")
-    if isinstance(motion, Mapping):
-        resolved["roof_motion"] = with_points(dict(motion), origin, (*path, "roof_motion"))
-    return resolved
-
-
-def reference(value: object, kind: Kind, origin: Origin, path: Path) -> object:
-    """Return the model that a field holds: by shipped name, by file, or written there."""
-    if isinstance(value, Mapping):
-        return _build(dict(value), kind, origin, path)
-    if isinstance(value, (Line, Pantograph, Scenario)):
-        return value
-    if not isinstance(value, str):
-        raise ModelError(
-            printed(path),
-            where=origin.where(path),
-            got=show(value),
-            expected=f"the name of a shipped {kind}, a file, or a mapping",
-            field=path,
-        )
-    try:
-        file = _locate(value, kind, origin)
-    except ModelError as error:
-        error.what, error.where = f"{printed(path)}: {error.what}", origin.where(path)
-        raise
-    with origin.referring(path):
-        return _load_file(file, kind, origin)
-
-
-def _locate(source: str | os.PathLike[str], kind: Kind, origin: Origin) -> FilePath:
-    if isinstance(source, str):
-        if file := find(kind, source):
-            return file
-        path = origin.folder / source
-        is_path = path.suffix in _SUFFIXES or os.sep in source or "/" in source
-        if not is_path and not is_file(path):
-            raise ModelError(
-                f"unknown {kind}",
-                got=show(source),
-                expected=f"a shipped name or a file ({', '.join(sorted(_SUFFIXES))})",
-                hint=_hint(source, kind),
-            )
-        return path
-    return FilePath(source)
-
-
-def _hint(name: str, kind: Kind) -> str:
-    """Return what may be meant by a name that no shipped model of a kind has."""
-    known = shipped(kind)
-    close = get_close_matches(name, known, n=1)
-    meant = f"did you mean {close[0]}?" if close else f"shipped: {', '.join(known)}"
-    others = [other for other in _MODELS if other != kind and name in shipped(other)]
-    return f"{name} is a shipped {others[0]}; {meant}" if others else meant

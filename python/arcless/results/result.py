@@ -133,7 +133,7 @@ def open_result(path: str | Path) -> Result:
         The file is missing, damaged, or of another format version.
     """
     from arcless.model import load
-    from arcless.model.fields.as_typed import restore
+    from arcless.model.scenario.as_typed import restore
 
     dataset = open_plain(result_file(path))
     facts = metadata(dataset)

@@ -14,8 +14,8 @@ from arcless import _core
 from arcless.dataset.netcdf.store import open_plain
 from arcless.dataset.plain_dataset import Plain
 from arcless.model import Scenario, scenario_warnings
-from arcless.model.fields.as_typed import typed_in
 from arcless.model.load import check_kind
+from arcless.model.scenario.as_typed import typed_in
 from arcless.results import Result
 from arcless.simulate.recording import record
 from arcless.simulate.runs import checkpoint

@@ -2,23 +2,24 @@
 
 from collections.abc import Mapping
 from copy import deepcopy
-from typing import Any
+from typing import Any, TypeVar
 
 from pydantic import BaseModel
 
 from arcless.errors import ModelError
-from arcless.model.fields.as_typed import carry
 from arcless.model.fields.document import Document, dotted, written
 from arcless.model.fields.part import Unit, find_unit, nearest
 from arcless.model.files.yaml_nodes import scalar
-from arcless.model.files.yaml_reader import parse
+from arcless.model.files.yaml_reader import Origin, parse
 from arcless.model.line.line import Line
-from arcless.model.load import build, load_line, load_pantograph
 from arcless.model.pantograph.pantograph import Pantograph
-from arcless.model.scenario.scenario import Scenario
+from arcless.model.scenario.as_typed import carry
+from arcless.model.scenario.references import build, load_named
+from arcless.model.scenario.scenario_data import ScenarioData
 from arcless.model.shipped.wire_catalogue import GIVES
 from arcless.units import show
 
+Model = TypeVar("Model", bound=ScenarioData)
 # Giving one of these takes the others back, unless they are changed in the same call.
 _EXCLUSIVE = {
     "speed": ("speed_profile",),
@@ -65,7 +66,7 @@ def parse_override(text: str) -> tuple[str, Any]:
     return path, scalar(value)
 
 
-def apply(scenario: Scenario, changes: Mapping[str, Any]) -> Scenario:
+def apply(scenario: Model, changes: Mapping[str, Any]) -> Model:
     """Return a validated copy of `scenario` with changed fields; see `Scenario.with_`."""
     changed_groups = {path.partition(".")[0] for path in changes}
     data = scenario.model_dump(mode="json", by_alias=True, include={"provenance", *changed_groups})
@@ -75,13 +76,12 @@ def apply(scenario: Scenario, changes: Mapping[str, Any]) -> Scenario:
     named: dict[str, Document] = {}
     for path, value in changes.items():
         replaced |= _set(data, path, value, set(changes), named)
-    changed = build(data, "scenario")
-    assert isinstance(changed, Scenario)
+    changed = build(data, "scenario", type(scenario), Origin())
     carry(scenario, changed, replaced, named)
     return changed
 
 
-def field_of(scenario: Scenario, path: str) -> tuple[str, Unit | None]:
+def field_of(scenario: ScenarioData, path: str) -> tuple[str, Unit | None]:
     """Return the whole path of a field, nothing left out, and its unit or None.
 
     Raises
@@ -137,9 +137,9 @@ def _set(
 def _named_model(field: str | int, value: Any) -> Line | Pantograph | None:
     """Return the model that is given by name, or None: later changes can go into its data."""
     if isinstance(value, str) and field == "line":
-        return load_line(value)
+        return load_named(value, "line", Line)
     if isinstance(value, str) and field == "model":
-        return load_pantograph(value)
+        return load_named(value, "pantograph", Pantograph)
     return None
 
 
