@@ -21,9 +21,9 @@ from arcless.assess.section import (
 )
 from arcless.assess.statistics import PantographAssessment, pantograph_assessment
 from arcless.assess.wear import WearRates, wear_notes, wear_rates
+from arcless.dataset.metadata import metadata
 from arcless.errors import ModelError, ResultFormatError
 from arcless.model.fields.extremes import LEAST_FREQUENCY
-from arcless.results import metadata
 
 if TYPE_CHECKING:
     from arcless.dataset.plain_dataset import Dataset

@@ -5,7 +5,8 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from arcless.dataset.netcdf.store import metadata, open_plain, save
+from arcless.dataset.metadata import metadata
+from arcless.dataset.netcdf.store import open_plain, save
 from arcless.dataset.plain_dataset import Plain
 from arcless.dataset.recorded_series import CHANNELS, Place, passage
 
@@ -47,8 +48,7 @@ class Result:
         """The same as `dataset`, which somebody may have changed, or arrays by name without one."""
         return self.dataset if "dataset" in self.__dict__ else self.recorded
 
-    # The two stages below stand right of this module in the import order; they are imported when
-    # asked for, so that reading a result needs neither.
+    # The two stages below are imported when asked for, so that reading a result waits for neither.
     @cached_property
     def assessment(self) -> "Assessment":
         """The run's indicators and criteria over its own analysis section."""

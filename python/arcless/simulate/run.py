@@ -13,6 +13,7 @@ import numpy as np
 from arcless import _core
 from arcless.dataset.netcdf.store import open_plain
 from arcless.dataset.plain_dataset import Plain
+from arcless.equilibrium.initial_configuration import wave_speed_of
 from arcless.model import Scenario, scenario_warnings
 from arcless.model.load import check_kind
 from arcless.model.scenario.as_typed import typed_in
@@ -24,7 +25,6 @@ from arcless.simulate.runs.mean_force import find_forces
 from arcless.simulate.runs.streaming import Stream
 from arcless.simulate.setup import stops_and_friction
 from arcless.simulate.setup.controllers import ControlFunction, Controllers
-from arcless.simulate.statics import wave_speed_of
 from arcless.storage.whole_files import replacing
 
 

@@ -1,12 +1,12 @@
 """Datasets as NetCDF files: saved atomically, checked when opened."""
 
-import json
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from arcless.dataset.build import missing_variables
+from arcless.dataset.metadata import metadata
 from arcless.dataset.netcdf import checksum, lazy_reader
 from arcless.dataset.netcdf.form_checks import check_attributes, check_entry
 from arcless.dataset.netcdf.writer import netcdf
@@ -138,23 +138,6 @@ def _reading(file: Path) -> Iterator[None]:
             got=str(error).partition("\n")[0],
             expected="a whole NetCDF4 file written by `arcless run`",
         ) from error
-
-
-def metadata(dataset: "Dataset") -> dict[str, Any]:
-    """Return the attributes as plain Python values, JSON text decoded.
-
-    Attributes that the table knows and the dataset lacks are ``None``.
-    """
-    return {name: _decoded(name, dataset.attrs.get(name)) for name in ATTRIBUTES}
-
-
-def _decoded(name: str, value: Any) -> Any:
-    if value is None:
-        return None
-    kind = ATTRIBUTES[name].kind
-    if kind == "json":
-        return json.loads(value)
-    return {"integer": int, "number": float, "text": str}[kind](value)
 
 
 def _check(dataset: Plain, file: Path) -> None:
