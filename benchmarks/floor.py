@@ -8,7 +8,7 @@ docs/performance.md. D unknowns a node, numbers of 8 bytes.
 from dataclasses import dataclass
 from itertools import product
 
-from arcless.simulate.equilibrium.equilibrium import Equilibrium
+from arcless.equilibrium.equilibrium import Equilibrium
 
 NUMBER, INDEX = 8, 8
 # Vectors that pass the processor in a step, docs/performance.md: the product with M has 2, the

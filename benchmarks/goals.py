@@ -6,8 +6,8 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
+from arcless.equilibrium import equilibrium
 from arcless.model import Scenario, load
-from arcless.simulate.equilibrium import equilibrium
 from benchmarks.clock import Taken, process, timed
 from benchmarks.whole_runs import SOLVED, SOLVED_IN_SPACE, Stepping
 

@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 from scipy.sparse import block_diag, coo_matrix, csr_matrix, diags, hstack
 
+from arcless.equilibrium.equilibrium import Equilibrium
 from arcless.model import Scenario
-from arcless.simulate.equilibrium.equilibrium import Equilibrium
 
 Array = Any
 X, Z, SLOPE, PER_NODE = 0, 1, 2, 4

@@ -21,8 +21,8 @@ import numpy as np
 from scipy.sparse.linalg import splu
 
 from arcless import lcp
+from arcless.equilibrium.equilibrium import Equilibrium
 from arcless.model import Scenario
-from arcless.simulate.equilibrium.equilibrium import Equilibrium
 from benchmarks.plain_matrices import Matrices, shape
 
 Array = Any

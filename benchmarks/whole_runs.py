@@ -4,9 +4,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from arcless.equilibrium import equilibrium
 from arcless.model import Scenario, Solver, load
 from arcless.model.settings import schemes
-from arcless.simulate.equilibrium import equilibrium
 from arcless.simulate.runs.job import Job, prepare
 from arcless.simulate.setup import pantographs, trajectory
 from arcless.simulate.setup.controllers import Controllers

@@ -14,7 +14,7 @@ def members(*, endless: bool = False) -> Iterator[Scenario]:
     """Return the members: one line and step, many speeds."""
     base = arcless.load(SHORT)
     changes = dict(
-        arcless.model.loading.overrides.parse_override(f"{k}={v}") for k, v in QUICK.items()
+        arcless.model.scenario.overrides.parse_override(f"{k}={v}") for k, v in QUICK.items()
     )
     changes["solver.time_step"] = "0.01 ms" if endless else "1 ms"
     return (base.with_(**changes, speed=f"{speed} km/h") for speed in SPEEDS)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from arcless import _core
-from arcless.simulate.equilibrium import equilibrium
+from arcless.equilibrium import equilibrium
 from tests.support.small import small
 
 

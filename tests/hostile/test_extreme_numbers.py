@@ -8,8 +8,8 @@ import pytest
 
 import arcless
 from arcless import _core
+from arcless.equilibrium import equilibrium
 from arcless.errors import ArclessError, EquilibriumError, ModelError
-from arcless.simulate.equilibrium import equilibrium
 from arcless.simulate.runs.failures import preparing
 
 SHORT = Path(__file__).parents[1] / "interface" / "data" / "short.yaml"

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 import arcless
+from arcless.dataset.netcdf import checksum
 from arcless.errors import ResultFormatError
-from arcless.results.netcdf import checksum
 
 SHORT = Path(__file__).parents[1] / "interface" / "data" / "short.yaml"
 Change = Callable[[Any], None]

@@ -10,10 +10,10 @@ import arcless
 
 PACKAGE = Path(arcless.__file__).parent
 ORDER = (
-    "errors", "units", "storage", "model", "mesh", "lcp", "results", "assess", "simulate", "report",
-    "study", "validate", "cli",
+    "errors", "units", "storage", "model", "mesh", "equilibrium", "lcp", "dataset", "results",
+    "assess", "simulate", "report", "study", "validate", "cli",
 )  # fmt: skip
-CORE_USERS = {"mesh", "lcp", "assess", "simulate"}
+CORE_USERS = {"equilibrium", "lcp", "assess", "simulate"}
 # A result offers what follows from it (`result.assessment`), imported when asked for.
 LATER = {("results", "assess"), ("results", "report")}
 

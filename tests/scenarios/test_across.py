@@ -6,10 +6,10 @@ from typing import Any
 import numpy as np
 import pytest
 
+from arcless.equilibrium import equilibrium
 from arcless.errors import ModelError
 from arcless.model import Scenario
 from arcless.results import Result
-from arcless.simulate.equilibrium import equilibrium
 
 Short = Callable[..., Scenario]
 Run = Callable[..., Result]

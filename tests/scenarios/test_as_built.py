@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 import arcless
+from arcless.equilibrium import equilibrium
 from arcless.errors import EquilibriumError
 from arcless.mesh.build.alteration import worn_bending
 from arcless.model import Scenario
-from arcless.simulate.equilibrium import equilibrium
 
 Short = Callable[..., Scenario]
 

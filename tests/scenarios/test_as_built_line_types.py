@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 import arcless
+from arcless.equilibrium import equilibrium
 from arcless.errors import ModelError
 from arcless.model import Scenario
-from arcless.simulate.equilibrium import equilibrium
 from tests.support.line_types import compound_data, scenario_data, stitched_data
 
 GRAVITY = 9.81

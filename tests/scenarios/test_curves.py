@@ -6,10 +6,10 @@ from typing import Any
 import numpy as np
 import pytest
 
+from arcless.equilibrium import equilibrium
 from arcless.errors import EquilibriumError, ModelError
 from arcless.model import Scenario, load
 from arcless.results import Result
-from arcless.simulate.equilibrium import equilibrium
 from tests.support.line_types import compound_data, scenario_data, stitched_data
 from tests.support.overlaps import overlap_data
 

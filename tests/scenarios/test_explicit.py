@@ -11,12 +11,12 @@ from typer.testing import CliRunner
 import arcless
 from arcless import _core
 from arcless.cli.app import app
+from arcless.equilibrium import equilibrium
 from arcless.errors import ContactError, EquilibriumError, ModelError
 from arcless.mesh import Mesh
 from arcless.model import Scenario
 from arcless.results import Result
 from arcless.simulate.batches.fingerprints import shared_key
-from arcless.simulate.equilibrium import equilibrium
 from arcless.simulate.runs import failures
 from arcless.simulate.runs.failures import translated
 from tests.support.explicit import EXPLICIT

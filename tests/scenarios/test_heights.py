@@ -6,11 +6,11 @@ from typing import Any
 import numpy as np
 import pytest
 
+from arcless.equilibrium import equilibrium
 from arcless.errors import EquilibriumError
 from arcless.model import Scenario, load
 from arcless.model.as_built.measured_heights import measured_places
 from arcless.results import Result
-from arcless.simulate.equilibrium import equilibrium
 
 Short = Callable[..., Scenario]
 Run = Callable[..., Result]

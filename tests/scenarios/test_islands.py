@@ -3,8 +3,8 @@
 import numpy as np
 
 import arcless
+from arcless.equilibrium.equilibrium import find
 from arcless.model import load
-from arcless.simulate.equilibrium.equilibrium import find
 from tests.support.line_types import scenario_data
 from tests.support.overlaps import overlap_data
 

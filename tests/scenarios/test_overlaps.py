@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from arcless.cli.terminal.statics_tables import blocks
+from arcless.equilibrium.equilibrium import Equilibrium, find, place_of
 from arcless.model import load
 from arcless.simulate import StaticsResult, statics
-from arcless.simulate.equilibrium.equilibrium import Equilibrium, find, place_of
 from arcless.simulate.recording import record
 from tests.support.line_types import compound_data, scenario_data, stitched_data
 from tests.support.overlaps import overlap_data, plain_data

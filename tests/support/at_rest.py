@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import arcless
-from arcless.simulate.equilibrium import equilibrium
+from arcless.equilibrium import equilibrium
 from tests.support import limit
 
 Floats = NDArray[np.float64]

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from arcless.simulate.equilibrium.equilibrium import Equilibrium
+from arcless.equilibrium.equilibrium import Equilibrium
 
 GRAVITY = 9.81
 

@@ -4,8 +4,8 @@ from math import sin
 
 import numpy as np
 
+from arcless.equilibrium.equilibrium import Equilibrium
 from arcless.mesh.tables.parts import GIVEN, Parts
-from arcless.simulate.equilibrium.equilibrium import Equilibrium
 from tests.support.structures import at_rest, mesh_of
 
 AXIAL, MASS = 14e6, 1.1

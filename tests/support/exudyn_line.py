@@ -13,8 +13,8 @@ from exudyn.advancedUtilities import CreateSymbolicUserFunction
 from exudyn.solver import ComputeLinearizedSystem
 from scipy.sparse import csr_matrix
 
+from arcless.equilibrium.equilibrium import Equilibrium
 from arcless.model import Scenario
-from arcless.simulate.equilibrium.equilibrium import Equilibrium
 
 ALONG, UP = 0, 1
 Place = tuple[int, int]  # nodes of position and slope; at a hinge one position has two slopes

@@ -12,8 +12,8 @@ import exudyn.itemInterface as items  # noqa: N813
 import numpy as np
 
 from arcless.assess.signals.filter import low_pass
+from arcless.equilibrium.equilibrium import Equilibrium
 from arcless.model import Scenario
-from arcless.simulate.equilibrium.equilibrium import Equilibrium
 from tests.support.exudyn_line import ALONG, UP, Line, rayleigh, settings
 
 

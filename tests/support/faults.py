@@ -8,7 +8,7 @@ from unittest.mock import patch
 
 import numpy as np
 
-from arcless.simulate.equilibrium import equilibrium
+from arcless.equilibrium import equilibrium
 
 # Float columns of the tables in `arcless.mesh.tables.mesh_types.Mesh`.
 COLUMNS = {

@@ -160,7 +160,7 @@ def _program() -> str:
     """Return a digest of the package and of its core."""
     found = hashlib.sha256(Path(_core.__file__).read_bytes())
     root = Path(arcless.__file__).parent
-    for part in ("mesh", "simulate", "assess", "model"):
+    for part in ("mesh", "equilibrium", "simulate", "assess", "model"):
         for file in sorted((root / part).rglob("*.py")):
             found.update(file.read_bytes())
     return found.hexdigest()

@@ -10,8 +10,8 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.signal import butter, sosfiltfilt
 
+from arcless.equilibrium.equilibrium import Equilibrium
 from arcless.model.pantograph.pantograph import Pantograph
-from arcless.simulate.equilibrium.equilibrium import Equilibrium
 from arcless.simulate.setup import pantographs
 from tests.support.families import Family
 from tests.support.straight import Floats, Straight

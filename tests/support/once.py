@@ -14,7 +14,7 @@ from arcless.results import Result
 class RunsOnce:
     """Results by key; the first process that asks computes, the others read its file.
 
-    A result file keeps every bit (tests/unit/results/netcdf/test_store.py), so it does not
+    A result file keeps every bit (tests/unit/dataset/netcdf/test_store.py), so it does not
     matter which test runs where.
     """
 

@@ -2,8 +2,8 @@
 
 from typing import Any
 
+from arcless.equilibrium import equilibrium
 from arcless.model import load
-from arcless.simulate.equilibrium import equilibrium
 from tests.support.line_types import scenario_data
 from tests.support.simple_lines import trolley_data
 

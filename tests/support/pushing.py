@@ -6,8 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from arcless.equilibrium.equilibrium import Equilibrium
 from arcless.model.pantograph.pantograph import Pantograph
-from arcless.simulate.equilibrium.equilibrium import Equilibrium
 from arcless.simulate.setup import pantographs
 from arcless.simulate.setup.gust_loads import LoadData
 

@@ -10,8 +10,8 @@ from random import Random
 from typing import Any
 
 import arcless
+from arcless.equilibrium import equilibrium
 from arcless.errors import ArclessError
-from arcless.simulate.equilibrium import equilibrium
 from tests.support.random_parts import (
     damping,
     dropper,

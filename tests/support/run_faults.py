@@ -6,7 +6,7 @@ from copy import deepcopy
 from typing import Any
 from unittest.mock import patch
 
-from arcless.simulate.equilibrium import equilibrium
+from arcless.equilibrium import equilibrium
 
 PREPARED = ("lanes", "scheme", "step", "contact_stiffness", "updated", "corrected")
 RUN = (

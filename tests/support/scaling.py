@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from arcless.simulate.equilibrium import equilibrium
+from arcless.equilibrium import equilibrium
 from arcless.simulate.runs.job import Job
 from arcless.simulate.setup import pantographs, trajectory
 

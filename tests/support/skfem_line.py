@@ -10,8 +10,8 @@ import numpy as np
 from scipy.sparse import coo_matrix, csc_matrix
 from scipy.sparse.linalg import eigsh, splu
 
+from arcless.equilibrium.equilibrium import Equilibrium
 from arcless.model import Scenario
-from arcless.simulate.equilibrium.equilibrium import Equilibrium
 from tests.support.skfem_wires import Array, Wire
 
 X, Z = 0, 1

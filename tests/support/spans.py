@@ -4,9 +4,9 @@ from typing import Any
 
 import numpy as np
 
+from arcless.equilibrium.equilibrium import Equilibrium
 from arcless.mesh import PLANAR, Mesh
 from arcless.mesh.tables.parts import Parts
-from arcless.simulate.equilibrium.equilibrium import Equilibrium
 from tests.support import catenary
 from tests.support.structures import at_rest, mesh_of
 

@@ -9,11 +9,11 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
+from arcless.equilibrium.equilibrium import Equilibrium
 from arcless.mesh import PLANAR, SPATIAL
 from arcless.mesh.division import wires
 from arcless.mesh.tables.parts import GIVEN, Parts
 from arcless.model.line.parts.components import DropperType, Wire
-from arcless.simulate.equilibrium.equilibrium import Equilibrium
 from tests.support.structures import at_rest, mesh_of
 
 Floats = NDArray[np.float64]

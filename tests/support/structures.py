@@ -4,9 +4,9 @@ from typing import Any
 
 import numpy as np
 
+from arcless.equilibrium import equilibrium
 from arcless.mesh import Mesh
 from arcless.mesh.tables.parts import Parts
-from arcless.simulate.equilibrium import equilibrium
 
 
 def mesh_of(

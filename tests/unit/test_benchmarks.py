@@ -12,7 +12,7 @@ from benchmarks.run import PARTS
 from benchmarks.whole_runs import SOLVED
 
 import arcless
-from arcless.simulate.equilibrium import equilibrium
+from arcless.equilibrium import equilibrium
 
 # What divan 0.1 prints, shortened.
 PRINTED = """\

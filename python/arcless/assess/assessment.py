@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from arcless.assess.certainty import COVERAGE, Draws, student_factor
+from arcless.assess.certainty import COVERAGE, RUN_KEYS, Draw, Draws, numbers_of, student_factor
 from arcless.assess.criteria import Criterion, evaluate
 from arcless.assess.facts import criteria_facts, lateral_mm, supply_notes, uplift_notes
 from arcless.assess.section import (
@@ -21,12 +21,12 @@ from arcless.assess.section import (
 )
 from arcless.assess.statistics import PantographAssessment, pantograph_assessment
 from arcless.assess.wear import WearRates, wear_notes, wear_rates
+from arcless.dataset.metadata import metadata
 from arcless.errors import ModelError, ResultFormatError
 from arcless.model.fields.extremes import LEAST_FREQUENCY
-from arcless.results import metadata
 
 if TYPE_CHECKING:
-    from arcless.results.dataset.plain_dataset import Dataset
+    from arcless.dataset.plain_dataset import Dataset
 
 
 WEAR_KEYS = tuple(field.name for field in fields(WearRates))
@@ -151,6 +151,15 @@ def assess(
         certainty_method=method,
         **line,
         **{name: facts[name] for name in own},
+    )
+
+
+def draw_of(assessment: Assessment) -> Draw:
+    """Return what is kept of an assessed run beside another one."""
+    return Draw(
+        {each.name: numbers_of(each) for each in assessment.pantographs},
+        {key: getattr(assessment, key) for key in RUN_KEYS},
+        {(c.name, c.pantograph): (c.value, c.limit) for c in assessment.criteria},
     )
 
 

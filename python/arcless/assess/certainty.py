@@ -25,12 +25,9 @@ limit is formed from the difference of both, run by run, for both may go up toge
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from math import cos, pi, sin, sqrt
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-if TYPE_CHECKING:
-    from arcless.assess.assessment import Assessment
-    from arcless.assess.criteria import Criterion
-    from arcless.assess.statistics import PantographAssessment
+from arcless.assess.statistics import PantographAssessment
 
 COVERAGE = 0.95
 # Numbers of the whole run that are assessed; the others are given, or counts of the computation.
@@ -104,7 +101,10 @@ def _share(angle: float, freedom: int) -> float:
     return 2.0 / pi * (angle + sin(angle) * total) if odd else sin(angle) * total
 
 
-Pairs = dict[tuple[str, str | None], tuple[float | None, float | None]]
+# Name of a criterion, and of its pantograph; None for the whole run.
+Judged = tuple[str, str | None]
+# Value and limit of a criterion.
+Pair = tuple[float | None, float | None]
 
 
 @dataclass(frozen=True)
@@ -113,16 +113,7 @@ class Draw:
 
     pantographs: dict[str, dict[str, float | None]]
     run: dict[str, float | None]
-    criteria: Pairs
-
-    @classmethod
-    def of(cls, assessment: "Assessment") -> "Draw":
-        """Return what is kept of an assessment."""
-        return cls(
-            {each.name: numbers_of(each) for each in assessment.pantographs},
-            {key: getattr(assessment, key) for key in RUN_KEYS},
-            {(c.name, c.pantograph): (c.value, c.limit) for c in assessment.criteria},
-        )
+    criteria: dict[Judged, Pair]
 
     def to_dict(self) -> dict[str, Any]:
         """Return it as plain data."""
@@ -152,7 +143,7 @@ class Draws:
         starts = [Draw.from_dict(each) for each in facts["draws"]]
         return cls(starts, None if refined is None else Draw.from_dict(refined))
 
-    def of_pantograph(self, own: "PantographAssessment") -> dict[str, dict[str, float | None]]:
+    def of_pantograph(self, own: PantographAssessment) -> dict[str, dict[str, float | None]]:
         """Return how sure each number of a pantograph is."""
         rows = [each.pantographs.get(own.name, {}) for each in self.starts]
         refined = None if self.refined is None else self.refined.pantographs.get(own.name, {})
@@ -164,18 +155,17 @@ class Draws:
         kept = {key: own[key] for key in RUN_KEYS}
         return _of_each(kept, [each.run for each in self.starts], refined)
 
-    def of_criterion(self, own: "Criterion") -> Certainty | None:
+    def of_criterion(self, judged: Judged, own: Pair) -> Certainty | None:
         """Return how sure the difference of value and limit is; None where there is none."""
-        key = own.name, own.pantograph
-        mine = _difference((own.value, own.limit))
+        mine = _difference(own)
         if mine is None:
             return None
-        others = [_difference(each.criteria.get(key)) for each in self.starts]
-        refined = None if self.refined is None else _difference(self.refined.criteria.get(key))
+        others = [_difference(each.criteria.get(judged)) for each in self.starts]
+        refined = None if self.refined is None else _difference(self.refined.criteria.get(judged))
         return certainty(mine, others, refined)
 
 
-def numbers_of(pantograph: "PantographAssessment") -> dict[str, float | None]:
+def numbers_of(pantograph: PantographAssessment) -> dict[str, float | None]:
     """Return the numbers of a pantograph by key."""
     return {
         key: value for key, value in vars(pantograph).items() if key not in ("name", "certainty")
@@ -200,7 +190,7 @@ def _of_each(
     }
 
 
-def _difference(pair: tuple[float | None, float | None] | None) -> float | None:
+def _difference(pair: Pair | None) -> float | None:
     if pair is None or pair[0] is None or pair[1] is None:
         return None
     return pair[0] - pair[1]

@@ -148,7 +148,9 @@ def _judge(rule: Rule, facts: Facts, pantograph: PantographAssessment) -> Criter
 
 def _sure(rule: Rule, criterion: Criterion, draws: Draws | None) -> Criterion:
     """Take a verdict back that the next run, or the other family of elements, might turn."""
-    known = None if draws is None else draws.of_criterion(criterion)
+    judged = criterion.name, criterion.pantograph
+    pair = criterion.value, criterion.limit
+    known = None if draws is None else draws.of_criterion(judged, pair)
     if known is None or criterion.value is None or criterion.limit is None:
         return criterion
     sure = replace(criterion, certainty=asdict(known))

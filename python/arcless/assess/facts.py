@@ -12,7 +12,7 @@ from arcless.model.line.parts.geometry import ASSUMED_SUPPLY
 from arcless.model.pantograph.pantograph import lateral_limit
 
 if TYPE_CHECKING:
-    from arcless.results.dataset.plain_dataset import Dataset
+    from arcless.dataset.plain_dataset import Dataset
 
 # Above this an uplift is told: more than twice the 120 mm that lines are built for. Assumed.
 LARGEST_USUAL_UPLIFT_MM = 250.0

@@ -12,7 +12,7 @@ from arcless.assess.statistics import ForceBands, force_bands
 from arcless.errors import ModelError
 
 if TYPE_CHECKING:
-    from arcless.results.dataset.plain_dataset import Dataset
+    from arcless.dataset.plain_dataset import Dataset
 
 Section = tuple[float, float]
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from arcless.assess import Assessment
 from arcless.assess.certainty_words import explained
@@ -11,11 +11,9 @@ from arcless.report import tables
 from arcless.report.figures import along_track, contacts, distribution, line_at_rest
 from arcless.report.figures.run_data import Scene
 from arcless.report.model_data import groups, marks_used
+from arcless.report.reported_run import ReportedRun
 from arcless.report.template import render
 from arcless.storage.whole_files import write_bytes
-
-if TYPE_CHECKING:
-    from arcless.results import Result
 
 Rows = Sequence[Mapping[str, Any]]
 
@@ -40,7 +38,7 @@ FIGURES = {
 
 
 def write(
-    result: "Result",
+    result: ReportedRun,
     path: str | Path,
     *,
     assessment: Assessment | None = None,
@@ -70,7 +68,7 @@ def write(
 
 
 def html(
-    result: "Result", *, assessment: Assessment | None = None, reference_rows: Rows = ()
+    result: ReportedRun, *, assessment: Assessment | None = None, reference_rows: Rows = ()
 ) -> str:
     """Return the report as one HTML text; see `write`."""
     scene = Scene(result.latest, assessment or result.assessment)
@@ -78,7 +76,7 @@ def html(
     return render("page.html", drawn, **_texts(result, scene, reference_rows))
 
 
-def _texts(result: "Result", scene: Scene, reference_rows: Rows) -> dict[str, Any]:
+def _texts(result: ReportedRun, scene: Scene, reference_rows: Rows) -> dict[str, Any]:
     facts, assessment = result.metadata, scene.assessment
     data = groups(result.scenario)
     criteria = tables.criterion_rows(assessment)

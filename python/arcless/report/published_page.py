@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -18,18 +18,16 @@ from arcless.report.drawing.style import (
     single,
 )
 from arcless.report.figures.run_data import Scene
+from arcless.report.reported_run import ReportedRun
 from arcless.report.tables import number
 from arcless.report.template import render
 from arcless.storage.whole_files import write_bytes
-
-if TYPE_CHECKING:
-    from arcless.results import Result
 
 GAPS_ABOVE = 300 / 3.6  # m/s: the paper shows gaps at 340 and 360 km/h only
 
 
 def write(
-    results: Sequence["Result"],
+    results: Sequence[ReportedRun],
     path: Path,
     *,
     verdicts: Sequence[Mapping[str, Any]],

@@ -6,11 +6,11 @@ two nodes, every bar to its anchor. No type of line has a drawing of its own.
 
 from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
+from arcless.equilibrium.initial_configuration import InitialConfiguration
 from arcless.mesh import PLANAR
 from arcless.report.drawing.bokeh_objects import Model
 from arcless.report.drawing.figure import Figure
@@ -18,9 +18,6 @@ from arcless.report.drawing.style import GREY, INK, LIGHT, add_hover, add_legend
 from arcless.report.figures.track_axis import X_LABEL
 from arcless.report.template import render
 from arcless.storage.whole_files import write_bytes
-
-if TYPE_CHECKING:
-    from arcless.simulate import StaticsResult
 
 Floats = NDArray[np.float64]
 
@@ -38,7 +35,7 @@ SHADES = {
 }
 
 
-def write(found: "StaticsResult", path: str | Path) -> None:
+def write(found: InitialConfiguration, path: str | Path) -> None:
     """Write the initial configuration as one HTML file that opens without a network.
 
     Parameters
@@ -56,7 +53,7 @@ def write(found: "StaticsResult", path: str | Path) -> None:
     write_bytes(path, html(found).encode())
 
 
-def html(found: "StaticsResult") -> str:
+def html(found: InitialConfiguration) -> str:
     """Return the page of an initial configuration; see `write`."""
     sight = _Sight(found)
     drawn = {
@@ -76,7 +73,7 @@ def html(found: "StaticsResult") -> str:
     )
 
 
-def facts(found: "StaticsResult") -> list[tuple[str, str]]:
+def facts(found: InitialConfiguration) -> list[tuple[str, str]]:
     """Return what the page says in numbers."""
     e = 1e3 * np.array(found.elasticity_m_per_N)
     lengths = [dropper["length_m"] for dropper in found.droppers]
@@ -92,7 +89,7 @@ def facts(found: "StaticsResult") -> list[tuple[str, str]]:
     return pairs
 
 
-def elasticity(found: "StaticsResult", track: Model) -> Figure:
+def elasticity(found: InitialConfiguration, track: Model) -> Figure:
     """Draw the elasticity over the middle span."""
     percent = 100 * found.elasticity_nonuniformity
     title = f"Elasticity of the middle span (non-uniformity {percent:.0f} %)"
@@ -107,7 +104,7 @@ def elasticity(found: "StaticsResult", track: Model) -> Figure:
 class _Sight:
     """The part of a line that is drawn, and its views from the side and from above."""
 
-    def __init__(self, found: "StaticsResult") -> None:
+    def __init__(self, found: InitialConfiguration) -> None:
         self.found = found
         self.mesh, self.points = found.equilibrium.mesh, found.equilibrium.positions
         left, right = found.equilibrium.middle_span()

@@ -1,7 +1,8 @@
 """Record → Dataset: building, saving and opening results."""
 
-from arcless.results.dataset.build import dataset_from
-from arcless.results.netcdf.store import metadata, open_dataset, save
+from arcless.dataset.metadata import metadata
+from arcless.dataset.netcdf.store import open_dataset, save
+from arcless.dataset.plain_dataset import dataset_from
 from arcless.results.result import RESULT_NAME, Result, result_file
 from arcless.results.result import open_result as open
 

@@ -5,16 +5,17 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from arcless.results.dataset.plain_dataset import Plain
-from arcless.results.dataset.recorded_series import CHANNELS, Place, passage
-from arcless.results.netcdf.store import metadata, open_plain, save
+from arcless.dataset.metadata import metadata
+from arcless.dataset.netcdf.store import open_plain, save
+from arcless.dataset.plain_dataset import Plain
+from arcless.dataset.recorded_series import CHANNELS, Place, passage
 
 if TYPE_CHECKING:
     import xarray
 
     from arcless.assess import Assessment
+    from arcless.dataset.plain_dataset import Dataset
     from arcless.model import Scenario
-    from arcless.results.dataset.plain_dataset import Dataset
 
 
 # What a run's own file is called in its folder.
@@ -47,8 +48,7 @@ class Result:
         """The same as `dataset`, which somebody may have changed, or arrays by name without one."""
         return self.dataset if "dataset" in self.__dict__ else self.recorded
 
-    # The two stages below stand right of this module in the import order; they are imported when
-    # asked for, so that reading a result needs neither.
+    # The two stages below are imported when asked for, so that reading a result waits for neither.
     @cached_property
     def assessment(self) -> "Assessment":
         """The run's indicators and criteria over its own analysis section."""
@@ -133,7 +133,7 @@ def open_result(path: str | Path) -> Result:
         The file is missing, damaged, or of another format version.
     """
     from arcless.model import load
-    from arcless.model.fields.as_typed import restore
+    from arcless.model.scenario.as_typed import restore
 
     dataset = open_plain(result_file(path))
     facts = metadata(dataset)

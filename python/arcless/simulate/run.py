@@ -11,12 +11,13 @@ from typing import Any
 import numpy as np
 
 from arcless import _core
+from arcless.dataset.netcdf.store import open_plain
+from arcless.dataset.plain_dataset import Plain
+from arcless.equilibrium.initial_configuration import wave_speed_of
 from arcless.model import Scenario, scenario_warnings
-from arcless.model.fields.as_typed import typed_in
-from arcless.model.loading.load import check_kind
+from arcless.model.load import check_kind
+from arcless.model.scenario.as_typed import typed_in
 from arcless.results import Result
-from arcless.results.dataset.plain_dataset import Plain
-from arcless.results.netcdf.store import open_plain
 from arcless.simulate.recording import record
 from arcless.simulate.runs import checkpoint
 from arcless.simulate.runs.job import SEARCHING, Cancel, Job, Progress, Take, lay_out, observer
@@ -24,7 +25,6 @@ from arcless.simulate.runs.mean_force import find_forces
 from arcless.simulate.runs.streaming import Stream
 from arcless.simulate.setup import stops_and_friction
 from arcless.simulate.setup.controllers import ControlFunction, Controllers
-from arcless.simulate.statics import wave_speed_of
 from arcless.storage.whole_files import replacing
 
 

@@ -1,24 +1,18 @@
-"""The initial configuration of a line."""
+"""Statics: the initial configuration of a line, and the speeds at which it may resonate."""
 
-from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
-from arcless.mesh import SPATIAL, StitchPlace
+from arcless.equilibrium import equilibrium
+from arcless.equilibrium.initial_configuration import InitialConfiguration, Progress
 from arcless.model import Line, Scenario
-from arcless.model.loading.load import check_kind
 from arcless.model.scenario.other_family import CUBIC, CUBIC_STEP
 from arcless.model.settings.run_settings import Solver
 from arcless.model.settings.schemes import GeneralisedAlpha
-from arcless.simulate.equilibrium import equilibrium
 
 if TYPE_CHECKING:
     from arcless.simulate.resonance import ResonanceSpeeds
-
-Progress = Callable[[float, str], None]
 
 # Elements of a line that nobody runs on: cubic ones, fine enough for forces at rest within 0.3 %.
 ALONE = Solver(
@@ -32,135 +26,8 @@ ALONE = Solver(
 
 
 @dataclass(frozen=True)
-class StaticsResult:
+class StaticsResult(InitialConfiguration):
     """What `arcless.statics` finds; `to_dict` gives the documented JSON. SI units unless named."""
-
-    scenario: Scenario
-    equilibrium: equilibrium.Equilibrium
-    elasticity_x_m: list[float]
-    elasticity_m_per_N: list[float]  # noqa: N815 - the unit is part of the name
-    natural_frequencies_Hz: list[float]  # noqa: N815
-
-    @property
-    def droppers(self) -> list[dict[str, Any]]:
-        """Droppers: name, span (from 1), x_m, wires, length_m between the clamps, force_N."""
-        found, mesh = self.equilibrium, self.equilibrium.mesh
-        values = zip(
-            mesh.droppers,
-            found.of_droppers("link_length"),
-            found.of_droppers("link_rest_length"),
-            found.of_droppers("link_tension"),
-            strict=True,
-        )
-        return [
-            {
-                "name": dropper.name,
-                "span": dropper.span,
-                "x_m": dropper.x,
-                "from": dropper.wires[0],
-                "to": dropper.wires[1],
-                "length_m": float(length),
-                "unstretched_length_m": float(rest),
-                "force_N": float(force),
-            }
-            for dropper, length, rest, force in values
-        ]
-
-    @property
-    def supports(self) -> list[dict[str, Any]]:
-        """Supports: name, x_m, vertical force on the support, force in the steady arm."""
-        arrays = self.equilibrium.arrays
-        alone = self.scenario.line.messenger_wire is None
-        held = "contact_support_force_N" if alone else "messenger_force_N"
-        return [
-            {
-                "name": support.name,
-                "x_m": support.x,
-                held: _entry(arrays["spring_force"], support.messenger_spring),
-                "steady_arm_force_N": _entry(arrays["strut_tension"], support.steady_arm),
-                "contact_wire_height_m": float(self.equilibrium.positions[support.contact_node, 2]),
-            }
-            for support in self.equilibrium.mesh.supports
-        ]
-
-    @property
-    def stitch_wires(self) -> list[dict[str, Any]]:
-        """Stitch wires: support, clamps, height of clamps and lowest point, length, tension."""
-        points, systems = self.equilibrium.positions, self.equilibrium.mesh.systems
-        return [
-            {**one, "lowest_m": float(points[stitch.nodes, 2].min())}
-            for system in systems
-            for stitch, one in self._clamped(system.label, system.stitches)
-        ]
-
-    @property
-    def bridles(self) -> list[dict[str, Any]]:
-        """Bridles: support, clamps, height of clamps and of the hanging point, length, tension."""
-        points, systems = self.equilibrium.positions, self.equilibrium.mesh.systems
-        return [
-            {**one, "hangs_at_m": float(points[bridle.nodes, 2].max())}
-            for system in systems
-            for bridle, one in self._clamped(system.label, system.bridles)
-        ]
-
-    def _clamped(
-        self, label: str, pieces: list[StitchPlace]
-    ) -> Iterator[tuple[StitchPlace, dict[str, Any]]]:
-        """Describe wires that are clamped to another one at both ends."""
-        arrays, points = self.equilibrium.arrays, self.equilibrium.positions
-        for stitch in pieces:
-            yield (
-                stitch,
-                {
-                    "support": f"{label} support {stitch.support}".lstrip(),
-                    "from_m": float(points[stitch.nodes[0], 0]),
-                    "to_m": float(points[stitch.nodes[-1], 0]),
-                    "clamp_heights_m": [
-                        float(points[n, 2]) for n in stitch.nodes[:: len(stitch.rows)]
-                    ],
-                    "unstretched_length_m": float(arrays["wire_rest_length"][stitch.rows].sum()),
-                    "tension_N": float(arrays["wire_tension"][stitch.rows].max()),
-                },
-            )
-
-    @property
-    def middle_span(self) -> int:
-        """Number of the span, from 1, of which elasticity and sag are told."""
-        found = self.equilibrium
-        return 1 + found.support_places().index(found.middle_span()[0])
-
-    @property
-    def elasticity_nonuniformity(self) -> float:
-        """Return u = (e_max − e_min) / (e_max + e_min) over the middle span."""
-        high, low = max(self.elasticity_m_per_N), min(self.elasticity_m_per_N)
-        return (high - low) / (high + low)
-
-    @property
-    def contact_wire_sag_m(self) -> float:
-        """Highest minus lowest point of the contact wire in the middle span."""
-        left, right = self.equilibrium.middle_span()
-        sags = []
-        for nodes in self.equilibrium.mesh.contact_wires:
-            points = self.equilibrium.positions[nodes]
-            inside = points[(points[:, 0] >= left - 1e-6) & (points[:, 0] <= right + 1e-6)]
-            # A wire that only begins or ends there, raised to its anchor, does not run through.
-            if len(inside) > 1:
-                sags.append(float(np.ptp(inside[:, 2])))
-        return max(sags)
-
-    @property
-    def contact_wire_lateral_max_m(self) -> float | None:
-        """Largest lateral position of a contact wire at rest, wind included; None when planar."""
-        mesh = self.equilibrium.mesh
-        if mesh.dimension != SPATIAL:
-            return None
-        nodes = [node for wire in mesh.contact_wires for node in wire]
-        return float(np.abs(self.equilibrium.positions[nodes, 1]).max())
-
-    @property
-    def wave_speed(self) -> float | None:
-        """Wave speed of the contact wire in m/s: of the design, or the lowest as built."""
-        return wave_speed_of(self.scenario, self.equilibrium)
 
     @cached_property
     def resonance_speeds(self) -> "ResonanceSpeeds":
@@ -168,32 +35,6 @@ class StaticsResult:
         from arcless.simulate.resonance import resonance_speeds
 
         return resonance_speeds(self)
-
-    @property
-    def as_built(self) -> dict[str, float] | None:
-        """Tensions and travel of the wires' far ends as built; None for a line as designed."""
-        if self.scenario.as_built.is_empty:
-            return None
-        contact, messenger = self.equilibrium.mean_tensions()
-        contact_end, messenger_end = self.equilibrium.end_travel()
-        points = self.equilibrium.positions[self.equilibrium.mesh.contact_nodes]
-        both = self.scenario.line.midpoint_anchor is not None
-        starts = self.equilibrium.end_travel(0) if both else (None, None)
-        above = {
-            "messenger_wire_tension_N": messenger,
-            "messenger_wire_end_travel_m": messenger_end,
-            "contact_wire_start_travel_m": starts[0],
-            "messenger_wire_start_travel_m": starts[1],
-        }
-        return {
-            "contact_wire_tension_N": contact,
-            "contact_wire_end_travel_m": contact_end,
-            **{name: value for name, value in above.items() if value is not None},
-            "contact_wire_lowest_m": float(points[:, 2].min()),
-            "contact_wire_highest_m": float(points[:, 2].max()),
-            "contact_wire_across_most_m": float(points[:, 1].max()),
-            "contact_wire_across_least_m": float(points[:, 1].min()),
-        }
 
     def to_dict(self) -> dict[str, Any]:
         """Return plain values, ready for JSON."""
@@ -232,23 +73,9 @@ def statics(scenario: Scenario, progress: Progress | None = None) -> StaticsResu
     Raises
     ------
     MeshError, EquilibriumError
-        See `arcless.simulate.equilibrium.equilibrium.find`.
+        See `arcless.equilibrium.equilibrium.find`.
     """
-    check_kind(scenario)
-    tell = progress or (lambda _fraction, _text: None)
-    tell(0.0, "static equilibrium")
-    found = equilibrium.find(scenario)
-    tell(0.5, "elasticity")
-    x = found.elasticity_positions()
-    elasticity = found.elasticity(x)
-    tell(0.7, "natural frequencies")
-    frequencies = found.frequencies()
-    tell(1.0, "done")
-    return StaticsResult(scenario, found, x.tolist(), elasticity.tolist(), frequencies.tolist())
-
-
-def _entry(values: Any, row: int | None) -> float | None:
-    return None if row is None else float(values[row])
+    return StaticsResult.of(scenario, progress)
 
 
 def check_at_rest(checked: Scenario | Line) -> None:
@@ -257,18 +84,9 @@ def check_at_rest(checked: Scenario | Line) -> None:
     Raises
     ------
     MeshError, EquilibriumError
-        See `arcless.simulate.equilibrium.equilibrium.find`.
+        See `arcless.equilibrium.equilibrium.find`.
     """
     if isinstance(checked, Scenario):
         equilibrium.find(checked)
     else:
         equilibrium.designed(checked, ALONE, {})
-
-
-def wave_speed_of(scenario: Scenario, found: equilibrium.Equilibrium) -> float | None:
-    """Return the wave speed of the contact wire in m/s: of the design or, as built, the lowest.
-
-    None of a rail without tension, which has no wave speed.
-    """
-    design = scenario.line.wave_speed
-    return design if scenario.as_built.is_empty or design is None else found.wave_speed()

@@ -15,6 +15,7 @@ from arcless.assess import (
     uncertainty_of,
     verdict_of,
 )
+from arcless.assess.assessment import draw_of
 from arcless.assess.certainty import Certainty, Draw, Draws, certainty, student_factor
 from arcless.assess.certainty_words import explained
 from arcless.assess.criteria import Criterion, evaluate
@@ -121,7 +122,7 @@ def test_what_has_no_limit_is_not_judged_and_says_why() -> None:
 
 def facts_of(**changes: Any) -> dict[str, Any]:
     """Return what a result keeps of runs beside it."""
-    own = Draw.of(assess(synthetic_dataset()))
+    own = draw_of(assess(synthetic_dataset()))
     moved = {name: dict(values) for name, values in own.pantographs.items()}
     for values in moved.values():
         values["mean_force_N"] = (values["mean_force_N"] or 0.0) + 2.0

@@ -10,8 +10,8 @@ from arcless.model.files.yaml_reader import parse
 from arcless.study import Study, load, run, status
 from arcless.study.definition.quantities import keys
 from arcless.study.definition.study import COLUMNS, WATCHED
+from arcless.study.optimisation.constraints import FALLING, RISING
 from arcless.study.optimisation.optimise import Optimise
-from arcless.study.optimisation.pruning_rules import FALLING, RISING
 from tests.support.studies import rows
 
 DOCS = Path(__file__).parents[3] / "docs"

@@ -25,8 +25,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from arcless.equilibrium import equilibrium
 from arcless.model import load
-from arcless.simulate.equilibrium import equilibrium
 from tests.support.beams import Beam
 from tests.support.catenary import green, hooke
 from tests.support.evidence import Evidence

@@ -24,8 +24,8 @@ import numpy as np
 import pytest
 
 import arcless
+from arcless.equilibrium import equilibrium
 from arcless.simulate import StaticsResult
-from arcless.simulate.equilibrium import equilibrium
 from tests.support.catenary import green
 from tests.support.evidence import Evidence
 from tests.support.explicit import BY_MATRIX

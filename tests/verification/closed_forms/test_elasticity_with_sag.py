@@ -15,8 +15,8 @@ from typing import Any
 
 import numpy as np
 
+from arcless.equilibrium import equilibrium
 from arcless.model import load
-from arcless.simulate.equilibrium import equilibrium
 from tests.support.catenary import green
 from tests.support.evidence import Evidence
 from tests.support.line_types import scenario_data, stitched_data

@@ -28,8 +28,8 @@ import numpy as np
 import pytest
 from scipy.special import erf
 
+from arcless.equilibrium.equilibrium import Equilibrium
 from arcless.model.line.parts.components import DropperType
-from arcless.simulate.equilibrium.equilibrium import Equilibrium
 from tests.support.beams import Beam
 from tests.support.evidence import Evidence
 from tests.support.families import CONTACT, FAMILIES, MESSENGER, NEAR_YIELD, YIELDING, Family, hold

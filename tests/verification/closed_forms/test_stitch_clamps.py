@@ -14,8 +14,8 @@ import numpy as np
 import pytest
 
 import arcless
+from arcless.equilibrium.equilibrium import Equilibrium
 from arcless.model import load
-from arcless.simulate.equilibrium.equilibrium import Equilibrium
 from tests.support.clamps import balance_at
 from tests.support.evidence import Evidence
 from tests.support.line_types import scenario_data, stitched_data

@@ -23,8 +23,8 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
+from arcless.equilibrium import equilibrium
 from arcless.model import load
-from arcless.simulate.equilibrium import equilibrium
 from tests.support.evidence import Evidence
 from tests.support.line_types import scenario_data
 from tests.support.simple_lines import trolley_data

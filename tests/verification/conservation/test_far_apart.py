@@ -15,7 +15,7 @@ import numpy as np
 
 import arcless
 from arcless.assess.signals.filter import low_pass
-from arcless.simulate.equilibrium import equilibrium
+from arcless.equilibrium import equilibrium
 from arcless.simulate.setup import pantographs, trajectory
 from tests.support.evidence import Evidence
 

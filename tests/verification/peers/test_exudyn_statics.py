@@ -21,7 +21,7 @@ import numpy as np
 import pytest
 
 import arcless
-from arcless.simulate.equilibrium import equilibrium
+from arcless.equilibrium import equilibrium
 
 pytest.importorskip("exudyn", reason="Exudyn is not installed: `make peers`")
 

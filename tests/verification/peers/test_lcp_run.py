@@ -24,7 +24,7 @@ import pytest
 
 import arcless
 from arcless import lcp
-from arcless.simulate.equilibrium import equilibrium
+from arcless.equilibrium import equilibrium
 from tests.support import lcp_problems as problems
 
 pytest.importorskip("skfem", reason="scikit-fem is not installed: `make peers`")

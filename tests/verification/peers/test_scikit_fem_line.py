@@ -26,7 +26,7 @@ import numpy as np
 import pytest
 
 import arcless
-from arcless.simulate.equilibrium import equilibrium
+from arcless.equilibrium import equilibrium
 
 pytest.importorskip("skfem", reason="scikit-fem is not installed: `make peers`")
 

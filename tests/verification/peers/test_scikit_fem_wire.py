@@ -22,8 +22,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from arcless.equilibrium.equilibrium import Equilibrium
 from arcless.mesh.tables.parts import Parts
-from arcless.simulate.equilibrium.equilibrium import Equilibrium
 from tests.support.structures import at_rest, mesh_of
 
 pytest.importorskip("skfem", reason="scikit-fem is not installed: `make peers`")

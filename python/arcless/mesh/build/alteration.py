@@ -28,10 +28,10 @@ from numpy.typing import NDArray
 
 from arcless.mesh.tables.mesh_types import Floats, Mesh
 from arcless.model.as_built.as_built import AsBuilt
-from arcless.model.line.dropper_names import DropperName, droppers_called, parse_name
 from arcless.model.line.line import Line
 from arcless.model.line.parts.components import TensionedWire
-from arcless.model.line.support_names import supports_called
+from arcless.model.line.places.dropper_names import DropperName, droppers_called, parse_name
+from arcless.model.line.places.support_names import supports_called
 
 # Column of the mass per metre.
 MASS = {"wires": 3, "segments": 2}

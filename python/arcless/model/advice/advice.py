@@ -3,13 +3,13 @@
 from itertools import pairwise
 from math import atan, hypot, log1p, pi
 
+from arcless.model.advice.gradients import gradient_warnings
+from arcless.model.advice.lateral_deviation import deviation_warnings
 from arcless.model.advice.plausibility import line_plausibility, pantograph_plausibility
 from arcless.model.advice.speeds import speed_warnings
 from arcless.model.advice.wire_ends import end_notices
 from arcless.model.line.line import Line
 from arcless.model.line.parts.geometry import ASSUMED_SUPPLY
-from arcless.model.line.parts.heights import gradient_warnings
-from arcless.model.line.track_rules import deviation_warnings
 from arcless.model.scenario.scenario import Scenario
 from arcless.model.settings.run_settings import ONE_ELEMENT
 

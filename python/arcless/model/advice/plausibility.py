@@ -13,14 +13,12 @@ for m, not to judge a design. Assumed; none is from a standard.
 
 from collections.abc import Iterator
 from math import sqrt
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
+from arcless.model.line.line import Line
 from arcless.model.line.parts.wire_ends import GRAVITY
-
-if TYPE_CHECKING:
-    from arcless.model.line.line import Line
-    from arcless.model.pantograph.placement import PantographPlacement
-    from arcless.model.scenario.scenario import Scenario
+from arcless.model.pantograph.placement import PantographPlacement
+from arcless.model.scenario.scenario import Scenario
 
 THOUSAND, MILLION = 1e3, 1e6
 COPPER_DENSITY = 8900.0  # kg/m³
@@ -48,12 +46,12 @@ FORCE = Usual(30.0, 300.0, "N")
 MOVING_MASS = Usual(3.0, 150.0, "kg")
 
 
-def line_plausibility(line: "Line") -> list[str]:
+def line_plausibility(line: Line) -> list[str]:
     """Return one sentence for each number of a line that is far from what lines have."""
     return [*_about_wires(line), *_about_geometry(line), *_about_damping(line)]
 
 
-def pantograph_plausibility(scenario: "Scenario") -> list[str]:
+def pantograph_plausibility(scenario: Scenario) -> list[str]:
     """Return one sentence for each number of its pantographs that is far from what they have."""
     return [
         told
@@ -62,7 +60,7 @@ def pantograph_plausibility(scenario: "Scenario") -> list[str]:
     ]
 
 
-def _about_wires(line: "Line") -> Iterator[str]:
+def _about_wires(line: Line) -> Iterator[str]:
     for name, wire in line.wires():
         if not wire.tension:  # a rail
             continue
@@ -83,7 +81,7 @@ def _about_wires(line: "Line") -> Iterator[str]:
         yield from _beyond("line.contact_wire", what, line.wave_speed, WAVE_SPEED)
 
 
-def _about_geometry(line: "Line") -> Iterator[str]:
+def _about_geometry(line: Line) -> Iterator[str]:
     geometry = line.geometry
     what = "the height of the contact wire"
     height = geometry.contact_wire_height
@@ -99,7 +97,7 @@ def _about_geometry(line: "Line") -> Iterator[str]:
         )
 
 
-def _about_sag(line: "Line", encumbrance: float) -> Iterator[str]:
+def _about_sag(line: Line, encumbrance: float) -> Iterator[str]:
     """Say that the messenger wire would hang as low as the contact wire: w L²/8T."""
     messenger = line.messenger_wire
     if messenger is None:
@@ -114,7 +112,7 @@ def _about_sag(line: "Line", encumbrance: float) -> Iterator[str]:
         )
 
 
-def _about_damping(line: "Line") -> Iterator[str]:
+def _about_damping(line: Line) -> Iterator[str]:
     """Say that waves of a line never die down, where nothing in its wires damps them."""
     wires = dict(line.wires())
     if any(wire.damping.alpha or wire.damping.beta for wire in wires.values()):
@@ -126,7 +124,7 @@ def _about_damping(line: "Line") -> Iterator[str]:
     )
 
 
-def _about_pantograph(path: str, placement: "PantographPlacement") -> Iterator[str]:
+def _about_pantograph(path: str, placement: PantographPlacement) -> Iterator[str]:
     for field in ("static_force", "mean_force"):
         force = getattr(placement, field)
         if force is not None:

@@ -1,17 +1,14 @@
 """What a line is told that says nothing of the ends of its wires."""
 
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from arcless.model.line.line import Line
-    from arcless.model.line.parts.components import Wire
+from arcless.model.line.line import Line
+from arcless.model.line.parts.components import Wire
 
 # A cold night below the temperature of installation, K; and what a change is printed for, K.
 COLDER, STEP = 20.0, 10.0
 WIRES = ("contact_wire", "messenger_wire", "auxiliary_wire")
 
 
-def end_notices(line: "Line") -> list[str]:
+def end_notices(line: Line) -> list[str]:
     """Return one sentence if wires of a line have no `ends`, with what temperature then does.
 
     A taut wire between anchors cannot grow, so its elastic strain takes back the thermal one:
@@ -28,7 +25,7 @@ def end_notices(line: "Line") -> list[str]:
     ]
 
 
-def _told(name: str, wire: "Wire") -> str:
+def _told(name: str, wire: Wire) -> str:
     per_kelvin = wire.axial_stiffness * wire.thermal_expansion
     change = f"{name} by {per_kelvin * STEP / 1e3:.2g} kN per {STEP:g} K"
     if wire.tension == 0:

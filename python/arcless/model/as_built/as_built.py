@@ -10,9 +10,9 @@ from arcless.model.as_built.gusts import Gusts
 from arcless.model.as_built.measured_heights import MAX_HEIGHTS, MeasuredHeight
 from arcless.model.fields.list_checks import check_behind
 from arcless.model.fields.part import Part, Unit
-from arcless.model.line.dropper_names import DropperName, parse_name
 from arcless.model.line.parts.spans import MAX_SPANS
-from arcless.model.line.support_names import SupportName
+from arcless.model.line.places.dropper_names import DropperName, parse_name
+from arcless.model.line.places.support_names import SupportName
 from arcless.units import WRONG_VALUE
 
 MAX_DROPPERS = 100_000

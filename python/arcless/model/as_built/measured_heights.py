@@ -2,15 +2,13 @@
 
 from bisect import bisect_left
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 from pydantic import Field
 
 from arcless.errors import ModelError
 from arcless.model.fields.part import Part, Path, Unit
-
-if TYPE_CHECKING:
-    from arcless.model.line.line import Line
+from arcless.model.line.line import Line
 
 MAX_HEIGHTS = 100_000
 # A measured place may lie this far from the dropper or support as drawn: more than any error of a
@@ -30,7 +28,7 @@ class MeasuredHeight(Part):
     )
 
 
-def measured_places(line: "Line") -> dict[float, str]:
+def measured_places(line: Line) -> dict[float, str]:
     """Return where heights must be measured, in m along the line, and what stands there."""
     supports = line.support_positions()
     found = {x: f"support {number}" for number, x in enumerate(supports, start=1)}
@@ -41,7 +39,7 @@ def measured_places(line: "Line") -> dict[float, str]:
     return dict(sorted(found.items()))
 
 
-def matched(line: "Line", given: Sequence[MeasuredHeight]) -> dict[float, float]:
+def matched(line: Line, given: Sequence[MeasuredHeight]) -> dict[float, float]:
     """Return the measured height in m at each place of the line that needs one.
 
     Raises
@@ -80,7 +78,7 @@ def _count(given: "Sequence[MeasuredHeight]") -> str:
     return "1 height" if len(given) == 1 else f"{len(given)} heights"
 
 
-def check_measured(line: "Line", given: Sequence[MeasuredHeight]) -> None:
+def check_measured(line: Line, given: Sequence[MeasuredHeight]) -> None:
     """Raise `ModelError` for measured heights that do not fit a line."""
     if line.has_overlaps:
         raise ModelError(

@@ -5,13 +5,9 @@ typed for has its default.
 """
 
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from pydantic import BaseModel
-
-if TYPE_CHECKING:
-    from arcless.model.fields.document import Document
-    from arcless.model.scenario.scenario import Scenario
 
 # What was given, by dotted path: its text where that holds more than the value, else None.
 Given = dict[str, str | None]
@@ -54,60 +50,3 @@ def within(path: str, groups: set[str]) -> bool:
     """Return whether a dotted path is one of some, or lies below one of them."""
     parts = path.split(".")
     return any(".".join(parts[:count]) in groups for count in range(1, len(parts) + 1))
-
-
-def documents_of(scenario: "Scenario") -> "dict[str, Document]":
-    """Return a scenario, its line and its pantographs by their dotted paths in it."""
-    found: dict[str, Document] = {"": scenario, "line": scenario.line}
-    for index, placement in enumerate(scenario.pantographs):
-        found[f"pantographs.{index}.model"] = placement.model
-    return found
-
-
-def typed_in(scenario: "Scenario") -> dict[str, Given]:
-    """Return what was typed for a scenario, its line and its pantographs, as plain data."""
-    documents = documents_of(scenario).items()
-    return {path: dict(one.given) for path, one in documents if one.given is not None}
-
-
-def restore(scenario: "Scenario", typed: object) -> None:
-    """Take what `typed_in` gave for a scenario that was read again; None: nothing is known."""
-    known = typed if isinstance(typed, Mapping) else {}
-    for path, document in documents_of(scenario).items():
-        one = known.get(path)
-        keep(document, dict(one) if isinstance(one, Mapping) else None)
-
-
-def keep(document: "Document", given: Given | None) -> None:
-    """Say what was given for a document; None: it is not known."""
-    document.__dict__["given"] = given
-
-
-def carry(
-    before: "Scenario", now: "Scenario", changed: set[str], named: "Mapping[str, Document]"
-) -> None:
-    """Keep what was typed for a scenario for its changed copy.
-
-    Parameters
-    ----------
-    before, now
-        The scenario, and its copy from data where everything stands as a number.
-    changed
-        Dotted paths of what was changed or taken back.
-    named
-        Models that took the place of others, by their paths.
-    """
-    old = documents_of(before)
-    for path, document in documents_of(now).items():
-        if document is old.get(path) or (path and within(path, changed) and path not in named):
-            continue
-        base = named.get(path, old.get(path))
-        start = f"{path}." if path else ""
-        inside = {one.removeprefix(start) for one in changed if one.startswith(start)}
-        if base is None or base.given is None:
-            keep(document, None)
-            continue
-        fresh = document.given or {}
-        stays = {one: text for one, text in base.given.items() if not within(one, inside)}
-        new = {one: text for one, text in fresh.items() if within(one, inside)}
-        keep(document, stays | new)

@@ -12,7 +12,7 @@ from typing import Any, Self
 from pydantic import Field, ModelWrapValidatorHandler, model_validator
 
 from arcless.errors import ModelError
-from arcless.model.fields.as_typed import Given, given_in, keep
+from arcless.model.fields.as_typed import Given, given_in
 from arcless.model.fields.part import Mark, Name, Part, Path, after_comma, nearest
 from arcless.units import plain, show
 
@@ -93,7 +93,7 @@ class Document(Part):
     def _keep_given(cls, data: object, make: ModelWrapValidatorHandler[Self]) -> Self:
         made = make(data)
         if isinstance(data, Mapping):
-            keep(made, given_in(data))
+            made.remember(given_in(data))
         return made
 
     @cached_property
@@ -103,6 +103,10 @@ class Document(Part):
         It is kept beside the data: it plays no part in whether two documents are equal.
         """
         return None
+
+    def remember(self, given: Given | None) -> None:
+        """Keep what was given for this document; None: it is not known."""
+        self.__dict__["given"] = given
 
     def as_typed(self, path: str) -> str | None:
         """Return a value as it was typed, ``22 kN``; None where a number was given, or nothing.

@@ -1,1 +1,1 @@
-"""An overhead line, the rules for it, and the names of its parts."""
+"""An overhead line, and the rules for it."""

@@ -1,20 +1,14 @@
 """Whether masses and inserts lie on a wire of the line."""
 
-from typing import TYPE_CHECKING
-
 from arcless.errors import ModelError
+from arcless.model.line.line_data import POSITION_TOLERANCE, LineData
+from arcless.model.line.parts.masses_and_inserts import Insert, LumpedMass
 
-if TYPE_CHECKING:
-    from arcless.model.line.line import Line
-    from arcless.model.line.parts.masses_and_inserts import Insert, LumpedMass
-
-# Positions typed with few digits may lie this far outside. In m.
-TOLERANCE = 1e-6
 # Wires that masses and inserts may be on.
 PLACES = ("contact_wire", "messenger_wire", "auxiliary_wire")
 
 
-def check_on_wires(line: "Line") -> None:
+def check_on_wires(line: LineData) -> None:
     """Raise `ModelError` for the first thing that does not fit."""
     for index, mass in enumerate(line.point_masses):
         _check_place(line, mass, (mass.position, mass.position), ("point_masses", index))
@@ -24,8 +18,8 @@ def check_on_wires(line: "Line") -> None:
 
 
 def _check_place(
-    line: "Line",
-    part: "LumpedMass | Insert",
+    line: LineData,
+    part: LumpedMass | Insert,
     ends: tuple[float, float],
     field: tuple[str | int, ...],
 ) -> None:
@@ -62,18 +56,22 @@ def _check_place(
         )
 
 
-def _wires(line: "Line") -> list[str]:
+def _wires(line: LineData) -> list[str]:
     return [name for name in PLACES if getattr(line, name) is not None]
 
 
-def _check_apart(line: "Line") -> None:
+def _check_apart(line: LineData) -> None:
     """Refuse inserts that overlap on one wire."""
     known: list[tuple[tuple[str, int], float, float, int]] = []
     for index, insert in enumerate(line.inserts):
         own = insert.wire, line.tension_length_of(insert, *insert.ends)
         first, last = insert.ends
         for wire, start, end, other in known:
-            if wire == own and first < end - TOLERANCE and start < last - TOLERANCE:
+            if (
+                wire == own
+                and first < end - POSITION_TOLERANCE
+                and start < last - POSITION_TOLERANCE
+            ):
                 raise ModelError(
                     "inserts overlap",
                     got=f"{first:g} m to {last:g} m, and inserts.{other} {start:g} m to {end:g} m",

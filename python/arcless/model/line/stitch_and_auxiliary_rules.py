@@ -1,15 +1,11 @@
 """What must fit together in a line with stitch wires or an auxiliary wire."""
 
-from typing import TYPE_CHECKING
-
 from arcless.errors import ModelError
-
-if TYPE_CHECKING:
-    from arcless.model.line.line import Line
-    from arcless.model.line.parts.components import AuxiliaryWire, StitchWire
+from arcless.model.line.line_data import LineData
+from arcless.model.line.parts.components import AuxiliaryWire, StitchWire
 
 
-def check_wires(line: "Line") -> None:
+def check_wires(line: LineData) -> None:
     """Raise `ModelError` for the first thing that does not fit."""
     if line.stitch_wire is not None:
         _check_stitch(line, line.stitch_wire)
@@ -18,7 +14,7 @@ def check_wires(line: "Line") -> None:
     _check_hangers(line)
 
 
-def _check_stitch(line: "Line", stitch: "StitchWire") -> None:
+def _check_stitch(line: LineData, stitch: StitchWire) -> None:
     assert line.messenger_wire is not None
     messenger, spans = line.messenger_wire.tension, line.span_list()
     if stitch.tension >= messenger:
@@ -49,7 +45,7 @@ def _check_stitch(line: "Line", stitch: "StitchWire") -> None:
     _check_stitch_droppers(line, stitch)
 
 
-def _check_stitch_droppers(line: "Line", stitch: "StitchWire") -> None:
+def _check_stitch_droppers(line: LineData, stitch: StitchWire) -> None:
     nearest = min(
         (min(x, span.length - x) for span in line.span_list() for x in span.droppers.positions),
         default=None,
@@ -71,7 +67,7 @@ def _reach(nearest: float | None) -> str:
     return f"a stitch wire of more than {2 * nearest:g} m, or a dropper nearer to each support"
 
 
-def _check_auxiliary(line: "Line", wire: "AuxiliaryWire") -> None:
+def _check_auxiliary(line: LineData, wire: AuxiliaryWire) -> None:
     encumbrance = line.geometry.encumbrance
     assert encumbrance is not None
     if wire.height >= encumbrance:
@@ -95,7 +91,7 @@ def _check_auxiliary(line: "Line", wire: "AuxiliaryWire") -> None:
                 )
 
 
-def _check_hangers(line: "Line") -> None:
+def _check_hangers(line: LineData) -> None:
     wire = line.auxiliary_wire
     if wire is None and line.hanger is not None:
         raise ModelError(

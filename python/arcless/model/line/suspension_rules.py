@@ -1,12 +1,8 @@
 """What must fit together in a line with a messenger wire, and in one without."""
 
-from typing import TYPE_CHECKING
-
 from arcless.errors import ModelError
-
-if TYPE_CHECKING:
-    from arcless.model.line.line import Line
-    from arcless.model.line.parts.contact_supports import Bridle
+from arcless.model.line.line_data import LineData
+from arcless.model.line.parts.contact_supports import Bridle
 
 # Fields that need a messenger wire, and what they are.
 ABOVE = {
@@ -26,7 +22,7 @@ STANDARD_GRAVITY = 9.81
 TROLLEY = "without a messenger wire the contact wire hangs on contact_support alone"
 
 
-def check_suspension(line: "Line") -> None:
+def check_suspension(line: LineData) -> None:
     """Raise `ModelError` for the first thing that does not fit."""
     if line.messenger_wire is not None:
         _check_hung(line)
@@ -36,7 +32,7 @@ def check_suspension(line: "Line") -> None:
         _check_bridle(line, line.bridle)
 
 
-def _check_hung(line: "Line") -> None:
+def _check_hung(line: LineData) -> None:
     """With a messenger wire, all that hangs the contact wire on it must be there."""
     for name in ("contact_support", "bridle"):
         if getattr(line, name) is not None:
@@ -77,7 +73,7 @@ def _check_hung(line: "Line") -> None:
             )
 
 
-def _check_trolley(line: "Line") -> None:
+def _check_trolley(line: LineData) -> None:
     given = [name for name in ABOVE if getattr(line, name) is not None]
     if line.contact_support is None and not given and line.geometry.encumbrance is None:
         raise ModelError(
@@ -121,7 +117,7 @@ def _without_messenger(what: str, name: str, field: tuple[str, ...]) -> ModelErr
     )
 
 
-def _check_bridle(line: "Line", bridle: "Bridle") -> None:
+def _check_bridle(line: LineData, bridle: Bridle) -> None:
     tension, spans = line.contact_wire.tension, line.span_list()
     if line.contact_wire.kind == "conductor_rail":
         raise ModelError(
@@ -157,7 +153,7 @@ def _check_bridle(line: "Line", bridle: "Bridle") -> None:
         )
 
 
-def _check_steepness(line: "Line", bridle: "Bridle") -> None:
+def _check_steepness(line: LineData, bridle: Bridle) -> None:
     """Refuse a bridle steeper than 1 in 2: R/T_b, with half of the longest span on each clamp."""
     longest = max(span.length for span in line.span_list())
     weight = STANDARD_GRAVITY * 0.5 * line.contact_wire.mass * longest

@@ -1,19 +1,16 @@
 """Whether the tension lengths of a line fit together."""
 
 from itertools import pairwise
-from typing import TYPE_CHECKING
 
 from arcless.errors import ModelError
+from arcless.model.line.line_data import LineData
 from arcless.model.line.parts.tension_lengths import Meeting, Overlap, TensionLength, meetings
-
-if TYPE_CHECKING:
-    from arcless.model.line.line import Line
 
 # With fewer spans both wires would have to be raised where the pantograph changes over.
 FEWEST, MOST = 3, 5
 
 
-def check_tension_lengths(line: "Line") -> None:
+def check_tension_lengths(line: LineData) -> None:
     """Raise `ModelError` for the first thing that does not fit."""
     lengths = line.tension_lengths
     if lengths is not None:
@@ -99,7 +96,7 @@ def _check_three(lengths: tuple[TensionLength, ...]) -> None:
             )
 
 
-def _check_overlap(line: "Line") -> None:
+def _check_overlap(line: LineData) -> None:
     overlap, found = line.overlap, meetings(line.tension_lengths or ())
     if overlap is None and found:
         raise ModelError(

@@ -1,7 +1,7 @@
 """A force on a pantograph that is decided on during the run."""
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import Annotated, Any
 
 from pydantic import Field, model_validator
 
@@ -12,11 +12,6 @@ from arcless.model.fields.part import Part, Path, Unit
 from arcless.model.files.yaml_reader import Origin, is_file
 from arcless.units import show
 
-if TYPE_CHECKING:
-    from arcless.model.scenario.scenario import Scenario
-
-# A multiple of the time step up to rounding of what is written.
-ROUNDING = 1e-6
 SUFFIX = ".py"
 
 
@@ -128,34 +123,3 @@ def with_function(data: Mapping[str, Any], origin: Origin, path: Path) -> dict[s
         )
     found = f"{file.as_posix()}:{function}"
     return {**data, "function": {**given, "value": found} if isinstance(given, Mapping) else found}
-
-
-def check_controllers(scenario: "Scenario") -> None:
-    """Refuse times that are no multiple of the time step, and masses that are not there."""
-    step = scenario.time_step_s
-    for index, placement in enumerate(scenario.pantographs):
-        controller = placement.controller
-        if controller is None:
-            continue
-        field: Path = ("pantographs", index, "controller")
-        for name in ("sample_time", "delay"):
-            steps = getattr(controller, name) / step
-            if abs(steps - round(steps)) > ROUNDING * max(1.0, steps) or (
-                name == "sample_time" and round(steps) == 0
-            ):
-                raise ModelError(
-                    "not a multiple of the time step",
-                    got=f"{1e3 * getattr(controller, name):g} ms",
-                    expected=f"a multiple of {1e3 * step:g} ms, solver.time_step",
-                    field=(*field, name),
-                )
-        masses = len(placement.model.masses)
-        if controller.mass is not None and controller.mass > masses:
-            raise ModelError(
-                "no such mass",
-                got=f"{controller.mass}",
-                expected=f"at most {masses}"
-                if masses
-                else "no mass for a pantograph given by matrices",
-                field=(*field, "mass"),
-            )

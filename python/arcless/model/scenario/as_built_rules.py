@@ -1,17 +1,13 @@
 """Whether what is said of the line as built fits the line."""
 
-from typing import TYPE_CHECKING
-
 from arcless.errors import ModelError
+from arcless.model.as_built.gusts import Gusts
 from arcless.model.as_built.measured_heights import check_measured
-from arcless.model.line.dropper_names import DropperName, droppers_called, parse_name
-from arcless.model.line.line import POSITION_TOLERANCE
-from arcless.model.line.support_names import SupportName, supports_called
+from arcless.model.line.line_data import POSITION_TOLERANCE
+from arcless.model.line.places.dropper_names import DropperName, droppers_called, parse_name
+from arcless.model.line.places.support_names import SupportName, supports_called
+from arcless.model.scenario.scenario_data import ScenarioData
 from arcless.units import accepted
-
-if TYPE_CHECKING:
-    from arcless.model.as_built.gusts import Gusts
-    from arcless.model.scenario.scenario import Scenario
 
 # As in the other checks of a scenario: the end of a run is the way over the speed.
 ROUNDING = 1e-9
@@ -19,7 +15,7 @@ ROUNDING = 1e-9
 WIRES = ("contact_wire", "messenger_wire", "stitch_wire", "auxiliary_wire", "bridle")
 
 
-def check_as_built(scenario: "Scenario") -> None:
+def check_as_built(scenario: ScenarioData) -> None:
     """Raise `ModelError` for the first thing that does not fit."""
     if scenario.as_built.wind.speed:
         _check_wind(scenario, ("wind", "speed"), f"{scenario.as_built.wind.speed:g} m/s")
@@ -36,7 +32,7 @@ def check_as_built(scenario: "Scenario") -> None:
     _check_ice(scenario)
 
 
-def _check_droppers(scenario: "Scenario") -> None:
+def _check_droppers(scenario: ScenarioData) -> None:
     built, known = scenario.as_built, set[DropperName]()
     given = [
         *(
@@ -67,7 +63,7 @@ def _check_droppers(scenario: "Scenario") -> None:
         known.add(found[0])
 
 
-def _unknown(scenario: "Scenario", name: DropperName, field: tuple[str | int, ...]) -> ModelError:
+def _unknown(scenario: ScenarioData, name: DropperName, field: tuple[str | int, ...]) -> ModelError:
     spans = scenario.line.span_list()
     near = min(max(name.span, 1), len(spans))
     count = len(spans[near - 1].droppers.positions)
@@ -83,7 +79,7 @@ def _unknown(scenario: "Scenario", name: DropperName, field: tuple[str | int, ..
     )
 
 
-def _check_supports(scenario: "Scenario") -> None:
+def _check_supports(scenario: ScenarioData) -> None:
     known = set[SupportName]()
     for index, error in enumerate(scenario.as_built.support_height_errors):
         field = ("as_built", "support_height_errors", index)
@@ -114,7 +110,7 @@ def _check_supports(scenario: "Scenario") -> None:
         known.add(found[0])
 
 
-def _check_wear(scenario: "Scenario") -> None:
+def _check_wear(scenario: ScenarioData) -> None:
     length = scenario.line.total_length
     for index, worn in enumerate(scenario.as_built.contact_wire_wear):
         if worn.to > length + POSITION_TOLERANCE:
@@ -126,7 +122,7 @@ def _check_wear(scenario: "Scenario") -> None:
             )
 
 
-def _check_ice(scenario: "Scenario") -> None:
+def _check_ice(scenario: ScenarioData) -> None:
     for name in WIRES:
         coat = getattr(scenario.as_built.ice, name)
         if coat and getattr(scenario.line, name) is None:
@@ -139,7 +135,7 @@ def _check_ice(scenario: "Scenario") -> None:
             )
 
 
-def _check_gusts(scenario: "Scenario", gusts: "Gusts") -> None:
+def _check_gusts(scenario: ScenarioData, gusts: Gusts) -> None:
     """Refuse readings that begin after or end before the run."""
     end = scenario.duration
     slack = ROUNDING * max(1.0, end)
@@ -156,7 +152,7 @@ def _check_gusts(scenario: "Scenario", gusts: "Gusts") -> None:
             )
 
 
-def _check_wind(scenario: "Scenario", field: tuple[str, ...], got: str) -> None:
+def _check_wind(scenario: ScenarioData, field: tuple[str, ...], got: str) -> None:
     line, dimension = scenario.line, scenario.solver.dimension
     if dimension == "planar" or (dimension == "auto" and not line.is_spatial):
         raise ModelError(

@@ -1,128 +1,24 @@
-"""A scenario: a line, pantographs, a speed, and how to compute, assess and record."""
+"""A scenario whose parts fit together, and what a run of it takes."""
 
 from collections.abc import Mapping
 from functools import cached_property
-from typing import Annotated, Any, Literal
+from typing import Any
 
-from pydantic import Field, model_validator
+from pydantic import model_validator
 
-from arcless.errors import ModelError
-from arcless.model.as_built.as_built import AsBuilt
-from arcless.model.fields.document import Document
-from arcless.model.fields.extremes import LEAST_FREQUENCY
-from arcless.model.fields.part import Part, Unit
-from arcless.model.line.line import Line
-from arcless.model.pantograph.controller import check_controllers
-from arcless.model.pantograph.placement import PantographPlacement, placed
+from arcless.model.pantograph.placement import placed
 from arcless.model.scenario.as_built_rules import check_as_built
+from arcless.model.scenario.overrides import apply
+from arcless.model.scenario.scenario_data import ScenarioData
 from arcless.model.scenario.scenario_rules import check_scenario, check_speed
-from arcless.model.scenario.stepping import Choice, choose
-from arcless.model.settings.certainty import Certainty, spelt_out
-from arcless.model.settings.run_settings import MAX_SPEED, Contact, Output, Solver, SpeedProfile
-from arcless.model.settings.wear import WearModel
-from arcless.units import WRONG_VALUE, show
-
-MAX_PANTOGRAPHS = 8
+from arcless.model.scenario.step_rules import check_controllers, check_steps
+from arcless.model.scenario.stepping import Choice, choose, time_step_of
+from arcless.model.settings.certainty import spelt_out
+from arcless.model.settings.run_settings import Solver
 
 
-class Travel(Part):
-    """Where the first pantograph starts and ends."""
-
-    start: Annotated[float, Unit("m", minimum=0)] | None = Field(
-        default=None,
-        description="Start; by default the last pantograph starts one span in.",
-    )
-    end: Annotated[float, Unit("m", minimum=0)] | None = Field(
-        default=None, description="End; without it, one span before the end of the line."
-    )
-
-
-SpanNumber = Annotated[int, Field(ge=1, strict=True)]
-
-
-class Analysis(Part):
-    """The section that is assessed, and its filters."""
-
-    from_: Annotated[float, Unit("m", minimum=0)] | None = Field(
-        default=None, alias="from", description="Start of the section; excludes spans."
-    )
-    to: Annotated[float, Unit("m", minimum=0)] | None = Field(
-        default=None, description="End of the section; excludes spans."
-    )
-    spans: tuple[SpanNumber, SpanNumber] | None = Field(
-        default=None, description="First and last span of the section, counted from 1."
-    )
-    low_pass: Annotated[float, Unit("Hz", minimum=LEAST_FREQUENCY, maximum=1000)] = Field(
-        default=20.0, description="Cut-off frequency of the low-pass filter."
-    )
-    band_split: Annotated[float, Unit("Hz", minimum=LEAST_FREQUENCY, maximum=1000)] = Field(
-        default=5.0, description="Frequency between the lower and the upper band."
-    )
-
-    @model_validator(mode="after")
-    def _check_section(self) -> "Analysis":
-        if self.spans is not None and (self.from_ is not None or self.to is not None):
-            raise ModelError(
-                "both spans and from/to given", expected="spans or from/to", field=("spans",)
-            )
-        if self.spans is not None and self.spans[0] > self.spans[1]:
-            raise ModelError(
-                "spans out of order",
-                got=show(f"{self.spans[0]}, {self.spans[1]}"),
-                expected="first and last span, counted from 1",
-                field=("spans",),
-            )
-        if self.from_ is not None and self.to is not None and self.from_ >= self.to:
-            raise ModelError(
-                "empty section",
-                got=f"{self.from_:g} m to {self.to:g} m",
-                expected="from before to",
-                field=("to",),
-            )
-        if self.band_split >= self.low_pass:
-            raise ModelError(
-                WRONG_VALUE,
-                got=f"{self.band_split:g} Hz",
-                expected=f"less than low_pass, {self.low_pass:g} Hz",
-                field=("band_split",),
-            )
-        return self
-
-
-class Scenario(Document):
+class Scenario(ScenarioData):
     """A scenario: line, pantographs, speed, solver, assessed section and output."""
-
-    format: Literal["arcless-scenario/1"] = Field(
-        default="arcless-scenario/1", description="Format and version."
-    )
-    line: Line = Field(
-        description="Line: shipped name, file relative to this one, or written here.",
-        json_schema_extra={"reference": "line"},
-    )
-    pantographs: tuple[PantographPlacement, ...] = Field(
-        description="Pantographs, the leading one first.", min_length=1, max_length=MAX_PANTOGRAPHS
-    )
-    speed: Annotated[float, Unit("m/s", above=0, maximum=MAX_SPEED)] | None = Field(
-        default=None, description="Constant speed; excludes speed_profile."
-    )
-    speed_profile: SpeedProfile | None = Field(default=None, description="Speed over time.")
-    as_built: AsBuilt = Field(
-        default_factory=AsBuilt,
-        description="How the line differs from its design: as built, and in the weather.",
-    )
-    contact: Contact = Field(default_factory=Contact, description="Contact of strip and wire.")
-    travel: Travel = Field(default_factory=Travel, description="Travel of the first pantograph.")
-    solver: Solver = Field(default_factory=Solver, description="Time step, scheme, elements.")
-    analysis: Analysis = Field(default_factory=Analysis, description="Section and filters.")
-    output: Output = Field(default_factory=Output, description="What is recorded.")
-    wear: WearModel | None = Field(
-        default=None, description="Coefficients of wear, which is assessed then; none without."
-    )
-    certainty: Certainty | None = Field(
-        default=None,
-        description="Repeats that say how sure the numbers are, or the number of starts alone;"
-        " none without.",
-    )
 
     @classmethod
     def prepare(cls, data: dict[str, Any]) -> dict[str, Any]:
@@ -144,7 +40,8 @@ class Scenario(Document):
             # The fields are those given: only what follows from them is put in.
             object.__setattr__(self, "pantographs", placed(self.pantographs, self.top_speed))
         check_scenario(self)
-        check_controllers(self)
+        check_steps(self, self.stepping)
+        check_controllers(self, self.time_step_s)
         check_as_built(self)
         return self
 
@@ -169,69 +66,7 @@ class Scenario(Document):
     @property
     def time_step_s(self) -> float:
         """Time step in s, also when it is given as one element or left to auto."""
-        step = self.stepping.time_step
-        if not isinstance(step, str):
-            return step
-        assert self.speed is not None  # a speed profile is refused then, see checks
-        return self.stepping.contact_wire_element_m / self.speed
-
-    @property
-    def top_speed(self) -> float:
-        """Highest speed in m/s."""
-        if self.speed is not None:
-            return self.speed
-        assert self.speed_profile is not None
-        return max(self.speed_profile.speed)
-
-    @property
-    def duration(self) -> float:
-        """Time in s that a run takes at most."""
-        start, end = self.travel_range()
-        if self.speed is not None:
-            return (end - start) / self.speed
-        assert self.speed_profile is not None
-        return self.speed_profile.time[-1]
-
-    def travel_range(self) -> tuple[float, float]:
-        """Return start and end of the first pantograph's travel in m.
-
-        Without `travel`, the last pantograph starts at the second support, so that every one runs
-        at least one span from the end of the line, and the first ends one span before the end.
-        """
-        supports = self.line.support_positions()
-        start, end = self.travel.start, self.travel.end
-        first = supports[1] + self.pantographs[-1].distance if start is None else start
-        return first, supports[-2] if end is None else end
-
-    def analysis_range(self) -> tuple[float, float]:
-        """Return start and end of the assessed section in m.
-
-        Without `analysis.spans`, `from` and `to`: the inner half of the spans, never the first two
-        or the last two, cut to what every pantograph travels. When nothing is left of that, the
-        whole travel of the first pantograph; `scenario_warnings` says so.
-        """
-        supports = self.line.support_positions()
-        if self.analysis.spans is not None:
-            first, last = self.analysis.spans
-            return supports[first - 1], supports[last]
-        start, end = self.default_section() or self.travel_range()
-        given_start, given_end = self.analysis.from_, self.analysis.to
-        return (
-            start if given_start is None else given_start,
-            end if given_end is None else given_end,
-        )
-
-    def default_section(self) -> tuple[float, float] | None:
-        """Return the inner spans that every pantograph travels in m, or None if there are none."""
-        supports = self.line.support_positions()
-        spans = len(supports) - 1
-        skipped = max(2, -(-spans // 4))
-        if spans - 2 * skipped < 1:
-            return None
-        start, end = self.travel_range()
-        start = max(start, supports[skipped])
-        end = min(end - self.pantographs[-1].distance, supports[spans - skipped])
-        return (start, end) if start < end else None
+        return time_step_of(self, self.stepping)
 
     def with_(self, **changes: Any) -> "Scenario":
         """Return a changed copy; this scenario stays as it is.
@@ -247,6 +82,4 @@ class Scenario(Document):
         Scenario
             The copy, validated as a file is.
         """
-        from arcless.model.loading.overrides import apply
-
         return apply(self, changes)

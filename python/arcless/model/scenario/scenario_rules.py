@@ -1,28 +1,23 @@
-"""What must fit together in a scenario: pantographs, travel, section and sizes."""
+"""What must fit together in a scenario: pantographs, travel, section and points."""
 
 from itertools import pairwise
 from math import isclose
-from typing import TYPE_CHECKING
 
 from arcless.errors import ModelError
-from arcless.model.line.line import POSITION_TOLERANCE
-from arcless.model.scenario.step_rules import check_steps
+from arcless.model.fields.part import Path
+from arcless.model.line.line_data import POSITION_TOLERANCE
+from arcless.model.pantograph.force_tables import LiftTable
+from arcless.model.pantograph.pantograph import Pantograph
+from arcless.model.scenario.scenario_data import ScenarioData
 from arcless.model.settings.schemes import EXPLICIT
 from arcless.units import show
 
-if TYPE_CHECKING:
-    from arcless.model.fields.part import Path
-    from arcless.model.pantograph.force_tables import LiftTable
-    from arcless.model.pantograph.pantograph import Pantograph
-    from arcless.model.scenario.scenario import Scenario
-
-MAX_ELEMENTS = 500_000
 KMH = 3.6
 # Speed times (element over speed) is the element up to a rounding or two.
 ROUNDING = 1e-9
 
 
-def check_scenario(scenario: "Scenario") -> None:
+def check_scenario(scenario: ScenarioData) -> None:
     """Raise `ModelError` for the first thing that does not fit, the speed being as it should."""
     _check_dimension(scenario)
     _check_scheme(scenario)
@@ -32,11 +27,9 @@ def check_scenario(scenario: "Scenario") -> None:
     _check_roofs(scenario)
     _check_section(scenario)
     _check_points(scenario)
-    _check_elements(scenario)
-    check_steps(scenario)
 
 
-def _check_scheme(scenario: "Scenario") -> None:
+def _check_scheme(scenario: ScenarioData) -> None:
     line = scenario.line
     wire = next((name for name, each in line.wires() if each.tension == 0), None)
     if scenario.solver.scheme.name == EXPLICIT and wire is not None:
@@ -49,7 +42,7 @@ def _check_scheme(scenario: "Scenario") -> None:
         )
 
 
-def _check_dimension(scenario: "Scenario") -> None:
+def _check_dimension(scenario: ScenarioData) -> None:
     if scenario.solver.dimension == "planar" and scenario.line.is_spatial:
         raise ModelError(
             "a planar calculation of a line that is not planar",
@@ -61,7 +54,7 @@ def _check_dimension(scenario: "Scenario") -> None:
         )
 
 
-def check_speed(scenario: "Scenario") -> None:
+def check_speed(scenario: ScenarioData) -> None:
     """Raise `ModelError` unless there is one speed, or one profile, with motion."""
     if scenario.speed is None and scenario.speed_profile is None:
         raise ModelError(
@@ -86,7 +79,7 @@ def check_speed(scenario: "Scenario") -> None:
         )
 
 
-def _check_pantographs(scenario: "Scenario") -> None:
+def _check_pantographs(scenario: ScenarioData) -> None:
     placements = scenario.pantographs
     if placements[0].distance != 0:
         raise ModelError(
@@ -116,7 +109,7 @@ def _check_pantographs(scenario: "Scenario") -> None:
             )
 
 
-def _check_travel(scenario: "Scenario") -> None:
+def _check_travel(scenario: ScenarioData) -> None:
     length = scenario.line.total_length
     for name in ("start", "end"):
         _check_inside(getattr(scenario.travel, name), length, ("travel", name))
@@ -140,7 +133,7 @@ def _check_travel(scenario: "Scenario") -> None:
         )
 
 
-def _why_no_travel(scenario: "Scenario", length: float, last: float) -> str:
+def _why_no_travel(scenario: ScenarioData, length: float, last: float) -> str:
     if scenario.travel.start is not None and scenario.travel.end is not None:
         return "travel.start and travel.end are places of the first pantograph"
     if last:
@@ -151,7 +144,7 @@ def _why_no_travel(scenario: "Scenario", length: float, last: float) -> str:
     return "add spans, or give travel.start and travel.end"
 
 
-def _check_lift(scenario: "Scenario") -> None:
+def _check_lift(scenario: ScenarioData) -> None:
     """Refuse a lift table that does not reach over all speeds of the scenario."""
     profile = scenario.speed_profile
     slowest, fastest = scenario.top_speed, scenario.top_speed
@@ -177,7 +170,7 @@ def _over(slowest: float, fastest: float) -> str:
     return f"at least {slowest * KMH:.4g} to {fastest * KMH:.4g} km/h"
 
 
-def _lift_tables(pantograph: "Pantograph") -> "list[tuple[Path, LiftTable]]":
+def _lift_tables(pantograph: Pantograph) -> list[tuple[Path, LiftTable]]:
     found: list[tuple[Path, LiftTable]] = [
         (("masses", number, "lift"), mass.lift)
         for number, mass in enumerate(pantograph.masses)
@@ -189,7 +182,7 @@ def _lift_tables(pantograph: "Pantograph") -> "list[tuple[Path, LiftTable]]":
     return found
 
 
-def _check_roofs(scenario: "Scenario") -> None:
+def _check_roofs(scenario: ScenarioData) -> None:
     """Refuse a roof motion that begins after or ends before the run."""
     start, end = scenario.travel_range()
     for index, placement in enumerate(scenario.pantographs):
@@ -212,7 +205,7 @@ def _check_roofs(scenario: "Scenario") -> None:
             )
 
 
-def _check_section(scenario: "Scenario") -> None:
+def _check_section(scenario: ScenarioData) -> None:
     length = scenario.line.total_length
     analysis = scenario.analysis
     count = len(scenario.line.support_positions()) - 1
@@ -254,34 +247,14 @@ def _check_section(scenario: "Scenario") -> None:
         )
 
 
-def _check_points(scenario: "Scenario") -> None:
+def _check_points(scenario: ScenarioData) -> None:
     for index, point in enumerate(scenario.output.points):
         _check_inside(point, scenario.line.total_length, ("output", "points", index))
 
 
 def _check_inside(
-    x: float | None, length: float, field: "Path", what: str = "outside the line"
+    x: float | None, length: float, field: Path, what: str = "outside the line"
 ) -> None:
     if x is not None and not 0 <= x <= length + POSITION_TOLERANCE:
         expected = f"a position between 0 and {length:g} m, the line's length"
         raise ModelError(what, got=f"{x:g} m", expected=expected, field=field)
-
-
-def _check_elements(scenario: "Scenario") -> None:
-    solver, line = scenario.stepping, scenario.line
-    places = line.support_positions()
-    length = sum(
-        places[one.to_span] - places[one.from_span - 1] for one in line.tension_length_list()
-    )
-    wires_above = sum(wire is not None for wire in (line.messenger_wire, line.auxiliary_wire))
-    wires_below = 1 if line.twin_contact_wires is None else 2
-    elements = wires_below * length / solver.contact_wire_element_m
-    elements += wires_above * length / solver.messenger_wire_element_m
-    if elements > MAX_ELEMENTS:
-        raise ModelError(
-            "too many elements",
-            got=f"about {elements:.3g}",
-            expected=f"at most {MAX_ELEMENTS}",
-            hint="use longer elements or a shorter line",
-            field=("solver", "contact_wire_element"),
-        )

@@ -1,42 +1,71 @@
-"""Whether time steps fit the elements, the filter and what can be recorded."""
+"""Whether elements and time steps fit one another, the filter, controllers and the record."""
 
 from math import ceil, floor, isclose
-from typing import TYPE_CHECKING
 
 from arcless.errors import ModelError
-from arcless.model.settings.run_settings import ONE_ELEMENT
+from arcless.model.fields.part import Path
+from arcless.model.scenario.scenario_data import ScenarioData
+from arcless.model.scenario.stepping import time_step_of
+from arcless.model.settings.run_settings import ONE_ELEMENT, Solver
 from arcless.units import show
 
-if TYPE_CHECKING:
-    from arcless.model.scenario.scenario import Scenario
-
+MAX_ELEMENTS = 500_000
 # Opening a result reads all of it; this many steps at 1 ms are nearly three hours.
 MAX_STEPS = 10_000_000
 KMH = 3.6
 # Speed times (element over speed) is the element up to a rounding or two.
 ROUNDING = 1e-9
+# A multiple of the time step up to rounding of what is written.
+MULTIPLE = 1e-6
 
 
-def check_steps(scenario: "Scenario") -> None:
-    """Raise `ModelError` for the first thing that does not fit."""
-    _check_step(scenario)
-    _check_steps(scenario)
+def check_steps(scenario: ScenarioData, solver: Solver) -> None:
+    """Raise `ModelError` for the first thing that does not fit.
+
+    Parameters
+    ----------
+    scenario
+        The scenario.
+    solver
+        Its solver settings with nothing left to `auto`.
+    """
+    _check_elements(scenario, solver)
+    _check_step(scenario, solver)
+    _check_steps(scenario, time_step_of(scenario, solver))
     _check_energy(scenario)
 
 
-def _check_step(scenario: "Scenario") -> None:
-    solver, field = scenario.solver, ("solver", "time_step")
-    if solver.time_step == ONE_ELEMENT and scenario.speed is None:
+def _check_elements(scenario: ScenarioData, solver: Solver) -> None:
+    line = scenario.line
+    places = line.support_positions()
+    length = sum(
+        places[one.to_span] - places[one.from_span - 1] for one in line.tension_length_list()
+    )
+    wires_above = sum(wire is not None for wire in (line.messenger_wire, line.auxiliary_wire))
+    wires_below = 1 if line.twin_contact_wires is None else 2
+    elements = wires_below * length / solver.contact_wire_element_m
+    elements += wires_above * length / solver.messenger_wire_element_m
+    if elements > MAX_ELEMENTS:
+        raise ModelError(
+            "too many elements",
+            got=f"about {elements:.3g}",
+            expected=f"at most {MAX_ELEMENTS}",
+            hint="use longer elements or a shorter line",
+            field=("solver", "contact_wire_element"),
+        )
+
+
+def _check_step(scenario: ScenarioData, solver: Solver) -> None:
+    given, field = scenario.solver.time_step, ("solver", "time_step")
+    if given == ONE_ELEMENT and scenario.speed is None:
         raise ModelError(
             "no time step",
-            got=f"{show(solver.time_step)} with a speed profile",
+            got=f"{show(given)} with a speed profile",
             expected="a time: with a changing speed, one element takes no fixed time",
             field=field,
         )
-    way, element = (
-        scenario.top_speed * scenario.time_step_s,
-        scenario.stepping.contact_wire_element_m,
-    )
+    way = scenario.top_speed * time_step_of(scenario, solver)
+    element = solver.contact_wire_element_m
     if way > element * (1 + ROUNDING):
         raise ModelError(
             "step longer than an element",
@@ -48,7 +77,7 @@ def _check_step(scenario: "Scenario") -> None:
         )
 
 
-def _check_energy(scenario: "Scenario") -> None:
+def _check_energy(scenario: ScenarioData) -> None:
     if scenario.output.energy != "always":
         return
     if scenario.solver.kinematics == "updated":
@@ -61,9 +90,8 @@ def _check_energy(scenario: "Scenario") -> None:
         )
 
 
-def _check_steps(scenario: "Scenario") -> None:
+def _check_steps(scenario: ScenarioData, step: float) -> None:
     duration = scenario.duration
-    step = scenario.time_step_s
     if duration / step > MAX_STEPS:
         raise ModelError(
             "too many time steps",
@@ -80,14 +108,13 @@ def _check_steps(scenario: "Scenario") -> None:
             "the recorded steps are too long for the filter",
             got=f"{low_pass:g} Hz",
             expected=f"less than {nyquist:g} Hz, half the record rate",
-            hint=_slower_filter(scenario, low_pass),
+            hint=_slower_filter(scenario.output.contact_every, step, low_pass),
             field=("analysis", "low_pass"),
         )
 
 
-def _slower_filter(scenario: "Scenario", low_pass: float) -> str:
+def _slower_filter(every: int, step: float, low_pass: float) -> str:
     """Say what lets a frequency in Hz be filtered: shorter steps, or more of them recorded."""
-    every, step = scenario.output.contact_every, scenario.time_step_s
     needed = 0.5 / low_pass / step
     if every > 1 and needed > 1:
         return f"give output.contact_every at most {max(1, ceil(needed) - 1)}"
@@ -102,3 +129,33 @@ def _floor(value: float) -> str:
     mantissa, exponent = f"{value:.15e}".split("e")
     digits = floor(1e3 * float(mantissa) * (1 + ROUNDING))
     return f"{float(f'{digits}e{int(exponent) - 3}'):.4g}"
+
+
+def check_controllers(scenario: ScenarioData, step: float) -> None:
+    """Refuse times that are no multiple of the time step in s, and masses that are not there."""
+    for index, placement in enumerate(scenario.pantographs):
+        controller = placement.controller
+        if controller is None:
+            continue
+        field: Path = ("pantographs", index, "controller")
+        for name in ("sample_time", "delay"):
+            steps = getattr(controller, name) / step
+            if abs(steps - round(steps)) > MULTIPLE * max(1.0, steps) or (
+                name == "sample_time" and round(steps) == 0
+            ):
+                raise ModelError(
+                    "not a multiple of the time step",
+                    got=f"{1e3 * getattr(controller, name):g} ms",
+                    expected=f"a multiple of {1e3 * step:g} ms, solver.time_step",
+                    field=(*field, name),
+                )
+        masses = len(placement.model.masses)
+        if controller.mass is not None and controller.mass > masses:
+            raise ModelError(
+                "no such mass",
+                got=f"{controller.mass}",
+                expected=f"at most {masses}"
+                if masses
+                else "no mass for a pantograph given by matrices",
+                field=(*field, "mass"),
+            )

@@ -29,10 +29,11 @@ lines and on random ones, one error source at a time.
 
 from dataclasses import dataclass
 from math import floor, pi, sqrt, tanh
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from arcless.model.line.parts.components import TensionedWire
-from arcless.model.line.wire_places import shortest_distances
+from arcless.model.line.places.wire_places import shortest_distances
+from arcless.model.scenario.scenario_data import ScenarioData
 from arcless.model.settings.run_settings import AUTO, ONE_ELEMENT, Solver
 from arcless.model.settings.schemes import (
     EXPLICIT,
@@ -41,9 +42,6 @@ from arcless.model.settings.schemes import (
     GeneralisedAlpha,
     Scheme,
 )
-
-if TYPE_CHECKING:
-    from arcless.model.scenario.scenario import Scenario
 
 # Lengths of elements in m that `auto` takes: each about a sixth shorter than the one before.
 LADDER: Final = (0.725, 0.6, 0.5, 0.45, 0.4, 0.35, 0.3, 0.25, 0.2, 0.15)
@@ -111,7 +109,7 @@ class Choice:
         return f"{kind} of {length}, {family} {lengths} apart at most{why}"
 
 
-def choose(scenario: "Scenario") -> Choice:
+def choose(scenario: ScenarioData) -> Choice:
     """Return what a run of a scenario takes."""
     given = scenario.solver
     if given.scheme.name == EXPLICIT:
@@ -124,7 +122,16 @@ def choose(scenario: "Scenario") -> Choice:
     return _with(scenario, GeneralisedAlpha(name="generalised-alpha"), why)
 
 
-def _with(scenario: "Scenario", scheme: Scheme, why: str) -> Choice:
+def time_step_of(scenario: ScenarioData, solver: Solver) -> float:
+    """Return the time step in s of a solver without `auto`, also where it is one element."""
+    step = solver.time_step
+    if not isinstance(step, str):
+        return step
+    assert scenario.speed is not None  # a speed profile is refused then, see `step_rules`
+    return solver.contact_wire_element_m / scenario.speed
+
+
+def _with(scenario: ScenarioData, scheme: Scheme, why: str) -> Choice:
     given = scenario.solver
     explicit = scheme.name == EXPLICIT
     wires = given.model_copy(update={"scheme": scheme}).wires
@@ -160,7 +167,7 @@ def _taken(solver: Solver, rule: tuple[float, float]) -> list[float]:
     return [own if isinstance(one, str) else one for one, own in zip(given, rule, strict=True)]
 
 
-def _asked_for(scenario: "Scenario") -> str:
+def _asked_for(scenario: ScenarioData) -> str:
     """Say which setting asks for a matrix; nothing if none does."""
     solver = scenario.solver
     for name, asked, reason in (
@@ -178,7 +185,7 @@ def _asked_for(scenario: "Scenario") -> str:
     return ""
 
 
-def _not_explicit(scenario: "Scenario") -> str:
+def _not_explicit(scenario: ScenarioData) -> str:
     """Say why a line cannot step explicitly as well as with a matrix; nothing if it can."""
     solver = scenario.solver
     for name, wire in _wires(scenario):
@@ -203,7 +210,7 @@ def _not_explicit(scenario: "Scenario") -> str:
     return ""
 
 
-def too_stiff_along(scenario: "Scenario", step: float) -> str:
+def too_stiff_along(scenario: ScenarioData, step: float) -> str:
     """Say what holds the wires along the track too stiffly for a step in s, if anything does.
 
     Motion along the wires is explicit between points L apart, L = 1.5 (h + 2β) √(EA/μ), and a
@@ -222,11 +229,11 @@ def too_stiff_along(scenario: "Scenario", step: float) -> str:
     return ""
 
 
-def _wires(scenario: "Scenario") -> list[tuple[str, TensionedWire]]:
+def _wires(scenario: ScenarioData) -> list[tuple[str, TensionedWire]]:
     return [(f"line.{name}", wire) for name, wire in scenario.line.wires()]
 
 
-def _has_above(scenario: "Scenario") -> bool:
+def _has_above(scenario: ScenarioData) -> bool:
     return len(_wires(scenario)) > 1
 
 
@@ -234,7 +241,7 @@ def _speed(wire: TensionedWire) -> float:
     return sqrt(wire.tension / wire.mass)
 
 
-def _ahead(scenario: "Scenario") -> float | None:
+def _ahead(scenario: ScenarioData) -> float | None:
     """λ₊ in m; None for a wire whose waves have no speed of their own."""
     wave = scenario.line.wave_speed
     if wave is None:
@@ -242,7 +249,7 @@ def _ahead(scenario: "Scenario") -> float | None:
     return max(wave - scenario.top_speed, 0.0) / scenario.analysis.low_pass
 
 
-def _lengths(scenario: "Scenario", *, chains: bool) -> tuple[float, float]:
+def _lengths(scenario: ScenarioData, *, chains: bool) -> tuple[float, float]:
     """Longest elements in m of the contact wire and of the wires above."""
     longest = LONGEST_OF_CHAIN if chains else LONGEST_OF_CUBIC
     ahead = _ahead(scenario)
@@ -263,7 +270,7 @@ def _lengths(scenario: "Scenario", *, chains: bool) -> tuple[float, float]:
     return _rung(min(longest, contact)), _rung(min(longest, ahead * ratio / per_wave_above))
 
 
-def _beside_joints(scenario: "Scenario") -> float:
+def _beside_joints(scenario: ScenarioData) -> float:
     """Longest elements in m where bridles are clamped to points, or masses count."""
     line = scenario.line
     if line.bridle is not None:
@@ -277,7 +284,7 @@ def _rung(length: float) -> float:
     return next((rung for rung in LADDER if rung <= length * ROUNDING), LADDER[-1])
 
 
-def _resolving(scenario: "Scenario") -> float:
+def _resolving(scenario: ScenarioData) -> float:
     """Longest step in s that resolves what a fixed point sees of the frequency assessed."""
     ahead, wave = _ahead(scenario), scenario.line.wave_speed
     if ahead is None or wave is None:
@@ -285,7 +292,7 @@ def _resolving(scenario: "Scenario") -> float:
     return _rounded(max(LARGEST_ANGLE * ahead / (2 * pi * wave), SHORTEST_STEP))
 
 
-def _step(scenario: "Scenario", lengths: list[float]) -> float:
+def _step(scenario: ScenarioData, lengths: list[float]) -> float:
     """Time step in s of explicit steps with elements of some lengths in m."""
     found = _rounded(min(_resolving(scenario), stable_step(scenario, lengths)))
     shorter = (one for one in STEPS if one <= found and not too_stiff_along(scenario, one))
@@ -296,7 +303,7 @@ def _rounded(step: float) -> float:
     return next((one for one in STEPS if one <= step * ROUNDING), step)
 
 
-def stable_step(scenario: "Scenario", lengths: list[float]) -> float:
+def stable_step(scenario: ScenarioData, lengths: list[float]) -> float:
     """Return the longest step in s that is stable on every wire, with some room.
 
     With elements of lengths in m: of the contact wire, and of the wires above.

@@ -4,6 +4,7 @@ from typing import Any
 
 import numpy as np
 
+from arcless.dataset.recorded_series import Place, is_recorded, passage
 from arcless.report.drawing.bokeh_objects import Field, Model, columns
 from arcless.report.drawing.figure import Figure
 from arcless.report.drawing.style import GREY, add_hover, add_legend, colour, plain, single
@@ -19,7 +20,6 @@ from arcless.report.figures.track_axis import (
     track_figure,
 )
 from arcless.report.figures.wire_points import wire_points
-from arcless.results.dataset.recorded_series import Place, is_recorded, passage
 
 X_LABEL_FRONT = "position of the first pantograph, m"
 

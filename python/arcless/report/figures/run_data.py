@@ -13,7 +13,7 @@ from arcless.assess.section import ForceRecord, force_record
 from arcless.report.drawing.bokeh_objects import Model
 
 if TYPE_CHECKING:
-    from arcless.results.dataset.plain_dataset import Dataset
+    from arcless.dataset.plain_dataset import Dataset
 
 
 @dataclass(frozen=True)

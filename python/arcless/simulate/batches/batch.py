@@ -8,14 +8,14 @@ from pathlib import Path
 
 from arcless.errors import ModelError
 from arcless.model import Scenario
-from arcless.model.loading.load import check_kind
+from arcless.model.load import check_kind
 from arcless.simulate.batches.fingerprints import SharedKeys, member_key
 from arcless.simulate.batches.groups import Groups, Member
-from arcless.simulate.batches.outcome import Keep, Outcome, Stopped
 from arcless.simulate.batches.store import Folder
 from arcless.simulate.batches.watched_runs import Look, Watching
 from arcless.simulate.batches.workers import Crew, Watch
 from arcless.simulate.runs.job import Cancel, Progress
+from arcless.simulate.runs.outcome import Keep, Outcome, Stopped
 from arcless.units import show
 
 __all__ = ["Keep", "Look", "Outcome", "Stopped", "Watching", "batch"]

@@ -20,7 +20,7 @@ from typing import Any
 from arcless.assess import Assessment, Criterion, PantographAssessment
 from arcless.errors import OutputError
 from arcless.results import Result
-from arcless.simulate.batches.outcome import Keep
+from arcless.simulate.runs.outcome import Keep
 from arcless.storage.whole_files import check_writable, write_bytes
 
 FORMAT = "arcless-member/1"

@@ -15,12 +15,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arcless.assess import Assessment, assess
-from arcless.results.dataset.plain_dataset import Plain
-from arcless.simulate.batches.member import dataset
-from arcless.simulate.batches.outcome import Stopped
+from arcless.dataset.plain_dataset import Plain
 from arcless.simulate.recording.record import joined
 from arcless.simulate.runs.job import Job
 from arcless.simulate.runs.mean_force import Trial
+from arcless.simulate.runs.member import dataset
+from arcless.simulate.runs.outcome import Stopped
 
 # The record goes on for so many periods of the split between the bands beyond the section looked
 # at: nearer to its end a filter without phase shift makes numbers up.

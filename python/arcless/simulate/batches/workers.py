@@ -13,12 +13,12 @@ from arcless.model import Scenario
 from arcless.results import Result
 from arcless.simulate.batches.fingerprints import shared_key
 from arcless.simulate.batches.groups import Group, Groups, Member
-from arcless.simulate.batches.member import records_all, running
-from arcless.simulate.batches.outcome import Keep, Outcome
 from arcless.simulate.batches.store import Folder
 from arcless.simulate.batches.watched_runs import Course, StoppedError, Watching
 from arcless.simulate.runs.job import Job, lay_out
 from arcless.simulate.runs.mean_force import make_runs
+from arcless.simulate.runs.member import records_all, running
+from arcless.simulate.runs.outcome import Keep, Outcome
 from arcless.simulate.setup.controllers import Controllers
 
 # Workers that are told to stop do so after some steps; nobody waits for a line in the making.

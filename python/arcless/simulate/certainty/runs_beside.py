@@ -9,16 +9,16 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from arcless.assess.certainty import Draw
+from arcless.assess.assessment import draw_of
 from arcless.errors import ArclessError
 from arcless.model import Scenario
 from arcless.model.scenario.other_family import other_family, steps_on_chains
 from arcless.simulate.batches.groups import Groups, Member
-from arcless.simulate.batches.member import assessed_alone
-from arcless.simulate.batches.outcome import Outcome
 from arcless.simulate.batches.workers import Crew, told
 from arcless.simulate.certainty import other_starts
 from arcless.simulate.runs.job import Cancel, Job, Line, Progress, lay_out
+from arcless.simulate.runs.member import assessed_alone
+from arcless.simulate.runs.outcome import Outcome
 from arcless.simulate.setup.controllers import Controllers
 
 # Between two questions whether to go on, in s.
@@ -157,7 +157,7 @@ def _forces(scenario: Scenario) -> list[float]:
 
 def _draw(outcome: Outcome) -> dict[str, Any]:
     assert outcome.assessment is not None
-    return Draw.of(outcome.assessment).to_dict()
+    return draw_of(outcome.assessment).to_dict()
 
 
 def _words(scenario: Scenario) -> dict[str, Any]:

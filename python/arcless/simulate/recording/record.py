@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from arcless.equilibrium.equilibrium import Equilibrium
 from arcless.model import Scenario
-from arcless.simulate.equilibrium.equilibrium import Equilibrium
 from arcless.simulate.recording import contacts
 
 if TYPE_CHECKING:

@@ -19,8 +19,8 @@ from math import pi
 import numpy as np
 from numpy.typing import NDArray
 
+from arcless.equilibrium.equilibrium import ELASTICITY_SPACING, Equilibrium, named
 from arcless.model.line.parts.spans import SpanType
-from arcless.simulate.equilibrium.equilibrium import ELASTICITY_SPACING, Equilibrium, named
 
 Floats = NDArray[np.float64]
 

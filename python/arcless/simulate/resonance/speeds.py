@@ -17,6 +17,7 @@ from itertools import pairwise
 from math import floor, inf, sqrt
 from typing import TYPE_CHECKING, Any, Literal
 
+from arcless.equilibrium.initial_configuration import InitialConfiguration
 from arcless.simulate.resonance.pantographs import PantographMode, modes, why_no_modes
 from arcless.simulate.resonance.spans import Band, Span, spans
 
@@ -24,7 +25,6 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from arcless.model import Scenario
-    from arcless.simulate.statics import StaticsResult
 
 Kind = Literal[
     "wave speed",
@@ -119,7 +119,7 @@ class ResonanceSpeeds:
         return {"speeds": [one.to_dict() for one in self.speeds], "notes": list(self.notes)}
 
 
-def resonance_speeds(source: "Scenario | StaticsResult") -> ResonanceSpeeds:
+def resonance_speeds(source: "Scenario | InitialConfiguration") -> ResonanceSpeeds:
     """Return the speeds at which line and pantographs of a scenario may resonate.
 
     Parameters
@@ -132,9 +132,7 @@ def resonance_speeds(source: "Scenario | StaticsResult") -> ResonanceSpeeds:
     MeshError, EquilibriumError
         The line has no equilibrium.
     """
-    from arcless.simulate.statics import StaticsResult, statics
-
-    rest = source if isinstance(source, StaticsResult) else statics(source)
+    rest = source if isinstance(source, InitialConfiguration) else InitialConfiguration.of(source)
     scenario, notes = rest.scenario, list[str]()
     force = scenario.pantographs[0].start_force or 0.0
     told = spans(rest.equilibrium, scenario.line.span_list(), force)
@@ -149,7 +147,7 @@ def resonance_speeds(source: "Scenario | StaticsResult") -> ResonanceSpeeds:
     return ResonanceSpeeds(tuple(found), tuple(dict.fromkeys(notes)))
 
 
-def _wave_speeds(rest: "StaticsResult", notes: list[str]) -> "Iterator[ResonanceSpeed]":
+def _wave_speeds(rest: InitialConfiguration, notes: list[str]) -> "Iterator[ResonanceSpeed]":
     line, contact = rest.scenario.line, rest.wave_speed
     if contact is None:
         notes.append("no wave speed: the contact line is a beam without tension")

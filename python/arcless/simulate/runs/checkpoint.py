@@ -15,9 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arcless import _core
+from arcless.equilibrium.equilibrium import Equilibrium
 from arcless.errors import ModelError, ResultFormatError
 from arcless.results import Result
-from arcless.simulate.equilibrium.equilibrium import Equilibrium
 from arcless.simulate.setup.trajectory import Motion
 from arcless.units import show, to_si
 

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from arcless import _core
+from arcless.equilibrium.equilibrium import place_of, translate
 from arcless.errors import (
     ArclessError,
     ContactError,
@@ -18,7 +19,6 @@ from arcless.errors import (
 from arcless.mesh import Mesh
 from arcless.model import Scenario
 from arcless.model.pantograph.placement import PantographPlacement
-from arcless.simulate.equilibrium.equilibrium import place_of, translate
 from arcless.simulate.recording.contacts import label
 from arcless.simulate.setup.stops_and_friction import laws
 

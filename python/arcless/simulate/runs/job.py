@@ -8,11 +8,11 @@ from threading import Lock
 from typing import Any
 
 from arcless import _core
+from arcless.equilibrium import equilibrium
 from arcless.errors import ArclessError
 from arcless.model import Scenario
 from arcless.model.scenario.coarse_copy import coarse
 from arcless.model.settings.schemes import EXPLICIT
-from arcless.simulate.equilibrium import equilibrium
 from arcless.simulate.recording.recording_window import Nearby, nearby
 from arcless.simulate.runs.checkpoint import State
 from arcless.simulate.runs.failures import preparing, stepping

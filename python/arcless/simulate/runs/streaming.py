@@ -4,7 +4,7 @@ from contextlib import ExitStack
 from types import TracebackType
 from typing import TYPE_CHECKING, Any, BinaryIO, Self
 
-from arcless.results.netcdf.stream_writer import Writer
+from arcless.dataset.netcdf.stream_writer import Writer
 from arcless.simulate.recording import record
 from arcless.simulate.setup import trajectory
 

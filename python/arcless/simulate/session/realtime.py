@@ -15,7 +15,7 @@ from arcless import _core
 from arcless.errors import ModelError
 from arcless.mesh import Mesh
 from arcless.model import Scenario
-from arcless.model.loading.load import check_kind
+from arcless.model.load import check_kind
 from arcless.simulate.runs.failures import translated
 from arcless.simulate.session.start import Start, fingerprint, names_of, start
 

@@ -8,11 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arcless import _core
+from arcless.equilibrium import equilibrium
 from arcless.errors import ModelError
 from arcless.mesh import Mesh
 from arcless.model import Scenario
 from arcless.model.pantograph.placement import PantographPlacement
-from arcless.simulate.equilibrium import equilibrium
 from arcless.simulate.recording import contacts
 from arcless.simulate.runs.failures import stepping, translated
 from arcless.simulate.runs.job import prepare

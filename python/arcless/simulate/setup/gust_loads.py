@@ -14,9 +14,9 @@ from math import cos, sin
 import numpy as np
 from numpy.typing import NDArray
 
+from arcless.equilibrium.equilibrium import Equilibrium, named
 from arcless.mesh import Mesh, diameters
 from arcless.model import AsBuilt, Gusts, Scenario
-from arcless.simulate.equilibrium.equilibrium import Equilibrium, named
 from arcless.simulate.setup.trajectory import Motion
 
 Floats = NDArray[np.float64]

@@ -11,16 +11,18 @@ from typing import Any
 from pydantic import ValidationError
 
 from arcless.errors import ModelError
+from arcless.model import Line, Pantograph, Scenario
 from arcless.model.fields.part import Path as Field
 from arcless.model.files.pydantic_errors import explain
 from arcless.model.files.yaml_reader import Origin
-from arcless.model.loading.load import Kind, check_format, read, reference
+from arcless.model.scenario.references import Kind, check_format, read, reference
 from arcless.model.shipped.library import shipped
 from arcless.study.definition.study import FORMAT, Execution, Study
 from arcless.units import show
 
 # Last part of the path of a field → what its values may name.
 _NAMES: dict[str, Kind] = {"line": "line", "model": "pantograph"}
+_REFERRED: dict[Kind, type[Line] | type[Pantograph]] = {"line": Line, "pantograph": Pantograph}
 # What no row depends on.
 _WORDS = {"description": str, "sources": dict, "provenance": dict}
 _MOST_SHOWN = 10
@@ -47,7 +49,7 @@ def load(source: "str | os.PathLike[str] | Mapping[str, Any] | Study") -> Study:
     )
     check_format(data, "study", origin)
     if "scenario" in data:
-        data["scenario"] = reference(data["scenario"], "scenario", origin, ("scenario",))
+        data["scenario"] = reference(data["scenario"], "scenario", Scenario, origin, ("scenario",))
     context = {"file": origin.label, "models": _named_models(data, origin)}
     try:
         return Study.model_validate(data, context=context)
@@ -163,7 +165,7 @@ def _named_models(data: Mapping[str, Any], origin: Origin) -> dict[str, Any]:
     for place_, field, value in named:
         kind = _NAMES.get(str(field).rpartition(".")[2])
         if kind is not None and isinstance(value, str):
-            model: Any = reference(value, kind, origin, place_)
+            model: Any = reference(value, kind, _REFERRED[kind], origin, place_)
             models[value] = model.to_dict()
     return models
 

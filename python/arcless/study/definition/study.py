@@ -11,7 +11,7 @@ from arcless.errors import ModelError
 from arcless.model import Line, Scenario
 from arcless.model.fields.document import Document, dotted
 from arcless.model.fields.part import Part
-from arcless.model.loading.overrides import field_of
+from arcless.model.scenario.overrides import field_of
 from arcless.study.definition.expressions import Expression
 from arcless.study.definition.quantities import is_number, keys
 from arcless.study.designs import Design, Plan

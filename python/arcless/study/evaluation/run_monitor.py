@@ -6,9 +6,9 @@ from math import isinf
 from arcless.simulate import Look
 from arcless.study.definition.expressions import Expression, UndefinedError
 from arcless.study.definition.quantities import values
+from arcless.study.optimisation.constraints import FILTERED, RISING, key_of
 from arcless.study.optimisation.optimise import Constraint
 from arcless.study.optimisation.pruning import Comparison, Watch
-from arcless.study.optimisation.pruning_rules import FILTERED, RISING, key_of
 
 # What has faded, times a force of a million newtons.
 _FADED = 1e-6

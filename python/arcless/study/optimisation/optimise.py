@@ -15,8 +15,8 @@ from arcless.study.designs import MAX_VARIANTS
 from arcless.study.designs.plan import refuse_drawn
 from arcless.study.journal.row import Row
 from arcless.study.optimisation import pruning
+from arcless.study.optimisation.constraints import check_hard
 from arcless.study.optimisation.pruning import Pruning, Watch
-from arcless.study.optimisation.pruning_rules import check_hard
 from arcless.study.optimisation.search import Search
 from arcless.study.variables.variables import Axis
 from arcless.units import show

@@ -10,7 +10,7 @@ from typing import Any
 from arcless.errors import ArclessError
 from arcless.model import Scenario, load, parse_override
 from arcless.model.files.yaml_reader import Origin
-from arcless.model.loading.load import read
+from arcless.model.scenario.references import read
 from arcless.study.definition.study import Study
 from arcless.study.evaluation.variants import scenario, variant
 

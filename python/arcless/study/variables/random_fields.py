@@ -16,8 +16,8 @@ from pydantic import Field
 
 from arcless.model import Line
 from arcless.model.fields.part import Part, Unit
-from arcless.model.line.dropper_names import DropperName, droppers_called
-from arcless.model.line.support_names import SupportName, supports_called
+from arcless.model.line.places.dropper_names import DropperName, droppers_called
+from arcless.model.line.places.support_names import SupportName, supports_called
 
 # A drawing is told by a whole number below this, which a float holds and a table shows.
 DRAWINGS = 2**31

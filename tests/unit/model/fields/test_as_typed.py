@@ -9,7 +9,8 @@ import pytest
 
 import arcless
 from arcless.model import load, load_line
-from arcless.model.fields.as_typed import MOST_ITEMS, restore, typed_in
+from arcless.model.fields.as_typed import MOST_ITEMS
+from arcless.model.scenario.as_typed import restore, typed_in
 from arcless.report.model_data import Row, groups
 from tests.unit.model.conftest import LINE
 

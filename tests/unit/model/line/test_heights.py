@@ -10,8 +10,8 @@ import pytest
 
 from arcless.errors import ModelError
 from arcless.model import Scenario, load, load_line, scenario_warnings
+from arcless.model.advice.gradients import allowed_gradient
 from arcless.model.as_built.measured_heights import measured_places
-from arcless.model.line.parts.heights import allowed_gradient
 from tests.support.line_types import scenario_data
 from tests.support.overlaps import overlap_data
 

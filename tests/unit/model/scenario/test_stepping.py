@@ -8,8 +8,8 @@ import pytest
 import arcless
 from arcless.errors import ModelError
 from arcless.model import Scenario, load, scenario_warnings
-from arcless.model.loading.load import shipped
 from arcless.model.scenario.stepping import LADDER, longest_step
+from arcless.model.shipped.library import shipped
 
 AC_SIMPLE = load("en50318-ac-simple-320-planar")
 EXPLICIT, MATRIX = "central-difference", "generalised-alpha"

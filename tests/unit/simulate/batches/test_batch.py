@@ -11,9 +11,9 @@ import pytest
 
 import arcless
 from arcless.assess import Assessment
+from arcless.equilibrium import equilibrium
 from arcless.model import Scenario
 from arcless.simulate.batches.fingerprints import SharedKeys, member_key, shared_key
-from arcless.simulate.equilibrium import equilibrium
 from arcless.simulate.runs.job import Line, ready_line
 from tests.support.small import differing
 

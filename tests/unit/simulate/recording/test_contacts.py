@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
+from arcless.dataset.plain_dataset import dataset_from
 from arcless.errors import ResultFormatError
-from arcless.results.dataset.build import dataset_from
 from arcless.simulate.recording import contacts
 
 # Two pantographs: the first on two wires, the second on one of them with its only strip.

@@ -12,9 +12,9 @@ import pytest
 
 import arcless
 from arcless import _core
+from arcless.equilibrium import equilibrium
 from arcless.errors import ContactError, EquilibriumError
 from arcless.model import Scenario
-from arcless.simulate.equilibrium import equilibrium
 from arcless.simulate.runs import failures
 
 Short = Callable[..., Scenario]

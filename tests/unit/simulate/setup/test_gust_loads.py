@@ -6,9 +6,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from arcless.equilibrium import equilibrium
 from arcless.model import Gusts, Scenario
 from arcless.results import Result
-from arcless.simulate.equilibrium import equilibrium
 from arcless.simulate.setup import gust_loads, trajectory
 from tests.support.explicit import EXPLICIT
 

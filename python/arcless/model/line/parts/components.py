@@ -5,9 +5,10 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
+from arcless.errors import ModelError
 from arcless.model.fields import extremes
 from arcless.model.fields.part import Part, Unit
-from arcless.model.line.parts.wire_ends import GRAVITY, USUAL_RATIO, Ends, check_ends
+from arcless.model.line.parts.wire_ends import GRAVITY, USUAL_RATIO, Ends
 
 
 class Rayleigh(Part):
@@ -80,7 +81,33 @@ class Wire(TensionedWire):
 
     @model_validator(mode="after")
     def _check_ends(self) -> "Wire":
-        check_ends(self)
+        if self.ends == "spring" and self.end_stiffness is None:
+            raise ModelError(
+                "missing field",
+                expected=self._expected("end_stiffness"),
+                field=("end_stiffness",),
+            )
+        said = f"with ends: {self.ends}" if self.ends else "without ends"
+        for name, kinds, what in (
+            ("end_stiffness", ("spring",), "stiffness of a spring that is not there"),
+            ("end_ratio", ("weights",), "ratio of a pulley that is not there"),
+            ("end_efficiency", ("weights", "constant_force"), "friction of a device that has none"),
+        ):
+            if getattr(self, name) is not None and self.ends not in kinds:
+                raise ModelError(
+                    what,
+                    got=f"{name} {said}",
+                    expected=f"ends: {' or '.join(kinds)}, or no {name}",
+                    field=(name,),
+                )
+        # A contact wire without tension that is no rail is told so itself, `ContactWire`.
+        if self.ends == "weights" and self.tension == 0 and getattr(self, "kind", "") != "wire":
+            raise ModelError(
+                "weights at a rail without tension",
+                got="ends: weights",
+                expected="ends: constant_force, its ends then slide",
+                field=("ends",),
+            )
         return self
 
     @property

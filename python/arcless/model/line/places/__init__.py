@@ -1,0 +1,1 @@
+"""Places of a line and their names: droppers, supports, clamps."""

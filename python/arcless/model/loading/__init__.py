@@ -1,1 +1,0 @@
-"""Names, files and plain data → validated models, changed copies, schemas."""
