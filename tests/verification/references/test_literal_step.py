@@ -65,6 +65,7 @@ def run(force: float) -> tuple[Floats, Floats]:
     rider = bare.rider(p.mass, p.damping, p.stiffness, strip=p.strip.tolist(), force=force)
     asked = bare.Asked(schemes.PUBLISHED, TAU, POSITIONS, updated=True, friction=FRICTION)
     found = bare.run(mesh(), rider, asked)
+    assert sum(found["pivot_counts"]) == STEPS, "one problem in each step"
     return np.asarray(found["force"]), np.asarray(found["gap"])
 
 
