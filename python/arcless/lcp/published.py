@@ -67,9 +67,8 @@ class Step:
 class PublishedStep:
     """Backward differences, block Jordan exchange and complementarity: one step of the paper.
 
-    The system is ``M ü + C_d u̇ + K u = p + C n`` with gaps ``d = Cᵀu + d0`` and ``d ≥ 0``,
-    ``n ≥ 0``, ``dᵀn = 0``. The scheme is of first order, stable for every τ and dissipative (a
-    motion of angular frequency ω is damped by about ωτ/2 of critical).
+    The scheme is of first order, stable for every τ and dissipative (a motion of angular frequency
+    ω is damped by about ωτ/2 of critical).
 
     Parameters
     ----------
@@ -86,8 +85,8 @@ class PublishedStep:
     Raises
     ------
     LcpInputError
-        A matrix is not square, finite or symmetric, the sizes differ, M has a negative eigenvalue,
-        the step is not positive, or ``M/τ² + C_d/τ + K`` is not positive definite.
+        A matrix is not square, finite or symmetric, sizes differ, M has a negative eigenvalue, the
+        step is not positive, or ``M/τ² + C_d/τ + K`` is not positive definite.
 
     Examples
     --------
@@ -148,13 +147,9 @@ class PublishedStep:
             self._A_inverse = _inverse(A)
 
     def problem(
-        self,
-        u_1: ArrayLike,
-        u_2: ArrayLike,
-        load: ArrayLike,
-        contact_map: ArrayLike,
+        self, u_1: ArrayLike, u_2: ArrayLike, load: ArrayLike, contact_map: ArrayLike,
         initial_gap: ArrayLike,
-    ) -> tuple[Array, Array]:
+    ) -> tuple[Array, Array]:  # fmt: skip
         """Return H and w of a step: ``H = CᵀA⁻¹C``, ``w = d0 − CᵀA⁻¹p̂``.
 
         Parameters
@@ -186,13 +181,9 @@ class PublishedStep:
         return H, w
 
     def step(
-        self,
-        u_1: ArrayLike,
-        u_2: ArrayLike,
-        load: ArrayLike,
-        contact_map: ArrayLike,
+        self, u_1: ArrayLike, u_2: ArrayLike, load: ArrayLike, contact_map: ArrayLike,
         initial_gap: ArrayLike,
-    ) -> Step:
+    ) -> Step:  # fmt: skip
         """Take one step.
 
         Parameters
@@ -216,8 +207,8 @@ class PublishedStep:
         # Step 8: y = H x + w, yᵀx = 0, y ≥ 0, x ≥ 0 with y = d_i, x = n_i, by Jordan exchange with
         # the energy criterion.
         n, d, info = pivoted(H, w)
-        with np.errstate(all="ignore"):
-            u = A_C @ n + u_free  # step 11: u_i = A⁻¹C n_i − A⁻¹p̂_i
+        with np.errstate(all="ignore"):  # what is beyond all numbers is refused
+            u = A_C @ n + u_free  # step 11
         return Step(finite("u_i", u), n, d, info)
 
     def _table_2(self, *given: ArrayLike) -> tuple[Array, Array, Array, Array]:
@@ -241,13 +232,9 @@ class PublishedStep:
         return shaped(name, values, self._M.shape, "as the mass matrix")
 
     def _fitting(
-        self,
-        u_1: ArrayLike,
-        u_2: ArrayLike,
-        load: ArrayLike,
-        contact_map: ArrayLike,
+        self, u_1: ArrayLike, u_2: ArrayLike, load: ArrayLike, contact_map: ArrayLike,
         initial_gap: ArrayLike,
-    ) -> tuple[Array, Array, Array, Array, Array]:
+    ) -> tuple[Array, Array, Array, Array, Array]:  # fmt: skip
         why = f"for {self.size} degrees of freedom"
         one = shaped("u_1", u_1, (self.size,), why)
         two = shaped("u_2", u_2, (self.size,), why)
