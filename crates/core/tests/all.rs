@@ -24,7 +24,6 @@ mod loads;
 mod lumped;
 mod period;
 mod pieces;
-mod published;
 mod resume;
 mod rider;
 mod scheme;

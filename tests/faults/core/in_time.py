@@ -57,6 +57,13 @@ IN_TIME = [
         ("orders/test_time_step_updated.py::test_order",),
     ),
     Mutation(
+        "influence columns that are not renewed with updated kinematics",
+        "dynamics/updated.rs",
+        "        self.columns.forget();\n",
+        "",
+        ("references/test_literal_step.py::test_every_step",),
+    ),
+    Mutation(
         "bend with the length of the piece before it",
         "element/chain.rs",
         "rigidity: bending_stiffness * mean,",
