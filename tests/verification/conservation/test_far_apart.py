@@ -11,12 +11,15 @@ Causality; no reference values are needed. Asked as AC simple with 125 spans at 
 scenario refuses two pantographs that never share a section, hence the prepared line itself.
 """
 
+from unittest.mock import patch
+
 import numpy as np
 
 import arcless
 from arcless.assess.filter import low_pass
 from arcless.simulate import equilibrium, motion, riders
 from tests.support.evidence import Evidence
+from tests.support.faults import Fault
 
 FORCE, APART = 170.0, 6_000.0
 CHANGES = {
@@ -74,3 +77,8 @@ def test_trailing(evidence: Evidence) -> None:
             reason="a dropper that slackens a step later moves the force by some newtons for a "
             "moment; half of what a refined mesh may do",
         )
+
+
+FAULTS = [
+    Fault("110 m apart, not 6 km", patch.multiple(__name__, APART=110.0), test_trailing),
+]  # fmt: skip

@@ -26,8 +26,10 @@ from typing import Any
 import pytest
 
 from tests.support import spans
+from tests.support.faults import Fault, gravity, scaled
 
-DIMENSIONS = pytest.mark.parametrize("model", ["cubic, planar", "cubic, spatial"])
+MODELS = ("cubic, planar", "cubic, spatial")
+DIMENSIONS = pytest.mark.parametrize("model", MODELS)
 COUNTS = (12, 24, 48)
 SIZES = [spans.LENGTH / count for count in COUNTS]
 NEXT = "terms of the next order on the coarsest of these meshes"
@@ -95,3 +97,21 @@ def test_statics(evidence: Any, model: str) -> None:
         reason=NEXT,
         unit="element length",
     )
+
+
+FAULTS = [
+    # An error that refinement does not take away: the slope is that of a constant.
+    *(Fault(f"{model}: mass 0.01 % high", scaled("wires", "mass", 1.0001), test_frequencies,
+            model=model)
+      for model in MODELS),
+    *(Fault(f"{model}: {what}", broken, test_statics, model=model)
+      for model in MODELS
+      for what, broken in (
+          ("EA 1 % high", scaled("wires", "EA", 1.01)),
+          ("gravity 0.1 % high", gravity(1.001)),
+      )),
+    Fault("wind from the other side", scaled("wire_loads", "across", -1.0), test_statics,
+          model="cubic, spatial"),
+    *(Fault("EI 1 % high", scaled("wires", "EI", 1.01), check, model="cubic, planar")
+      for check in (test_frequencies, test_statics)),
+]  # fmt: skip

@@ -17,8 +17,10 @@ import numpy as np
 import pytest
 
 from tests.support import spans
+from tests.support.faults import Fault, gravity, scaled, spoiled
 
-DIMENSIONS = pytest.mark.parametrize("model", ["point masses, planar", "point masses, spatial"])
+MODELS = ("point masses, planar", "point masses, spatial")
+DIMENSIONS = pytest.mark.parametrize("model", MODELS)
 COUNTS = (24, 48, 96)
 SIZES = [spans.LENGTH / count for count in COUNTS]
 NEXT = "terms of the next order on the coarsest of these meshes"
@@ -93,3 +95,32 @@ def test_statics(evidence: Any, model: str) -> None:
         reason=NEXT,
         unit="piece length",
     )
+
+
+def before(arguments: dict[str, Any]) -> bool:
+    """Give bends the length of the piece before them, not the mean of those beside them."""
+    pieces = arguments["parts"]["segments"][1][:, 0]
+    numbers, floats = arguments["parts"]["bends"]
+    share = pieces[numbers[:, 0]] / pieces[numbers].mean(axis=1)
+    floats[:, 0] *= share
+    return bool(np.any(abs(share - 1.0) > 1e-6))
+
+
+FAULTS = [
+    *(Fault(f"{model}: {what}", broken, test_frequencies, model=model)
+      for model in MODELS
+      for what, broken in (
+          ("mass 1 % high", scaled("segments", "mass", 1.01)),
+          ("EI 1 % high", scaled("bends", "EI", 1.01)),
+      )),
+    *(Fault(f"{model}: {what}", broken, test_statics, model=model)
+      for model in MODELS
+      for what, broken in (
+          ("EA 1 % high", scaled("segments", "EA", 1.01)),
+          ("gravity 1 % high", gravity(1.01)),
+      )),
+    Fault("wind from the other side", scaled("wire_loads", "across", -1.0), test_statics,
+          model="point masses, spatial"),
+    Fault("bends with the length of the piece before them", spoiled(before), test_frequencies,
+          model="point masses, planar"),
+]  # fmt: skip
