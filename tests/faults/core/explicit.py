@@ -11,173 +11,64 @@ DROPPERS = "closed_forms/test_obstacles.py::test_dropper"
 CURVE = "closed_forms/test_curve.py::test_families"
 
 YIELDING = [
-    Mutation(
-        "bends of fitted chains with EI of the wire",
-        "statics/chain.rs",
-        "bend.stiffness * x / x.tanh()",
-        "bend.stiffness",
-        (CHAINS, MESH),
-    ),
-    Mutation(
-        "chains yield between points as their curves do",
-        "dynamics/rounded.rs",
-        "(g - self.taut.wire.at(0.0)) / self.taut.tension",
-        "0.0 * (g - self.taut.wire.at(0.0)) / self.taut.tension",
-        (CHAINS,),
-    ),
-    Mutation(
-        "kinks between points sharp, as those of a string",
-        "dynamics/rounded.rs",
-        "0.5 * (s.abs() + self.rise * self.faded(s))",
-        "0.5 * s.abs()",
-        (CHAINS,),
-    ),
-    Mutation(
-        "droppers of chains without what their wires yield",
-        "statics/flexibility.rs",
-        "let share = 1.0 + given * r;",
-        "let share = 1.0 + 0.0 * given * r;",
-        (DROPPERS,),
-    ),
-]
+    Mutation("bends of fitted chains with EI of the wire", "bending",
+             "A * B / B.tanh()", "A", (CHAINS, MESH)),
+    Mutation("chains yield between points as their curves do", "Rounded::own",
+             "(A - B) / C", "0.0 * (A - B) / C", (CHAINS,)),
+    Mutation("kinks between points sharp, as those of a string", "Corner::at",
+             "0.5 * (A + B * C)", "0.5 * A", (CHAINS,)),
+    Mutation("droppers of chains without what their wires yield", "set",
+             "1.0 + A * B", "1.0 + 0.0 * A * B", (DROPPERS,)),
+]  # fmt: skip
 
 MOVING = [
-    Mutation(
-        "ends of pieces along the wire not drawn to the inside of curves",
-        "dynamics/explicit/stretch.rs",
-        "let force = reach.lean * grid.thrust[number];",
-        "let force = 0.0 * reach.lean * grid.thrust[number];",
-        (CURVE,),
-    ),
-    Mutation(
-        "filter turned round for what fitted bends add to the speed of waves",
-        "dynamics/explicit/waves.rs",
-        "(1.0 - courant) / 12.0 - more",
-        "(1.0 - courant) / 12.0 + more",
-        (CUBIC,),
-    ),
-    Mutation(
-        "second term of the filter left out",
-        "dynamics/explicit/waves.rs",
-        "self.second[point] = mean(&waves.mass) * b;",
-        "self.second[point] = 0.0 * mean(&waves.mass) * b;",
-        (CUBIC,),
-    ),
-    Mutation(
-        "damping of wires in proportion to stiffness left out of explicit steps",
-        "dynamics/explicit/layout.rs",
-        "self.lag[point] = segment.damping.beta / self.h;",
-        "self.lag[point] = 0.0 * segment.damping.beta / self.h;",
-        (CUBIC,),
-    ),
-    Mutation(
-        "tension that a run adds does not turn wires back",
-        "dynamics/explicit/kernels.rs",
-        "at.thrust[l] * this.slope[l]",
-        "0.0 * at.thrust[l] * this.slope[l]",
-        (CUBIC,),
-    ),
-    Mutation(
-        "reaches over cuts stretched by their last strand alone",
-        "dynamics/explicit/stretch.rs",
-        "rise(self.first, to) - rise(self.first, from) + before;",
-        "rise(self.first, to) - rise(self.first, from) + 0.0 * before;",
-        (CUBIC,),
-    ),
-    Mutation(
-        "filter across cuts without what contacts and links have pushed",
-        "dynamics/explicit/stepping.rs",
-        "self.copy_forces(own, grid);\n        widest(Sweep {",
-        "widest(Sweep {",
-        (CUBIC,),
-    ),
-    Mutation(
-        "a run of explicit steps goes on without its last increments",
-        "dynamics/explicit/mod.rs",
-        "row.s.iter_mut().chain(row.d.iter_mut())",
-        "row.s.iter_mut()",
-        (PARTS,),
-    ),
-]
+    Mutation("ends of pieces along the wire not drawn to the inside of curves", "lean",
+             "A.lean * B", "0.0 * A.lean * B", (CURVE,)),
+    Mutation("filter turned round for what fitted bends add to the speed of waves", "shares",
+             "(1.0 - A) / 12.0 - B", "(1.0 - A) / 12.0 + B", (CUBIC,)),
+    Mutation("second term of the filter left out", "keep_speed",
+             "= mean(&A) * B;", "= 0.0 * mean(&A) * B;", (CUBIC,)),
+    Mutation("damping of wires in proportion to stiffness left out of explicit steps",
+             "add_segments",
+             "A.beta / B", "0.0 * A.beta / B", (CUBIC,)),
+    Mutation("tension that a run adds does not turn wires back", "Forces::go",
+             "A.thrust[B] * C", "0.0 * A.thrust[B] * C", (CUBIC,)),
+    Mutation("reaches over cuts stretched by their last strand alone", "Pulled::stretch",
+             "- rise(A, B) + C;", "- rise(A, B) + 0.0 * C;", (CUBIC,)),
+    Mutation("filter across cuts without what contacts and links have pushed", "Explicit::go",
+             "self.copy_forces(A, B);", "", (CUBIC,)),
+    Mutation("a run of explicit steps goes on without its last increments", "Grid::across",
+             "A.chain(B)", "A", (PARTS,)),
+]  # fmt: skip
 
 LINKED = [
-    Mutation(
-        "links of explicit steps with β of 1/2 in the place of 1/4",
-        "dynamics/explicit/cluster.rs",
-        "super::BETA * k + 0.5 / h * c",
-        "2.0 * super::BETA * k + 0.5 / h * c",
-        (CUBIC,),
-    ),
-    Mutation(
-        "response of linked points as if nothing were filtered",
-        "dynamics/explicit/clusters.rs",
-        "inverse.map(|own| own * (1.0 + own * felt))",
-        "inverse",
-        (CUBIC,),
-    ),
-    Mutation(
-        "links do not answer to a contact beside them within the step",
-        "dynamics/explicit/push.rs",
-        "self.answer(grid, number, place * DIM + component, felt * change);",
-        "",
-        (CUBIC, FAR_APART),
-    ),
-    Mutation(
-        "droppers without mass in explicit steps",
-        "dynamics/explicit/layout.rs",
-        "let half = 0.5 * link.mass * Geometry",
-        "let half = 0.0 * link.mass * Geometry",
-        (CUBIC,),
-    ),
-]
+    Mutation("links of explicit steps with β of 1/2 in the place of 1/4", "forces",
+             "A * B + 0.5 / C * D", "2.0 * A * B + 0.5 / C * D", (CUBIC,)),
+    Mutation("response of linked points as if nothing were filtered", "Chains::member",
+             "A.map(|B| B * (1.0 + B * C))", "A", (CUBIC,)),
+    Mutation("links do not answer to a contact beside them within the step", "Explicit::push",
+             "self.answer(A, B, C * D + E, F * G);", "", (CUBIC, FAR_APART)),
+    Mutation("droppers without mass in explicit steps", "masses",
+             "0.5 * A.mass * Geometry", "0.0 * A.mass * Geometry", (CUBIC,)),
+]  # fmt: skip
 
 CLOSES = "conservation/test_energy_explicit.py::test_the_ledger_closes"
 GUESTS = "conservation/test_energy_explicit.py::test_wires_at_points_of_others"
 FALLS = "conservation/test_energy_explicit.py::test_switching_falls_with_the_step"
 
 BOOKED = [
-    Mutation(
-        "contacts press on the wire where they were a step ago",
-        "dynamics/stepper.rs",
-        "let place = &contacts.all[j].place;\n            let change",
-        "let place = &contacts.all[j].ends[0];\n            let change",
-        (CLOSES,),
-    ),
-    Mutation(
-        "gaps are those of the contacts a step ago",
-        "dynamics/watch.rs",
-        "let place = &contact.place;",
-        "let place = &contact.ends[0];",
-        (FALLS,),
-    ),
-    Mutation(
-        "ends of wires at points of others stay behind by a millionth",
-        "dynamics/explicit/guests.rs",
-        "= accelerated(w, guest.filter",
-        "= (1.0 - 1e-6) * accelerated(w, guest.filter",
-        (GUESTS,),
-    ),
-    Mutation(
-        "damping along the wire of an older velocity",
-        "dynamics/explicit/stretch.rs",
-        "*s = x + lag * d;",
-        "*s = x + 1.001 * lag * d;",
-        (CLOSES,),
-    ),
-    Mutation(
-        "damping across the wire a thousandth too much",
-        "dynamics/explicit/kernels.rs",
-        "-alpha[l] * d[l]",
-        "-1.001 * alpha[l] * d[l]",
-        (CLOSES,),
-    ),
-    Mutation(
-        "energy of the motion without the filter",
-        "dynamics/explicit/energy/tables.rs",
-        "filtered: [0, 1].map(|c| Filtered::new(&weight[c], &filter, &second)),",
-        "filtered: [0, 1].map(|c| Filtered::new(&weight[c], &vec![0.0; filter.len()], &second)),",
-        (CLOSES,),
-    ),
-]
+    Mutation("contacts press on the wire where they were a step ago", "respond",
+             "let place = &A.place;", "let place = &A.ends[0];", (CLOSES,)),
+    Mutation("gaps are those of the contacts a step ago", "wire_at",
+             "let place = &A.place;", "let place = &A.ends[0];", (FALLS,)),
+    Mutation("ends of wires at points of others stay behind by a millionth", "take_along",
+             "= accelerated(", "= (1.0 - 1e-6) * accelerated(", (GUESTS,)),
+    Mutation("damping along the wire of an older velocity", "release",
+             "A + B * C;", "A + 1.001 * B * C;", (CLOSES,)),
+    Mutation("damping across the wire a thousandth too much", "Forces::go",
+             ", -A * B", ", -1.001 * A * B", (CLOSES,)),
+    Mutation("energy of the motion without the filter", "Form::new",
+             "Filtered::new(&A, &B, &C)", "Filtered::new(&A, &vec![0.0; B.len()], &C)", (CLOSES,)),
+]  # fmt: skip
 
 EXPLICIT = [*YIELDING, *MOVING, *LINKED, *BOOKED]

@@ -13,8 +13,8 @@ CHECKS = sorted({check for mutation in MUTATIONS for check in mutation.nodes()})
 
 @pytest.mark.parametrize("mutation", MUTATIONS, ids=lambda mutation: mutation.name)
 def test_mutation_applies(mutation: Mutation) -> None:
-    text = mutation.source().read_text(encoding="utf-8")
-    assert mutation.spoil(text) != text
+    path, text = mutation.spoil(ROOT)
+    assert text != path.read_text(encoding="utf-8")
     assert mutation.checks
 
 
