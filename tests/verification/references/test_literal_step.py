@@ -18,6 +18,7 @@ Source: Kolesnikov & Kuvshinov (about 2009), formula by formula on the page publ
 
 from dataclasses import replace
 from functools import cache
+from typing import Any
 
 import numpy as np
 import pytest
@@ -27,7 +28,9 @@ from arcless.mesh import Mesh
 from arcless.mesh.tables.parts import Parts
 from tests.support import bare, schemes
 from tests.support.evidence import Evidence
+from tests.support.faults import Fault, gravity, scaled
 from tests.support.literal_run import UP, Chain, LiteralRun, Pantograph
+from tests.support.run_faults import prepared_with, rider_scaled, spoiled
 
 Floats = NDArray[np.float64]
 
@@ -103,3 +106,25 @@ def test_every_step(evidence: Evidence, force: float, opens: bool) -> None:
             unit="1",
             reason=REASON,
         )
+
+
+def without_friction(arguments: dict[str, Any]) -> None:
+    arguments["friction"] = 0.0
+
+
+TOUCHING = {"force": 150.0, "opens": False}
+LEAVING = {"force": 20.0, "opens": True}
+FAULTS = [
+    Fault("kinematics about the state at rest", prepared_with(updated=lambda updated: not updated),
+          test_every_step, **TOUCHING),
+    Fault("another scheme",
+          prepared_with(scheme=lambda _: (schemes.DEFAULT.name, list(schemes.DEFAULT.numbers))),
+          test_every_step, **TOUCHING),
+    Fault("a contact that yields by 1 nm/N", prepared_with(contact_stiffness=lambda _: 1e9),
+          test_every_step, **LEAVING),
+    Fault("EA 0.01 % high", scaled("segments", "EA", 1.0001), test_every_step, **TOUCHING),
+    Fault("EI 0.1 % high", scaled("bends", "EI", 1.001), test_every_step, **TOUCHING),
+    Fault("weight 0.1 % high", gravity(1.001), test_every_step, **LEAVING),
+    Fault("dampers 0.1 % high", rider_scaled("damping", 1.001), test_every_step, **LEAVING),
+    Fault("no friction", spoiled(running=without_friction), test_every_step, **TOUCHING),
+]  # fmt: skip
