@@ -379,7 +379,9 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
                     (0..self.islands.len()).for_each(|island| steps.wire_forces(island, grid));
                     // Displacements are those of the saved state, of the nodes that it knew.
                     let now = grid.steps;
-                    grid.found.iter_mut().for_each(|step| *step = now.max(*step));
+                    grid.found
+                        .iter_mut()
+                        .for_each(|step| *step = now.max(*step));
                 }
             }
         }

@@ -11,7 +11,7 @@ use crate::error::CoreError;
 /// Static solver of a line, with the kinematics of its steps.
 pub(in crate::dynamics) enum StaticLine<'a, const DIM: usize, const D: usize> {
     /// Linearised about the equilibrium without contact forces.
-    Linear(Still<'a, DIM, D>),
+    Linear(Box<Still<'a, DIM, D>>),
     /// Formed at every position, with lanes at rest.
     Updated(&'a UpdatedGeometry<DIM, D>, &'a [Path<DIM>]),
 }
@@ -22,7 +22,7 @@ impl<'a, const DIM: usize, const D: usize> StaticLine<'a, DIM, D> {
     pub fn new(p: &'a Prepared<DIM, D>) -> Result<Self, CoreError> {
         Ok(match &p.integrator {
             Integrator::UpdatedGeometry(_, now) => Self::Updated(now, &p.lanes),
-            _ => Self::Linear(Still::of(p)?),
+            _ => Self::Linear(Box::new(Still::of(p)?)),
         })
     }
 
