@@ -7,11 +7,11 @@
 #[path = "../tests/common/mod.rs"]
 mod common;
 
-use arcless_core::dynamics::live::{Begin, Collector, Live};
-use arcless_core::dynamics::stepper::Prepared;
+use arcless_core::integrator::prepared::Prepared;
 use arcless_core::lcp::LcpSolver;
 use arcless_core::linalg::BlockLdl;
 use arcless_core::scheme::Scheme;
+use arcless_core::session::{Begin, Collector, Live};
 use arcless_core::structure::Structure;
 use common::chain::lumped;
 use common::space::staggered;

@@ -4,8 +4,8 @@
 #[path = "../tests/common/mod.rs"]
 mod common;
 
-use arcless_core::dynamics::columns::Columns;
-use arcless_core::dynamics::stepper::Prepared;
+use arcless_core::constraint::columns::Columns;
+use arcless_core::integrator::prepared::Prepared;
 use arcless_core::lcp::LcpSolver;
 use arcless_core::linalg::BlockLdl;
 use arcless_core::scheme::Scheme;

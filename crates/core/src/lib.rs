@@ -3,26 +3,39 @@
 //! The arrow of the core:
 //!
 //! ```text
-//! Structure ─→ Geometry ─→ shape (static equilibrium) ─→ Line (linearised) ─→ Prepared ─→ Record
+//! Structure ─→ Geometry ─→ shape (static equilibrium) ─→ Line (linearised) ─→ Prepared ─step─→ Record
 //! ```
 //!
 //! * [`structure`] — wires, links, springs and masses as plain data;
 //! * [`statics`] — positions from lengths, or lengths from positions;
-//! * [`dynamics`] — steps about the equilibrium, everything unilateral in one [`lcp`] per step;
-//! * [`element`], [`linalg`], [`scheme`] — what these are made of;
-//! * [`filter`] — recursive filters for what was recorded.
+//! * [`linear`] — matrices about the equilibrium, static response, natural frequencies;
+//! * [`slideline`] — wires that contacts run along;
+//! * [`pantograph`] — what travels along them;
+//! * [`constraint`] — contacts, slack links and stops: one [`lcp`] per step;
+//! * [`integrator`] — how wires take a step, and the ledger of energies;
+//! * [`simulation`] — model, state, and the [step](simulation::step::step) between two states; runs;
+//! * [`session`] — steps one by one, driven from outside;
+//! * [`element`], [`linalg`], [`scheme`], [`flexibility`] — what these are made of;
+//! * [`filter`] — recursive filters for what was recorded; [`checkpoint`] — states as plain numbers.
 //!
 //! `DIM` is the number of components of space (2 or 3), `D` the unknowns of a node: `2·DIM` (position
 //! and slope) where wires are Hermite elements, `DIM` where they are chains of point masses.
 
-pub mod dynamics;
+pub mod checkpoint;
+pub mod constraint;
 pub mod element;
 pub mod error;
 pub mod filter;
 pub mod flexibility;
+pub mod integrator;
 pub mod lcp;
 pub mod linalg;
+pub mod linear;
+pub mod pantograph;
 pub mod scheme;
+pub mod session;
+pub mod simulation;
+pub mod slideline;
 pub mod statics;
 pub mod structure;
 mod structure_check;

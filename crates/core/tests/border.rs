@@ -3,13 +3,13 @@
 use crate::common;
 
 use arcless_core::CoreError;
-use arcless_core::dynamics::actuator::Actuator;
-use arcless_core::dynamics::given::History;
-use arcless_core::dynamics::line::Line;
-use arcless_core::dynamics::path::Path;
-use arcless_core::dynamics::stepper::Prepared;
-use arcless_core::dynamics::still::Still;
+use arcless_core::integrator::prepared::Prepared;
+use arcless_core::linear::model::Line;
+use arcless_core::linear::static_response::Still;
+use arcless_core::pantograph::actuator::Actuator;
+use arcless_core::pantograph::excitation::History;
 use arcless_core::scheme::Scheme;
+use arcless_core::slideline::Path;
 use arcless_core::statics::Geometry;
 use arcless_core::structure::{Spring, SpringMode, Strut};
 use common::lanes::{At, STRING, lined, strings};

@@ -2,10 +2,10 @@
 
 use crate::common;
 
-use arcless_core::dynamics::ledger::Entries;
-use arcless_core::dynamics::record::Record;
-use arcless_core::dynamics::still::Still;
+use arcless_core::integrator::energy::implicit::Entries;
+use arcless_core::linear::static_response::Still;
 use arcless_core::scheme::Scheme;
+use arcless_core::simulation::recording::record::Record;
 use arcless_core::structure::Rayleigh;
 use common::{Single, difference, everything, free_mass, peak, run, three_masses, travel};
 use std::f64::consts::PI;

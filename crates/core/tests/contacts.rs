@@ -3,12 +3,12 @@
 use crate::common;
 
 use arcless_core::CoreError;
-use arcless_core::dynamics::record::Record;
-use arcless_core::dynamics::rider::Rider;
-use arcless_core::dynamics::stepper::Prepared;
-use arcless_core::dynamics::still::Still;
-use arcless_core::dynamics::strip::Strip;
+use arcless_core::integrator::prepared::Prepared;
+use arcless_core::linear::static_response::Still;
+use arcless_core::pantograph::strip::Strip;
+use arcless_core::pantograph::system::Rider;
 use arcless_core::scheme::Scheme;
+use arcless_core::simulation::recording::record::Record;
 use common::lanes::{At, STRING, lined, strings};
 use common::{Single, difference, everything, free_mass, peak, run, three_masses, travel};
 

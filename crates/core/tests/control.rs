@@ -3,11 +3,11 @@
 use crate::common;
 
 use arcless_core::CoreError;
-use arcless_core::dynamics::actuator::{Actuator, Sample};
-use arcless_core::dynamics::given::History;
-use arcless_core::dynamics::record::Record;
-use arcless_core::dynamics::rider::Rider;
+use arcless_core::pantograph::actuator::{Actuator, Sample};
+use arcless_core::pantograph::excitation::History;
+use arcless_core::pantograph::system::Rider;
 use arcless_core::scheme::Scheme;
+use arcless_core::simulation::recording::record::Record;
 use common::{difference, everything, three_masses, travel};
 
 fn controlled(

@@ -83,7 +83,7 @@ fn explicit_steps_in_a_curve_follow_those_of_a_matrix() {
     let (s, path) = curved([0.45, 0.6]);
     let chain = lumped(&s);
     let travel = travel(60.0, 160.0, 275.0 / 3.6, STEP);
-    let plan = arcless_core::dynamics::record::RecordPlan {
+    let plan = arcless_core::simulation::recording::record::RecordPlan {
         ledger: false,
         ..common::everything()
     };

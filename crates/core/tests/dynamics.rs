@@ -2,9 +2,9 @@
 
 use crate::common;
 
-use arcless_core::dynamics::line::Line;
-use arcless_core::dynamics::path::Path;
 use arcless_core::linalg::dense::tridiagonal_eigenvalues;
+use arcless_core::linear::model::Line;
+use arcless_core::slideline::Path;
 use arcless_core::statics::Geometry;
 use common::Single;
 use common::space::in_space;

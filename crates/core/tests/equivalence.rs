@@ -3,13 +3,13 @@
 
 use crate::common;
 
-use arcless_core::dynamics::columns::Columns;
-use arcless_core::dynamics::line::Line;
-use arcless_core::dynamics::path::Path;
-use arcless_core::dynamics::record::{Record, RecordPlan};
-use arcless_core::dynamics::stepper::Prepared;
+use arcless_core::constraint::columns::Columns;
+use arcless_core::integrator::prepared::Prepared;
 use arcless_core::linalg::{BlockLdl, SymmetricBlocks, dense};
+use arcless_core::linear::model::Line;
 use arcless_core::scheme::Scheme;
+use arcless_core::simulation::recording::record::{Record, RecordPlan};
+use arcless_core::slideline::Path;
 use arcless_core::statics::Geometry;
 use arcless_core::structure::Structure;
 use common::space::in_space;

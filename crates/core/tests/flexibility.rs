@@ -2,12 +2,12 @@
 
 use crate::common;
 
-use arcless_core::dynamics::live::{Begin, Collector, Live};
-use arcless_core::dynamics::rider::Rider;
-use arcless_core::dynamics::stepper::Prepared;
-use arcless_core::dynamics::still::Still;
-use arcless_core::dynamics::strip::Strip;
+use arcless_core::integrator::prepared::Prepared;
+use arcless_core::linear::static_response::Still;
+use arcless_core::pantograph::strip::Strip;
+use arcless_core::pantograph::system::Rider;
 use arcless_core::scheme::Scheme;
+use arcless_core::session::{Begin, Collector, Live};
 use arcless_core::statics::{Alteration, Geometry, Shape};
 use arcless_core::structure::Structure;
 use common::{

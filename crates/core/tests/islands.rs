@@ -3,18 +3,18 @@
 use crate::common::{everything, simple_line, three_masses};
 use crate::resume::{bits, compare, part, sums};
 
-use arcless_core::dynamics::checkpoint::Checkpoint;
-use arcless_core::dynamics::line::Line;
-use arcless_core::dynamics::loads::Load;
-use arcless_core::dynamics::near::{Near, Ordered};
-use arcless_core::dynamics::path::Path;
-use arcless_core::dynamics::record::RecordPlan;
-use arcless_core::dynamics::run::Part;
-use arcless_core::dynamics::run::Travel;
-use arcless_core::dynamics::stepper::Prepared;
+use arcless_core::checkpoint::Checkpoint;
+use arcless_core::integrator::prepared::Prepared;
 use arcless_core::linalg::SymmetricBlocks;
 use arcless_core::linalg::islands::islands;
+use arcless_core::linear::loads::Load;
+use arcless_core::linear::model::Line;
 use arcless_core::scheme::Scheme;
+use arcless_core::simulation::recording::record::RecordPlan;
+use arcless_core::simulation::recording::window::{Near, Ordered};
+use arcless_core::simulation::run::Part;
+use arcless_core::simulation::run::Travel;
+use arcless_core::slideline::Path;
 use arcless_core::statics::Geometry;
 use arcless_core::structure::Structure;
 

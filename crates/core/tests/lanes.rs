@@ -2,7 +2,7 @@
 
 use crate::common;
 
-use arcless_core::dynamics::path::Path;
+use arcless_core::slideline::Path;
 use arcless_core::statics::Geometry;
 use common::lanes::STRING;
 

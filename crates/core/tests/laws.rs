@@ -3,14 +3,14 @@
 use crate::common;
 
 use arcless_core::CoreError;
-use arcless_core::dynamics::given::{Ground, History};
-use arcless_core::dynamics::kink::Motion;
-use arcless_core::dynamics::law::Law;
-use arcless_core::dynamics::record::Record;
-use arcless_core::dynamics::rider::Rider;
-use arcless_core::dynamics::stop::Stop;
-use arcless_core::dynamics::strip::Strip;
+use arcless_core::pantograph::breakpoint::Motion;
+use arcless_core::pantograph::bump_stop::Stop;
+use arcless_core::pantograph::excitation::{Ground, History};
+use arcless_core::pantograph::piecewise_force::Law;
+use arcless_core::pantograph::strip::Strip;
+use arcless_core::pantograph::system::Rider;
 use arcless_core::scheme::Scheme;
+use arcless_core::simulation::recording::record::Record;
 use common::{difference, everything, free_mass, run, three_masses, travel};
 use std::f64::consts::PI;
 

@@ -2,9 +2,9 @@
 
 use crate::common;
 
-use arcless_core::dynamics::ledger::Entries;
-use arcless_core::dynamics::record::Record;
+use arcless_core::integrator::energy::implicit::Entries;
 use arcless_core::scheme::Scheme;
+use arcless_core::simulation::recording::record::Record;
 use arcless_core::structure::Structure;
 use common::{everything, run, three_masses, travel};
 

@@ -3,10 +3,10 @@
 use crate::common;
 
 use arcless_core::CoreError;
-use arcless_core::dynamics::loads::Load;
-use arcless_core::dynamics::record::Record;
-use arcless_core::dynamics::run::Travel;
+use arcless_core::linear::loads::Load;
 use arcless_core::scheme::Scheme;
+use arcless_core::simulation::recording::record::Record;
+use arcless_core::simulation::run::Travel;
 use arcless_core::statics::Geometry;
 use common::{Single, everything, free_mass, run, three_masses, travel};
 use std::f64::consts::PI;

@@ -4,10 +4,10 @@
 use crate::common;
 
 use arcless_core::CoreError;
-use arcless_core::dynamics::line::Line;
-use arcless_core::dynamics::record::Record;
-use arcless_core::dynamics::stepper::Prepared;
+use arcless_core::integrator::prepared::Prepared;
+use arcless_core::linear::model::Line;
 use arcless_core::scheme::Scheme;
+use arcless_core::simulation::recording::record::Record;
 use arcless_core::statics::Geometry;
 use arcless_core::structure::Structure;
 use common::chain::{lumped, settled};

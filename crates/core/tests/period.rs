@@ -3,12 +3,12 @@
 use crate::common::Single;
 use crate::common::chain::settled;
 use crate::common::lanes::STRING;
-use arcless_core::dynamics::integrator::WireState;
-use arcless_core::dynamics::line::Line;
-use arcless_core::dynamics::path::Path;
-use arcless_core::dynamics::place::Nodal;
-use arcless_core::dynamics::stepper::Prepared;
+use arcless_core::integrator::WireState;
+use arcless_core::integrator::prepared::Prepared;
+use arcless_core::linear::model::Line;
 use arcless_core::scheme::Scheme;
+use arcless_core::slideline::Path;
+use arcless_core::slideline::point::Nodal;
 use std::f64::consts::PI;
 
 const H: f64 = 1e-3;

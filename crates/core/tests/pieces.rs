@@ -4,12 +4,12 @@ use crate::common::{everything, prepare, simple_line, three_masses};
 use crate::resume::{bits, way};
 
 use arcless_core::CoreError;
-use arcless_core::dynamics::actuator::Sample;
-use arcless_core::dynamics::near::{Near, Ordered};
-use arcless_core::dynamics::record::{Record, RecordPlan};
-use arcless_core::dynamics::run::{Callers, Part};
-use arcless_core::dynamics::stepper::Prepared;
+use arcless_core::integrator::prepared::Prepared;
+use arcless_core::pantograph::actuator::Sample;
 use arcless_core::scheme::Scheme;
+use arcless_core::simulation::recording::record::{Record, RecordPlan};
+use arcless_core::simulation::recording::window::{Near, Ordered};
+use arcless_core::simulation::run::{Callers, Part};
 
 const STEPS: usize = 1030;
 

@@ -2,13 +2,13 @@
 
 use crate::common;
 
-use arcless_core::dynamics::given::{Given, GivenNow, Ground, History};
-use arcless_core::dynamics::record::Record;
-use arcless_core::dynamics::rider::{Rider, RiderState};
-use arcless_core::dynamics::run::Travel;
-use arcless_core::dynamics::stop::Stop;
-use arcless_core::dynamics::strip::Strip;
+use arcless_core::pantograph::bump_stop::Stop;
+use arcless_core::pantograph::excitation::{Given, GivenNow, Ground, History};
+use arcless_core::pantograph::strip::Strip;
+use arcless_core::pantograph::system::{Rider, RiderState};
 use arcless_core::scheme::Scheme;
+use arcless_core::simulation::recording::record::Record;
+use arcless_core::simulation::run::Travel;
 use common::{difference, everything, free_mass, run, three_masses, travel};
 use std::f64::consts::PI;
 

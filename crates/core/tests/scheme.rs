@@ -3,9 +3,9 @@
 use crate::common;
 
 use arcless_core::CoreError;
-use arcless_core::dynamics::given::Given;
-use arcless_core::dynamics::rider::{Rider, RiderState};
-use arcless_core::dynamics::strip::Strip;
+use arcless_core::pantograph::excitation::Given;
+use arcless_core::pantograph::strip::Strip;
+use arcless_core::pantograph::system::{Rider, RiderState};
 use arcless_core::scheme::{AlphaScheme, Scheme};
 use std::f64::consts::TAU;
 

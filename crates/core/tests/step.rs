@@ -2,14 +2,14 @@
 
 use crate::common;
 
-use arcless_core::dynamics::inputs::Inputs;
-use arcless_core::dynamics::loads::Loads;
-use arcless_core::dynamics::model::Model;
-use arcless_core::dynamics::rider::Rider;
-use arcless_core::dynamics::state::State;
-use arcless_core::dynamics::step::step;
-use arcless_core::dynamics::stepper::Prepared;
+use arcless_core::integrator::prepared::Prepared;
+use arcless_core::linear::loads::Loads;
+use arcless_core::pantograph::system::Rider;
 use arcless_core::scheme::Scheme;
+use arcless_core::simulation::inputs::Inputs;
+use arcless_core::simulation::model::Model;
+use arcless_core::simulation::state::State;
+use arcless_core::simulation::step::step;
 use common::{SPAN, everything, prepared, steady, three_masses};
 
 const H: f64 = 1e-3;

@@ -4,15 +4,15 @@
 use crate::common;
 
 use arcless_core::CoreError;
-use arcless_core::dynamics::given::Given;
-use arcless_core::dynamics::line::Line;
-use arcless_core::dynamics::path::Path;
-use arcless_core::dynamics::record::{Record, RecordPlan};
-use arcless_core::dynamics::rider::Rider;
-use arcless_core::dynamics::run::Travel;
-use arcless_core::dynamics::stepper::Prepared;
-use arcless_core::dynamics::strip::Strip;
+use arcless_core::integrator::prepared::Prepared;
+use arcless_core::linear::model::Line;
+use arcless_core::pantograph::excitation::Given;
+use arcless_core::pantograph::strip::Strip;
+use arcless_core::pantograph::system::Rider;
 use arcless_core::scheme::Scheme;
+use arcless_core::simulation::recording::record::{Record, RecordPlan};
+use arcless_core::simulation::run::Travel;
+use arcless_core::slideline::Path;
 use arcless_core::structure::Structure;
 use common::chain::{lumped, settled};
 use common::{Single, orders, simple_line_of, three_masses};

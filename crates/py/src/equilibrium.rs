@@ -4,13 +4,13 @@ use crate::error::convert;
 use crate::prepared::{self, Prepared};
 use crate::structure;
 use arcless_core::CoreError;
-use arcless_core::dynamics::line::Line;
-use arcless_core::dynamics::path::Path;
-use arcless_core::dynamics::stepper;
-use arcless_core::dynamics::still::Still;
 use arcless_core::element::hermite;
+use arcless_core::integrator::prepared::Prepared as PreparedLine;
 use arcless_core::linalg::lanczos::Recurrence;
+use arcless_core::linear::model::Line;
+use arcless_core::linear::static_response::Still;
 use arcless_core::scheme::Scheme;
+use arcless_core::slideline::Path;
 use arcless_core::statics::{Alteration, Geometry, Shape, assembly};
 use numpy::{PyReadonlyArray2, ToPyArray};
 use pyo3::exceptions::PyValueError;
@@ -284,7 +284,7 @@ impl<const DIM: usize, const D: usize> Solved<DIM, D> {
         &self,
         lanes: &[Vec<usize>],
         with: &Stepping,
-    ) -> Result<Arc<stepper::Prepared<DIM, D>>, CoreError> {
+    ) -> Result<Arc<PreparedLine<DIM, D>>, CoreError> {
         let (lanes, h, contact) = (self.lanes(lanes)?, with.step, with.contact_stiffness);
         let (geometry, mut line) = (&self.geometry, self.line());
         if with.period_correction {
@@ -297,14 +297,14 @@ impl<const DIM: usize, const D: usize> Solved<DIM, D> {
             });
         }
         if with.explicit {
-            let p = stepper::Prepared::explicit(geometry, line, lanes, h, contact);
+            let p = PreparedLine::explicit(geometry, line, lanes, h, contact);
             return p.map(Arc::new);
         }
         if with.updated {
-            let p = stepper::Prepared::updated(geometry, line, lanes, with.scheme, h, contact);
+            let p = PreparedLine::updated(geometry, line, lanes, with.scheme, h, contact);
             return p.map(Arc::new);
         }
-        stepper::Prepared::new(line, lanes, with.scheme, h, contact).map(Arc::new)
+        PreparedLine::new(line, lanes, with.scheme, h, contact).map(Arc::new)
     }
 
     fn arrays<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {

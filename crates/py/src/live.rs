@@ -5,9 +5,9 @@ use crate::prepared::{Any, Prepared};
 use crate::records::numbers;
 use crate::riders::{RiderData, rider};
 use arcless_core::CoreError;
-use arcless_core::dynamics::checkpoint::Checkpoint;
-use arcless_core::dynamics::live::{self, Begin, Collector};
-use arcless_core::dynamics::stepper;
+use arcless_core::checkpoint::Checkpoint;
+use arcless_core::integrator::prepared::Prepared as PreparedLine;
+use arcless_core::session::{self, Begin, Collector};
 use numpy::{PyReadonlyArray1, PyReadwriteArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -17,10 +17,10 @@ use std::sync::Arc;
 
 /// A loop on a line in two or three dimensions; see [`Any`].
 enum Loop {
-    Planar(live::Live<2, 4>),
-    Spatial(live::Live<3, 6>),
-    PlanarChain(live::Live<2, 2>),
-    SpatialChain(live::Live<3, 3>),
+    Planar(session::Live<2, 4>),
+    Spatial(session::Live<3, 6>),
+    PlanarChain(session::Live<2, 2>),
+    SpatialChain(session::Live<3, 3>),
 }
 
 /// Call a method of whichever variant is there.
@@ -53,7 +53,7 @@ fn begin((position, speed, friction): BeginData) -> Begin {
     }
 }
 
-type Made<const DIM: usize, const D: usize> = Result<live::Live<DIM, D>, CoreError>;
+type Made<const DIM: usize, const D: usize> = Result<session::Live<DIM, D>, CoreError>;
 
 #[pymethods]
 impl Live {
@@ -71,12 +71,12 @@ impl Live {
         let collectors = collectors.map(|(behind, half_width)| Collector { behind, half_width });
         let collectors: Vec<Collector> = collectors.collect();
         fn make<const DIM: usize, const D: usize>(
-            p: &Arc<stepper::Prepared<DIM, D>>,
+            p: &Arc<PreparedLine<DIM, D>>,
             collectors: Vec<Collector>,
             forces: &[f64],
             start: BeginData,
         ) -> Made<DIM, D> {
-            live::Live::with_forces(p.clone(), collectors, forces, begin(start))
+            session::Live::with_forces(p.clone(), collectors, forces, begin(start))
         }
         let found = py.detach(|| match &line.0 {
             Any::Planar(p) => make(p, collectors, &forces, start).map(Loop::Planar),
@@ -98,11 +98,11 @@ impl Live {
     ) -> PyResult<Self> {
         let riders = riders.into_iter().map(|data| rider(data).0).collect();
         fn make<const DIM: usize, const D: usize>(
-            p: &Arc<stepper::Prepared<DIM, D>>,
-            (riders, distances): (Vec<arcless_core::dynamics::rider::Rider>, Vec<f64>),
+            p: &Arc<PreparedLine<DIM, D>>,
+            (riders, distances): (Vec<arcless_core::pantograph::system::Rider>, Vec<f64>),
             start: BeginData,
         ) -> Made<DIM, D> {
-            live::Live::with_riders(p.clone(), riders, distances, begin(start))
+            session::Live::with_riders(p.clone(), riders, distances, begin(start))
         }
         let what = (riders, distances);
         let found = py.detach(|| match &line.0 {

@@ -4,14 +4,14 @@ use crate::error::convert;
 use crate::records::{arrays, numbers, read_plan};
 use crate::riders::{RiderData, rider};
 use arcless_core::CoreError;
-use arcless_core::dynamics::actuator::Sample;
-use arcless_core::dynamics::checkpoint::Checkpoint;
-use arcless_core::dynamics::loads::Load;
-use arcless_core::dynamics::record::Record;
-use arcless_core::dynamics::rider::Rider;
-use arcless_core::dynamics::run::Travel;
-use arcless_core::dynamics::run::{Callers, Part};
-use arcless_core::dynamics::stepper;
+use arcless_core::checkpoint::Checkpoint;
+use arcless_core::integrator::prepared::Prepared as PreparedLine;
+use arcless_core::linear::loads::Load;
+use arcless_core::pantograph::actuator::Sample;
+use arcless_core::pantograph::system::Rider;
+use arcless_core::simulation::recording::record::Record;
+use arcless_core::simulation::run::Travel;
+use arcless_core::simulation::run::{Callers, Part};
 use numpy::{PyArrayLike1, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -21,13 +21,13 @@ use std::sync::Arc;
 /// Prepared line in two or three dimensions.
 pub enum Any {
     /// Along and up, Hermite elements.
-    Planar(Arc<stepper::Prepared<2, 4>>),
+    Planar(Arc<PreparedLine<2, 4>>),
     /// Along, across and up, Hermite elements.
-    Spatial(Arc<stepper::Prepared<3, 6>>),
+    Spatial(Arc<PreparedLine<3, 6>>),
     /// Along and up, chains of point masses.
-    PlanarChain(Arc<stepper::Prepared<2, 2>>),
+    PlanarChain(Arc<PreparedLine<2, 2>>),
     /// Along, across and up, chains of point masses.
-    SpatialChain(Arc<stepper::Prepared<3, 3>>),
+    SpatialChain(Arc<PreparedLine<3, 3>>),
 }
 
 /// Call a method of whichever variant is there.

@@ -1,9 +1,9 @@
 //! What a run records: the plan that comes from Python, and the arrays that go there.
 
-use arcless_core::dynamics::checkpoint::Checkpoint;
-use arcless_core::dynamics::ledger::Entries;
-use arcless_core::dynamics::near::{Near, Ordered};
-use arcless_core::dynamics::record::{Record, RecordPlan};
+use arcless_core::checkpoint::Checkpoint;
+use arcless_core::integrator::energy::implicit::Entries;
+use arcless_core::simulation::recording::record::{Record, RecordPlan};
+use arcless_core::simulation::recording::window::{Near, Ordered};
 use numpy::{IntoPyArray, ToPyArray};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;

@@ -1,12 +1,12 @@
 //! Riders as they come from Python.
 
-use arcless_core::dynamics::actuator::Actuator;
-use arcless_core::dynamics::given::{Given, Ground, History};
-use arcless_core::dynamics::kink::Motion;
-use arcless_core::dynamics::law::Law;
-use arcless_core::dynamics::rider::Rider;
-use arcless_core::dynamics::stop::Stop;
-use arcless_core::dynamics::strip::Strip;
+use arcless_core::pantograph::actuator::Actuator;
+use arcless_core::pantograph::breakpoint::Motion;
+use arcless_core::pantograph::bump_stop::Stop;
+use arcless_core::pantograph::excitation::{Given, Ground, History};
+use arcless_core::pantograph::piecewise_force::Law;
+use arcless_core::pantograph::strip::Strip;
+use arcless_core::pantograph::system::Rider;
 use pyo3::prelude::*;
 
 /// One rider as it comes from Python: mass, damping, stiffness matrices by rows; strips; preload, lift

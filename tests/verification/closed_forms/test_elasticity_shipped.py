@@ -5,7 +5,7 @@ arms, clamps. What is compared is the influence of the elements: they round the 
 over their own length, and come out stiffer by up to (√2/24) h/T, 4 µm/N with cubic elements of
 1.45 m, a hundredth in the middle of a span and a fiftieth at a support. Chains of explicit steps
 have points that yield as those of the wire do, and what they lack between points is added
-(`crates/core/src/dynamics/rounded.rs`): no length of an element is left in them.
+(`crates/core/src/slideline/smoothed_segment.rs`): no length of an element is left in them.
 
 A rule of thumb for simple lines has e = L/(k (T_c + T_m)) in the middle of a span, k between 3.5
 and 4 (mark C, from memory). An independent program for straight wires, whose droppers and supports

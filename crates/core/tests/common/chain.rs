@@ -1,9 +1,9 @@
 //! The same wires as chains of point masses.
 
 use arcless_core::CoreError;
-use arcless_core::dynamics::line::Line;
-use arcless_core::dynamics::path::Path;
-use arcless_core::dynamics::stepper::Prepared;
+use arcless_core::integrator::prepared::Prepared;
+use arcless_core::linear::model::Line;
+use arcless_core::slideline::Path;
 use arcless_core::statics::{Geometry, Shape};
 use arcless_core::structure::{Bend, Segment, Structure};
 

@@ -1,10 +1,10 @@
 //! Straight wires without weight, side by side or one behind the other.
 
 use super::Single;
-use arcless_core::dynamics::line::Line;
-use arcless_core::dynamics::path::Path;
-use arcless_core::dynamics::stepper::Prepared;
+use arcless_core::integrator::prepared::Prepared;
+use arcless_core::linear::model::Line;
 use arcless_core::scheme::Scheme;
+use arcless_core::slideline::Path;
 use arcless_core::statics::Geometry;
 use arcless_core::structure::Structure;
 

@@ -8,11 +8,11 @@ use crate::common::{everything, run, simple_line_of, three_masses, travel};
 use crate::islands::{near, way};
 use crate::resume::{compare, part};
 use arcless_core::CoreError;
-use arcless_core::dynamics::ledger::Entries;
-use arcless_core::dynamics::loads::Load;
-use arcless_core::dynamics::record::{Record, RecordPlan};
-use arcless_core::dynamics::run::Part;
-use arcless_core::dynamics::stepper::Prepared;
+use arcless_core::integrator::energy::implicit::Entries;
+use arcless_core::integrator::prepared::Prepared;
+use arcless_core::linear::loads::Load;
+use arcless_core::simulation::recording::record::{Record, RecordPlan};
+use arcless_core::simulation::run::Part;
 
 const SPEED: f64 = 320.0 / 3.6;
 const H: f64 = 1e-3;

@@ -8,7 +8,7 @@
 use super::{Chain, prepare, seen_wire};
 use crate::common::Single;
 use arcless_core::CoreError;
-use arcless_core::dynamics::place::Nodal;
+use arcless_core::slideline::point::Nodal;
 use arcless_core::structure::Rayleigh;
 
 const STRING: Single = Single {

@@ -4,7 +4,7 @@
 use super::{Chain, every, explicit, implicit, pass, plan, way};
 use crate::common::chain::lumped;
 use crate::common::{Single, difference, peak};
-use arcless_core::dynamics::loads::Load;
+use arcless_core::linear::loads::Load;
 use arcless_core::structure::{Link, Rayleigh, Segment, Spring, SpringMode};
 use std::f64::consts::PI;
 

@@ -4,7 +4,7 @@ use super::{Chain, every, explicit, fitted, pass, plan, way};
 use crate::common::chain::lumped;
 use crate::common::simple_line_of;
 use crate::common::space::staggered;
-use arcless_core::dynamics::record::Record;
+use arcless_core::simulation::recording::record::Record;
 use arcless_core::structure::{Spring, SpringMode};
 
 fn rms(values: impl Iterator<Item = f64>) -> f64 {

@@ -5,9 +5,9 @@ use crate::common::chain::lumped;
 use crate::common::space::staggered;
 use crate::common::{SPAN, difference, peak, simple_line_of, three_masses};
 use allocation_counter::measure;
-use arcless_core::dynamics::live::{Begin, Collector, Live};
-use arcless_core::dynamics::record::Record;
-use arcless_core::dynamics::stepper::Prepared;
+use arcless_core::integrator::prepared::Prepared;
+use arcless_core::session::{Begin, Collector, Live};
+use arcless_core::simulation::recording::record::Record;
 use std::sync::Arc;
 
 const H: f64 = 1e-3;

@@ -14,12 +14,12 @@ mod waves;
 use crate::common::chain::{self, lumped, settled, yielding};
 use crate::common::{Single, steady, three_masses};
 use arcless_core::CoreError;
-use arcless_core::dynamics::line::Line;
-use arcless_core::dynamics::path::Path;
-use arcless_core::dynamics::record::{Record, RecordPlan};
-use arcless_core::dynamics::run::Travel;
-use arcless_core::dynamics::stepper::Prepared;
+use arcless_core::integrator::prepared::Prepared;
+use arcless_core::linear::model::Line;
 use arcless_core::scheme::Scheme;
+use arcless_core::simulation::recording::record::{Record, RecordPlan};
+use arcless_core::simulation::run::Travel;
+use arcless_core::slideline::Path;
 use arcless_core::statics::{Geometry, Shape};
 use arcless_core::structure::{Spring, SpringMode, Structure};
 

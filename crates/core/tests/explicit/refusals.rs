@@ -4,9 +4,9 @@ use super::{Chain, WIRE, prepare, seen_wire};
 use crate::common::chain::settled;
 use crate::common::simple_line;
 use arcless_core::CoreError;
-use arcless_core::dynamics::line::Line;
-use arcless_core::dynamics::path::Path;
-use arcless_core::dynamics::stepper::Prepared;
+use arcless_core::integrator::prepared::Prepared;
+use arcless_core::linear::model::Line;
+use arcless_core::slideline::Path;
 use arcless_core::structure::{Link, Rayleigh};
 
 const STEP: f64 = 1e-3;

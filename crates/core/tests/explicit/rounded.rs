@@ -17,10 +17,10 @@
 use super::{Chain, WIRE, angular, explicit, pass, plan, seen, stiffer, way};
 use crate::common::chain::lumped;
 use crate::common::{Single, peak};
-use arcless_core::dynamics::live::{Begin, Collector, Live};
-use arcless_core::dynamics::path::Path;
-use arcless_core::dynamics::stepper::Prepared;
-use arcless_core::dynamics::still::Still;
+use arcless_core::integrator::prepared::Prepared;
+use arcless_core::linear::static_response::Still;
+use arcless_core::session::{Begin, Collector, Live};
+use arcless_core::slideline::Path;
 use arcless_core::statics::{Geometry, Shape};
 use std::sync::Arc;
 

@@ -18,7 +18,7 @@
 
 use super::{explicit, seen_wire, stiffer};
 use crate::common::{Single, orders};
-use arcless_core::dynamics::place::Nodal;
+use arcless_core::slideline::point::Nodal;
 use std::f64::consts::PI;
 
 const WIRE: Single = Single {

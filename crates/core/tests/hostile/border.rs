@@ -3,10 +3,10 @@
 use super::feed::Feed;
 use super::finite::{assert_finite, told};
 use super::{motion, stepping, structure};
-use arcless_core::dynamics::line::Line;
-use arcless_core::dynamics::path::Path;
-use arcless_core::dynamics::stepper::Prepared;
-use arcless_core::dynamics::still::Still;
+use arcless_core::integrator::prepared::Prepared;
+use arcless_core::linear::model::Line;
+use arcless_core::linear::static_response::Still;
+use arcless_core::slideline::Path;
 use arcless_core::statics::{Alteration, Geometry, Shape};
 
 /// How far an input came.

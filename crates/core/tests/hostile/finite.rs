@@ -1,7 +1,7 @@
 //! What may come back over the border: errors with a text, and finite numbers.
 
 use arcless_core::CoreError;
-use arcless_core::dynamics::record::Record;
+use arcless_core::simulation::recording::record::Record;
 
 /// Nothing when there is an error; its text must be there all the same.
 pub fn told<T>(found: Result<T, CoreError>) -> Option<T> {

@@ -1,10 +1,10 @@
 //! Scheme, travel and what is recorded, from a few decisions.
 
 use super::feed::Feed;
-use arcless_core::dynamics::loads::Load;
-use arcless_core::dynamics::record::RecordPlan;
-use arcless_core::dynamics::run::Travel;
+use arcless_core::linear::loads::Load;
 use arcless_core::scheme::Scheme;
+use arcless_core::simulation::recording::record::RecordPlan;
+use arcless_core::simulation::run::Travel;
 
 /// Instants of a run at most; short, so that many runs fit into a minute.
 const MOST_INSTANTS: usize = 24;

@@ -1,13 +1,13 @@
 //! Sound riders from a few decisions, and what is spoilt in them.
 
 use super::feed::Feed;
-use arcless_core::dynamics::actuator::Actuator;
-use arcless_core::dynamics::given::{Given, Ground, History};
-use arcless_core::dynamics::kink::Motion;
-use arcless_core::dynamics::law::Law;
-use arcless_core::dynamics::rider::Rider;
-use arcless_core::dynamics::stop::Stop;
-use arcless_core::dynamics::strip::Strip;
+use arcless_core::pantograph::actuator::Actuator;
+use arcless_core::pantograph::breakpoint::Motion;
+use arcless_core::pantograph::bump_stop::Stop;
+use arcless_core::pantograph::excitation::{Given, Ground, History};
+use arcless_core::pantograph::piecewise_force::Law;
+use arcless_core::pantograph::strip::Strip;
+use arcless_core::pantograph::system::Rider;
 
 /// Chains of one to three masses with one or two strips, for a run of so many instants.
 pub fn rider(feed: &mut Feed<'_>, instants: usize) -> Rider {

@@ -4,10 +4,10 @@ use super::feed::Feed;
 use super::finite::check;
 use super::{motion, riders};
 use arcless_core::CoreError;
-use arcless_core::dynamics::checkpoint::Checkpoint;
-use arcless_core::dynamics::rider::Rider;
-use arcless_core::dynamics::run::Part;
-use arcless_core::dynamics::stepper::Prepared;
+use arcless_core::checkpoint::Checkpoint;
+use arcless_core::integrator::prepared::Prepared;
+use arcless_core::pantograph::system::Rider;
+use arcless_core::simulation::run::Part;
 
 pub fn run<const DIM: usize, const D: usize>(
     feed: &mut Feed<'_>,

@@ -1,0 +1,9 @@
+//! Ledger of energies of a run.
+
+pub(crate) mod contact_energy;
+pub mod entries;
+pub mod explicit;
+pub(crate) mod explicit_contacts;
+pub(crate) mod explicit_links;
+pub mod implicit;
+pub(crate) mod ledgers;

@@ -1,0 +1,89 @@
+//! Kinetic energy of points whose forces are filtered.
+
+/// The factor L D Lᵀ of M/h² + E in one direction across, both below the diagonal, and 1/D.
+#[derive(Debug, Clone, Default)]
+pub(in crate::integrator::explicit::energy) struct Filtered {
+    below: Vec<[f64; 2]>,
+    inverse: Vec<f64>,
+}
+
+impl Filtered {
+    pub fn new(weight: &[f64], filter: &[f64], second: &[f64]) -> Self {
+        let n = weight.len();
+        let mut a = vec![[0.0; 3]; n + 2];
+        for (k, weight) in weight.iter().enumerate() {
+            a[k][0] += if *weight > 0.0 { *weight } else { 1.0 };
+        }
+        // Rows of what does not move are those of the unit matrix.
+        let is_free = |k: usize| k < n && weight[k] > 0.0;
+        let mut add = |i: usize, j: usize, value: f64| {
+            if is_free(i) && is_free(j) {
+                a[i.min(j)][i.abs_diff(j)] += if i == j { value } else { 0.5 * value };
+            }
+        };
+        for k in 0..n {
+            for (i, x) in [(k, 1.0), (k + 1, -1.0)] {
+                for (j, z) in [(k, 1.0), (k + 1, -1.0)] {
+                    add(i, j, filter[k] * x * z);
+                }
+            }
+            if second[k] == 0.0 {
+                continue;
+            }
+            let around = [(k - 1, 1.0), (k, -2.0), (k + 1, 1.0)];
+            for (i, x) in around {
+                for (j, z) in around {
+                    add(i, j, second[k] * x * z);
+                }
+            }
+        }
+        let (mut below, mut pivots) = (vec![[0.0; 2]; n], vec![0.0; n]);
+        for k in 0..n {
+            let (mut near, mut far) = (0.0, 0.0);
+            let mut pivot = a[k][0];
+            if k > 1 {
+                far = a[k - 2][2] / pivots[k - 2];
+                pivot -= far * far * pivots[k - 2];
+            }
+            if k > 0 {
+                let more = if k > 1 {
+                    far * pivots[k - 2] * below[k - 1][0]
+                } else {
+                    0.0
+                };
+                near = (a[k - 1][1] - more) / pivots[k - 1];
+                pivot -= near * near * pivots[k - 1];
+            }
+            (below[k], pivots[k]) = ([near, far], pivot);
+        }
+        Self {
+            below,
+            inverse: pivots.into_iter().map(|pivot| 1.0 / pivot).collect(),
+        }
+    }
+}
+
+/// ½ dᵀ M* d/h² of all directions, with (M/h² + E) x = M d/h² and M* d/h² = M x/h²: so it is half of bᵀ (L D Lᵀ)⁻¹ b.
+///
+/// Both directions in one loop: each number waits for the one before it.
+#[inline(always)]
+pub(in crate::integrator::explicit::energy) fn energy(
+    filtered: &[Filtered; 2],
+    weight: &[Vec<f64>; 2],
+    d: &[Vec<f64>; 2],
+) -> f64 {
+    let (mut sums, mut last) = ([0.0; 2], [[0.0; 2]; 2]);
+    let mut go = |c: usize, k: usize| {
+        let [near, far] = filtered[c].below[k];
+        let b = weight[c][k] * d[c][k] - far * last[c][1] - near * last[c][0];
+        sums[c] += b * b * filtered[c].inverse[k];
+        last[c] = [b, last[c][0]];
+    };
+    let both = d[0].len().min(d[1].len());
+    for k in 0..both {
+        go(0, k);
+        go(1, k);
+    }
+    (both..d[0].len()).for_each(|k| go(0, k));
+    0.5 * (sums[0] + sums[1])
+}

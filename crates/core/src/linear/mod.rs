@@ -1,0 +1,8 @@
+//! The line linearised about its equilibrium: matrices, static response, natural frequencies.
+
+pub(crate) mod dispersion;
+pub(crate) mod elasticity;
+pub mod loads;
+pub mod model;
+pub(crate) mod natural_frequencies;
+pub mod static_response;

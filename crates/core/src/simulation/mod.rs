@@ -1,0 +1,15 @@
+//! A run: model, state, and the step between two states.
+
+pub(crate) mod control;
+pub(crate) mod initial_equilibrium;
+pub mod inputs;
+pub(crate) mod load_sharing;
+pub mod model;
+pub mod recording;
+pub mod run;
+pub(crate) mod saved;
+pub mod sleep;
+pub(crate) mod solve_constraints;
+pub(crate) mod start;
+pub mod state;
+pub mod step;
