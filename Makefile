@@ -51,7 +51,7 @@ test: build ## run every test: the Rust core, then the Python package
 
 peers: $(PEERS)/.packages ## install the other programs, those that can be, and compare with them
 	PYTHONPATH="$(CURDIR)/python" $(PEERS)/bin/python -m pytest $(ON_ALL_CORES) \
-	tests/verification/peers tests/faults/peers \
+	tests/verification/peers \
 	|| test $$? -eq 5 # none of them is here: every comparison was skipped
 
 evidence: build ## run every check, the slow ones too, and write the pages of docs/validation
@@ -62,12 +62,12 @@ evidence: build ## run every check, the slow ones too, and write the pages of do
 fuzz: build ## look for input that breaks something, for SECONDS (600) each target
 	@command -v c++ >/dev/null || { echo 'make fuzz: a C++ compiler is missing, which libFuzzer needs'; exit 1; }
 	$(FUZZING) cargo build --release --manifest-path $(FUZZ)/Cargo.toml --target $(HOST) --target-dir target/fuzz
-	@mkdir -p target/fuzz/kept
+	@$(BIN)/python -m tests.hostile.corpus unpack target/fuzz/corpus
 	@for target in border lcp; do \
 	mkdir -p target/fuzz/kept/$$target; \
 	echo "Fuzzing $$target for $(SECONDS) s; what is found stays in target/fuzz"; \
 	target/fuzz/$(HOST)/release/$$target -max_total_time=$(SECONDS) -timeout=20 -max_len=256 -len_control=0 \
-	-verbosity=0 -artifact_prefix=target/fuzz/$$target- target/fuzz/kept/$$target $(FUZZ)/corpus/$$target || exit 1; done
+	-verbosity=0 -artifact_prefix=target/fuzz/$$target- target/fuzz/kept/$$target target/fuzz/corpus/$$target || exit 1; done
 	ARCLESS_SEARCH=20 $(BIN)/python -m pytest -m "" tests/hostile
 	OPENBLAS_NUM_THREADS=1 $(BIN)/python -m tests.hostile.campaign --seconds $(SECONDS)
 

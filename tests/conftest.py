@@ -1,15 +1,12 @@
-"""Fixtures of the evidence: `evidence` for verification files, `noticed` for their partners."""
+"""The fixture `evidence` of verification files."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
-from arcless.validate.evidence import Noticed
 from tests.support import records
-from tests.support.evidence import Evidence, OutsideError
-
-Check = Callable[..., None]
+from tests.support.evidence import Evidence
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -31,14 +28,11 @@ def pytest_runtest_makereport(item: pytest.Item, call: pytest.CallInfo[None]) ->
     yield
 
 
-def _is_slow(request: pytest.FixtureRequest) -> bool:
-    return request.node.get_closest_marker("evidence") is not None
-
-
 @pytest.fixture
 def evidence(request: pytest.FixtureRequest) -> Iterator[Evidence]:
     """Collect the values of a verification test; compare them with their record, or write it."""
-    found = Evidence(request.node.name, _is_slow(request))
+    slow = request.node.get_closest_marker("evidence") is not None
+    found = Evidence(request.node.name, slow)
     yield found
     if request.node.stash.get(FAILED, True):
         return  # what was not finished is not recorded
@@ -48,34 +42,3 @@ def evidence(request: pytest.FixtureRequest) -> Iterator[Evidence]:
         records.publish_rows(file, request.module, found.test, found.rows, found.figures)
     else:
         records.compare_rows(file, found.test, found.rows)
-
-
-@pytest.fixture
-def noticed(request: pytest.FixtureRequest) -> Iterator[Callable[..., None]]:
-    """Show that a check notices a fault: `noticed("what is broken", check, **fixtures)`."""
-    test, slow = request.node.name, _is_slow(request)
-    found: list[Noticed] = []
-
-    def notice(fault: str, check: Check, **fixtures: object) -> None:
-        wants = check.__code__.co_varnames[: check.__code__.co_argcount]
-        if "evidence" in wants:
-            fixtures["evidence"] = Evidence()
-        try:
-            check(**fixtures)
-        except OutsideError as error:
-            row = error.row
-            found.append(Noticed(fault, row.what, f"{row.value:.4g}; {row.allowed}", test, slow))
-        except AssertionError as error:
-            said = str(error).strip().partition("\n")[0]
-            found.append(Noticed(fault, check.__name__.replace("_", " "), said[:80], test, slow))
-        else:
-            pytest.fail(f"{check.__name__} does not notice: {fault}")
-
-    yield notice
-    if request.node.stash.get(FAILED, True):
-        return
-    assert found, "a test of faults shows at least one"
-    if request.config.getoption("--publish"):
-        records.publish_faults(Path(request.path), request.module, test, found)
-    else:
-        records.compare_faults(Path(request.path), test, found)

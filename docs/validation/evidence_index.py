@@ -10,8 +10,8 @@ HEAD = """# Why the numbers can be trusted
 What stands here was written by the tests. A check in `tests/verification` says what it measured,
 what that must be, how far it may be off and why; `make evidence` runs all checks and writes these
 pages, `make test` compares what it measures with them and fails where they differ by more than a
-tenth of a tolerance. Each check has a partner in `tests/faults` that breaks one thing on purpose
-and shows that the check notices. `arcless validate all` prints the table below.
+tenth of a tolerance. Below the checks of each file stands a table of faults: one thing broken on
+purpose, and the check that must notice it. `arcless validate all` prints the table below.
 
 *Most used* is the largest part of a tolerance that any value of the topic uses up. *Faults* counts
 what was broken on purpose and noticed.

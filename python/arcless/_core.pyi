@@ -14,7 +14,6 @@ def solve_lcp(
 def filtered(
     sections: NDArray[np.float64], state: NDArray[np.float64], signal: NDArray[np.float64]
 ) -> NDArray[np.float64]: ...
-def friction(coefficient: float, force_1: NDArray[np.float64]) -> NDArray[np.float64]: ...
 
 class Equilibrium:
     def __new__(
@@ -92,24 +91,3 @@ class Live:
     def place(self) -> tuple[int, float, float]: ...
     def take_down(self) -> tuple[int, dict[str, NDArray[np.float64]]]: ...
     def put_back(self, state: tuple[int, dict[str, NDArray[np.float64]]]) -> None: ...
-
-class PublishedStep:
-    def __new__(
-        cls,
-        size: int,
-        mass: NDArray[np.float64],
-        damping: NDArray[np.float64],
-        stiffness: NDArray[np.float64],
-        time_step: float,
-    ) -> PublishedStep: ...
-    def reform(self, stiffness: NDArray[np.float64]) -> None: ...
-    def table(
-        self,
-        u_1: NDArray[np.float64],
-        u_2: NDArray[np.float64],
-        load: NDArray[np.float64],
-        contact_map: NDArray[np.float64],
-        initial_gap: NDArray[np.float64],
-    ) -> tuple[
-        NDArray[np.float64], NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]
-    ]: ...

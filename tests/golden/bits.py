@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import scipy
 
-from tests.golden.cases import Case
+from tests.golden.cases import Case, cases
 
 KEPT = Path(__file__).with_name("bits.json")
 # Features of processors for which the core or NumPy have code of their own.
@@ -46,6 +46,11 @@ def digests(case: Case) -> dict[str, str]:
     except Exception as error:  # a refusal is part of the behaviour
         return {"error": f"{type(error).__name__}: {error}".split("\n")[0]}
     return {name: digest(value) for name, value in found.items()}
+
+
+def digests_of(name: str) -> tuple[str, dict[str, str]]:
+    """Name and digests of a case, for processes that know its name."""
+    return name, digests(dict(cases())[name])
 
 
 def read() -> dict[str, Any]:

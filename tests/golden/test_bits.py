@@ -14,7 +14,7 @@ from tests.golden.cases import IN_SPACE, PLANAR, Case, cases
 QUICK = {
     f"run {IN_SPACE}",
     f"run {PLANAR}, hht",
-    f"run {PLANAR}, updated",
+    f"run {PLANAR}, updated, lumped",
     f"run {PLANAR}, two pantographs",
     "stopped and resumed",
     "session, forces given",

@@ -5,7 +5,6 @@ import time
 from functools import cache
 from types import FrameType
 
-import numpy as np
 import pytest
 
 from arcless import _core
@@ -16,15 +15,6 @@ from tests.support.small import small
 @cache
 def line() -> equilibrium.Equilibrium:
     return equilibrium.find(small(**{"solver.scheme": "generalised-alpha"}))
-
-
-@pytest.mark.parametrize(
-    ("size", "numbers"), [(2**32, 0), (2**33, 0), (2**63, 0), (2**64 - 1, 1), (2**64 - 1, 0)]
-)
-def test_sizes_that_wrap_are_refused(size: int, numbers: int) -> None:
-    given = np.ones(numbers)
-    with pytest.raises(_core.NativeError, match="mass"):
-        _core.PublishedStep(size, given, given, given, 1e-3)
 
 
 @pytest.mark.parametrize("count", [1001, 10**6, 2**63, 2**64 - 1])

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.faults.core.mutations import MUTATIONS
+from tests.faults.mutations import MUTATIONS
 from tests.support.pages import cells, from_docs, renewed, table
 
 HEAD = ("fault", "source file", "noticed by")

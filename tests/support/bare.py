@@ -40,6 +40,8 @@ class Asked:
         Whether the energy ledger is kept.
     updated
         Whether coordinates and stiffness are updated in each step.
+    friction
+        Coefficient between strip and wire.
     """
 
     scheme: Member
@@ -51,6 +53,7 @@ class Asked:
     loads: Loads = field(default_factory=list)
     ledger: bool = False
     updated: bool = False
+    friction: float = 0.0
 
 
 def stand(x: float, steps: int) -> Floats:
@@ -74,7 +77,7 @@ def run(mesh: Mesh, rider: RiderData, asked: Asked, *, design: bool = False) -> 
         "ledger_every": 1,
     }
     speeds = np.gradient(asked.positions, asked.h).tolist()
-    travel = ([0.0], asked.positions.tolist(), speeds, 0.0)
+    travel = ([0.0], asked.positions.tolist(), speeds, asked.friction)
     return prepared.run([rider], *travel, asked.loads, plan, lambda _step: True)
 
 

@@ -1,14 +1,18 @@
 """Deliberate faults: context managers that spoil what goes to the core, one thing at a time."""
 
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import AbstractContextManager, contextmanager
 from copy import deepcopy
+from functools import partial
+from inspect import signature
 from typing import Any
 from unittest.mock import patch
 
 import numpy as np
 
 from arcless.equilibrium import equilibrium
+from arcless.validate.evidence import Noticed
+from tests.support.evidence import Evidence, OutsideError
 
 # Float columns of the tables in `arcless.mesh.tables.mesh_types.Mesh`.
 COLUMNS = {
@@ -25,6 +29,80 @@ COLUMNS = {
 }
 # False where there was nothing to spoil.
 Spoil = Callable[[dict[str, Any]], bool | None]
+# A context manager that is a decorator too, and so can be entered again: those of `contextmanager`
+# and of `unittest.mock.patch` are.
+Broken = Callable[[Callable[[], Noticed]], Callable[[], Noticed]]
+
+
+class Fault:
+    """One thing broken and a check that must notice it: a line of FAULTS in a verification file.
+
+    `broken` is one context manager or several, entered in this order. Arguments of the check are
+    `given`; those that are not are fixtures. A slow fault is left to `make evidence`.
+    """
+
+    def __init__(
+        self, what: str, broken: Broken | Iterable[Broken], check: Callable[..., None], *,
+        slow: bool = False, **given: Any,
+    ) -> None:  # fmt: skip
+        self.what, self.check, self.slow, self.given = what, check, slow, given
+        self.broken = (broken,) if callable(broken) else tuple(broken)
+
+    @property
+    def name(self) -> str:
+        """Name of the test: the check and, in brackets, the fault and what else is said."""
+        said = [value for value in self.given.values() if isinstance(value, str)]
+        more = [value for value in said if value not in self.what]
+        return f"{self.check.__name__}[{', '.join([self.what, *more])}]"
+
+    def noticed(self, fixture: Callable[[str], Any]) -> Noticed:
+        """Break it, and return what the check says.
+
+        Raises
+        ------
+        AssertionError
+            The check notices nothing.
+        """
+        known = {"evidence": Evidence(), **self.given}
+        wanted = signature(self.check).parameters
+        arguments = {name: known[name] if name in known else fixture(name) for name in wanted}
+
+        def notice() -> Noticed:
+            name = self.check.__name__
+            try:
+                self.check(**arguments)
+            except OutsideError as error:
+                row = error.row
+                found = row.what, f"{row.value:.4g}; {row.allowed}"
+            except AssertionError as error:
+                found = name.replace("_", " "), str(error).strip().partition("\n")[0][:80]
+            else:
+                raise AssertionError(f"{name} does not notice: {self.what}")
+            return Noticed(self.what, *found, name, self.slow)
+
+        for broken in reversed(self.broken):
+            # `patch` marks a function that it decorates; `partial` keeps that from the next one.
+            notice = broken(partial(notice))
+        return notice()
+
+
+@contextmanager
+def forgotten(*remembering: Any) -> Iterator[None]:
+    """Let functions with a cache forget, so that no sound run is taken for a broken one."""
+    for function in remembering:
+        function.cache_clear()
+    try:
+        yield
+    finally:
+        for function in remembering:
+            function.cache_clear()
+
+
+@contextmanager
+def kept(function: Callable[..., object], *arguments: Any) -> Iterator[None]:
+    """Let a function with a cache answer before something is broken."""
+    function(*arguments)
+    yield
 
 
 @contextmanager
@@ -61,23 +139,11 @@ def spoiled(spoil: Spoil) -> Iterator[None]:
 
 
 @contextmanager
-def plain_chains() -> Iterator[None]:
-    """Take from chains what makes their points, and what is between them, yield like the wire."""
+def without(option: str) -> Iterator[None]:
+    """Take an option from what asks for it: `fitted_bends`, `residual_flexibility`, …."""
 
     def spoil(arguments: dict[str, Any]) -> bool:
-        before, arguments["fitted_bends"] = arguments["fitted_bends"], False
-        return bool(before)
-
-    with spoiled(spoil):
-        yield
-
-
-@contextmanager
-def unflexible() -> Iterator[None]:
-    """Leave residual flexibility out."""
-
-    def spoil(arguments: dict[str, Any]) -> bool:
-        before, arguments["residual_flexibility"] = arguments["residual_flexibility"], False
+        before, arguments[option] = arguments[option], False
         return bool(before)
 
     with spoiled(spoil):
@@ -154,3 +220,8 @@ def misbuilt(change: str, spoil: Callable[[Any], Any]) -> Iterator[None]:
         yield
     if not any(changed):
         raise RuntimeError("the fault was never put in")
+
+
+def expansion(factor: float) -> AbstractContextManager[None]:
+    """Multiply what heat adds to the length of wires."""
+    return misbuilt("length_factor", lambda given: 1.0 + factor * (given - 1.0))

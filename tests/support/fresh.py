@@ -1,6 +1,5 @@
 """Runs that are computed anew, because something is broken while they are."""
 
-from collections.abc import Callable
 from typing import Any
 
 import arcless
@@ -16,10 +15,3 @@ def run(name: str, changes: dict[str, Any] | None = None) -> Result:
 def at_rest(name: str, changes: dict[str, Any] | None = None) -> StaticsResult:
     """Find the initial configuration of a shipped scenario with changes by dotted path."""
     return arcless.statics(arcless.load(name).with_(**(changes or {})))
-
-
-def only(
-    broken: Callable[..., Result], name: str, sound: Callable[..., Result]
-) -> Callable[..., Result]:
-    """Break the runs of one scenario; the others stay as they are known."""
-    return lambda other, changes=None: (broken if other == name else sound)(other, changes)

@@ -3,12 +3,12 @@
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from types import ModuleType
 from unittest.mock import patch
 
 import numpy as np
 
 import arcless.lcp  # noqa: F401 - so that the next line finds it
+from tests.support.faults import Fault
 
 PROBLEM = sys.modules["arcless.lcp.problem"]
 Problem = tuple[np.ndarray, np.ndarray]
@@ -43,13 +43,14 @@ def stale(H: np.ndarray, w: np.ndarray) -> Problem:
     return H, w
 
 
-def noticed_slips(noticed: Callable[..., None], checked: ModuleType) -> None:
-    """Show that a comparison with another solver notices the slips that any of them must."""
-    with complementarity(lambda H, w: (H.T, w)):
-        noticed("rows and columns of H exchanged", checked.test_same_forces, name="skew")
-    with complementarity(stale):
-        noticed("first column of H off by 1e-9", checked.test_same_forces, name="definite")
-    with complementarity(lambda H, w: (H, w - 1e-12)):
-        noticed("gaps 1e-12 m too small", checked.test_same_forces_in_a_run)
-    with complementarity(lambda H, w: (H, w), lambda x: x + 1e-6):
-        noticed("forces 1 µN too large", checked.test_same_forces, name="ring")
+def slips(same: Callable[..., None], same_in_a_run: Callable[..., None]) -> list[Fault]:
+    """Return what any comparison with another solver must notice."""
+    return [
+        Fault("rows and columns of H exchanged", complementarity(lambda H, w: (H.T, w)), same,
+              name="skew"),
+        Fault("first column of H off by 1e-9", complementarity(stale), same, name="definite"),
+        Fault("gaps 1e-12 m too small", complementarity(lambda H, w: (H, w - 1e-12)),
+              same_in_a_run),
+        Fault("forces 1 µN too large", complementarity(lambda H, w: (H, w), lambda x: x + 1e-6),
+              same, name="ring"),
+    ]  # fmt: skip

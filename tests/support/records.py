@@ -1,17 +1,17 @@
 """Records of the evidence: compared with what a test measures, or written anew (`--publish`)."""
 
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from fcntl import LOCK_EX, flock
 from pathlib import Path
 from types import ModuleType
-from typing import TypeVar
 
 import arcless
 from arcless.validate.evidence import Measured, Noticed, Topic
+from tests.support.faults import Fault
 from tests.support.figures import draw
 
-Recorded = TypeVar("Recorded", Measured, Noticed)
 ROOT = Path(__file__).parents[2]
 RECORDS = ROOT / "python" / "arcless" / "validate" / "recorded"
 # Another processor or library may round differently. What moves by more than this share of its
@@ -23,7 +23,7 @@ AGAIN = "run `make evidence`, or this file with --publish, and look at what chan
 
 
 def place(file: Path) -> tuple[str, str]:
-    """Group and topic of a test file in a folder of tests/verification or tests/faults."""
+    """Group and topic of a test file in a folder of tests/verification."""
     return file.parent.name, file.stem.removeprefix("test_")
 
 
@@ -63,20 +63,31 @@ def _take_rows(
     ]
 
 
-def publish_faults(file: Path, module: ModuleType, test: str, faults: list[Noticed]) -> None:
-    """Replace what the record has of a test of faults."""
+def publish_fault(file: Path, faults: list[Fault], number: int, found: Noticed) -> None:
+    """Replace what the record has of a fault, and what it has of faults that are gone."""
     with _own(file) as topic:
-        _take_faults(topic, module, test, faults)
+        _take_fault(topic, faults, number, found)
 
 
-def _take_faults(topic: Topic, module: ModuleType, test: str, faults: list[Noticed]) -> None:
+def _take_fault(topic: Topic, faults: list[Fault], number: int, found: Noticed) -> None:
+    def told(fault: Noticed) -> tuple[str, ...]:
+        return fault.fault, fault.row, fault.found.partition("; ")[2]
+
+    places = _numbered(fault.what for fault in faults)
+    known = dict(zip(_numbered(fault.fault for fault in topic.faults), topic.faults, strict=True))
     # What was found under a fault may vary; the record is kept while the tolerance beside it stays.
-    def key(fault: Noticed) -> tuple[str, ...]:
-        return fault.test, fault.fault, fault.row, fault.found.partition("; ")[2]
+    known[places[number]] = {told(fault): fault for fault in topic.faults}.get(told(found), found)
+    topic.faults = [known[place] for place in places if place in known]
 
-    before = {key(fault): fault for fault in topic.faults}
-    kept = [before.get(key(fault), fault) for fault in faults]
-    topic.faults = _replaced(topic.faults, test, kept, module)
+
+def _numbered(texts: Iterable[str]) -> list[tuple[str, int]]:
+    """Tell faults of one text apart: the first, the second, …."""
+    seen: Counter[str] = Counter()
+    found = []
+    for text in texts:
+        found.append((text, seen[text]))
+        seen[text] += 1
+    return found
 
 
 def compare_rows(file: Path, test: str, rows: list[Measured]) -> None:
@@ -87,9 +98,10 @@ def compare_rows(file: Path, test: str, rows: list[Measured]) -> None:
         _compare(row, known[row.what])
 
 
-def compare_faults(file: Path, test: str, faults: list[Noticed]) -> None:
-    known = [(f.fault, f.row) for f in load(*place(file)).faults if f.test == test]
-    assert [(f.fault, f.row) for f in faults] == known, f"not as recorded: {AGAIN}"
+def compare_fault(file: Path, found: Noticed) -> None:
+    """Fail if a fault is noticed by something else than what its record says."""
+    known = [(fault.fault, fault.row) for fault in load(*place(file)).faults]
+    assert (found.fault, found.row) in known, f"not as recorded: {AGAIN}"
 
 
 def _compare(now: Measured, then: Measured) -> None:
@@ -132,8 +144,8 @@ def _steady(rows: list[Measured], known: list[Measured]) -> list[Measured]:
 
 
 def _replaced(
-    known: list[Recorded], test: str, found: list[Recorded], module: ModuleType
-) -> list[Recorded]:
+    known: list[Measured], test: str, found: list[Measured], module: ModuleType
+) -> list[Measured]:
     kept = [row for row in known if row.test != test and hasattr(module, _function(row.test))]
     lines = {
         row.test: getattr(module, _function(row.test)).__code__.co_firstlineno

@@ -1,12 +1,13 @@
 """Deliberate faults of a run: what goes to the core when a line is prepared and run upon."""
 
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from copy import deepcopy
 from typing import Any
 from unittest.mock import patch
 
 from arcless.equilibrium import equilibrium
+from tests.support.schemes import Member
 
 PREPARED = ("lanes", "scheme", "step", "contact_stiffness", "updated", "corrected")
 RUN = (
@@ -116,3 +117,13 @@ def prepared_with(**changes: Any) -> Iterator[None]:
 
     with spoiled(preparing=spoil):
         yield
+
+
+def contact_scaled(factor: float) -> AbstractContextManager[None]:
+    """Multiply the stiffness of every contact."""
+    return prepared_with(contact_stiffness=lambda stiffness: factor * stiffness)
+
+
+def stepped_by(member: Member) -> AbstractContextManager[None]:
+    """Step by one scheme, whatever is asked for."""
+    return prepared_with(scheme=lambda _: (member.name, list(member.numbers)))

@@ -1,5 +1,6 @@
 """One wire between two fixed points, of any wire model, by hand."""
 
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -8,6 +9,7 @@ from arcless.equilibrium.equilibrium import Equilibrium
 from arcless.mesh import PLANAR, Mesh
 from arcless.mesh.tables.parts import Parts
 from tests.support import catenary
+from tests.support.evidence import Evidence
 from tests.support.structures import at_rest, mesh_of
 
 # Wire model, components of space.
@@ -144,3 +146,20 @@ def elasticity_error(model: str, count: int, *, bending: float) -> float:
         decay = np.sqrt(pull / rigidity(model, bending))
         exact -= float(np.tanh(decay * LENGTH / 2.0) / (2.0 * pull * decay))
     return abs(float(found) / exact - 1.0)
+
+
+def show_order(
+    evidence: Evidence, model: str, counts: Sequence[int], error: Callable[..., float], what: str,
+    *, order: float, tolerance: float, unit: str,
+    reason: str = "terms of the next order on the coarsest of these meshes", **wire: float,
+) -> None:  # fmt: skip
+    """Hold the order of an error in the length of pieces against theory."""
+    evidence.order(
+        f"{model}: {what}",
+        [LENGTH / count for count in counts],
+        [error(model, count, **wire) for count in counts],
+        order,
+        tolerance=tolerance,
+        reason=reason,
+        unit=unit,
+    )

@@ -1,12 +1,14 @@
-"""Shipped scenarios, each run once however many tests look at it."""
+"""Shipped scenarios, each run once however many tests look at it; faults as tests of their own."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import pytest
 
 import arcless
 from arcless.results import Result
+from tests.support import records
+from tests.support.faults import Fault
 from tests.support.once import RunsOnce, folder_of_session
 
 Run = Callable[..., Result]
@@ -36,3 +38,37 @@ def at_rest() -> Callable[..., arcless.simulate.StaticsResult]:
         return known[key]
 
     return statics
+
+
+def pytest_pycollect_makeitem(
+    collector: pytest.Module, name: str, obj: object
+) -> pytest.Collector | None:
+    """Make tests of the table FAULTS of a verification file."""
+    return Table.from_parent(collector, name=name, faults=obj) if name == "FAULTS" else None
+
+
+class Table(pytest.Collector):
+    """A table of faults: `FILE::FAULTS::CHECK[what is broken]`."""
+
+    def __init__(self, *, faults: list[Fault], **more: Any) -> None:
+        super().__init__(**more)
+        self.faults = faults
+
+    def collect(self) -> Iterator[pytest.Item]:
+        for number, fault in enumerate(self.faults):
+            test = pytest.Function.from_parent(self, name=fault.name, callobj=self.test(number))
+            if fault.slow:
+                test.add_marker("evidence")
+            yield test
+
+    def test(self, number: int) -> Callable[[pytest.FixtureRequest], None]:
+        """Return the test that a fault is noticed, by what its record says, or write that."""
+
+        def notice(request: pytest.FixtureRequest) -> None:
+            found = self.faults[number].noticed(request.getfixturevalue)
+            if request.config.getoption("--publish"):
+                records.publish_fault(self.path, self.faults, number, found)
+            else:
+                records.compare_fault(self.path, found)
+
+        return notice

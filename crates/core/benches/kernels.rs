@@ -82,7 +82,7 @@ fn multiplies_mass<const DIM: usize, const D: usize>(bencher: Bencher, p: &Prepa
 
 fn advances<const DIM: usize, const D: usize>(bencher: Bencher, p: &Prepared<DIM, D>) {
     let mut state = p.at_rest(vector(p.line.nodes()));
-    bencher.bench_local(|| p.advance(black_box(&mut state)));
+    bencher.bench_local(|| p.commit(black_box(&mut state)));
 }
 
 macro_rules! kernels {

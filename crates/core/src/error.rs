@@ -173,23 +173,6 @@ pub enum CoreError {
 }
 
 impl CoreError {
-    /// The same error in the step that is number `now` of its loop; `h` is the step length in s.
-    pub(crate) fn of_step(mut self, now: usize, h: f64) -> Self {
-        match &mut self {
-            Self::Lcp { step, time, .. }
-            | Self::SlackSet { step, time }
-            | Self::Balance { step, time, .. } => {
-                (*step, *time) = (now, (now + 1) as f64 * h);
-            }
-            Self::NotFinite { step, .. }
-            | Self::Folded { step }
-            | Self::OffWire { step, .. }
-            | Self::OutOfReach { step, .. } => *step = now,
-            _ => (),
-        }
-        self
-    }
-
     /// The same error with the number of the rider that it is about.
     pub(crate) fn of_rider(mut self, number: usize) -> Self {
         if let Self::BeyondTable { rider, .. } = &mut self {

@@ -22,7 +22,6 @@ pub mod filter;
 pub mod flexibility;
 pub mod lcp;
 pub mod linalg;
-pub mod published;
 pub mod scheme;
 pub mod statics;
 pub mod structure;

@@ -9,7 +9,6 @@ use arcless_core::dynamics::line::Line;
 use arcless_core::dynamics::path::Path;
 use arcless_core::dynamics::stepper::Prepared;
 use arcless_core::dynamics::still::Still;
-use arcless_core::published::Matrix;
 use arcless_core::scheme::Scheme;
 use arcless_core::statics::Geometry;
 use arcless_core::structure::{Spring, SpringMode, Strut};
@@ -191,15 +190,6 @@ fn steps_that_no_line_takes_are_refused() {
     assert!(prepare(1e-3).is_ok());
     for h in [0.0, -1e-3, 1e-200, 1e100, 1e308, f64::INFINITY, f64::NAN] {
         assert!(is_refused(prepare(h), "solver"), "{h}");
-    }
-}
-
-/// The number of entries wrapped round to what was given: the first look at the matrix panicked.
-#[test]
-fn matrices_of_more_entries_than_can_be_counted_are_refused() {
-    for (rows, values) in [(1 << 32, 0), (1 << 33, 0), (1 << 63, 0), (usize::MAX, 1)] {
-        let found = Matrix::new("mass", rows, rows, vec![1.0; values]);
-        assert!(is_refused(found, "mass"), "{rows}");
     }
 }
 

@@ -1,4 +1,4 @@
-//! Replay of the inputs that the fuzzer kept, `fuzz/corpus`, one file each: those that reach what no
+//! Replay of the inputs that the fuzzer kept, `fuzz/corpus`, one line each: those that reach what no
 //! other one reaches. `make fuzz` looks for more; what it found is written down in `border.rs`.
 
 use crate::hostile::border::{self, Reached};
@@ -7,12 +7,17 @@ use std::collections::BTreeSet;
 use std::path::PathBuf;
 
 fn inputs(target: &str) -> Vec<Vec<u8>> {
-    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(format!("fuzz/corpus/{target}"));
-    let entries = std::fs::read_dir(&folder).expect("the folder of inputs");
-    let mut paths: Vec<PathBuf> = entries.map(|e| e.expect("a file").path()).collect();
-    paths.sort();
-    let read = |path| std::fs::read(path).expect("a readable file");
-    paths.into_iter().map(read).collect()
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("fuzz/corpus");
+    let text = std::fs::read_to_string(folder.join(format!("{target}.txt"))).expect("the inputs");
+    let byte = |digits| u8::from_str_radix(digits, 16).expect("two hexadecimal digits");
+    text.lines()
+        .map(|line| {
+            (0..line.len())
+                .step_by(2)
+                .map(|k| byte(&line[k..k + 2]))
+                .collect()
+        })
+        .collect()
 }
 
 #[test]

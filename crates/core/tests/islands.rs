@@ -3,14 +3,14 @@
 use crate::common::{everything, simple_line, three_masses};
 use crate::resume::{bits, compare, part, sums};
 
+use arcless_core::dynamics::checkpoint::Checkpoint;
 use arcless_core::dynamics::line::Line;
 use arcless_core::dynamics::loads::Load;
 use arcless_core::dynamics::near::{Near, Ordered};
-use arcless_core::dynamics::part::Part;
 use arcless_core::dynamics::path::Path;
 use arcless_core::dynamics::record::RecordPlan;
+use arcless_core::dynamics::run::Part;
 use arcless_core::dynamics::run::Travel;
-use arcless_core::dynamics::state::State;
 use arcless_core::dynamics::stepper::Prepared;
 use arcless_core::linalg::SymmetricBlocks;
 use arcless_core::linalg::islands::islands;
@@ -117,7 +117,7 @@ fn run<const DIM: usize, const D: usize>(
     p: &Prepared<DIM, D>,
     travel: &Travel,
     plan: &RecordPlan,
-) -> (Vec<Vec<u64>>, Vec<Vec<u64>>, State) {
+) -> (Vec<Vec<u64>>, Vec<Vec<u64>>, Checkpoint) {
     let riders = [three_masses(90.0)];
     let (record, state) = part(p, &riders, (travel, plan), Part::default()).expect("a run");
     (bits(&record), sums(&record), state)

@@ -3,8 +3,10 @@
 use crate::common::Single;
 use crate::common::chain::settled;
 use crate::common::lanes::STRING;
+use arcless_core::dynamics::integrator::WireState;
 use arcless_core::dynamics::line::Line;
 use arcless_core::dynamics::path::Path;
+use arcless_core::dynamics::place::Nodal;
 use arcless_core::dynamics::stepper::Prepared;
 use arcless_core::scheme::Scheme;
 use std::f64::consts::PI;
@@ -32,7 +34,11 @@ fn turned(line: Line<2, 4>, lanes: Vec<Path<2>>, scheme: Scheme, waves: f64) -> 
         })
         .collect();
     let p = Prepared::new(line, lanes, scheme, H, 5e4).expect("regular");
-    let at = |u: &[[f64; 4]]| u.iter().zip(&shape).map(|(u, s)| u[1] * s[1]).sum::<f64>();
+    let at = |state: &WireState<4>| {
+        let u = state.displacement();
+        let nodes = shape.iter().enumerate();
+        nodes.map(|(i, s)| u.at(i)[1] * s[1]).sum::<f64>()
+    };
     let mut state = p.at_rest(shape.clone());
     // As the wire is stretched, it has the mass of its unstretched length, m/(1 + ε) each metre.
     let speed = (STRING.tension * (1.0 + STRING.stretch()) / STRING.mass).sqrt();
@@ -41,9 +47,9 @@ fn turned(line: Line<2, 4>, lanes: Vec<Path<2>>, scheme: Scheme, waves: f64) -> 
     let stride = (1.0 / exact).round() as usize;
     let mut values = Vec::new();
     for _ in 0..200 + 3 * stride + 2 {
-        p.free_increment(&mut state, |_| false);
-        p.advance(&mut state);
-        values.push(at(&state.u));
+        p.predict(&mut state, |_| false);
+        p.commit(&mut state);
+        values.push(at(&state));
     }
     // A root −1 of the trapezoidal rule, which the start without acceleration wakes, drops out of this.
     let smooth = |n: usize| 0.25 * (values[n - 1] + 2.0 * values[n] + values[n + 1]);

@@ -6,8 +6,8 @@ use crate::resume::{bits, way};
 use arcless_core::CoreError;
 use arcless_core::dynamics::actuator::Sample;
 use arcless_core::dynamics::near::{Near, Ordered};
-use arcless_core::dynamics::part::{Callers, Part};
 use arcless_core::dynamics::record::{Record, RecordPlan};
+use arcless_core::dynamics::run::{Callers, Part};
 use arcless_core::dynamics::stepper::Prepared;
 use arcless_core::scheme::Scheme;
 

@@ -4,17 +4,17 @@ use crate::common;
 
 use arcless_core::CoreError;
 use arcless_core::dynamics::actuator::{Actuator, Sample};
+use arcless_core::dynamics::checkpoint::Checkpoint;
 use arcless_core::dynamics::given::{Ground, History};
 use arcless_core::dynamics::kink::Motion;
 use arcless_core::dynamics::law::Law;
 use arcless_core::dynamics::line::Line;
 use arcless_core::dynamics::loads::Load;
-use arcless_core::dynamics::part::Part;
 use arcless_core::dynamics::path::Path;
 use arcless_core::dynamics::record::{Record, RecordPlan};
 use arcless_core::dynamics::rider::Rider;
+use arcless_core::dynamics::run::Part;
 use arcless_core::dynamics::run::Travel;
-use arcless_core::dynamics::state::State;
 use arcless_core::dynamics::stepper::Prepared;
 use arcless_core::dynamics::stop::Stop;
 use arcless_core::dynamics::strip::Strip;
@@ -30,7 +30,7 @@ pub fn part<const DIM: usize, const D: usize>(
     riders: &[Rider],
     (travel, plan): (&Travel, &RecordPlan),
     part: Part<'_>,
-) -> Result<(Record, State), CoreError> {
+) -> Result<(Record, Checkpoint), CoreError> {
     let ask: Answer<'_> = &mut |_, s| Ok(0.3 * (70.0 - s.force) + s.number as f64);
     p.run_part(riders, travel, plan, part, &mut |_| true, ask)
 }
@@ -91,10 +91,10 @@ pub fn compare<const DIM: usize, const D: usize>(
     riders: &[Rider],
     way: (&Travel, &RecordPlan),
     stops: &[usize],
-) -> State {
+) -> Checkpoint {
     let (whole, end) = part(p, riders, way, Part::default()).expect("the whole run");
     assert!(whole.force.iter().any(|f| *f > 0.0), "it touches");
-    let mut from: Option<State> = None;
+    let mut from: Option<Checkpoint> = None;
     let mut joined: Vec<Vec<u64>> = Vec::new();
     let ends = stops.iter().map(|&s| Some(s)).chain([None]);
     for until in ends {
@@ -280,7 +280,7 @@ fn a_state_of_another_run_is_refused() {
         until: Some(30),
     };
     let (_, good) = part(&p, &riders, (&travel, &plan), stop).expect("a part");
-    let told = |state: &State, plan: &RecordPlan| {
+    let told = |state: &Checkpoint, plan: &RecordPlan| {
         let from = Part {
             from: Some(state),
             until: None,
@@ -320,7 +320,7 @@ fn a_state_of_another_run_is_refused() {
     less.ledger = false;
     assert!(told(&good, &less).contains("parts that this run does not have"));
     for step in [59, 60, usize::MAX] {
-        let bad = State {
+        let bad = Checkpoint {
             step,
             ..good.clone()
         };

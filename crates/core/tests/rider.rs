@@ -2,7 +2,7 @@
 
 use crate::common;
 
-use arcless_core::dynamics::given::{Given, Ground, History};
+use arcless_core::dynamics::given::{Given, GivenNow, Ground, History};
 use arcless_core::dynamics::record::Record;
 use arcless_core::dynamics::rider::{Rider, RiderState};
 use arcless_core::dynamics::run::Travel;
@@ -84,11 +84,13 @@ fn response_error(frequency: f64, h: f64) -> f64 {
     });
     let scheme = Scheme::generalised_alpha(1.0);
     let c = scheme.coefficients(h);
+    let mut now = GivenNow::zero(rider.size());
     let mut state = RiderState::new(rider, &c, 0.0, 0.0).expect("an equilibrium");
     let (mut error, mut largest): (f64, f64) = (0.0, 0.0);
     let last_period = steps - (1.0 / (frequency * h)) as usize;
     for step in 0..steps {
-        state.begin(&c, step);
+        state.rider.given.read(step, c.old, &mut now);
+        state.begin(&now);
         state.free_increment(&c, 0.0);
         state.advance(&c);
         if step >= last_period {

@@ -6,7 +6,6 @@ mod filter;
 mod lcp;
 mod live;
 mod prepared;
-mod published;
 mod records;
 mod riders;
 mod structure;
@@ -23,7 +22,5 @@ fn _core(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_class::<live::Live>()?;
     m.add_function(wrap_pyfunction!(lcp::solve_lcp, m)?)?;
     m.add_function(wrap_pyfunction!(filter::filtered, m)?)?;
-    m.add_class::<published::PublishedStep>()?;
-    m.add_function(wrap_pyfunction!(published::friction, m)?)?;
     Ok(())
 }

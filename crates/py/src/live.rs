@@ -5,8 +5,8 @@ use crate::prepared::{Any, Prepared};
 use crate::records::numbers;
 use crate::riders::{RiderData, rider};
 use arcless_core::CoreError;
+use arcless_core::dynamics::checkpoint::Checkpoint;
 use arcless_core::dynamics::live::{self, Begin, Collector};
-use arcless_core::dynamics::state::State;
 use arcless_core::dynamics::stepper;
 use numpy::{PyReadonlyArray1, PyReadwriteArray1};
 use pyo3::exceptions::PyValueError;
@@ -34,6 +34,9 @@ macro_rules! either {
         }
     };
 }
+
+// Python's objects are aligned to 16 bytes, and what lies in them is stepped where it lies.
+const _: () = assert!(align_of::<Loop>() <= 16);
 
 /// A line in a loop with the outside. Made by the class methods.
 #[pyclass]
@@ -187,7 +190,7 @@ impl Live {
         state: (usize, BTreeMap<String, Vec<f64>>),
     ) -> PyResult<()> {
         let (step, numbers) = state;
-        let state = State { step, numbers };
+        let state = Checkpoint { step, numbers };
         either!(&mut self.0, live => live.put_back(&state)).map_err(|e| convert(py, &e))
     }
 }

@@ -5,12 +5,12 @@ use crate::records::{arrays, numbers, read_plan};
 use crate::riders::{RiderData, rider};
 use arcless_core::CoreError;
 use arcless_core::dynamics::actuator::Sample;
+use arcless_core::dynamics::checkpoint::Checkpoint;
 use arcless_core::dynamics::loads::Load;
-use arcless_core::dynamics::part::{Callers, Part};
 use arcless_core::dynamics::record::Record;
 use arcless_core::dynamics::rider::Rider;
 use arcless_core::dynamics::run::Travel;
-use arcless_core::dynamics::state::State;
+use arcless_core::dynamics::run::{Callers, Part};
 use arcless_core::dynamics::stepper;
 use numpy::{PyArrayLike1, PyArrayMethods};
 use pyo3::prelude::*;
@@ -110,7 +110,7 @@ impl Prepared {
                 .collect(),
         };
         let plan = read_plan(plan)?;
-        let state = state.map(|(step, numbers)| State { step, numbers });
+        let state = state.map(|(step, numbers)| Checkpoint { step, numbers });
         let observer = observe.clone().unbind();
         let (mut raised, mut failed, mut lost) = (None::<PyErr>, None::<PyErr>, None::<PyErr>);
         let outcome = py.detach(|| {

@@ -1,9 +1,9 @@
 //! What a run records: the plan that comes from Python, and the arrays that go there.
 
+use arcless_core::dynamics::checkpoint::Checkpoint;
 use arcless_core::dynamics::ledger::Entries;
 use arcless_core::dynamics::near::{Near, Ordered};
 use arcless_core::dynamics::record::{Record, RecordPlan};
-use arcless_core::dynamics::state::State;
 use numpy::{IntoPyArray, ToPyArray};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -42,7 +42,7 @@ pub fn read_plan(plan: &Bound<'_, PyDict>) -> PyResult<RecordPlan> {
     })
 }
 
-pub fn numbers<'py>(py: Python<'py>, state: &State) -> PyResult<Bound<'py, PyDict>> {
+pub fn numbers<'py>(py: Python<'py>, state: &Checkpoint) -> PyResult<Bound<'py, PyDict>> {
     let out = PyDict::new(py);
     for (name, values) in &state.numbers {
         out.set_item(name, values.to_pyarray(py))?;

@@ -5,8 +5,9 @@ any elastic system with such contacts through time, as the paper that Arcless is
 See ``docs/guide/lcp.md`` and ``docs/theory/published-method.md``.
 """
 
+from arcless.lcp.arrays import SYMMETRY_TOLERANCE
 from arcless.lcp.failures import LcpInputError, LcpUnsolvedError
-from arcless.lcp.problem import DEFINITE_MIN, SYMMETRY_TOLERANCE, LcpInfo, solve
+from arcless.lcp.problem import DEFINITE_MIN, LcpInfo, solve
 from arcless.lcp.published import PublishedStep, Step, friction
 
 __all__ = [

@@ -12,12 +12,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from arcless import _core
-from arcless.lcp.arrays import Array, finite, numbers
+from arcless.lcp.arrays import Array, check_symmetric, finite, numbers
 from arcless.lcp.failures import LcpInputError, LcpUnsolvedError
-
-# |H_ij − H_ji| / √(H_ii H_jj). Products of measured or assembled matrices differ by some 1e-14;
-# a wrong sign or a forgotten term differs by far more.
-SYMMETRY_TOLERANCE = 1e-10
 
 # Smallest part of a diagonal entry that the rows before it leave unexplained (a squared Cholesky
 # pivot at unit diagonal). The core's PIVOT_MIN: below it, rounding decides about the sign.
@@ -90,8 +86,9 @@ def solve(H: ArrayLike, w: ArrayLike, *, symmetric: bool = True) -> tuple[Array,
     """
     matrix, vector = _arrays(H, w)
     if symmetric:
-        _check_symmetric(matrix)
-        _check_definite(matrix)
+        scaled = _scaled(matrix)
+        check_symmetric("H", matrix, np.diagonal(matrix))
+        _check_definite(scaled)
     return pivoted(matrix, vector)
 
 
@@ -141,20 +138,7 @@ def _scaled(matrix: Array) -> Array:
     return scaled
 
 
-def _check_symmetric(matrix: Array) -> None:
-    scaled = _scaled(matrix)
-    difference = np.abs(scaled - scaled.T)
-    if difference.max() > SYMMETRY_TOLERANCE:
-        i, j = (int(k) for k in np.unravel_index(np.argmax(difference), difference.shape))
-        raise LcpInputError(
-            "H",
-            got=f"H[{i}, {j}] = {matrix[i, j]:g} and H[{j}, {i}] = {matrix[j, i]:g}",
-            expected=f"a symmetric matrix (to {SYMMETRY_TOLERANCE:g} of the diagonal)",
-        )
-
-
-def _check_definite(matrix: Array) -> None:
-    scaled = _scaled(matrix)
+def _check_definite(scaled: Array) -> None:
     try:
         least = float(np.diagonal(np.linalg.cholesky(scaled)).min()) ** 2
     except np.linalg.LinAlgError:

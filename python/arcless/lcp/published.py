@@ -1,7 +1,31 @@
-"""The time step of the founding paper, for any elastic system with one-sided contacts.
+"""Time step of the founding paper, formula by formula, for any elastic system with contacts.
 
-The formulas and their numbers stand in ``docs/theory/published-method.md``, the code that computes
-them in the core (``crates/core/src/published``).
+G. N. Kolesnikov, D. A. Kuvshinov, "Numerical modelling of the semi-coercive mechanical interaction
+of a pantograph and an overhead contact line at high locomotive speed" (in Russian), Petrozavodsk
+State University, about 2009. The text has no equation numbers. The numbers here count its formulas
+as ``docs/theory/published-method.md`` lists them, which also leads to their places in a run.
+
+Symbols, the paper's own in brackets where they differ::
+
+    u (U)      displacements, m            M          mass matrix, kg
+    u_1, u_2   u_{i−1} and u_{i−2}, m      C_d (K)    damping matrix, N·s/m
+    p (P)      nodal loads, N              K (r)      stiffness matrix, N/m
+    n (N)      contact forces, N           C          contact map
+    d (D)      gaps, m; d0 at u = 0        R          reactions of fictitious links, N
+    T          friction forces, N          τ, i       time step, s; its number
+
+Model::
+
+    1    R = M ü + C_d u̇ + K u − p − C n = 0
+    2    d = Cᵀu + d0
+    3    dᵀn = 0,   d ≥ 0,   n ≥ 0
+
+Steps 1 and 2, the one-sided differences, turn model 1 into R_i = A u_i + p̂_i − C n_i::
+
+    1    u̇_i = (u_i − u_{i−1})/τ
+    2    ü_i = (u_i − 2u_{i−1} + u_{i−2})/τ²
+
+Steps 3 to 11 stand beside the lines of `PublishedStep` that compute them.
 """
 
 from dataclasses import dataclass
@@ -9,10 +33,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from arcless import _core
-from arcless.lcp.arrays import Array, finite, numbers, shaped
+from arcless.lcp.arrays import Array, check_symmetric, finite, numbers, shaped
 from arcless.lcp.failures import LcpInputError
-from arcless.lcp.problem import LcpInfo, pivoted
+from arcless.lcp.problem import DEFINITE_MIN, LcpInfo, pivoted
 
 # Smallest accepted eigenvalue of the mass matrix over its largest entry. Degrees of freedom without
 # mass are allowed; assembly and the eigenvalue itself leave some 1e-14.
@@ -32,7 +55,7 @@ class Step:
     gap : ndarray of float, shape (m,)
         Gaps d_i, m: none negative, zero where a force acts.
     info : LcpInfo
-        What the complementarity problem of the step took.
+        Pivots and residual of the complementarity problem.
     """
 
     u: Array
@@ -44,10 +67,8 @@ class Step:
 class PublishedStep:
     """Backward differences, block Jordan exchange and complementarity: one step of the paper.
 
-    The system is ``M ü + C_d u̇ + K u = p + C n`` with gaps ``d = Cᵀu + d0`` and ``d ≥ 0``,
-    ``n ≥ 0``, ``dᵀn = 0``. Velocity and acceleration are ``(u_i − u_{i−1})/τ`` and
-    ``(u_i − 2u_{i−1} + u_{i−2})/τ²``: first order, stable for every τ, dissipative (a motion of
-    angular frequency ω is damped by about ωτ/2 of critical).
+    The scheme is of first order, stable for every τ and dissipative (a motion of angular frequency
+    ω is damped by about ωτ/2 of critical).
 
     Parameters
     ----------
@@ -64,8 +85,8 @@ class PublishedStep:
     Raises
     ------
     LcpInputError
-        A matrix is not square, finite or symmetric, the sizes differ, M has a negative eigenvalue,
-        the step is not positive, or ``M/τ² + C_d/τ + K`` is not positive definite.
+        A matrix is not square, finite or symmetric, sizes differ, M has a negative eigenvalue, the
+        step is not positive, or ``M/τ² + C_d/τ + K`` is not positive definite.
 
     Examples
     --------
@@ -86,27 +107,22 @@ class PublishedStep:
         tau = numbers("time_step", time_step)
         if tau.ndim != 0 or not np.isfinite(tau) or tau <= 0:
             raise LcpInputError("time_step", got=str(time_step), expected="a positive number, s")
-        m = numbers("mass", mass)
-        if m.ndim != 2 or m.shape[0] != m.shape[1] or m.size == 0:  # noqa: PLR2004 - a matrix
-            raise LcpInputError("mass", got=f"shape {m.shape}", expected="a square matrix")
-        self._n = len(m)
-        self._tau = float(tau)
-        _check_mass(finite("mass", m))
-        c, k = self._square("damping", damping), self._square("stiffness", stiffness)
-        try:
-            self._core = _core.PublishedStep(self._n, m.ravel(), c.ravel(), k.ravel(), self._tau)
-        except _core.NativeError as error:
-            raise _input_error(error) from error
+        # Copies: the arrays stay those of the caller.
+        self._tau, self._M = np.float64(tau), _mass(mass).copy()
+        self._C_d = self._matrix("damping", damping).copy()
+        with np.errstate(all="ignore"):  # what is beyond all numbers has no pivot in A
+            self._B = 2 * self._M / self._tau**2 + self._C_d / self._tau  # step 4
+        self.reform(stiffness)
 
     @property
     def size(self) -> int:
         """Number of degrees of freedom n."""
-        return self._n
+        return len(self._M)
 
     @property
     def time_step(self) -> float:
         """Step τ, s."""
-        return self._tau
+        return float(self._tau)
 
     def reform(self, stiffness: ArrayLike) -> None:
         """Replace the stiffness; mass, damping and step stay. After an error the old one stays.
@@ -121,19 +137,19 @@ class PublishedStep:
         LcpInputError
             As for the constructor.
         """
-        try:
-            self._core.reform(self._square("stiffness", stiffness).ravel())
-        except _core.NativeError as error:
-            raise _input_error(error) from error
+        M, C_d, tau = self._M, self._C_d, self._tau
+        K = self._matrix("stiffness", stiffness)
+        with np.errstate(all="ignore"):  # what is beyond all numbers has no pivot
+            A = M / tau**2 + C_d / tau + K  # step 3
+            check_symmetric("mass", M, np.diagonal(A) * tau**2)
+            check_symmetric("damping", C_d, np.diagonal(A) * tau)
+            check_symmetric("stiffness", K, np.diagonal(A))
+            self._A_inverse = _inverse(A)
 
     def problem(
-        self,
-        u_1: ArrayLike,
-        u_2: ArrayLike,
-        load: ArrayLike,
-        contact_map: ArrayLike,
+        self, u_1: ArrayLike, u_2: ArrayLike, load: ArrayLike, contact_map: ArrayLike,
         initial_gap: ArrayLike,
-    ) -> tuple[Array, Array]:
+    ) -> tuple[Array, Array]:  # fmt: skip
         """Return H and w of a step: ``H = CᵀA⁻¹C``, ``w = d0 − CᵀA⁻¹p̂``.
 
         Parameters
@@ -161,17 +177,13 @@ class PublishedStep:
             An array has the wrong shape, an entry is not a finite number, or a contact acts on
             nothing.
         """
-        H, w, _, _ = self._table(u_1, u_2, load, contact_map, initial_gap)
+        _, _, H, w = self._table_2(u_1, u_2, load, contact_map, initial_gap)
         return H, w
 
     def step(
-        self,
-        u_1: ArrayLike,
-        u_2: ArrayLike,
-        load: ArrayLike,
-        contact_map: ArrayLike,
+        self, u_1: ArrayLike, u_2: ArrayLike, load: ArrayLike, contact_map: ArrayLike,
         initial_gap: ArrayLike,
-    ) -> Step:
+    ) -> Step:  # fmt: skip
         """Take one step.
 
         Parameters
@@ -187,40 +199,55 @@ class PublishedStep:
         Raises
         ------
         LcpInputError
-            As for `problem`.
+            As for `problem`; or the displacements are beyond all numbers.
         LcpUnsolvedError
             The problem has no verified solution: contacts that exclude each other.
         """
-        H, w, response, free = self._table(u_1, u_2, load, contact_map, initial_gap)
-        force, gap, info = pivoted(H, w)
-        return Step(response @ force + free, force, gap, info)  # u_i = A⁻¹C n_i − A⁻¹p̂_i
+        A_C, u_free, H, w = self._table_2(u_1, u_2, load, contact_map, initial_gap)
+        # Step 8: y = H x + w, yᵀx = 0, y ≥ 0, x ≥ 0 with y = d_i, x = n_i, by Jordan exchange with
+        # the energy criterion.
+        n, d, info = pivoted(H, w)
+        with np.errstate(all="ignore"):  # what is beyond all numbers is refused
+            u = A_C @ n + u_free  # step 11
+        return Step(finite("u_i", u), n, d, info)
 
-    def _table(
-        self,
-        u_1: ArrayLike,
-        u_2: ArrayLike,
-        load: ArrayLike,
-        contact_map: ArrayLike,
+    def _table_2(self, *given: ArrayLike) -> tuple[Array, Array, Array, Array]:
+        """Return A⁻¹C, −A⁻¹p̂_i, H and w: table 2 without the columns of R_i, which are zero."""
+        u_1, u_2, p, C, d0 = self._fitting(*given)
+        M, B, A_inverse, tau = self._M, self._B, self._A_inverse, self._tau
+        with np.errstate(all="ignore"):  # what is beyond all numbers is refused by the solver
+            p_hat = M @ u_2 / tau**2 - B @ u_1 - p  # step 5
+            # Step 6, table 1:
+            #     [R_i]   [ A   −C ] [u_i]   [p̂_i]
+            #     [d_i] = [ Cᵀ   0 ] [n_i] + [d0 ]
+            # Step 7, table 2, by block Jordan exchange of R and u:
+            #     [u_i]   [ A⁻¹      A⁻¹C   ] [R_i]   [ −A⁻¹p̂_i       ]
+            #     [d_i] = [ CᵀA⁻¹    CᵀA⁻¹C ] [n_i] + [ d0 − CᵀA⁻¹p̂_i ]
+            A_C, u_free = A_inverse @ C, -A_inverse @ p_hat
+            H = C.T @ A_C  # step 9
+            w = d0 + C.T @ u_free  # step 10
+        return A_C, u_free, H, w
+
+    def _matrix(self, name: str, values: ArrayLike) -> Array:
+        return shaped(name, values, self._M.shape, "as the mass matrix")
+
+    def _fitting(
+        self, u_1: ArrayLike, u_2: ArrayLike, load: ArrayLike, contact_map: ArrayLike,
         initial_gap: ArrayLike,
-    ) -> tuple[Array, Array, Array, Array]:
-        n = self._n
-        why = f"for {n} degrees of freedom"
-        one, two = shaped("u_1", u_1, (n,), why), shaped("u_2", u_2, (n,), why)
-        p = shaped("load", load, (n,), why)
-        gap = numbers("initial_gap", initial_gap)
-        if gap.ndim != 1:
-            raise LcpInputError("initial_gap", got=f"shape {gap.shape}", expected="one dimension")
-        m = len(finite("initial_gap", gap))
-        expected = f"{why} and {m} initial gaps"
-        contacts = shaped("contact_map", contact_map, (n, m), expected)
-        try:
-            H, w, response, free = self._core.table(one, two, p, contacts.ravel(), gap)
-        except _core.NativeError as error:
-            raise _input_error(error) from error
-        return H.reshape(m, m), w, response.reshape(n, m), free
-
-    def _square(self, name: str, values: ArrayLike) -> Array:
-        return shaped(name, values, (self._n, self._n), "as the mass matrix")
+    ) -> tuple[Array, Array, Array, Array, Array]:  # fmt: skip
+        why = f"for {self.size} degrees of freedom"
+        one = shaped("u_1", u_1, (self.size,), why)
+        two = shaped("u_2", u_2, (self.size,), why)
+        p = shaped("load", load, (self.size,), why)
+        d0 = numbers("initial_gap", initial_gap)
+        if d0.ndim != 1:
+            raise LcpInputError("initial_gap", got=f"shape {d0.shape}", expected="one dimension")
+        m = len(finite("initial_gap", d0))
+        C = shaped("contact_map", contact_map, (self.size, m), f"{why} and {m} initial gaps")
+        if not (acts := C.any(axis=0)).all():
+            column = f"contact_map[:, {int(np.argmin(acts))}]"
+            raise LcpInputError(column, got="zeros", expected="a contact that acts on something")
+        return one, two, p, C, d0
 
 
 def friction(coefficient: float, previous_force: ArrayLike) -> Array:
@@ -250,25 +277,50 @@ def friction(coefficient: float, previous_force: ArrayLike) -> Array:
     f = numbers("coefficient", coefficient)
     if f.ndim != 0 or not np.isfinite(f) or f < 0:
         raise LcpInputError("coefficient", got=str(coefficient), expected="a number, not negative")
-    force = numbers("previous_force", previous_force)
-    if force.ndim != 1:
-        got = f"shape {force.shape}"
-        raise LcpInputError("previous_force", got=got, expected="one dimension")
-    return _core.friction(float(f), finite("previous_force", force))
+    n_1 = numbers("previous_force", previous_force)
+    if n_1.ndim != 1:
+        raise LcpInputError("previous_force", got=f"shape {n_1.shape}", expected="one dimension")
+    with np.errstate(all="ignore"):
+        return finite("friction", f * finite("previous_force", n_1))  # algorithm 4
 
 
-def _check_mass(mass: Array) -> None:
-    least, limit = float(np.linalg.eigvalsh(mass)[0]), MASS_MIN * float(np.abs(mass).max())
-    if least < limit:
+def exchange(table: Array, k: int) -> None:
+    """Exchange the variables of row k and column k of a table (Jordan).
+
+    ``T_kk ← 1/P,  T_kj ← −T_kj/P,  T_ik ← T_ik/P,  T_ij ← T_ij − T_ik T_kj/P`` with ``P = T_kk``.
+    Columns beyond the rows are constants.
+    """
+    row, column, inverse = table[k].copy(), table[:, k].copy(), 1.0 / table[k, k]
+    # Product before division: a symmetric table stays symmetric to the last bit.
+    table -= np.multiply.outer(column, row) * inverse
+    table[k], table[:, k], table[k, k] = -row * inverse, column * inverse, inverse
+
+
+def _inverse(A: Array) -> Array:
+    """Return A⁻¹, by exchange of all rows; every pivot of a positive definite A is positive."""
+    table = A.copy()
+    for k, diagonal in enumerate(np.diagonal(A)):
+        pivot = table[k, k]
+        if not (np.isfinite(pivot) and pivot > DEFINITE_MIN * abs(diagonal)):
+            raise LcpInputError(
+                "A = M/τ² + C_d/τ + K",
+                got=f"a pivot of {pivot:.3g} in row {k}, diagonal {diagonal:.3g}",
+                expected="a positive definite matrix",
+                hint="something without mass that nothing holds, or too short or too long a step?",
+            )
+        exchange(table, k)
+    return table
+
+
+def _mass(given: ArrayLike) -> Array:
+    M = numbers("mass", given)
+    if M.ndim != 2 or M.shape[0] != M.shape[1] or M.size == 0:  # noqa: PLR2004 - a matrix
+        raise LcpInputError("mass", got=f"shape {M.shape}", expected="a square matrix")
+    least = float(np.linalg.eigvalsh(finite("mass", M))[0])
+    if least < MASS_MIN * float(np.abs(M).max()):
         raise LcpInputError(
             "mass",
             got=f"an eigenvalue of {least:.3g}",
             expected="a matrix without negative eigenvalues",
         )
-
-
-def _input_error(error: _core.NativeError) -> LcpInputError:
-    _, message, details = error.args
-    name = details["array"]
-    reason = message.removeprefix(f"input array {name}: ")
-    return LcpInputError(f"{name}: {reason}")
+    return M

@@ -1,13 +1,16 @@
 """The language of evidence, and its records."""
 
 import math
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
 
-from arcless.validate.evidence import Measured, Topic, recorded
+from arcless.validate.evidence import Measured, Noticed, Topic, recorded
 from tests.support import records
 from tests.support.evidence import Evidence, OutsideError
+from tests.support.faults import Fault
 
 WHY = "a reason"
 
@@ -131,10 +134,50 @@ def test_records_are_of_this_version_and_have_their_tests() -> None:
         text = file.read_text(encoding="utf-8")
         assert topic.title and topic.text, f"{file}: the docstring is what the page says"
         assert topic.rows and topic.version == arcless.__version__
-        partner = records.ROOT / "tests" / "faults" / topic.group / file.name
         for test in {row.test.partition("[")[0] for row in topic.rows}:
             assert f"def {test}(" in text, f"{file}: {test} is gone: run `make evidence`"
-        assert topic.faults, f"{partner} shows no fault that {file} notices"
-        own = partner.read_text(encoding="utf-8")
-        for test in {fault.test.partition("[")[0] for fault in topic.faults}:
-            assert f"def {test}(" in own, f"{partner}: {test} is gone: run `make evidence`"
+
+
+def test_a_fault_is_noticed_each_time_it_is_put_in() -> None:
+    entered = []
+
+    @contextmanager
+    def broken(name: str) -> Iterator[None]:
+        entered.append(name)
+        yield
+
+    def check(evidence: Evidence, size: float, path: Path) -> None:
+        assert path == Path("fixture of path")
+        evidence.below("size", size, 1.0, unit="m", reason=WHY)
+
+    fault = Fault("too large", [broken("one"), broken("two")], check, size=2.0)
+    for _ in range(2):
+        found = fault.noticed(lambda name: Path(f"fixture of {name}"))
+        assert found == Noticed("too large", "size", "2; ≤ 1 m", "check")
+    assert entered == ["one", "two"] * 2
+
+
+def test_a_fault_that_a_check_does_not_notice_fails() -> None:
+    def check(size: float) -> None:
+        assert size > 1.0, "it is small\nand more"
+
+    assert Fault("small", (), check, size=0.5).noticed(str).found == "it is small"
+    with pytest.raises(AssertionError, match="check does not notice: none"):
+        Fault("none", (), check, size=2.0).noticed(str)
+
+
+def test_records_of_faults_are_in_the_order_of_their_table(record: Path) -> None:
+    def check() -> None:
+        """Notice nothing: this test says what was noticed."""
+
+    faults = [Fault(what, (), check) for what in ("mass", "length", "mass")]
+    first, second, third = (Noticed(f.what, f"row {n}", "", "") for n, f in enumerate(faults))
+    for number, found in ((0, first), (2, third), (1, second), (0, first)):
+        records.publish_fault(record, faults, number, found)
+    topic = records.load("closed_forms", "speed")
+    assert topic.faults == [first, second, third]
+    records.compare_fault(record, second)
+    with pytest.raises(AssertionError, match="make evidence"):
+        records.compare_fault(record, Noticed("length", "row 7", "", ""))
+    records.publish_fault(record, faults[1:2], 0, Noticed("length", "row 1", "another", ""))
+    assert records.load("closed_forms", "speed").faults == [second]  # its tolerance is as before

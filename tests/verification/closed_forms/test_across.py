@@ -20,6 +20,7 @@ import pytest
 
 from tests.support.catenary import green
 from tests.support.evidence import Evidence
+from tests.support.faults import Fault, scaled, without
 from tests.support.one_wire import AXIAL, MASS, SPAN, WEIGHT, one_wire
 
 TENSION, COUNT = 6e3, 4
@@ -44,3 +45,11 @@ def test_frequencies(model: str, evidence: Evidence) -> None:
             # Point masses of 0.75 m are late by (kℓ)²/24: 1e-3 for the fourth.
             relative=1.5e-3, reason="squares of slopes, (wL/T)²/48, and of the elements' lengths",
         )  # fmt: skip
+
+
+FAULTS = [
+    *(Fault(f"wires move along the track after all, {name}", without("across_only"),
+            test_frequencies, model=model)
+      for model, name in MODELS.items()),
+    Fault("mass 1 % too high", scaled("wires", "mass", 1.01), test_frequencies, model="hermite"),
+]  # fmt: skip

@@ -26,6 +26,8 @@ import numpy as np
 import pytest
 
 from tests.support import bare, schemes
+from tests.support.faults import Fault, forgotten
+from tests.support.run_faults import prepared_with, rider_scaled, stepped_by
 from tests.support.schemes import Member
 
 LENGTH, WAVE, MASS, SPEED = 2.0, 200.0, 10.0, 1.0
@@ -145,3 +147,19 @@ def test_impulse_and_energy(evidence: Any) -> None:
         unit="1",
         reason="rounding of 1e-16 in 101 coordinates and 1200 steps",
     )
+
+
+AFRESH = forgotten(finest)
+RADIUS_0 = schemes.generalised_alpha(0.0)
+FAULTS = [
+    *(Fault(f"{matrix} of the bar 1 % high", [AFRESH, rider_scaled(matrix, 1.01)],
+            test_force_and_duration)
+      for matrix in ("mass", "stiffness")),
+    Fault("mass of the bar 1 % high", [AFRESH, rider_scaled("mass", 1.01)],
+          test_impulse_and_energy),
+    Fault("one-sided differences in place of the member asked for",
+          [AFRESH, stepped_by(schemes.PUBLISHED)], test_speed_after, scheme=RADIUS_0),
+    Fault("contact of 1e6 N/m in place of a rigid one",
+          [AFRESH, prepared_with(contact_stiffness=lambda _: 1e6)], test_speed_after,
+          scheme=RADIUS_0),
+]  # fmt: skip

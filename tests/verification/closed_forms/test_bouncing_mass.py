@@ -20,12 +20,15 @@ forces throw it off and back; it stands still along the track. Steps of 1 ms.
 """
 
 from collections.abc import Callable
+from math import isinf
 from typing import Any
 
 import numpy as np
 import pytest
 
 from tests.support import bare, schemes
+from tests.support.faults import Fault
+from tests.support.run_faults import prepared_with, rider_scaled
 from tests.support.schemes import Member
 
 H, MASS, STEPS = 1e-3, 3.0, 300
@@ -122,3 +125,24 @@ def test_bounces_end_in_equilibrium(evidence: Any) -> None:
         absolute=1e-12,
         reason="at rest the force is the preload; one rounding of it is 2e-15",
     )
+
+
+def next_parameter(asked: tuple[str, list[float]]) -> tuple[str, list[float]]:
+    name, (first, *rest) = asked
+    return name, [first + 1e-6, *rest]
+
+
+BY_NAME = sorted(LAWS, key=lambda scheme: scheme.name)
+FAULTS = [
+    *(Fault(f"{scheme.label}: rigid contact yields by 1 m for 1e9 N",
+            prepared_with(contact_stiffness=lambda rigid: 1e9 if isinf(rigid) else rigid),
+            test_speed_after_a_rigid_impact, scheme=scheme)
+      for scheme in BY_NAME),
+    *(Fault(f"{scheme.label}: first parameter 1e-6 high", prepared_with(scheme=next_parameter),
+            test_speed_after_a_rigid_impact, scheme=scheme)
+      for scheme in BY_NAME
+      if scheme.numbers),
+    Fault("mass 1 % high", rider_scaled("mass", 1.01), test_bounces_end_in_equilibrium),
+    Fault("mass 1 % high", rider_scaled("mass", 1.01), test_speed_after_a_rigid_impact,
+          scheme=schemes.PUBLISHED),
+]  # fmt: skip

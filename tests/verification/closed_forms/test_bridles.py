@@ -22,6 +22,7 @@ from arcless.model import load
 from arcless.simulate import StaticsResult
 from tests.support.clamps import balance_at
 from tests.support.evidence import Evidence
+from tests.support.faults import Fault, gravity, scaled
 from tests.support.line_types import scenario_data
 from tests.support.simple_lines import bridle_data
 
@@ -105,3 +106,11 @@ def test_balance_at_the_clamps(evidence: Evidence, kind: str) -> None:
         reason=rounding,
     )
     assert along.shape == (18, 3)
+
+
+FAULTS = [
+    Fault("gravity 1 % too large", gravity(1.01), test_heights),
+    Fault("gravity 0.01 % too large", gravity(1.0001), test_balance_at_the_clamps, kind="straight"),
+    Fault("tension of the last wires 1 % too low",
+          scaled("wires", "tension", 0.99, rows=slice(-40, None)), test_heights),
+]  # fmt: skip

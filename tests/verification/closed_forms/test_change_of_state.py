@@ -29,6 +29,7 @@ import pytest
 
 from tests.support.catenary import Law, green, hooke, of_tension, with_ends
 from tests.support.evidence import Evidence
+from tests.support.faults import Fault, expansion, misbuilt, scaled
 from tests.support.one_wire import AXIAL, GRAVITY, MASS, SPAN, TENSION, WEIGHT, one_wire
 
 EXPANSION = 17e-6
@@ -148,3 +149,22 @@ def test_the_cubic_equation(evidence: Evidence, state: str) -> None:
         relative=2 * max(tension, TENSION) / AXIAL,
         reason="first order in the strain, and Hooke's law: each leaves out about T/EA",
     )  # fmt: skip
+
+
+FAULTS = [
+    Fault("α 1 % too high", expansion(1.01), test_the_cubic_equation, state="hot"),
+    Fault("α 1 % too high", expansion(1.01), test_tension_of_a_chain, case="fixed ends"),
+    Fault("α 1 % too high", expansion(1.01), test_way_of_an_end_under_constant_force,
+          model="hermite"),
+    Fault("mass per metre as if still cold",
+          misbuilt("mass", lambda mass: mass * (1.0 + 17e-6 * 80.0)),
+          test_tension_of_cubic_elements, case="fixed ends"),
+    Fault("ice 1 % too light", misbuilt("mass", lambda mass: mass - 0.01 * 1.5 * (mass > 2.0)),
+          test_way_of_an_end_under_constant_force, model="lumped"),
+    Fault("EA 1 % too high, wires", scaled("wires", "EA", 1.01), test_tension_of_cubic_elements,
+          case="fixed ends"),
+    Fault("EA 1 % too high, segments", scaled("segments", "EA", 1.01), test_tension_of_a_chain,
+          case="fixed ends"),
+    Fault("spring 1 % too soft", scaled("springs", "stiffness", 0.99),
+          test_tension_of_cubic_elements, case="tensioning spring"),
+]  # fmt: skip

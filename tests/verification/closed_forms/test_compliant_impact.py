@@ -20,6 +20,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tests.support import bare, schemes
+from tests.support.faults import Fault
+from tests.support.run_faults import contact_scaled, rider_scaled, stepped_by
 
 Floats = NDArray[np.float64]
 
@@ -71,3 +73,11 @@ def test_a_bounce(evidence: Any) -> None:
             reason="second order, (ωh)²/12 = 1.4e-6 for a frequency; seven times that, for opening"
             " and closing are placed on the grid of steps",
         )
+
+
+FAULTS = [
+    Fault("contact 1 % stiff", contact_scaled(1.01), test_a_bounce),
+    Fault("mass 1 % high", rider_scaled("mass", 1.01), test_a_bounce),
+    Fault(f"{schemes.DAMPED.label} in place of the default scheme", stepped_by(schemes.DAMPED),
+          test_a_bounce),
+]  # fmt: skip

@@ -18,6 +18,7 @@ import numpy as np
 import arcless
 from arcless.model import load
 from tests.support.evidence import Evidence
+from tests.support.faults import Fault, scaled
 from tests.support.line_types import compound_data, scenario_data
 
 RIGID = {"mass": 0.1, "axial_stiffness": 1e11, "bending_stiffness": 0.0, "tension": 1e8}
@@ -52,3 +53,9 @@ def test_elasticity(evidence: Evidence) -> None:
         evidence.close(
             f"elasticity {what}", value, expected, unit="m/N", relative=2e-3, reason=reason
         )
+
+
+FAULTS = [
+    Fault("hangers 1 % softer", scaled("links", "stiffness", 0.99), test_elasticity),
+    Fault("all tensions 1 % too low", scaled("segments", "tension", 0.99), test_elasticity),
+]  # fmt: skip

@@ -26,7 +26,9 @@ import arcless
 from arcless.model import load
 from arcless.simulate import StaticsResult
 from tests.support.evidence import Evidence
+from tests.support.faults import Fault, scaled
 from tests.support.line_types import scenario_data
+from tests.support.python_faults import tension
 from tests.support.simple_lines import rail_data
 
 FINE = {"solver__contact_wire_element": 0.5, "solver__messenger_wire_element": 0.5}
@@ -131,3 +133,13 @@ def test_buckling_of_a_heated_rail(evidence: Evidence) -> None:
         reason="from below, as far as the sag, which bends all spans alike, is small beside the "
         "buckles; held straight it would carry EA α Δθ, three times as much",
     )
+
+
+FAULTS = [
+    Fault("EI 1 % too high", scaled("wires", "EI", 1.01), test_sag, model="hermite"),
+    Fault("EI of bends 1 % too high", scaled("bends", "EI", 1.01), test_sag, model="lumped"),
+    Fault("EI 1 % too high", scaled("wires", "EI", 1.01), test_force_in_the_middle),
+    Fault("EI 5 % too high", scaled("wires", "EI", 1.05), test_buckling_of_a_heated_rail),
+    Fault("mass 1 % too high", scaled("wires", "mass", 1.01), test_first_frequency),
+    Fault("10 N of tension", tension(more=10.0), test_sag, model="hermite"),
+]  # fmt: skip

@@ -28,6 +28,7 @@ import pytest
 import arcless
 from tests.support.curves import AXIAL, MASS, one_span, two_spans
 from tests.support.evidence import Evidence
+from tests.support.faults import Fault, curve_as_a_load, scaled
 
 TENSION, RADIUS, SPAN, COUNT = 12e3, 600.0, 60.0, 80
 KINDS = ("wires", "segments")
@@ -109,3 +110,17 @@ def test_families(evidence: Evidence) -> None:
             f"{name}, AC simple, explicit steps against cubic elements", value, reference,
             unit="mm", relative=0.01, reason="on a straight line both are within 1 %, too",
         )  # fmt: skip
+
+
+FAULTS = [
+    *(fault
+      for kind in sorted(KINDS)
+      for fault in (
+          Fault(f"curves as loads, wires stretch as they seem to bend, {kind}, one span",
+                curve_as_a_load(), test_one_span, kind=kind),
+          Fault(f"the same, two spans, {kind}", curve_as_a_load(), test_two_spans, kind=kind,
+                weight=9.81),
+      )),
+    Fault("track turns by 2 % more than the supports stand for", scaled("turns", "turn", 1.02),
+          test_two_spans, kind="wires", weight=9.81),
+]  # fmt: skip

@@ -26,6 +26,8 @@ import pytest
 from numpy.typing import NDArray
 
 from tests.support import bare, schemes
+from tests.support.faults import Fault, scaled
+from tests.support.run_faults import prepared_with, rider_scaled, stepped_by
 from tests.support.schemes import Member
 
 Floats = NDArray[np.float64]
@@ -139,3 +141,24 @@ def test_what_20_hz_at_1_ms_costs(evidence: Any) -> None:
         absolute=2e-12,
         reason="tan(ω̄h/2) = ωh/2; rounding of 200 steps fitted",
     )
+
+
+def more(asked: tuple[str, list[float]]) -> tuple[str, list[float]]:
+    return asked[0], [number + 0.001 for number in asked[1]]
+
+
+FAULTS = [
+    *(Fault(f"{column} of the spring 1 % high", scaled("springs", column, 1.01),
+            test_frequency_and_damping, scheme=schemes.ALL[0])
+      for column in ("damping", "stiffness")),
+    *(Fault(f"{matrix} of the pantograph 1 % high", rider_scaled(matrix, 1.01),
+            test_frequency_and_damping, scheme=schemes.DEFAULT)
+      for matrix in ("damping", "mass", "stiffness")),
+    *(Fault(f"{scheme.label}: parameters 0.001 high", prepared_with(scheme=more),
+            test_frequency_and_damping, scheme=scheme)
+      for scheme in schemes.BY_NAME
+      if scheme.numbers),
+    Fault("step 1 % long", prepared_with(step=lambda h: 1.01 * h), test_what_20_hz_at_1_ms_costs),
+    Fault("default scheme in place of the one asked for", stepped_by(schemes.DEFAULT),
+          test_what_20_hz_at_1_ms_costs),
+]  # fmt: skip

@@ -29,8 +29,10 @@ import numpy as np
 
 from tests.support import straight
 from tests.support.evidence import Evidence
+from tests.support.faults import Fault, scaled
 from tests.support.moving_mass import MovingMass
 from tests.support.pushing import mass, press
+from tests.support.python_faults import misled, press_late
 from tests.support.waves import Floats, Waves, balanced, pulse, spectrum
 
 STRING = straight.wire(20e3, 1.35, 0.0, 15e6)
@@ -147,3 +149,15 @@ def test_wave_thrown_back_by_a_moving_mass(evidence: Evidence) -> None:
         reason="cubic elements have no kink, which the string has at the mass: it is spread over"
         " elements of 0.05 m, 1/50 of the shortest wave",
     )  # fmt: skip
+
+
+TENSION = scaled("wires", "tension", 1.01)
+FAULTS = [
+    Fault("tension 1 % too large", TENSION, test_tone_of_a_moving_force),
+    Fault("tension 1 % too large", TENSION, test_echo_under_the_force),
+    Fault("tension 1 % too large", TENSION, test_wave_thrown_back_by_a_moving_mass),
+    Fault("force half a step behind its place", press_late(__name__), test_tone_of_a_moving_force),
+    Fault("moving mass 1 % too heavy",
+          misled(__name__, "mass", lambda kilograms: [1.01 * kilograms]),
+          test_wave_thrown_back_by_a_moving_mass),
+]  # fmt: skip

@@ -30,6 +30,7 @@ from arcless.model import load
 from tests.support.beams import Beam
 from tests.support.catenary import green, hooke
 from tests.support.evidence import Evidence
+from tests.support.faults import Fault, scaled
 from tests.support.line_types import scenario_data, stitched_data
 from tests.support.one_wire import AXIAL, SPAN, TENSION, one_wire
 from tests.support.two_beams import TwoBeams, Wire
@@ -150,3 +151,19 @@ def test_simple_line_of_strings(evidence: Evidence, force: float) -> None:
         }
         labels = {"x": "x, m", "y": "elasticity, mm/N"}
         evidence.figure("span", curves, **labels, title="Elasticity over a span of a simple line")
+
+
+FAULTS = [
+    Fault("tension 0.1 % too high", scaled("wires", "tension", 1.001),
+          test_string_of_cubic_elements),
+    Fault("tension 0.1 % too high, chain", scaled("segments", "tension", 1.001),
+          test_string_of_point_masses),
+    Fault("EI 1 % too high", scaled("wires", "EI", 1.01), test_beam),
+    Fault("EI 1 % too high", scaled("wires", "EI", 1.01), test_simple_line_of_beams),
+    Fault("one dropper 1 % too soft", scaled("links", "stiffness", 0.99, [14]),
+          test_simple_line_of_strings, force=0.0),
+    Fault("arms and supports 1 % too stiff", scaled("springs", "stiffness", 1.01),
+          test_simple_line_of_strings, force=0.0),
+    Fault("wires 0.1 % too light: droppers slacken earlier", scaled("segments", "mass", 0.999),
+          test_simple_line_of_strings, force=0.8),
+]  # fmt: skip

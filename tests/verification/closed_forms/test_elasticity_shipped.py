@@ -29,6 +29,7 @@ from arcless.simulate import StaticsResult
 from tests.support.catenary import green
 from tests.support.evidence import Evidence
 from tests.support.explicit import BY_MATRIX
+from tests.support.faults import Fault, scaled, without
 from tests.support.two_beams import TwoBeams, Wire, hung_string
 
 AtRest = Callable[..., StaticsResult]
@@ -127,3 +128,14 @@ def test_scratch_model(evidence: Evidence, at_rest: AtRest) -> None:
             f"shipped line with a soft arm, {place}", 1e3 * value, known, unit="mm/N",
             relative=0.1, reason=reason, mark="D",
         )  # fmt: skip
+
+
+FAULTS = [
+    Fault("tensions 1 % too high", scaled("wires", "tension", 1.01), test_cubic_elements,
+          elements=(0.25, 0.25)),
+    Fault("tensions 1 % too high", scaled("segments", "tension", 1.01), test_chains,
+          elements=(0.45, 0.6)),
+    Fault("chains as they are", without("fitted_bends"), test_chains, elements=(0.45, 0.6)),
+    Fault("arms and supports 20 % too stiff", scaled("springs", "stiffness", 1.2),
+          test_cubic_elements, elements=(1.45, 2.9)),
+]  # fmt: skip

@@ -19,6 +19,7 @@ from arcless.equilibrium import equilibrium
 from arcless.model import load
 from tests.support.catenary import green
 from tests.support.evidence import Evidence
+from tests.support.faults import Fault, scaled
 from tests.support.line_types import scenario_data, stitched_data
 from tests.support.two_beams import TwoBeams, Wire, hung_string
 
@@ -72,3 +73,11 @@ def test_ends_under_constant_force(evidence: Evidence) -> None:
         0.015 * yielding, unit="1",
         reason="36 leaning droppers, T/ℓ each, are 3 kN/m beside EA/L: their share of 1.5 %",
     )  # fmt: skip
+
+
+FAULTS = [
+    Fault("EA half as large, so that sag counts half", scaled("wires", "EA", 0.5), test_fixed_ends),
+    Fault("tensions 1 % too high", scaled("wires", "tension", 1.01), test_fixed_ends),
+    Fault("forces at the ends 1 % too high", scaled("ends", "force", 1.01),
+          test_ends_under_constant_force),
+]  # fmt: skip

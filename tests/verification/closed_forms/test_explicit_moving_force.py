@@ -18,6 +18,8 @@ and goes from 10 m to 55 m, 1 ms. Compared are deflections at 15, 30 and 45 m an
 over the largest.
 """
 
+from unittest.mock import patch
+
 import numpy as np
 import pytest
 
@@ -25,8 +27,10 @@ from arcless.model.line.parts.components import Wire
 from tests.support import moving_force, straight
 from tests.support.evidence import Evidence
 from tests.support.explicit_waves import Stepped
+from tests.support.faults import Fault, scaled, without
 from tests.support.moving_force import LENGTH, START, STEP, Series, furthest, series
 from tests.support.pushing import EXPLICIT, Pressed, press
+from tests.support.python_faults import press_late
 from tests.support.straight import Floats
 from tests.verification.closed_forms.test_moving_force_string import FAST, KINDS, SLOW
 
@@ -128,3 +132,19 @@ def test_moving_force(evidence: Evidence, name: str) -> None:
                 f"|w − series| / largest w, {name}, {share} c", furthest(found, exact), 4.3e-3,
                 unit="1", reason=LEFT,
             )  # fmt: skip
+
+
+FAULTS = [
+    *(Fault(f"{column} of the chain 0.1 % too large", scaled("segments", column, 1.001),
+            test_moving_force, name="string")
+      for column in ("tension", "mass")),
+    Fault("EI 1 % too large", scaled("bends", "EI", 1.01), test_moving_force, name="contact wire"),
+    Fault("points yield as those of a chain", without("fitted_bends"), test_moving_force,
+          name="contact wire"),
+    Fault("chords between points", without("fitted_bends"), test_moving_force, name="string"),
+    Fault("force half a step behind its place", press_late(__name__), test_moving_force,
+          name="string"),
+    Fault("elements of 0.5 m in place of 0.45 m",
+          patch.multiple(__name__, X=np.linspace(0.0, LENGTH, 121)), test_moving_force,
+          name="string"),
+]  # fmt: skip

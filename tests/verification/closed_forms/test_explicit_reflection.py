@@ -24,6 +24,8 @@ and behind it (20 kN, 1.35 kg/m, 200 N m²; the other wire of the dropper 16 kN,
 N m²), masses 0.5 m apart everywhere, 1 ms, 2 to 30 Hz.
 """
 
+from unittest.mock import patch
+
 import numpy as np
 import pytest
 
@@ -31,6 +33,7 @@ from arcless.model.line.parts.components import DropperType
 from tests.support import scattering, straight
 from tests.support.evidence import Evidence
 from tests.support.explicit_waves import Stepped, of_chain
+from tests.support.faults import Fault, scaled, without
 from tests.support.pushing import EXPLICIT
 from tests.support.waves import Complex, Waves, balanced
 from tests.verification.closed_forms import test_reflection_dropper as dropper
@@ -163,3 +166,24 @@ def test_taut_dropper(evidence: Evidence) -> None:
             f"|s − {what}| of the other wire, both ways, largest of 2 to 30 Hz",
             np.abs(np.array(found.across) - s).max(), most, unit="1", reason=why,
         )  # fmt: skip
+
+
+SPRING, DAMPER = OBSTACLES
+FAULTS = [
+    Fault("spring 1 % too stiff", scaled("springs", "stiffness", 1.01), test_spring_and_damper,
+          name=SPRING),
+    Fault("damper 1 % too strong", scaled("springs", "damping", 1.01), test_spring_and_damper,
+          name=DAMPER),
+    Fault("mass 1 % too heavy", scaled("masses", "mass", 1.01), test_mass, mass=2.0),
+    *(Fault(f"{column} of the dropper 1 % too large", scaled("links", column, 1.01),
+            test_taut_dropper)
+      for column in ("stiffness", "damping")),
+    *(Fault(f"{column} of the chain 0.1 % too large", scaled("segments", column, 1.001), test_mass,
+            mass=8.0)
+      for column in ("tension", "mass")),
+    Fault("EI 1 % too large", scaled("bends", "EI", 1.01), test_taut_dropper),
+    Fault("points yield as those of a chain", without("fitted_bends"), test_spring_and_damper,
+          name=SPRING),
+    Fault("masses 0.4 m apart in place of 0.5 m",
+          patch.multiple(__name__, X=np.arange(-40.0, 280.2, 0.4)), test_taut_dropper),
+]  # fmt: skip

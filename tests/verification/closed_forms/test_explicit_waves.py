@@ -25,13 +25,17 @@ against the wire, and against the steps as the theory has them (`tests/support/e
 where nothing is left but the end of the record.
 """
 
+from unittest.mock import patch
+
 import numpy as np
 import pytest
 
 from tests.support import scattering, straight
 from tests.support.evidence import Evidence
 from tests.support.explicit_waves import Stepped, of_chain
+from tests.support.faults import Fault, scaled, without
 from tests.support.pushing import EXPLICIT
+from tests.support.run_faults import prepared_with
 from tests.support.waves import Complex, Floats, spectrum
 from tests.verification.closed_forms import test_wave_decay as decay
 
@@ -138,3 +142,21 @@ def test_damping(evidence: Evidence, which: str, bending: float) -> None:
         reason="the lag of damping in first order; the wave is late by"
         " (1 − C²)(4 − C²)(9 − C²)(kℓ)⁶/40320 of 51 rad = 8e-4, and by less with EI",
     )  # fmt: skip
+
+
+FAULTS = [
+    *(Fault(f"{column} of the chain 0.1 % too large", scaled("segments", column, 1.001),
+            test_phase_speed, bending=0.0)
+      for column in ("tension", "mass")),
+    Fault("EI 1 % too large", scaled("bends", "EI", 1.01), test_phase_speed, bending=200.0),
+    Fault("points yield as those of a chain", without("fitted_bends"), test_phase_speed,
+          bending=200.0),
+    Fault("masses 0.4 m apart in place of 0.5 m",
+          patch.multiple(__name__, X=np.arange(-40.0, 280.2, 0.4)), test_phase_speed, bending=0.0),
+    Fault("steps that are solved for", prepared_with(scheme=lambda _: ("trapezoidal", [])),
+          test_phase_speed, bending=0.0),
+    *(Fault(f"{column} {what}", scaled("segments", column, factor), test_damping, which=column,
+            bending=0.0)
+      for column in ("alpha", "beta")
+      for factor, what in ((1.01, "1 % too large"), (0.0, "dropped"))),
+]  # fmt: skip

@@ -33,8 +33,10 @@ from arcless.model.line.parts.components import DropperType
 from tests.support.beams import Beam
 from tests.support.evidence import Evidence
 from tests.support.families import CONTACT, FAMILIES, MESSENGER, NEAR_YIELD, YIELDING, Family, hold
+from tests.support.faults import Fault, scaled, without
 from tests.support.hung_beams import Hung, Link, Place
 from tests.support.pushing import press
+from tests.support.python_faults import misled
 from tests.support.straight import Floats
 
 END, MIDDLE = 57.6, 28.8  # m
@@ -191,3 +193,18 @@ def test_slow_push_at_droppers(evidence: Evidence, name: str, count: int) -> Non
         reason=reasons,
         unit="1",
     )
+
+
+FAULTS = [
+    *(Fault(f"{column} × {factor}", scaled("wires", column, factor), test_bare_wire, name="cubic")
+      for column, factor in (("tension", 1.001), ("EI", 1.05))),
+    *(Fault("droppers 2 % too stiff", scaled("links", "stiffness", 1.02), check, name="cubic",
+            count=1)
+      for check in (test_lift_at_droppers, test_slow_push_at_droppers)),
+    Fault("no residual flexibility", without("residual_flexibility"), test_bare_wire, name="cubic"),
+    Fault("no residual flexibility", without("residual_flexibility"), test_lift_at_droppers,
+          name="cubic", count=2),
+    Fault("closed form of one dropper",
+          misled(__name__, "Hung", lambda wires, links: (wires, links[:1])), test_lift_at_droppers,
+          name="cubic", count=2),
+]  # fmt: skip

@@ -21,6 +21,7 @@ which would round the kinks.
 from collections.abc import Callable
 from math import cos
 from typing import Any
+from unittest.mock import patch
 
 import numpy as np
 import pytest
@@ -28,9 +29,11 @@ import pytest
 import arcless
 from arcless.model import load
 from arcless.simulate import StaticsResult
+from tests.support import fresh
 from tests.support.catenary import green
 from tests.support.evidence import Evidence
 from tests.support.explicit import BY_MATRIX
+from tests.support.faults import Fault, scaled, spoiled
 from tests.support.line_types import scenario_data, stitched_data
 from tests.support.two_beams import hung_string
 
@@ -122,3 +125,27 @@ def test_arms_hold_the_stagger(evidence: Evidence) -> None:
         "worst of 5 steady arms", max(abs(force - pull) for force in forces),
         8 * 2.2e-16 * 360.0 * 14e6 / 1.45, unit="N", reason="the statics balances to 8 ε L EA/h",
     )  # fmt: skip
+
+
+def shift(arguments: dict[str, Any]) -> bool:
+    """Move every support that stands to the left by 1 mm more."""
+    across = arguments["positions"][:, 1]
+    across[across > 0.15] += 1e-3
+    return bool((across > 0.15).any())
+
+
+FAULTS = [
+    *(Fault(what, scaled(kind, "mass", factor), check, at_rest=fresh.at_rest, wires=wires)
+      for what, kind, factor, check in (
+          ("clamps 1 % too light", "masses", 0.99, test_droppers_carry_the_contact_wire),
+          ("droppers 1 % too light", "links", 0.99, test_supports_carry_all),
+          ("wires 0.1 % too heavy", "wires", 1.001, test_supports_carry_all),
+      )
+      for wires in sorted(WIRES)),
+    Fault("chains that stretch like cubic elements",
+          patch.multiple(__name__, WIRES={"chains": ({}, green)}), test_supports_carry_all,
+          at_rest=fresh.at_rest, wires="chains"),
+    Fault("stagger 1 mm too large on one side", spoiled(shift), test_arms_hold_the_stagger),
+    Fault("tension 0.1 % too high", scaled("segments", "tension", 1.001),
+          test_arms_hold_the_stagger),
+]  # fmt: skip

@@ -25,6 +25,7 @@ from scipy.linalg import eigh
 
 from tests.support.catenary import green, hooke
 from tests.support.evidence import Evidence
+from tests.support.faults import Fault, scaled
 from tests.support.one_wire import AXIAL, MASS, SPAN, TENSION, one_wire
 
 BENDING = 2e4
@@ -148,3 +149,18 @@ def test_along(evidence: Evidence) -> None:
         "first frequency along the wire", nearest, first, unit="Hz", relative=1e-9,
         reason="(kh)⁶/60480 with kh = 0.08 is 4e-12; rounding",
     )  # fmt: skip
+
+
+FAULTS = [
+    Fault("EI 0.1 % too high", scaled("wires", "EI", 1.001), test_across),
+    Fault("EI 0.1 % too high, chain", scaled("bends", "EI", 1.001), test_a_chain_has_its_own),
+    Fault("mass 0.1 % too high", scaled("wires", "mass", 1.001), test_across),
+    Fault("mass 1 % too high", scaled("wires", "mass", 1.01), test_wave_speed_of_the_shipped_wire),
+    Fault("one of 40 segments 0.1 % too heavy", scaled("segments", "mass", 1.001, [7]),
+          test_a_chain_has_its_own),
+    Fault("EA 1 % too high", scaled("wires", "EA", 1.01), test_cubic_elements_have_their_own),
+    Fault("EA 1 % too high", scaled("wires", "EA", 1.01), test_along),
+    Fault("tension 0.1 % too low", scaled("wires", "tension", 0.999), test_across),
+    Fault("one of 40 elements bends too little by 0.1 %", scaled("wires", "EI", 1.001, [3]),
+          test_cubic_elements_have_their_own),
+]  # fmt: skip

@@ -26,6 +26,7 @@ from scipy.optimize import brentq
 
 from tests.support.catenary import green
 from tests.support.evidence import Evidence
+from tests.support.faults import Fault, gravity, scaled
 from tests.support.one_wire import AXIAL, MASS, SPAN, WEIGHT, one_wire
 
 TENSIONS = (20e3, 12e3, 8e3, 6e3, 5e3, 4e3, 3e3)
@@ -90,3 +91,10 @@ def test_frequencies(evidence: Evidence) -> None:
     evidence.figure(
         "crossing", shown, **labels, title="Lowest modes of a wire that sags", log_x=True
     )
+
+
+FAULTS = [
+    Fault("EA 5 % too low", scaled("wires", "EA", 0.95), test_frequencies),
+    Fault("gravity 10 % too low, as if sag did not matter", gravity(0.9), test_frequencies),
+    Fault("mass 1 % too high", scaled("wires", "mass", 1.01), test_frequencies),
+]  # fmt: skip

@@ -16,6 +16,8 @@ import numpy as np
 
 import arcless
 from tests.support.evidence import Evidence
+from tests.support.faults import Fault
+from tests.support.python_faults import set_gravity, tension
 
 LENGTH, TENSION, FORCE = 60.0, 10e3, 20.0
 POINTS = np.array([10.0, 20.0, 40.0, 50.0])
@@ -60,3 +62,9 @@ def test_linearised_motion_has_no_such_part(evidence: Evidence) -> None:
         differing=int(np.count_nonzero(along(**{"solver.kinematics": "linearised"}))),
         reason="across a straight wire nothing couples to its length",
     )
+
+
+FAULTS = [
+    Fault("tension 1 % too high", tension(1.01), test_slopes_draw_the_wire_towards_its_fixed_end),
+    Fault("weight, and so a sag", set_gravity(9.81), test_linearised_motion_has_no_such_part),
+]  # fmt: skip

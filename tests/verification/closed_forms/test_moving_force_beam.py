@@ -30,6 +30,7 @@ import pytest
 from arcless.model.line.parts.components import Wire
 from tests.support import straight
 from tests.support.evidence import Evidence
+from tests.support.faults import Fault, scaled
 from tests.support.pushing import press
 from tests.support.waves import Complex, Floats, Waves
 
@@ -120,3 +121,15 @@ def test_steady_state(evidence: Evidence, name: str, speed: float) -> None:
         },
         x="distance ahead of the force in m", y="deflection in mm", title=title,
     )  # fmt: skip
+
+
+FAULTS = [
+    *(Fault(f"{column} of the foundation 1 % too large", scaled("springs", column, 1.01),
+            test_steady_state, name="rail", speed=60.0)
+      for column in ("stiffness", "damping")),
+    *(Fault(f"{column} of the rail 1 % too large", scaled("wires", column, 1.01), test_steady_state,
+            name="rail", speed=30.0)
+      for column in ("EI", "mass")),
+    Fault("tension of the wire 1 % too large", scaled("wires", "tension", 1.01), test_steady_state,
+          name="contact wire", speed=60.0),
+]  # fmt: skip

@@ -23,7 +23,9 @@ import pytest
 
 from tests.support import moving_force, straight
 from tests.support.evidence import Evidence
+from tests.support.faults import Fault, scaled
 from tests.support.moving_force import furthest, series
+from tests.support.python_faults import press_late
 
 KINDS = {
     "string": straight.wire(20e3, 1.35, 0.0, 15e6),
@@ -76,3 +78,14 @@ def test_near_the_wave_speed(evidence: Evidence, name: str) -> None:
         {"string": 3e-4, "contact wire": 5e-5}[name], unit="1",
         reason=MISSED[name] + (piled if name == "contact wire" else ""),
     )  # fmt: skip
+
+
+FAULTS = [
+    *(Fault(f"{column} of the wire 1 % too large", scaled("wires", column, 1.01),
+            test_at_half_of_the_wave_speed, name="string")
+      for column in ("tension", "mass")),
+    Fault("EI 1 % too large", scaled("wires", "EI", 1.01), test_at_half_of_the_wave_speed,
+          name="contact wire"),
+    Fault("force half a step behind its place", press_late(moving_force),
+          test_at_half_of_the_wave_speed, name="contact wire"),
+]  # fmt: skip

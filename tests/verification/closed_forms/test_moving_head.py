@@ -27,9 +27,11 @@ import pytest
 
 from tests.support.evidence import Evidence
 from tests.support.families import CONTACT, FAMILIES, YIELDING, Family, hold
+from tests.support.faults import Fault, scaled, without
 from tests.support.moving_runs import KMH, SPEEDS, Travel, Travelled, along, filtered
 from tests.support.moving_wire import Head, MovingWire, over_time
 from tests.support.pushing import mass
+from tests.support.python_faults import misled
 from tests.support.straight import Floats
 from tests.support.waves import Complex, spectrum
 
@@ -189,3 +191,22 @@ def test_head_on_a_spring(evidence: Evidence, name: str, speed: float) -> None:
 @pytest.mark.parametrize("name", YIELDING)
 def test_head_on_a_spring_in_space(evidence: Evidence, name: str) -> None:
     check_spring(evidence, name, SPEEDS[0], SLANT)
+
+
+FAULTS = [
+    *(Fault(f"{name}: {what}", broken, check, name=name, speed=SPEEDS[0])
+      for name in ("chain", "cubic")
+      for what, broken, check in (
+          ("wire 5 % too heavy", scaled("wires", "mass", 1.05), test_thrown_head),
+          ("wire 5 % too heavy", scaled("wires", "mass", 1.05), test_head_on_a_spring),
+          ("head 2 % too heavy", misled(__name__, "mass", lambda head, *rest: (1.02 * head, *rest)),
+           test_thrown_head),
+          ("spring 5 % too stiff",
+           misled(__name__, "mass", lambda head, spring: (head, 1.05 * spring)),
+           test_head_on_a_spring),
+      )),
+    Fault("no residual flexibility", without("residual_flexibility"), test_thrown_head,
+          name="cubic", speed=SPEEDS[0]),
+    Fault("no residual flexibility", without("residual_flexibility"),
+          test_head_on_a_spring_in_space, name="cubic"),
+]  # fmt: skip

@@ -27,9 +27,11 @@ import pytest
 
 from tests.support.evidence import Evidence
 from tests.support.families import CONTACT, FAMILIES, Family, hold
+from tests.support.faults import Fault, scaled, without
 from tests.support.moving_runs import KMH, PRESSED, SPEEDS, Travel, along, filtered
 from tests.support.moving_wire import Head, MovingWire, over_time
 from tests.support.pushing import mass
+from tests.support.python_faults import misled
 from tests.support.straight import Floats
 from tests.support.waves import Waves
 
@@ -161,3 +163,22 @@ def test_string_without_elements(evidence: Evidence) -> None:
             reason="the sum over frequencies ends at 4 kHz: a jump (rigid contact)"
             " rings there by 1/(2π 4 kHz t), 0.2 to 1 % of it, a bend by 1e-5",
         )  # fmt: skip
+
+
+FASTER = misled(__name__, "closed_form", lambda w, v, k, t: (w, 1.02 * v, k, t))
+FAULTS = [
+    *(Fault(f"{name}: {what}", broken, test_kink, name=name, speed=SPEEDS[0])
+      for name in ("chain", "cubic")
+      for what, broken in (
+          ("kink 3 % too large", scaled("loads", "force", 1.03)),
+          ("wire 5 % too heavy", scaled("wires", "mass", 1.05)),
+          ("head 2 % too heavy", misled(__name__, "mass", lambda head: [1.02 * head])),
+      )),
+    Fault("no residual flexibility", without("residual_flexibility"), test_kink, name="cubic",
+          speed=SPEEDS[0]),
+    Fault("points yield as those of a chain", without("fitted_bends"), test_kink, name="chain",
+          speed=SPEEDS[0]),
+    Fault("wire across the track: 2 % too fast", FASTER, test_kink_in_space, name="cubic"),
+    Fault("rigid contact: 2 % too fast", FASTER, test_kink_under_a_rigid_contact, number=0),
+    Fault("formula of another speed", FASTER, test_string_without_elements),
+]  # fmt: skip

@@ -26,9 +26,11 @@ import pytest
 from arcless.model.pantograph.pantograph import Pantograph
 from tests.support.evidence import Evidence
 from tests.support.families import CONTACT, FAMILIES, YIELDING, Family, hold
+from tests.support.faults import Fault, scaled, without
 from tests.support.moving_runs import KMH, SPEEDS, STEP, Travel, Travelled
 from tests.support.moving_wire import MovingWire
 from tests.support.pushing import WEIGHTLESS, mass
+from tests.support.python_faults import misled, wrong
 from tests.support.straight import Floats
 from tests.support.waves import Complex, spectrum
 
@@ -200,3 +202,23 @@ def test_free_follower(evidence: Evidence, name: str, speed: float, slant: float
         f"delay to a second, free strip, {what}", 1e3 * centre(more.time[near], moved), 1e3 * delay,
         unit="ms", absolute=0.2, reason=LATER,
     )  # fmt: skip
+
+
+def stronger(*given: float) -> tuple[float, ...]:
+    """Make the damper of a mass 5 % stronger, which is given after its mass and its spring."""
+    return *given[:2], *(1.05 * damper for damper in given[2:])
+
+
+FAULTS = [
+    *(Fault(f"{name}: {what}", broken, check, name=name, speed=SPEEDS[0], **more)
+      for name in ("chain", "cubic")
+      for what, broken, check, more in (
+          ("wire 2 % too heavy", scaled("wires", "mass", 1.02), test_free_follower,
+           {"slant": None}),
+          ("damper 5 % too strong", misled(__name__, "mass", stronger), test_damped_follower, {}),
+          ("closed form 2 % off", wrong(__name__, "asked", lambda found: 1.02 * found),
+           test_damped_follower, {}),
+      )),
+    Fault("no residual flexibility", without("residual_flexibility"), test_damped_follower,
+          name="cubic", speed=SPEEDS[0]),
+]  # fmt: skip

@@ -21,12 +21,15 @@ all nodes are the foundation (κℓ each), and a head of 7.5 or 60 kg is pushed 
 which wire and head still move 0.5 s later, by least squares.
 """
 
+from unittest.mock import patch
+
 import numpy as np
 import pytest
 from scipy.optimize import brentq, minimize_scalar
 
 from tests.support.evidence import Evidence
 from tests.support.families import CONTACT, FAMILIES, YIELDING, Family, hold
+from tests.support.faults import Fault, scaled, without
 from tests.support.moving_runs import KMH, SPEEDS, Travel, Travelled, along
 from tests.support.moving_wire import MovingWire
 from tests.support.pushing import WEIGHTLESS, mass
@@ -189,3 +192,21 @@ def test_string(evidence: Evidence) -> None:
             np.sqrt(square) / (2.0 * np.pi), given, unit="Hz", relative=1e-3,
             reason="as noted with other digits of Z",
         )  # fmt: skip
+
+
+FAULTS = [
+    *(fault
+      for name in ("chain", "cubic")
+      for fault in (
+          Fault(f"{name}: wire 2 % too heavy", scaled("wires", "mass", 1.02), test_harmonic_force,
+                name=name, speed=SPEEDS[0]),
+          Fault(f"{name}: foundation 2 % too stiff", scaled("springs", "stiffness", 1.02),
+                test_trapped_mode, name=name, speed=0.0),
+      )),
+    Fault("no residual flexibility", without("residual_flexibility"), test_harmonic_force_in_space,
+          name="cubic"),
+    Fault("points yield as those of a chain", without("fitted_bends"), test_harmonic_force_in_space,
+          name="chain"),
+    Fault("a string's K without its foundation",
+          patch.object(MovingWire, "stiffness", lambda _, omega: 344.7j * omega), test_string),
+]  # fmt: skip

@@ -27,6 +27,7 @@ import pytest
 from arcless.model.line.parts.components import DropperType
 from tests.support.evidence import Evidence
 from tests.support.families import CONTACT, FAMILIES, MESSENGER, YIELDING, Family, hold
+from tests.support.faults import Fault, scaled, without
 from tests.support.obstacles import HERTZ, Obstacle, answers, reflected, shown
 from tests.support.straight import Straight
 from tests.support.waves import Complex
@@ -103,3 +104,21 @@ def test_dropper(evidence: Evidence, name: str) -> None:
     )
     (own, far), (other, _) = answers(family, CONTACT), answers(family, MESSENGER)
     show(evidence, family, "dropper", obstacle, -far / (1.0 / DROPPER + own + other))
+
+
+FAULTS = [
+    *(fault
+      for name in ("chain", "cubic")
+      for fault in (
+          Fault(f"{name}: spring 2 % too stiff", scaled("springs", "stiffness", 1.02), test_spring,
+                name=name, stiffness=5e3),
+          Fault(f"{name}: clamp 10 % too heavy", scaled("masses", "mass", 1.1), test_mass,
+                name=name, mass=0.2),
+      )),
+    *(Fault(f"{name}: {column} of the wire 3 % too large", scaled("wires", column, 1.03),
+            test_spring, name=name, stiffness=5e3)
+      for name in ("chain", "cubic")
+      for column in ("tension", "mass")),
+    Fault("dropper 4 % too stiff", scaled("links", "stiffness", 1.04), test_dropper, name="cubic"),
+    Fault("no residual flexibility", without("residual_flexibility"), test_dropper, name="cubic"),
+]  # fmt: skip

@@ -31,6 +31,8 @@ from numpy.typing import NDArray
 from arcless.model import load_pantograph
 from arcless.simulate.setup import pantographs
 from tests.support import bare, multisine, schemes
+from tests.support.faults import Fault
+from tests.support.run_faults import contact_scaled, rider_scaled, spoiled
 
 Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -153,3 +155,29 @@ def test_response(evidence: Any, kind: str) -> None:
         unit="1",
         reason=reason,
     )
+
+
+def still(arguments: dict[str, Any]) -> None:
+    """Take the rate of the roof, which dampers feel."""
+    (head,) = arguments["riders"]
+    forces, (carried, height, rate) = head[7]
+    given = forces, (carried, height, [0.0 * value for value in rate])
+    arguments["riders"] = [(*head[:7], given, *head[8:])]
+
+
+def turned(arguments: dict[str, Any]) -> None:
+    """Turn round the sign of the damper between the masses."""
+    (head,) = arguments["riders"]
+    a, b, c, d = head[1]
+    arguments["riders"] = [(head[0], [a, -b, -c, d], *head[2:])]
+
+
+FAULTS = [
+    Fault("mass 1 % high", rider_scaled("mass", 1.01), test_response, kind="roof"),
+    Fault("stiffness 1 % high", rider_scaled("stiffness", 1.01), test_response, kind="roof"),
+    Fault("damping 1 % high", rider_scaled("damping", 1.01), test_response, kind="free"),
+    Fault("contact 1 % stiff", contact_scaled(1.01), test_response, kind="wavy wire"),
+    Fault("dampers do not feel the roof move", spoiled(running=still), test_response, kind="roof"),
+    Fault("sign of the damper between the masses", spoiled(running=turned), test_response,
+          kind="free"),
+]  # fmt: skip

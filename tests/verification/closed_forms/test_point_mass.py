@@ -20,7 +20,9 @@ import arcless
 from arcless.model import load
 from arcless.simulate import StaticsResult
 from tests.support.evidence import Evidence
+from tests.support.faults import Fault, scaled
 from tests.support.line_types import scenario_data
+from tests.support.python_faults import tension
 from tests.support.simple_lines import one_span_data
 
 FINE = {"solver__contact_wire_element": 0.5, "solver__messenger_wire_element": 0.5}
@@ -77,3 +79,12 @@ def phase_off(omega: float, a: float, b: float) -> float:
     k1, k2 = (omega * sqrt(density / TENSION) for density in (1.1, 4.4))
     left = sin(k1 * a) * k2 * cos(k2 * b) + sin(k2 * b) * k1 * cos(k1 * a)
     return atan2(left, k1 + k2)
+
+
+FAULTS = [
+    Fault("mass 1 % too light", scaled("masses", "mass", 0.99), test_sag_below_a_mass,
+          model="hermite"),
+    Fault("tension 1 % too high", tension(1.01), test_sag_below_a_mass, model="lumped"),
+    Fault("mass of the wires 1 % too high", scaled("wires", "mass", 1.01),
+          test_frequencies_with_an_insert),
+]  # fmt: skip

@@ -23,12 +23,15 @@ its tension, 200 N. For the slack one the wires have no bending stiffness, S = 1
 3 mm; elements of 4 mm at the dropper, 0.25 ms.
 """
 
+from typing import Any
+
 import numpy as np
 from scipy.integrate import solve_ivp
 
 from arcless.model.line.parts.components import DropperType
 from tests.support import scattering, straight
 from tests.support.evidence import Evidence
+from tests.support.faults import COLUMNS, Fault, scaled, spoiled
 from tests.support.pushing import press
 from tests.support.waves import Complex, Waves, pulse
 
@@ -137,3 +140,31 @@ def test_dropper_that_goes_slack(evidence: Evidence) -> None:
         {"closed form": (run.time[part], tension[part]), "run": (run.time[part], found[part])},
         x="time in s", y="tension in N", title="A dropper that goes slack as a wave passes",
     )  # fmt: skip
+
+
+def heavier(arguments: dict[str, Any]) -> bool:
+    """Make the wire that is not pushed 1 % heavier."""
+    mass = arguments["parts"]["wires"][1][:, COLUMNS["wires"].index("mass")]
+    other = mass == WIRES[1].mass
+    mass[other] *= 1.01
+    return bool(other.any())
+
+
+def pushing(arguments: dict[str, Any]) -> bool:
+    """Let droppers push."""
+    links, _ = arguments["parts"]["links"]
+    links[:, 2] = 0
+    return len(links) > 0
+
+
+FAULTS = [
+    *(Fault(f"{column} of the dropper 1 % too large", scaled("links", column, 1.01),
+            test_taut_dropper)
+      for column in ("stiffness", "damping", "mass")),
+    Fault("clamps forgotten", scaled("masses", "mass", 0.0), test_taut_dropper),
+    Fault("other wire 1 % too heavy", spoiled(heavier), test_taut_dropper),
+    Fault("other wire 1 % too heavy", spoiled(heavier), test_dropper_that_goes_slack),
+    Fault("the dropper can push", spoiled(pushing), test_dropper_that_goes_slack),
+    Fault("stiffness of the dropper 1 % too large", scaled("links", "stiffness", 1.01),
+          test_dropper_that_goes_slack),
+]  # fmt: skip

@@ -33,6 +33,7 @@ import arcless
 from arcless.model import load
 from tests.support import scattering, straight
 from tests.support.evidence import Evidence
+from tests.support.faults import Fault, scaled
 from tests.support.line_types import scenario_data
 from tests.support.simple_lines import trolley_data
 from tests.support.waves import Lattice, Waves
@@ -126,3 +127,17 @@ def test_standing_waves_of_a_line_with_a_mass(evidence: Evidence) -> None:
         reason="cubic elements have no kink at a node, which a wire without bending stiffness has"
         " at a mass: it is spread over elements of 0.1 m, 1 % of the shortest wave",
     )  # fmt: skip
+
+
+HEAVY = scaled("masses", "mass", 1.01)
+FAULTS = [
+    Fault("mass 1 % too heavy", HEAVY, test_mass_on_a_wire, mass=2.0),
+    Fault("mass 1 % too heavy", HEAVY, test_mass_on_a_chain_of_point_masses),
+    Fault("mass 1 % too heavy", HEAVY, test_standing_waves_of_a_line_with_a_mass),
+    *(Fault(f"{column} of the wire 1 % too large", scaled("wires", column, 1.01),
+            test_mass_on_a_wire, mass=8.0)
+      for column in ("tension", "mass", "EI")),
+    *(Fault(f"{column} of the chain 1 % too large", scaled("segments", column, 1.01),
+            test_mass_on_a_chain_of_point_masses)
+      for column in ("tension", "mass")),
+]  # fmt: skip

@@ -23,6 +23,7 @@ import pytest
 
 from tests.support import scattering, straight
 from tests.support.evidence import Evidence
+from tests.support.faults import Fault, scaled
 from tests.support.waves import Lattice, Waves, balanced, spectrum
 
 CONTACT_WIRE = straight.wire(20e3, 1.35, 200.0, 15e6)
@@ -116,3 +117,16 @@ def test_damper_at_the_end(evidence: Evidence, share: float) -> None:
         reason="over 80 m the wave of 30 Hz is out of phase by 7e-6 rad, (kh)⁶/60480 of k with h ="
         " 0.25 m; the record ends 1e-6 of the pulse above zero",
     )  # fmt: skip
+
+
+STIFF, STRONG = (scaled("springs", column, 1.01) for column in ("stiffness", "damping"))
+FAULTS = [
+    Fault("spring 1 % too stiff", STIFF, test_obstacle_on_a_wire, name="spring 5 kN/m"),
+    Fault("spring 1 % too stiff", STIFF, test_a_tuned_mass_on_a_spring_is_invisible),
+    Fault("spring 1 % too stiff", STIFF, test_spring_on_a_chain_of_point_masses),
+    Fault("damper 1 % too strong", STRONG, test_obstacle_on_a_wire, name="damper 300 N s/m"),
+    Fault("damper 1 % too strong", STRONG, test_damper_at_the_end, share=1.0),
+    Fault("damper forgotten", scaled("springs", "damping", 0.0), test_obstacle_on_a_wire,
+          name="2 kg on 7.9 kN/m and 100 N s/m"),
+    Fault("wire 1 % too heavy", scaled("wires", "mass", 1.01), test_damper_at_the_end, share=0.5),
+]  # fmt: skip

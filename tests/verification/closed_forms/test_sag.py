@@ -29,6 +29,7 @@ import pytest
 
 from tests.support.catenary import Catenary, green, hooke, of_tension
 from tests.support.evidence import Evidence
+from tests.support.faults import Fault, gravity, scaled
 from tests.support.one_wire import AXIAL, HEIGHT, SPAN, TENSION, WEIGHT, one_wire
 
 SLACK = 1.5e3
@@ -147,3 +148,19 @@ def test_tension_of_a_chain(evidence: Evidence) -> None:
         1.1 * share**2 * TURN**2 / 24, unit="1",
         reason="chord and arc, (wh/H)²/24, of the weight that hangs at an end, (V/H)² of N",
     )  # fmt: skip
+
+
+FAULTS = [
+    Fault("EA 1 % too high", scaled("wires", "EA", 1.01), test_sag_of_a_taut_wire),
+    Fault("mass of the wire 1 % too high", scaled("wires", "mass", 1.01), test_parabola),
+    Fault("mass of the wire 1 % too high", scaled("wires", "mass", 1.01),
+          test_shape_of_a_slack_wire, rise=3.0),
+    Fault("tension 0.1 % too high, segments", scaled("segments", "tension", 1.001),
+          test_shape_of_a_chain),
+    Fault("tension 0.1 % too high, wires", scaled("wires", "tension", 1.001),
+          test_tension_of_cubic_elements),
+    Fault("gravity 0.1 % too high", gravity(1.001), test_sag_of_a_taut_wire),
+    Fault("gravity 0.1 % too high", gravity(1.001), test_tension_of_a_chain),
+    Fault("one of sixty elements 1 % too light", scaled("wires", "mass", 0.99, [30]),
+          test_shape_of_a_slack_wire, rise=0.0),
+]  # fmt: skip

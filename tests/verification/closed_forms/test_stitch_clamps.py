@@ -18,6 +18,7 @@ from arcless.equilibrium.equilibrium import Equilibrium
 from arcless.model import load
 from tests.support.clamps import balance_at
 from tests.support.evidence import Evidence
+from tests.support.faults import Fault, gravity, scaled
 from tests.support.line_types import scenario_data, stitched_data
 
 STAGGER = {
@@ -68,3 +69,10 @@ def test_tensions_of_cubic_elements(evidence: Evidence) -> None:
         unit="1",
         reason="chord and middle of an element differ by the local error of elements of 2 to 3 m",
     )
+
+
+FAULTS = [
+    Fault("gravity 0.01 % too large", gravity(1.0001), test_balance, kind="straight"),
+    Fault("tension of one segment 1 % too high",
+          scaled("segments", "tension", 1.01, rows=slice(40, 41)), test_balance, kind="staggered"),
+]  # fmt: skip

@@ -26,6 +26,7 @@ import pytest
 from tests.support.beams import Beam
 from tests.support.catenary import green, hooke
 from tests.support.evidence import Evidence
+from tests.support.faults import Fault, scaled
 from tests.support.one_wire import AXIAL, HEIGHT, MASS, TENSION, one_wire
 
 SPAN, BENDING = 20.0, 2e5
@@ -116,3 +117,16 @@ def test_sag_at_the_load(evidence: Evidence) -> None:
     }
     labels = {"x": "x, m", "y": "height, mm"}
     evidence.figure("point-load", curves, **labels, title="Wire of 20 m, 12 kN, with a point load")
+
+
+FAULTS = [
+    Fault("EI 0.1 % too high", scaled("wires", "EI", 1.001), test_cubic_elements, load=0.0),
+    Fault("EI 0.1 % too high, chain", scaled("bends", "EI", 1.001), test_chain_of_point_masses,
+          load=0.0),
+    Fault("one of 19 bends 1 % too soft", scaled("bends", "EI", 0.99, [9]),
+          test_chain_of_point_masses, load=0.0),
+    Fault("tension 0.1 % too high", scaled("wires", "tension", 1.001), test_cubic_elements,
+          load=LOAD),
+    Fault("EA 1 % too high", scaled("wires", "EA", 1.01), test_cubic_elements, load=0.0),
+    Fault("point mass 0.1 % too light", scaled("masses", "mass", 0.999), test_sag_at_the_load),
+]  # fmt: skip

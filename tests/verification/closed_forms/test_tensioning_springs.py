@@ -20,6 +20,7 @@ import pytest
 import arcless
 from arcless.model import load
 from tests.support.evidence import Evidence
+from tests.support.faults import Fault, expansion, scaled
 from tests.support.line_types import scenario_data
 from tests.support.simple_lines import trolley_data
 
@@ -92,3 +93,11 @@ def test_travel_of_free_ends(evidence: Evidence) -> None:
         ("of the end, anchor at support 3", away["contact_wire_end_travel_m"], 0.8 * way),
     ):
         evidence.close(f"travel {what}", value, expected, unit="m", relative=2e-5, reason=longer)
+
+
+STIFF = {"stiffness": 2e4, "difference": 30.0}
+FAULTS = [
+    Fault("EA 5 % too low", scaled("wires", "EA", 0.95), test_spring, **STIFF),
+    Fault("springs 5 % softer", scaled("springs", "stiffness", 0.95), test_spring, **STIFF),
+    Fault("wires expand 1 % too much", expansion(1.01), test_travel_of_free_ends),
+]  # fmt: skip

@@ -18,15 +18,19 @@ Vibration Problems in Engineering, from memory; both derived here. Asked as ten 
 """
 
 from typing import Any
+from unittest.mock import patch
 
 import numpy as np
 import pytest
 from scipy.optimize import brentq
 
 from arcless.equilibrium import equilibrium
-from arcless.model import load
+from arcless.mesh.build.wires_and_droppers import Wiring
+from arcless.model import Wire, load
 from tests.support.evidence import Evidence
+from tests.support.faults import Fault, expansion, scaled
 from tests.support.line_types import scenario_data
+from tests.support.python_faults import wrong
 from tests.support.simple_lines import trolley_data
 
 LENGTH, AXIAL, MASS, TENSION = 400.0, 14e6, 1.1, 12e3
@@ -126,3 +130,27 @@ def test_mass_of_the_weights_along_the_wire(evidence: Evidence) -> None:
             reason="the stretched wire of the model has 1e-3 less mass per metre, and Green's "
             "strain of 1e-3 is stiffer by three times that: half of both",
         )  # fmt: skip
+
+
+START, MIDDLE = ANCHORS
+FAULTS = [
+    Fault("η 0.98 for 0.97",
+          patch.object(Wire, "end_band", property(lambda w: (0.98 * w.tension, w.tension / 0.98))),
+          test_a_device_with_friction_slides, difference=40.0, case=MIDDLE),
+    Fault("no friction where the wire grows longer",
+          patch.object(Wire, "end_band", property(lambda w: (w.tension, w.tension / 0.97))),
+          test_a_device_with_friction_slides, difference=3.0, case=START),
+    Fault("friction left out", patch.object(Wire, "has_friction", False),
+          test_a_device_with_friction_holds_still, difference=1.0),
+    Fault("anchor at support 7 of 11", wrong(Wiring, "_midpoint", lambda place: place + 40.0),
+          test_a_device_with_friction_slides, difference=-40.0, case=MIDDLE),
+    Fault("wires expand 1 % too much", expansion(1.01), test_a_device_with_friction_holds_still,
+          difference=1.0),
+    Fault("wires expand 1 % too much", expansion(1.01), test_a_device_with_friction_slides,
+          difference=-40.0, case=START),
+    Fault("weights felt as n m",
+          patch.object(Wire, "end_mass", property(lambda w: w.tension / 9.81)),
+          test_mass_of_the_weights_along_the_wire),
+    Fault("weights 2 % light", scaled("masses", "mass", 0.98),
+          test_mass_of_the_weights_along_the_wire),
+]  # fmt: skip

@@ -25,7 +25,9 @@ import arcless
 from arcless.model import load
 from arcless.simulate import StaticsResult
 from tests.support.evidence import Evidence
+from tests.support.faults import Fault, gravity, scaled
 from tests.support.line_types import scenario_data
+from tests.support.python_faults import tension
 from tests.support.simple_lines import trolley_data
 
 FINE = {"solver__contact_wire_element": 0.5, "solver__messenger_wire_element": 0.5}
@@ -94,3 +96,12 @@ def test_elasticity(evidence: Evidence) -> None:
         reason="the wire gives 600 N/m beside 5e5 N/m of the support; bending adds ℓ/L of that, "
         "3e-6; ten times as much",
     )
+
+
+FAULTS = [
+    Fault("gravity 0.1 % too large", gravity(1.001), test_supports),
+    *(Fault(f"tension 1 % too high, {model}", tension(1.01), test_sag, model=model)
+      for model in ("hermite", "lumped")),
+    Fault("no bending stiffness", scaled("wires", "EI", 0.0), test_elasticity),
+    Fault("supports 1 % softer", scaled("springs", "stiffness", 0.99), test_elasticity),
+]  # fmt: skip

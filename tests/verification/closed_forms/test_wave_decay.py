@@ -15,11 +15,14 @@ The program is asked as for the speed of waves: a pulse on a straight wire (20 k
 steps of 1 ms. Their ratio is held against e^{−ikd} in size and phase; the size at 20 Hz is shown.
 """
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from tests.support import scattering, schemes, straight
 from tests.support.evidence import Evidence
+from tests.support.faults import Fault, scaled
 from tests.support.waves import Complex, Lattice, Waves, pulse, spectrum
 
 ALPHA, BETA = 0.5, 2e-4  # 1/s, s
@@ -87,3 +90,19 @@ def test_damping(evidence: Evidence, which: str, lumped: bool) -> None:
     damped = f"α = {ALPHA:g} 1/s" if which == "alpha" else f"β = {BETA:g} s"
     name = f"{damped}, {'chain of masses' if lumped else 'cubic elements'}"
     show(evidence, name, *decay(schemes.DEFAULT, alpha, beta, lumped=lumped), lumped=lumped)
+
+
+FAULTS = [
+    *(Fault(f"{column} {what}", scaled(kind, column, factor), test_damping, which=column,
+            lumped=kind == "segments")
+      for column in ("alpha", "beta")
+      for what, kind, factor in (
+          ("of the wires 1 % too large", "wires", 1.01),
+          ("of the segments 1 % too large", "segments", 1.01),
+          ("dropped", "wires", 0.0),
+      )),
+    Fault("spectral radius 0.8 in place of 0.9", (), test_scheme,
+          member=replace(schemes.DEFAULT, numbers=(0.8,))),
+    Fault("γ = 0.601 in place of 0.6", (), test_scheme,
+          member=replace(schemes.DAMPED, numbers=(0.3025, 0.601))),
+]  # fmt: skip

@@ -30,6 +30,7 @@ from arcless.mesh.division import wires
 from arcless.model.line.parts.components import Wire
 from tests.support import scattering, straight
 from tests.support.evidence import Evidence
+from tests.support.faults import Fault, scaled
 from tests.support.pushing import TRAPEZOIDAL, Pressed, press
 from tests.support.waves import Complex, Floats, Lattice, Waves, balanced, pulse, spectrum
 
@@ -144,3 +145,23 @@ def test_speed_along_the_wire(evidence: Evidence, lumped: bool) -> None:
         speed(run.time, run.along, 400), s * sqrt(firm / MASS), unit="m/s",
         relative=5e-9, reason="as for the wave across: long waves have no error, rounding is left",
     )  # fmt: skip
+
+
+FAULTS = [
+    *(fault
+      for column in ("tension", "mass")
+      for fault in (
+          Fault(f"{column} of the wire 1 % too large", scaled("wires", column, 1.01),
+                test_centre_of_a_pulse),
+          Fault(f"{column} of the chain 1 % too large", scaled("segments", column, 1.01),
+                test_phase_speed_on_a_chain_of_point_masses),
+      )),
+    Fault("tension of the wire 1 % too large", scaled("wires", "tension", 1.01),
+          test_phase_speed_with_period_correction, scheme=("generalised-alpha", [0.9])),
+    Fault("EI 1 % too large", scaled("wires", "EI", 1.01), test_phase_speed, bending=200.0),
+    Fault("EA of the wire 1 % too small", scaled("wires", "EA", 0.99), test_speed_along_the_wire,
+          lumped=False),
+    Fault("EA of the wire 1 % too small", scaled("wires", "EA", 0.99), test_centre_of_a_pulse),
+    Fault("EA of the chain 1 % too small", scaled("segments", "EA", 0.99),
+          test_speed_along_the_wire, lumped=True),
+]  # fmt: skip

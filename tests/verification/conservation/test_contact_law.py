@@ -16,12 +16,15 @@ lost.
 """
 
 from typing import Any
+from unittest.mock import patch
 
 import numpy as np
 import pytest
 
 import arcless
 from tests.support.evidence import Evidence
+from tests.support.faults import Fault
+from tests.support.run_faults import contact_scaled, prepared_with
 
 STIFFNESS = 50e3
 RUN: dict[str, Any] = {
@@ -70,3 +73,14 @@ def test_law(evidence: Evidence, law: str, scheme: dict[str, Any]) -> None:
     )
     assert np.all(gap[closed] == 0.0)
     assert np.all(overlap[~closed] < 3e-14)
+
+
+NEWMARK = {"name": "newmark", "beta": 0.3025, "gamma": 0.6}
+FAULTS = [
+    Fault("contact 0.01 % stiffer", contact_scaled(1.0001), test_law, law="compliant",
+          scheme=NEWMARK),
+    Fault("contact of 1e12 N/m for a rigid one", prepared_with(contact_stiffness=lambda _: 1e12),
+          test_law, law="rigid", scheme=NEWMARK),
+    Fault("1e-9 more stiffness expected", patch.multiple(__name__, STIFFNESS=50e3 * (1.0 + 1e-9)),
+          test_law, law="compliant", scheme={"name": "generalised-alpha", "spectral_radius": 0.9}),
+]  # fmt: skip

@@ -31,12 +31,17 @@ shipped case AC simple at 320 km/h with 11 000 steps.
 
 from functools import cache
 from typing import Any
+from unittest.mock import patch
 
 import numpy as np
 import pytest
 
 import arcless
 from arcless.results import Result
+from arcless.simulate.recording import record
+from arcless.simulate.setup import pantographs
+from tests.support.faults import Fault, forgotten
+from tests.support.python_faults import not_booked, wrong
 from tests.support.small import FORCE, small
 
 BASE = "pantographs.0.model.masses.0"
@@ -191,3 +196,35 @@ def test_a_whole_shipped_run(evidence: Any) -> None:
         reason="11 000 steps with rounding of 2e-16 of the energy stored each, 2e-12 at worst; some"
         " times that",
     )
+
+
+def damped(chain: Any) -> Any:
+    (mass, damping, stiffness), lift, strips = chain
+    return [mass, 1.0001 * damping, stiffness], lift, strips
+
+
+def late(found: dict[str, Any]) -> dict[str, Any]:
+    force = found["contact_force"].copy()
+    force[1:] = force[:-1]
+    return found | {"contact_force": force}
+
+
+AFRESH = forgotten(ran, on_a_damper)
+DAMPING = {"solver.scheme": {"name": "generalised-alpha", "spectral_radius": 0.999}}
+FAULTS = [
+    *(Fault(f"`{term}` not booked", [AFRESH, not_booked(term)], test_the_ledger_closes, case=case)
+      for term, case in (
+          ("energy_dissipated_supports", "generalised-alpha"),
+          ("energy_switching", "rigid contact, loss of contact"),
+          ("energy_work_control", "controlled force"),
+          ("energy_work_friction", "friction along the wire"),
+          ("energy_work_wind", "gusts"),
+      )),
+    Fault("spectral radius 0.999 in place of 1",
+          [AFRESH, patch.dict(CASES, {"trapezoidal rule": DAMPING})],
+          test_the_trapezoidal_rule_takes_nothing),
+    Fault("dampers 0.01 % off", [AFRESH, wrong(pantographs, "_chain", damped)],
+          test_energies_of_the_pantograph),
+    Fault("contact force one step late", [AFRESH, wrong(record, "dynamic_variables", late)],
+          test_energies_of_the_pantograph),
+]  # fmt: skip

@@ -11,6 +11,8 @@ Causality; no reference values are needed. Asked as AC simple with 125 spans at 
 scenario refuses two pantographs that never share a section, hence the prepared line itself.
 """
 
+from unittest.mock import patch
+
 import numpy as np
 
 import arcless
@@ -18,6 +20,7 @@ from arcless.assess.signals.filter import low_pass
 from arcless.equilibrium import equilibrium
 from arcless.simulate.setup import pantographs, trajectory
 from tests.support.evidence import Evidence
+from tests.support.faults import Fault
 
 FORCE, APART = 170.0, 6_000.0
 CHANGES = {
@@ -75,3 +78,8 @@ def test_trailing(evidence: Evidence) -> None:
             reason="a dropper that slackens a step later moves the force by some newtons for a "
             "moment; half of what a refined mesh may do",
         )
+
+
+FAULTS = [
+    Fault("110 m apart, not 6 km", patch.multiple(__name__, APART=110.0), test_trailing),
+]  # fmt: skip

@@ -11,6 +11,7 @@ Newton's law; no reference values are needed. Asked as lines of spans of 60 m wi
 three, four and five spans, planar and with the wires 0.2 m apart sideways; steps of 2 ms.
 """
 
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -20,8 +21,11 @@ import arcless
 from arcless.model import load
 from arcless.results import Result
 from tests.support.evidence import Evidence
+from tests.support.faults import Fault
 from tests.support.line_types import compound_data, scenario_data, stitched_data
 from tests.support.overlaps import overlap_data
+from tests.support.python_faults import wrong
+from tests.support.run_faults import rider_scaled
 
 LOOSE = {
     "name": "loose",
@@ -148,3 +152,24 @@ def test_every_kind_of_line(evidence: Evidence, kind: str) -> None:
         unit="N",
         reason="rounding of one sum",
     )
+
+
+def weaker(found: Result, *, summed: bool) -> Result:
+    """Take a thousandth from the recorded force of the second wire, and from the sum of both."""
+    shares = found.dataset["wire_contact_force"]
+    lost = (1.0 - 0.999) * shares[:, 1]
+    shares[:, 1] = 0.999 * shares[:, 1]
+    if summed:
+        found.dataset["contact_force"][:, 0] -= lost
+    return found
+
+
+FAULTS = [
+    Fault("force of the second wire 0.1 % too small",
+          wrong(__name__, "ride", partial(weaker, summed=True)), test_momentum),
+    Fault("force of the second wire 0.1 % too small, sum as it was",
+          wrong(__name__, "ride", partial(weaker, summed=False)), test_handover, shared=3,
+          dimension="spatial"),
+    Fault("thirty times the mass", rider_scaled("mass", 30.0), test_handover, shared=3,
+          dimension="spatial"),
+]  # fmt: skip

@@ -17,10 +17,12 @@ that fall from step to step can describe.
 from dataclasses import replace
 from functools import cache
 from typing import Any
+from unittest.mock import patch
 
 import numpy as np
 
 from arcless.simulate.setup.trajectory import Motion
+from tests.support.faults import Fault, kept, scaled
 from tests.support.small import FORCE, SPANS, differing, laid_out, small
 
 Raw = dict[str, Any]
@@ -72,3 +74,24 @@ def test_first_and_last_end(evidence: Any) -> None:
         reason="Newton's method ends at 1e-13 m of the dropper lengths, where forces of 20 kN are"
         " rounding; ten times that",
     )
+
+
+def half_turned(sound: Any = small, **_: Any) -> Any:
+    """Turn the line round, but move its droppers by 1 mm instead."""
+    moved = tuple((length, tuple(x + 1e-3 for x in at)) for length, at in SPANS)
+    with patch("tests.support.small.SPANS", moved):
+        return sound(backwards=True)
+
+
+SOUND = kept(straight)
+FAULTS = [
+    Fault("stagger 0.1 mm off on one side",
+          [SOUND, patch.multiple(__name__, small=lambda sound=small, **_: sound(across=-1.0005))],
+          test_left_and_right),
+    Fault("one dropper 1 % heavier on one side", [SOUND, scaled("links", "mass", 1.01, [0])],
+          test_left_and_right),
+    Fault("one dropper 1 % heavier at one end", [SOUND, scaled("links", "mass", 1.01, [0])],
+          test_first_and_last_end),
+    Fault("droppers 1 mm off at one end", [SOUND, patch.multiple(__name__, small=half_turned)],
+          test_first_and_last_end),
+]  # fmt: skip

@@ -15,15 +15,21 @@ Lines: four uneven spans in space (`tests/support/small.py`), of point masses on
 kinematics and once with explicit steps, and two shipped scenarios cut short.
 """
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 import arcless
+from arcless.errors import ContactError
 from arcless.model import Scenario
+from arcless.simulate.runs import checkpoint
 from tests.support.explicit import BY_MATRIX, EXPLICIT
+from tests.support.faults import Fault
 from tests.support.parts import in_parts, unlike
+from tests.support.python_faults import wrong
 from tests.support.small import small
 
 STOPS = ("51 m", "1.02 s")
@@ -97,3 +103,57 @@ def test_parts(evidence: Any, tmp_path: Path, case: str) -> None:
 @pytest.mark.parametrize("case", LONG)
 def test_long_parts(evidence: Any, tmp_path: Path, case: str) -> None:
     compare(evidence, case, LONG[case], ("0.3 s", "1.2 s"), tmp_path)
+
+
+@contextmanager
+def lost(name: str) -> Iterator[None]:
+    """Lose a part of the state between two parts of a run."""
+    hits = []
+
+    def forgetful(saved: Any) -> Any:
+        hits.append(bool(saved.numbers[name].any()))
+        saved.numbers[name][:] = 0.0
+        return saved
+
+    with wrong(checkpoint, "read", forgetful):
+        yield
+    if not any(hits):
+        raise RuntimeError(f"{name}: there was nothing to lose")
+
+
+def parts(evidence: Any, tmp_path: Path, case: str) -> None:
+    """Check the parts; an energy balance that does not close notices as well."""
+    try:
+        test_parts(evidence, tmp_path, case)
+    except ContactError as error:
+        raise AssertionError(str(error)) from error
+
+
+LEDGER = "trapezoidal rule with ledger and friction"
+CONTROLLED = "PID, sampled and late"
+POINT_MASSES = "point masses, explicit steps"
+LOST = {
+    "contact_force": LEDGER,
+    "controller_0": CONTROLLED,
+    "grid_across": POINT_MASSES,
+    "line_acceleration": "default",
+}
+LOST_TOO = {
+    "contact_weights": LEDGER,
+    "energy": LEDGER,
+    "energy_sums": LEDGER,
+    "grid_along": POINT_MASSES,
+    "line_displacement": "default",
+    "line_velocity": "default",
+    "link_elongation": "default",
+    "link_max": "default",
+    "pivot_counts": "default",
+    "rider_0_preload_ground_actuator": "default",
+    "rider_0_start": "default",
+    "rider_0_velocity": "default",
+    "rider_0_waiting": CONTROLLED,
+}
+FAULTS = [
+    Fault(f"`{name}` lost", lost(name), parts, case=case, slow=name in LOST_TOO)
+    for name, case in (LOST | LOST_TOO).items()
+]  # fmt: skip

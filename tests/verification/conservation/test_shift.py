@@ -21,6 +21,8 @@ import numpy as np
 from arcless.mesh import Mesh
 from arcless.simulate.runs.job import Job, prepare
 from arcless.simulate.setup.trajectory import Motion
+from tests.support.faults import Fault, kept
+from tests.support.python_faults import misled, wrong
 from tests.support.small import FORCE, laid_out, small
 from tests.support.structures import at_rest
 
@@ -87,3 +89,19 @@ def test_across_and_up(evidence: Any) -> None:
         "100 m up: largest difference of the contact force", up, 1e-7, unit="N",
         reason=reason.format(100, "1.4e-14"),
     )  # fmt: skip
+
+
+def softened(mesh: Mesh) -> Mesh:
+    numbers, floats = mesh.parts["springs"]
+    floats = floats.copy()
+    floats[0, 0] *= 1.0 + 1e-6
+    return replace(mesh, parts=mesh.parts | {"springs": (numbers, floats)})
+
+
+FAULTS = [
+    Fault("one support 1e-6 softer where it was moved",
+          [kept(in_place), wrong(__name__, "moved", softened)], test_across_and_up),
+    Fault("travel 1 µm behind",
+          [kept(in_place), misled(__name__, "Motion", lambda x, v, step: (x - 1e-6, v, step))],
+          test_along_the_track),
+]  # fmt: skip

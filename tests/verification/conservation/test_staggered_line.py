@@ -19,8 +19,11 @@ import pytest
 
 from arcless.results import Result
 from arcless.simulate import StaticsResult
+from tests.support import fresh
 from tests.support.evidence import Evidence
 from tests.support.explicit import BY_MATRIX, SOLVED
+from tests.support.faults import Fault, scaled
+from tests.support.python_faults import tension
 
 AtRest = Callable[..., StaticsResult]
 RunOnce = Callable[..., Result]
@@ -99,3 +102,21 @@ def test_mean_force(evidence: Evidence, run_once: RunOnce, steps: str) -> None:
         absolute=0.02,
         reason="the tolerance that the search for the static force documents",
     )
+
+
+def stiffer(name: str, changes: dict[str, Any] | None = None) -> StaticsResult:
+    """Find the plane line at rest, its springs twice as stiff."""
+    if name == SPATIAL:
+        return fresh.at_rest(name, changes)
+    # What is looked for is a missing factor. The wires hold a support far more than the arm:
+    # 10 % of the arm are 0.5 % of the elasticity there.
+    with scaled("springs", "stiffness", 2.0):
+        return fresh.at_rest(name, changes)
+
+
+FAULTS = [
+    Fault("tensions 2 % too high", tension(1.02), test_force_of_an_arm, at_rest=fresh.at_rest),
+    *(Fault("springs of the plane line twice as stiff", (), test_elasticity, at_rest=stiffer,
+            steps=steps)
+      for steps in sorted(STEPS)),
+]  # fmt: skip

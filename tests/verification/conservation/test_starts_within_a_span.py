@@ -24,11 +24,15 @@ import pytest
 
 import arcless
 from arcless.assess import MET, NOT_MET, RULES, TOO_CLOSE, verdict_of
+from arcless.assess import certainty as sums
 from arcless.assess.certainty import Draws
 from arcless.assess.criteria import evaluate
 from arcless.assess.rules import Facts, Limit
 from arcless.model import Scenario
 from arcless.results import Result
+from arcless.simulate.certainty import other_starts as starts
+from tests.support.faults import Fault
+from tests.support.python_faults import wrong
 
 NAME = "en50318-ac-simple-320-planar"
 COUNT, SEED = 16, 21
@@ -134,3 +138,23 @@ def test_a_limit_within_the_spread_is_too_close_to_tell(evidence: Any) -> None:
         compared=len(LIMITS), differing=len(wrong),
         reason="a limit that is nearer than the value is sure is too close to tell, no other",
     )  # fmt: skip
+
+
+def alike(places: list[float]) -> list[float]:
+    """Return the first place, and for all others one half a metre further on."""
+    return [place if place == places[0] else places[0] + 0.5 for place in places]
+
+
+HALF = property(lambda own: 0.5 * (own.spread or 0.0))
+FAULTS = [
+    Fault("static force kept as a number at other starts",
+          wrong(starts, "base_stiffness", lambda _stiffness: 0.0),
+          test_the_mean_force_stays_what_was_asked_for),
+    Fault("standard deviation divided by the root of the number of starts",
+          wrong(sums, "student_factor", lambda factor: factor / 8**0.5),
+          test_most_runs_lie_within_the_spread_of_their_mean, slow=True),
+    Fault("other starts all half a metre further on", wrong(starts, "places", alike),
+          test_the_spread_is_that_of_starts_at_random, slow=True),
+    Fault("half of the spread counts", patch.object(sums.Certainty, "uncertainty", HALF),
+          test_a_limit_within_the_spread_is_too_close_to_tell),
+]  # fmt: skip

@@ -13,14 +13,19 @@ time.
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
+from itertools import count
 from typing import Any
+from unittest.mock import patch
 
 import numpy as np
 
 import arcless
 from arcless import ControlInput
 from arcless.results import Result
+from arcless.simulate.setup import controllers, pantographs
+from tests.support.faults import Fault
 from tests.support.parts import unlike
+from tests.support.python_faults import misled
 from tests.support.small import differing, laid_out, small
 
 Work = Callable[[], Result]
@@ -78,3 +83,16 @@ def test_one_line_for_several_runs(evidence: Any) -> None:
         differing=sum(count for _, count in counts),
         reason="a factorised line does not change while runs use it",
     )
+
+
+def creeping(pantograph: Any, force: float, *rest: Any) -> tuple[Any, ...]:
+    return pantograph, force + 1e-12 * next(RUNS), *rest
+
+
+RUNS = count()
+FAULTS = [
+    Fault("a controller remembers the run before",
+          patch.object(controllers, "fresh", lambda function: function), test_order_and_threads),
+    Fault("each run adds 1e-12 N to the static force", misled(pantographs, "rider", creeping),
+          test_one_line_for_several_runs),
+]  # fmt: skip

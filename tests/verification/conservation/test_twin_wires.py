@@ -16,8 +16,10 @@ import arcless
 from arcless.model import load
 from arcless.results import Result
 from tests.support.evidence import Evidence
+from tests.support.faults import Fault, scaled
 from tests.support.line_types import scenario_data
 from tests.support.overlaps import plain_data
+from tests.support.run_faults import prepared_with
 
 DOUBLE = {"mass": 2.2, "axial_stiffness": 28e6, "bending_stiffness": 260.0, "tension": 30e3}
 DAMPING = {"alpha": 0.0125, "beta": 1e-4}
@@ -78,3 +80,11 @@ def test_alike(evidence: Evidence, kinematics: str) -> None:
         unit="m",
         reason="rounding, as of the force: 1e-3 N on 1 mm/N at most",
     )
+
+
+FAULTS = [
+    Fault("one dropper 0.1 % softer", scaled("links", "stiffness", 0.999, rows=[20]), test_alike,
+          kinematics="linearised"),
+    Fault("contacts of 25 kN/m for both", prepared_with(contact_stiffness=lambda _: 25e3),
+          test_alike, kinematics="linearised"),
+]  # fmt: skip

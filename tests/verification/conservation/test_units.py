@@ -25,11 +25,13 @@ order, the decimal ones below do not.
 
 from functools import cache
 from typing import Any
+from unittest.mock import patch
 
 import numpy as np
 
 from arcless.simulate.runs.job import Job
 from tests.support import scaling
+from tests.support.faults import Broken, Fault, kept
 from tests.support.scaling import Units
 from tests.support.small import FORCE, differing, laid_out, small
 
@@ -88,3 +90,19 @@ def test_decimal_units(evidence: Any) -> None:
         reason="every number is rounded anew: heights of 5 m by 2e-13 m after the design, times"
         " 50 kN/m; ten times that",
     )
+
+
+def counted(kind: str, column: int, powers: scaling.Powers) -> list[Broken]:
+    """Take a column of a table for one of another dimension."""
+    columns = list(scaling.COLUMNS[kind])
+    assert columns[column] != powers
+    columns[column] = powers
+    return [kept(in_si), patch.dict(scaling.COLUMNS, {kind: tuple(columns)})]
+
+
+FAULTS = [
+    Fault("EI counted in N m", counted("wires", 2, scaling.ENERGY), test_length),
+    Fault("β counted as a number", counted("wires", 5, scaling.NUMBER), test_mass_and_time),
+    Fault("α of the clamps counted as a number", counted("masses", 1, scaling.NUMBER),
+          test_decimal_units),
+]  # fmt: skip

@@ -17,6 +17,7 @@ from arcless.model import Line, load, load_line
 from arcless.model.shipped.library import shipped
 from arcless.simulate import StaticsResult, statics
 from tests.support.evidence import Evidence
+from tests.support.faults import Fault, gravity, scaled
 
 QUICK = ("norway-s20a", "conductor-rail-1")
 CASES = [
@@ -84,3 +85,10 @@ def carried(rest: StaticsResult) -> float:
         for support in inner
     ]
     return abs(inner[0]["messenger_force_N"]) + sum(held)
+
+
+FAULTS = [
+    Fault("gravity 5 % too large", gravity(1.05), test_weight, name="norway-s20a"),
+    Fault("wires 5 % too heavy", scaled("wires", "mass", 1.05), test_weight,
+          name="conductor-rail-1"),
+]  # fmt: skip

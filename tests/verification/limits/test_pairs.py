@@ -8,10 +8,12 @@ shows errors of waves and of point forces that a single one hides.
 """
 
 from typing import Any
+from unittest.mock import patch
 
 import pytest
 
 from tests.support.against_limit import compare
+from tests.support.faults import Fault
 from tests.support.limit_rows import record
 from tests.support.pairs import EQUAL, LINES, OWN, pair_below
 
@@ -23,3 +25,16 @@ ASKED: dict[str, Any] = {}
 @pytest.mark.parametrize("line", LINES)
 def test_pair(evidence: Any, line: str, where: str) -> None:
     record(evidence, f"{line}, {where}", compare(pair_below(line, where), ASKED))
+
+
+LONG = {
+    "solver.scheme": "generalised-alpha",
+    "solver.residual_flexibility": False,
+    "solver.contact_wire_element": 1.45,
+    "solver.messenger_wire_element": 2.9,
+}
+FAULTS = [
+    Fault(f"{line}: cubic elements of 1.45 m and 2.9 m that miss point forces",
+          patch.multiple(__name__, ASKED=LONG), test_pair, line=line, where=EQUAL, slow=True)
+    for line in ("ac-simple-55", "spain-ca-200-25kv")
+]  # fmt: skip

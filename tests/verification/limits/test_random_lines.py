@@ -14,11 +14,15 @@ much of, waves run too fast in one and too slowly in the other, and one damps wh
 Where they agree within half a percent, their mean is the limit. Static forces are found once.
 """
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Any
+from unittest.mock import patch
 
 import pytest
 
 from tests.support.against_limit import compare
+from tests.support.faults import Fault
 from tests.support.limit_rows import record
 from tests.support.random_lines import label_of, scenario_of
 
@@ -31,3 +35,33 @@ ASKED: dict[str, Any] = {}
 @pytest.mark.parametrize("seed", SEEDS)
 def test_random_line(evidence: Any, seed: int) -> None:
     record(evidence, f"seed {seed}, {label_of(seed)}", compare(scenario_of(seed), ASKED))
+
+
+CUBIC = {
+    "solver.scheme": "generalised-alpha",
+    "solver.residual_flexibility": False,
+    "solver.contact_wire_element": 1.45,
+    "solver.messenger_wire_element": 2.9,
+}
+CHAINS = {
+    "solver.scheme": "central-difference",
+    "solver.contact_wire_element": 0.9,
+    "solver.messenger_wire_element": 1.2,
+}
+
+
+@contextmanager
+def heavier(seed: int) -> Iterator[None]:
+    """Ask for a contact wire that is 2 % heavier."""
+    mass = scenario_of(seed).line.contact_wire.mass
+    with patch.multiple(__name__, ASKED={"line.contact_wire.mass": 1.02 * mass}):
+        yield
+
+
+FAULTS = [
+    Fault("cubic elements of 1.45 m and 2.9 m that miss point forces",
+          patch.multiple(__name__, ASKED=CUBIC), test_random_line, seed=0, slow=True),
+    Fault("point masses every 0.9 m and 1.2 m", patch.multiple(__name__, ASKED=CHAINS),
+          test_random_line, seed=2, slow=True),
+    Fault("contact wire 2 % heavier", heavier(4), test_random_line, seed=4, slow=True),
+]  # fmt: skip

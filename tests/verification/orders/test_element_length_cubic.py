@@ -21,77 +21,54 @@ EA = 0.1 MN, 10 kN, 196 N/m, 8 m deep, in space with 60 N/m of wind. Meshes made
 elements and of elements three times longer at one end.
 """
 
+from functools import partial
 from typing import Any
 
 import pytest
 
 from tests.support import spans
+from tests.support.faults import Fault, gravity, scaled
 
-DIMENSIONS = pytest.mark.parametrize("model", ["cubic, planar", "cubic, spatial"])
+MODELS = ("cubic, planar", "cubic, spatial")
+DIMENSIONS = pytest.mark.parametrize("model", MODELS)
 COUNTS = (12, 24, 48)
-SIZES = [spans.LENGTH / count for count in COUNTS]
-NEXT = "terms of the next order on the coarsest of these meshes"
+PIECE = "element length"
 
 
 @DIMENSIONS
 def test_frequencies(evidence: Any, model: str) -> None:
-    evidence.order(
-        f"{model}: third frequency of a string",
-        SIZES,
-        [spans.frequency_error(model, n, bending=0.0, taut=True) for n in COUNTS],
-        6.0,
-        tolerance=0.2,
-        reason=NEXT,
-        unit="element length",
-    )
-    evidence.order(
-        f"{model}: third frequency of a beam",
-        SIZES,
-        [spans.frequency_error(model, n, bending=1e5, taut=False) for n in COUNTS],
-        4.0,
-        tolerance=0.1,
-        reason=NEXT,
-        unit="element length",
-    )
-
-    evidence.order(
-        f"{model}: third frequency of a beam, pieces from 3 to 1",
-        SIZES,
-        [spans.frequency_error(model, n, bending=1e5, taut=False, grading=0.5) for n in COUNTS],
-        4.0,
-        tolerance=0.1,
-        reason=NEXT,
-        unit="mean element length",
-    )
+    string, beam = {"bending": 0.0, "taut": True}, {"bending": 1e5, "taut": False}
+    show = partial(spans.show_order, evidence, model, COUNTS, spans.frequency_error)
+    show("third frequency of a string", order=6.0, tolerance=0.2, unit=PIECE, **string)
+    show("third frequency of a beam", order=4.0, tolerance=0.1, unit=PIECE, **beam)
+    what = "third frequency of a beam, pieces from 3 to 1"
+    show(what, order=4.0, tolerance=0.1, unit=f"mean {PIECE}", grading=0.5, **beam)
 
 
 @DIMENSIONS
 def test_statics(evidence: Any, model: str) -> None:
-    evidence.order(
-        f"{model}: sag of a heavy wire",
-        SIZES,
-        [spans.sag_error(model, n) for n in COUNTS],
-        4.0,
-        tolerance=0.2,
-        reason=NEXT,
-        unit="element length",
-    )
-    evidence.order(
-        f"{model}: elasticity of a string",
-        SIZES,
-        [spans.elasticity_error(model, n, bending=0.0) for n in COUNTS],
-        1.0,
-        tolerance=1e-4,
-        reason="the kink is local, and all else exact: rounding",
-        unit="element length",
-    )
-    finer = (24, 48, 96)
-    evidence.order(
-        f"{model}: elasticity of a stiff wire, √(EI/T) = 3 m",
-        [spans.LENGTH / n for n in finer],
-        [spans.elasticity_error(model, n, bending=2e5) for n in finer],
-        4.0,
-        tolerance=0.2,
-        reason=NEXT,
-        unit="element length",
-    )
+    show = partial(spans.show_order, evidence, model, unit=PIECE)
+    show(COUNTS, spans.sag_error, "sag of a heavy wire", order=4.0, tolerance=0.2)
+    kink = "the kink is local, and all else exact: rounding"
+    error, what = spans.elasticity_error, "elasticity of a string"
+    show(COUNTS, error, what, order=1.0, tolerance=1e-4, reason=kink, bending=0.0)
+    what = "elasticity of a stiff wire, √(EI/T) = 3 m"
+    show((24, 48, 96), error, what, order=4.0, tolerance=0.2, bending=2e5)
+
+
+FAULTS = [
+    # An error that refinement does not take away: the slope is that of a constant.
+    *(Fault(f"{model}: mass 0.01 % high", scaled("wires", "mass", 1.0001), test_frequencies,
+            model=model)
+      for model in MODELS),
+    *(Fault(f"{model}: {what}", broken, test_statics, model=model)
+      for model in MODELS
+      for what, broken in (
+          ("EA 1 % high", scaled("wires", "EA", 1.01)),
+          ("gravity 0.1 % high", gravity(1.001)),
+      )),
+    Fault("wind from the other side", scaled("wire_loads", "across", -1.0), test_statics,
+          model="cubic, spatial"),
+    *(Fault("EI 1 % high", scaled("wires", "EI", 1.01), check, model="cubic, planar")
+      for check in (test_frequencies, test_statics)),
+]  # fmt: skip

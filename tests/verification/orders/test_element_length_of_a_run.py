@@ -26,6 +26,7 @@ from numpy.typing import NDArray
 from arcless.model import load_pantograph
 from arcless.simulate.setup import pantographs
 from tests.support import bare, schemes, spans
+from tests.support.faults import COLUMNS, Fault, Spoil, scaled, spoiled
 
 Floats = NDArray[np.float64]
 
@@ -72,3 +73,27 @@ def test_order(evidence: Any, model: str, kind: str) -> None:
         " shortest elements",
         unit="element length",
     )
+
+
+def finest_heavier(kind: str) -> Spoil:
+    """Make the finest mesh heavier: an error of all meshes cancels, one of the reference not."""
+
+    def spoil(arguments: dict[str, Any]) -> bool:
+        rows = arguments["parts"][kind][1]
+        is_finest = len(rows) == FINEST
+        if is_finest:
+            rows[:, COLUMNS[kind].index("mass")] *= 1.05
+        return is_finest
+
+    return spoil
+
+
+FAULTS = [
+    *(Fault(f"{model}: mass of the finest mesh 5 % high", spoiled(finest_heavier(kind)), test_order,
+            model=model, kind="stiff wire")
+      for model, kind in (("cubic, planar", "wires"), ("point masses, planar", "segments"))),
+    Fault("bending of cubic elements dropped", scaled("wires", "EI", 0.0), test_order,
+          model="cubic, planar", kind="stiff wire"),
+    Fault("bending of chains dropped", scaled("bends", "EI", 0.0), test_order,
+          model="point masses, planar", kind="stiff wire"),
+]  # fmt: skip

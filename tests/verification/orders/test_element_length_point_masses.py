@@ -11,85 +11,80 @@ References as for Element length, cubic elements, with Hooke's law `N = EA (s �
 The same wires, in equal pieces, and in pieces three times longer at one end.
 """
 
+from functools import partial
 from typing import Any
 
 import numpy as np
 import pytest
 
 from tests.support import spans
+from tests.support.faults import Fault, gravity, scaled, spoiled
 
-DIMENSIONS = pytest.mark.parametrize("model", ["point masses, planar", "point masses, spatial"])
+MODELS = ("point masses, planar", "point masses, spatial")
+DIMENSIONS = pytest.mark.parametrize("model", MODELS)
 COUNTS = (24, 48, 96)
-SIZES = [spans.LENGTH / count for count in COUNTS]
-NEXT = "terms of the next order on the coarsest of these meshes"
+PIECE = "piece length"
+EXACT = "exact: rounding of 1e-16 of EA in stiffnesses of T, 500 times smaller"
 
 
 @DIMENSIONS
 def test_frequencies(evidence: Any, model: str) -> None:
-    errors = [spans.frequency_error(model, n, bending=0.0, taut=True) for n in COUNTS]
+    string, beam = {"bending": 0.0, "taut": True}, {"bending": 1e5, "taut": False}
+    errors = [spans.frequency_error(model, n, **string) for n in COUNTS]
     halves = 1.5 * np.pi / np.array(COUNTS)  # k l / 2
     evidence.below(
         f"{model}: third frequency of a string against sin(kℓ/2)/(kℓ/2), worst mesh",
         float(np.max(np.abs(errors - (1.0 - np.sin(halves) / halves)))),
         1e-13,
         unit="1",
-        reason="exact: rounding of 1e-16 of EA in stiffnesses of T, 500 times smaller",
+        reason=EXACT,
     )
-    evidence.order(
-        f"{model}: third frequency of a string",
-        SIZES,
-        errors,
-        2.0,
-        tolerance=0.02,
-        reason=NEXT,
-        unit="piece length",
-    )
-    evidence.order(
-        f"{model}: third frequency of a beam",
-        SIZES,
-        [spans.frequency_error(model, n, bending=1e5, taut=False) for n in COUNTS],
-        2.0,
-        tolerance=0.02,
-        reason=NEXT,
-        unit="piece length",
-    )
-
-    evidence.order(
-        f"{model}: third frequency of a beam, pieces from 3 to 1",
-        SIZES,
-        [spans.frequency_error(model, n, bending=1e5, taut=False, grading=0.5) for n in COUNTS],
-        2.0,
-        tolerance=0.02,
-        reason=NEXT,
-        unit="mean piece length",
-    )
+    show = partial(spans.show_order, evidence, model, COUNTS, spans.frequency_error)
+    show("third frequency of a string", order=2.0, tolerance=0.02, unit=PIECE, **string)
+    show("third frequency of a beam", order=2.0, tolerance=0.02, unit=PIECE, **beam)
+    what = "third frequency of a beam, pieces from 3 to 1"
+    show(what, order=2.0, tolerance=0.02, unit=f"mean {PIECE}", grading=0.5, **beam)
 
 
 @DIMENSIONS
 def test_statics(evidence: Any, model: str) -> None:
-    evidence.order(
-        f"{model}: sag of a heavy wire",
-        SIZES,
-        [spans.sag_error(model, n) for n in COUNTS],
-        2.0,
-        tolerance=0.02,
-        reason=NEXT,
-        unit="piece length",
-    )
+    show = partial(spans.show_order, evidence, model, COUNTS, unit=PIECE)
+    show(spans.sag_error, "sag of a heavy wire", order=2.0, tolerance=0.02)
     evidence.below(
         f"{model}: elasticity of a string, worst mesh",
         max(spans.elasticity_error(model, n, bending=0.0) for n in COUNTS),
         1e-12,
         unit="1",
-        reason="exact: rounding of 1e-16 of EA in stiffnesses of T, 500 times smaller, in"
-        " sums over 96 pieces",
+        reason=f"{EXACT}, in sums over 96 pieces",
     )
-    evidence.order(
-        f"{model}: elasticity of a stiff wire, √(EI/T) = 3 m",
-        SIZES,
-        [spans.elasticity_error(model, n, bending=2e5) for n in COUNTS],
-        2.0,
-        tolerance=0.15,
-        reason=NEXT,
-        unit="piece length",
-    )
+    what = "elasticity of a stiff wire, √(EI/T) = 3 m"
+    show(spans.elasticity_error, what, order=2.0, tolerance=0.15, bending=2e5)
+
+
+def before(arguments: dict[str, Any]) -> bool:
+    """Give bends the length of the piece before them, not the mean of those beside them."""
+    pieces = arguments["parts"]["segments"][1][:, 0]
+    numbers, floats = arguments["parts"]["bends"]
+    share = pieces[numbers[:, 0]] / pieces[numbers].mean(axis=1)
+    floats[:, 0] *= share
+    return bool(np.any(abs(share - 1.0) > 1e-6))
+
+
+FAULTS = [
+    *(Fault(f"{model}: {what}", broken, test_frequencies, model=model)
+      for model in MODELS
+      for what, broken in (
+          ("mass 1 % high", scaled("segments", "mass", 1.01)),
+          ("EI 1 % high", scaled("bends", "EI", 1.01)),
+      )),
+    *(Fault(f"{model}: {what}", broken, test_statics, model=model)
+      for model in MODELS
+      for what, broken in (
+          ("EA 1 % high", scaled("segments", "EA", 1.01)),
+          ("gravity 1 % high", gravity(1.01)),
+      )),
+    Fault("wind from the other side", scaled("wire_loads", "across", -1.0), test_statics,
+          model="point masses, spatial"),
+    Fault("bends with the length of the piece before them", spoiled(before), test_frequencies,
+          model="point masses, planar"),
+]  # fmt: skip

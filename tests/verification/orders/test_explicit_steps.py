@@ -18,11 +18,13 @@ the limit of both families (page limits).
 
 from collections.abc import Callable
 from typing import Any
+from unittest.mock import patch
 
 import pytest
 
 from arcless.results import Result
 from tests.support.explicit import BY_MATRIX, EXPLICIT, SOLVED
+from tests.support.faults import Fault
 
 RunOnce = Callable[..., Result]
 GIVEN: dict[str, Any] = {"pantographs.0.mean_force": None}
@@ -88,3 +90,15 @@ def test_shorter_cubic_elements(evidence: Any, run_once: RunOnce, line: str) -> 
 @pytest.mark.parametrize("line", LINES)
 def test_default_cubic_elements(evidence: Any, run_once: RunOnce, line: str) -> None:
     compare(evidence, run_once, line, EXPLICIT, {})
+
+
+FAULTS = [
+    Fault(what, patch.multiple(__name__, EXPLICIT={**EXPLICIT, **changes}),
+          test_shorter_cubic_elements, line="planar")
+    for what, changes in (
+        ("contact wire in links of 0.9 m", {"solver.contact_wire_element": 0.9}),
+        ("messenger wire in links of 1.5 m", {"solver.messenger_wire_element": 1.5}),
+        ("point masses without their period correction (steps that are solved for)",
+         {"solver.scheme": "trapezoidal"}),
+    )
+]  # fmt: skip

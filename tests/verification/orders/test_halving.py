@@ -9,6 +9,7 @@ Asked as the reference scenarios of simple lines, planar and in space.
 """
 
 from collections.abc import Callable
+from functools import wraps
 from typing import Any
 
 import pytest
@@ -16,7 +17,9 @@ import pytest
 import arcless
 from arcless.model.settings.schemes import EXPLICIT
 from arcless.results import Result
+from tests.support import fresh
 from tests.support.evidence import Evidence
+from tests.support.faults import Fault
 
 RunOnce = Callable[..., Result]
 ALLOWED = 1.0
@@ -75,3 +78,21 @@ def test_halving(evidence: Evidence, run_once: RunOnce, scenario: str, refined: 
             unit="%",
             reason="the bound that the project promises for its reference runs",
         )
+
+
+@wraps(test_halving)
+def against_10_ms(evidence: Evidence, run_once: RunOnce, **given: str) -> None:
+    def coarse(name: str, changes: dict[str, Any] | None = None) -> Result:
+        if "solver.time_step" in (changes or {}):
+            # Explicit steps refuse to be so long: with a matrix.
+            far = {"solver.scheme": "generalised-alpha", "solver.time_step": 10e-3}
+            return fresh.run(name, {**(changes or {}), **far})
+        return run_once(name, changes)
+
+    test_halving(evidence, coarse, **given)
+
+
+FAULTS = [
+    Fault("10 ms where 0.5 ms should be", (), against_10_ms, scenario="en50318-2002-250",
+          refined="time step"),
+]  # fmt: skip

@@ -15,12 +15,16 @@ beam. The reference is the default method at 0.25 m and 0.2 ms, which has an err
 0.01 N. Asked as PRAKS at 250 km/h with compliant contact.
 """
 
+from collections.abc import Callable
+from types import SimpleNamespace
 from typing import Any
+from unittest.mock import patch
 
 import numpy as np
 import pytest
 
 from tests.support.evidence import Evidence
+from tests.support.faults import Broken, Fault
 from tests.support.pages import from_docs
 
 smooth = from_docs("converging").smooth
@@ -119,3 +123,27 @@ def test_whole_method(evidence: Evidence) -> None:
         reason="the chain, 0.13 N; the kinematics, 0.03 N; second orders of the step, 0.03 N; and "
         "a quarter more",
     )
+
+
+RAMP = np.linspace(-1.0, 1.0, 1001)
+
+
+def made_up(error: Callable[..., float]) -> Broken:
+    """Make up runs whose force is off by so many newtons where they are not by default."""
+
+    def smooth(way: tuple[str, ...], element: float, step: float, **more: float) -> Any:
+        off = 0.0 if way == DEFAULT else error(element, step, **more)
+        return SimpleNamespace(force=100.0 + 30.0 * RAMP + off)
+
+    return patch.multiple(__name__, smooth=smooth)
+
+
+FAULTS = [
+    Fault("chains of first order", made_up(lambda element, _: element), test_wire_models),
+    Fault("an error that stays as the step shrinks", made_up(lambda _, step: 0.01 + 10.0 * step),
+          test_schemes),
+    Fault("a quadratic term of the kinematics",
+          made_up(lambda *_, **more: 1e-7 * more["pantographs.0.static_force"] ** 2),
+          test_kinematics),
+    Fault("a method that does not converge", made_up(lambda *_, **__: 0.3), test_whole_method),
+]  # fmt: skip

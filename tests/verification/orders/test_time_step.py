@@ -19,6 +19,8 @@ import pytest
 from numpy.typing import NDArray
 
 from tests.support import bare, schemes
+from tests.support.faults import Fault, scaled
+from tests.support.run_faults import rider_scaled, stepped_by
 from tests.support.schemes import Member
 
 Floats = NDArray[np.float64]
@@ -85,3 +87,17 @@ def test_order(evidence: Any, scheme: Member) -> None:
         else "the next terms are (ωh)² = 1e-3 of the first at 1 ms",
         unit="h",
     )
+
+
+FAULTS = [
+    *(Fault(f"{scheme.label}: {what}", broken, test_order, scheme=scheme)
+      for scheme in schemes.BY_NAME
+      for what, broken in (
+          ("spring of the line 1 % stiff", scaled("springs", "stiffness", 1.01)),
+          ("damper of the pantograph 10 % strong", rider_scaled("damping", 1.1)),
+      )),
+    Fault("newmark with γ = 0.51 in place of 0.5", stepped_by(schemes.newmark(0.26, 0.51)),
+          test_order, scheme=schemes.newmark(0.25, 0.5)),
+    Fault("default scheme in place of one-sided differences", stepped_by(schemes.DEFAULT),
+          test_order, scheme=schemes.ALL[-1]),
+]  # fmt: skip

@@ -23,6 +23,8 @@ from scipy.interpolate import CubicSpline
 from arcless.model import load_pantograph
 from arcless.simulate.setup import pantographs
 from tests.support import bare, schemes, spans
+from tests.support.faults import Fault, forgotten, kept
+from tests.support.run_faults import contact_scaled, spoiled, stepped_by
 from tests.support.schemes import Member
 
 Floats = NDArray[np.float64]
@@ -95,3 +97,23 @@ def test_order(evidence: Any, model: str, kinematics: str, scheme: Member) -> No
         " shortest",
         unit="h",
     )
+
+
+def behind(arguments: dict[str, Any]) -> None:
+    """Let the contact be where it was half a step ago."""
+    x = np.array(arguments["positions"])
+    arguments["positions"] = [x[0], *(0.5 * (x[1:] + x[:-1]))]
+
+
+AFRESH = forgotten(reference)
+SOUND = kept(reference, "cubic, planar", "linearised")
+FAULTS = [
+    *(Fault(f"{model}: contact where it was half a step ago", [AFRESH, spoiled(running=behind)],
+            test_order, model=model, kinematics="linearised", scheme=schemes.DEFAULT)
+      for model in ("cubic, planar", "point masses, spatial")),
+    Fault("newmark with γ = 0.51 in place of 0.5",
+          [AFRESH, SOUND, stepped_by(schemes.newmark(0.26, 0.51))], test_order,
+          model="cubic, planar", kinematics="linearised", scheme=schemes.newmark(0.25, 0.5)),
+    Fault("contact 10 % stiff, in all but the reference", [AFRESH, SOUND, contact_scaled(1.1)],
+          test_order, model="cubic, planar", kinematics="linearised", scheme=schemes.DEFAULT),
+]  # fmt: skip

@@ -26,6 +26,8 @@ from scipy.integrate import solve_ivp
 from arcless.mesh import Mesh
 from arcless.mesh.tables.parts import Parts
 from tests.support import bare, schemes
+from tests.support.faults import Fault, scaled
+from tests.support.run_faults import prepared_with, stepped_by
 from tests.support.schemes import Member
 
 Floats = NDArray[np.float64]
@@ -95,3 +97,13 @@ def test_order(evidence: Any, scheme: Member) -> None:
         " for the 70 1/s at the turning point",
         unit="h",
     )
+
+
+FAULTS = [
+    Fault("kinematics about the state at rest", prepared_with(updated=lambda updated: not updated),
+          test_order, scheme=schemes.DEFAULT),
+    Fault("EA 1 % high", scaled("segments", "EA", 1.01), test_order, scheme=schemes.DEFAULT),
+    Fault("EA 10 % high", scaled("segments", "EA", 1.1), test_order, scheme=schemes.PUBLISHED),
+    Fault("newmark with γ = 0.51 in place of 0.5", stepped_by(schemes.newmark(0.26, 0.51)),
+          test_order, scheme=schemes.newmark(0.25, 0.5)),
+]  # fmt: skip

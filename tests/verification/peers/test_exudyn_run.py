@@ -34,6 +34,9 @@ import pytest
 
 import arcless
 from arcless.equilibrium import equilibrium
+from arcless.simulate.setup import trajectory
+from tests.support.faults import Fault, scaled
+from tests.support.python_faults import wrong
 
 pytest.importorskip("exudyn", reason="Exudyn is not installed: `make peers`")
 
@@ -151,3 +154,12 @@ def test_reference_case(evidence, kinematics: str) -> None:
         {name: (x[shown], low_pass(one, 1e3, 20.0)[shown]) for name, one in curves.items()},
         x="position (m)", y="contact force to 20 Hz (N)", title="EN 50318:2002 at 250 km/h",
     )  # fmt: skip
+
+
+FAULTS = [
+    Fault("β of the wires halved", scaled("wires", "beta", 0.5), test_force_over_half_a_span),
+    Fault("droppers without damping", scaled("links", "beta", 0.0), test_force_over_half_a_span),
+    Fault("contact 20 % too soft",
+          wrong(trajectory, "contact_stiffness", lambda stiffness: 0.8 * stiffness),
+          test_force_over_half_a_span),
+]  # fmt: skip

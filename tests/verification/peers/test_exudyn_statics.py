@@ -22,6 +22,7 @@ import pytest
 
 import arcless
 from arcless.equilibrium import equilibrium
+from tests.support.faults import Fault, gravity, scaled
 
 pytest.importorskip("exudyn", reason="Exudyn is not installed: `make peers`")
 
@@ -108,3 +109,15 @@ def test_tensions_are_nominal(evidence) -> None:
         "force on a messenger support, largest difference of 9", float(apart.max()), 20e-3,
         unit="N", reason="50 kN/m times a height that is 0.4 µm off",
     )  # fmt: skip
+
+
+FAULTS = [
+    Fault("EA of the wires 0.1 % too high", scaled("wires", "EA", 1.001),
+          test_tensions_are_nominal),
+    Fault("mass of the wires 0.1 % too high", scaled("wires", "mass", 1.001),
+          test_line_hangs_as_designed),
+    Fault("EI of the wires 10 % too low", scaled("wires", "EI", 0.9), test_line_hangs_as_designed),
+    Fault("springs 0.1 % too stiff", scaled("springs", "stiffness", 1.001),
+          test_tensions_are_nominal),
+    Fault("gravity 0.1 % too low", gravity(0.999), test_line_hangs_as_designed),
+]  # fmt: skip

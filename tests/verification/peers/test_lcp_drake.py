@@ -19,6 +19,8 @@ import pytest
 
 from arcless import lcp
 from tests.support import lcp_problems as problems
+from tests.support.faults import Fault
+from tests.support.lcp_faults import complementarity, slips
 
 solvers = pytest.importorskip("pydrake.solvers", reason="Drake is not installed: `make peers`")
 
@@ -96,3 +98,10 @@ def test_same_forces_where_drake_changes_the_problem(evidence) -> None:
         "solved for H + λ 1: forces, largest difference", max(changed), 10.0, unit="roundings",
         reason=EXCHANGES,
     )  # fmt: skip
+
+
+FAULTS = [
+    *slips(test_same_forces, test_same_forces_in_a_run),
+    Fault("H off by 1e-9", complementarity(lambda H, w: (H * (1.0 + 1e-9), w)),
+          test_same_forces_where_drake_changes_the_problem),
+]  # fmt: skip

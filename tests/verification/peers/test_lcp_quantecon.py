@@ -26,6 +26,7 @@ import pytest
 
 from arcless import lcp
 from tests.support import lcp_problems as problems
+from tests.support.lcp_faults import slips
 
 optimize = pytest.importorskip(
     "quantecon.optimize", reason="QuantEcon is not installed: `make peers`"
@@ -81,3 +82,6 @@ def test_same_forces(evidence, name: str) -> None:
 
 def test_same_forces_in_a_run(evidence) -> None:
     compare(evidence, "dropped beam", problems.dropped_beam())
+
+
+FAULTS = slips(test_same_forces, test_same_forces_in_a_run)

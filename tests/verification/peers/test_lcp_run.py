@@ -25,7 +25,11 @@ import pytest
 import arcless
 from arcless import lcp
 from arcless.equilibrium import equilibrium
+from arcless.simulate.setup import trajectory
 from tests.support import lcp_problems as problems
+from tests.support.faults import Fault, forgotten, scaled
+from tests.support.lcp_faults import complementarity
+from tests.support.python_faults import wrong
 
 pytest.importorskip("skfem", reason="scikit-fem is not installed: `make peers`")
 pytest.importorskip("quantecon", reason="QuantEcon is not installed: `make peers`")
@@ -94,3 +98,22 @@ def test_problems_of_the_run(evidence) -> None:
         "forces in the 216 problems, largest difference", max(apart), 10.0, unit="roundings",
         reason="some exchanges, each with one rounding of each row",
     )  # fmt: skip
+
+
+def other_sign(H: np.ndarray, w: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    H = H.copy()
+    H[0, 1:] *= -1.0
+    return H, w
+
+
+FAULTS = [
+    Fault(what, [forgotten(run), broken], check)
+    for what, broken, check in (
+        ("damping of droppers 1 % too large", scaled("links", "beta", 1.01), test_contact_force),
+        ("contact 1e-4 too stiff",
+         wrong(trajectory, "contact_stiffness", lambda stiffness: 1.0001 * stiffness),
+         test_contact_force),
+        ("droppers push the contact the wrong way", complementarity(other_sign),
+         test_problems_of_the_run),
+    )
+]  # fmt: skip

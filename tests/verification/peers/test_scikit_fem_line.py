@@ -27,6 +27,8 @@ import pytest
 
 import arcless
 from arcless.equilibrium import equilibrium
+from tests.support.faults import Fault, forgotten, gravity, scaled
+from tests.support.python_faults import misled
 
 pytest.importorskip("skfem", reason="scikit-fem is not installed: `make peers`")
 
@@ -110,3 +112,20 @@ def test_elements_of_the_shipped_case(evidence) -> None:
         reason="the messenger wire sags by 0.7 m; the stiffness of that goes with the square of the"
         " sag, of which 0.7 mm may be missing, and a frequency with its root",
     )  # fmt: skip
+
+
+def doubled(*lengths: float) -> list[float]:
+    return [2 * length for length in lengths]
+
+
+FAULTS = [
+    *(Fault(f"{column} of the wires 1e-4 too large", scaled("wires", column, 1.0 + 1e-4),
+            test_same_elements)
+      for column in ("EA", "EI", "mass")),
+    *(Fault(f"stiffness of {kind} 1e-4 too large", scaled(kind, "stiffness", 1.0 + 1e-4),
+            test_same_elements)
+      for kind in ("links", "springs")),
+    Fault("gravity 1e-4 too large", gravity(1.0 + 1e-4), test_same_elements),
+    Fault("elements twice as long", [forgotten(shipped), misled(__name__, "designed", doubled)],
+          test_elements_of_the_shipped_case),
+]  # fmt: skip

@@ -24,6 +24,7 @@ import pytest
 
 from arcless.equilibrium.equilibrium import Equilibrium
 from arcless.mesh.tables.parts import Parts
+from tests.support.faults import Fault, scaled
 from tests.support.structures import at_rest, mesh_of
 
 pytest.importorskip("skfem", reason="scikit-fem is not installed: `make peers`")
@@ -131,3 +132,12 @@ def test_frequencies(evidence) -> None:
         reason="the largest eigenvalue of the beam is 1e9 times the lowest: its rounding is 1e-7;"
         " elements lose less",
     )  # fmt: skip
+
+
+FAULTS = [
+    *(Fault(f"{column} of {kind} 1 % too large", scaled(kind, column, 1.01), test_elasticity)
+      for kind, column in (("springs", "stiffness"), ("wires", "EI"))),
+    *(Fault(f"mass of {kind} 0.1 % too large", scaled(kind, "mass", 1.001), test_frequencies)
+      for kind in ("masses", "wires")),
+    Fault("EA of the wires 1 % too large", scaled("wires", "EA", 1.01), test_frequencies),
+]  # fmt: skip

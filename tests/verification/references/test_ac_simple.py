@@ -11,13 +11,18 @@ fails.
 """
 
 from collections.abc import Callable
+from functools import wraps
+from unittest.mock import patch
 
 import pytest
 
+from arcless.assess import statistics
 from arcless.results import Result
+from arcless.simulate.runs import job, mean_force
 from arcless.validate import CASES
-from tests.support import published
+from tests.support import fresh, published
 from tests.support.evidence import Evidence
+from tests.support.faults import Fault
 
 RunOnce = Callable[..., Result]
 NAMED = {case.scenario: case for case in CASES if "ac-simple" in case.scenario}
@@ -50,3 +55,20 @@ def test_mean_force(evidence: Evidence, run_once: RunOnce, name: str) -> None:
         absolute=0.02,
         reason="the tolerance that the search for the static force documents",
     )
+
+
+@wraps(test_ranges)
+def assessed_anew(evidence: Evidence, run_once: RunOnce, name: str) -> None:
+    known = run_once(name)
+    test_ranges(evidence, lambda _: Result(known.dataset, known.scenario), name)
+
+
+FAULTS = [
+    Fault("the 20 Hz filter left out",
+          patch.object(statistics, "low_pass", lambda signal, *_: signal), assessed_anew,
+          name="en50318-ac-simple-275"),
+    # A coarse copy would have told the force before.
+    Fault("search for the static force stops at 1 N",
+          [patch.object(job, "coarse", lambda _: None), patch.object(mean_force, "TOLERANCE", 1.0)],
+          test_mean_force, run_once=fresh.run, name="en50318-ac-simple-320"),
+]  # fmt: skip

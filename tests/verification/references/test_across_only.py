@@ -17,6 +17,7 @@ import arcless
 from arcless.assess.signals.filter import low_pass
 from tests.support import across
 from tests.support.evidence import Evidence
+from tests.support.faults import Fault, without
 
 SCENARIO = "en50318-2002-250"
 STEP = 1e-3
@@ -59,3 +60,10 @@ def test_second_program(family: str, second: dict[str, float], evidence: Evidenc
             f"{name}, {family}", value, second[name], unit="N", absolute=0.8,
             reason="elements of 0.45 or 0.8 m, 0.25 m; motion along moves them by up to 3 N",
         )  # fmt: skip
+
+
+FAULTS = [
+    Fault(f"wires move along the track after all, {family}", without("across_only"),
+          test_second_program, family=family, slow=True)
+    for family in sorted(FAMILIES)
+]  # fmt: skip

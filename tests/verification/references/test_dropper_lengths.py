@@ -18,8 +18,11 @@ import pytest
 
 from arcless.simulate import StaticsResult
 from arcless.validate.reference import DROPPERS
+from tests.support import fresh
 from tests.support.evidence import Evidence
 from tests.support.explicit import BY_MATRIX
+from tests.support.faults import Fault, scaled, without
+from tests.support.python_faults import tension
 
 AtRest = Callable[..., StaticsResult]
 
@@ -119,3 +122,24 @@ def test_as_built(evidence: Evidence, at_rest: AtRest) -> None:
         reason="R of the tensions at rest changes stiffnesses by 1e-12 of themselves at most, in"
         " the last round: of 100 N over 100 kN/m, times some, and rounding of 600 m, 1e-13",
     )
+
+
+def softer_as_built(name: str, changes: dict[str, Any] | None = None) -> StaticsResult:
+    """Find a line at rest, droppers half as stiff where it is not as designed."""
+    if not changes:
+        return fresh.at_rest(name)
+    with scaled("links", "stiffness", 0.5):
+        return fresh.at_rest(name, changes)
+
+
+FAULTS = [
+    *(Fault("tensions 1 % too low", tension(0.99), test_nine_lengths, at_rest=fresh.at_rest,
+            wires=wires)
+      for wires in sorted(WIRES)),
+    # Corners at droppers are too sharp.
+    Fault("chains as they are", without("fitted_bends"), test_mesh, at_rest=fresh.at_rest,
+          wires="as shipped"),
+    Fault("one clamp twice as heavy", scaled("masses", "mass", 2.0, rows=[40]),
+          test_inner_spans_are_alike, at_rest=fresh.at_rest),
+    Fault("droppers half as stiff as designed", (), test_as_built, at_rest=softer_as_built),
+]  # fmt: skip

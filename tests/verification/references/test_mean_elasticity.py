@@ -14,6 +14,8 @@ import pytest
 
 import arcless
 from tests.support.evidence import Evidence
+from tests.support.faults import Fault
+from tests.support.python_faults import tension
 
 REMEMBERED = {"germany-re-200": 1.0, "norway-s25": 0.55, "germany-re-330": 0.40}
 
@@ -31,3 +33,8 @@ def test_remembered(evidence: Evidence, line: str) -> None:
         reason="remembered to a digit or two, for other layouts of droppers, 10 %; 2 % for ends, "
         "which hold still by friction here and give way without it",
     )
+
+
+FAULTS = [
+    Fault("all tensions 15 % too low", tension(0.85), test_remembered, line="norway-s25"),
+]  # fmt: skip

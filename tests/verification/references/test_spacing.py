@@ -11,9 +11,13 @@ Asked as the Beijing–Yizhuang line at 300 and 350 km/h, and AC simple at 275 k
 (33 spacings) of which the page has the table.
 """
 
+from typing import Any
+from unittest.mock import patch
+
 import pytest
 
 from tests.support.evidence import Evidence
+from tests.support.faults import Fault
 from tests.support.pages import from_docs
 
 spacing = from_docs("spacing")
@@ -63,3 +67,21 @@ def test_the_trailing_pantograph_is_the_worse_one(evidence: Evidence) -> None:
         unit="1",
         reason="a crest of the period; both vibrations in phase would double it",
     )
+
+
+def swapped(_: Any, distance: float | None) -> list[float]:
+    """As measured at 200 m: a single one 27.8 N, leading 27.9 N, trailing 61 N."""
+    return [27.8] if distance is None else [61.0, 27.9]
+
+
+def one_speed(_: Any, distance: float | None) -> list[float]:
+    """Trough and crest at 300 km/h, for both speeds."""
+    return [27.9, 30.0 if distance == 160.0 else 60.0]
+
+
+FAULTS = [
+    Fault("leading and trailing pantograph swapped", patch.object(spacing, "deviations", swapped),
+          test_the_trailing_pantograph_is_the_worse_one),
+    Fault("the same speed run twice", patch.object(spacing, "deviations", one_speed),
+          test_good_and_bad_spacings_swap_with_the_speed),
+]  # fmt: skip

@@ -11,11 +11,15 @@ With e at rest from the line itself, once as shipped and once with its stitch wi
 Asked as seven shipped lines at rest.
 """
 
+from functools import cache, partial
+from unittest.mock import patch
+
 import pytest
 
 import arcless
 from arcless.simulate import StaticsResult
 from tests.support.evidence import Evidence
+from tests.support.faults import Fault
 
 LINES = (
     "norway-s20a", "norway-s25", "norway-s35", "germany-re-200", "germany-re-330",
@@ -63,3 +67,10 @@ def test_elasticity(evidence: Evidence, line: str) -> None:
         unit="1",
         reason="halved, and a little room: found between 0.2 and 0.5",
     )
+
+
+PLAIN = cache(partial(at_rest, stitch_wire=None))
+FAULTS = [
+    Fault("stitch wires forgotten", patch.multiple(__name__, at_rest=lambda line, **_: PLAIN(line)),
+          test_elasticity, line="norway-s25"),
+]  # fmt: skip

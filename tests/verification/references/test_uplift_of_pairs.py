@@ -8,12 +8,14 @@ Asked as `spain-ca-200-200` and `spain-ca-220-220` with a second pantograph, `di
 """
 
 from collections.abc import Callable
+from unittest.mock import patch
 
 import pytest
 
 import arcless
 from arcless.results import Result
 from tests.support.evidence import Evidence
+from tests.support.faults import Fault
 
 RunOnce = Callable[..., Result]
 PUBLISHED = {"spain-ca-200-200": 46.0, "spain-ca-220-220": 43.0}
@@ -41,3 +43,10 @@ def test_published(evidence: Evidence, run_once: RunOnce, scenario: str) -> None
         mark="A",
         reason="10 % for the pantograph, which is not named",
     )
+
+
+MEASURED = 42.0  # mm
+FAULTS = [
+    Fault("40 % of the uplift lost", patch.multiple(__name__, uplift=lambda _, __: 0.6 * MEASURED),
+          test_published, run_once=None, scenario="spain-ca-200-200"),
+]  # fmt: skip

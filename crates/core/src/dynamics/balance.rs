@@ -21,18 +21,21 @@
 
 use super::balance_contacts::Pressed;
 use super::balance_links::{Damper, dampers};
+use super::checkpoint::Walk;
 use super::contact::Unilateral;
 use super::contacts::Contacts;
 use super::entries::Entries;
 use super::explicit::energy::{Forms, Lost, Stored};
 use super::explicit::{Explicit, Grid};
+use super::integrator::WireState;
 use super::ledger::StepForces;
 use super::rider::RiderState;
 use super::rider_halves::Halves;
-use super::stepper::{LineState, Prepared};
+use super::stepper::Prepared;
+use crate::error::CoreError;
 
 /// Running ledger of explicit steps, and its work space.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Balance<const DIM: usize, const D: usize> {
     /// Entries so far.
     pub entries: Entries,
@@ -73,7 +76,7 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
     pub(super) fn new(
         p: &Prepared<DIM, D>,
         (steps, grid): (&Explicit<DIM>, &Grid),
-        state: &LineState<D>,
+        state: &WireState<D>,
         riders: &[RiderState],
         contacts: &Contacts<DIM>,
         (datum, every): (f64, usize),
@@ -123,12 +126,12 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
     pub(super) fn before(
         &mut self,
         p: &Prepared<DIM, D>,
-        state: &LineState<D>,
+        state: &WireState<D>,
         riders: &[RiderState],
         (step, speed): (usize, f64),
         f: &StepForces<'_, DIM>,
     ) {
-        let (Some(steps), Some(grid)) = (p.explicit_steps(), &state.grid) else {
+        let Some((steps, grid)) = p.explicit_state(state) else {
             return;
         };
         // Before anything of this step is booked.
@@ -178,12 +181,12 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
     pub(super) fn after(
         &mut self,
         p: &Prepared<DIM, D>,
-        state: &LineState<D>,
+        state: &WireState<D>,
         riders: &[RiderState],
         (step, is_row): (usize, bool),
         unilateral: &Unilateral,
     ) -> bool {
-        let (Some(steps), Some(grid)) = (p.explicit_steps(), &state.grid) else {
+        let Some((steps, grid)) = p.explicit_state(state) else {
             return false;
         };
         self.book_linear_links(p, state, unilateral);
@@ -225,14 +228,14 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
         e.contact = pressed + stops - self.start[1];
     }
 
-    fn read(&mut self, steps: &Explicit<DIM>, state: &LineState<D>, grid: &Grid) {
+    fn read(&mut self, steps: &Explicit<DIM>, state: &WireState<D>, grid: &Grid) {
         for &island in &state.awake {
             self.forms.read(steps, island, grid);
         }
     }
 
     /// Energies of the line between two steps, as it was read.
-    fn stored(&mut self, steps: &Explicit<DIM>, state: &LineState<D>) -> Stored {
+    fn stored(&mut self, steps: &Explicit<DIM>, state: &WireState<D>) -> Stored {
         let mut sum = Stored::default();
         for &island in &state.awake {
             let own = self.forms.stored(steps, island);
@@ -317,6 +320,13 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
 
     pub(super) fn meets(&mut self) -> impl Iterator<Item = &mut bool> {
         self.pressed.iter_mut().map(|c| &mut c.meets)
+    }
+
+    /// Save or put back the sums so far.
+    pub(super) fn walk(&mut self, walk: &mut Walk<'_>) -> Result<(), CoreError> {
+        walk.numbers("energy", self.entries.all_mut().into_iter())?;
+        walk.numbers("energy_sums", self.numbers())?;
+        walk.flags("energy_contact_meets", self.meets())
     }
 }
 

@@ -3,8 +3,9 @@
 use super::balance::Balance;
 use super::contact::Unilateral;
 use super::explicit::{Explicit, Grid};
+use super::integrator::WireState;
 use super::line::LinearLink;
-use super::stepper::{LineState, Prepared};
+use super::stepper::Prepared;
 use crate::linalg::{Kernel, widest};
 
 /// A damper to ground: node, component, N·s/m, and h v of the node, m.
@@ -18,7 +19,7 @@ pub(super) struct Damper {
 
 impl<const DIM: usize, const D: usize> Balance<DIM, D> {
     /// Of links that are slack in a state at rest: −r₀ e, and what they do not store, −½ min(T, 0)²/k.
-    pub(super) fn slack_at_rest(&self, p: &Prepared<DIM, D>, state: &LineState<D>) -> f64 {
+    pub(super) fn slack_at_rest(&self, p: &Prepared<DIM, D>, state: &WireState<D>) -> f64 {
         let slack = p.line.links.iter().filter(|link| link.unilateral);
         let of = |link: &LinearLink<DIM>| {
             let elongation = link.elongation(&state.u);
@@ -67,7 +68,7 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
         &mut self,
         h: f64,
         (steps, grid): (&Explicit<DIM>, &Grid),
-        state: &LineState<D>,
+        state: &WireState<D>,
     ) {
         for damper in &mut self.dampers {
             let by = state.delta[damper.node][damper.component];
@@ -87,7 +88,7 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
     pub(super) fn book_linear_links(
         &mut self,
         p: &Prepared<DIM, D>,
-        state: &LineState<D>,
+        state: &WireState<D>,
         unilateral: &Unilateral,
     ) {
         let rates = &state.links.rate;

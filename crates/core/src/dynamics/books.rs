@@ -1,9 +1,13 @@
 //! The energy ledger of a run, whatever its steps are, and when it ends the run.
 
 use super::balance::Balance;
+use super::checkpoint::Walk;
 use super::entries::Entries;
+use super::inputs::Inputs;
 use super::ledger::{Ledger, StepForces};
-use super::run::Run;
+use super::model::Model;
+use super::record::Record;
+use super::state::Motion;
 use crate::error::CoreError;
 
 /// Residual that is allowed, as a share of the energy turned over. Rounding is 1e-13 to 1e-12 of it; a force in the wrong
@@ -20,29 +24,26 @@ const GIVEN: f64 = 1e-5;
 const SWITCHING: f64 = 0.05;
 
 /// A ledger of either kind.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) enum Books<const DIM: usize, const D: usize> {
     Solved(Box<Ledger<D>>),
     Explicit(Box<Balance<DIM, D>>),
 }
 
 impl<const DIM: usize, const D: usize> Books<DIM, D> {
-    /// Open the ledger of a run at its start, if one is kept.
-    pub fn open(run: &Run<'_, DIM, D>) -> Option<Self> {
-        if !run.plan.ledger {
-            return None;
-        }
-        let (p, state, riders) = (&run.p, &run.state, &run.riders);
-        let solved = || Ledger::new(p, state, riders, &run.contacts, run.datum);
-        Some(match (p.explicit_steps(), &state.grid) {
-            (Some(steps), Some(grid)) => {
-                let with = (run.datum, run.plan.ledger_every);
-                let contacts = &run.contacts;
+    /// Open the ledger of a run at its start; explicit steps measure what wires dissipate every so
+    /// many of them.
+    pub(super) fn open(model: &Model<'_, DIM, D>, motion: &Motion<DIM, D>, every: usize) -> Self {
+        let (p, state, riders) = (model.line, &motion.line, &motion.riders);
+        let (contacts, datum) = (&motion.contacts, motion.datum);
+        match p.explicit_state(state) {
+            Some((steps, grid)) => {
+                let with = (datum, every);
                 let new = Balance::new(p, (steps, grid), state, riders, contacts, with);
                 Self::Explicit(Box::new(new))
             }
-            _ => Self::Solved(Box::new(solved())),
-        })
+            None => Self::Solved(Box::new(Ledger::new(p, state, riders, contacts, datum))),
+        }
     }
 
     fn entries(&self) -> &Entries {
@@ -63,94 +64,89 @@ impl<const DIM: usize, const D: usize> Books<DIM, D> {
             Self::Explicit(b) => [b.residual(), b.least(), b.switched(), b.largest()],
         }
     }
-}
 
-impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
-    /// Take the step, booking its energies when a ledger is kept.
+    /// Whether every island must be stepped for the ledger to close.
+    pub(super) fn needs_all_islands(&self) -> bool {
+        matches!(self, Self::Solved(_))
+    }
+
+    /// Book an island that is about to be laid to rest.
+    pub(super) fn leave(
+        &mut self,
+        model: &Model<'_, DIM, D>,
+        motion: &Motion<DIM, D>,
+        island: usize,
+    ) {
+        if let (Self::Explicit(own), Some(at)) = (self, model.line.explicit_state(&motion.line)) {
+            own.leave(model.line, at, island);
+        }
+    }
+
+    /// Find again what follows from a state that was put back.
+    pub(super) fn resume(&mut self, model: &Model<'_, DIM, D>, motion: &Motion<DIM, D>) {
+        if let Self::Explicit(own) = self {
+            own.go_on(model.line, &motion.riders);
+        }
+    }
+
+    /// Save or put back the sums so far.
     ///
     /// # Errors
-    /// [`CoreError::Balance`] when they do not add up, [`CoreError::NotFinite`].
+    /// [`CoreError::Input`] for numbers that do not fit.
+    pub(super) fn walk(&mut self, walk: &mut Walk<'_>) -> Result<(), CoreError> {
+        match self {
+            Self::Solved(own) => own.walk(walk),
+            Self::Explicit(own) => own.walk(walk),
+        }
+    }
+
+    /// Take the step and book its energies; tells whether the ledger is settled, which it is when due.
     pub(super) fn take(
         &mut self,
-        books: Option<&mut Books<DIM, D>>,
-        step: usize,
-        speed: f64,
-    ) -> Result<(), CoreError> {
-        self.record.steps = step + 1;
-        let is_row = step.is_multiple_of(self.plan.line_every);
-        let is_end = step + 2 == self.travel.positions.len();
-        let Some(books) = books else {
-            self.advance();
-            return self.check_sound(step);
-        };
-        let settled = self.book(books, (step, speed), is_row || is_end);
-        self.check_sound(step)?;
-        if settled {
-            self.check_balance(books, step)?;
-        }
-        if is_row {
-            let row = if settled {
-                *books.entries()
-            } else {
-                Entries::unknown()
-            };
-            self.record.energy.push(row);
-        }
-        Ok(())
-    }
-
-    fn forces(&self) -> StepForces<'_, DIM> {
-        StepForces {
-            contacts: &self.contacts,
-            unilateral: &self.unilateral,
-            friction: &self.friction,
-            loads: &self.loads,
-            datum: self.datum,
-        }
-    }
-
-    fn advance(&mut self) {
-        let p = &*self.p;
-        p.advance(&mut self.state);
-        let riders = self.riders.iter_mut();
-        riders.for_each(|r| r.advance(&p.coefficients));
-    }
-
-    /// Tells whether the ledger has been settled.
-    fn book(
-        &mut self,
-        books: &mut Books<DIM, D>,
-        (step, speed): (usize, f64),
+        model: &Model<'_, DIM, D>,
+        inputs: &Inputs<'_>,
+        motion: &mut Motion<DIM, D>,
         is_due: bool,
     ) -> bool {
-        match books {
-            Books::Solved(ledger) => {
-                ledger.before(&self.p, &self.state, &self.riders, speed);
-                self.advance();
-                ledger.after(&self.p, &self.state, &self.riders, &self.forces());
+        let (p, step, speed) = (model.line, motion.steps, inputs.speed);
+        match self {
+            Self::Solved(ledger) => {
+                ledger.before(p, &motion.line, &motion.riders, speed);
+                motion.advance(model);
+                let forces = motion.forces(inputs);
+                ledger.after(p, &motion.line, &motion.riders, &forces);
                 if is_due {
-                    ledger.settle(&self.p, &self.state);
+                    ledger.settle(p, &motion.line);
                 }
                 is_due
             }
-            Books::Explicit(balance) => {
-                let at = (step, speed);
-                balance.before(&self.p, &self.state, &self.riders, at, &self.forces());
-                self.advance();
-                let (state, riders) = (&self.state, &self.riders);
-                balance.after(&self.p, state, riders, (step, is_due), &self.unilateral)
+            Self::Explicit(balance) => {
+                let (at, forces) = ((step, speed), motion.forces(inputs));
+                balance.before(p, &motion.line, &motion.riders, at, &forces);
+                motion.advance(model);
+                let (state, riders) = (&motion.line, &motion.riders);
+                balance.after(p, state, riders, (step, is_due), &motion.unilateral)
             }
         }
     }
 
-    fn check_balance(&mut self, books: &Books<DIM, D>, step: usize) -> Result<(), CoreError> {
-        let [residual, least, switched, stored] = books.off();
-        let r = &mut self.record;
+    /// Check a settled ledger, and note how far it is off; returns its entries.
+    ///
+    /// # Errors
+    /// [`CoreError::Balance`] when energies do not add up.
+    pub(super) fn check(
+        &self,
+        model: &Model<'_, DIM, D>,
+        r: &mut Record,
+        step: usize,
+    ) -> Result<Entries, CoreError> {
+        let [residual, least, switched, stored] = self.off();
+        let entries = *self.entries();
         r.energy_residual = r.energy_residual.max(residual.abs());
-        r.energy_turnover = r.energy_turnover.max(books.entries().turnover());
-        r.energy_switching = r.energy_switching.max(books.entries().switching.abs());
+        r.energy_turnover = r.energy_turnover.max(entries.turnover());
+        r.energy_switching = r.energy_switching.max(entries.switching.abs());
         let scale = r.energy_turnover.max(stored);
-        let is_rigid = self.p.contact_flexibility == 0.0;
+        let is_rigid = model.line.contact_flexibility == 0.0;
         // What is not a number is not within.
         let within = |value: f64, share: f64| value.abs() <= share * scale;
         let (what, off) = if !within(residual, BALANCE) {
@@ -160,28 +156,26 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
         } else if !is_rigid && !within(switched, SWITCHING) {
             ("switching", switched)
         } else {
-            return Ok(());
+            return Ok(entries);
         };
         Err(CoreError::Balance {
             what,
             step,
-            time: (step + 1) as f64 * self.p.h,
+            time: (step + 1) as f64 * model.line.h,
             off,
             turnover: scale,
         })
     }
+}
 
-    /// Everything that explicit steps move, forces and riders: step by step, as nothing else sees all of it.
-    fn check_sound(&self, step: usize) -> Result<(), CoreError> {
-        let Some(grid) = &self.state.grid else {
-            return Ok(());
-        };
-        let of_riders = self.riders.iter().flat_map(|r| &r.u);
-        let mut all = of_riders.chain(&self.unilateral.force);
-        if grid.is_sound() && all.all(|v| v.is_finite()) {
-            return Ok(());
+impl<const DIM: usize, const D: usize> Motion<DIM, D> {
+    fn forces<'a>(&'a self, inputs: &'a Inputs<'_>) -> StepForces<'a, DIM> {
+        StepForces {
+            contacts: &self.contacts,
+            unilateral: &self.unilateral,
+            friction: &self.friction,
+            loads: inputs.loads,
+            datum: self.datum,
         }
-        let what = "the motion";
-        Err(CoreError::NotFinite { what, step })
     }
 }

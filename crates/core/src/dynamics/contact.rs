@@ -30,7 +30,7 @@ use std::ops::Range;
 
 /// Unknowns and workspace of the complementarity problem; nothing is allocated during a run
 /// once the vectors have grown.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub struct Unilateral {
     /// Contact forces λ, N; zero where a contact does not take part.
     pub force: Vec<f64>,

@@ -14,17 +14,18 @@
 //! last, (e − e of the step before)ᵀu, is the wire that slides sideways over a strip which is not level.
 
 use super::contacts::{Contact, Contacts};
+use super::integrator::WireState;
 use super::ledger::{Ledger, StepForces};
 use super::place::Place;
 use super::rider::{RiderState, inner};
-use super::stepper::{LineState, Prepared};
+use super::stepper::Prepared;
 use super::yields::Yield;
 
 impl<const D: usize> Ledger<D> {
     pub(super) fn book_contacts<const DIM: usize>(
         &mut self,
         p: &Prepared<DIM, D>,
-        state: &LineState<D>,
+        state: &WireState<D>,
         riders: &[RiderState],
         f: &StepForces<'_, DIM>,
     ) {
@@ -68,7 +69,7 @@ impl<const D: usize> Ledger<D> {
 /// Energy ½ p²/k_c of the contact compliances, p the overlap of strip and wire, and of the stops.
 pub(super) fn contact_energy<const DIM: usize, const D: usize>(
     p: &Prepared<DIM, D>,
-    state: &LineState<D>,
+    state: &WireState<D>,
     riders: &[RiderState],
     contacts: &Contacts<DIM>,
     datum: f64,

@@ -5,7 +5,7 @@
 //! with it e(y) of the [strip](super::strip), is taken at the start of the step.
 
 use super::path::Path;
-use super::place::Place;
+use super::place::{Nodal, Place};
 use super::rider::{Rider, RiderState, inner};
 use super::strip::Strip;
 use super::yields::Yield;
@@ -58,7 +58,7 @@ impl<const DIM: usize> Contact<DIM> {
     }
 
     /// Lateral place of the wire before the step.
-    fn aside<const D: usize>(&self, u: &[[f64; D]]) -> f64 {
+    fn aside<const D: usize>(&self, u: &(impl Nodal<D> + ?Sized)) -> f64 {
         if DIM < 3 {
             return 0.0;
         }
@@ -85,7 +85,7 @@ impl<const DIM: usize> Contacts<DIM> {
         distances: &[f64],
         lanes: &[Path<DIM>],
         position: f64,
-        u: &[[f64; D]],
+        u: &(impl Nodal<D> + ?Sized),
     ) -> Result<Self, CoreError> {
         let mut contacts = Self::blank(riders, distances, lanes.len());
         contacts.find(riders, lanes, u, [position; 3], 0)?;
@@ -161,7 +161,7 @@ impl<const DIM: usize> Contacts<DIM> {
         &mut self,
         riders: &[Rider],
         lanes: &[Path<DIM>],
-        u: &[[f64; D]],
+        u: &(impl Nodal<D> + ?Sized),
         positions: [f64; 3],
         step: usize,
     ) -> Result<(), CoreError> {
@@ -209,7 +209,7 @@ impl<const DIM: usize> Contact<DIM> {
         &mut self,
         strip: &Strip,
         lane: &Path<DIM>,
-        u: &[[f64; D]],
+        u: &(impl Nodal<D> + ?Sized),
         [start, balance, end]: [f64; 3],
     ) {
         self.is_new = !std::mem::take(&mut self.meets);

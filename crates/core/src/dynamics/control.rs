@@ -1,22 +1,30 @@
 //! Samples of a run: what is measured, and the force that is answered.
 
 use super::actuator::{Ask, Sample};
-use super::run::Run;
+use super::model::Model;
+use super::state::Motion;
 use crate::error::CoreError;
 
-impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
-    /// Before a step: ask for the forces of all actuators that are due for a sample.
+impl<const DIM: usize, const D: usize> Motion<DIM, D> {
+    /// Before a step: ask for the forces of all actuators that are due for a sample, with the first
+    /// rider at a position (m) and speed (m/s).
     ///
     /// # Errors
     /// [`CoreError::Control`].
-    pub(super) fn control(&mut self, step: usize, ask: Ask<'_>) -> Result<(), CoreError> {
+    pub(super) fn control(
+        &mut self,
+        model: &Model<'_, DIM, D>,
+        (position, speed): (f64, f64),
+        ask: Ask<'_>,
+    ) -> Result<(), CoreError> {
+        let step = self.steps;
         for j in 0..self.riders.len() {
             let Some(actuator) = self.riders[j].rider.actuator.clone() else {
                 continue;
             };
             let mut state = std::mem::take(&mut self.riders[j].actuator);
             let answered = state.begin(&actuator, step, |number| {
-                let sample = self.sample(j, step, number);
+                let sample = self.sample(model, (position, speed), (j, number));
                 let answer = ask(j, &sample).and_then(|force| {
                     let finite = force.is_finite().then_some(force);
                     finite.ok_or_else(|| format!("the force is {force}"))
@@ -42,14 +50,19 @@ impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
         own.map(|(_, force)| force).sum()
     }
 
-    fn sample(&self, j: usize, step: usize, number: usize) -> Sample {
+    fn sample(
+        &self,
+        model: &Model<'_, DIM, D>,
+        (position, speed): (f64, f64),
+        (j, number): (usize, usize),
+    ) -> Sample {
         let rider = &self.riders[j];
         let moved = rider.u.iter().zip(&self.start_u[j]);
         Sample {
             number,
-            time: step as f64 * self.p.h,
-            position: self.travel.positions[step] - self.travel.distances[j],
-            speed: self.travel.speeds[step],
+            time: self.steps as f64 * model.line.h,
+            position: position - model.distances[j],
+            speed,
             force: self.rider_force(j),
             displacements: moved.map(|(u, start)| u - start).collect(),
             velocities: rider.v.clone(),

@@ -70,6 +70,22 @@ impl Given {
         })
     }
 
+    /// Read the excitation of a step; `old` is the weight of its start in the balance.
+    pub fn read(&self, step: usize, old: f64, now: &mut GivenNow) {
+        let between = |a: &[f64]| (1.0 - old) * a[step + 1] + old * a[step];
+        now.force.fill(0.0);
+        for history in &self.forces {
+            add(between(&history.values), &history.direction, &mut now.force);
+        }
+        now.ground = self.ground.as_ref().map(|ground| {
+            [
+                ground.displacement[step + 1],
+                between(&ground.displacement),
+                between(&ground.rate),
+            ]
+        });
+    }
+
     /// Force on each coordinate at the start, with the ground where it is then; zero without any.
     pub(super) fn at_start(&self, stiffness: &[f64], n: usize) -> Vec<f64> {
         let mut force = vec![0.0; n];
@@ -84,7 +100,28 @@ impl Given {
     }
 }
 
-/// What is given in the present step.
+/// Forces on a rider and motion of its ground in one step.
+#[derive(Debug, Clone)]
+pub struct GivenNow {
+    /// Force on each coordinate at the time of balance, N.
+    pub force: Vec<f64>,
+    /// Displacement of the ground at the end of the step and at the time of balance in m, and its
+    /// rate then in m/s; `None` when the ground stands still.
+    pub ground: Option<[f64; 3]>,
+}
+
+impl GivenNow {
+    /// No force and no motion, for a rider of `n` coordinates.
+    #[must_use]
+    pub fn zero(n: usize) -> Self {
+        Self {
+            force: vec![0.0; n],
+            ground: None,
+        }
+    }
+}
+
+/// Excitation of a rider in the present step.
 #[derive(Debug, Clone)]
 pub(super) struct Drive {
     /// r, zero when the ground stands still.
@@ -117,20 +154,12 @@ impl Drive {
         }
     }
 
-    /// Read what is given in a step; `old` is the weight of its start in the balance.
-    pub(super) fn begin(&mut self, given: &Given, step: usize, old: f64) {
-        let between = |a: &[f64]| (1.0 - old) * a[step + 1] + old * a[step];
-        self.force.fill(0.0);
-        for history in &given.forces {
-            add(
-                between(&history.values),
-                &history.direction,
-                &mut self.force,
-            );
-        }
-        if let Some(ground) = &given.ground {
-            self.end = ground.displacement[step + 1];
-            self.balance = [between(&ground.displacement), between(&ground.rate)];
+    /// Take the excitation of a step.
+    pub(super) fn begin(&mut self, now: &GivenNow) {
+        self.force.copy_from_slice(&now.force);
+        if let Some([end, displacement, rate]) = now.ground {
+            self.end = end;
+            self.balance = [displacement, rate];
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::contacts::Contact;
 use super::line::Line;
-use super::place::{Place, slots};
+use super::place::{Nodal, Place, slots};
 use super::rider::inner;
 use super::stepper::Prepared;
 use super::yields::Yield;
@@ -68,7 +68,12 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
     /// sᵀx at a place: height of the wire in a displacement field, but for contact forces and
     /// corrections.
     #[inline(always)]
-    pub(super) fn felt(&self, place: &Place<DIM>, yields: &Yield, x: &[[f64; D]]) -> f64 {
+    pub(super) fn felt(
+        &self,
+        place: &Place<DIM>,
+        yields: &Yield,
+        x: &(impl Nodal<D> + ?Sized),
+    ) -> f64 {
         let mut height = place.displacement(x, DIM - 1);
         for (link, rise) in yields.pulls() {
             height += self.eased(link, rise) * self.line.links[link].elongation(x);

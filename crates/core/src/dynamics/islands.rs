@@ -5,11 +5,10 @@
 //! recorded, is laid to rest again. A step then costs what one or two islands cost, however
 //! long the line, and the forces are those of stepping everything, bit for bit.
 
-use super::books::Books;
 use super::line::Line;
-use super::near::Near;
-use super::run::Run;
-use super::stepper::{LineState, Prepared};
+use super::model::Model;
+use super::state::{Motion, State};
+use super::stepper::Prepared;
 use crate::linalg::islands::islands;
 use std::ops::Range;
 
@@ -86,121 +85,80 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
     }
 }
 
-impl<const D: usize> LineState<D> {
-    /// Whether nothing of an island has moved.
-    fn lies(&self, island: &Island) -> bool {
-        let still = |field: &[[f64; D]]| {
-            let mut numbers = field[island.nodes.clone()].iter().flatten();
-            numbers.all(|v| *v == 0.0)
-        };
-        [&self.u, &self.v, &self.a].into_iter().all(|f| still(f))
-    }
-
-    /// Put an island back to rest.
-    fn lay(&mut self, island: &Island) {
-        for field in self.fields() {
-            field[island.nodes.clone()].fill([0.0; D]);
-        }
-        self.links.lay(island.links.clone());
-    }
-}
-
-impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
-    /// Forces that are given, and updated kinematics, keep everything awake.
-    fn may_sleep(&self) -> bool {
-        self.p.updating.is_none() && self.travel.loads.is_empty()
-    }
-
+impl<const DIM: usize, const D: usize> State<DIM, D> {
     /// At the start, and when a state was put back: let sleep what has not moved and is not touched.
-    pub(super) fn let_sleep(&mut self) {
-        if !self.may_sleep() {
+    pub(super) fn let_sleep(&mut self, model: &Model<'_, DIM, D>) {
+        if !self.motion.may_sleep {
             return;
         }
-        for number in (0..self.p.islands.len()).rev() {
-            let lies = self.state.lies(&self.p.islands[number]) && self.grid_lies(number);
-            if lies && !self.is_touched(number) {
-                self.put_to_sleep(number);
-            }
-        }
-    }
-
-    /// Whether nothing of an island has moved that explicit steps alone know of.
-    fn grid_lies(&self, number: usize) -> bool {
-        match (self.p.explicit_steps(), &self.state.grid) {
-            (Some(steps), Some(grid)) => steps.lies(number, grid),
-            _ => true,
-        }
-    }
-
-    /// Wake the islands that contacts of this step act on.
-    pub(super) fn wake(&mut self) {
-        for &i in &self.contacts.active {
-            let number = self.p.island_of(self.contacts.all[i].place.nodes[0]);
-            if let Err(place) = self.state.awake.binary_search(&number) {
-                self.state.awake.insert(place, number);
+        for number in (0..model.line.islands.len()).rev() {
+            let rests = model.line.is_at_rest(&self.motion.line, number);
+            if rests && !self.motion.is_touched(model, number) {
+                self.put_to_sleep(model, number);
             }
         }
     }
 
     /// Let sleep what all riders have left and what lies behind all that is recorded, with the first rider
     /// at a position.
-    pub(super) fn leave_behind(&mut self, position: f64, mut books: Option<&mut Books<DIM, D>>) {
-        let Some(near) = &self.plan.near else {
+    pub(super) fn leave_behind(&mut self, model: &Model<'_, DIM, D>, position: f64) {
+        let Some(recorder) = &self.recorder else {
             return;
         };
-        if matches!(books, Some(Books::Solved(_))) || !self.may_sleep() {
+        if !self.motion.may_sleep {
             return;
         }
-        let from = first_recorded(near, near.from(position, self.travel));
-        for k in (0..self.state.awake.len()).rev() {
-            let number = self.state.awake[k];
-            let ends = self.p.islands[number].end < from;
-            if ends && !self.is_touched(number) && !self.has_points(number) {
-                let explicit = (self.p.explicit_steps(), &self.state.grid);
-                if let (Some(Books::Explicit(b)), (Some(s), Some(g))) = (&mut books, explicit) {
-                    b.leave(&self.p, (s, g), number);
-                }
-                self.put_to_sleep(number);
+        let Some(from) = recorder.first_recorded(model, position) else {
+            return;
+        };
+        for k in (0..self.motion.line.awake.len()).rev() {
+            let number = self.motion.line.awake[k];
+            let ends = model.line.islands[number].end < from;
+            let Some(recorder) = &mut self.recorder else {
+                return;
+            };
+            let nodes = &model.line.islands[number].nodes;
+            if ends && !self.motion.is_touched(model, number) && !recorder.has_points(nodes) {
+                recorder.leave(model, &self.motion, number);
+                self.put_to_sleep(model, number);
             }
         }
     }
 
-    fn is_touched(&self, number: usize) -> bool {
-        let nodes = &self.p.islands[number].nodes;
+    /// What sleeps is as it was at rest, and stays so; that counts among the extremes.
+    fn put_to_sleep(&mut self, model: &Model<'_, DIM, D>, number: usize) {
+        self.motion.put_to_sleep(model, number);
+        if let Some(recorder) = &mut self.recorder {
+            recorder.watch_island(model, &self.motion, number);
+        }
+    }
+}
+
+impl<const DIM: usize, const D: usize> Motion<DIM, D> {
+    /// Wake the islands that contacts of this step act on.
+    pub(super) fn wake(&mut self, model: &Model<'_, DIM, D>) {
+        for &i in &self.contacts.active {
+            let number = model.line.island_of(self.contacts.all[i].place.nodes[0]);
+            if let Err(place) = self.line.awake.binary_search(&number) {
+                self.line.awake.insert(place, number);
+            }
+        }
+    }
+
+    fn is_touched(&self, model: &Model<'_, DIM, D>, number: usize) -> bool {
+        let nodes = &model.line.islands[number].nodes;
         let mut contacts = self.contacts.all.iter();
         contacts.any(|c| c.meets && nodes.contains(&c.ends[1].nodes[0]))
     }
 
-    /// Whether the motion of a place on it is recorded.
-    fn has_points(&self, number: usize) -> bool {
-        let nodes = &self.p.islands[number].nodes;
-        self.points.iter().any(|p| nodes.contains(&p.nodes[0]))
-    }
-
-    /// What sleeps is as it was at rest, and stays so; that counts among the extremes.
-    fn put_to_sleep(&mut self, number: usize) {
-        let island = &self.p.islands[number];
-        self.state.lay(island);
-        if let (Some(steps), Some(grid)) = (self.p.explicit_steps(), &mut self.state.grid) {
-            steps.lay(number, grid);
-        }
-        for i in island.links.clone() {
-            let link = &self.p.line.links[i];
+    fn put_to_sleep(&mut self, model: &Model<'_, DIM, D>, number: usize) {
+        let (line, state) = (model.line, &mut self.line);
+        line.reset(state, number);
+        for i in line.islands[number].links.clone() {
+            let link = &line.line.links[i];
             self.unilateral.correction[i] = link.rest_correction();
-            self.state.links.tension[i] = link.rest_tension;
+            state.links.tension[i] = link.rest_tension;
         }
-        self.state.awake.retain(|&other| other != number);
-        let island = island.clone();
-        self.watch_links(island.links);
-        self.watch_nodes(number);
+        state.awake.retain(|&other| other != number);
     }
-}
-
-/// Smallest coordinate from which anything is recorded in a row that begins at `from`: the last rows hold
-/// the end of the line.
-fn first_recorded(near: &Near, from: f64) -> f64 {
-    [&near.links, &near.nodes]
-        .into_iter()
-        .filter_map(|ordered| ordered.x.get(ordered.first(from)))
-        .fold(from, |least, x| least.min(*x))
 }

@@ -1,6 +1,6 @@
 //! Laws of random riders against an enumeration of all their pieces.
 
-use super::given::{Given, Ground, History};
+use super::given::{Given, GivenNow, Ground, History};
 use super::kink::{Gauge, Motion};
 use super::law::{Law, Side};
 use super::rider::{Rider, RiderState, inner};
@@ -254,8 +254,10 @@ fn a_step_finds_the_one_arrangement_of_pieces_that_fits() {
             }
             Err(error) => panic!("{error}"),
         };
+        let mut now = GivenNow::zero(rider.size());
         for step in 0..40 {
-            state.begin(&c, step);
+            rider.given.read(step, c.old, &mut now);
+            state.begin(&now);
             state.free_increment(&c, 0.0);
             turns += close(&mut state, &c, &mut solver);
             let all = enumerate(&rider, &state, &c);

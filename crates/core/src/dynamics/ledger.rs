@@ -19,18 +19,21 @@
 //! products with K and M, the solver never forms the product with K. Stored energies are taken
 //! from the state itself whenever the ledger is settled.
 
+use super::checkpoint::Walk;
 use super::contact::Unilateral;
 use super::contact_energy::contact_energy;
 use super::contacts::Contacts;
 pub use super::entries::Entries;
+use super::integrator::WireState;
 use super::loads::Loads;
 use super::rider::RiderState;
 use super::rider_energy::RiderWork;
-use super::stepper::{LineState, Prepared};
+use super::stepper::Prepared;
+use crate::error::CoreError;
 use crate::linalg::{Kernel, widest};
 
 /// Running ledger and its work space.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Ledger<const D: usize> {
     /// Entries so far.
     pub entries: Entries,
@@ -68,7 +71,7 @@ struct Sums([f64; 4]);
 /// The products of one step, in one pass over the matrices.
 struct StepWork<'a, const DIM: usize, const D: usize> {
     p: &'a Prepared<DIM, D>,
-    state: &'a LineState<D>,
+    state: &'a WireState<D>,
     /// v_f of every node.
     rate: &'a mut [[f64; D]],
     sums: &'a mut Sums,
@@ -85,7 +88,7 @@ impl<const DIM: usize, const D: usize> Kernel for StepWork<'_, DIM, D> {
         } = self;
         let c = p.coefficients;
         let [mut inertia, mut own, mut by_mass, mut by_stiffness] = [[0.0; D]; 4];
-        let rows = state.delta.iter().zip(&state.v).zip(&state.a);
+        let rows = state.delta.iter().zip(&state.v).zip(state.acceleration());
         for (i, ((d, v), a)) in rows.enumerate() {
             let mass = p.line.mass.row(i, &state.delta);
             let [mut velocity, mut force] = [[0.0; D]; 2];
@@ -115,7 +118,7 @@ pub struct StepForces<'a, const DIM: usize> {
     /// Friction force along the wire at each contact, N.
     pub friction: &'a [f64],
     /// Loads on the line at the time of balance.
-    pub(super) loads: &'a Loads<'a>,
+    pub(super) loads: Loads<'a>,
     /// Height strips count from, m.
     pub datum: f64,
 }
@@ -125,7 +128,7 @@ impl<const D: usize> Ledger<D> {
     #[must_use]
     pub fn new<const DIM: usize>(
         p: &Prepared<DIM, D>,
-        state: &LineState<D>,
+        state: &WireState<D>,
         riders: &[RiderState],
         contacts: &Contacts<DIM>,
         datum: f64,
@@ -159,7 +162,7 @@ impl<const D: usize> Ledger<D> {
     pub fn before<const DIM: usize>(
         &mut self,
         p: &Prepared<DIM, D>,
-        state: &LineState<D>,
+        state: &WireState<D>,
         riders: &[RiderState],
         speed: f64,
     ) {
@@ -189,7 +192,7 @@ impl<const D: usize> Ledger<D> {
     }
 
     /// Δuᵀ (C − αM − βK) v_f
-    fn rest_form<const DIM: usize>(&mut self, p: &Prepared<DIM, D>, state: &LineState<D>) -> f64 {
+    fn rest_form<const DIM: usize>(&mut self, p: &Prepared<DIM, D>, state: &WireState<D>) -> f64 {
         let mut sum = 0.0;
         if let Some(rest) = &p.line.mass_damping_rest {
             rest.product(&self.rate, &mut self.work);
@@ -216,7 +219,7 @@ impl<const D: usize> Ledger<D> {
     pub fn after<const DIM: usize>(
         &mut self,
         p: &Prepared<DIM, D>,
-        state: &LineState<D>,
+        state: &WireState<D>,
         riders: &[RiderState],
         f: &StepForces<'_, DIM>,
     ) {
@@ -229,7 +232,7 @@ impl<const D: usize> Ledger<D> {
 
     /// Stored energies of the state itself, ½ vᵀM v and ½ uᵀK u, and what the scheme has dissipated:
     /// the work against inertia that is not stored, and (½ − α_f) ΔuᵀK Δu of every step.
-    pub fn settle<const DIM: usize>(&mut self, p: &Prepared<DIM, D>, state: &LineState<D>) {
+    pub fn settle<const DIM: usize>(&mut self, p: &Prepared<DIM, D>, state: &WireState<D>) {
         let e = &mut self.entries;
         e.kinetic = 0.5 * p.line.mass.quadratic(&state.v);
         let linear = 0.5 * p.line.stiffness.quadratic(&state.u) - self.start_linear;
@@ -238,7 +241,7 @@ impl<const D: usize> Ledger<D> {
     }
 
     /// Take the dampers to ground out of the dissipation of the line.
-    fn book_springs<const DIM: usize>(&mut self, p: &Prepared<DIM, D>, state: &LineState<D>) {
+    fn book_springs<const DIM: usize>(&mut self, p: &Prepared<DIM, D>, state: &WireState<D>) {
         for &(node, component, viscosity) in &p.line.dampers {
             let lost = viscosity * self.rate[node][component] * state.delta[node][component];
             self.entries.dissipated_springs += lost;
@@ -251,7 +254,7 @@ impl<const D: usize> Ledger<D> {
     fn book_links<const DIM: usize>(
         &mut self,
         p: &Prepared<DIM, D>,
-        state: &LineState<D>,
+        state: &WireState<D>,
         unilateral: &Unilateral,
     ) {
         let mut switching = 0.0;
@@ -295,13 +298,35 @@ impl<const D: usize> Ledger<D> {
         self.law_energy = laws;
         self.entries.riders = energy + laws;
     }
+
+    /// Save or put back the sums so far.
+    pub(super) fn walk(&mut self, walk: &mut Walk<'_>) -> Result<(), CoreError> {
+        walk.numbers("energy", self.entries.all_mut().into_iter())?;
+        let start = [
+            &mut self.start.contact,
+            &mut self.start.riders,
+            &mut self.start_linear,
+            &mut self.start_slack,
+            &mut self.start_laws,
+        ];
+        walk.numbers("energy_start", start.into_iter())?;
+        let sums = [
+            &mut self.inertia,
+            &mut self.scheme_elastic,
+            &mut self.scheme_riders,
+            &mut self.slack_energy,
+            &mut self.rider_energy,
+            &mut self.law_energy,
+        ];
+        walk.numbers("energy_sums", sums.into_iter())
+    }
 }
 
 /// Energy that slack links do not store although K counts it. With T = T₀ + k e of the linear link:
 /// −½ min(0, T)²/k, and −r₀ e for a link slack at rest, whose K is cancelled by r₀ from the start.
 fn slack_energy<const DIM: usize, const D: usize>(
     p: &Prepared<DIM, D>,
-    state: &LineState<D>,
+    state: &WireState<D>,
 ) -> f64 {
     let mut energy = 0.0;
     for (link, e) in p.line.links.iter().zip(&state.links.elongation) {

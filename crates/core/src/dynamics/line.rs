@@ -14,6 +14,7 @@
 //! stiffness T/ℓ of their equilibrium: that is the limit of linearised kinematics.
 
 use super::islands::Island;
+use super::place::Nodal;
 use crate::linalg::{Block, MassMatrix, SymmetricBlocks};
 use crate::statics::assembly::{Geometry, LinkLaw, Shape};
 use crate::structure::{Link, Rayleigh};
@@ -62,11 +63,11 @@ impl<const DIM: usize> LinearLink<DIM> {
     /// gᵀ x: elongation of a displacement field.
     #[inline(always)]
     #[must_use]
-    pub fn elongation<const D: usize>(&self, x: &[[f64; D]]) -> f64 {
-        let [a, b] = self.nodes;
+    pub fn elongation<const D: usize>(&self, x: &(impl Nodal<D> + ?Sized)) -> f64 {
+        let [a, b] = self.nodes.map(|node| x.at(node));
         let mut e = 0.0;
         for c in 0..DIM {
-            e += self.direction[c] * (x[b][c] - x[a][c]);
+            e += self.direction[c] * (b[c] - a[c]);
         }
         e
     }

@@ -1,6 +1,6 @@
 //! A line in a loop with the outside: a step for each call, nothing allocated in it.
 //!
-//! Two kinds of loop, one step ([`Run::step`](super::run), that of every run):
+//! Two kinds of loop, one [step](super::step), that of every run:
 //!
 //! * **forces given** — what presses against the wire is real, its force is measured. The force of
 //!   collector j, F at the place of its wire at the time of balance, is a load on the line,
@@ -16,19 +16,19 @@
 //! out belongs to the end of the step, but for contact forces, which belong to its time of balance.
 
 use super::actuator::Actuator;
-use super::live_parts::Parts;
+use super::checkpoint::Checkpoint;
+use super::inputs::Inputs;
 use super::live_reading::Reading;
+use super::loads::{Load, Loads};
+use super::model::Model;
 use super::place::Place;
-use super::record::RecordPlan;
 use super::rider::Rider;
-use super::run::{OBSERVE_EVERY, Travel};
+use super::run::OBSERVE_EVERY;
+use super::state::State;
+use super::step::step;
 use super::stepper::Prepared;
 use crate::error::CoreError;
 use std::sync::Arc;
-
-/// Number of every step in the [`Travel`] of a loop, which holds the start, and both ends of the
-/// present step. It is not 0, the only one that a record with no end to its intervals would take.
-pub(super) const STEP: usize = 1;
 
 /// What presses against the wire with a force that is given.
 #[derive(Debug, Clone, Copy)]
@@ -50,30 +50,54 @@ pub struct Begin {
     pub friction: f64,
 }
 
+/// Line and riders of a loop, which nothing changes.
+#[derive(Debug)]
+pub(super) struct Fixed<const DIM: usize, const D: usize> {
+    pub(super) line: Arc<Prepared<DIM, D>>,
+    /// None where forces are given.
+    pub(super) riders: Vec<Rider>,
+    /// Distance of each rider behind the first, m.
+    pub(super) distances: Vec<f64>,
+    /// Coefficient of friction along the wire.
+    pub(super) friction: f64,
+}
+
+impl<const DIM: usize, const D: usize> Fixed<DIM, D> {
+    pub(super) fn model(&self) -> Model<'_, DIM, D> {
+        Model {
+            line: &self.line,
+            riders: &self.riders,
+            distances: &self.distances,
+            friction: self.friction,
+        }
+    }
+}
+
 /// A line that is stepped from outside.
 #[derive(Debug)]
 pub struct Live<const DIM: usize, const D: usize> {
-    pub(super) p: Arc<Prepared<DIM, D>>,
-    /// None where forces are given.
-    pub(super) riders: Vec<Rider>,
+    pub(super) fixed: Fixed<DIM, D>,
     pub(super) collectors: Vec<Collector>,
     /// Where the wire was found last at each collector.
     pub(super) places: Vec<Place<DIM>>,
-    pub(super) travel: Travel,
-    pub(super) plan: RecordPlan,
-    /// Missing only while a step is taken.
-    pub(super) parts: Option<Parts<DIM, D>>,
-    pub(super) steps: usize,
+    /// Force of each collector on the line: shares of nodes, and the force in N.
+    pub(super) loads: Vec<Load>,
+    pub(super) sizes: Vec<f64>,
+    /// Forces of the collectors in the last step, N.
+    pub(super) forces: Vec<f64>,
+    /// Position along the track in m, and speed in m/s, of the last step.
+    pub(super) position: f64,
+    pub(super) speed: f64,
+    pub(super) state: State<DIM, D>,
     pub(super) reading: Reading,
 }
+
+/// Name of position and speed among the numbers of a state.
+const PLACE: &str = "loop_position_speed";
 
 pub(super) fn refuse(array: &'static str, reason: &str) -> CoreError {
     let reason = reason.into();
     CoreError::Input { array, reason }
-}
-
-pub(super) fn lost() -> CoreError {
-    refuse("loop", "the state was lost in a step that did not return")
 }
 
 impl<const DIM: usize, const D: usize> Live<DIM, D> {
@@ -87,14 +111,22 @@ impl<const DIM: usize, const D: usize> Live<DIM, D> {
     /// [`CoreError::Input`], or any [`CoreError`] that a step can raise.
     pub fn step(&mut self, forces: &[f64], position: f64, speed: f64) -> Result<(), CoreError> {
         self.check(forces, position, speed)?;
-        (
-            self.travel.positions[STEP + 1],
-            self.travel.speeds[STEP + 1],
-        ) = (position, speed);
-        let taken = self.push(forces).and_then(|()| self.take());
-        taken.map_err(|error| error.of_step(self.steps, self.p.h))?;
-        (self.travel.positions[STEP], self.travel.speeds[STEP]) = (position, speed);
-        self.steps += 1;
+        let old = self.fixed.line.coefficients.old;
+        let between = |before: f64, after: f64| (1.0 - old) * after + old * before;
+        let positions = [self.position, between(self.position, position), position];
+        self.push(forces, positions)?;
+        let inputs = Inputs {
+            positions,
+            speed: between(self.speed, speed),
+            loads: Loads::new(&self.loads, &self.sizes),
+            given: &[],
+        };
+        let number = self.steps();
+        step(&self.fixed.model(), &inputs, &mut self.state)?;
+        if number.is_multiple_of(OBSERVE_EVERY) {
+            self.state.motion.check_finite()?;
+        }
+        (self.position, self.speed) = (position, speed);
         self.read()
     }
 
@@ -107,25 +139,25 @@ impl<const DIM: usize, const D: usize> Live<DIM, D> {
     /// Steps taken.
     #[must_use]
     pub fn steps(&self) -> usize {
-        self.steps
+        self.state.motion.steps
     }
 
     /// Nodes of the line.
     #[must_use]
     pub fn nodes(&self) -> usize {
-        self.p.line.nodes()
+        self.fixed.line.line.nodes()
     }
 
     /// Position along the track in m, and speed in m/s.
     #[must_use]
     pub fn place(&self) -> (f64, f64) {
-        (self.travel.positions[STEP], self.travel.speeds[STEP])
+        (self.position, self.speed)
     }
 
     /// Number of forces that a step takes.
     #[must_use]
     pub fn inputs(&self) -> usize {
-        self.collectors.len().max(self.riders.len())
+        self.collectors.len().max(self.fixed.riders.len())
     }
 
     fn check(&self, forces: &[f64], position: f64, speed: f64) -> Result<(), CoreError> {
@@ -139,22 +171,46 @@ impl<const DIM: usize, const D: usize> Live<DIM, D> {
             return Err(refuse("position", "not finite"));
         }
         let unheard = |(rider, force): (&Rider, &f64)| rider.actuator.is_none() && *force != 0.0;
-        if self.riders.iter().zip(forces).any(unheard) {
+        if self.fixed.riders.iter().zip(forces).any(unheard) {
             return Err(refuse("forces", "a force for a rider without actuator"));
         }
         Ok(())
     }
 
-    /// The step itself.
-    fn take(&mut self) -> Result<(), CoreError> {
-        let parts = self.parts.take().ok_or_else(lost)?;
-        let mut run = parts.run(&self.p, &self.travel, &self.plan, &self.riders);
-        let mut taken = run.step(STEP, None);
-        if taken.is_ok() && self.steps.is_multiple_of(OBSERVE_EVERY) {
-            taken = run.check_finite(STEP);
+    /// The state between two steps.
+    ///
+    /// # Errors
+    /// None of a state that steps have left.
+    pub fn take_down(&mut self) -> Result<Checkpoint, CoreError> {
+        let mut saved = self.state.take_down(&self.fixed.model())?;
+        saved
+            .numbers
+            .insert(PLACE.into(), vec![self.position, self.speed]);
+        Ok(saved)
+    }
+
+    /// Go on from a state of this loop, or of another on the same line with as many riders.
+    ///
+    /// # Errors
+    /// [`CoreError::Input`] for a state of another loop; the present one is then kept.
+    pub fn put_back(&mut self, saved: &Checkpoint) -> Result<(), CoreError> {
+        let mut rest = saved.clone();
+        let place = rest.numbers.remove(PLACE).unwrap_or_default();
+        let [position, speed] = place[..] else {
+            return Err(refuse("state", "it is not of a loop"));
+        };
+        let mut state = self.state.clone();
+        state.put_back(&self.fixed.model(), &rest)?;
+        let before = (self.position, self.speed);
+        (self.position, self.speed) = (position, speed);
+        let before_state = std::mem::replace(&mut self.state, state);
+        let done = self.read();
+        if done.is_err() {
+            (self.position, self.speed) = before;
+            self.state = before_state;
+            self.read()?;
         }
-        self.parts = Some(Parts::of(run));
-        taken
+        done
     }
 }
 

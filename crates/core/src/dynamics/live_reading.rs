@@ -1,7 +1,7 @@
 //! What a loop reads from the line after each step.
 
-use super::live::{Live, STEP, lost};
-use super::live_parts::Parts;
+use super::integrator::WireState;
+use super::live::Live;
 use super::live_push::{aside, locate};
 use super::path::Path;
 use super::place::Place;
@@ -47,12 +47,12 @@ impl Reading {
         &mut self,
         number: usize,
         (lane, x, place): (&Path<DIM>, f64, &Place<DIM>),
-        parts: &Parts<DIM, D>,
+        line: &WireState<D>,
         speed: f64,
     ) -> bool {
-        let (u, v) = (&parts.state.u, &parts.state.v);
+        let (u, v) = (&line.displacement(), &line.velocity());
         self.height[number] = place.height + place.displacement(u, DIM - 1);
-        self.lateral[number] = place.lateral + aside::<DIM, D>(place, u);
+        self.lateral[number] = place.lateral + aside(place, u);
         self.rate[number] = place.displacement(v, DIM - 1) + speed * lane.slope(x, place, u);
         self.height[number].is_finite() && self.rate[number].is_finite()
     }
@@ -68,36 +68,40 @@ impl<const DIM: usize, const D: usize> Live<DIM, D> {
     /// Read the line and the riders where they stand.
     pub(super) fn read(&mut self) -> Result<(), CoreError> {
         self.read_mesh()?;
-        self.add_raised()
+        self.add_raised();
+        Ok(())
     }
 
     fn read_mesh(&mut self) -> Result<(), CoreError> {
-        let parts = self.parts.as_ref().ok_or_else(lost)?;
-        let (position, speed) = self.place();
-        let (out, mut is_sound) = (&mut self.reading, true);
+        let (motion, out) = (&self.state.motion, &mut self.reading);
+        let (position, speed, mut is_sound) = (self.position, self.speed, true);
         for (number, collector) in self.collectors.iter().enumerate() {
-            let lane = &self.p.lanes[0];
+            let lane = &self.fixed.line.lanes[0];
             let x = position - collector.behind;
-            let place = locate(lane, x, self.places[number].element, number)?;
+            let near = self.places[number].element;
+            let place = locate(lane, x, near, (number, motion.steps))?;
             self.places[number] = place;
-            out.force[number] = self.travel.loads[number].sizes[STEP];
-            is_sound &= out.wire(number, (lane, x, &place), parts, speed);
+            out.force[number] = self.forces[number];
+            is_sound &= out.wire(number, (lane, x, &place), &motion.line, speed);
         }
-        for (number, contact) in parts.contacts.all.iter().enumerate() {
-            let (lane, x) = (&self.p.lanes[contact.of[2]], contact.along(position));
-            out.force[number] = parts.unilateral.force[number];
+        for (number, contact) in motion.contacts.all.iter().enumerate() {
+            let (lane, x) = (
+                &self.fixed.line.lanes[contact.of[2]],
+                contact.along(position),
+            );
+            out.force[number] = motion.unilateral.force[number];
             match lane.locate(x, contact.ends[1].element) {
-                Some(place) => is_sound &= out.wire(number, (lane, x, &place), parts, speed),
+                Some(place) => is_sound &= out.wire(number, (lane, x, &place), &motion.line, speed),
                 None => out.nowhere(number),
             }
         }
-        let riders = parts.riders.iter().zip(&parts.start_u);
+        let riders = motion.riders.iter().zip(&motion.start_u);
         let moved = riders.flat_map(|(r, start)| r.u.iter().zip(start).map(|(u, s)| u - s));
         out.displacement
             .iter_mut()
             .zip(moved)
             .for_each(|(o, new)| *o = new);
-        let velocities = parts.riders.iter().flat_map(|r| &r.v);
+        let velocities = motion.riders.iter().flat_map(|r| &r.v);
         out.velocity
             .iter_mut()
             .zip(velocities)
@@ -106,7 +110,7 @@ impl<const DIM: usize, const D: usize> Live<DIM, D> {
         if is_sound && numbers.chain(&out.velocity).all(|v| v.is_finite()) {
             return Ok(());
         }
-        let (what, step) = ("the motion", self.steps);
+        let (what, step) = ("the motion", motion.steps);
         Err(CoreError::NotFinite { what, step })
     }
 }

@@ -1,19 +1,16 @@
 //! The start of a loop.
 
-use super::live::{Begin, Collector, Live, STEP, is_direct, refuse};
-use super::live_parts::Parts;
+use super::live::{Begin, Collector, Fixed, Live, is_direct, refuse};
 use super::live_push::locate;
 use super::live_reading::Reading;
 use super::loads::Load;
 use super::place::Place;
-use super::record::RecordPlan;
 use super::rider::Rider;
-use super::run::{Run, Travel};
+use super::state::State;
 use super::stepper::Prepared;
 use super::still::Still;
 use super::yields::MOST;
 use crate::error::CoreError;
-use crate::lcp::{PIVOTS_BASE, PIVOTS_PER_ROW};
 use std::sync::Arc;
 
 /// Unknowns of the complementarity problem (contacts, stops and kinks, slack links) for which there is
@@ -48,33 +45,42 @@ impl<const DIM: usize, const D: usize> Live<DIM, D> {
             return Err(refuse("lanes", reason));
         }
         let find = |(number, c): (usize, &Collector)| {
-            locate(&p.lanes[0], begin.position - c.behind, 0, number)
+            locate(&p.lanes[0], begin.position - c.behind, 0, (number, 0))
         };
         let places = collectors.iter().enumerate().map(find);
         let places: Vec<Place<DIM>> = places.collect::<Result<_, _>>()?;
         let pressed = places
             .iter()
             .map(|place| (*place, p.lanes[0].yield_at(place)));
-        let still = Still::of(&p)?.press(&pressed.collect::<Vec<_>>(), forces)?;
-        let mut travel = stand(&begin, Vec::new());
+        let pressed = pressed.collect::<Vec<_>>();
+        let still = Still::of(&p)?.press(&pressed, forces)?;
         let is_rigid = p.lanes[0].is_rigid();
         let links = if is_rigid { 0 } else { MOST };
-        let loads = forces.iter().map(|&force| load::<DIM, D>(force, links));
-        travel.loads = loads.collect();
-        let plan = plan();
-        let run = Run::blank(&p, &[], &travel, &plan)?;
-        let mut parts = Parts::of(run);
-        parts.state = p.at_rest(still.u);
-        parts.unilateral.correction = still.correction;
-        parts.state.links.given.reserve(links * places.len());
-        let reading = Reading::new(Vec::new(), places.len(), 0);
-        Self::ready(
-            p,
-            (Vec::new(), collectors, places),
-            (travel, plan),
-            parts,
-            reading,
-        )
+        let fixed = Fixed {
+            riders: Vec::new(),
+            distances: Vec::new(),
+            friction: begin.friction,
+            line: p,
+        };
+        let mut state = State::blank(&fixed.model(), false)?;
+        let motion = &mut state.motion;
+        motion.line = fixed.line.at_rest(still.u);
+        motion.unilateral.correction = still.correction;
+        motion.line.links.given.reserve(links * places.len());
+        let loads = forces.iter().map(|_| load::<DIM, D>(links));
+        Self {
+            loads: loads.collect(),
+            sizes: forces.to_vec(),
+            forces: forces.to_vec(),
+            position: begin.position,
+            speed: begin.speed,
+            reading: Reading::new(Vec::new(), places.len(), 0),
+            collectors,
+            places,
+            state,
+            fixed,
+        }
+        .ready()
     }
 
     /// A loop with simulated riders, which follow the first at `distances` (m): line and riders in
@@ -103,53 +109,44 @@ impl<const DIM: usize, const D: usize> Live<DIM, D> {
                 "an actuator that is not asked in every step",
             ));
         }
-        let (travel, plan) = (stand(&begin, distances), plan());
-        let run = Run::start(&p, &riders, &travel, &plan)?;
-        let contacts: Vec<[usize; 3]> = run.contacts.all.iter().map(|c| c.of).collect();
         let coordinates = riders.iter().map(Rider::size).sum();
-        let reading = Reading::new(contacts.clone(), contacts.len(), coordinates);
-        let parts = Parts::of(run);
-        Self::ready(
-            p,
-            (riders, Vec::new(), Vec::new()),
-            (travel, plan),
-            parts,
-            reading,
-        )
+        let fixed = Fixed {
+            friction: begin.friction,
+            line: p,
+            riders,
+            distances,
+        };
+        let model = fixed.model();
+        let mut state = State::standing(&model, (begin.position, begin.speed), true)?;
+        state.let_sleep(&model);
+        let contacts: Vec<[usize; 3]> = state.motion.contacts.all.iter().map(|c| c.of).collect();
+        Self {
+            collectors: Vec::new(),
+            places: Vec::new(),
+            loads: Vec::new(),
+            sizes: Vec::new(),
+            forces: Vec::new(),
+            position: begin.position,
+            speed: begin.speed,
+            reading: Reading::new(contacts.clone(), contacts.len(), coordinates),
+            state,
+            fixed,
+        }
+        .ready()
     }
 
-    fn ready(
-        p: Arc<Prepared<DIM, D>>,
-        (riders, collectors, places): (Vec<Rider>, Vec<Collector>, Vec<Place<DIM>>),
-        (travel, plan): (Travel, RecordPlan),
-        mut parts: Parts<DIM, D>,
-        reading: Reading,
-    ) -> Result<Self, CoreError> {
-        let links = p.line.links.iter().filter(|link| link.unilateral).count();
-        let kinks = parts.riders.iter().map(|r| r.kinks.len()).sum::<usize>();
-        let rows = (parts.contacts.all.len() + links + kinks).min(ROOM);
-        parts.forget_extremes();
-        parts.unilateral.reserve(rows);
-        if let Some(grid) = &mut parts.state.grid {
-            grid.reserve(parts.contacts.all.len() + collectors.len());
-        }
-        parts
-            .record
-            .pivot_counts
-            .reserve(PIVOTS_BASE + PIVOTS_PER_ROW * rows);
-        let mut live = Self {
-            p,
-            riders,
-            collectors,
-            places,
-            travel,
-            plan,
-            parts: Some(parts),
-            steps: 0,
-            reading,
-        };
-        live.read()?;
-        Ok(live)
+    /// Make room for the steps, and read what the start has left.
+    fn ready(mut self) -> Result<Self, CoreError> {
+        let motion = &mut self.state.motion;
+        let links = self.fixed.line.line.links.iter();
+        let links = links.filter(|link| link.unilateral).count();
+        let kinks = motion.riders.iter().map(|r| r.kinks.len()).sum::<usize>();
+        let rows = (motion.contacts.all.len() + links + kinks).min(ROOM);
+        motion.unilateral.reserve(rows);
+        let places = motion.contacts.all.len() + self.collectors.len();
+        motion.line.reserve(places);
+        self.read()?;
+        Ok(self)
     }
 }
 
@@ -161,44 +158,19 @@ fn check<const DIM: usize, const D: usize>(
     if !all.iter().all(|v| v.is_finite()) {
         return Err(refuse("begin", "not finite"));
     }
-    if p.updating.is_some() {
+    if !p.steps_evenly() {
         let reason = "updated kinematics, which factorise in every step";
         return Err(refuse("solver", reason));
     }
     Ok(())
 }
 
-/// Standing at the start.
-fn stand(begin: &Begin, distances: Vec<f64>) -> Travel {
-    Travel {
-        positions: vec![begin.position; STEP + 2],
-        speeds: vec![begin.speed; STEP + 2],
-        distances,
-        friction: begin.friction,
-        loads: Vec::new(),
-    }
-}
-
 /// A load with room for the shares of a force upwards and of one along, and for those that links take.
-fn load<const DIM: usize, const D: usize>(force: f64, links: usize) -> Load {
+fn load<const DIM: usize, const D: usize>(links: usize) -> Load {
     // Of a place, in each of two directions.
     let shares = 4;
     Load {
         pattern: vec![(0, 0, 0.0); 2 * shares + 2 * DIM * links],
-        sizes: vec![force; STEP + 2],
-    }
-}
-
-/// Nothing is recorded: no step of a loop is a multiple of these.
-fn plan() -> RecordPlan {
-    RecordPlan {
-        contact_every: usize::MAX,
-        line_every: usize::MAX,
-        links: false,
-        nodes: Vec::new(),
-        points: Vec::new(),
-        ledger: false,
-        ledger_every: 1,
-        near: None,
+        sizes: Vec::new(),
     }
 }

@@ -43,33 +43,18 @@ pub(super) fn check<const D: usize>(
     }
 }
 
-/// The sizes of all loads at the time of balance of the present step.
-#[derive(Debug, Clone)]
-pub(super) struct Loads<'a> {
+/// Loads with their sizes at the time of balance of a step.
+#[derive(Debug, Clone, Copy)]
+pub struct Loads<'a> {
     given: &'a [Load],
-    sizes: Vec<f64>,
+    sizes: &'a [f64],
 }
 
 impl<'a> Loads<'a> {
-    pub(super) fn new(given: &'a [Load]) -> Self {
-        Self::reusing(vec![0.0; given.len()], given)
-    }
-
-    /// The same with the memory of another; `sizes` has one place for each load.
-    pub(super) fn reusing(sizes: Vec<f64>, given: &'a [Load]) -> Self {
+    /// Loads, and the size of each of them.
+    #[must_use]
+    pub fn new(given: &'a [Load], sizes: &'a [f64]) -> Self {
         Self { given, sizes }
-    }
-
-    /// The memory of the sizes.
-    pub(super) fn into_sizes(self) -> Vec<f64> {
-        self.sizes
-    }
-
-    /// Read the sizes of a step; `old` is the weight of its start in the balance.
-    pub(super) fn begin(&mut self, step: usize, old: f64) {
-        for (size, load) in self.sizes.iter_mut().zip(self.given) {
-            *size = (1.0 - old) * load.sizes[step + 1] + old * load.sizes[step];
-        }
     }
 
     pub(super) fn is_empty(&self) -> bool {

@@ -1,7 +1,6 @@
 //! Recording only what lies near the riders: a line may have thousands of links, of which a few
 //! dozen are moved at any time.
 
-use super::run::Travel;
 use crate::error::CoreError;
 
 /// Links and nodes of which only those near the riders are recorded.
@@ -39,9 +38,20 @@ impl Near {
     }
 
     /// Where a row begins with the first rider at a position, m.
-    pub(super) fn from(&self, position: f64, travel: &Travel) -> f64 {
-        let last = travel.distances.iter().fold(0.0_f64, |d, v| d.max(*v));
+    pub(super) fn from(&self, position: f64, distances: &[f64]) -> f64 {
+        let last = distances.iter().fold(0.0_f64, |d, v| d.max(*v));
         position - last - self.behind
+    }
+}
+
+impl Near {
+    /// Smallest coordinate from which anything is recorded in a row that begins at `from`: the last
+    /// rows hold the end of the line.
+    pub(super) fn first_recorded(&self, from: f64) -> f64 {
+        [&self.links, &self.nodes]
+            .into_iter()
+            .filter_map(|ordered| ordered.x.get(ordered.first(from)))
+            .fold(from, |least, x| least.min(*x))
     }
 }
 

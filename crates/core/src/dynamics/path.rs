@@ -4,7 +4,7 @@
 //! side by side, or take over from one another where they overlap along the track.
 
 use super::path_element::{PathElement, element};
-use super::place::Place;
+use super::place::{Nodal, Place};
 use super::yields::Yields;
 use crate::error::CoreError;
 use crate::statics::assembly::{Geometry, Shape};
@@ -207,7 +207,12 @@ impl<const DIM: usize> Path<DIM> {
     }
 
     /// Slope dz/dx of the wire displaced by `u`, on the element of `near` at coordinate `x`.
-    pub(super) fn slope<const D: usize>(&self, x: f64, near: &Place<DIM>, u: &[[f64; D]]) -> f64 {
+    pub(super) fn slope<const D: usize>(
+        &self,
+        x: f64,
+        near: &Place<DIM>,
+        u: &(impl Nodal<D> + ?Sized),
+    ) -> f64 {
         let accuracy = 4.0 * f64::EPSILON * x.abs();
         let slopes = self.elements[near.element].slopes(x, accuracy);
         let place = self.weighted(near.element, slopes);

@@ -7,6 +7,26 @@ pub const fn slots<const DIM: usize, const D: usize>() -> usize {
     D / DIM
 }
 
+/// Vectors of nodes.
+pub trait Nodal<const D: usize> {
+    /// Vector of a node.
+    fn at(&self, node: usize) -> &[f64; D];
+}
+
+impl<const D: usize> Nodal<D> for [[f64; D]] {
+    #[inline(always)]
+    fn at(&self, node: usize) -> &[f64; D] {
+        &self[node]
+    }
+}
+
+impl<const D: usize> Nodal<D> for Vec<[f64; D]> {
+    #[inline(always)]
+    fn at(&self, node: usize) -> &[f64; D] {
+        &self[node]
+    }
+}
+
 /// A place on a lane. It needs no lane to read a field there or to put a force on the wire.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Place<const DIM: usize> {
@@ -30,11 +50,11 @@ impl<const DIM: usize> Place<DIM> {
     /// Component `c` of a displacement field.
     #[inline(always)]
     #[must_use]
-    pub fn displacement<const D: usize>(&self, x: &[[f64; D]], c: usize) -> f64 {
+    pub fn displacement<const D: usize>(&self, x: &(impl Nodal<D> + ?Sized), c: usize) -> f64 {
         let (w, [n0, n1, n2, n3]) = (&self.weights, self.nodes);
-        let (a, b) = (&x[n0], &x[n1]);
+        let (a, b) = (x.at(n0), x.at(n1));
         if slots::<DIM, D>() == 1 {
-            let outer = w[2] * x[n2][c] + w[3] * x[n3][c];
+            let outer = w[2] * x.at(n2)[c] + w[3] * x.at(n3)[c];
             return w[0] * a[c] + w[1] * b[c] + outer;
         }
         w[0] * a[c] + w[1] * a[DIM + c] + w[2] * b[c] + w[3] * b[DIM + c]

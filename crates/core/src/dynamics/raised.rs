@@ -1,11 +1,11 @@
 //! Height of the real wire above that of the mesh during a run: see [`yields`](super::yields).
 
 use super::contacts::Contact;
+use super::model::Model;
 use super::path::Path;
 use super::place::Place;
 use super::record::RecordPlan;
-use super::run::Run;
-use super::stepper::Prepared;
+use super::state::Motion;
 use super::yields::Yield;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -46,61 +46,73 @@ pub(super) fn spots<const DIM: usize>(
         .collect()
 }
 
-impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
+impl<const DIM: usize, const D: usize> Motion<DIM, D> {
     /// Σ R_d (k e − r₀) at a place, m, with a share of the present increment.
-    pub(super) fn raised_by_links(&self, yields: &Yield, share: f64) -> f64 {
-        let motion = &self.state.links;
+    pub(super) fn raised_by_links(
+        &self,
+        model: &Model<'_, DIM, D>,
+        yields: &Yield,
+        share: f64,
+    ) -> f64 {
+        let (motion, line) = (&self.line.links, model.line);
         let by_link = |(link, rise): (usize, f64)| {
             let elongation = motion.elongation[link] + share * motion.delta[link];
-            let slack = self.p.line.links[link].rest_correction();
-            self.p.eased(link, rise) * elongation - rise * slack
+            let slack = line.line.links[link].rest_correction();
+            line.eased(link, rise) * elongation - rise * slack
         };
         yields.pulls().map(by_link).sum()
     }
 
-    /// The same with corrections and contact forces; `residual` is R̃ from a contact.
-    fn raised(&self, yields: &Yield, share: f64, residual: impl Fn(&Contact<DIM>) -> f64) -> f64 {
+    /// Height above the mesh from links, corrections and contact forces, m; `residual` is R̃ from a
+    /// contact.
+    fn raised(
+        &self,
+        model: &Model<'_, DIM, D>,
+        (yields, share): (&Yield, f64),
+        residual: impl Fn(&Contact<DIM>) -> f64,
+    ) -> f64 {
         let corrections = &self.unilateral.correction;
         let corrected = yields.pulls().map(|(link, rise)| rise * corrections[link]);
         let pressed = self.contacts.active.iter().map(|&j| {
             let force = self.unilateral.force[j];
             force * residual(&self.contacts.all[j])
         });
-        self.raised_by_links(yields, share) + corrected.sum::<f64>() + pressed.sum::<f64>()
+        self.raised_by_links(model, yields, share) + corrected.sum::<f64>() + pressed.sum::<f64>()
     }
 
     /// Height of the wire at a contact above the mesh, m.
-    pub(super) fn raised_at(&self, contact: &Contact<DIM>, share: f64) -> f64 {
-        if self.p.lanes[contact.of[2]].is_rigid() {
+    pub(super) fn raised_at(
+        &self,
+        model: &Model<'_, DIM, D>,
+        contact: &Contact<DIM>,
+        share: f64,
+    ) -> f64 {
+        let line = model.line;
+        if line.lanes[contact.of[2]].is_rigid() {
             return 0.0;
         }
-        let residual = |other: &Contact<DIM>| self.p.residual(contact, other);
-        contact.yields.rise + self.raised(&contact.yields, share, residual)
+        let residual = |other: &Contact<DIM>| line.residual(contact, other);
+        contact.yields.rise + self.raised(model, (&contact.yields, share), residual)
     }
 
-    /// What a watched place has risen by beyond the mesh since the line was at rest, m.
-    fn raised_since(&self, spot: &Spot<DIM>) -> f64 {
-        let p: &Prepared<DIM, D> = &self.p;
+    /// Rise of a watched place beyond the mesh since the line was at rest, m.
+    pub(super) fn raised_since(&self, model: &Model<'_, DIM, D>, spot: &Spot<DIM>) -> f64 {
+        let line = model.line;
         let residual = |other: &Contact<DIM>| {
-            let carried = p.carried(&spot.yields, &other.yields);
+            let carried = line.carried(&spot.yields, &other.yields);
             if other.of[2] == spot.lane {
-                p.lanes[spot.lane].between(&spot.place, &other.place) - carried
+                line.lanes[spot.lane].between(&spot.place, &other.place) - carried
             } else {
                 -carried
             }
         };
-        self.raised(&spot.yields, p.coefficients.stiffness, residual)
+        let share = line.coefficients.stiffness;
+        self.raised(model, (&spot.yields, share), residual)
     }
 
-    /// The same of a node; zero when it is not on a lane.
-    pub(super) fn node_raised(&self, node: usize) -> f64 {
-        let spot = self.spots.get(&node);
-        spot.map_or(0.0, |spot| self.raised_since(spot))
-    }
-
-    /// The same of a place on a lane.
-    pub(super) fn place_raised(&self, place: &Place<DIM>) -> f64 {
-        let spot = Spot::new(&self.p.lanes, place);
-        spot.map_or(0.0, |spot| self.raised_since(&spot))
+    /// Rise of a place beyond the mesh since the line was at rest, m.
+    pub(super) fn place_raised(&self, model: &Model<'_, DIM, D>, place: &Place<DIM>) -> f64 {
+        let spot = Spot::new(&model.line.lanes, place);
+        spot.map_or(0.0, |spot| self.raised_since(model, &spot))
     }
 }

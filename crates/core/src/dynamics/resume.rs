@@ -4,74 +4,70 @@
 //! sides, and all that updated kinematics form.
 
 use super::actuator::ActuatorState;
-use super::balance::Balance;
-use super::books::Books;
+use super::checkpoint::{Checkpoint, Walk, count, refuse};
 use super::contacts::Contacts;
 use super::law::Side;
-use super::ledger::Ledger;
+use super::model::Model;
 use super::path::Path;
 use super::record::Record;
 use super::rider::{Rider, RiderState};
-use super::run::Run;
-use super::state::{State, Walk, count, refuse};
+use super::state::State;
 use crate::error::CoreError;
 
 type Done = Result<(), CoreError>;
 
-impl<const DIM: usize, const D: usize> Run<'_, DIM, D> {
-    /// The state after `step` steps.
-    pub(super) fn take_down(
-        &mut self,
-        step: usize,
-        books: Option<&mut Books<DIM, D>>,
-    ) -> Result<State, CoreError> {
+impl<const DIM: usize, const D: usize> State<DIM, D> {
+    /// Numbers with which a run goes on.
+    ///
+    /// # Errors
+    /// None of a state that steps have left.
+    pub(super) fn take_down(&mut self, model: &Model<'_, DIM, D>) -> Result<Checkpoint, CoreError> {
         let mut walk = Walk::taking_down();
-        self.walk(&mut walk, books)?;
-        Ok(walk.state(step))
+        self.walk(model, &mut walk)?;
+        Ok(walk.checkpoint(self.motion.steps))
     }
 
-    /// Go on from a state.
-    pub(super) fn put_back(
-        &mut self,
-        state: &State,
-        mut books: Option<&mut Books<DIM, D>>,
-    ) -> Done {
-        let mut walk = Walk::putting_back(state);
-        self.walk(&mut walk, books.as_deref_mut())?;
+    /// Take the place of a saved state.
+    ///
+    /// # Errors
+    /// [`CoreError::Input`] for numbers of another run; the state is then part the one, part the other.
+    pub(super) fn put_back(&mut self, model: &Model<'_, DIM, D>, saved: &Checkpoint) -> Done {
+        let mut walk = Walk::putting_back(saved);
+        self.walk(model, &mut walk)?;
         walk.finish()?;
-        if let Some(Books::Explicit(balance)) = books {
-            balance.go_on(&self.p, &self.riders);
+        let motion = &mut self.motion;
+        motion.steps = saved.step;
+        if let Some(recorder) = &mut self.recorder {
+            recorder.record.steps = saved.step;
+            if let Some(books) = &mut recorder.books {
+                books.resume(model, motion);
+            }
         }
-        self.record.steps = state.step;
-        self.contacts.go_on(self.described);
-        self.p.go_on(&mut self.state);
-        self.state.awake = (0..self.p.islands.len()).collect();
-        self.let_sleep();
+        motion.contacts.go_on(model.riders);
+        model.line.resume(&mut motion.line);
+        motion.line.awake = (0..model.line.islands.len()).collect();
+        self.let_sleep(model);
         Ok(())
     }
 
-    fn walk(&mut self, walk: &mut Walk<'_>, books: Option<&mut Books<DIM, D>>) -> Done {
-        let line = &mut self.state;
-        walk.numbers("line_displacement", line.u.as_flattened_mut().iter_mut())?;
-        walk.numbers("line_velocity", line.v.as_flattened_mut().iter_mut())?;
-        walk.numbers("line_acceleration", line.a.as_flattened_mut().iter_mut())?;
-        if let Some(grid) = &mut line.grid {
-            walk.numbers("grid_across", grid.across())?;
-            walk.numbers("grid_along", grid.x.iter_mut().flatten())?;
-        }
-        walk.numbers("link_elongation", line.links.numbers())?;
-        walk.numbers("link_correction", self.unilateral.correction.iter_mut())?;
-        walk.numbers("contact_force", self.unilateral.force.iter_mut())?;
-        walk.numbers("datum", std::iter::once(&mut self.datum))?;
-        walk_contacts(&mut self.contacts, walk, &self.p.lanes)?;
-        let riders = self.riders.iter_mut().zip(&mut self.start_u);
+    fn walk(&mut self, model: &Model<'_, DIM, D>, walk: &mut Walk<'_>) -> Done {
+        let lanes = &model.at(self.present.as_deref()).line.lanes;
+        let motion = &mut self.motion;
+        motion.line.walk(walk)?;
+        walk.numbers("link_correction", motion.unilateral.correction.iter_mut())?;
+        walk.numbers("contact_force", motion.unilateral.force.iter_mut())?;
+        walk.numbers("datum", std::iter::once(&mut motion.datum))?;
+        walk_contacts(&mut motion.contacts, walk, lanes)?;
+        let riders = motion.riders.iter_mut().zip(&mut motion.start_u);
         for (number, (rider, start)) in riders.enumerate() {
             walk_rider(rider, start, walk, &format!("rider_{number}"))?;
         }
-        walk_record(&mut self.record, walk)?;
-        match books {
-            Some(Books::Solved(ledger)) => walk_ledger(ledger, walk),
-            Some(Books::Explicit(balance)) => walk_balance(balance, walk),
+        let Some(recorder) = &mut self.recorder else {
+            return Ok(());
+        };
+        walk_record(&mut recorder.record, walk)?;
+        match &mut recorder.books {
+            Some(books) => books.walk(walk),
             None => Ok(()),
         }
     }
@@ -171,36 +167,6 @@ fn walk_record(record: &mut Record, walk: &mut Walk<'_>) -> Done {
     let counts = pivots.into_iter().map(|n| count("pivot_counts", n));
     record.pivot_counts = counts.collect::<Result<_, _>>()?;
     Ok(())
-}
-
-fn walk_ledger<const D: usize>(ledger: &mut Ledger<D>, walk: &mut Walk<'_>) -> Done {
-    walk.numbers("energy", ledger.entries.all_mut().into_iter())?;
-    let start = [
-        &mut ledger.start.contact,
-        &mut ledger.start.riders,
-        &mut ledger.start_linear,
-        &mut ledger.start_slack,
-        &mut ledger.start_laws,
-    ];
-    walk.numbers("energy_start", start.into_iter())?;
-    let sums = [
-        &mut ledger.inertia,
-        &mut ledger.scheme_elastic,
-        &mut ledger.scheme_riders,
-        &mut ledger.slack_energy,
-        &mut ledger.rider_energy,
-        &mut ledger.law_energy,
-    ];
-    walk.numbers("energy_sums", sums.into_iter())
-}
-
-fn walk_balance<const DIM: usize, const D: usize>(
-    balance: &mut Balance<DIM, D>,
-    walk: &mut Walk<'_>,
-) -> Done {
-    walk.numbers("energy", balance.entries.all_mut().into_iter())?;
-    walk.numbers("energy_sums", balance.numbers())?;
-    walk.flags("energy_contact_meets", balance.meets())
 }
 
 impl<const DIM: usize> Contacts<DIM> {

@@ -12,7 +12,7 @@
 //! at the working height.
 
 use super::actuator::{Actuator, ActuatorState};
-use super::given::{Drive, Given};
+use super::given::{Drive, Given, GivenNow};
 use super::kink::Kink;
 use super::law::{Law, LawState, add_slopes, check_steps};
 use super::rest;
@@ -240,9 +240,9 @@ impl RiderState {
         (force != 0.0).then_some((&actuator.direction, force))
     }
 
-    /// Read what is given in a step. Call before [`RiderState::free_increment`].
-    pub fn begin(&mut self, c: &Coefficients, step: usize) {
-        self.drive.begin(&self.rider.given, step, c.old);
+    /// Take the excitation of a step. Call before [`RiderState::free_increment`].
+    pub fn begin(&mut self, now: &GivenNow) {
+        self.drive.begin(now);
     }
 
     /// Add the response to a contact force λ, which pushes the strip down; `column` is A⁻¹ e.

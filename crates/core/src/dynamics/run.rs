@@ -1,19 +1,23 @@
-//! A whole run: start in equilibrium, step, record.
+//! A run, or a part of one: from its start or a saved state, to a step at which its state is taken
+//! down.
+//!
+//! Parts one after the other are the whole run, bit for bit. The series of a record are those of the
+//! part, its extremes and counts those of the run so far. The series of a long run may be handed on in
+//! pieces while it goes on: one after the other they are the whole series. A piece has the extremes and
+//! counts of the run so far.
 
 use super::actuator::{Ask, Sample};
-use super::books::Books;
-use super::contact::Unilateral;
-use super::contacts::Contacts;
-use super::loads::{Load, Loads};
-use super::part::Part;
-use super::place::Place;
-use super::raised::Spot;
+use super::checkpoint::{Checkpoint, refuse};
+use super::inputs::Histories;
+use super::loads::Load;
+use super::model::Model;
 use super::record::{Record, RecordPlan};
-use super::rider::{Rider, RiderState, inner};
-use super::stepper::{LineState, Prepared};
+use super::recorder::Recorder;
+use super::rider::Rider;
+use super::state::State;
+use super::step::step;
+use super::stepper::Prepared;
 use crate::error::CoreError;
-use std::borrow::Cow;
-use std::collections::BTreeMap;
 
 /// Motion along the track and laws of the contact.
 #[derive(Debug, Clone)]
@@ -30,33 +34,66 @@ pub struct Travel {
     pub loads: Vec<Load>,
 }
 
+/// Which steps to do.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Part<'a> {
+    /// State to go on from; `None` to begin at the start.
+    pub from: Option<&'a Checkpoint>,
+    /// Number of steps, counted from the start of the run, to stop after; `None` to go to the end.
+    pub until: Option<usize>,
+}
+
+/// Takes the next piece of the series; answers whether to go on.
+pub type Take<'a> = &'a mut dyn FnMut(Record) -> bool;
+
+/// Who is called during a run.
+pub struct Callers<'a> {
+    /// Called now and then with the number of steps done; answers whether to go on.
+    pub observe: &'a mut dyn FnMut(usize) -> bool,
+    /// Asked for the forces of actuators.
+    pub ask: Ask<'a>,
+    /// Takes the series as soon as they hold so many numbers; `None` leaves them in the record.
+    pub take: Option<(usize, Take<'a>)>,
+}
+
+impl Callers<'_> {
+    /// Tell how many steps are done, and hand on what has been recorded.
+    fn call<const DIM: usize, const D: usize>(
+        &mut self,
+        state: &mut State<DIM, D>,
+    ) -> Result<(), CoreError> {
+        let step = state.motion.steps;
+        if !(self.observe)(step) {
+            return Err(CoreError::Cancelled { step });
+        }
+        state.motion.check_finite()?;
+        let (Some((enough, take)), Some(recorder)) = (&mut self.take, &mut state.recorder) else {
+            return Ok(());
+        };
+        if recorder.record.held() < *enough {
+            return Ok(());
+        }
+        recorder.record.check_energy(step)?;
+        recorder.read_laws(&state.motion);
+        let go_on = take(recorder.record.take_series());
+        go_on.then_some(()).ok_or(CoreError::Cancelled { step })
+    }
+}
+
+impl Part<'_> {
+    fn steps(&self, travel: &Travel) -> Result<std::ops::Range<usize>, CoreError> {
+        let all = travel.positions.len() - 1;
+        let (first, last) = (self.from.map_or(0, |s| s.step), self.until.unwrap_or(all));
+        if first < last && last <= all {
+            return Ok(first..last);
+        }
+        let reason = format!("does not lie between step {first} and step {all}");
+        Err(refuse(&format!("step {last}"), &reason))
+    }
+}
+
 /// Steps between two calls of the observer: often enough to stop within a fraction of a second.
 pub(super) const OBSERVE_EVERY: usize = 256;
-
-/// A run in progress.
-pub(super) struct Run<'a, const DIM: usize, const D: usize> {
-    /// A copy of its own with updated kinematics, where every step changes it.
-    pub(super) p: Cow<'a, Prepared<DIM, D>>,
-    pub(super) travel: &'a Travel,
-    pub(super) plan: &'a RecordPlan,
-    /// Riders as they were given.
-    pub(super) described: &'a [Rider],
-    pub(super) state: LineState<D>,
-    pub(super) riders: Vec<RiderState>,
-    pub(super) start_u: Vec<Vec<f64>>,
-    pub(super) unilateral: Unilateral,
-    pub(super) datum: f64,
-    pub(super) contacts: Contacts<DIM>,
-    pub(super) points: Vec<Place<DIM>>,
-    /// Watched nodes on lanes, where wires yield beyond the mesh.
-    pub(super) spots: BTreeMap<usize, Spot<DIM>>,
-    /// For each island, which of the watched nodes of the plan lie on it.
-    pub(super) watched: Vec<Vec<usize>>,
-    pub(super) gaps: Vec<f64>,
-    pub(super) friction: Vec<f64>,
-    pub(super) loads: Loads<'a>,
-    pub(super) record: Record,
-}
 
 impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
     /// Run all steps of `travel`. `observe` is called now and then with the number of steps done;
@@ -91,6 +128,113 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         let done = self.run_part(riders, travel, plan, whole, observe, ask);
         done.map(|(record, _)| record)
     }
+
+    /// Do a part of the steps of `travel`; see [`Prepared::run_controlled`] for the rest.
+    ///
+    /// # Errors
+    /// Any [`CoreError`] that a step can raise; [`CoreError::Input`] for a state of another run.
+    pub fn run_part(
+        &self,
+        riders: &[Rider],
+        travel: &Travel,
+        plan: &RecordPlan,
+        part: Part<'_>,
+        observe: &mut dyn FnMut(usize) -> bool,
+        ask: Ask<'_>,
+    ) -> Result<(Record, Checkpoint), CoreError> {
+        let take = None;
+        self.run_pieces(riders, travel, plan, part, Callers { observe, ask, take })
+    }
+
+    /// Do a part of the steps, with the series handed on in pieces; those of the record returned are
+    /// the last one.
+    ///
+    /// # Errors
+    /// As [`Prepared::run_part`].
+    pub fn run_pieces(
+        &self,
+        riders: &[Rider],
+        travel: &Travel,
+        plan: &RecordPlan,
+        part: Part<'_>,
+        mut callers: Callers<'_>,
+    ) -> Result<(Record, Checkpoint), CoreError> {
+        check(riders, travel, plan, self.keeps_energy())?;
+        check_nodes(&plan.nodes, self.line.nodes())?;
+        if let Some(near) = &plan.near {
+            near.check(self.line.links.len(), self.line.nodes())?;
+        }
+        super::loads::check::<D>(&travel.loads, self.line.nodes(), travel.positions.len())?;
+        let steps = part.steps(travel)?;
+        let model = Model {
+            line: self,
+            riders,
+            distances: &travel.distances,
+            friction: travel.friction,
+        };
+        let mut state = State::begin(&model, travel, plan, part.from)?;
+        let mut histories = Histories::new(travel, riders);
+        for number in steps {
+            let is_due = number.is_multiple_of(OBSERVE_EVERY);
+            if is_due {
+                callers.call(&mut state)?;
+            }
+            let at_start = (travel.positions[number], travel.speeds[number]);
+            state.motion.control(&model, at_start, callers.ask)?;
+            let inputs = histories.at(number, self.coefficients.old);
+            step(&model, &inputs, &mut state)?;
+            if is_due {
+                state.leave_behind(&model, travel.positions[number + 1]);
+            }
+        }
+        state.end(&model)
+    }
+}
+
+impl<const DIM: usize, const D: usize> State<DIM, D> {
+    /// State of a run that is recorded: at its start, or where a saved one left it.
+    fn begin(
+        model: &Model<'_, DIM, D>,
+        travel: &Travel,
+        plan: &RecordPlan,
+        from: Option<&Checkpoint>,
+    ) -> Result<Self, CoreError> {
+        let may_sleep = travel.loads.is_empty();
+        let mut state = match from {
+            None => Self::standing(model, (travel.positions[0], travel.speeds[0]), may_sleep)?,
+            Some(_) => Self::blank(model, may_sleep)?,
+        };
+        let steps = travel.positions.len() - 1;
+        let mut recorder = Recorder::new(model, plan, steps, &mut state.motion)?;
+        match from {
+            None => {
+                state.recorder = Some(recorder);
+                state.let_sleep(model);
+                if let Some(recorder) = &mut state.recorder {
+                    recorder.open_books(model, &state.motion);
+                }
+            }
+            Some(saved) => {
+                recorder.open_books(model, &state.motion);
+                state.recorder = Some(recorder);
+                state.put_back(model, saved)?;
+            }
+        }
+        Ok(state)
+    }
+
+    /// Record and saved state at the end of a part.
+    fn end(mut self, model: &Model<'_, DIM, D>) -> Result<(Record, Checkpoint), CoreError> {
+        self.motion.check_finite()?;
+        let saved = self.take_down(model)?;
+        let mut record = Record::default();
+        if let Some(mut recorder) = self.recorder {
+            recorder.record.check_energy(self.motion.steps)?;
+            recorder.read_laws(&self.motion);
+            record = recorder.record;
+        }
+        Ok((record, saved))
+    }
 }
 
 /// Check what a run is given.
@@ -101,7 +245,7 @@ pub(super) fn check(
     riders: &[Rider],
     travel: &Travel,
     plan: &RecordPlan,
-    updates: bool,
+    keeps_energy: bool,
 ) -> Result<(), CoreError> {
     let refuse = |array, reason: &str| {
         Err(CoreError::Input {
@@ -122,7 +266,7 @@ pub(super) fn check(
     for rider in riders {
         rider.given.check_instants(travel.positions.len())?;
     }
-    if plan.ledger && updates {
+    if plan.ledger && !keeps_energy {
         return refuse("plan", "an energy ledger with updated kinematics");
     }
     if plan.contact_every == 0 || plan.line_every == 0 || plan.ledger_every == 0 {
@@ -142,102 +286,5 @@ pub(super) fn check_nodes(watched: &[usize], nodes: usize) -> Result<(), CoreErr
             array: "plan",
             reason: format!("node {node} of {nodes} is watched"),
         }),
-    }
-}
-
-impl<'a, const DIM: usize, const D: usize> Run<'a, DIM, D> {
-    /// One step, readable from top to bottom.
-    pub(super) fn step(
-        &mut self,
-        step: usize,
-        books: Option<&mut Books<DIM, D>>,
-    ) -> Result<(), CoreError> {
-        if self.p.updating.is_some() {
-            self.p.to_mut().reform(&mut self.state, step)?;
-        }
-        let old = self.p.coefficients.old;
-        let between = |a: &[f64]| (1.0 - old) * a[step + 1] + old * a[step];
-        let speed = between(&self.travel.speeds);
-        let position = between(&self.travel.positions);
-        self.move_contacts(step, position)?;
-
-        // Friction of the force of the step before, T = f n (Amontons–Coulomb), drags the wire along.
-        for (t, n) in self.friction.iter_mut().zip(&self.unilateral.force) {
-            *t = self.travel.friction * n;
-        }
-        // Motion without contact forces.
-        self.loads.begin(step, old);
-        let (p, contacts, friction) = (&*self.p, &self.contacts, &self.friction);
-        let loads = &self.loads;
-        p.free_increment(&mut self.state, |f| {
-            loads.add_to(f);
-            for &i in contacts.active.iter().filter(|&&i| friction[i] != 0.0) {
-                contacts.all[i].place.add_force(friction[i], 0, f);
-            }
-            !loads.is_empty() || friction.iter().any(|t| *t != 0.0)
-        });
-        for rider in &mut self.riders {
-            rider.begin(&p.coefficients, step);
-            rider.free_increment(&p.coefficients, speed);
-        }
-        self.measure_gaps();
-
-        // Contacts and slack links together.
-        let stats = self.close(step)?;
-        self.count(&stats);
-        self.watch(step, speed, position);
-        self.take(books, step, speed)
-    }
-
-    /// Contacts of the step; `balance` is the position of the first rider at the time of balance.
-    fn move_contacts(&mut self, step: usize, balance: f64) -> Result<(), CoreError> {
-        let x = &self.travel.positions;
-        let positions = [x[step], balance, x[step + 1]];
-        let (lanes, u) = (&self.p.lanes, &self.state.u);
-        self.contacts
-            .find(self.described, lanes, u, positions, step)?;
-        self.contacts.slide(&self.riders);
-        self.unilateral.choose(&self.contacts);
-        self.look();
-        self.wake();
-        Ok(())
-    }
-
-    /// Tell an explicit line where it is read.
-    fn look(&mut self) {
-        let (Some(steps), Some(grid)) = (self.p.explicit_steps(), &mut self.state.grid) else {
-            return;
-        };
-        let lanes = &self.p.lanes;
-        let with_wire = self.contacts.all.iter().filter(|c| c.has_wire);
-        let nodes = with_wire.flat_map(|c| lanes[c.of[2]].around(&c.place));
-        if !self.contacts.all.is_empty() {
-            steps.look_at(grid, nodes);
-        }
-    }
-
-    /// Gaps that the motion without contact forces would open (or, negative, close).
-    fn measure_gaps(&mut self) {
-        let keep = self.p.coefficients.stiffness;
-        for &i in &self.contacts.active {
-            let contact = &self.contacts.all[i];
-            let (rider, e) = (&self.riders[contact.rider()], &contact.vector);
-            let strip = self.datum + inner(e, &rider.u) + keep * inner(e, &rider.delta);
-            let raised = contact.yields.rise + self.raised_by_links(&contact.yields, keep);
-            self.gaps[i] = self.wire_at(contact, DIM - 1) + raised - strip;
-        }
-    }
-
-    pub(super) fn check_finite(&self, step: usize) -> Result<(), CoreError> {
-        let line = self.state.u.iter().flatten();
-        let riders = self.riders.iter().flat_map(|r| &r.u);
-        let finite = line.chain(riders).all(|v| v.is_finite());
-        if finite && self.unilateral.force.iter().all(|v| v.is_finite()) {
-            return Ok(());
-        }
-        Err(CoreError::NotFinite {
-            what: "the motion",
-            step,
-        })
     }
 }

@@ -12,14 +12,14 @@
 //! by rider, until no share moves.
 
 use super::contacts::{Contact, Contacts};
+use super::integrator::static_line::StaticLine;
+use super::model::Model;
 use super::path::Path;
 use super::rest::{self, Rest};
 use super::rider::{Rider, inner, times};
-use super::run::Travel;
 use super::share::{share, unshared};
 use super::stepper::Prepared;
-use super::still::{Still, StillState, compliance};
-use super::updated::follow;
+use super::still::{StillState, compliance};
 use crate::error::CoreError;
 use crate::linalg::BlockLdl;
 
@@ -32,9 +32,11 @@ const SETTLED: f64 = 1e-12;
 pub(super) struct Start<'a, const DIM: usize, const D: usize> {
     p: &'a Prepared<DIM, D>,
     riders: &'a [Rider],
-    travel: &'a Travel,
-    /// `None` with updated kinematics.
-    still: Option<Still<'a, DIM, D>>,
+    /// Position of the first rider, m.
+    position: f64,
+    /// Speed, m/s.
+    speed: f64,
+    wires: StaticLine<'a, DIM, D>,
     pub(super) lanes: Vec<Path<DIM>>,
     pub(super) contacts: Contacts<DIM>,
     /// Forces of the active contacts, N.
@@ -46,24 +48,23 @@ pub(super) struct Start<'a, const DIM: usize, const D: usize> {
 
 impl<'a, const DIM: usize, const D: usize> Start<'a, DIM, D> {
     pub(super) fn new(
-        p: &'a Prepared<DIM, D>,
-        riders: &'a [Rider],
-        travel: &'a Travel,
+        model: &Model<'a, DIM, D>,
+        position: f64,
+        speed: f64,
     ) -> Result<Self, CoreError> {
+        let (p, riders) = (model.line, model.riders);
         let rest = vec![[0.0; D]; p.line.nodes()];
-        let (lanes, position) = (p.lanes.clone(), travel.positions[0]);
-        let contacts = Contacts::new(riders, &travel.distances, &lanes, position, &rest)?;
+        let lanes = p.lanes.clone();
+        let contacts = Contacts::new(riders, model.distances, &lanes, position, &rest)?;
         let mut start = Self {
-            still: match p.updating {
-                None => Some(Still::of(p)?),
-                Some(_) => None,
-            },
+            wires: StaticLine::new(p)?,
             forces: vec![0.0; contacts.active.len()],
             levels: vec![None; riders.len()],
             datum: datum(&contacts),
             p,
             riders,
-            travel,
+            position,
+            speed,
             lanes,
             contacts,
         };
@@ -96,18 +97,10 @@ impl<'a, const DIM: usize, const D: usize> Start<'a, DIM, D> {
 
     /// The line under the present forces; contacts follow it where it moves along the track.
     fn line(&mut self) -> Result<StillState<D>, CoreError> {
-        let position = self.travel.positions[0];
-        if let Some(still) = &mut self.still {
-            let places = self.contacts.active().map(|c| (c.place, c.yields));
-            let places: Vec<_> = places.collect();
-            return still.press(&places, &self.forces);
-        }
-        let Some(now) = &self.p.updating else {
-            return Err(unshared());
-        };
-        let found = self.p.settle(now, &self.contacts, position, &self.forces)?;
-        follow(&mut self.lanes, &found.u);
-        self.contacts.follow(&self.lanes, position);
+        let forces = (self.position, &self.forces[..]);
+        let found = self
+            .wires
+            .press(&mut self.lanes, &mut self.contacts, forces)?;
         self.datum = datum(&self.contacts);
         Ok(found)
     }
@@ -144,7 +137,7 @@ impl<'a, const DIM: usize, const D: usize> Start<'a, DIM, D> {
     /// A rider under its present forces: with one contact at the height of its wire, with several at
     /// its level, or at first at the height of the wire that carries it.
     pub(super) fn stand(&self, j: usize, line: &StillState<D>) -> Result<Rest, CoreError> {
-        let (own, rider, speed) = (self.own(j), &self.riders[j], self.travel.speeds[0]);
+        let (own, rider, speed) = (self.own(j), &self.riders[j], self.speed);
         let [first, ..] = own[..] else {
             return Err(unshared());
         };

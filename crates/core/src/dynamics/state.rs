@@ -1,146 +1,104 @@
-//! The state of a run between two steps: plain numbers under plain names.
-//!
-//! Only what the motion has made of the run is in it. What follows from line, riders and travel is
-//! made anew by whoever goes on, from the same line, riders and travel.
+//! The state of a run: what a step changes, and nothing else.
 
+use super::contact::Unilateral;
+use super::contacts::Contacts;
+use super::integrator::WireState;
+use super::model::Model;
+use super::recorder::Recorder;
+use super::rider::RiderState;
+use super::stepper::Prepared;
 use crate::error::CoreError;
-use std::collections::BTreeMap;
 
-/// Everything a run needs to go on as if it had never stopped.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct State {
+/// State between two steps. A copy of it goes on as the original does, bit for bit.
+#[derive(Debug, Clone)]
+pub struct State<const DIM: usize, const D: usize> {
+    /// The line formed at its present position, with updated kinematics.
+    pub(super) present: Option<Box<Prepared<DIM, D>>>,
+    pub(super) motion: Motion<DIM, D>,
+    /// Records of the run; `None` where nothing is recorded.
+    pub(super) recorder: Option<Recorder<DIM, D>>,
+}
+
+/// Motion of line and riders, and the forces between them.
+#[derive(Debug, Clone)]
+pub struct Motion<const DIM: usize, const D: usize> {
     /// Steps done.
-    pub step: usize,
-    /// Numbers by name, SI; counts and flags are whole numbers.
-    pub numbers: BTreeMap<String, Vec<f64>>,
+    pub(super) steps: usize,
+    pub(super) line: WireState<D>,
+    pub(super) riders: Vec<RiderState>,
+    /// Displacements of the riders at the start, m.
+    pub(super) start_u: Vec<Vec<f64>>,
+    pub(super) contacts: Contacts<DIM>,
+    pub(super) unilateral: Unilateral,
+    /// Friction force along the wire at each contact, N.
+    pub(super) friction: Vec<f64>,
+    /// Gap of each contact without contact forces, m.
+    pub(super) gaps: Vec<f64>,
+    /// Height that strips count from, m.
+    pub(super) datum: f64,
+    /// Whether islands that nothing has reached are left out of the steps: not where forces on nodes
+    /// are given, nor with updated kinematics.
+    pub(super) may_sleep: bool,
 }
 
-/// Refuse a state.
-pub(super) fn refuse(name: &str, reason: &str) -> CoreError {
-    CoreError::Input {
-        array: "state",
-        reason: format!("`{name}` {reason}"),
+impl<const DIM: usize, const D: usize> State<DIM, D> {
+    /// Steps done.
+    #[must_use]
+    pub fn steps(&self) -> usize {
+        self.motion.steps
+    }
+
+    /// Force of each contact (strip on a lane) in the last step, N.
+    #[must_use]
+    pub fn contact_forces(&self) -> &[f64] {
+        &self.motion.unilateral.force
+    }
+
+    /// Displacements of a rider, m.
+    #[must_use]
+    pub fn rider_displacement(&self, rider: usize) -> &[f64] {
+        &self.motion.riders[rider].u
     }
 }
 
-/// Goes through everything that changes during a run. One walk takes a state down and puts it
-/// back, so that neither can forget what the other knows.
-pub(super) struct Walk<'a> {
-    /// What is put back; `None` while a state is taken down.
-    saved: Option<&'a BTreeMap<String, Vec<f64>>>,
-    taken: BTreeMap<String, Vec<f64>>,
-    met: usize,
-}
-
-/// Whole numbers up to this one are exact.
-const MOST: f64 = 9_007_199_254_740_992.0;
-
-impl<'a> Walk<'a> {
-    pub(super) fn taking_down() -> Self {
+impl<const DIM: usize, const D: usize> Motion<DIM, D> {
+    /// Line at rest and undisturbed, riders as they stand, no force anywhere.
+    pub(super) fn at_rest(
+        model: &Model<'_, DIM, D>,
+        riders: Vec<RiderState>,
+        mut contacts: Contacts<DIM>,
+        may_sleep: bool,
+    ) -> Self {
+        let line = model.line;
+        contacts.respond(&riders);
+        let (count, links) = (contacts.all.len(), line.line.links.len());
         Self {
-            saved: None,
-            taken: BTreeMap::new(),
-            met: 0,
+            steps: 0,
+            line: line.at_rest(vec![[0.0; D]; line.line.nodes()]),
+            start_u: riders.iter().map(|r| r.u.clone()).collect(),
+            unilateral: Unilateral::new(count, vec![0.0; links]),
+            friction: vec![0.0; count],
+            gaps: vec![0.0; count],
+            datum: 0.0,
+            may_sleep: may_sleep && line.may_sleep(),
+            riders,
+            contacts,
         }
     }
 
-    pub(super) fn putting_back(state: &'a State) -> Self {
-        Self {
-            saved: Some(&state.numbers),
-            taken: BTreeMap::new(),
-            met: 0,
-        }
-    }
-
-    /// What was taken down after `step` steps.
-    pub(super) fn state(self, step: usize) -> State {
-        State {
-            step,
-            numbers: self.taken,
-        }
-    }
-
-    /// Nothing may be left over: it would belong to another run.
-    pub(super) fn finish(&self) -> Result<(), CoreError> {
-        match self.saved {
-            Some(saved) if saved.len() != self.met => {
-                Err(refuse("numbers", "has parts that this run does not have"))
-            }
-            _ => Ok(()),
-        }
-    }
-
-    /// A list of any length.
-    pub(super) fn list(&mut self, name: &str, values: &mut Vec<f64>) -> Result<(), CoreError> {
-        self.met += 1;
-        let Some(saved) = self.saved else {
-            self.taken.insert(name.into(), values.clone());
+    /// Refuse a motion that is not finite.
+    ///
+    /// # Errors
+    /// [`CoreError::NotFinite`].
+    pub(super) fn check_finite(&self) -> Result<(), CoreError> {
+        let mut riders = self.riders.iter().flat_map(|r| &r.u);
+        let finite = self.line.is_finite() && riders.all(|v| v.is_finite());
+        if finite && self.unilateral.force.iter().all(|v| v.is_finite()) {
             return Ok(());
-        };
-        let saved = saved.get(name).ok_or_else(|| refuse(name, "is missing"))?;
-        if !saved.iter().all(|v| v.is_finite()) {
-            return Err(refuse(name, "is not finite"));
         }
-        values.clone_from(saved);
-        Ok(())
+        Err(CoreError::NotFinite {
+            what: "the motion",
+            step: self.steps,
+        })
     }
-
-    /// As many numbers as there are.
-    pub(super) fn numbers<'v>(
-        &mut self,
-        name: &str,
-        values: impl Iterator<Item = &'v mut f64>,
-    ) -> Result<(), CoreError> {
-        let places: Vec<&mut f64> = values.collect();
-        let mut list = places.iter().map(|v| **v).collect();
-        self.list(name, &mut list)?;
-        if list.len() != places.len() {
-            let reason = format!("has {} numbers, not {}", list.len(), places.len());
-            return Err(refuse(name, &reason));
-        }
-        places.into_iter().zip(list).for_each(|(v, new)| *v = new);
-        Ok(())
-    }
-
-    /// As many counts as there are.
-    pub(super) fn counts<'v>(
-        &mut self,
-        name: &str,
-        values: impl Iterator<Item = &'v mut usize>,
-    ) -> Result<(), CoreError> {
-        let places: Vec<&mut usize> = values.collect();
-        let mut list: Vec<f64> = places.iter().map(|v| **v as f64).collect();
-        self.numbers(name, list.iter_mut())?;
-        for (place, number) in places.into_iter().zip(list) {
-            *place = count(name, number)?;
-        }
-        Ok(())
-    }
-
-    /// As many flags as there are.
-    pub(super) fn flags<'v>(
-        &mut self,
-        name: &str,
-        values: impl Iterator<Item = &'v mut bool>,
-    ) -> Result<(), CoreError> {
-        let places: Vec<&mut bool> = values.collect();
-        let mut list: Vec<usize> = places.iter().map(|v| usize::from(**v)).collect();
-        self.counts(name, list.iter_mut())?;
-        if list.iter().any(|&v| v > 1) {
-            return Err(refuse(name, "is neither 0 nor 1"));
-        }
-        places
-            .into_iter()
-            .zip(list)
-            .for_each(|(v, new)| *v = new == 1);
-        Ok(())
-    }
-}
-
-/// A whole number.
-pub(super) fn count(name: &str, number: f64) -> Result<usize, CoreError> {
-    if number.fract() == 0.0 && (0.0..MOST).contains(&number) {
-        return Ok(number as usize);
-    }
-    Err(refuse(name, "is no count"))
 }

@@ -81,7 +81,7 @@ pub struct LcpStats {
 ///
 /// Memory grows to the largest problem seen; further calls of that size or smaller allocate nothing
 /// (a failure allocates its report).
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub struct LcpSolver {
     tableau: Tableau,
     pivoting: Pivoting,

@@ -34,7 +34,7 @@ enum Rule {
 }
 
 /// Brent's cycle detection: compare with the active set of the last step number `2^j`.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 struct CycleDetector {
     mark: Vec<bool>,
     window: usize,
@@ -73,7 +73,7 @@ struct Violation {
 }
 
 /// The pivoting rules and their counters for one problem.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub struct Pivoting {
     cycle: CycleDetector,
     rule: Rule,

@@ -9,7 +9,7 @@ use super::FailureReason;
 use super::tableau::Tableau;
 
 /// Workspace and result of the direct solve, in the scaled variables of the tableau.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub struct DirectSolve {
     rows: Vec<usize>,
     factor: Vec<f64>,

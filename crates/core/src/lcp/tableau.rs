@@ -40,7 +40,7 @@ pub const WARM_PIVOT_MIN: f64 = 1e-8;
 pub const FEASIBILITY: f64 = 1e-12;
 
 /// The table `v = T u + q` in scaled variables.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub struct Tableau {
     n: usize,
     /// `T`, by rows.

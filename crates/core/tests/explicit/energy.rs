@@ -10,8 +10,8 @@ use crate::resume::{compare, part};
 use arcless_core::CoreError;
 use arcless_core::dynamics::ledger::Entries;
 use arcless_core::dynamics::loads::Load;
-use arcless_core::dynamics::part::Part;
 use arcless_core::dynamics::record::{Record, RecordPlan};
+use arcless_core::dynamics::run::Part;
 use arcless_core::dynamics::stepper::Prepared;
 
 const SPEED: f64 = 320.0 / 3.6;

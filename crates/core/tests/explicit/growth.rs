@@ -8,6 +8,7 @@
 use super::{Chain, prepare, seen_wire};
 use crate::common::Single;
 use arcless_core::CoreError;
+use arcless_core::dynamics::place::Nodal;
 use arcless_core::structure::Rayleigh;
 
 const STRING: Single = Single {
@@ -103,9 +104,9 @@ fn growth(chain: &Chain, h: f64) -> f64 {
     let mut state = p.at_rest(start);
     let mut largest = [0.0_f64; 2];
     for step in 0..6000 {
-        p.free_increment(&mut state, |_| false);
-        p.advance(&mut state);
-        let seen = state.u[STRING.elements / 2][1].abs();
+        p.predict(&mut state, |_| false);
+        p.commit(&mut state);
+        let seen = state.displacement().at(STRING.elements / 2)[1].abs();
         if !seen.is_finite() {
             return f64::INFINITY;
         }

@@ -18,6 +18,7 @@
 
 use super::{explicit, seen_wire, stiffer};
 use crate::common::{Single, orders};
+use arcless_core::dynamics::place::Nodal;
 use std::f64::consts::PI;
 
 const WIRE: Single = Single {
@@ -53,9 +54,9 @@ fn angle(s: &Single, n: usize, h: f64, stride: usize) -> f64 {
     let mut state = p.at_rest(start);
     let mut seen = Vec::new();
     for _ in 0..6 * stride + 40 {
-        p.free_increment(&mut state, |_| false);
-        p.advance(&mut state);
-        seen.push(state.u[s.elements / 2][1]);
+        p.predict(&mut state, |_| false);
+        p.commit(&mut state);
+        seen.push(state.displacement().at(s.elements / 2)[1]);
     }
     // u(t + s) + u(t − s) = 2 cos(s θ) u(t), by least squares.
     let (mut product, mut square) = (0.0, 0.0);

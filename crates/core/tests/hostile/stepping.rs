@@ -4,9 +4,9 @@ use super::feed::Feed;
 use super::finite::check;
 use super::{motion, riders};
 use arcless_core::CoreError;
-use arcless_core::dynamics::part::Part;
+use arcless_core::dynamics::checkpoint::Checkpoint;
 use arcless_core::dynamics::rider::Rider;
-use arcless_core::dynamics::state::State;
+use arcless_core::dynamics::run::Part;
 use arcless_core::dynamics::stepper::Prepared;
 
 pub fn run<const DIM: usize, const D: usize>(
@@ -26,7 +26,7 @@ pub fn run<const DIM: usize, const D: usize>(
     }
     let answer = feed.number(20.0);
     let mut ask = |_: usize, _: &_| Ok(answer);
-    let mut part = |from: Option<&State>, until: Option<usize>| {
+    let mut part = |from: Option<&Checkpoint>, until: Option<usize>| {
         let (mut go_on, part) = (|_: usize| true, Part { from, until });
         p.run_part(&found, &travel, &plan, part, &mut go_on, &mut ask)
     };
@@ -45,7 +45,7 @@ pub fn run<const DIM: usize, const D: usize>(
 }
 
 /// Spoil a number, the length or the name of a list, or the number of steps.
-fn spoil(feed: &mut Feed<'_>, state: &mut State) {
+fn spoil(feed: &mut Feed<'_>, state: &mut Checkpoint) {
     let at = feed.place(state.numbers.len());
     let name = state.numbers.keys().nth(at).cloned().unwrap_or_default();
     let list = state.numbers.entry(name.clone()).or_default();

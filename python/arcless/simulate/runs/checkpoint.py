@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from arcless.model import Scenario
 
 Floats = NDArray[np.float64]
-STATE_FORMAT = "arcless-state/1"
+STATE_FORMAT = "arcless-state/2"
 STATIC_FORCE = "static_force"  # its name among the numbers
 
 

@@ -96,7 +96,7 @@ def test_another_version_or_format_is_refused(part: Path) -> None:
     other.dataset.attrs["arcless_version"] = "0.0.9"
     assert "version 0.0.9" in told(other)
     other = arcless.open(part)
-    other.dataset.attrs["state"] = other.dataset.attrs["state"].replace("state/1", "state/7")
+    other.dataset.attrs["state"] = other.dataset.attrs["state"].replace("state/2", "state/7")
     assert "arcless-state/7" in told(other)
 
 

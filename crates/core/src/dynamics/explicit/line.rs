@@ -1,24 +1,24 @@
-//! Explicit steps in the place of those with a matrix.
+//! Explicit steps behind the interface of integrators.
 
-use super::{Explicit, Grid};
+use super::Explicit;
+use crate::dynamics::integrator::{Stepping, WireState};
 use crate::dynamics::islands::Island;
-use crate::dynamics::stepper::{LineState, Prepared};
+use crate::dynamics::stepper::Prepared;
 
-impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
-    /// As [`Prepared::free_increment`].
-    pub(in crate::dynamics) fn free_explicit(
+impl<const DIM: usize> Explicit<DIM> {
+    /// As [`Prepared::predict`].
+    pub(in crate::dynamics) fn predict<const D: usize>(
         &self,
-        steps: &Explicit<DIM>,
-        state: &mut LineState<D>,
+        p: &Prepared<DIM, D>,
+        state: &mut WireState<D>,
         load: impl FnOnce(&mut [[f64; D]]) -> bool,
     ) {
-        let LineState {
+        let WireState {
             u,
             delta,
             work,
-            links,
             awake,
-            grid: Some(grid),
+            stepping: Stepping::Explicit(grid),
             ..
         } = state
         else {
@@ -30,50 +30,33 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
             let loaded = work.iter_mut().enumerate();
             for (node, force) in loaded.filter(|(_, force)| **force != [0.0; D]) {
                 for c in 0..DIM {
-                    steps.add_force(grid, steps.points[node], c, force[c]);
+                    self.add_force(grid, self.points[node], c, force[c]);
                 }
                 *force = [0.0; D];
             }
         }
-        for &(link, correction) in &self.table.corrected {
+        for &(link, correction) in &p.table.corrected {
             let is_in = |island: &Island| island.links.contains(&link);
-            if self.awake(awake).any(is_in) {
-                for (node, c, force) in self.line.links[link].shares(correction) {
-                    steps.add_force(grid, steps.points[node], c, force);
+            if p.awake(awake).any(is_in) {
+                for (node, c, force) in p.line.links[link].shares(correction) {
+                    self.add_force(grid, self.points[node], c, force);
                 }
             }
         }
         for &island in &*awake {
-            steps.settle_clusters(island, grid, (u, delta));
+            self.settle_clusters(island, grid, (u, delta));
         }
-        steps.show(grid, (u, delta));
-        self.begin_links(awake, links, delta);
+        self.show(grid, (u, delta));
     }
 
-    /// Add a share of forces on nodes to what moves the grid, if there is one.
-    pub(in crate::dynamics) fn push(
-        &self,
-        grid: &mut Option<Grid>,
-        shares: impl Iterator<Item = (usize, usize, f64)>,
-        factor: f64,
-    ) {
-        if let (Some(steps), Some(grid)) = (self.explicit_steps(), grid) {
-            for (node, component, share) in shares {
-                steps.push(grid, node, component, factor * share);
-            }
-        }
-    }
-}
-
-impl<const DIM: usize> Explicit<DIM> {
-    /// As [`Prepared::advance`].
-    pub(in crate::dynamics) fn advance<const D: usize>(&self, state: &mut LineState<D>) {
-        let LineState {
+    /// As [`Prepared::commit`].
+    pub(in crate::dynamics) fn commit<const D: usize>(&self, state: &mut WireState<D>) {
+        let WireState {
             u,
             v,
             delta,
             awake,
-            grid: Some(grid),
+            stepping: Stepping::Explicit(grid),
             ..
         } = state
         else {
@@ -83,5 +66,6 @@ impl<const DIM: usize> Explicit<DIM> {
         for &island in &*awake {
             self.go(island, grid);
         }
+        grid.steps += 1;
     }
 }

@@ -219,6 +219,10 @@ pub struct Grid {
     /// Slots that others read beside those of clusters: where contacts are, and always.
     near: Vec<usize>,
     watched: Vec<usize>,
+    /// Steps done, and for each node the number of the last one at whose end its motion is found, counted
+    /// from one.
+    pub(super) steps: u64,
+    pub(super) found: Vec<u64>,
     /// Zeros as long as all that moves is finite; one is no number from the step on in which something is not. Lanes
     /// are never added up: with a sum across them the compiler would halve all rows of the sweep.
     sound: Wide,

@@ -21,14 +21,14 @@ impl<const DIM: usize> Explicit<DIM> {
         &self,
         p: &Prepared<DIM, D>,
         mut u: Vec<[f64; D]>,
-    ) -> (Option<Grid>, Vec<[f64; D]>) {
+    ) -> (Grid, Vec<[f64; D]>) {
         let mut grid = self.still();
         if u.iter().flatten().all(|u| *u == 0.0) {
-            return (Some(grid), u);
+            return (grid, u);
         }
         // A line that is displaced was found with this factor.
         let Ok(factor) = p.still_factors().map(|factors| &factors.linear) else {
-            return (Some(grid), u);
+            return (grid, u);
         };
         let line = &p.line;
         let given = times(&line.combine(0.0, 0.0, 1.0), &u);
@@ -51,7 +51,7 @@ impl<const DIM: usize> Explicit<DIM> {
             u[node][0] = self.along[slot].read(&grid.x[0]);
             (0..DIM - 1).for_each(|c| u[node][c + 1] = at(&grid, c, slot));
         }
-        (Some(grid), u)
+        (grid, u)
     }
 
     /// Slots of points, with their nodes.

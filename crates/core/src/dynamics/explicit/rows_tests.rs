@@ -5,8 +5,9 @@ use super::rows::LANES;
 use crate::common::chain::{explicit, lumped};
 use crate::common::space::staggered;
 use crate::common::{everything, run, simple_line_of, steady, three_masses};
+use crate::dynamics::integrator::Integrator;
 use crate::dynamics::record::{Record, RecordPlan};
-use crate::dynamics::stepper::{Prepared, Steps};
+use crate::dynamics::stepper::Prepared;
 use crate::structure::Structure;
 
 const STEP: f64 = 1e-3;
@@ -43,7 +44,9 @@ fn pass<const DIM: usize>(p: &Prepared<DIM, DIM>) -> Record {
 }
 
 fn compare<const DIM: usize>(p: Prepared<DIM, DIM>) {
-    let steps = p.explicit_steps().cloned().expect("explicit steps");
+    let Integrator::Explicit(steps) = p.integrator.clone() else {
+        panic!("explicit steps");
+    };
     // Two wires, nine links in each of eight spans, reaches of some 6 m: most of both must lie in rows.
     let links = LANES * steps.own[0].groups.rows.len();
     assert!(links > 8 * SPANS, "{links} of {} links", 9 * SPANS);
@@ -54,7 +57,7 @@ fn compare<const DIM: usize>(p: Prepared<DIM, DIM>) {
 
     let in_rows = pass(&p);
     let mut plain = p;
-    plain.steps = Steps::Explicit(Box::new(steps.one_by_one()));
+    plain.integrator = Integrator::Explicit(Box::new(steps.one_by_one()));
     let plain = pass(&plain);
     assert!(in_rows.slack_max > 0, "no link was slack");
     let lists = |r: Record| [r.force, r.masses, r.link_force];

@@ -10,6 +10,7 @@
 use super::{Explicit, Grid};
 use crate::common::Single;
 use crate::common::chain::{explicit, lumped};
+use crate::dynamics::integrator::Integrator;
 use crate::dynamics::stepper::Prepared;
 use crate::structure::Rayleigh;
 use std::collections::BTreeMap;
@@ -65,7 +66,9 @@ fn decays(damping: Rayleigh) {
         segment.damping = damping;
     }
     let p: Prepared<2, 2> = explicit(&(chain, vec![path]), STEP, 50e3).expect("short steps");
-    let steps = p.explicit_steps().expect("explicit steps");
+    let Integrator::Explicit(steps) = &p.integrator else {
+        panic!("explicit steps");
+    };
     let masters = in_order(steps);
     let reaches = masters.len() - 1;
     assert!(reaches >= 4, "{reaches} reaches");

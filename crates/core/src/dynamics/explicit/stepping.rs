@@ -44,7 +44,18 @@ impl Grid {
     }
 }
 
+/// Number of a step after all others: that of nodes whose motion every step finds.
+const ALWAYS: u64 = u64::MAX;
+
 impl<const DIM: usize> Explicit<DIM> {
+    /// Number of the last step that finds the motion of each node, at the start: linked ones are found always.
+    fn linked_nodes(&self) -> Vec<u64> {
+        let mut found = vec![0; self.points.len()];
+        let linked = self.own.iter().flat_map(|own| &own.linked);
+        linked.for_each(|&node| found[node] = ALWAYS);
+        found
+    }
+
     /// Nothing moves.
     pub(in crate::dynamics) fn still(&self) -> Grid {
         let along = vec![0.0; self.masters.lag.len()];
@@ -57,6 +68,8 @@ impl<const DIM: usize> Explicit<DIM> {
             thrust: vec![0.0; self.reaches.len() + 1],
             near: Vec::new(),
             watched: Vec::new(),
+            steps: 0,
+            found: self.linked_nodes(),
             sound: Wide::default(),
         }
     }
@@ -67,12 +80,18 @@ impl<const DIM: usize> Explicit<DIM> {
         grid.watched = points.filter(|&p| self.in_cluster[p].is_none()).collect();
         grid.watched.sort_unstable();
         grid.watched.dedup();
+        for &point in &grid.watched {
+            grid.found[self.nodes[point]] = ALWAYS;
+        }
     }
 
     /// Nodes that are read in the coming step.
     pub(in crate::dynamics) fn look_at(&self, grid: &mut Grid, nodes: impl Iterator<Item = usize>) {
         grid.near.clear();
-        grid.near.extend(nodes.map(|node| self.points[node]));
+        for node in nodes {
+            grid.near.push(self.points[node]);
+            grid.found[node] = grid.found[node].max(grid.steps + 1);
+        }
     }
 
     /// Forces of wires on the points of an island where they are, and those along on the masters. Every step

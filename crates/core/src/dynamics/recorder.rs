@@ -1,0 +1,372 @@
+//! Records of a run while it steps, and the extremes of all steps.
+
+use super::books::Books;
+use super::contacts::Contact;
+use super::entries::Entries;
+use super::inputs::Inputs;
+use super::model::Model;
+use super::path::Path;
+use super::place::{Nodal, Place};
+use super::raised::{Spot, spots};
+use super::record::{Record, RecordPlan};
+use super::rider::RiderState;
+use super::state::Motion;
+use crate::error::CoreError;
+use crate::lcp::LcpStats;
+use crate::linalg::{Kernel, widest};
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+/// Recorder of a run: what it records, where, and what it has so far.
+#[derive(Debug, Clone)]
+pub(super) struct Recorder<const DIM: usize, const D: usize> {
+    pub(super) plan: RecordPlan,
+    /// Number of the last step of the run.
+    last: usize,
+    /// Places whose uplift is recorded.
+    points: Vec<Place<DIM>>,
+    /// Watched nodes on lanes, where wires yield beyond the mesh.
+    spots: BTreeMap<usize, Spot<DIM>>,
+    /// For each island, the watched nodes of the plan on it, by their numbers in the plan.
+    watched: Vec<Vec<usize>>,
+    pub(super) record: Record,
+    /// Ledger of energies; `None` where none is kept.
+    pub(super) books: Option<Books<DIM, D>>,
+}
+
+/// Places of the given points: on the lowest wire where there are several.
+fn points<const DIM: usize>(lanes: &[Path<DIM>], x: &[f64]) -> Result<Vec<Place<DIM>>, CoreError> {
+    let locate = |&x: &f64| {
+        let found = lanes.iter().filter_map(|lane| lane.locate(x, 0));
+        let lowest = found.min_by(|a, b| a.height.total_cmp(&b.height));
+        lowest.ok_or_else(|| CoreError::Input {
+            array: "points",
+            reason: format!("no wire at {x} m"),
+        })
+    };
+    x.iter().map(locate).collect()
+}
+
+impl<const DIM: usize, const D: usize> Recorder<DIM, D> {
+    /// Recorder with nothing recorded yet, for a run of `steps` steps; tells an explicit line what is
+    /// read in every step. Points are those of the line at rest.
+    ///
+    /// # Errors
+    /// [`CoreError::Input`] for a point without wire.
+    pub(super) fn new(
+        model: &Model<'_, DIM, D>,
+        plan: &RecordPlan,
+        steps: usize,
+        motion: &mut Motion<DIM, D>,
+    ) -> Result<Self, CoreError> {
+        let line = model.line;
+        let points = points(&line.lanes, &plan.points)?;
+        let near = plan.near.iter().flat_map(|near| &near.nodes.of);
+        let at_points = points.iter().flat_map(|place| &place.nodes);
+        let read = plan.nodes.iter().chain(near).chain(at_points);
+        line.watch(&mut motion.line, read.copied());
+        let mut watched = vec![Vec::new(); line.islands.len()];
+        for (k, &node) in plan.nodes.iter().enumerate() {
+            watched[line.island_of(node)].push(k);
+        }
+        let (links, riders) = (line.line.links.len(), model.riders.len());
+        Ok(Self {
+            last: steps - 1,
+            spots: spots(&line.lanes, plan),
+            record: Record::empty(&motion.contacts, links, plan, riders),
+            books: None,
+            plan: plan.clone(),
+            points,
+            watched,
+        })
+    }
+
+    /// Open the ledger at the start of the run, if one is kept.
+    pub(super) fn open_books(&mut self, model: &Model<'_, DIM, D>, motion: &Motion<DIM, D>) {
+        if self.plan.ledger {
+            self.books = Some(Books::open(model, motion, self.plan.ledger_every));
+        }
+    }
+
+    /// Record the step at its time of balance, then take it, booking its energies when a ledger is
+    /// kept.
+    ///
+    /// # Errors
+    /// [`CoreError::Balance`] when energies do not add up, [`CoreError::NotFinite`].
+    pub(super) fn take(
+        &mut self,
+        model: &Model<'_, DIM, D>,
+        inputs: &Inputs<'_>,
+        motion: &mut Motion<DIM, D>,
+        solved: &LcpStats,
+    ) -> Result<(), CoreError> {
+        self.count(solved, motion);
+        self.watch(model, inputs, motion);
+        let step = motion.steps;
+        self.record.steps = step + 1;
+        let is_row = step.is_multiple_of(self.plan.line_every);
+        let is_due = is_row || step == self.last;
+        let Some(books) = &mut self.books else {
+            motion.advance(model);
+            return motion.check_sound();
+        };
+        let settled = books.take(model, inputs, motion, is_due);
+        motion.check_sound()?;
+        let row = if settled {
+            books.check(model, &mut self.record, step)?
+        } else {
+            Entries::unknown()
+        };
+        if is_row {
+            self.record.energy.push(row);
+        }
+        Ok(())
+    }
+
+    fn count(&mut self, stats: &LcpStats, motion: &Motion<DIM, D>) {
+        let r = &mut self.record;
+        r.pivots += stats.pivots;
+        r.pivots_max = r.pivots_max.max(stats.pivots);
+        if r.pivot_counts.len() <= stats.pivots {
+            r.pivot_counts.resize(stats.pivots + 1, 0);
+        }
+        r.pivot_counts[stats.pivots] += 1;
+        r.fallbacks += usize::from(stats.fallback_used);
+        r.lcp_residual = r.lcp_residual.max(stats.residual);
+        let slack = motion.unilateral.links.iter();
+        let slack = slack
+            .filter(|&&i| motion.unilateral.correction[i] > 0.0)
+            .count();
+        r.slack_max = r.slack_max.max(slack);
+    }
+
+    /// Update the extremes of some links.
+    fn watch_links(&mut self, motion: &Motion<DIM, D>, which: Range<usize>) {
+        widest(Extremes {
+            tension: &motion.line.links.tension[which.clone()],
+            correction: &motion.unilateral.correction[which.clone()],
+            min: &mut self.record.link_min[which.clone()],
+            max: &mut self.record.link_max[which],
+        });
+    }
+
+    /// Update the extremes of links and watched nodes of an island.
+    pub(super) fn watch_island(
+        &mut self,
+        model: &Model<'_, DIM, D>,
+        motion: &Motion<DIM, D>,
+        island: usize,
+    ) {
+        self.watch_links(motion, model.line.islands[island].links.clone());
+        for &k in &self.watched[island] {
+            let uplift = node_uplift(&self.spots, model, motion, self.plan.nodes[k]);
+            self.record.uplift_max[k] = self.record.uplift_max[k].max(uplift);
+        }
+    }
+
+    /// Record the instant of balance and update the extremes.
+    fn watch(
+        &mut self,
+        model: &Model<'_, DIM, D>,
+        inputs: &Inputs<'_>,
+        motion: &mut Motion<DIM, D>,
+    ) {
+        let (c, step) = (&model.line.coefficients, motion.steps);
+        let time = (step as f64 + 1.0 - c.old) * model.line.h;
+        for k in 0..motion.line.awake.len() {
+            self.watch_island(model, motion, motion.line.awake[k]);
+        }
+        for (largest, rider) in self.record.stop_max.iter_mut().zip(&motion.riders) {
+            *largest = largest.max(rider.stop_force());
+        }
+        for rider in &mut motion.riders {
+            rider.watch_laws(c);
+        }
+        let position = inputs.positions[1];
+        if step.is_multiple_of(self.plan.contact_every) {
+            self.record_contacts(model, motion, (time, inputs.speed, position));
+        }
+        if step.is_multiple_of(self.plan.line_every) {
+            self.record_line(model, motion, (time, position));
+        }
+    }
+
+    fn record_contacts(
+        &mut self,
+        model: &Model<'_, DIM, D>,
+        motion: &Motion<DIM, D>,
+        (time, speed, position): (f64, f64, f64),
+    ) {
+        let keep = model.line.coefficients.stiffness;
+        let r = &mut self.record;
+        r.time.push(time);
+        r.speed.push(speed);
+        for (i, contact) in motion.contacts.all.iter().enumerate() {
+            let (mut height, mut lateral) = (f64::NAN, f64::NAN);
+            if contact.has_wire {
+                let raised = motion.raised_at(model, contact, keep);
+                height = motion.wire_at(model, contact, DIM - 1) + raised;
+                lateral = if DIM < 3 {
+                    0.0
+                } else {
+                    motion.wire_at(model, contact, 1)
+                };
+            }
+            r.force.push(motion.unilateral.force[i]);
+            r.gap.push(motion.unilateral.gap[i]);
+            r.height.push(height);
+            r.lateral.push(lateral);
+        }
+        for (j, rider) in motion.riders.iter().enumerate() {
+            r.position.push(position - model.distances[j]);
+            r.control.push(rider.actuator.force);
+            for ((u, d), start) in rider.u.iter().zip(&rider.delta).zip(&motion.start_u[j]) {
+                r.masses.push(u + keep * d - start);
+            }
+        }
+    }
+
+    fn record_line(
+        &mut self,
+        model: &Model<'_, DIM, D>,
+        motion: &Motion<DIM, D>,
+        (time, position): (f64, f64),
+    ) {
+        let Self {
+            plan,
+            points,
+            spots,
+            record,
+            ..
+        } = self;
+        record.line_time.push(time);
+        let tension = |&link: &usize| motion.tension(link);
+        let uplift = |&node: &usize| node_uplift(spots, model, motion, node);
+        if let Some(near) = &plan.near {
+            let from = near.from(position, model.distances);
+            if plan.links {
+                let first = near.links.first(from);
+                record.link_first.push(first as f64);
+                record
+                    .link_force
+                    .extend(near.links.row(first).iter().map(tension));
+            }
+            let first = near.nodes.first(from);
+            record.uplift_first.push(first as f64);
+            record
+                .uplift
+                .extend(near.nodes.row(first).iter().map(uplift));
+        } else {
+            if plan.links {
+                let links = 0..model.line.line.links.len();
+                record.link_force.extend(links.map(|link| tension(&link)));
+            }
+            record.uplift.extend(plan.nodes.iter().map(uplift));
+        }
+        let ([u, delta], keep) = (motion.line.at_balance(), model.line.coefficients.stiffness);
+        for place in &*points {
+            let moved = |c: usize| place.displacement(&u, c) + keep * place.displacement(&delta, c);
+            let raised = motion.place_raised(model, place);
+            record.point_uplift.push(moved(DIM - 1) + raised);
+            record.point_along.push(moved(0));
+        }
+        let corrections = motion.unilateral.correction.iter();
+        let slack = corrections.filter(|r| **r > 0.0).count();
+        record.slack.push(slack as f64);
+    }
+
+    /// Smallest coordinate from which anything is recorded with the first rider at a position; `None`
+    /// where all of the line is, and where a ledger needs all of it.
+    pub(super) fn first_recorded(&self, model: &Model<'_, DIM, D>, position: f64) -> Option<f64> {
+        let near = self.plan.near.as_ref()?;
+        let needs_all = self.books.as_ref().is_some_and(Books::needs_all_islands);
+        let from = near.from(position, model.distances);
+        (!needs_all).then(|| near.first_recorded(from))
+    }
+
+    /// Whether the motion of a place on one of these nodes is recorded.
+    pub(super) fn has_points(&self, nodes: &Range<usize>) -> bool {
+        self.points.iter().any(|p| nodes.contains(&p.nodes[0]))
+    }
+
+    /// Book an island that is about to be laid to rest.
+    pub(super) fn leave(
+        &mut self,
+        model: &Model<'_, DIM, D>,
+        motion: &Motion<DIM, D>,
+        island: usize,
+    ) {
+        if let Some(books) = &mut self.books {
+            books.leave(model, motion, island);
+        }
+    }
+
+    /// Record how far the laws of the riders have been moved.
+    pub(super) fn read_laws(&mut self, motion: &Motion<DIM, D>) {
+        let riders = motion.riders.iter();
+        self.record.law_ranges = riders.flat_map(RiderState::law_ranges).collect();
+    }
+}
+
+impl<const DIM: usize, const D: usize> Motion<DIM, D> {
+    /// Coordinate `c` of the wire at a contact, at the time of balance with the current increment.
+    pub(super) fn wire_at(
+        &self,
+        model: &Model<'_, DIM, D>,
+        contact: &Contact<DIM>,
+        c: usize,
+    ) -> f64 {
+        let place = &contact.place;
+        let rest = if c == DIM - 1 {
+            place.height
+        } else {
+            place.lateral
+        };
+        let [u, delta] = self.line.at_balance();
+        rest + place.displacement(&u, c)
+            + model.line.coefficients.stiffness * place.displacement(&delta, c)
+    }
+
+    /// Tension of a link at the time of balance, N.
+    #[inline(always)]
+    fn tension(&self, link: usize) -> f64 {
+        if self.unilateral.correction[link] > 0.0 {
+            return 0.0;
+        }
+        self.line.links.tension[link]
+    }
+}
+
+/// Uplift of a node at the time of balance, m.
+fn node_uplift<const DIM: usize, const D: usize>(
+    spots: &BTreeMap<usize, Spot<DIM>>,
+    model: &Model<'_, DIM, D>,
+    motion: &Motion<DIM, D>,
+    node: usize,
+) -> f64 {
+    let ([u, delta], keep) = (motion.line.at_balance(), model.line.coefficients.stiffness);
+    let moved = u.at(node)[DIM - 1] + keep * delta.at(node)[DIM - 1];
+    let spot = spots.get(&node);
+    moved + spot.map_or(0.0, |spot| motion.raised_since(model, spot))
+}
+
+/// Extremes of the tensions of links, which slack ones do not have.
+struct Extremes<'a> {
+    tension: &'a [f64],
+    correction: &'a [f64],
+    min: &'a mut [f64],
+    max: &'a mut [f64],
+}
+
+impl Kernel for Extremes<'_> {
+    #[inline(always)]
+    fn run(self) {
+        let both = self.tension.iter().zip(self.correction);
+        let extremes = self.min.iter_mut().zip(self.max);
+        for ((tension, correction), (min, max)) in both.zip(extremes) {
+            let tension = if *correction > 0.0 { 0.0 } else { *tension };
+            *min = if tension < *min { tension } else { *min };
+            *max = if tension > *max { tension } else { *max };
+        }
+    }
+}
