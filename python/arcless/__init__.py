@@ -11,100 +11,42 @@ Examples
 """
 
 import importlib
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-if TYPE_CHECKING:
-    from arcless import assess, errors, lcp, model, report, results, simulate, study, validate
-    from arcless.errors import (
-        ArclessError,
-        ContactError,
-        ControlError,
-        EquilibriumError,
-        ExecutorError,
-        MeshError,
-        ModelError,
-        OutputError,
-        ResultFormatError,
-        StudyError,
-    )
-    from arcless.model import Scenario, library, load, load_line, load_pantograph
-    from arcless.results import Result, open
-    from arcless.simulate.batches.batch import Outcome, batch
-    from arcless.simulate.resonance import ResonanceSpeeds, resonance_speeds
-    from arcless.simulate.run import resume, run
-    from arcless.simulate.session.realtime import Realtime, RealtimeState, realtime
-    from arcless.simulate.setup.controllers import ControlInput
-    from arcless.simulate.statics import statics
-
-    __version__: str
-
-__all__ = [
-    "ArclessError",
-    "ContactError",
-    "ControlError",
-    "ControlInput",
-    "EquilibriumError",
-    "ExecutorError",
-    "MeshError",
-    "ModelError",
-    "Outcome",
-    "OutputError",
-    "Realtime",
-    "RealtimeState",
-    "ResonanceSpeeds",
-    "Result",
-    "ResultFormatError",
-    "Scenario",
-    "StudyError",
-    "__version__",
-    "assess",
-    "batch",
-    "errors",
-    "lcp",
-    "library",
-    "load",
-    "load_line",
-    "load_pantograph",
-    "model",
-    "open",
-    "realtime",
-    "report",
-    "resonance_speeds",
-    "results",
-    "resume",
-    "run",
-    "simulate",
-    "statics",
-    "study",
-    "validate",
-]
-
-_MODULES = {
-    "assess",
-    "errors",
-    "lcp",
-    "model",
-    "report",
-    "results",
-    "simulate",
-    "study",
-    "validate",
+# Public names by the module that has them; `__init__.pyi` has their types.
+_NAMES = {
+    "errors": (
+        "ArclessError",
+        "ContactError",
+        "ControlError",
+        "EquilibriumError",
+        "ExecutorError",
+        "MeshError",
+        "ModelError",
+        "OutputError",
+        "ResultFormatError",
+        "StudyError",
+    ),
+    "model": ("Scenario", "library", "load", "load_line", "load_pantograph"),
+    "results": ("Result", "open"),
+    "simulate": (
+        "ControlInput",
+        "Outcome",
+        "Realtime",
+        "RealtimeState",
+        "ResonanceSpeeds",
+        "batch",
+        "realtime",
+        "resonance_speeds",
+        "resume",
+        "run",
+        "statics",
+    ),
 }
-_MODEL = {"Scenario", "library", "load", "load_line", "load_pantograph"}
-_RESULTS = {"Result", "open"}
-_SIMULATE = {
-    "ControlInput",
-    "Outcome",
-    "Realtime",
-    "RealtimeState",
-    "ResonanceSpeeds",
-    "batch",
-    "realtime",
-    "resonance_speeds",
-    "resume",
-    "run",
-    "statics",
-}
+_PACKAGES = (*_NAMES, "assess", "lcp", "report", "study", "validate")
+_HOME = {name: module for module, names in _NAMES.items() for name in names}
+
+__all__ = sorted([*_HOME, *_PACKAGES, "__version__"])  # noqa: PLE0605 - a list, but not literal
 
 
 def __getattr__(name: str) -> Any:
@@ -113,16 +55,10 @@ def __getattr__(name: str) -> Any:
         from importlib.metadata import version
 
         value: Any = version("arcless")
-    elif name in _MODULES:
+    elif name in _PACKAGES:
         value = importlib.import_module(f"arcless.{name}")
-    elif name in _MODEL:
-        value = getattr(importlib.import_module("arcless.model"), name)
-    elif name in _RESULTS:
-        value = getattr(importlib.import_module("arcless.results"), name)
-    elif name in _SIMULATE:
-        value = getattr(importlib.import_module("arcless.simulate"), name)
-    elif name in __all__:
-        value = getattr(importlib.import_module("arcless.errors"), name)
+    elif name in _HOME:
+        value = getattr(importlib.import_module(f"arcless.{_HOME[name]}"), name)
     else:
         raise AttributeError(f"module `arcless` has no attribute `{name}`")
     globals()[name] = value
@@ -130,4 +66,4 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    return sorted(__all__)
+    return __all__

@@ -1,7 +1,16 @@
-"""The order of the house: a module imports only from what stands to its left."""
+"""Imports go one way: rooms, modules and packages without circles, in the order of the house.
+
+A room is a folder of the package; each module that stands beside them in `arcless` is one too.
+Every import counts, wherever it stands: at the top of a module, in a function, for types alone.
+`from a.b import name` imports the module `a.b.name` if there is one, otherwise names of `a.b`: of a
+module, or of the `__init__` of a package, which belongs to its folder. That Python runs the
+`__init__` of a package when a module inside is imported does not count: nothing is taken from it.
+"""
 
 import ast
-from collections.abc import Iterator
+from collections.abc import Iterable, Mapping
+from functools import cache
+from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
 import pytest
@@ -9,60 +18,108 @@ import pytest
 import arcless
 
 PACKAGE = Path(arcless.__file__).parent
+# Packages and modules of the top folder; each imports only from itself and from its left.
 ORDER = (
-    "errors", "units", "storage", "model", "mesh", "equilibrium", "lcp", "dataset", "results",
-    "assess", "simulate", "report", "study", "validate", "cli",
+    "errors", "units", "storage", "model", "mesh", "equilibrium", "lcp", "dataset", "assess",
+    "report", "results", "simulate", "study", "validate", "cli",
 )  # fmt: skip
+CORE = "arcless._core"
 CORE_USERS = {"equilibrium", "lcp", "assess", "simulate"}
-# A result offers what follows from it (`result.assessment`), imported when asked for.
-LATER = {("results", "assess"), ("results", "report")}
+# The top package has all others, and none has it.
+TOP = {"arcless", "arcless.__main__"}
+MOST_MODULES = 12
 
 
-def modules() -> Iterator[tuple[str, Path]]:
-    """Yield every module with the name of its place in the order."""
+@cache
+def modules() -> dict[str, Path]:
+    """Return the modules of the package by their names."""
+    found = {}
     for path in sorted(PACKAGE.rglob("*.py")):
-        place = path.relative_to(PACKAGE).parts[0].removesuffix(".py")
-        if place not in ("__init__", "__main__"):
-            yield place, path
+        parts = ["arcless", *path.relative_to(PACKAGE).with_suffix("").parts]
+        found[".".join(parts).removesuffix(".__init__")] = path
+    return found
 
 
-def imports(tree: ast.AST) -> Iterator[tuple[str, bool]]:
-    """Yield what is imported from this package, and whether at import time."""
-    for node in ast.iter_child_nodes(tree):
-        if isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING":
-            continue
-        names = []
+@cache
+def imported(name: str) -> frozenset[str]:
+    """Return the modules of the package that a module imports, and the compiled core."""
+    found: set[str] = set()
+    for node in ast.walk(ast.parse(modules()[name].read_text("utf-8"))):
         if isinstance(node, ast.Import):
-            names = [alias.name for alias in node.names]
+            found |= {each.name for each in node.names} & modules().keys()
         elif isinstance(node, ast.ImportFrom):
-            assert node.level == 0, "imports are absolute"
-            inside = [f"{node.module}.{alias.name}" for alias in node.names]
-            names = inside if node.module == "arcless" else [str(node.module)]
-        yield from ((name.split(".")[1], True) for name in names if name.startswith("arcless."))
-        late = isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)
-        yield from ((name, now and not late) for name, now in imports(node))
+            assert node.level == 0, f"{name}: imports are absolute"
+            source = str(node.module)
+            wholes = {f"{source}.{each.name}" for each in node.names}
+            inside = {whole for whole in wholes if whole in modules() or whole == CORE}
+            found |= inside
+            if source in modules() and inside != wholes:
+                found.add(source)
+    return frozenset(found)
+
+
+def room(name: str) -> str:
+    """Return the room of a module: its folder, or itself where it stands in the top folder."""
+    path = modules()[name].relative_to(PACKAGE)
+    return path.stem if len(path.parts) == 1 else path.parent.as_posix()
+
+
+def place(name: str) -> str:
+    """Return what the order has of a module: `model` of `arcless.model.line.line`."""
+    return name.split(".")[1]
+
+
+def check_no_circle(graph: Mapping[str, Iterable[str]]) -> None:
+    """Fail with the circle where a graph has one."""
+    try:
+        TopologicalSorter(graph).prepare()
+    except CycleError as error:
+        pytest.fail(" imports ".join(reversed(error.args[1])))
+
+
+def test_rooms_import_one_another_in_one_direction() -> None:
+    graph: dict[str, set[str]] = {room(name): set() for name in modules()}
+    for name in modules():
+        graph[room(name)] |= {room(each) for each in imported(name) - {CORE}}
+    check_no_circle({own: others - {own} for own, others in graph.items()})
+
+
+def test_modules_import_one_another_in_one_direction() -> None:
+    check_no_circle({name: imported(name) - {name, CORE} for name in modules()})
 
 
 def test_every_module_has_a_place_in_the_order() -> None:
-    assert {place for place, _ in modules()} <= set(ORDER)
+    assert {place(name) for name in modules() if name not in TOP} == set(ORDER)
 
 
-@pytest.mark.parametrize(
-    ("place", "path"),
-    list(modules()),
-    ids=lambda value: value.stem if isinstance(value, Path) else value,
-)
-def test_imports_come_from_the_left(place: str, path: Path) -> None:
-    for target, now in imports(ast.parse(path.read_text("utf-8"))):
-        if target == "_core":
-            assert place in CORE_USERS, f"{path} imports the compiled core"
-        elif target in ORDER and ((place, target) not in LATER or now):
-            assert ORDER.index(target) <= ORDER.index(place), f"{path} imports arcless.{target}"
+@pytest.mark.parametrize("name", [name for name in modules() if name not in TOP])
+def test_imports_come_from_the_left(name: str) -> None:
+    for target in imported(name):
+        assert target not in TOP, f"{name} imports names of the top package"
+        if target == CORE:
+            assert place(name) in CORE_USERS, f"{name} imports the compiled core"
+        else:
+            left = ORDER[: ORDER.index(place(name)) + 1]
+            assert place(target) in left, f"{name} imports {target}"
+
+
+def test_no_folder_is_a_drawer() -> None:
+    count: dict[Path, int] = {}
+    for path in modules().values():
+        count[path.parent] = count.get(path.parent, 0) + 1
+    crowded = {path.relative_to(PACKAGE): n for path, n in count.items() if n > MOST_MODULES}
+    assert not crowded
 
 
 def test_public_names_exist() -> None:
     for name in arcless.__all__:
         assert getattr(arcless, name) is not None, name
+
+
+def test_public_names_have_types() -> None:
+    tree = ast.parse((PACKAGE / "__init__.pyi").read_text("utf-8"))
+    lists = [ast.literal_eval(n.value) for n in tree.body if isinstance(n, ast.Assign)]
+    assert lists == [arcless.__all__]
 
 
 def test_unknown_name_is_an_attribute_error() -> None:

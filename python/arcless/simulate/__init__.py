@@ -1,4 +1,4 @@
-"""The arrow: scenario → mesh → equilibrium → record → dataset. Only this package knows all."""
+"""From a scenario to its result: runs, statics, resonance, batches, sessions in real time."""
 
 import importlib
 from typing import TYPE_CHECKING, Any

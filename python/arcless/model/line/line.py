@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from pydantic import model_validator
+from pydantic import ConfigDict, model_validator
 
 from arcless.model.line.height_rules import check_heights
 from arcless.model.line.line_data import LineData
@@ -31,6 +31,8 @@ RULES = (
 
 class Line(LineData):
     """An overhead line: spans, and the wires over them in one or several tension lengths."""
+
+    model_config = ConfigDict(defer_build=False)
 
     @classmethod
     def prepare(cls, data: dict[str, Any]) -> dict[str, Any]:

@@ -5,7 +5,7 @@ from itertools import accumulate
 from math import sqrt
 from typing import Annotated, Literal
 
-from pydantic import Field
+from pydantic import ConfigDict, Field
 
 from arcless.model.fields.document import Document
 from arcless.model.line.parts.components import (
@@ -36,6 +36,9 @@ WIRES = ("contact_wire", "messenger_wire", "auxiliary_wire", "stitch_wire", "bri
 
 class LineData(Document):
     """An overhead line as its file has it: spans, wires, heights, and what follows from them."""
+
+    # Validated is only what follows from it: a validator of its own costs 10 ms of every start.
+    model_config = ConfigDict(defer_build=True)
 
     format: Literal["arcless-line/1"] = Field(
         default="arcless-line/1", description="Format, version."

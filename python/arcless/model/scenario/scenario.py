@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from functools import cached_property
 from typing import Any
 
-from pydantic import model_validator
+from pydantic import ConfigDict, model_validator
 
 from arcless.model.pantograph.placement import placed
 from arcless.model.scenario.as_built_rules import check_as_built
@@ -19,6 +19,8 @@ from arcless.model.settings.run_settings import Solver
 
 class Scenario(ScenarioData):
     """A scenario: line, pantographs, speed, solver, assessed section and output."""
+
+    model_config = ConfigDict(defer_build=False)
 
     @classmethod
     def prepare(cls, data: dict[str, Any]) -> dict[str, Any]:

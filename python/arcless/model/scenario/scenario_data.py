@@ -2,7 +2,7 @@
 
 from typing import Annotated, Literal
 
-from pydantic import Field, model_validator
+from pydantic import ConfigDict, Field, model_validator
 
 from arcless.errors import ModelError
 from arcless.model.as_built.as_built import AsBuilt
@@ -85,6 +85,9 @@ class Analysis(Part):
 
 class ScenarioData(Document):
     """A scenario as its file has it: line, pantographs, speed, solver, section and output."""
+
+    # Validated is only what follows from it: a validator of its own costs 10 ms of every start.
+    model_config = ConfigDict(defer_build=True)
 
     format: Literal["arcless-scenario/1"] = Field(
         default="arcless-scenario/1", description="Format and version."

@@ -8,17 +8,17 @@ from dataclasses import replace
 from typing import Any
 
 from arcless.assess import Assessment
-from arcless.errors import ArclessError
 from arcless.model import Scenario
 from arcless.results import Result
 from arcless.simulate.batches.fingerprints import shared_key
 from arcless.simulate.batches.groups import Group, Groups, Member
 from arcless.simulate.batches.store import Folder
 from arcless.simulate.batches.watched_runs import Course, StoppedError, Watching
+from arcless.simulate.certainty import found_beside, one_by_one, places
 from arcless.simulate.runs.job import Job, lay_out
 from arcless.simulate.runs.mean_force import make_runs
 from arcless.simulate.runs.member import records_all, running
-from arcless.simulate.runs.outcome import Keep, Outcome
+from arcless.simulate.runs.outcome import Keep, Outcome, told
 from arcless.simulate.setup.controllers import Controllers
 
 # Workers that are told to stop do so after some steps; nobody waits for a line in the making.
@@ -122,8 +122,6 @@ class Crew:
         return make_runs(run, lambda trial: course.run(trial, full=full))
 
     def _beside(self, job: Job, group: Group) -> Callable[[list[float]], dict[str, Any]]:
-        from arcless.simulate.certainty import found_beside, one_by_one, places
-
         places(job.scenario)  # without room for other starts there is no need to run it
         runs = one_by_one(
             job, self._stop.is_set, lambda scenario: group.beside(shared_key(scenario), scenario)
@@ -143,19 +141,6 @@ class Crew:
             return Outcome(index, name, assessment, result, wall_time_s=wall_time_s)
         path = self._folder.write(member.key, done, wall_time_s)
         return Outcome(index, name, assessment, path=path, wall_time_s=wall_time_s)
-
-
-def told(error: Exception) -> ArclessError:
-    """Return the error of a member; what nobody has foreseen must not lose the others either."""
-    if isinstance(error, ArclessError):
-        return error
-    told = ArclessError(
-        "the run failed in a way that nobody has foreseen",
-        got=f"{type(error).__name__}: {error}",
-        hint="run it alone with `arcless.run`, and report what it says",
-    )
-    told.__cause__ = error
-    return told
 
 
 def _quiet(_fraction: float, _text: str) -> None:

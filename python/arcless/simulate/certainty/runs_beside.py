@@ -13,17 +13,12 @@ from arcless.assess.assessment import draw_of
 from arcless.errors import ArclessError
 from arcless.model import Scenario
 from arcless.model.scenario.other_family import other_family, steps_on_chains
-from arcless.simulate.batches.groups import Groups, Member
-from arcless.simulate.batches.workers import Crew, told
 from arcless.simulate.certainty import other_starts
-from arcless.simulate.runs.job import Cancel, Job, Line, Progress, lay_out
+from arcless.simulate.runs.job import Cancel, Job, Line, lay_out
 from arcless.simulate.runs.member import assessed_alone
-from arcless.simulate.runs.outcome import Outcome
+from arcless.simulate.runs.outcome import Outcome, told
 from arcless.simulate.setup.controllers import Controllers
 
-# Between two questions whether to go on, in s.
-LOOK_EVERY_S = 0.1
-OWN, OTHER = "own", "other"
 # Runs scenarios, some on the line of a run, the others on lines of their own.
 Runs = Callable[[Sequence[Scenario]], list[Outcome]]
 LineOf = Callable[[Scenario], Line]
@@ -67,29 +62,6 @@ def found_beside(job: Job, forces: list[float], runs: Runs) -> dict[str, Any]:
         },
         "notes": [*_failures(outcomes), *_failure_of(refined)],
     }
-
-
-def in_parallel(job: Job, tell: Progress, cancel: Cancel | None, workers: int) -> Runs:
-    """Return who runs scenarios side by side, on the line of a run where they share it."""
-
-    def runs(scenarios: Sequence[Scenario]) -> list[Outcome]:
-        own = job.scenario.solver
-        groups = Groups(lambda scenario: OWN if scenario.solver is own else OTHER)
-        for index, scenario in enumerate(scenarios):
-            line = Line(job.found, job.prepared) if scenario.solver is own else None
-            groups.put(Member(index, scenario, ""), line)
-        groups.close()
-        found: dict[int, Outcome] = {}
-        with Crew(groups, "assessment", None, workers, given=job.controllers.given) as crew:
-            while len(found) < len(scenarios):
-                for outcome in crew.outcomes(LOOK_EVERY_S):
-                    found[outcome.index] = outcome
-                    tell(len(found) / len(scenarios), f"{len(found)} of {len(scenarios)} repeats")
-                if cancel is not None and cancel():
-                    raise KeyboardInterrupt
-        return [found[index] for index in range(len(scenarios))]
-
-    return runs
 
 
 @dataclass(frozen=True)

@@ -9,10 +9,10 @@ from arcless.dataset.build import attributes, variables
 from arcless.dataset.plain_dataset import Plain
 from arcless.results import Result
 from arcless.simulate.recording import contacts
-from arcless.simulate.run import attributes_of, whole
 from arcless.simulate.runs.job import Job, keeps_ledger, measured_every
 from arcless.simulate.runs.mean_force import Trial, make_runs, searching
 from arcless.simulate.runs.outcome import Keep
+from arcless.simulate.runs.run_result import attributes_of, whole
 
 # Gives runs to make, and is sent what the core returned.
 Running = Generator[Trial, dict[str, Any] | None, Assessment | Result]

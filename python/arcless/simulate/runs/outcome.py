@@ -63,3 +63,16 @@ class Outcome:
     stopped: Stopped | None = None
     steps: int = 0
     steps_of_run: int = 0
+
+
+def told(error: Exception) -> ArclessError:
+    """Return the error of a member; what nobody has foreseen must not lose the others either."""
+    if isinstance(error, ArclessError):
+        return error
+    told = ArclessError(
+        "the run failed in a way that nobody has foreseen",
+        got=f"{type(error).__name__}: {error}",
+        hint="run it alone with `arcless.run`, and report what it says",
+    )
+    told.__cause__ = error
+    return told

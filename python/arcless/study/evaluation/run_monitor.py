@@ -6,8 +6,7 @@ from math import isinf
 from arcless.simulate import Look
 from arcless.study.definition.expressions import Expression, UndefinedError
 from arcless.study.definition.quantities import values
-from arcless.study.optimisation.constraints import FILTERED, RISING, key_of
-from arcless.study.optimisation.optimise import Constraint
+from arcless.study.optimisation.constraints import FILTERED, RISING, Constraint, key_of
 from arcless.study.optimisation.pruning import Comparison, Watch
 
 # What has faded, times a force of a million newtons.

@@ -2,11 +2,10 @@
 
 import hashlib
 from functools import cache
+from importlib.metadata import version
 from pathlib import Path
 
-import arcless
-
-_PACKAGE = Path(arcless.__file__).parent
+_PACKAGE = Path(__file__).parents[2]
 
 
 @cache
@@ -20,4 +19,4 @@ def code_version() -> str:
         for file in sorted(_PACKAGE.rglob(suffix)):
             digest.update(f"{file.relative_to(_PACKAGE)}\n".encode())
             digest.update(file.read_bytes())
-    return f"{arcless.__version__}+{digest.hexdigest()[:12]}"
+    return f"{version('arcless')}+{digest.hexdigest()[:12]}"

@@ -1,11 +1,9 @@
-"""Hard constraints: on what can only get worse, so that a run that breaks one is over."""
+"""Constraints of outputs; hard ones on what can only get worse: a run that breaks one is over."""
 
-from typing import TYPE_CHECKING
+from pydantic import Field
 
 from arcless.errors import ModelError
-
-if TYPE_CHECKING:
-    from arcless.study.optimisation.optimise import Constraint
+from arcless.model.fields.part import Part
 
 # Numbers of an assessment that can only grow, or only fall, as more of a run is known.
 RISING = (
@@ -18,7 +16,24 @@ FALLING = ("min_force_N", "unfiltered_min_force_N", "min_dropper_force_N", "crit
 FILTERED = ("max_force_N", "min_force_N")
 
 
-def check_hard(bound: "Constraint", expression: str) -> None:
+class Constraint(Part):
+    """A constraint: a bound of an output."""
+
+    output: str = Field(description="Name of the output.")
+    at_most: float | None = Field(default=None, description="Highest value that is allowed.")
+    at_least: float | None = Field(default=None, description="Lowest value that is allowed.")
+    hard: bool = Field(
+        default=False, description="Whether a run is stopped at once that has broken it for good."
+    )
+
+    def excess(self, value: float) -> float:
+        """Return by how much a value is outside; 0 or less where it is allowed."""
+        above = -float("inf") if self.at_most is None else value - self.at_most
+        below = -float("inf") if self.at_least is None else self.at_least - value
+        return max(above, below)
+
+
+def check_hard(bound: Constraint, expression: str) -> None:
     """Refuse a hard constraint that a run could break and yet keep in the end.
 
     Raises

@@ -12,15 +12,13 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from math import inf
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import Annotated, Literal
 
 from pydantic import Field
 
 from arcless.model.fields.part import Part
 from arcless.study.journal.row import Row
-
-if TYPE_CHECKING:
-    from arcless.study.optimisation.optimise import Constraint
+from arcless.study.optimisation.constraints import Constraint
 
 LOOKS = 10
 
@@ -79,7 +77,7 @@ class Comparison:
 
     output: str
     sign: float
-    constraint: "Constraint | None"
+    constraint: Constraint | None
     best_so_far: bool
     bars: tuple[Bar, ...] = ()
 
@@ -107,13 +105,13 @@ class Watch:
     looks: int
     seen: tuple[str, ...]
     comparisons: tuple[Comparison, ...]
-    hard: "tuple[Constraint, ...]"
+    hard: tuple[Constraint, ...]
 
 
 def comparisons(
     rule: "OutOfReach | Percentile",
     objective: tuple[str, float],
-    constraints: "Sequence[Constraint]",
+    constraints: Sequence[Constraint],
     rows: Sequence[Row],
     feasible: Callable[[Row], bool],
 ) -> tuple[Comparison, ...]:

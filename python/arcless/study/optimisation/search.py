@@ -16,12 +16,11 @@ from arcless.errors import StudyError
 from arcless.study.designs import Plan
 from arcless.study.journal.row import Row
 from arcless.study.optimisation.pruning import Watch
+from arcless.study.optimisation.search_settings import SearchSettings
 from arcless.study.variables.variables import Axis
 
 if TYPE_CHECKING:
     import optuna
-
-    from arcless.study.optimisation.optimise import Optimise
 
 # Nearest to 0 and 1 that a quantile may lie, as in samples.
 EDGE = 2.0**-53
@@ -34,13 +33,13 @@ DIRECTIONS: dict[str, Literal["minimize", "maximize"]] = {
 class Search(Plan):
     """A plan whose values are known as far as the search has come."""
 
-    design: "Optimise"
+    design: SearchSettings
     axes: tuple[Axis, ...]
     seed: int
     known: dict[int, tuple[Any, ...]] = field(default_factory=dict)
 
     @classmethod
-    def of(cls, design: "Optimise", axes: tuple[Axis, ...], seed: int) -> "Search":
+    def of(cls, design: SearchSettings, axes: tuple[Axis, ...], seed: int) -> "Search":
         """Return a search that has not begun."""
         known: dict[int, tuple[Any, ...]] = {}
 
@@ -99,7 +98,7 @@ class Search(Plan):
 
 
 def frozen(
-    design: "Optimise",
+    design: SearchSettings,
     row: Row,
     params: Mapping[str, Any],
     distributions: Mapping[str, "optuna.distributions.BaseDistribution"],

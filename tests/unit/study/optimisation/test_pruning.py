@@ -13,7 +13,7 @@ from arcless.study.evaluation.evaluate import Task, evaluate
 from arcless.study.evaluation.run_monitor import Watcher
 from arcless.study.evaluation.variants import scenario, variants
 from arcless.study.journal.row import Row
-from arcless.study.optimisation.optimise import Constraint
+from arcless.study.optimisation.constraints import Constraint
 from arcless.study.optimisation.pruning import OutOfReach, Percentile, Saving, Watch, comparisons
 from arcless.study.report import html
 from tests.support.studies import QUICK, rows, study

@@ -1,0 +1,66 @@
+"""Types of the public names, each of which `__init__.py` imports at its first use."""
+
+from arcless import assess, errors, lcp, model, report, results, simulate, study, validate
+from arcless.errors import (
+    ArclessError,
+    ContactError,
+    ControlError,
+    EquilibriumError,
+    ExecutorError,
+    MeshError,
+    ModelError,
+    OutputError,
+    ResultFormatError,
+    StudyError,
+)
+from arcless.model import Scenario, library, load, load_line, load_pantograph
+from arcless.results import Result, open
+from arcless.simulate.batches.batch import Outcome, batch
+from arcless.simulate.resonance import ResonanceSpeeds, resonance_speeds
+from arcless.simulate.run import resume, run
+from arcless.simulate.session.realtime import Realtime, RealtimeState, realtime
+from arcless.simulate.setup.controllers import ControlInput
+from arcless.simulate.statics import statics
+
+__all__ = [
+    "ArclessError",
+    "ContactError",
+    "ControlError",
+    "ControlInput",
+    "EquilibriumError",
+    "ExecutorError",
+    "MeshError",
+    "ModelError",
+    "Outcome",
+    "OutputError",
+    "Realtime",
+    "RealtimeState",
+    "ResonanceSpeeds",
+    "Result",
+    "ResultFormatError",
+    "Scenario",
+    "StudyError",
+    "__version__",
+    "assess",
+    "batch",
+    "errors",
+    "lcp",
+    "library",
+    "load",
+    "load_line",
+    "load_pantograph",
+    "model",
+    "open",
+    "realtime",
+    "report",
+    "resonance_speeds",
+    "results",
+    "resume",
+    "run",
+    "simulate",
+    "statics",
+    "study",
+    "validate",
+]
+
+__version__: str
