@@ -92,13 +92,13 @@ CONTACTS = [
              "1.0 / (A * B)", "1.0 / A", (CONTACT,)),
     Mutation("gap with the whole increment of the head", "measure_gaps",
              "A * inner(B, &C.delta)", "inner(B, &C.delta)", (CONTACT,)),
-    Mutation("slope of the wire turned round where displacements are read", "Place::displacement",
+    Mutation("slope of the wire turned round where displacements are read", "SlidelinePoint::displacement",
              "+ A * B[DIM + C] + D", "- A * B[DIM + C] + D", (LEDGER,)),
 ]  # fmt: skip
 
 RIDERS = [
     Mutation("damping of the pantograph dropped from the old velocity",
-             "RiderState::free_increment",
+             "PantographState::free_increment",
              "+ A.damping[B] * C", "+ 0.0 * A.damping[B] * C", (RESPONSE, LEDGER)),
 ]  # fmt: skip
 
@@ -115,7 +115,7 @@ IN_TIME = [
     Mutation("contact where it is at the end of the step", "Histories::at",
              "between(A), B[step + 1]", "B[step + 1], B[step + 1]",
              ("orders/test_time_step_of_a_run.py::test_order",)),
-    Mutation("given forces of pantographs at the end of the step", "Given::read",
+    Mutation("given forces of pantographs at the end of the step", "Excitation::read",
              "(1.0 - A) * B[step + 1] + A * B[step]", "B[step + 1] + 0.0 * A",
              (TIME_STEP, RESPONSE)),
     Mutation("loads of the line at the end of the step", "Histories::at",
@@ -124,7 +124,7 @@ IN_TIME = [
              "A + B * C - D", "A + 0.0 * B * C + C - D", (TIME_STEP, RESPONSE)),
     Mutation("compliance of the contact without the weight of the balance", "assemble",
              "1.0 / (A * B)", "1.0 / A", (IMPACT, RESPONSE)),
-    Mutation("rate of the moving roof dropped", "Given::read",
+    Mutation("rate of the moving roof dropped", "Excitation::read",
              "between(&A.rate)", "0.0 * between(&A.rate)", (RESPONSE,)),
     Mutation("forces of the present position 1 % low with updated kinematics",
              "Implicit::predict",
@@ -159,7 +159,7 @@ CONSERVED = [
 YIELDING = [
     Mutation("bends of fitted chains with EI of the wire", "bending",
              "A * B / B.tanh()", "A", (CHAINS, MESH)),
-    Mutation("chains yield between points as their curves do", "Rounded::own",
+    Mutation("chains yield between points as their curves do", "SmoothedSegment::own",
              "(A - B) / C", "0.0 * (A - B) / C", (CHAINS,)),
     Mutation("kinks between points sharp, as those of a string", "Corner::at",
              "0.5 * (A + B * C)", "0.5 * A", (CHAINS,)),

@@ -7,11 +7,11 @@
 #[path = "../tests/common/mod.rs"]
 mod common;
 
-use arcless_core::integrator::prepared::Prepared;
+use arcless_core::integrator::prepared::WireModel;
 use arcless_core::lcp::LcpSolver;
 use arcless_core::linalg::BlockLdl;
 use arcless_core::scheme::Scheme;
-use arcless_core::session::{Begin, Collector, Live};
+use arcless_core::session::{Begin, Collector, Session};
 use arcless_core::structure::Structure;
 use common::chain::lumped;
 use common::space::staggered;
@@ -56,11 +56,11 @@ fn scheme() -> Scheme {
     Scheme::generalised_alpha(0.9)
 }
 
-fn planar() -> Arc<Prepared<2, 4>> {
+fn planar() -> Arc<WireModel<2, 4>> {
     Arc::new(common::prepared(SPANS, scheme(), H, 50e3))
 }
 
-fn spatial() -> Arc<Prepared<3, 6>> {
+fn spatial() -> Arc<WireModel<3, 6>> {
     let (structure, path) = common::simple_line(SPANS);
     let line = (staggered(&structure, SPANS, 0.2), path);
     Arc::new(common::prepare_any(line, |_| (), scheme(), H, 50e3))
@@ -75,7 +75,7 @@ fn chain(is_spatial: bool) -> (Structure, Vec<Vec<usize>>) {
     (lumped(&structure), vec![path])
 }
 
-fn explicit<const DIM: usize, const D: usize>() -> Arc<Prepared<DIM, D>> {
+fn explicit<const DIM: usize, const D: usize>() -> Arc<WireModel<DIM, D>> {
     let steps = common::chain::explicit(&chain(DIM == 3), H, 50e3);
     Arc::new(steps.expect("short steps"))
 }
@@ -88,20 +88,20 @@ fn begin() -> Begin {
     }
 }
 
-fn riders<const DIM: usize, const D: usize>(p: &Arc<Prepared<DIM, D>>) -> Live<DIM, D> {
+fn riders<const DIM: usize, const D: usize>(p: &Arc<WireModel<DIM, D>>) -> Session<DIM, D> {
     let rider = common::three_masses(170.0);
-    Live::with_riders(p.clone(), vec![rider], vec![0.0], begin()).expect("it stands")
+    Session::with_riders(p.clone(), vec![rider], vec![0.0], begin()).expect("it stands")
 }
 
-fn forces<const DIM: usize, const D: usize>(p: &Arc<Prepared<DIM, D>>) -> Live<DIM, D> {
+fn forces<const DIM: usize, const D: usize>(p: &Arc<WireModel<DIM, D>>) -> Session<DIM, D> {
     let collector = Collector {
         behind: 0.0,
         half_width: f64::INFINITY,
     };
-    Live::with_forces(p.clone(), vec![collector], &[170.0], begin()).expect("it stands")
+    Session::with_forces(p.clone(), vec![collector], &[170.0], begin()).expect("it stands")
 }
 
-fn steps<const DIM: usize, const D: usize>(mut live: Live<DIM, D>) -> [usize; 2] {
+fn steps<const DIM: usize, const D: usize>(mut live: Session<DIM, D>) -> [usize; 2] {
     // A rider without actuator takes no force; a force that is given swings about its mean.
     let size = if live.reading().contacts.is_empty() {
         1.0
@@ -118,7 +118,7 @@ fn steps<const DIM: usize, const D: usize>(mut live: Live<DIM, D>) -> [usize; 2]
     [STEPS, D * live.nodes()]
 }
 
-fn solutions<const DIM: usize, const D: usize>(p: &Prepared<DIM, D>) -> [usize; 2] {
+fn solutions<const DIM: usize, const D: usize>(p: &WireModel<DIM, D>) -> [usize; 2] {
     let c = &p.coefficients;
     let factor = BlockLdl::new(&p.line.combine(c.mass, c.damping, c.stiffness)).expect("regular");
     let mut x = vec![[1.0; D]; p.line.nodes()];

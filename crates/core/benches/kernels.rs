@@ -4,8 +4,8 @@
 #[path = "../tests/common/mod.rs"]
 mod common;
 
-use arcless_core::constraint::columns::Columns;
-use arcless_core::integrator::prepared::Prepared;
+use arcless_core::constraint::columns::ComplianceColumns;
+use arcless_core::integrator::prepared::WireModel;
 use arcless_core::lcp::LcpSolver;
 use arcless_core::linalg::BlockLdl;
 use arcless_core::scheme::Scheme;
@@ -23,18 +23,18 @@ fn scheme() -> Scheme {
     Scheme::generalised_alpha(0.9)
 }
 
-fn planar_line() -> Prepared<2, 4> {
+fn planar_line() -> WireModel<2, 4> {
     prepare_any(simple_line(SPANS), |_| (), scheme(), STEP, 50e3)
 }
 
 /// With the elements of the shipped line in space, half as long.
-fn spatial_line() -> Prepared<3, 6> {
+fn spatial_line() -> WireModel<3, 6> {
     let (structure, path) = simple_line_of(SPANS, [0.72, 1.45]);
     let staggered = space::staggered(&structure, SPANS, 0.2);
     prepare_any((staggered, path), |_| (), scheme(), STEP, 50e3)
 }
 
-fn factor<const DIM: usize, const D: usize>(p: &Prepared<DIM, D>) -> BlockLdl<D> {
+fn factor<const DIM: usize, const D: usize>(p: &WireModel<DIM, D>) -> BlockLdl<D> {
     let c = &p.coefficients;
     BlockLdl::new(&p.line.combine(c.mass, c.damping, c.stiffness)).expect("regular")
 }
@@ -45,13 +45,13 @@ fn vector<const D: usize>(n: usize) -> Vec<[f64; D]> {
         .collect()
 }
 
-fn factorises<const DIM: usize, const D: usize>(bencher: Bencher, p: &Prepared<DIM, D>) {
+fn factorises<const DIM: usize, const D: usize>(bencher: Bencher, p: &WireModel<DIM, D>) {
     let c = &p.coefficients;
     let a = p.line.combine(c.mass, c.damping, c.stiffness);
     bencher.bench(|| BlockLdl::new(black_box(&a)));
 }
 
-fn solves<const DIM: usize, const D: usize>(bencher: Bencher, p: &Prepared<DIM, D>) {
+fn solves<const DIM: usize, const D: usize>(bencher: Bencher, p: &WireModel<DIM, D>) {
     let (factor, b) = (factor(p), vector(p.line.nodes()));
     let (mut x, mut work) = (b.clone(), b.clone());
     bencher.bench_local(|| {
@@ -61,26 +61,26 @@ fn solves<const DIM: usize, const D: usize>(bencher: Bencher, p: &Prepared<DIM, 
 }
 
 /// Solve for a unit force on the wire in the middle of the line and keep what is not negligible.
-fn finds_column<const DIM: usize, const D: usize>(bencher: Bencher, p: &Prepared<DIM, D>) {
+fn finds_column<const DIM: usize, const D: usize>(bencher: Bencher, p: &WireModel<DIM, D>) {
     let factor = factor(p);
     let node = p.lanes[0].nodes[p.lanes[0].nodes.len() / 2];
     let mut force = [0.0; D];
     force[DIM - 1] = 1.0;
     let [mut x, mut work] = [0, 1].map(|_| vec![[0.0; D]; p.line.nodes()]);
     bencher.bench_local(|| {
-        let mut columns = Columns::new(1);
+        let mut columns = ComplianceColumns::new(1);
         columns.set(0, &factor, &[(node, force)], [&mut x, &mut work]);
         columns
     });
 }
 
-fn multiplies_mass<const DIM: usize, const D: usize>(bencher: Bencher, p: &Prepared<DIM, D>) {
+fn multiplies_mass<const DIM: usize, const D: usize>(bencher: Bencher, p: &WireModel<DIM, D>) {
     let x = vector(p.line.nodes());
     let mut y = x.clone();
     bencher.bench_local(|| p.line.mass.product(black_box(&x), &mut y));
 }
 
-fn advances<const DIM: usize, const D: usize>(bencher: Bencher, p: &Prepared<DIM, D>) {
+fn advances<const DIM: usize, const D: usize>(bencher: Bencher, p: &WireModel<DIM, D>) {
     let mut state = p.at_rest(vector(p.line.nodes()));
     bencher.bench_local(|| p.commit(black_box(&mut state)));
 }

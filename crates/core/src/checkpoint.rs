@@ -25,7 +25,7 @@ pub(crate) fn refuse(name: &str, reason: &str) -> CoreError {
 
 /// Goes through everything that changes during a run. One walk takes a state down and puts it
 /// back, so that neither can forget what the other knows.
-pub(crate) struct Walk<'a> {
+pub(crate) struct Archive<'a> {
     /// What is put back; `None` while a state is taken down.
     saved: Option<&'a BTreeMap<String, Vec<f64>>>,
     taken: BTreeMap<String, Vec<f64>>,
@@ -35,7 +35,7 @@ pub(crate) struct Walk<'a> {
 /// Whole numbers up to this one are exact.
 const MOST: f64 = 9_007_199_254_740_992.0;
 
-impl<'a> Walk<'a> {
+impl<'a> Archive<'a> {
     pub(crate) fn taking_down() -> Self {
         Self {
             saved: None,

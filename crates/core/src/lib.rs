@@ -3,7 +3,7 @@
 //! The arrow of the core:
 //!
 //! ```text
-//! Structure ─→ Geometry ─→ shape (static equilibrium) ─→ Line (linearised) ─→ Prepared ─step─→ Record
+//! Structure ─→ Geometry ─→ shape (static equilibrium) ─→ LinearModel ─→ WireModel ─→ Model ─step─→ Record
 //! ```
 //!
 //! * [`structure`] — wires, links, springs and masses as plain data;

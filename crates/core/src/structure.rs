@@ -224,7 +224,7 @@ pub struct Structure {
     /// [`Geometry::bending`](crate::statics::Geometry::bending).
     pub fitted_bends: bool,
     /// Whether the line moves across the track only, with the tensions of its rest: see
-    /// [`Line`](crate::dynamics::Line). The statics do not ask for it.
+    /// [`LinearModel`](crate::linear::model::LinearModel). The statics do not ask for it.
     pub across_only: bool,
     /// Residual flexibility, contained in links, struts and springs; `None` when it is left out.
     pub residual: Option<ResidualFlexibility>,

@@ -3,13 +3,13 @@
 use crate::common;
 
 use arcless_core::CoreError;
-use arcless_core::integrator::prepared::Prepared;
-use arcless_core::linear::model::Line;
-use arcless_core::linear::static_response::Still;
+use arcless_core::integrator::prepared::WireModel;
+use arcless_core::linear::model::LinearModel;
+use arcless_core::linear::static_response::StaticSolver;
 use arcless_core::pantograph::actuator::Actuator;
-use arcless_core::pantograph::excitation::History;
+use arcless_core::pantograph::excitation::ForceHistory;
 use arcless_core::scheme::Scheme;
-use arcless_core::slideline::Path;
+use arcless_core::slideline::Slideline;
 use arcless_core::statics::Geometry;
 use arcless_core::structure::{Spring, SpringMode, Strut};
 use common::lanes::{At, STRING, lined, strings};
@@ -59,7 +59,7 @@ fn a_delay_without_end_is_refused() {
 fn wires_that_yield_as_one_have_no_elasticity() {
     let pair = [At::level(0.0, 0.0), At::level(0.0, 1.0)];
     let p = lined(strings(&STRING, &pair), scheme(), 5e4);
-    let mut still = Still::new(&p.line).expect("a firm line");
+    let mut still = StaticSolver::new(&p.line).expect("a firm line");
     for force in [0.0, 100.0] {
         // At the fixed ends none of the two yields at all.
         assert!(is_refused(
@@ -158,7 +158,7 @@ fn a_run_that_ends_beyond_all_numbers_is_an_error() {
         let mut values = vec![pull; steps];
         values[0] = 0.0;
         let mut rider = free_mass(5.0, 100.0);
-        rider.given.forces.push(History {
+        rider.given.forces.push(ForceHistory {
             direction: vec![1.0],
             values,
         });
@@ -183,9 +183,9 @@ fn steps_that_no_line_takes_are_refused() {
     let geometry = Geometry::<2, 4>::new(s).expect("sound");
     let shape = geometry.settle(&geometry.initial_shape()).expect("firm");
     let prepare = |h: f64| {
-        let paths = Path::lanes(&geometry, &shape, std::slice::from_ref(&lanes))?;
-        let line = Line::new(&geometry, shape.clone());
-        Prepared::new(line, paths, scheme(), h, 5e4)
+        let paths = Slideline::lanes(&geometry, &shape, std::slice::from_ref(&lanes))?;
+        let line = LinearModel::new(&geometry, shape.clone());
+        WireModel::new(line, paths, scheme(), h, 5e4)
     };
     assert!(prepare(1e-3).is_ok());
     for h in [0.0, -1e-3, 1e-200, 1e100, 1e308, f64::INFINITY, f64::NAN] {
@@ -199,7 +199,7 @@ fn frequencies_are_bounded_and_can_be_given_up() {
     let (s, _) = STRING.structure(2);
     let geometry = Geometry::<2, 4>::new(s).expect("sound");
     let shape = geometry.settle(&geometry.initial_shape()).expect("firm");
-    let line = Line::new(&geometry, shape);
+    let line = LinearModel::new(&geometry, shape);
     let all = line.frequencies(1000).expect("a firm line");
     assert!(all.len() <= line.free.iter().flatten().filter(|f| **f).count());
     assert!(all.iter().all(|f| f.is_finite()));

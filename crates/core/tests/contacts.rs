@@ -3,10 +3,10 @@
 use crate::common;
 
 use arcless_core::CoreError;
-use arcless_core::integrator::prepared::Prepared;
-use arcless_core::linear::static_response::Still;
+use arcless_core::integrator::prepared::WireModel;
+use arcless_core::linear::static_response::StaticSolver;
 use arcless_core::pantograph::strip::Strip;
-use arcless_core::pantograph::system::Rider;
+use arcless_core::pantograph::system::Pantograph;
 use arcless_core::scheme::Scheme;
 use arcless_core::simulation::recording::record::Record;
 use common::lanes::{At, STRING, lined, strings};
@@ -25,8 +25,8 @@ fn column(values: &[f64], first: usize, count: usize) -> Vec<f64> {
 
 /// Rigid head that rises by z and tilts by φ about the track, on a spring against the tilt; its strip
 /// is straight, z + y φ.
-fn tilting(force: f64, half_width: f64, tilt_stiffness: f64) -> Rider {
-    Rider {
+fn tilting(force: f64, half_width: f64, tilt_stiffness: f64) -> Pantograph {
+    Pantograph {
         mass: vec![8.0, 0.0, 0.0, 1.0],
         damping: vec![0.0, 0.0, 0.0, 5.0],
         stiffness: vec![0.0, 0.0, 0.0, tilt_stiffness],
@@ -56,7 +56,7 @@ fn two_equal_wires_are_one_of_twice_everything() {
     let one = lined(strings(&double, &[level]), scheme(), CONTACT);
     let two = lined(strings(&STRING, &[level, level]), scheme(), 0.5 * CONTACT);
     let way = travel(10.0, 50.0, 60.0, 1e-3);
-    let ride = |p: &Prepared<3, 6>| run(p, &[three_masses(150.0)], &way, &everything());
+    let ride = |p: &WireModel<3, 6>| run(p, &[three_masses(150.0)], &way, &everything());
     let (one, two) = (ride(&one), ride(&two));
     assert_eq!(two.contacts, [[0, 0, 0], [0, 0, 1]]);
     let each = [0, 1].map(|first| column(&two.force, first, 2));
@@ -75,7 +75,7 @@ fn two_equal_wires_are_one_of_twice_everything() {
 }
 
 /// One wire rises from 0 m to 60 m, another comes down through it from 30 m to 90 m.
-fn overlap() -> Prepared<3, 6> {
+fn overlap() -> WireModel<3, 6> {
     let falls = At {
         up: [0.0, 0.10],
         ..At::level(0.0, 0.0)
@@ -87,7 +87,7 @@ fn overlap() -> Prepared<3, 6> {
     lined(strings(&STRING, &[falls, comes]), scheme(), CONTACT)
 }
 
-fn slow_run(p: &Prepared<3, 6>, riders: &[Rider], to: f64) -> Record {
+fn slow_run(p: &WireModel<3, 6>, riders: &[Pantograph], to: f64) -> Record {
     let way = travel(20.0, to, 5.0, 1e-3);
     run(p, riders, &way, &everything())
 }
@@ -190,7 +190,7 @@ fn a_tilting_head_shares_its_force_by_leverage() {
     way.positions.fill(24.0);
     way.speeds.fill(0.0);
     let r = run(&p, &[tilting(force, 1.0, k)], &way, &everything());
-    let mut still = Still::new(&p.line).expect("a firm line");
+    let mut still = StaticSolver::new(&p.line).expect("a firm line");
     let w = still
         .elasticity(&p.lanes[..1], &[24.0], 0.0)
         .expect("on the wire")[0];
@@ -256,7 +256,7 @@ fn a_wire_out_of_reach_is_named() {
     };
     let p = lined(strings(&STRING, &[crossing]), scheme(), CONTACT);
     let way = travel(30.0, 58.0, 10.0, 1e-3);
-    let go = |rider: Rider| p.run(&[rider], &way, &everything(), &mut |_| true);
+    let go = |rider: Pantograph| p.run(&[rider], &way, &everything(), &mut |_| true);
     match go(tilting(100.0, 0.2, 800.0)) {
         Err(CoreError::OutOfReach {
             rider: 0,

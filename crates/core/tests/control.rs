@@ -4,14 +4,14 @@ use crate::common;
 
 use arcless_core::CoreError;
 use arcless_core::pantograph::actuator::{Actuator, Sample};
-use arcless_core::pantograph::excitation::History;
-use arcless_core::pantograph::system::Rider;
+use arcless_core::pantograph::excitation::ForceHistory;
+use arcless_core::pantograph::system::Pantograph;
 use arcless_core::scheme::Scheme;
 use arcless_core::simulation::recording::record::Record;
 use common::{difference, everything, three_masses, travel};
 
 fn controlled(
-    rider: Rider,
+    rider: Pantograph,
     scheme: Scheme,
     ask: &mut dyn FnMut(usize, &Sample) -> Result<f64, String>,
 ) -> Result<Record, CoreError> {
@@ -20,7 +20,7 @@ fn controlled(
     p.run_controlled(&[rider], &way, &everything(), &mut |_| true, ask)
 }
 
-fn with_actuator(every: usize, delay: usize) -> Rider {
+fn with_actuator(every: usize, delay: usize) -> Pantograph {
     let mut rider = three_masses(90.0);
     let direction = vec![1.0, 0.0, 0.0];
     rider.actuator = Some(Actuator {
@@ -71,7 +71,7 @@ fn an_answered_force_is_a_given_force() {
     let count = travel(70.0, 120.0, 70.0, 1e-3).positions.len();
     // Newmark's balance is at the end of the step, where the answer of its start is held.
     let values = (0..count).map(|i| force(i.saturating_sub(1) as f64 * 1e-3));
-    rider.given.forces.push(History {
+    rider.given.forces.push(ForceHistory {
         direction: vec![1.0, 0.0, 0.0],
         values: values.collect(),
     });

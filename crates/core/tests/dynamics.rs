@@ -3,8 +3,8 @@
 use crate::common;
 
 use arcless_core::linalg::dense::tridiagonal_eigenvalues;
-use arcless_core::linear::model::Line;
-use arcless_core::slideline::Path;
+use arcless_core::linear::model::LinearModel;
+use arcless_core::slideline::Slideline;
 use arcless_core::statics::Geometry;
 use common::Single;
 use common::space::in_space;
@@ -24,7 +24,7 @@ const WIRE: Single = Single {
 fn frequencies(s: &Single, count: usize) -> Vec<f64> {
     let mut g = Geometry::<2, 4>::new(s.structure(2).0).expect("a valid structure");
     let shape = g.design().expect("the design converges");
-    let line = Line::new(&g, shape);
+    let line = LinearModel::new(&g, shape);
     line.frequencies(count).expect("regular")
 }
 
@@ -99,7 +99,9 @@ fn equal_frequencies_are_all_found() {
     for count in [1, 2, 3, 8] {
         let mut g = Geometry::<3, 6>::new(in_space(&s.structure(2).0)).expect("a valid structure");
         let shape = g.design().expect("the design converges");
-        let found = Line::new(&g, shape).frequencies(count).expect("regular");
+        let found = LinearModel::new(&g, shape)
+            .frequencies(count)
+            .expect("regular");
         let plane = frequencies(&s, 4);
         assert_eq!(found.len(), count);
         for (k, f) in found.iter().enumerate() {
@@ -148,8 +150,8 @@ fn modes_that_a_force_moves() {
     let (structure, path) = s.structure(2);
     let mut g = Geometry::<2, 4>::new(structure).expect("a valid structure");
     let shape = g.design().expect("the design converges");
-    let lanes = Path::lanes(&g, &shape, &[path]).expect("a path");
-    let line = Line::new(&g, shape);
+    let lanes = Slideline::lanes(&g, &shape, &[path]).expect("a path");
+    let line = LinearModel::new(&g, shape);
     let middle = lanes[0].locate(0.5 * s.length, 0).expect("on the wire");
     let found = line.modes_moved(&[middle], 20).expect("regular");
     let mut rule = gauss_rule(&found.diagonal, &found.off);
@@ -176,9 +178,9 @@ fn a_force_on_a_fixed_node_moves_no_mode() {
     let (structure, path) = WIRE.structure(2);
     let mut g = Geometry::<2, 4>::new(structure).expect("a valid structure");
     let shape = g.design().expect("the design converges");
-    let lanes = Path::lanes(&g, &shape, &[path]).expect("a path");
+    let lanes = Slideline::lanes(&g, &shape, &[path]).expect("a path");
     let end = lanes[0].locate(0.0, 0).expect("on the wire");
-    let line = Line::new(&g, shape);
+    let line = LinearModel::new(&g, shape);
     let found = line.modes_moved(&[end], 30).expect("regular");
     assert!(found.squared_length.abs() < f64::MIN_POSITIVE);
     assert!(found.diagonal.is_empty() && found.off.is_empty());

@@ -3,13 +3,13 @@
 
 use crate::common;
 
-use arcless_core::constraint::columns::Columns;
-use arcless_core::integrator::prepared::Prepared;
+use arcless_core::constraint::columns::ComplianceColumns;
+use arcless_core::integrator::prepared::WireModel;
 use arcless_core::linalg::{BlockLdl, SymmetricBlocks, dense};
-use arcless_core::linear::model::Line;
+use arcless_core::linear::model::LinearModel;
 use arcless_core::scheme::Scheme;
 use arcless_core::simulation::recording::record::{Record, RecordPlan};
-use arcless_core::slideline::Path;
+use arcless_core::slideline::Slideline;
 use arcless_core::statics::Geometry;
 use arcless_core::structure::Structure;
 use common::space::in_space;
@@ -25,7 +25,7 @@ fn scheme() -> Scheme {
     Scheme::generalised_alpha(0.9)
 }
 
-fn short_run(p: &Prepared<2, 4>, from: f64, plan: &RecordPlan) -> Record {
+fn short_run(p: &WireModel<2, 4>, from: f64, plan: &RecordPlan) -> Record {
     run(
         p,
         &[three_masses(170.0)],
@@ -213,9 +213,9 @@ fn planar_line_is_the_spatial_one_without_stagger() {
         .design()
         .and_then(|shape| g.settle(&shape))
         .expect("an equilibrium");
-    let places = Path::lanes(&g, &shape, std::slice::from_ref(&path)).expect("a path");
-    let spatial =
-        Prepared::new(Line::new(&g, shape), places, scheme(), STEP, CONTACT).expect("regular");
+    let places = Slideline::lanes(&g, &shape, std::slice::from_ref(&path)).expect("a path");
+    let spatial = WireModel::new(LinearModel::new(&g, shape), places, scheme(), STEP, CONTACT)
+        .expect("regular");
     let planar = common::prepare((s, path), |_| (), scheme(), STEP, CONTACT);
     let flat = short_run(&planar, 65.0, &everything());
     let way = travel(65.0, 155.0, SPEED, STEP);
@@ -297,7 +297,7 @@ fn column_windows_are_the_full_solve() {
     let p = common::prepare(s.structure(2), |_| (), scheme(), STEP, CONTACT);
     let c = &p.coefficients;
     let factor = BlockLdl::new(&p.line.combine(c.mass, c.damping, c.stiffness)).expect("regular");
-    let (mut columns, number) = (Columns::new(3), 1);
+    let (mut columns, number) = (ComplianceColumns::new(3), 1);
     let mut unit = vec![[0.0; 4]; p.line.nodes()];
     unit[75][1] = 1.0;
     let load = [(75, unit[75])];

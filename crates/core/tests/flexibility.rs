@@ -2,12 +2,12 @@
 
 use crate::common;
 
-use arcless_core::integrator::prepared::Prepared;
-use arcless_core::linear::static_response::Still;
+use arcless_core::integrator::prepared::WireModel;
+use arcless_core::linear::static_response::StaticSolver;
 use arcless_core::pantograph::strip::Strip;
-use arcless_core::pantograph::system::Rider;
+use arcless_core::pantograph::system::Pantograph;
 use arcless_core::scheme::Scheme;
-use arcless_core::session::{Begin, Collector, Live};
+use arcless_core::session::{Begin, Collector, Session};
 use arcless_core::statics::{Alteration, Geometry, Shape};
 use arcless_core::structure::Structure;
 use common::{
@@ -35,7 +35,7 @@ const WIRE: Single = Single {
 };
 
 /// With residual flexibility or without.
-fn prepared(line: (Structure, Vec<usize>), yields: bool) -> Prepared<2, 4> {
+fn prepared(line: (Structure, Vec<usize>), yields: bool) -> WireModel<2, 4> {
     if yields {
         common::yielding(line, |_| (), scheme(), H, CONTACT)
     } else {
@@ -43,8 +43,8 @@ fn prepared(line: (Structure, Vec<usize>), yields: bool) -> Prepared<2, 4> {
     }
 }
 
-fn elasticity(p: &Prepared<2, 4>, x: &[f64]) -> Vec<f64> {
-    let mut still = Still::new(&p.line).expect("a firm line");
+fn elasticity(p: &WireModel<2, 4>, x: &[f64]) -> Vec<f64> {
+    let mut still = StaticSolver::new(&p.line).expect("a firm line");
     still.elasticity(&p.lanes, x, 0.0).expect("on the wire")
 }
 
@@ -109,7 +109,7 @@ fn strips_feel_one_another() {
             behind,
             half_width: f64::INFINITY,
         });
-        let live = Live::with_forces(p, pair.into(), &[80.0, 80.0], begin(position));
+        let live = Session::with_forces(p, pair.into(), &[80.0, 80.0], begin(position));
         live.expect("it stands").reading().height.clone()
     };
     // On one element, on two, and with a node between them.
@@ -127,12 +127,12 @@ fn strips_feel_one_another() {
 }
 
 /// A head with two strips 0.6 m apart.
-fn pair_of_strips(force: f64) -> Rider {
+fn pair_of_strips(force: f64) -> Pantograph {
     let strip = |offset: f64| Strip {
         offset,
         ..Strip::plain(vec![0.0, 0.0, 1.0])
     };
-    Rider {
+    Pantograph {
         strips: vec![strip(0.0), strip(0.6)],
         ..three_masses(force)
     }
@@ -173,7 +173,7 @@ fn the_ledger_closes() {
     ] {
         let line = simple_line_of(6, [1.45, 2.9]);
         let loose = |s: &mut Structure| s.links[22].rest_length += 0.015;
-        let p: Prepared<2, 4> = common::yielding(line, loose, scheme, H, contact);
+        let p: WireModel<2, 4> = common::yielding(line, loose, scheme, H, contact);
         let mut way = travel(110.0, 270.0, 320.0 / 3.6, H);
         (way.distances, way.friction) = (vec![0.0, 50.0], 0.2);
         let riders = [pair_of_strips(200.0), three_masses(60.0)];
@@ -189,7 +189,7 @@ fn the_ledger_closes() {
 /// and there less, and that is traction.
 #[test]
 fn a_contact_that_moves_loses_nothing() {
-    let p: Prepared<2, 4> = common::yielding(
+    let p: WireModel<2, 4> = common::yielding(
         simple_line_of(4, [1.45, 2.9]),
         |_| (),
         Scheme::generalised_alpha(1.0),
@@ -228,7 +228,7 @@ fn a_force_that_moves_meets_no_elements() {
             behind: 0.0,
             half_width: f64::INFINITY,
         };
-        let mut live = Live::with_forces(p, vec![one], &[100.0], begin).expect("it stands");
+        let mut live = Session::with_forces(p, vec![one], &[100.0], begin).expect("it stands");
         let after = (1..400).map(|step| {
             let x = from + speed * H * f64::from(step);
             live.step(&[100.0], x, speed).expect("a step");

@@ -4,17 +4,17 @@ use crate::common::{everything, simple_line, three_masses};
 use crate::resume::{bits, compare, part, sums};
 
 use arcless_core::checkpoint::Checkpoint;
-use arcless_core::integrator::prepared::Prepared;
+use arcless_core::integrator::prepared::WireModel;
 use arcless_core::linalg::SymmetricBlocks;
 use arcless_core::linalg::islands::islands;
 use arcless_core::linear::loads::Load;
-use arcless_core::linear::model::Line;
+use arcless_core::linear::model::LinearModel;
 use arcless_core::scheme::Scheme;
 use arcless_core::simulation::recording::record::RecordPlan;
-use arcless_core::simulation::recording::window::{Near, Ordered};
+use arcless_core::simulation::recording::window::{Near, SortedStations};
 use arcless_core::simulation::run::Part;
-use arcless_core::simulation::run::Travel;
-use arcless_core::slideline::Path;
+use arcless_core::simulation::run::Trajectory;
+use arcless_core::slideline::Slideline;
 use arcless_core::statics::Geometry;
 use arcless_core::structure::Structure;
 
@@ -65,7 +65,7 @@ pub fn put_behind(s: &mut Structure, other: &Structure, shift: f64) {
 }
 
 /// With or without residual flexibility.
-fn two_lengths(yields: bool) -> Prepared<2, 4> {
+fn two_lengths(yields: bool) -> WireModel<2, 4> {
     let (mut structure, path) = simple_line(3);
     let other = structure.clone();
     let behind = path.iter().map(|k| k + other.wires.len()).collect();
@@ -77,17 +77,17 @@ fn two_lengths(yields: bool) -> Prepared<2, 4> {
     let start = geometry.design().expect("the design converges");
     let shape = geometry.settle(&start).expect("the equilibrium converges");
     let wires = [path, behind];
-    let mut lanes = Path::lanes(&geometry, &shape, &wires).expect("two lanes");
+    let mut lanes = Slideline::lanes(&geometry, &shape, &wires).expect("two lanes");
     if yields {
-        lanes = Path::yielding(lanes, &geometry, &shape, &wires);
+        lanes = Slideline::yielding(lanes, &geometry, &shape, &wires);
     }
-    let line = Line::new(&geometry, shape);
-    Prepared::new(line, lanes, Scheme::hht(0.1), 1e-3, 5e4).expect("regular")
+    let line = LinearModel::new(&geometry, shape);
+    WireModel::new(line, lanes, Scheme::hht(0.1), 1e-3, 5e4).expect("regular")
 }
 
 /// Through the overlap, from one to the other.
-pub fn way(instants: usize) -> Travel {
-    Travel {
+pub fn way(instants: usize) -> Trajectory {
+    Trajectory {
         positions: (0..instants).map(|i| 70.0 + 0.075 * i as f64).collect(),
         speeds: vec![75.0; instants],
         distances: vec![0.0],
@@ -104,7 +104,7 @@ fn nothing(instants: usize) -> Load {
     }
 }
 
-fn plan<const DIM: usize, const D: usize>(p: &Prepared<DIM, D>) -> RecordPlan {
+fn plan<const DIM: usize, const D: usize>(p: &WireModel<DIM, D>) -> RecordPlan {
     RecordPlan {
         nodes: vec![3, 11, p.line.nodes() - 5],
         ledger: false,
@@ -114,8 +114,8 @@ fn plan<const DIM: usize, const D: usize>(p: &Prepared<DIM, D>) -> RecordPlan {
 }
 
 fn run<const DIM: usize, const D: usize>(
-    p: &Prepared<DIM, D>,
-    travel: &Travel,
+    p: &WireModel<DIM, D>,
+    travel: &Trajectory,
     plan: &RecordPlan,
 ) -> (Vec<Vec<u64>>, Vec<Vec<u64>>, Checkpoint) {
     let riders = [three_masses(90.0)];
@@ -130,9 +130,9 @@ fn what_sleeps_would_not_have_moved() {
     }
 }
 
-pub fn sleeps_as_if_awake<const DIM: usize, const D: usize>(p: &Prepared<DIM, D>) {
+pub fn sleeps_as_if_awake<const DIM: usize, const D: usize>(p: &WireModel<DIM, D>) {
     let (plan, sleeping) = (plan(p), way(1400));
-    let awake = Travel {
+    let awake = Trajectory {
         loads: vec![nothing(1400)],
         ..sleeping.clone()
     };
@@ -146,7 +146,7 @@ fn an_untouched_length_is_at_rest_exactly() {
     untouched_is_at_rest(&two_lengths(false));
 }
 
-pub fn untouched_is_at_rest<const DIM: usize, const D: usize>(p: &Prepared<DIM, D>) {
+pub fn untouched_is_at_rest<const DIM: usize, const D: usize>(p: &WireModel<DIM, D>) {
     // Ends before the second one begins.
     let (_, _, state) = run(p, &way(500), &plan(p));
     let u = &state.numbers["line_displacement"];
@@ -156,7 +156,7 @@ pub fn untouched_is_at_rest<const DIM: usize, const D: usize>(p: &Prepared<DIM, 
 }
 
 /// Only a few links and nodes behind the rider.
-pub fn near<const DIM: usize, const D: usize>(p: &Prepared<DIM, D>) -> Near {
+pub fn near<const DIM: usize, const D: usize>(p: &WireModel<DIM, D>) -> Near {
     let links = &p.line.links;
     let x = |i: usize| p.line.shape[links[i].nodes[0]][0];
     let mut order: Vec<usize> = (0..links.len()).collect();
@@ -164,12 +164,12 @@ pub fn near<const DIM: usize, const D: usize>(p: &Prepared<DIM, D>) -> Near {
     let nodes = vec![3, 11, p.line.nodes() - 5];
     Near {
         behind: 15.0,
-        links: Ordered {
+        links: SortedStations {
             x: order.iter().map(|&i| x(i)).collect(),
             of: order,
             count: 4,
         },
-        nodes: Ordered {
+        nodes: SortedStations {
             x: nodes.iter().map(|&n| p.line.shape[n][0]).collect(),
             of: nodes,
             count: 1,
@@ -184,7 +184,7 @@ fn a_length_left_behind_is_laid_to_rest() {
     }
 }
 
-pub fn is_laid_to_rest<const DIM: usize, const D: usize>(p: &Prepared<DIM, D>) {
+pub fn is_laid_to_rest<const DIM: usize, const D: usize>(p: &WireModel<DIM, D>) {
     let whole = plan(p);
     let some = RecordPlan {
         near: Some(near(p)),
@@ -213,7 +213,7 @@ fn parts_of_such_a_run_are_the_whole() {
     }
 }
 
-pub fn parts_are_the_whole<const DIM: usize, const D: usize>(p: &Prepared<DIM, D>) {
+pub fn parts_are_the_whole<const DIM: usize, const D: usize>(p: &WireModel<DIM, D>) {
     let some = RecordPlan {
         near: Some(near(p)),
         ..plan(p)

@@ -2,16 +2,16 @@
 
 use crate::common;
 
-use arcless_core::slideline::Path;
+use arcless_core::slideline::Slideline;
 use arcless_core::statics::Geometry;
 use common::lanes::STRING;
 
 /// Lanes over the elements of a wire, 1 m each.
-fn lanes(lists: &[Vec<usize>]) -> Result<Vec<Path<2>>, String> {
+fn lanes(lists: &[Vec<usize>]) -> Result<Vec<Slideline<2>>, String> {
     let (structure, _) = STRING.structure(2);
     let geometry = Geometry::<2, 4>::new(structure).expect("a valid structure");
     let shape = geometry.settle(&geometry.initial_shape()).expect("at rest");
-    Path::lanes(&geometry, &shape, lists).map_err(|e| e.to_string())
+    Slideline::lanes(&geometry, &shape, lists).map_err(|e| e.to_string())
 }
 
 #[test]

@@ -3,12 +3,12 @@
 use crate::common;
 
 use arcless_core::CoreError;
-use arcless_core::pantograph::breakpoint::Motion;
-use arcless_core::pantograph::bump_stop::Stop;
-use arcless_core::pantograph::excitation::{Ground, History};
-use arcless_core::pantograph::piecewise_force::Law;
+use arcless_core::pantograph::breakpoint::ForceKind;
+use arcless_core::pantograph::bump_stop::BumpStop;
+use arcless_core::pantograph::excitation::{BaseMotion, ForceHistory};
+use arcless_core::pantograph::piecewise_force::PiecewiseForce;
 use arcless_core::pantograph::strip::Strip;
-use arcless_core::pantograph::system::Rider;
+use arcless_core::pantograph::system::Pantograph;
 use arcless_core::scheme::Scheme;
 use arcless_core::simulation::recording::record::Record;
 use common::{difference, everything, free_mass, run, three_masses, travel};
@@ -18,32 +18,32 @@ fn trapezoidal() -> Scheme {
     Scheme::generalised_alpha(1.0)
 }
 
-fn law(direction: &[f64], motion: Motion, points: &[[f64; 2]]) -> Law {
-    Law {
+fn law(direction: &[f64], motion: ForceKind, points: &[[f64; 2]]) -> PiecewiseForce {
+    PiecewiseForce {
         direction: direction.to_vec(),
         motion,
         points: points.to_vec(),
     }
 }
 
-fn friction(direction: &[f64], force: f64, speed: f64) -> Law {
+fn friction(direction: &[f64], force: f64, speed: f64) -> PiecewiseForce {
     let points = [
         [-2.0 * speed, -force],
         [-speed, -force],
         [speed, force],
         [2.0 * speed, force],
     ];
-    law(direction, Motion::Rate, &points)
+    law(direction, ForceKind::Damper, &points)
 }
 
 /// Three masses under a wire on shaking ground.
-fn shaken(change: impl FnOnce(&mut Rider), scheme: Scheme, contact: f64) -> Record {
+fn shaken(change: impl FnOnce(&mut Pantograph), scheme: Scheme, contact: f64) -> Record {
     let p = common::prepare(common::simple_line(5), |_| (), scheme, 1e-3, contact);
     let way = travel(70.0, 200.0, 70.0, 1e-3);
     let mut rider = three_masses(90.0);
     let t: Vec<f64> = (0..way.positions.len()).map(|i| i as f64 * 1e-3).collect();
     let omega = 2.0 * PI * 1.7;
-    rider.given.ground = Some(Ground {
+    rider.given.ground = Some(BaseMotion {
         carried: vec![1.0; 3],
         displacement: t.iter().map(|t| 0.03 * (omega * t).sin()).collect(),
         rate: t.iter().map(|t| 0.03 * omega * (omega * t).cos()).collect(),
@@ -85,8 +85,8 @@ fn a_straight_table_is_the_linear_spring_or_damper() {
                 ]
             };
             rider.laws = vec![
-                law(&joint, Motion::Place, &line(k)),
-                law(&joint, Motion::Rate, &line(c)),
+                law(&joint, ForceKind::Spring, &line(k)),
+                law(&joint, ForceKind::Damper, &line(c)),
             ];
         },
         trapezoidal(),
@@ -107,7 +107,7 @@ fn a_stop_is_the_table_of_a_stop() {
         let joint = [0.0, -sign, sign];
         let stopped = shaken(
             |rider| {
-                rider.stops.push(Stop {
+                rider.stops.push(BumpStop {
                     direction: joint.to_vec(),
                     gap,
                     stiffness,
@@ -123,7 +123,7 @@ fn a_stop_is_the_table_of_a_stop() {
                 let start = sign * -90.0 / -rider.stiffness[5];
                 let closed = start - gap;
                 let points = [[closed - 1.0, -stiffness], [closed, 0.0], [1.0, 0.0]];
-                rider.laws = vec![law(&joint, Motion::Place, &points)];
+                rider.laws = vec![law(&joint, ForceKind::Spring, &points)];
             },
             scheme,
             contact,
@@ -143,7 +143,7 @@ fn tables_add_up() {
         [[-0.5, 0.0], [-0.0045, 0.0], [0.5, 5045.0]],
     ];
     let several = shaken(
-        |rider| rider.laws = parts.map(|p| law(&joint, Motion::Place, &p)).to_vec(),
+        |rider| rider.laws = parts.map(|p| law(&joint, ForceKind::Spring, &p)).to_vec(),
         trapezoidal(),
         50e3,
     );
@@ -160,7 +160,7 @@ fn tables_add_up() {
     };
     let sum = [-0.5, -0.007, -0.0055, -0.0045, 0.5].map(|x| [x, force(x)]);
     let one = shaken(
-        |rider| rider.laws = vec![law(&joint, Motion::Place, &sum)],
+        |rider| rider.laws = vec![law(&joint, ForceKind::Spring, &sum)],
         trapezoidal(),
         50e3,
     );
@@ -195,8 +195,8 @@ fn the_balance_closes_with_tables_and_friction() {
                     ];
                     rider.laws = vec![
                         friction(&base, 12.0, 1e-3),
-                        law(&joint, Motion::Place, &spring),
-                        law(&joint, Motion::Rate, &damper),
+                        law(&joint, ForceKind::Spring, &spring),
+                        law(&joint, ForceKind::Damper, &damper),
                         friction(&joint, 5.0, 1e-3),
                     ];
                 },
@@ -237,7 +237,7 @@ fn swinging(scheme: Scheme, h: f64, speed: f64, pull: f64, end: f64) -> (Record,
     (rider.preload, rider.lift) = (vec![1.0, 0.0], vec![0.0; 2]);
     rider.laws.push(friction(&[0.0, 1.0], FRICTION, speed));
     let pulls = |x: &f64| if *x > 100.0 { pull } else { 0.0 };
-    rider.given.forces.push(History {
+    rider.given.forces.push(ForceHistory {
         direction: vec![0.0, -1.0],
         values: way.positions.iter().map(pulls).collect(),
     });
@@ -321,7 +321,7 @@ fn the_dead_band_is_one_of_creep() {
     }
 }
 
-fn start_of(laws: Vec<Law>, force: f64) -> Result<(Vec<f64>, f64), CoreError> {
+fn start_of(laws: Vec<PiecewiseForce>, force: f64) -> Result<(Vec<f64>, f64), CoreError> {
     let mut rider = three_masses(force);
     // The joints above the first mass are those of the laws alone.
     rider.stiffness = vec![160.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
@@ -342,8 +342,8 @@ fn the_start_is_on_the_tables() {
     ];
     let upper = [[-0.01, -180.0], [0.0, 0.0], [0.1, 1e5]];
     let springs = vec![
-        law(&[-1.0, 1.0, 0.0], Motion::Place, &lower),
-        law(&[0.0, -1.0, 1.0], Motion::Place, &upper),
+        law(&[-1.0, 1.0, 0.0], ForceKind::Spring, &lower),
+        law(&[0.0, -1.0, 1.0], ForceKind::Spring, &upper),
     ];
     let (u, preload) = start_of(springs, force).expect("an equilibrium");
     let (q1, q2) = (-0.02 - 40.0 / 1000.0, -0.005);
@@ -365,8 +365,8 @@ fn a_free_play_is_passed_on_the_way_to_the_start() {
     let stiff = [[-1.0, -1e5], [1.0, 1e5]];
     let springs = |play: &[[f64; 2]]| {
         vec![
-            law(&[-1.0, 1.0, 0.0], Motion::Place, play),
-            law(&[0.0, -1.0, 1.0], Motion::Place, &stiff),
+            law(&[-1.0, 1.0, 0.0], ForceKind::Spring, play),
+            law(&[0.0, -1.0, 1.0], ForceKind::Spring, &stiff),
         ]
     };
     let (u, _) = start_of(springs(&play), 90.0).expect("an equilibrium");
@@ -398,9 +398,13 @@ fn wrong_tables_are_refused() {
         vec![[0.0, 0.0], [1.0, f64::NAN]],
     ] {
         let mut rider = three_masses(90.0);
-        rider.laws = vec![law(&[1.0, 0.0, 0.0], Motion::Place, &points)];
+        rider.laws = vec![law(&[1.0, 0.0, 0.0], ForceKind::Spring, &points)];
         assert!(rider.check().is_err(), "{points:?}");
-        rider.laws = vec![law(&[1.0, 0.0], Motion::Place, &[[0.0, 0.0], [1.0, 1.0]])];
+        rider.laws = vec![law(
+            &[1.0, 0.0],
+            ForceKind::Spring,
+            &[[0.0, 0.0], [1.0, 1.0]],
+        )];
         assert!(rider.check().is_err(), "direction");
     }
 }

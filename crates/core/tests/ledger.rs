@@ -2,7 +2,7 @@
 
 use crate::common;
 
-use arcless_core::integrator::energy::implicit::Entries;
+use arcless_core::integrator::energy::implicit::EnergyTerms;
 use arcless_core::scheme::Scheme;
 use arcless_core::simulation::recording::record::Record;
 use arcless_core::structure::Structure;
@@ -45,11 +45,11 @@ fn gentle_run(scheme: Scheme, h: f64) -> Record {
     r
 }
 
-fn last(r: &Record) -> Entries {
+fn last(r: &Record) -> EnergyTerms {
     *r.energy.last().expect("energies are recorded")
 }
 
-fn dissipation(e: &Entries) -> [f64; 4] {
+fn dissipation(e: &EnergyTerms) -> [f64; 4] {
     [
         e.dissipated_line,
         e.dissipated_links,

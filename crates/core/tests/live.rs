@@ -4,12 +4,12 @@ use crate::common;
 
 use allocation_counter::measure;
 use arcless_core::CoreError;
-use arcless_core::integrator::prepared::Prepared;
+use arcless_core::integrator::prepared::WireModel;
 use arcless_core::pantograph::actuator::{Actuator, Sample};
-use arcless_core::pantograph::excitation::History;
-use arcless_core::pantograph::system::Rider;
+use arcless_core::pantograph::excitation::ForceHistory;
+use arcless_core::pantograph::system::Pantograph;
 use arcless_core::scheme::Scheme;
-use arcless_core::session::{Begin, Collector, Live};
+use arcless_core::session::{Begin, Collector, Session};
 use arcless_core::simulation::recording::record::Record;
 use common::space::staggered;
 use common::{SPAN, difference, everything, peak, simple_line, three_masses, travel};
@@ -28,11 +28,11 @@ fn begin() -> Begin {
     }
 }
 
-fn planar(scheme: Scheme) -> Arc<Prepared<2, 4>> {
+fn planar(scheme: Scheme) -> Arc<WireModel<2, 4>> {
     Arc::new(common::prepared(5, scheme, H, 50e3))
 }
 
-fn spatial() -> Arc<Prepared<3, 6>> {
+fn spatial() -> Arc<WireModel<3, 6>> {
     let (structure, path) = simple_line(5);
     let line = (staggered(&structure, 5, 0.2), path);
     let scheme = Scheme::generalised_alpha(0.9);
@@ -40,7 +40,7 @@ fn spatial() -> Arc<Prepared<3, 6>> {
 }
 
 /// Lines with residual flexibility.
-fn yielding(scheme: Scheme) -> Arc<Prepared<2, 4>> {
+fn yielding(scheme: Scheme) -> Arc<WireModel<2, 4>> {
     Arc::new(common::yielding(simple_line(5), |_| (), scheme, H, 50e3))
 }
 
@@ -53,7 +53,7 @@ fn pushed(step: usize) -> f64 {
     40.0 * (0.02 * step as f64).sin()
 }
 
-fn driven() -> Rider {
+fn driven() -> Pantograph {
     let mut rider = three_masses(250.0);
     rider.actuator = Some(Actuator {
         direction: vec![1.0, 0.0, 0.0],
@@ -63,12 +63,12 @@ fn driven() -> Rider {
     rider
 }
 
-fn pair() -> (Vec<Rider>, Vec<f64>) {
+fn pair() -> (Vec<Pantograph>, Vec<f64>) {
     (vec![driven(), driven()], vec![0.0, 31.0])
 }
 
 fn run<const DIM: usize, const D: usize>(
-    p: &Prepared<DIM, D>,
+    p: &WireModel<DIM, D>,
     steps: usize,
     friction: f64,
 ) -> Record {
@@ -82,19 +82,19 @@ fn run<const DIM: usize, const D: usize>(
     record
 }
 
-fn with_riders<const DIM: usize, const D: usize>(p: &Arc<Prepared<DIM, D>>) -> Live<DIM, D> {
+fn with_riders<const DIM: usize, const D: usize>(p: &Arc<WireModel<DIM, D>>) -> Session<DIM, D> {
     let (riders, distances) = pair();
-    Live::with_riders(p.clone(), riders, distances, begin()).expect("it stands")
+    Session::with_riders(p.clone(), riders, distances, begin()).expect("it stands")
 }
 
-fn with_forces<const DIM: usize, const D: usize>(p: &Arc<Prepared<DIM, D>>) -> Live<DIM, D> {
+fn with_forces<const DIM: usize, const D: usize>(p: &Arc<WireModel<DIM, D>>) -> Session<DIM, D> {
     with_friction(p, 0.1)
 }
 
 fn with_friction<const DIM: usize, const D: usize>(
-    p: &Arc<Prepared<DIM, D>>,
+    p: &Arc<WireModel<DIM, D>>,
     friction: f64,
-) -> Live<DIM, D> {
+) -> Session<DIM, D> {
     let begin = Begin {
         friction,
         ..begin()
@@ -103,11 +103,11 @@ fn with_friction<const DIM: usize, const D: usize>(
         behind,
         half_width: 0.6,
     });
-    Live::with_forces(p.clone(), collectors.into(), &[250.0; 2], begin).expect("it stands")
+    Session::with_forces(p.clone(), collectors.into(), &[250.0; 2], begin).expect("it stands")
 }
 
 /// Steps with simulated riders are those of a run, bit for bit.
-fn is_the_run<const DIM: usize, const D: usize>(p: &Arc<Prepared<DIM, D>>) {
+fn is_the_run<const DIM: usize, const D: usize>(p: &Arc<WireModel<DIM, D>>) {
     let record = run(p, 700, 0.1);
     let mut live = with_riders(p);
     for step in 0..700 {
@@ -139,7 +139,7 @@ fn given_forces_of_a_run_move_the_wire_as_the_run() {
     move_as_the_run(&yielding(Scheme::newmark(0.3025, 0.6)));
 }
 
-fn move_as_the_run(p: &Arc<Prepared<2, 4>>) {
+fn move_as_the_run(p: &Arc<WireModel<2, 4>>) {
     let record = run(p, 700, 0.0);
     let mut live = with_friction(p, 0.0);
     let mut heights = Vec::new();
@@ -167,7 +167,7 @@ fn the_rate_is_the_derivative_of_the_height() {
     rate_is_derivative(&yielding(Scheme::generalised_alpha(0.9)), 0.25 * SPEED);
 }
 
-fn rate_is_derivative(p: &Arc<Prepared<2, 4>>, speed: f64) {
+fn rate_is_derivative(p: &Arc<WireModel<2, 4>>, speed: f64) {
     let mut live = with_forces(p);
     let (mut height, mut sum) = (Vec::new(), vec![0.0]);
     let mut before = 0.0;
@@ -190,7 +190,7 @@ fn rate_is_derivative(p: &Arc<Prepared<2, 4>>, speed: f64) {
     assert!(error < 0.01, "{error}");
 }
 
-fn allocations<const DIM: usize, const D: usize>(mut live: Live<DIM, D>, most: f64) -> u64 {
+fn allocations<const DIM: usize, const D: usize>(mut live: Session<DIM, D>, most: f64) -> u64 {
     let counted = measure(|| {
         for step in 0..900 {
             let force = most * (0.5 - 0.5 * (0.05 * step as f64).cos());
@@ -218,8 +218,8 @@ fn a_step_allocates_nothing() {
 
 /// Two loops, one of which fails now and then, go the same way.
 fn go_on_after_failures<const DIM: usize, const D: usize>(
-    mut live: Live<DIM, D>,
-    mut whole: Live<DIM, D>,
+    mut live: Session<DIM, D>,
+    mut whole: Session<DIM, D>,
 ) {
     for step in 0..300 {
         let (forces, next) = ([200.0 + pushed(step); 2], position(step + 1));
@@ -253,8 +253,8 @@ fn a_loop_goes_on_after_a_failure() {
     go_on_after_failures(with_riders(&p), with_riders(&p));
 }
 
-fn repeats<const DIM: usize, const D: usize>(mut live: Live<DIM, D>) {
-    let go = |live: &mut Live<DIM, D>| {
+fn repeats<const DIM: usize, const D: usize>(mut live: Session<DIM, D>) {
+    let go = |live: &mut Session<DIM, D>| {
         let first = live.steps();
         let mut seen = Vec::new();
         for step in first..first + 200 {
@@ -298,7 +298,7 @@ fn what_a_loop_cannot_do_is_refused() {
         behind: 0.0,
         half_width: f64::INFINITY,
     };
-    let none = Live::with_forces(p.clone(), Vec::new(), &[], begin());
+    let none = Session::with_forces(p.clone(), Vec::new(), &[], begin());
     assert!(matches!(
         none,
         Err(CoreError::Input {
@@ -306,7 +306,7 @@ fn what_a_loop_cannot_do_is_refused() {
             ..
         })
     ));
-    let few = Live::with_forces(p.clone(), vec![collector], &[], begin());
+    let few = Session::with_forces(p.clone(), vec![collector], &[], begin());
     assert!(matches!(
         few,
         Err(CoreError::Input {
@@ -318,17 +318,17 @@ fn what_a_loop_cannot_do_is_refused() {
         position: -1.0,
         ..begin()
     };
-    let off = Live::with_forces(p.clone(), vec![collector], &[100.0], far);
+    let off = Session::with_forces(p.clone(), vec![collector], &[100.0], far);
     assert!(matches!(off, Err(CoreError::OffWire { .. })));
     let mut late = driven();
     late.actuator.as_mut().expect("an actuator").delay = 2;
     let mut given = driven();
-    given.given.forces.push(History {
+    given.given.forces.push(ForceHistory {
         direction: vec![0.0; 3],
         values: vec![0.0; 9],
     });
     for rider in [late, given] {
-        let refused = Live::with_riders(p.clone(), vec![rider], vec![0.0], begin());
+        let refused = Session::with_riders(p.clone(), vec![rider], vec![0.0], begin());
         assert!(matches!(
             refused,
             Err(CoreError::Input {
@@ -338,7 +338,7 @@ fn what_a_loop_cannot_do_is_refused() {
         ));
     }
     let mut live =
-        Live::with_riders(p, vec![three_masses(100.0)], vec![0.0], begin()).expect("it stands");
+        Session::with_riders(p, vec![three_masses(100.0)], vec![0.0], begin()).expect("it stands");
     let unheard = live.step(&[1.0], position(1), SPEED);
     assert!(matches!(
         unheard,

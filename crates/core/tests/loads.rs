@@ -6,7 +6,7 @@ use arcless_core::CoreError;
 use arcless_core::linear::loads::Load;
 use arcless_core::scheme::Scheme;
 use arcless_core::simulation::recording::record::Record;
-use arcless_core::simulation::run::Travel;
+use arcless_core::simulation::run::Trajectory;
 use arcless_core::statics::Geometry;
 use common::{Single, everything, free_mass, run, three_masses, travel};
 use std::f64::consts::PI;
@@ -36,7 +36,7 @@ fn swung(size: impl Fn(f64) -> f64, seconds: f64) -> Record {
     let pattern = geometry.nodal_forces(&vec![[0.0, FORCE, 0.0]; STRING.elements]);
     let trapezoidal = Scheme::generalised_alpha(1.0);
     let p = common::prepare_any::<3, 6>((structure, path), |_| (), trapezoidal, STEP, 50e3);
-    let way = Travel {
+    let way = Trajectory {
         positions: vec![0.5 * STRING.length; steps + 1],
         speeds: vec![0.0; steps + 1],
         distances: vec![0.0],

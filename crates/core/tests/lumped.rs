@@ -4,8 +4,8 @@
 use crate::common;
 
 use arcless_core::CoreError;
-use arcless_core::integrator::prepared::Prepared;
-use arcless_core::linear::model::Line;
+use arcless_core::integrator::prepared::WireModel;
+use arcless_core::linear::model::LinearModel;
 use arcless_core::scheme::Scheme;
 use arcless_core::simulation::recording::record::Record;
 use arcless_core::statics::Geometry;
@@ -81,7 +81,7 @@ fn beam_under_tension_and_a_point_force() {
 
 fn frequencies(s: &Single, count: usize) -> Vec<f64> {
     let (g, shape) = settled::<2, 2>(lumped(&s.structure(2).0));
-    let line = Line::new(&g, shape);
+    let line = LinearModel::new(&g, shape);
     line.frequencies(count).expect("regular")
 }
 
@@ -195,7 +195,7 @@ fn settling_after_the_design_moves_nothing() {
 const SPANS: usize = 4;
 
 fn crossing<const DIM: usize, const D: usize>(line: (Structure, Vec<usize>)) -> Record {
-    let p: Prepared<DIM, D> = prepare_any(line, |_| (), scheme(), STEP, CONTACT);
+    let p: WireModel<DIM, D> = prepare_any(line, |_| (), scheme(), STEP, CONTACT);
     let mut plan = everything();
     plan.ledger = false;
     run(
@@ -296,7 +296,7 @@ fn energy_balances_with_slack_links_friction_and_two_riders() {
             let (s, path) = simple_line_of(6, [1.0, 2.0]);
             let loose = |s: &mut Structure| s.links[22].rest_length += 0.015;
             let line = (lumped(&s), path);
-            let p: Prepared<2, 2> = prepare_any(line, loose, scheme, STEP, contact);
+            let p: WireModel<2, 2> = prepare_any(line, loose, scheme, STEP, contact);
             let mut way = travel(110.0, 270.0, SPEED, STEP);
             way.distances = vec![0.0, 50.0];
             way.friction = 0.2;

@@ -4,25 +4,25 @@ use crate::common::Single;
 use crate::common::chain::settled;
 use crate::common::lanes::STRING;
 use arcless_core::integrator::WireState;
-use arcless_core::integrator::prepared::Prepared;
-use arcless_core::linear::model::Line;
+use arcless_core::integrator::prepared::WireModel;
+use arcless_core::linear::model::LinearModel;
 use arcless_core::scheme::Scheme;
-use arcless_core::slideline::Path;
+use arcless_core::slideline::Slideline;
 use arcless_core::slideline::point::Nodal;
 use std::f64::consts::PI;
 
 const H: f64 = 1e-3;
 
-fn corrected(string: &Single, scheme: Scheme, h: f64) -> (Line<2, 4>, Vec<Path<2>>) {
+fn corrected(string: &Single, scheme: Scheme, h: f64) -> (LinearModel<2, 4>, Vec<Slideline<2>>) {
     let (structure, path) = string.structure(2);
     let (geometry, shape) = settled::<2, 4>(structure);
-    let lanes = Path::lanes(&geometry, &shape, &[path]).expect("a path");
-    let line = Line::new(&geometry, shape);
+    let lanes = Slideline::lanes(&geometry, &shape, &[path]).expect("a path");
+    let line = LinearModel::new(&geometry, shape);
     (line.with_correct_period(&geometry, &scheme, h), lanes)
 }
 
 /// Angle by which the shape sin(nπx/L), slopes included, turns in a step, over ωh of the string.
-fn turned(line: Line<2, 4>, lanes: Vec<Path<2>>, scheme: Scheme, waves: f64) -> f64 {
+fn turned(line: LinearModel<2, 4>, lanes: Vec<Slideline<2>>, scheme: Scheme, waves: f64) -> f64 {
     let length = STRING.length;
     let shape: Vec<[f64; 4]> = line
         .shape
@@ -33,7 +33,7 @@ fn turned(line: Line<2, 4>, lanes: Vec<Path<2>>, scheme: Scheme, waves: f64) -> 
             [0.0, (k * x).sin(), 0.0, k * node[2] * (k * x).cos()]
         })
         .collect();
-    let p = Prepared::new(line, lanes, scheme, H, 5e4).expect("regular");
+    let p = WireModel::new(line, lanes, scheme, H, 5e4).expect("regular");
     let at = |state: &WireState<4>| {
         let u = state.displacement();
         let nodes = shape.iter().enumerate();
@@ -100,7 +100,7 @@ fn a_quarter_of_the_mass_is_left_in_the_worst_motion() {
         let b = (kappa / 12.0 - 1.0) / (kappa / 80.0 - 0.25);
         let (end, slope) = (0.5 - b / 8.0, (1.0 - 0.75 * b) / l);
         let motion = [[0.0, -end, 0.0, slope], [0.0, end, 0.0, slope]];
-        let plain = Line::new(&geometry, shape.clone());
+        let plain = LinearModel::new(&geometry, shape.clone());
         let whole = plain.mass.quadratic(&motion);
         let corrected = plain.with_correct_period(&geometry, &scheme, H);
         let share = corrected.mass.quadratic(&motion) / whole;

@@ -4,28 +4,28 @@ use crate::common::{everything, prepare, simple_line, three_masses};
 use crate::resume::{bits, way};
 
 use arcless_core::CoreError;
-use arcless_core::integrator::prepared::Prepared;
+use arcless_core::integrator::prepared::WireModel;
 use arcless_core::pantograph::actuator::Sample;
 use arcless_core::scheme::Scheme;
 use arcless_core::simulation::recording::record::{Record, RecordPlan};
-use arcless_core::simulation::recording::window::{Near, Ordered};
-use arcless_core::simulation::run::{Callers, Part};
+use arcless_core::simulation::recording::window::{Near, SortedStations};
+use arcless_core::simulation::run::{Callbacks, Part};
 
 const STEPS: usize = 1030;
 
-fn line() -> Prepared<2, 4> {
+fn line() -> WireModel<2, 4> {
     prepare(simple_line(3), |_| (), Scheme::hht(0.1), 1e-3, 5e4)
 }
 
 /// A run with its series handed on whenever they hold so many numbers.
 fn run(
-    p: &Prepared<2, 4>,
+    p: &WireModel<2, 4>,
     plan: &RecordPlan,
     enough: usize,
     take: &mut dyn FnMut(Record) -> bool,
 ) -> Result<Record, CoreError> {
     let mut nobody = |_: usize, _: &Sample| Err("nobody controls it".into());
-    let callers = Callers {
+    let callers = Callbacks {
         observe: &mut |_| true,
         ask: &mut nobody,
         take: Some((enough, take)),
@@ -35,7 +35,7 @@ fn run(
     done.map(|(record, _)| record)
 }
 
-fn whole(p: &Prepared<2, 4>, plan: &RecordPlan) -> Record {
+fn whole(p: &WireModel<2, 4>, plan: &RecordPlan) -> Record {
     run(p, plan, usize::MAX, &mut |_| panic!("nothing to hand on")).expect("a run")
 }
 
@@ -77,18 +77,18 @@ fn who_takes_a_piece_may_end_the_run() {
 }
 
 /// Links along the track, of which four are recorded from 20 m behind on; and two nodes of five.
-fn near(p: &Prepared<2, 4>) -> Near {
+fn near(p: &WireModel<2, 4>) -> Near {
     let count = p.line.links.len();
     let place = |i: &usize| 6.0 * (count - i) as f64;
     let links: Vec<usize> = (0..count).rev().collect();
     Near {
         behind: 20.0,
-        links: Ordered {
+        links: SortedStations {
             x: links.iter().map(place).collect(),
             of: links,
             count: 4,
         },
-        nodes: Ordered {
+        nodes: SortedStations {
             of: vec![9, 5, 7, 3, 1],
             x: vec![0.0, 60.0, 90.0, 120.0, 150.0],
             count: 2,

@@ -4,21 +4,21 @@ use crate::common;
 
 use arcless_core::CoreError;
 use arcless_core::checkpoint::Checkpoint;
-use arcless_core::integrator::prepared::Prepared;
+use arcless_core::integrator::prepared::WireModel;
 use arcless_core::linear::loads::Load;
-use arcless_core::linear::model::Line;
+use arcless_core::linear::model::LinearModel;
 use arcless_core::pantograph::actuator::{Actuator, Sample};
-use arcless_core::pantograph::breakpoint::Motion;
-use arcless_core::pantograph::bump_stop::Stop;
-use arcless_core::pantograph::excitation::{Ground, History};
-use arcless_core::pantograph::piecewise_force::Law;
+use arcless_core::pantograph::breakpoint::ForceKind;
+use arcless_core::pantograph::bump_stop::BumpStop;
+use arcless_core::pantograph::excitation::{BaseMotion, ForceHistory};
+use arcless_core::pantograph::piecewise_force::PiecewiseForce;
 use arcless_core::pantograph::strip::Strip;
-use arcless_core::pantograph::system::Rider;
+use arcless_core::pantograph::system::Pantograph;
 use arcless_core::scheme::Scheme;
 use arcless_core::simulation::recording::record::{Record, RecordPlan};
 use arcless_core::simulation::run::Part;
-use arcless_core::simulation::run::Travel;
-use arcless_core::slideline::Path;
+use arcless_core::simulation::run::Trajectory;
+use arcless_core::slideline::Slideline;
 use common::chain::{lumped, settled};
 use common::lanes::{At, STRING, lined, strings};
 use common::{everything, simple_line, three_masses};
@@ -26,9 +26,9 @@ use common::{everything, simple_line, three_masses};
 type Answer<'a> = &'a mut dyn FnMut(usize, &Sample) -> Result<f64, String>;
 
 pub fn part<const DIM: usize, const D: usize>(
-    p: &Prepared<DIM, D>,
-    riders: &[Rider],
-    (travel, plan): (&Travel, &RecordPlan),
+    p: &WireModel<DIM, D>,
+    riders: &[Pantograph],
+    (travel, plan): (&Trajectory, &RecordPlan),
     part: Part<'_>,
 ) -> Result<(Record, Checkpoint), CoreError> {
     let ask: Answer<'_> = &mut |_, s| Ok(0.3 * (70.0 - s.force) + s.number as f64);
@@ -87,9 +87,9 @@ pub fn sums(r: &Record) -> Vec<Vec<u64>> {
 /// Compare a whole run with parts of it that end at the given steps; the states meanwhile pass
 /// through their numbers alone.
 pub fn compare<const DIM: usize, const D: usize>(
-    p: &Prepared<DIM, D>,
-    riders: &[Rider],
-    way: (&Travel, &RecordPlan),
+    p: &WireModel<DIM, D>,
+    riders: &[Pantograph],
+    way: (&Trajectory, &RecordPlan),
     stops: &[usize],
 ) -> Checkpoint {
     let (whole, end) = part(p, riders, way, Part::default()).expect("the whole run");
@@ -123,30 +123,30 @@ pub fn compare<const DIM: usize, const D: usize>(
 
 /// A rider with everything that keeps a memory: stops, tables, an actuator with a long delay, moving
 /// ground, given force.
-fn full(instants: usize) -> Rider {
+fn full(instants: usize) -> Pantograph {
     let mut rider = three_masses(70.0);
     let wave = |amplitude: f64, rate: f64| -> Vec<f64> {
         let at = |i: usize| amplitude * (rate * i as f64).sin();
         (0..instants).map(at).collect()
     };
     let first = vec![1.0, 0.0, 0.0];
-    rider.given.forces.push(History {
+    rider.given.forces.push(ForceHistory {
         direction: first.clone(),
         values: wave(40.0, 0.02),
     });
-    rider.given.ground = Some(Ground {
+    rider.given.ground = Some(BaseMotion {
         carried: vec![1.0; 3],
         displacement: wave(2e-3, 0.03),
         rate: wave(6e-2, 0.03),
     });
-    rider.stops.push(Stop {
+    rider.stops.push(BumpStop {
         direction: vec![0.0, -1.0, 1.0],
         gap: 2e-4,
         stiffness: 1e5,
     });
-    rider.laws.push(Law {
+    rider.laws.push(PiecewiseForce {
         direction: vec![0.0, -1.0, 1.0],
-        motion: Motion::Rate,
+        motion: ForceKind::Damper,
         points: vec![[-0.5, -60.0], [-0.02, -4.0], [0.02, 1.0], [0.5, 13.0]],
     });
     rider.actuator = Some(Actuator {
@@ -157,9 +157,9 @@ fn full(instants: usize) -> Rider {
     rider
 }
 
-pub fn way(instants: usize, distances: Vec<f64>) -> Travel {
+pub fn way(instants: usize, distances: Vec<f64>) -> Trajectory {
     let step = 0.075;
-    Travel {
+    Trajectory {
         positions: (0..instants).map(|i| 75.0 + step * i as f64).collect(),
         speeds: vec![75.0; instants],
         distances,
@@ -245,10 +245,10 @@ fn updated_kinematics_go_on() {
     let scheme = Scheme::generalised_alpha(0.5);
     let (structure, path) = simple_line(3);
     let (geometry, shape) = settled::<2, 4>(structure.clone());
-    let lanes = Path::lanes(&geometry, &shape, std::slice::from_ref(&path)).expect("a path");
-    let p = Prepared::updated(
+    let lanes = Slideline::lanes(&geometry, &shape, std::slice::from_ref(&path)).expect("a path");
+    let p = WireModel::updated(
         &geometry,
-        Line::new(&geometry, shape.clone()),
+        LinearModel::new(&geometry, shape.clone()),
         lanes,
         scheme,
         1e-3,
@@ -258,10 +258,10 @@ fn updated_kinematics_go_on() {
     compare(&p, &[three_masses(90.0)], (&travel, &plan), &[20, 21]);
     let chain = lumped(&structure);
     let (geometry, shape) = settled::<2, 2>(chain);
-    let lanes = Path::lanes(&geometry, &shape, &[path]).expect("a path");
-    let p = Prepared::updated(
+    let lanes = Slideline::lanes(&geometry, &shape, &[path]).expect("a path");
+    let p = WireModel::updated(
         &geometry,
-        Line::new(&geometry, shape.clone()),
+        LinearModel::new(&geometry, shape.clone()),
         lanes,
         scheme,
         1e-3,

@@ -2,20 +2,20 @@
 
 use crate::common;
 
-use arcless_core::pantograph::bump_stop::Stop;
-use arcless_core::pantograph::excitation::{Given, GivenNow, Ground, History};
+use arcless_core::pantograph::bump_stop::BumpStop;
+use arcless_core::pantograph::excitation::{BaseMotion, Excitation, ExcitationNow, ForceHistory};
 use arcless_core::pantograph::strip::Strip;
-use arcless_core::pantograph::system::{Rider, RiderState};
+use arcless_core::pantograph::system::{Pantograph, PantographState};
 use arcless_core::scheme::Scheme;
 use arcless_core::simulation::recording::record::Record;
-use arcless_core::simulation::run::Travel;
+use arcless_core::simulation::run::Trajectory;
 use common::{difference, everything, free_mass, run, three_masses, travel};
 use std::f64::consts::PI;
 
 /// Two masses in series on the ground, well damped so that transients die within seconds.
-fn two_masses() -> Rider {
+fn two_masses() -> Pantograph {
     let (k, c) = ([900.0, 5000.0], [60.0, 80.0]);
-    Rider {
+    Pantograph {
         mass: vec![15.0, 0.0, 0.0, 7.2],
         damping: vec![c[0] + c[1], -c[1], -c[1], c[1]],
         stiffness: vec![k[0] + k[1], -k[1], -k[1], k[1]],
@@ -23,7 +23,7 @@ fn two_masses() -> Rider {
         preload: vec![1.0, 0.0],
         lift: vec![0.0; 2],
         start_force: 0.0,
-        given: Given::default(),
+        given: Excitation::default(),
         stops: Vec::new(),
         laws: Vec::new(),
         actuator: None,
@@ -47,7 +47,7 @@ fn over(a: Complex, b: Complex) -> Complex {
 }
 
 /// Transmissibility û/ẑ of both masses: (k − ω²m + iωc) û = (k + iωc) r ẑ, by Cramer's rule.
-fn transmissibility(rider: &Rider, omega: f64) -> [Complex; 2] {
+fn transmissibility(rider: &Pantograph, omega: f64) -> [Complex; 2] {
     let dynamic = |i: usize| {
         let real = rider.stiffness[i] - omega * omega * rider.mass[i];
         (real, omega * rider.damping[i])
@@ -73,7 +73,7 @@ fn response_error(frequency: f64, h: f64) -> f64 {
     let time = |i: usize| i as f64 * h;
     let mut rider = two_masses();
     let exact = transmissibility(&rider, omega);
-    rider.given.ground = Some(Ground {
+    rider.given.ground = Some(BaseMotion {
         carried: vec![1.0, 1.0],
         displacement: (0..=steps)
             .map(|i| size * (omega * time(i)).sin())
@@ -84,8 +84,8 @@ fn response_error(frequency: f64, h: f64) -> f64 {
     });
     let scheme = Scheme::generalised_alpha(1.0);
     let c = scheme.coefficients(h);
-    let mut now = GivenNow::zero(rider.size());
-    let mut state = RiderState::new(rider, &c, 0.0, 0.0).expect("an equilibrium");
+    let mut now = ExcitationNow::zero(rider.size());
+    let mut state = PantographState::new(rider, &c, 0.0, 0.0).expect("an equilibrium");
     let (mut error, mut largest): (f64, f64) = (0.0, 0.0);
     let last_period = steps - (1.0 / (frequency * h)) as usize;
     for step in 0..steps {
@@ -133,11 +133,11 @@ fn dropped(stiffness: f64, damping: f64, scheme: Scheme) -> Record {
     rider.damping[0] = damping;
     // At the start, in equilibrium, nothing pulls.
     let pulls = |x: &f64| if *x > 100.0 { PULL } else { 0.0 };
-    rider.given.forces.push(History {
+    rider.given.forces.push(ForceHistory {
         direction: vec![-1.0],
         values: way.positions.iter().map(pulls).collect(),
     });
-    rider.stops.push(Stop {
+    rider.stops.push(BumpStop {
         direction: vec![1.0],
         gap: GAP,
         stiffness,
@@ -199,7 +199,7 @@ fn a_rigid_stop_takes_the_whole_impact() {
 }
 
 /// All instants of a travel, s.
-fn instants(way: &Travel) -> Vec<f64> {
+fn instants(way: &Trajectory) -> Vec<f64> {
     (0..way.positions.len()).map(|i| i as f64 * 1e-3).collect()
 }
 
@@ -210,12 +210,12 @@ fn shaken(scheme: Scheme, contact: f64, stiffness: f64) -> Record {
     let mut rider = three_masses(90.0);
     let omega = 2.0 * PI * 1.7;
     let t = instants(&way);
-    rider.given.ground = Some(Ground {
+    rider.given.ground = Some(BaseMotion {
         carried: vec![1.0; 3],
         displacement: t.iter().map(|t| 0.03 * (omega * t).sin()).collect(),
         rate: t.iter().map(|t| 0.03 * omega * (omega * t).cos()).collect(),
     });
-    rider.given.forces.push(History {
+    rider.given.forces.push(ForceHistory {
         direction: vec![0.0, 0.0, 1.0],
         values: t.iter().map(|t| 30.0 * (9.0 * t).sin()).collect(),
     });
@@ -224,7 +224,7 @@ fn shaken(scheme: Scheme, contact: f64, stiffness: f64) -> Record {
         (vec![0.0, -1.0, 1.0], 0.002),
         (vec![-1.0, 1.0, 0.0], 0.0005),
     ]
-    .map(|(direction, gap)| Stop {
+    .map(|(direction, gap)| BumpStop {
         direction,
         gap,
         stiffness,
@@ -266,7 +266,7 @@ fn stops_out_of_reach_change_nothing() {
     let plain = run(&p, &[three_masses(90.0)], &way, &everything());
     let mut rider = three_masses(90.0);
     for direction in [vec![1.0, 0.0, 0.0], vec![0.0, 1.0, -1.0]] {
-        rider.stops.push(Stop {
+        rider.stops.push(BumpStop {
             direction,
             gap: 1.0,
             stiffness: 1e6,
@@ -287,7 +287,7 @@ fn ground_that_stands_elsewhere_is_no_ground_motion() {
     let plain = run(&p, &[three_masses(90.0)], &way, &everything());
     let mut rider = three_masses(90.0);
     let count = way.positions.len();
-    rider.given.ground = Some(Ground {
+    rider.given.ground = Some(BaseMotion {
         carried: vec![1.0; 3],
         displacement: vec![0.25; count],
         rate: vec![0.0; count],
@@ -302,7 +302,7 @@ fn what_is_given_wrongly_is_refused() {
     let scheme = Scheme::generalised_alpha(0.9);
     let p = common::prepare(common::simple_line(4), |_| (), scheme, 1e-3, 50e3);
     let way = travel(70.0, 71.0, 70.0, 1e-3);
-    let fails = |change: &dyn Fn(&mut Rider), word: &str| {
+    let fails = |change: &dyn Fn(&mut Pantograph), word: &str| {
         let mut rider = three_masses(90.0);
         change(&mut rider);
         let error = p
@@ -310,13 +310,13 @@ fn what_is_given_wrongly_is_refused() {
             .expect_err("it is refused");
         assert!(error.to_string().contains(word), "{error}");
     };
-    let history = |count: usize| History {
+    let history = |count: usize| ForceHistory {
         direction: vec![1.0, 0.0, 0.0],
         values: vec![1.0; count],
     };
     fails(&|r| r.given.forces.push(history(3)), "each instant");
     fails(&|r| r.given.forces.push(history(0)), "each instant");
-    let stop = |sign: f64, gap: f64| Stop {
+    let stop = |sign: f64, gap: f64| BumpStop {
         direction: vec![sign, 0.0, 0.0],
         gap,
         stiffness: f64::INFINITY,

@@ -3,16 +3,16 @@
 use crate::common;
 
 use arcless_core::CoreError;
-use arcless_core::pantograph::excitation::Given;
+use arcless_core::pantograph::excitation::Excitation;
 use arcless_core::pantograph::strip::Strip;
-use arcless_core::pantograph::system::{Rider, RiderState};
+use arcless_core::pantograph::system::{Pantograph, PantographState};
 use arcless_core::scheme::{AlphaScheme, Scheme};
 use std::f64::consts::TAU;
 
 /// Oscillator of one hertz with ratio of damping ζ: a rider that touches nothing.
-fn oscillator(zeta: f64) -> Rider {
+fn oscillator(zeta: f64) -> Pantograph {
     let omega = TAU;
-    Rider {
+    Pantograph {
         mass: vec![1.0],
         damping: vec![2.0 * zeta * omega],
         stiffness: vec![omega * omega],
@@ -20,7 +20,7 @@ fn oscillator(zeta: f64) -> Rider {
         preload: vec![1.0],
         lift: vec![0.0],
         start_force: 0.0,
-        given: Given::default(),
+        given: Excitation::default(),
         stops: Vec::new(),
         laws: Vec::new(),
         actuator: None,
@@ -28,15 +28,15 @@ fn oscillator(zeta: f64) -> Rider {
 }
 
 /// Oscillator released at 1 from rest, with the acceleration that balances it.
-fn released(rider: Rider, scheme: Scheme, h: f64) -> RiderState {
+fn released(rider: Pantograph, scheme: Scheme, h: f64) -> PantographState {
     let c = scheme.coefficients(h);
-    let mut state = RiderState::new(rider, &c, 0.0, 0.0).expect("an equilibrium");
+    let mut state = PantographState::new(rider, &c, 0.0, 0.0).expect("an equilibrium");
     state.u[0] = 1.0;
     state.a[0] = -state.rider.stiffness[0] / state.rider.mass[0];
     state
 }
 
-fn advance(state: &mut RiderState, scheme: Scheme, h: f64, steps: usize) {
+fn advance(state: &mut PantographState, scheme: Scheme, h: f64, steps: usize) {
     let c = scheme.coefficients(h);
     for _ in 0..steps {
         state.free_increment(&c, 0.0);

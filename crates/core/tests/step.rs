@@ -2,9 +2,9 @@
 
 use crate::common;
 
-use arcless_core::integrator::prepared::Prepared;
+use arcless_core::integrator::prepared::WireModel;
 use arcless_core::linear::loads::Loads;
-use arcless_core::pantograph::system::Rider;
+use arcless_core::pantograph::system::Pantograph;
 use arcless_core::scheme::Scheme;
 use arcless_core::simulation::inputs::Inputs;
 use arcless_core::simulation::model::Model;
@@ -17,7 +17,7 @@ const SPEED: f64 = 80.0;
 const START: f64 = 1.3 * SPAN;
 const STEPS: usize = 300;
 
-fn model<'a>(line: &'a Prepared<2, 4>, riders: &'a [Rider]) -> Model<'a, 2, 4> {
+fn model<'a>(line: &'a WireModel<2, 4>, riders: &'a [Pantograph]) -> Model<'a, 2, 4> {
     Model {
         line,
         riders,

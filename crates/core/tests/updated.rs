@@ -4,15 +4,15 @@
 use crate::common;
 
 use arcless_core::CoreError;
-use arcless_core::integrator::prepared::Prepared;
-use arcless_core::linear::model::Line;
-use arcless_core::pantograph::excitation::Given;
+use arcless_core::integrator::prepared::WireModel;
+use arcless_core::linear::model::LinearModel;
+use arcless_core::pantograph::excitation::Excitation;
 use arcless_core::pantograph::strip::Strip;
-use arcless_core::pantograph::system::Rider;
+use arcless_core::pantograph::system::Pantograph;
 use arcless_core::scheme::Scheme;
 use arcless_core::simulation::recording::record::{Record, RecordPlan};
-use arcless_core::simulation::run::Travel;
-use arcless_core::slideline::Path;
+use arcless_core::simulation::run::Trajectory;
+use arcless_core::slideline::Slideline;
 use arcless_core::structure::Structure;
 use common::chain::{lumped, settled};
 use common::{Single, orders, simple_line_of, three_masses};
@@ -32,8 +32,8 @@ fn plan(points: Vec<f64>) -> RecordPlan {
     }
 }
 
-fn travel(start: f64, speed: f64, h: f64, steps: usize) -> Travel {
-    Travel {
+fn travel(start: f64, speed: f64, h: f64, steps: usize) -> Trajectory {
+    Trajectory {
         positions: (0..=steps).map(|i| start + speed * h * i as f64).collect(),
         speeds: vec![speed; steps + 1],
         distances: vec![0.0],
@@ -47,13 +47,13 @@ fn updated<const DIM: usize, const D: usize>(
     scheme: Scheme,
     h: f64,
     contact: f64,
-) -> Prepared<DIM, D> {
+) -> WireModel<DIM, D> {
     let (geometry, shape) = settled::<DIM, D>(structure.clone());
-    let lanes =
-        Path::lanes(&geometry, &shape, std::slice::from_ref(path)).expect("the wire is a path");
-    Prepared::updated(
+    let lanes = Slideline::lanes(&geometry, &shape, std::slice::from_ref(path))
+        .expect("the wire is a path");
+    WireModel::updated(
         &geometry,
-        Line::new(&geometry, shape.clone()),
+        LinearModel::new(&geometry, shape.clone()),
         lanes,
         scheme,
         h,
@@ -67,14 +67,14 @@ fn linearised<const DIM: usize, const D: usize>(
     scheme: Scheme,
     h: f64,
     contact: f64,
-) -> Prepared<DIM, D> {
+) -> WireModel<DIM, D> {
     common::prepare_any(line.clone(), |_| (), scheme, h, contact)
 }
 
 fn run<const DIM: usize, const D: usize>(
-    p: &Prepared<DIM, D>,
-    rider: &Rider,
-    travel: &Travel,
+    p: &WireModel<DIM, D>,
+    rider: &Pantograph,
+    travel: &Trajectory,
     points: Vec<f64>,
 ) -> Record {
     p.run(
@@ -87,8 +87,8 @@ fn run<const DIM: usize, const D: usize>(
 }
 
 /// The two masses of the paper's example, without damping.
-fn two_masses(force: f64) -> Rider {
-    Rider {
+fn two_masses(force: f64) -> Pantograph {
+    Pantograph {
         mass: vec![45.0, 0.0, 0.0, 16.0],
         damping: vec![0.0; 4],
         stiffness: vec![7e3, -6e3, -6e3, 6e3],
@@ -96,7 +96,7 @@ fn two_masses(force: f64) -> Rider {
         preload: vec![1.0, 0.0],
         lift: vec![0.0; 2],
         start_force: force,
-        given: Given::default(),
+        given: Excitation::default(),
         stops: Vec::new(),
         laws: Vec::new(),
         actuator: None,
@@ -224,7 +224,7 @@ fn an_energy_ledger_is_refused() {
 fn a_wire_that_folds_back_is_noticed() {
     let (structure, elements) = wire();
     let (geometry, shape) = settled::<2, 2>(structure);
-    let mut path = Path::new(&geometry, &shape, &elements).expect("a path");
+    let mut path = Slideline::new(&geometry, &shape, &elements).expect("a path");
     let mut u = vec![[0.0; 2]; shape.len()];
     u[20][0] = 0.49;
     assert!(path.follow(&u), "just not yet: elements of 0.5 m");

@@ -5,12 +5,12 @@ use crate::prepared::{self, Prepared};
 use crate::structure;
 use arcless_core::CoreError;
 use arcless_core::element::hermite;
-use arcless_core::integrator::prepared::Prepared as PreparedLine;
+use arcless_core::integrator::prepared::WireModel;
 use arcless_core::linalg::lanczos::Recurrence;
-use arcless_core::linear::model::Line;
-use arcless_core::linear::static_response::Still;
+use arcless_core::linear::model::LinearModel;
+use arcless_core::linear::static_response::StaticSolver;
 use arcless_core::scheme::Scheme;
-use arcless_core::slideline::Path;
+use arcless_core::slideline::Slideline;
 use arcless_core::statics::{Alteration, Geometry, Shape, assembly};
 use numpy::{PyReadonlyArray2, ToPyArray};
 use pyo3::exceptions::PyValueError;
@@ -236,18 +236,18 @@ impl<const DIM: usize, const D: usize> Solved<DIM, D> {
         Ok(Self { geometry, shape })
     }
 
-    fn line(&self) -> Line<DIM, D> {
-        Line::new(&self.geometry, self.shape.clone())
+    fn line(&self) -> LinearModel<DIM, D> {
+        LinearModel::new(&self.geometry, self.shape.clone())
     }
 
-    fn lanes(&self, lanes: &[Vec<usize>]) -> Result<Vec<Path<DIM>>, CoreError> {
+    fn lanes(&self, lanes: &[Vec<usize>]) -> Result<Vec<Slideline<DIM>>, CoreError> {
         let (geometry, shape) = (&self.geometry, &self.shape);
-        let paths = Path::lanes(geometry, shape, lanes)?;
+        let paths = Slideline::lanes(geometry, shape, lanes)?;
         if geometry.structure.fitted_bends {
-            return Ok(Path::rounded(paths, geometry, shape));
+            return Ok(Slideline::rounded(paths, geometry, shape));
         }
         if geometry.structure.residual.is_some() {
-            return Ok(Path::yielding(paths, geometry, shape, lanes));
+            return Ok(Slideline::yielding(paths, geometry, shape, lanes));
         }
         Ok(paths)
     }
@@ -259,7 +259,7 @@ impl<const DIM: usize, const D: usize> Solved<DIM, D> {
         force: f64,
     ) -> Result<Vec<f64>, CoreError> {
         let (line, lanes) = (self.line(), self.lanes(lanes)?);
-        Still::new(&line)?.elasticity(&lanes, x, force)
+        StaticSolver::new(&line)?.elasticity(&lanes, x, force)
     }
 
     fn modes_moved(
@@ -284,7 +284,7 @@ impl<const DIM: usize, const D: usize> Solved<DIM, D> {
         &self,
         lanes: &[Vec<usize>],
         with: &Stepping,
-    ) -> Result<Arc<PreparedLine<DIM, D>>, CoreError> {
+    ) -> Result<Arc<WireModel<DIM, D>>, CoreError> {
         let (lanes, h, contact) = (self.lanes(lanes)?, with.step, with.contact_stiffness);
         let (geometry, mut line) = (&self.geometry, self.line());
         if with.period_correction {
@@ -297,14 +297,14 @@ impl<const DIM: usize, const D: usize> Solved<DIM, D> {
             });
         }
         if with.explicit {
-            let p = PreparedLine::explicit(geometry, line, lanes, h, contact);
+            let p = WireModel::explicit(geometry, line, lanes, h, contact);
             return p.map(Arc::new);
         }
         if with.updated {
-            let p = PreparedLine::updated(geometry, line, lanes, with.scheme, h, contact);
+            let p = WireModel::updated(geometry, line, lanes, with.scheme, h, contact);
             return p.map(Arc::new);
         }
-        PreparedLine::new(line, lanes, with.scheme, h, contact).map(Arc::new)
+        WireModel::new(line, lanes, with.scheme, h, contact).map(Arc::new)
     }
 
     fn arrays<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {

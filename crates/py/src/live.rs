@@ -6,7 +6,7 @@ use crate::records::numbers;
 use crate::riders::{RiderData, rider};
 use arcless_core::CoreError;
 use arcless_core::checkpoint::Checkpoint;
-use arcless_core::integrator::prepared::Prepared as PreparedLine;
+use arcless_core::integrator::prepared::WireModel;
 use arcless_core::session::{self, Begin, Collector};
 use numpy::{PyReadonlyArray1, PyReadwriteArray1};
 use pyo3::exceptions::PyValueError;
@@ -17,10 +17,10 @@ use std::sync::Arc;
 
 /// A loop on a line in two or three dimensions; see [`Any`].
 enum Loop {
-    Planar(session::Live<2, 4>),
-    Spatial(session::Live<3, 6>),
-    PlanarChain(session::Live<2, 2>),
-    SpatialChain(session::Live<3, 3>),
+    Planar(session::Session<2, 4>),
+    Spatial(session::Session<3, 6>),
+    PlanarChain(session::Session<2, 2>),
+    SpatialChain(session::Session<3, 3>),
 }
 
 /// Call a method of whichever variant is there.
@@ -53,7 +53,7 @@ fn begin((position, speed, friction): BeginData) -> Begin {
     }
 }
 
-type Made<const DIM: usize, const D: usize> = Result<session::Live<DIM, D>, CoreError>;
+type Made<const DIM: usize, const D: usize> = Result<session::Session<DIM, D>, CoreError>;
 
 #[pymethods]
 impl Live {
@@ -71,12 +71,12 @@ impl Live {
         let collectors = collectors.map(|(behind, half_width)| Collector { behind, half_width });
         let collectors: Vec<Collector> = collectors.collect();
         fn make<const DIM: usize, const D: usize>(
-            p: &Arc<PreparedLine<DIM, D>>,
+            p: &Arc<WireModel<DIM, D>>,
             collectors: Vec<Collector>,
             forces: &[f64],
             start: BeginData,
         ) -> Made<DIM, D> {
-            session::Live::with_forces(p.clone(), collectors, forces, begin(start))
+            session::Session::with_forces(p.clone(), collectors, forces, begin(start))
         }
         let found = py.detach(|| match &line.0 {
             Any::Planar(p) => make(p, collectors, &forces, start).map(Loop::Planar),
@@ -98,11 +98,11 @@ impl Live {
     ) -> PyResult<Self> {
         let riders = riders.into_iter().map(|data| rider(data).0).collect();
         fn make<const DIM: usize, const D: usize>(
-            p: &Arc<PreparedLine<DIM, D>>,
-            (riders, distances): (Vec<arcless_core::pantograph::system::Rider>, Vec<f64>),
+            p: &Arc<WireModel<DIM, D>>,
+            (riders, distances): (Vec<arcless_core::pantograph::system::Pantograph>, Vec<f64>),
             start: BeginData,
         ) -> Made<DIM, D> {
-            session::Live::with_riders(p.clone(), riders, distances, begin(start))
+            session::Session::with_riders(p.clone(), riders, distances, begin(start))
         }
         let what = (riders, distances);
         let found = py.detach(|| match &line.0 {

@@ -5,13 +5,13 @@ use crate::records::{arrays, numbers, read_plan};
 use crate::riders::{RiderData, rider};
 use arcless_core::CoreError;
 use arcless_core::checkpoint::Checkpoint;
-use arcless_core::integrator::prepared::Prepared as PreparedLine;
+use arcless_core::integrator::prepared::WireModel;
 use arcless_core::linear::loads::Load;
 use arcless_core::pantograph::actuator::Sample;
-use arcless_core::pantograph::system::Rider;
+use arcless_core::pantograph::system::Pantograph;
 use arcless_core::simulation::recording::record::Record;
-use arcless_core::simulation::run::Travel;
-use arcless_core::simulation::run::{Callers, Part};
+use arcless_core::simulation::run::Trajectory;
+use arcless_core::simulation::run::{Callbacks, Part};
 use numpy::{PyArrayLike1, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -21,13 +21,13 @@ use std::sync::Arc;
 /// Prepared line in two or three dimensions.
 pub enum Any {
     /// Along and up, Hermite elements.
-    Planar(Arc<PreparedLine<2, 4>>),
+    Planar(Arc<WireModel<2, 4>>),
     /// Along, across and up, Hermite elements.
-    Spatial(Arc<PreparedLine<3, 6>>),
+    Spatial(Arc<WireModel<3, 6>>),
     /// Along and up, chains of point masses.
-    PlanarChain(Arc<PreparedLine<2, 2>>),
+    PlanarChain(Arc<WireModel<2, 2>>),
     /// Along, across and up, chains of point masses.
-    SpatialChain(Arc<PreparedLine<3, 3>>),
+    SpatialChain(Arc<WireModel<3, 3>>),
 }
 
 /// Call a method of whichever variant is there.
@@ -97,9 +97,9 @@ impl Prepared {
         until: Option<usize>,
         take: Option<(usize, Py<PyAny>)>,
     ) -> PyResult<Bound<'py, PyDict>> {
-        let (riders, controllers): (Vec<Rider>, Vec<Option<Py<PyAny>>>) =
+        let (riders, controllers): (Vec<Pantograph>, Vec<Option<Py<PyAny>>>) =
             riders.into_iter().map(rider).unzip();
-        let travel = Travel {
+        let travel = Trajectory {
             positions: positions.to_vec()?,
             speeds: speeds.to_vec()?,
             distances,
@@ -147,7 +147,7 @@ impl Prepared {
                 })
             };
             let enough = take.as_ref().map(|(numbers, _)| *numbers);
-            let callers = Callers {
+            let callers = Callbacks {
                 observe: &mut go_on,
                 ask: &mut ask,
                 take: enough.map(|numbers| (numbers, &mut hand_on as _)),

@@ -1,9 +1,9 @@
 //! What a run records: the plan that comes from Python, and the arrays that go there.
 
 use arcless_core::checkpoint::Checkpoint;
-use arcless_core::integrator::energy::implicit::Entries;
+use arcless_core::integrator::energy::implicit::EnergyTerms;
 use arcless_core::simulation::recording::record::{Record, RecordPlan};
-use arcless_core::simulation::recording::window::{Near, Ordered};
+use arcless_core::simulation::recording::window::{Near, SortedStations};
 use numpy::{IntoPyArray, ToPyArray};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -15,7 +15,7 @@ type NearData = (f64, OrderedData, OrderedData);
 type OrderedData = (Vec<usize>, Vec<f64>, usize);
 
 fn near((behind, links, nodes): NearData) -> Near {
-    let ordered = |(of, x, count): OrderedData| Ordered { of, x, count };
+    let ordered = |(of, x, count): OrderedData| SortedStations { of, x, count };
     Near {
         behind,
         links: ordered(links),
@@ -95,8 +95,8 @@ pub fn arrays(py: Python<'_>, r: Record) -> PyResult<Bound<'_, PyDict>> {
     Ok(out)
 }
 
-fn energies<'py>(py: Python<'py>, ledger: &[Entries]) -> PyResult<Bound<'py, PyDict>> {
-    type Entry = (&'static str, fn(&Entries) -> f64);
+fn energies<'py>(py: Python<'py>, ledger: &[EnergyTerms]) -> PyResult<Bound<'py, PyDict>> {
+    type Entry = (&'static str, fn(&EnergyTerms) -> f64);
     let entries: [Entry; 16] = [
         ("kinetic", |e| e.kinetic),
         ("elastic", |e| e.elastic),
@@ -113,7 +113,7 @@ fn energies<'py>(py: Python<'py>, ledger: &[Entries]) -> PyResult<Bound<'py, PyD
         ("work_traction", |e| e.work_traction),
         ("work_friction", |e| e.work_friction),
         ("work_loads", |e| e.work_loads),
-        ("residual", Entries::residual),
+        ("residual", EnergyTerms::residual),
     ];
     let energy = PyDict::new(py);
     for (name, read) in entries {

@@ -1,12 +1,12 @@
 //! Riders as they come from Python.
 
 use arcless_core::pantograph::actuator::Actuator;
-use arcless_core::pantograph::breakpoint::Motion;
-use arcless_core::pantograph::bump_stop::Stop;
-use arcless_core::pantograph::excitation::{Given, Ground, History};
-use arcless_core::pantograph::piecewise_force::Law;
+use arcless_core::pantograph::breakpoint::ForceKind;
+use arcless_core::pantograph::bump_stop::BumpStop;
+use arcless_core::pantograph::excitation::{BaseMotion, Excitation, ForceHistory};
+use arcless_core::pantograph::piecewise_force::PiecewiseForce;
 use arcless_core::pantograph::strip::Strip;
-use arcless_core::pantograph::system::Rider;
+use arcless_core::pantograph::system::Pantograph;
 use pyo3::prelude::*;
 
 /// One rider as it comes from Python: mass, damping, stiffness matrices by rows; strips; preload, lift
@@ -45,11 +45,11 @@ type StopData = (Vec<f64>, f64, f64);
 /// Direction of a spring or damper, whether it is a damper, points (m or m/s, N).
 type LawData = (Vec<f64>, bool, Vec<[f64; 2]>);
 
-fn given((forces, ground): GivenData) -> Given {
-    let history = |(direction, values)| History { direction, values };
-    Given {
+fn given((forces, ground): GivenData) -> Excitation {
+    let history = |(direction, values)| ForceHistory { direction, values };
+    Excitation {
         forces: forces.into_iter().map(history).collect(),
-        ground: ground.map(|(carried, displacement, rate)| Ground {
+        ground: ground.map(|(carried, displacement, rate)| BaseMotion {
             carried,
             displacement,
             rate,
@@ -66,28 +66,28 @@ fn strip((offset, half_width, knots, vectors): StripData) -> Strip {
     }
 }
 
-fn stop((direction, gap, stiffness): StopData) -> Stop {
-    Stop {
+fn stop((direction, gap, stiffness): StopData) -> BumpStop {
+    BumpStop {
         direction,
         gap,
         stiffness,
     }
 }
 
-fn law((direction, is_damper, points): LawData) -> Law {
-    Law {
+fn law((direction, is_damper, points): LawData) -> PiecewiseForce {
+    PiecewiseForce {
         direction,
         motion: if is_damper {
-            Motion::Rate
+            ForceKind::Damper
         } else {
-            Motion::Place
+            ForceKind::Spring
         },
         points,
     }
 }
 
 /// The rider, and who is asked for the force of its actuator.
-pub fn rider(data: RiderData) -> (Rider, Option<Py<PyAny>>) {
+pub fn rider(data: RiderData) -> (Pantograph, Option<Py<PyAny>>) {
     let (
         mass,
         damping,
@@ -112,7 +112,7 @@ pub fn rider(data: RiderData) -> (Rider, Option<Py<PyAny>>) {
             (Some(actuator), Some(asked))
         }
     };
-    let rider = Rider {
+    let rider = Pantograph {
         given: given(outside),
         stops: stops.into_iter().map(stop).collect(),
         laws: laws.into_iter().map(law).collect(),

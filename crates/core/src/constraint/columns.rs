@@ -12,7 +12,7 @@ const CUT: f64 = 1e-17;
 
 /// Columns one after the other in one piece of memory, found by their numbers.
 #[derive(Debug, Clone)]
-pub struct Columns<const D: usize> {
+pub struct ComplianceColumns<const D: usize> {
     windows: Vec<Window>,
     values: Vec<[f64; D]>,
 }
@@ -24,7 +24,7 @@ struct Window {
     length: usize,
 }
 
-impl<const D: usize> Columns<D> {
+impl<const D: usize> ComplianceColumns<D> {
     /// Room for a number of columns; all are zero.
     #[must_use]
     pub fn new(count: usize) -> Self {

@@ -6,10 +6,10 @@
 
 use crate::error::CoreError;
 use crate::pantograph::strip::Strip;
-use crate::pantograph::system::{Rider, RiderState, inner};
-use crate::slideline::Path;
-use crate::slideline::point::{Nodal, Place};
-use crate::slideline::residual_flexibility::Yield;
+use crate::pantograph::system::{Pantograph, PantographState, inner};
+use crate::slideline::Slideline;
+use crate::slideline::point::{Nodal, SlidelinePoint};
+use crate::slideline::residual_flexibility::LocalCompliance;
 
 /// A strip of a rider on a lane.
 #[derive(Debug, Clone)]
@@ -25,11 +25,11 @@ pub struct Contact<const DIM: usize> {
     /// Whether the lane has wire at the strip; only then `place` is of this step.
     pub(crate) has_wire: bool,
     /// Where it acts, at the time of balance.
-    pub(crate) place: Place<DIM>,
+    pub(crate) place: SlidelinePoint<DIM>,
     /// What the wire yields there beyond the mesh.
-    pub(crate) yields: Yield,
+    pub(crate) yields: LocalCompliance,
     /// The same before and after the step.
-    pub(crate) ends: [Place<DIM>; 2],
+    pub(crate) ends: [SlidelinePoint<DIM>; 2],
     /// Lateral place of the wire at the start of the step, m.
     pub(crate) lateral: f64,
     /// e(y).
@@ -48,7 +48,7 @@ impl<const DIM: usize> Contact<DIM> {
         self.of[0]
     }
 
-    fn strip<'a>(&self, riders: &'a [Rider]) -> &'a Strip {
+    fn strip<'a>(&self, riders: &'a [Pantograph]) -> &'a Strip {
         &riders[self.of[0]].strips[self.of[1]]
     }
 
@@ -81,9 +81,9 @@ impl<const DIM: usize> Contacts<DIM> {
     /// # Errors
     /// Those of [`Contacts::find`].
     pub(crate) fn new<const D: usize>(
-        riders: &[Rider],
+        riders: &[Pantograph],
         distances: &[f64],
-        lanes: &[Path<DIM>],
+        lanes: &[Slideline<DIM>],
         position: f64,
         u: &(impl Nodal<D> + ?Sized),
     ) -> Result<Self, CoreError> {
@@ -97,7 +97,7 @@ impl<const DIM: usize> Contacts<DIM> {
     }
 
     /// The same, without a place.
-    pub(crate) fn blank(riders: &[Rider], distances: &[f64], lanes: usize) -> Self {
+    pub(crate) fn blank(riders: &[Pantograph], distances: &[f64], lanes: usize) -> Self {
         let mut all = Vec::new();
         for (j, (rider, &distance)) in riders.iter().zip(distances).enumerate() {
             for (s, strip) in rider.strips.iter().enumerate() {
@@ -107,9 +107,9 @@ impl<const DIM: usize> Contacts<DIM> {
                     meets: false,
                     is_new: true,
                     has_wire: false,
-                    place: Place::default(),
-                    yields: Yield::default(),
-                    ends: [Place::default(); 2],
+                    place: SlidelinePoint::default(),
+                    yields: LocalCompliance::default(),
+                    ends: [SlidelinePoint::default(); 2],
                     lateral: 0.0,
                     vector: strip.vectors[0].clone(),
                     column: Vec::new(),
@@ -126,7 +126,7 @@ impl<const DIM: usize> Contacts<DIM> {
     }
 
     /// Take down the responses of the riders to their strips.
-    pub(crate) fn respond(&mut self, riders: &[RiderState]) {
+    pub(crate) fn respond(&mut self, riders: &[PantographState]) {
         for contact in &mut self.all {
             let rider = &riders[contact.of[0]];
             let strip = &rider.rider.strips[contact.of[1]];
@@ -138,7 +138,7 @@ impl<const DIM: usize> Contacts<DIM> {
     }
 
     /// Find the places of the active contacts anew, before the first step.
-    pub(crate) fn follow(&mut self, lanes: &[Path<DIM>], position: f64) {
+    pub(crate) fn follow(&mut self, lanes: &[Slideline<DIM>], position: f64) {
         for &i in &self.active {
             let contact = &mut self.all[i];
             let lane = &lanes[contact.of[2]];
@@ -159,8 +159,8 @@ impl<const DIM: usize> Contacts<DIM> {
     /// [`CoreError::OffWire`], [`CoreError::OutOfReach`].
     pub(crate) fn find<const D: usize>(
         &mut self,
-        riders: &[Rider],
-        lanes: &[Path<DIM>],
+        riders: &[Pantograph],
+        lanes: &[Slideline<DIM>],
         u: &(impl Nodal<D> + ?Sized),
         positions: [f64; 3],
         step: usize,
@@ -180,7 +180,7 @@ impl<const DIM: usize> Contacts<DIM> {
     }
 
     /// Take e(y) of the contacts whose wire lies elsewhere on the strip than a step ago.
-    pub(crate) fn slide(&mut self, riders: &[RiderState]) {
+    pub(crate) fn slide(&mut self, riders: &[PantographState]) {
         for &i in &self.active {
             let contact = &mut self.all[i];
             let rider = &riders[contact.of[0]];
@@ -208,7 +208,7 @@ impl<const DIM: usize> Contact<DIM> {
     fn seek<const D: usize>(
         &mut self,
         strip: &Strip,
-        lane: &Path<DIM>,
+        lane: &Slideline<DIM>,
         u: &(impl Nodal<D> + ?Sized),
         [start, balance, end]: [f64; 3],
     ) {

@@ -2,15 +2,15 @@
 
 use crate::constraint::contacts::{Contact, Contacts};
 use crate::error::CoreError;
-use crate::pantograph::system::Rider;
-use crate::slideline::Path;
+use crate::pantograph::system::Pantograph;
+use crate::slideline::Slideline;
 
 impl<const DIM: usize> Contacts<DIM> {
     /// Every strip has wire before and behind the step, every rider a contact.
     pub(crate) fn check(
         &self,
-        riders: &[Rider],
-        lanes: &[Path<DIM>],
+        riders: &[Pantograph],
+        lanes: &[Slideline<DIM>],
         [_, _, end]: [f64; 3],
         step: usize,
     ) -> Result<(), CoreError> {

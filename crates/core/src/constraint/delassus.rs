@@ -1,17 +1,17 @@
 //! Influence on one another of contacts and links, read from the columns A⁻¹c.
 
 use crate::constraint::contacts::Contact;
-use crate::integrator::prepared::Prepared;
-use crate::linear::model::Line;
+use crate::integrator::prepared::WireModel;
+use crate::linear::model::LinearModel;
 use crate::pantograph::system::inner;
-use crate::slideline::point::{Nodal, Place, slots};
-use crate::slideline::residual_flexibility::Yield;
+use crate::slideline::point::{Nodal, SlidelinePoint, slots};
+use crate::slideline::residual_flexibility::LocalCompliance;
 
 /// Share of what a contact and its rider yield in a step that a negative R takes at most, so that the matrix of a step
 /// stays positive definite: R of chains is some −0.3 µm/N, and a contact of 50 kN/m has 20 µm/N.
 const LEAST: f64 = 0.5;
 
-impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
+impl<const DIM: usize, const D: usize> WireModel<DIM, D> {
     /// Field of a unit contact force, read at a node.
     #[inline(always)]
     fn contact_field(&self, source: &Contact<DIM>, node: usize) -> [f64; D] {
@@ -55,7 +55,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
     }
 
     /// What links take of R between two places: Σ R_d k R_d, m/N.
-    pub(crate) fn carried(&self, a: &Yield, b: &Yield) -> f64 {
+    pub(crate) fn carried(&self, a: &LocalCompliance, b: &LocalCompliance) -> f64 {
         let by_link = a.pulls().map(|(l, rise)| self.eased(l, rise) * b.of(l));
         by_link.sum()
     }
@@ -70,8 +70,8 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
     #[inline(always)]
     pub(crate) fn felt(
         &self,
-        place: &Place<DIM>,
-        yields: &Yield,
+        place: &SlidelinePoint<DIM>,
+        yields: &LocalCompliance,
         x: &(impl Nodal<D> + ?Sized),
     ) -> f64 {
         let mut height = place.displacement(x, DIM - 1);
@@ -99,7 +99,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
 
     /// Elongation of a link for a unit force at `source`, of the mesh.
     pub(crate) fn contact_on_link(&self, source: &Contact<DIM>, link: usize) -> f64 {
-        let line: &Line<DIM, D> = &self.line;
+        let line: &LinearModel<DIM, D> = &self.line;
         let l = &line.links[link];
         let upper = self.contact_field(source, l.nodes[0]);
         let lower = self.contact_field(source, l.nodes[1]);

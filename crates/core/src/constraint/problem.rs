@@ -23,15 +23,15 @@
 use crate::constraint::contacts::Contacts;
 use crate::constraint::link_table::LinkTable;
 use crate::constraint::links::LinkMotion;
-use crate::integrator::prepared::Prepared;
+use crate::integrator::prepared::WireModel;
 use crate::lcp::{LcpFailure, LcpSolver, LcpStats};
-use crate::pantograph::system::{RiderState, inner};
+use crate::pantograph::system::{PantographState, inner};
 use std::ops::Range;
 
 /// Unknowns and workspace of the complementarity problem; nothing is allocated during a run
 /// once the vectors have grown.
 #[derive(Debug, Clone, Default)]
-pub struct Unilateral {
+pub struct ConstraintProblem {
     /// Contact forces λ, N; zero where a contact does not take part.
     pub force: Vec<f64>,
     /// Gaps d + λ/k_c, m: zero when closed, infinite where a contact does not take part.
@@ -53,7 +53,7 @@ pub struct Unilateral {
     solver: LcpSolver,
 }
 
-impl Unilateral {
+impl ConstraintProblem {
     /// For the given numbers of contacts and links, with the corrections at the start.
     #[must_use]
     pub fn new(contacts: usize, correction: Vec<f64>) -> Self {
@@ -125,9 +125,9 @@ impl Unilateral {
     /// [`LcpFailure`] with the problem in it.
     pub fn solve<const DIM: usize, const D: usize>(
         &mut self,
-        p: &Prepared<DIM, D>,
+        p: &WireModel<DIM, D>,
         contacts: &Contacts<DIM>,
-        riders: &mut [RiderState],
+        riders: &mut [PantographState],
         gap_free: &[f64],
         tension_free: &[f64],
     ) -> Result<LcpStats, Box<LcpFailure>> {
@@ -160,7 +160,7 @@ impl Unilateral {
         for (k, &link) in self.links.iter().enumerate() {
             self.correction[link] = self.x[m + k];
         }
-        let kinks = riders.iter_mut().flat_map(RiderState::entered_mut);
+        let kinks = riders.iter_mut().flat_map(PantographState::entered_mut);
         for (kink, &force) in kinks.zip(&self.x[first_stop..]) {
             kink.force = force;
         }
@@ -170,7 +170,7 @@ impl Unilateral {
     /// Rows and columns of the contacts, and their coupling to the links.
     fn enter_contacts<const DIM: usize, const D: usize>(
         &mut self,
-        p: &Prepared<DIM, D>,
+        p: &WireModel<DIM, D>,
         contacts: &Contacts<DIM>,
         gap_free: &[f64],
     ) {
@@ -202,7 +202,7 @@ impl Unilateral {
     fn enter_kinks<const DIM: usize>(
         &mut self,
         contacts: &Contacts<DIM>,
-        riders: &[RiderState],
+        riders: &[PantographState],
         first: usize,
     ) {
         let n = self.w.len();

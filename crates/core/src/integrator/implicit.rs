@@ -11,10 +11,10 @@
 //! so a step costs one product with the (structured) mass matrix and one solve.
 
 use crate::error::CoreError;
-use crate::integrator::prepared::Prepared;
+use crate::integrator::prepared::WireModel;
 use crate::integrator::{Stepping, WireState};
 use crate::linalg::{BlockLdl, Kernel, widest};
-use crate::linear::model::Line;
+use crate::linear::model::LinearModel;
 use crate::scheme::Coefficients;
 use crate::simulation::sleep::Island;
 use std::ops::Range;
@@ -68,7 +68,7 @@ impl<const D: usize> Implicit<D> {
     /// # Errors
     /// [`CoreError::Singular`].
     pub fn new<const DIM: usize>(
-        line: &Line<DIM, D>,
+        line: &LinearModel<DIM, D>,
         c: &Coefficients,
         fixed: Vec<(u32, u32)>,
         from_u: f64,
@@ -96,7 +96,7 @@ impl<const D: usize> Implicit<D> {
     /// `residual` are internal less external forces at the present position where these are formed, N.
     pub fn predict<const DIM: usize>(
         &self,
-        p: &Prepared<DIM, D>,
+        p: &WireModel<DIM, D>,
         residual: Option<&[[f64; D]]>,
         state: &mut WireState<D>,
         load: impl FnOnce(&mut [[f64; D]]) -> bool,
@@ -143,7 +143,7 @@ impl<const D: usize> Implicit<D> {
     /// `f −= (C − αM − βK) (v* − (a_C/κ) s)` on an island.
     fn subtract_damping_rest<const DIM: usize>(
         &self,
-        line: &Line<DIM, D>,
+        line: &LinearModel<DIM, D>,
         island: &Island,
         [u, v, a]: [&[[f64; D]]; 3],
         [work, scratch]: [&mut [[f64; D]]; 2],
@@ -167,7 +167,7 @@ impl<const D: usize> Implicit<D> {
     }
 
     /// New displacement, velocity and acceleration.
-    pub fn commit<const DIM: usize>(&self, p: &Prepared<DIM, D>, state: &mut WireState<D>) {
+    pub fn commit<const DIM: usize>(&self, p: &WireModel<DIM, D>, state: &mut WireState<D>) {
         widest(Advance {
             p,
             implicit: self,
@@ -204,7 +204,7 @@ fn next([mu, mv, ma]: [f64; 3], [su, sv, sa]: [f64; 3], [u, v, a]: [f64; 3]) -> 
 
 /// `delta = M · prepared`
 struct Inertia<'a, const DIM: usize, const D: usize> {
-    p: &'a Prepared<DIM, D>,
+    p: &'a WireModel<DIM, D>,
     state: &'a mut WireState<D>,
 }
 
@@ -230,7 +230,7 @@ impl<const DIM: usize, const D: usize> Kernel for Inertia<'_, DIM, D> {
 /// New displacement, velocity and acceleration, and the combinations of them that the next step
 /// starts from: one pass over the state.
 struct Advance<'a, const DIM: usize, const D: usize> {
-    p: &'a Prepared<DIM, D>,
+    p: &'a WireModel<DIM, D>,
     implicit: &'a Implicit<D>,
     state: &'a mut WireState<D>,
 }

@@ -1,8 +1,8 @@
 //! How wires take a step: one interface, three integrators behind it.
 //!
-//! Nobody outside of this room asks which one it is. A step is: [`Prepared::predict`], the motion without
-//! contact forces and corrections; [`Prepared::apply`], as often as forces are found; and
-//! [`Prepared::commit`].
+//! Nobody outside of this room asks which one it is. A step is: [`WireModel::predict`], the motion without
+//! contact forces and corrections; [`WireModel::apply`], as often as forces are found; and
+//! [`WireModel::commit`].
 
 pub mod energy;
 pub mod explicit;
@@ -11,14 +11,14 @@ pub mod prepared;
 pub(crate) mod static_line;
 pub mod updated_geometry;
 
-use crate::checkpoint::Walk;
-use crate::constraint::columns::Columns;
+use crate::checkpoint::Archive;
+use crate::constraint::columns::ComplianceColumns;
 use crate::constraint::contacts::Contacts;
 use crate::constraint::links::LinkMotion;
-use crate::constraint::problem::Unilateral;
+use crate::constraint::problem::ConstraintProblem;
 use crate::error::CoreError;
 use crate::integrator::explicit::{Explicit, Grid};
-use crate::integrator::prepared::Prepared;
+use crate::integrator::prepared::WireModel;
 use crate::simulation::sleep::Island;
 use crate::slideline::point::Nodal;
 use implicit::{Implicit, ImplicitState};
@@ -92,7 +92,7 @@ impl<const D: usize> Nodal<D> for Known<'_, D> {
 
 impl<const D: usize> WireState<D> {
     fn new<const DIM: usize>(
-        p: &Prepared<DIM, D>,
+        p: &WireModel<DIM, D>,
         u: Vec<[f64; D]>,
         stepping: Stepping<D>,
     ) -> Self {
@@ -159,7 +159,7 @@ impl<const D: usize> WireState<D> {
     ///
     /// # Errors
     /// [`CoreError::Input`] for numbers that do not fit.
-    pub(crate) fn walk(&mut self, walk: &mut Walk<'_>) -> Result<(), CoreError> {
+    pub(crate) fn walk(&mut self, walk: &mut Archive<'_>) -> Result<(), CoreError> {
         walk.numbers("line_displacement", self.u.as_flattened_mut().iter_mut())?;
         walk.numbers("line_velocity", self.v.as_flattened_mut().iter_mut())?;
         match &mut self.stepping {
@@ -176,7 +176,7 @@ impl<const D: usize> WireState<D> {
     }
 }
 
-impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
+impl<const DIM: usize, const D: usize> WireModel<DIM, D> {
     /// Explicit steps with their grid.
     pub(crate) fn explicit_state<'a>(
         &'a self,
@@ -227,7 +227,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         match &self.integrator {
             Integrator::Explicit(steps) => {
                 let mut grid = steps.still();
-                let mut columns = Columns::new(self.columns.count());
+                let mut columns = ComplianceColumns::new(self.columns.count());
                 for number in 0..columns.count() {
                     let load = self.unit_load(number);
                     let load = load.iter().flat_map(|(node, force)| {
@@ -304,7 +304,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
     pub(crate) fn apply(
         &self,
         state: &mut WireState<D>,
-        unilateral: &mut Unilateral,
+        unilateral: &mut ConstraintProblem,
         contacts: &Contacts<DIM>,
     ) {
         let WireState {

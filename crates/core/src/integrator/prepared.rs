@@ -1,16 +1,16 @@
 //! A line ready for steps: all that stays the same during a run.
 
-use crate::constraint::columns::Columns;
+use crate::constraint::columns::ComplianceColumns;
 use crate::constraint::link_table::LinkTable;
 use crate::error::CoreError;
 use crate::integrator::Integrator;
 use crate::integrator::explicit::Explicit;
 use crate::integrator::implicit::Implicit;
-use crate::linear::model::Line;
-use crate::linear::static_response::StillFactors;
+use crate::linear::model::LinearModel;
+use crate::linear::static_response::StaticFactors;
 use crate::scheme::{Coefficients, Scheme};
 use crate::simulation::sleep::Island;
-use crate::slideline::Path;
+use crate::slideline::Slideline;
 use crate::slideline::point::slots;
 use crate::statics::Geometry;
 use std::ops::RangeInclusive;
@@ -22,18 +22,18 @@ const STEP_LENGTHS: RangeInclusive<f64> = 1e-12..=1e6;
 
 /// Everything that stays the same during a run, and may be shared by many runs.
 #[derive(Debug, Clone)]
-pub struct Prepared<const DIM: usize, const D: usize> {
+pub struct WireModel<const DIM: usize, const D: usize> {
     /// Linearised structure.
-    pub line: Line<DIM, D>,
+    pub line: LinearModel<DIM, D>,
     /// Wires the contacts run along.
-    pub lanes: Vec<Path<DIM>>,
+    pub lanes: Vec<Slideline<DIM>>,
     /// Step length, s.
     pub h: f64,
     /// Numbers of the scheme.
     pub coefficients: Coefficients,
     /// Influence columns: lane by lane one for each slot (force, couple) of each node, then one for
     /// each link.
-    pub columns: Columns<D>,
+    pub columns: ComplianceColumns<D>,
     /// Columns of the lanes.
     pub(crate) lane_columns: usize,
     pub(crate) table: LinkTable,
@@ -43,20 +43,20 @@ pub struct Prepared<const DIM: usize, const D: usize> {
     pub contact_flexibility: f64,
     pub(crate) integrator: Integrator<DIM, D>,
     /// Factors of the stiffness, once somebody asked for them; not with updated kinematics, which change it.
-    pub(crate) still: OnceLock<StillFactors<D>>,
+    pub(crate) still: OnceLock<StaticFactors<D>>,
     /// What of the line nothing couples.
     pub(crate) islands: Vec<Island>,
 }
 
-impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
+impl<const DIM: usize, const D: usize> WireModel<DIM, D> {
     /// Factorise the matrix of the scheme and prepare the influence columns.
     /// `contact_stiffness` is infinite for rigid contact.
     ///
     /// # Errors
     /// [`CoreError::Input`] or [`CoreError::Singular`].
     pub fn new(
-        line: Line<DIM, D>,
-        lanes: Vec<Path<DIM>>,
+        line: LinearModel<DIM, D>,
+        lanes: Vec<Slideline<DIM>>,
         scheme: Scheme,
         h: f64,
         contact_stiffness: f64,
@@ -73,15 +73,15 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         )
     }
 
-    /// The same for explicit steps of wires that are chains, see [`Explicit`]; on [`Path::rounded`] lanes they are
+    /// The same for explicit steps of wires that are chains, see [`Explicit`]; on [`Slideline::rounded`] lanes they are
     /// right between points as well.
     ///
     /// # Errors
     /// [`CoreError::Input`] or [`CoreError::Singular`].
     pub fn explicit(
         geometry: &Geometry<DIM, D>,
-        line: Line<DIM, D>,
-        lanes: Vec<Path<DIM>>,
+        line: LinearModel<DIM, D>,
+        lanes: Vec<Slideline<DIM>>,
         h: f64,
         contact_stiffness: f64,
     ) -> Result<Self, CoreError> {
@@ -95,12 +95,12 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
     /// Assemble with an integrator, made of the linearised line, the numbers of the scheme, and the
     /// components that cannot move.
     pub(crate) fn assemble(
-        line: Line<DIM, D>,
-        lanes: Vec<Path<DIM>>,
+        line: LinearModel<DIM, D>,
+        lanes: Vec<Slideline<DIM>>,
         (scheme, h): (Scheme, f64),
         contact_stiffness: f64,
         integrator: impl FnOnce(
-            &Line<DIM, D>,
+            &LinearModel<DIM, D>,
             &Coefficients,
             Vec<(u32, u32)>,
         ) -> Result<Integrator<DIM, D>, CoreError>,
@@ -126,7 +126,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
             table: LinkTable::new(&line.links, &c),
             contact_compliance: 1.0 / (contact_stiffness * c.stiffness),
             contact_flexibility: 1.0 / contact_stiffness,
-            columns: Columns::new(lane_columns + line.links.len()),
+            columns: ComplianceColumns::new(lane_columns + line.links.len()),
             lane_columns,
             integrator: integrator(&line, &c, fixed)?,
             line,

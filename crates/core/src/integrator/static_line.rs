@@ -3,26 +3,26 @@
 use crate::constraint::contacts::Contacts;
 use crate::error::CoreError;
 use crate::integrator::Integrator;
-use crate::integrator::prepared::Prepared;
+use crate::integrator::prepared::WireModel;
 use crate::integrator::updated_geometry::{UpdatedGeometry, follow};
-use crate::linear::static_response::{Still, StillState};
-use crate::slideline::Path;
+use crate::linear::static_response::{StaticSolver, StaticState};
+use crate::slideline::Slideline;
 
 /// Static solver of a line, with the kinematics of its steps.
 pub(crate) enum StaticLine<'a, const DIM: usize, const D: usize> {
     /// Linearised about the equilibrium without contact forces.
-    Linear(Box<Still<'a, DIM, D>>),
+    Linear(Box<StaticSolver<'a, DIM, D>>),
     /// Formed at every position, with lanes at rest.
-    Updated(&'a UpdatedGeometry<DIM, D>, &'a [Path<DIM>]),
+    Updated(&'a UpdatedGeometry<DIM, D>, &'a [Slideline<DIM>]),
 }
 
 impl<'a, const DIM: usize, const D: usize> StaticLine<'a, DIM, D> {
     /// # Errors
     /// [`CoreError::Singular`] when the line is loose.
-    pub fn new(p: &'a Prepared<DIM, D>) -> Result<Self, CoreError> {
+    pub fn new(p: &'a WireModel<DIM, D>) -> Result<Self, CoreError> {
         Ok(match &p.integrator {
             Integrator::UpdatedGeometry(_, now) => Self::Updated(now, &p.lanes),
-            _ => Self::Linear(Box::new(Still::of(p)?)),
+            _ => Self::Linear(Box::new(StaticSolver::of(p)?)),
         })
     }
 
@@ -33,10 +33,10 @@ impl<'a, const DIM: usize, const D: usize> StaticLine<'a, DIM, D> {
     /// Those of the equilibrium.
     pub fn press(
         &mut self,
-        lanes: &mut [Path<DIM>],
+        lanes: &mut [Slideline<DIM>],
         contacts: &mut Contacts<DIM>,
         (position, forces): (f64, &[f64]),
-    ) -> Result<StillState<D>, CoreError> {
+    ) -> Result<StaticState<D>, CoreError> {
         match self {
             Self::Linear(still) => {
                 let places = contacts.active().map(|c| (c.place, c.yields));

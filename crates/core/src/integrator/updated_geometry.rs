@@ -14,13 +14,13 @@ use crate::constraint::contacts::Contacts;
 use crate::constraint::link_table::LinkTable;
 use crate::error::CoreError;
 use crate::integrator::implicit::Implicit;
-use crate::integrator::prepared::Prepared;
+use crate::integrator::prepared::WireModel;
 use crate::integrator::{Integrator, Stepping, WireState};
 use crate::linalg::{HeldEntry, Refactoring, SymmetricBlocks};
-use crate::linear::model::Line;
-use crate::linear::static_response::StillState;
+use crate::linear::model::LinearModel;
+use crate::linear::static_response::StaticState;
 use crate::scheme::Scheme;
-use crate::slideline::Path;
+use crate::slideline::Slideline;
 use crate::statics::assembly::{Geometry, LinkLaw, Shape, largest};
 
 /// Bound on the approximations of the first equilibrium; the contact moves by less each time.
@@ -44,15 +44,15 @@ pub struct UpdatedGeometry<const DIM: usize, const D: usize> {
     scratch: SymmetricBlocks<D>,
 }
 
-impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
+impl<const DIM: usize, const D: usize> WireModel<DIM, D> {
     /// Prepare runs with updated kinematics; `line` is `geometry` linearised about its equilibrium.
     ///
     /// # Errors
     /// [`CoreError::Input`] or [`CoreError::Singular`].
     pub fn updated(
         geometry: &Geometry<DIM, D>,
-        line: Line<DIM, D>,
-        lanes: Vec<Path<DIM>>,
+        line: LinearModel<DIM, D>,
+        lanes: Vec<Slideline<DIM>>,
         scheme: Scheme,
         h: f64,
         contact_stiffness: f64,
@@ -87,7 +87,7 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
 
     /// Copy that a state owns and forms at its present position, on lanes that have moved; `None` where
     /// the line stays as it is.
-    pub(crate) fn present(&self, lanes: &[Path<DIM>]) -> Option<Box<Self>> {
+    pub(crate) fn present(&self, lanes: &[Slideline<DIM>]) -> Option<Box<Self>> {
         let Integrator::UpdatedGeometry(..) = self.integrator else {
             return None;
         };
@@ -162,11 +162,11 @@ impl<const DIM: usize, const D: usize> UpdatedGeometry<DIM, D> {
     /// Those of [`Geometry::settle`].
     pub(in crate::integrator) fn equilibrium(
         &self,
-        lanes: &[Path<DIM>],
+        lanes: &[Slideline<DIM>],
         contacts: &Contacts<DIM>,
         position: f64,
         forces: &[f64],
-    ) -> Result<StillState<D>, CoreError> {
+    ) -> Result<StaticState<D>, CoreError> {
         let mut lanes = lanes.to_vec();
         let mut geometry = self.geometry.clone();
         let given = geometry.structure.loads.len();
@@ -200,7 +200,7 @@ impl<const DIM: usize, const D: usize> UpdatedGeometry<DIM, D> {
             }
             // Settling leaves a shape that balances as it is.
             if moved == 0.0 {
-                return Ok(StillState {
+                return Ok(StaticState {
                     correction: corrections(&geometry, &shape),
                     tension: Vec::new(),
                     u,
@@ -221,7 +221,7 @@ impl<const DIM: usize, const D: usize> UpdatedGeometry<DIM, D> {
 
 /// Find places on the displaced wires from now on; tells whether all run along the track.
 pub(in crate::integrator) fn follow<const DIM: usize, const D: usize>(
-    lanes: &mut [Path<DIM>],
+    lanes: &mut [Slideline<DIM>],
     u: &[[f64; D]],
 ) -> bool {
     // Every lane follows, also behind one that folds.

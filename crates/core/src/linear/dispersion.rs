@@ -20,7 +20,7 @@
 //! element is made smaller so that it is just that share: continuous in h and ℓ.
 
 use crate::element::hermite;
-use crate::linear::model::Line;
+use crate::linear::model::LinearModel;
 use crate::scheme::Scheme;
 use crate::statics::assembly::Geometry;
 
@@ -29,7 +29,7 @@ use crate::statics::assembly::Geometry;
 /// that need not have it (below 0.8 m at 1 ms).
 const MOST: f64 = 0.75;
 
-impl<const DIM: usize, const D: usize> Line<DIM, D> {
+impl<const DIM: usize, const D: usize> LinearModel<DIM, D> {
     /// Take from the mass of Hermite elements what the scheme slows waves on them by, for steps of `h`
     /// seconds. Nothing happens with schemes of first order and with chains of point masses.
     #[must_use]

@@ -6,10 +6,10 @@
 
 use crate::error::CoreError;
 use crate::linalg::dense;
-use crate::linear::static_response::{Still, StillState};
-use crate::slideline::Path;
-use crate::slideline::point::Place;
-use crate::slideline::residual_flexibility::Yield;
+use crate::linear::static_response::{StaticSolver, StaticState};
+use crate::slideline::Slideline;
+use crate::slideline::point::SlidelinePoint;
+use crate::slideline::residual_flexibility::LocalCompliance;
 
 /// Lifts of several wires that differ by less than this share are the same.
 const ALIKE: f64 = 1e-9;
@@ -18,17 +18,17 @@ const NEARBY: f64 = 1e-4;
 /// Each round fixes which links are slack; a few do.
 const ROUNDS: usize = 60;
 
-impl<const DIM: usize, const D: usize> Still<'_, DIM, D> {
+impl<const DIM: usize, const D: usize> StaticSolver<'_, DIM, D> {
     /// Elasticity e = u/p in m/N at coordinates `x`, for a force `p` in N that lifts all wires there
     /// together; with p = 0 the limit of a small force, which neither slackens a link nor takes up
     /// the slack of one.
     ///
     /// # Errors
     /// [`CoreError::Input`] when the force is impossible or wires side by side yield as one,
-    /// [`CoreError::OffWire`], or those of [`Still::solve`].
+    /// [`CoreError::OffWire`], or those of [`StaticSolver::solve`].
     pub fn elasticity(
         &mut self,
-        lanes: &[Path<DIM>],
+        lanes: &[Slideline<DIM>],
         x: &[f64],
         force: f64,
     ) -> Result<Vec<f64>, CoreError> {
@@ -71,7 +71,7 @@ impl<const DIM: usize, const D: usize> Still<'_, DIM, D> {
     }
 
     /// Lift of each wire under a unit force on each: W, row by row.
-    fn lifts_with_own(&self, places: &[(Place<DIM>, Yield)]) -> Vec<f64> {
+    fn lifts_with_own(&self, places: &[(SlidelinePoint<DIM>, LocalCompliance)]) -> Vec<f64> {
         let n = places.len();
         let mut w = self.lifts(places);
         for (i, (_, yields)) in places.iter().enumerate() {
@@ -82,12 +82,12 @@ impl<const DIM: usize, const D: usize> Still<'_, DIM, D> {
 
     fn rises(
         &mut self,
-        places: &[(Place<DIM>, Yield)],
+        places: &[(SlidelinePoint<DIM>, LocalCompliance)],
         forces: &[f64],
-        rest: &StillState<D>,
+        rest: &StaticState<D>,
     ) -> Result<Vec<f64>, CoreError> {
         let state = self.press(places, forces)?;
-        let rise = |((place, yields), force): (&(Place<DIM>, Yield), &f64)| {
+        let rise = |((place, yields), force): (&(SlidelinePoint<DIM>, LocalCompliance), &f64)| {
             let moved =
                 place.displacement(&state.u, DIM - 1) - place.displacement(&rest.u, DIM - 1);
             let pulled = state.raised(self.line, yields) - rest.raised(self.line, yields);
@@ -99,9 +99,9 @@ impl<const DIM: usize, const D: usize> Still<'_, DIM, D> {
     /// Common rise per force of several wires: Newton's method on how the force is shared.
     fn together(
         &mut self,
-        places: &[(Place<DIM>, Yield)],
+        places: &[(SlidelinePoint<DIM>, LocalCompliance)],
         force: f64,
-        rest: &StillState<D>,
+        rest: &StaticState<D>,
     ) -> Result<f64, CoreError> {
         let n = places.len();
         let alone = shares(&self.lifts_with_own(places), n);

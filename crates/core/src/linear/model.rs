@@ -103,7 +103,7 @@ impl<const DIM: usize> LinearLink<DIM> {
 
 /// Matrices and links of the linearised structure.
 #[derive(Debug, Clone)]
-pub struct Line<const DIM: usize, const D: usize> {
+pub struct LinearModel<const DIM: usize, const D: usize> {
     /// Static shape the motion is measured from.
     pub shape: Shape<D>,
     /// Components that can move.
@@ -126,7 +126,7 @@ pub struct Line<const DIM: usize, const D: usize> {
     pub across_only: bool,
 }
 
-impl<const DIM: usize, const D: usize> Line<DIM, D> {
+impl<const DIM: usize, const D: usize> LinearModel<DIM, D> {
     /// Linearise about `shape`, an equilibrium of `geometry`.
     #[must_use]
     pub fn new(geometry: &Geometry<DIM, D>, shape: Shape<D>) -> Self {

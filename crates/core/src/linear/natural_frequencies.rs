@@ -2,14 +2,14 @@
 
 use crate::error::CoreError;
 use crate::linalg::{BlockLdl, lanczos};
-use crate::linear::model::Line;
-use crate::slideline::point::Place;
+use crate::linear::model::LinearModel;
+use crate::slideline::point::SlidelinePoint;
 
 /// Most natural frequencies that are looked for at once: each takes up to thirty vectors, and time
 /// grows with the square of their number.
 const MOST_FREQUENCIES: usize = 1000;
 
-impl<const DIM: usize, const D: usize> Line<DIM, D> {
+impl<const DIM: usize, const D: usize> LinearModel<DIM, D> {
     /// The `count` lowest natural frequencies in Hz, ascending, each as often as it occurs. Links
     /// that are slack at rest take no part.
     ///
@@ -22,7 +22,7 @@ impl<const DIM: usize, const D: usize> Line<DIM, D> {
     /// The same, given up when `go_on`, which is asked now and then, says no.
     ///
     /// # Errors
-    /// As [`Line::frequencies`]; [`CoreError::Input`] for more than a thousand;
+    /// As [`LinearModel::frequencies`]; [`CoreError::Input`] for more than a thousand;
     /// [`CoreError::Cancelled`].
     pub fn frequencies_while(
         &self,
@@ -56,7 +56,7 @@ impl<const DIM: usize, const D: usize> Line<DIM, D> {
     /// [`CoreError::Singular`] when the line is loose.
     pub fn modes_moved(
         &self,
-        places: &[Place<DIM>],
+        places: &[SlidelinePoint<DIM>],
         steps: usize,
     ) -> Result<lanczos::Recurrence, CoreError> {
         let k = self.stiffness_at_rest();

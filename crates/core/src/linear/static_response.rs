@@ -7,18 +7,18 @@
 //! steps, with H = 1/k − GᵀK⁻¹G.
 
 use crate::error::CoreError;
-use crate::integrator::prepared::Prepared;
+use crate::integrator::prepared::WireModel;
 use crate::lcp::LcpSolver;
 use crate::linalg::BlockLdl;
-use crate::linear::model::Line;
-use crate::slideline::point::Place;
-use crate::slideline::residual_flexibility::Yield;
+use crate::linear::model::LinearModel;
+use crate::slideline::point::SlidelinePoint;
+use crate::slideline::residual_flexibility::LocalCompliance;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 /// Factors of the stiffness of a line.
 #[derive(Debug, Clone)]
-pub struct StillFactors<const D: usize> {
+pub struct StaticFactors<const D: usize> {
     /// Of K with every link linear: the corrections r are on the right-hand side.
     pub linear: BlockLdl<D>,
     /// Of the stiffness at rest, without the links that are slack there; `None` when there are none and
@@ -26,8 +26,8 @@ pub struct StillFactors<const D: usize> {
     at_rest: Option<BlockLdl<D>>,
 }
 
-impl<const D: usize> StillFactors<D> {
-    fn new<const DIM: usize>(line: &Line<DIM, D>) -> Result<Self, CoreError> {
+impl<const D: usize> StaticFactors<D> {
+    fn new<const DIM: usize>(line: &LinearModel<DIM, D>) -> Result<Self, CoreError> {
         let at_rest = line.stiffness_at_rest().map(|k| BlockLdl::new(&k));
         Ok(Self {
             linear: BlockLdl::new(&line.combine(0.0, 0.0, 1.0))?,
@@ -36,22 +36,22 @@ impl<const D: usize> StillFactors<D> {
     }
 }
 
-impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
+impl<const DIM: usize, const D: usize> WireModel<DIM, D> {
     /// Factors of the stiffness at rest, which all runs share; found when they are first asked for.
-    pub(crate) fn still_factors(&self) -> Result<&StillFactors<D>, CoreError> {
+    pub(crate) fn still_factors(&self) -> Result<&StaticFactors<D>, CoreError> {
         if let Some(known) = self.still.get() {
             return Ok(known);
         }
-        let found = StillFactors::new(&self.line)?;
+        let found = StaticFactors::new(&self.line)?;
         Ok(self.still.get_or_init(|| found))
     }
 }
 
 /// Static solver of a linearised line.
 #[derive(Debug)]
-pub struct Still<'a, const DIM: usize, const D: usize> {
-    pub(crate) line: &'a Line<DIM, D>,
-    factors: Cow<'a, StillFactors<D>>,
+pub struct StaticSolver<'a, const DIM: usize, const D: usize> {
+    pub(crate) line: &'a LinearModel<DIM, D>,
+    factors: Cow<'a, StaticFactors<D>>,
     pulls: BTreeMap<usize, Vec<[f64; D]>>,
     solver: LcpSolver,
     scratch: Vec<[f64; D]>,
@@ -59,7 +59,7 @@ pub struct Still<'a, const DIM: usize, const D: usize> {
 
 /// Displacement under static forces.
 #[derive(Debug, Clone)]
-pub struct StillState<const D: usize> {
+pub struct StaticState<const D: usize> {
     /// Displacement, m.
     pub u: Vec<[f64; D]>,
     /// Corrections of the links, N: positive where slack.
@@ -68,9 +68,13 @@ pub struct StillState<const D: usize> {
     pub(crate) tension: Vec<f64>,
 }
 
-impl<const D: usize> StillState<D> {
+impl<const D: usize> StaticState<D> {
     /// What links raise a place on a wire by beyond the mesh since the line was at rest, m.
-    pub(crate) fn raised<const DIM: usize>(&self, line: &Line<DIM, D>, yields: &Yield) -> f64 {
+    pub(crate) fn raised<const DIM: usize>(
+        &self,
+        line: &LinearModel<DIM, D>,
+        yields: &LocalCompliance,
+    ) -> f64 {
         let pulled = yields.pulls().map(|(link, rise)| {
             let at_rest = &line.links[link];
             let more = self.tension[link] - at_rest.rest_tension - at_rest.rest_correction();
@@ -80,24 +84,24 @@ impl<const D: usize> StillState<D> {
     }
 }
 
-impl<'a, const DIM: usize, const D: usize> Still<'a, DIM, D> {
+impl<'a, const DIM: usize, const D: usize> StaticSolver<'a, DIM, D> {
     /// Factorise the stiffness.
     ///
     /// # Errors
     /// [`CoreError::Singular`] when the line is loose.
-    pub fn new(line: &'a Line<DIM, D>) -> Result<Self, CoreError> {
-        Ok(Self::with(line, Cow::Owned(StillFactors::new(line)?)))
+    pub fn new(line: &'a LinearModel<DIM, D>) -> Result<Self, CoreError> {
+        Ok(Self::with(line, Cow::Owned(StaticFactors::new(line)?)))
     }
 
     /// That of a line prepared for runs, which share the factors.
     ///
     /// # Errors
     /// [`CoreError::Singular`] when the line is loose.
-    pub(crate) fn of(p: &'a Prepared<DIM, D>) -> Result<Self, CoreError> {
+    pub(crate) fn of(p: &'a WireModel<DIM, D>) -> Result<Self, CoreError> {
         Ok(Self::with(&p.line, Cow::Borrowed(p.still_factors()?)))
     }
 
-    fn with(line: &'a Line<DIM, D>, factors: Cow<'a, StillFactors<D>>) -> Self {
+    fn with(line: &'a LinearModel<DIM, D>, factors: Cow<'a, StaticFactors<D>>) -> Self {
         Self {
             line,
             factors,
@@ -114,19 +118,21 @@ impl<'a, const DIM: usize, const D: usize> Still<'a, DIM, D> {
     /// [`CoreError::Lcp`] or [`CoreError::SlackSet`], as of step 0.
     pub fn solve(
         &mut self,
-        places: &[Place<DIM>],
+        places: &[SlidelinePoint<DIM>],
         forces: &[f64],
-    ) -> Result<StillState<D>, CoreError> {
-        let places = places.iter().map(|place| (*place, Yield::default()));
+    ) -> Result<StaticState<D>, CoreError> {
+        let places = places
+            .iter()
+            .map(|place| (*place, LocalCompliance::default()));
         self.press(&places.collect::<Vec<_>>(), forces)
     }
 
     /// The same at places where the wire yields beyond the mesh.
     pub(crate) fn press(
         &mut self,
-        places: &[(Place<DIM>, Yield)],
+        places: &[(SlidelinePoint<DIM>, LocalCompliance)],
         forces: &[f64],
-    ) -> Result<StillState<D>, CoreError> {
+    ) -> Result<StaticState<D>, CoreError> {
         let links = &self.line.links;
         let mut free = vec![[0.0; D]; self.line.nodes()];
         let mut rest: Vec<f64> = links.iter().map(|l| l.rest_tension).collect();
@@ -159,7 +165,7 @@ impl<'a, const DIM: usize, const D: usize> Still<'a, DIM, D> {
                 let tension = |(i, r): (usize, &f64)| {
                     rest[i] + links[i].stiffness * links[i].elongation(&u) + r
                 };
-                return Ok(StillState {
+                return Ok(StaticState {
                     tension: correction.iter().enumerate().map(tension).collect(),
                     u,
                     correction,
@@ -231,7 +237,7 @@ impl<'a, const DIM: usize, const D: usize> Still<'a, DIM, D> {
 
     /// Lift of places under unit vertical forces on them, m/N, row by row, for small motion about the
     /// state at rest: links slack there take no part. R between places is left out.
-    pub(crate) fn lifts(&self, places: &[(Place<DIM>, Yield)]) -> Vec<f64> {
+    pub(crate) fn lifts(&self, places: &[(SlidelinePoint<DIM>, LocalCompliance)]) -> Vec<f64> {
         let factors = &self.factors;
         let factor = factors.at_rest.as_ref().unwrap_or(&factors.linear);
         let links = &self.line.links;
@@ -244,14 +250,14 @@ impl<'a, const DIM: usize, const D: usize> Still<'a, DIM, D> {
 /// What a unit force at place k raises place i by, m/N, but for R between them; row by row. `factor` is
 /// without the links that are slack.
 pub(crate) fn compliance<const DIM: usize, const D: usize>(
-    line: &Line<DIM, D>,
+    line: &LinearModel<DIM, D>,
     factor: &BlockLdl<D>,
-    places: &[(Place<DIM>, Yield)],
+    places: &[(SlidelinePoint<DIM>, LocalCompliance)],
     is_slack: impl Fn(usize) -> bool,
 ) -> Vec<f64> {
     let n = places.len();
     let (mut found, mut scratch) = (vec![0.0; n * n], vec![[0.0; D]; line.nodes()]);
-    let taut = |y: &Yield| {
+    let taut = |y: &LocalCompliance| {
         y.pulls()
             .filter(|(link, _)| !is_slack(*link))
             .collect::<Vec<_>>()

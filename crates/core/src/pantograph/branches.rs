@@ -1,18 +1,18 @@
 //! Kinks of a rider in a step: those that enter, how far open they are, and the side of each law.
 
-use crate::pantograph::breakpoint::{Instant, Kink};
-use crate::pantograph::piecewise_force::{LawState, Side};
-use crate::pantograph::system::RiderState;
+use crate::pantograph::breakpoint::{Breakpoint, Instant};
+use crate::pantograph::piecewise_force::{Branch, PiecewiseForceState};
+use crate::pantograph::system::PantographState;
 use crate::scheme::Coefficients;
 
-impl RiderState {
+impl PantographState {
     /// Kinks in the complementarity problem of the step.
-    pub(crate) fn entered(&self) -> impl Iterator<Item = &Kink> {
+    pub(crate) fn entered(&self) -> impl Iterator<Item = &Breakpoint> {
         self.kinks.iter().filter(|k| k.is_in)
     }
 
     /// The same, to write their forces.
-    pub(crate) fn entered_mut(&mut self) -> impl Iterator<Item = &mut Kink> {
+    pub(crate) fn entered_mut(&mut self) -> impl Iterator<Item = &mut Breakpoint> {
         self.kinks.iter_mut().filter(|k| k.is_in)
     }
 
@@ -69,13 +69,14 @@ impl RiderState {
     /// Let the first law whose motion lies on its other side turn; tells whether there was one.
     pub(crate) fn turn(&mut self, c: &Coefficients) -> bool {
         let motions = self.law_motions(c).zip(&self.laws).enumerate();
-        let wrong = |(_, (q, law)): &(usize, (f64, &LawState))| law.side_of(*q) != law.side;
+        let wrong =
+            |(_, (q, law)): &(usize, (f64, &PiecewiseForceState))| law.side_of(*q) != law.side;
         let Some((number, (q, law))) = motions.into_iter().find(wrong) else {
             return false;
         };
         let side = law.side_of(q);
         self.enter(number, side);
-        let own = |k: &&mut Kink| k.law.is_some_and(|(of, _)| of == number);
+        let own = |k: &&mut Breakpoint| k.law.is_some_and(|(of, _)| of == number);
         self.kinks
             .iter_mut()
             .filter(own)
@@ -84,7 +85,7 @@ impl RiderState {
     }
 
     /// Let the kinks of one side of a law into the problem.
-    pub(crate) fn enter(&mut self, number: usize, side: Side) {
+    pub(crate) fn enter(&mut self, number: usize, side: Branch) {
         self.laws[number].side = side;
         for kink in &mut self.kinks {
             if let Some((_, own)) = kink.law.filter(|(of, _)| *of == number) {

@@ -24,36 +24,36 @@
 //! definite symmetric part is a P-matrix (Cottle, Pang & Stone, section 3.3), so the forces are
 //! unique. [Laws](crate::pantograph::piecewise_force) see to it that A − D_s κ_s D_sᵀ is positive definite.
 
-use crate::pantograph::piecewise_force::Side;
+use crate::pantograph::piecewise_force::Branch;
 use crate::pantograph::system::inner;
 use crate::scheme::Coefficients;
 
 /// What a spring or a damper looks at.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Motion {
+pub enum ForceKind {
     /// Displacement, m: a spring.
-    Place,
+    Spring,
     /// Velocity, m/s: a damper.
-    Rate,
+    Damper,
 }
 
-impl Motion {
+impl ForceKind {
     /// Factor of K or C in the matrix of the scheme.
     pub(crate) fn factor(self, c: &Coefficients) -> f64 {
         match self {
-            Self::Place => c.stiffness,
-            Self::Rate => c.damping,
+            Self::Spring => c.stiffness,
+            Self::Damper => c.damping,
         }
     }
 }
 
 /// A motion of a rider relative to its ground, along a direction.
 #[derive(Debug, Clone)]
-pub(crate) struct Gauge {
+pub(crate) struct RelativeCoordinate {
     pub(crate) direction: Vec<f64>,
     /// dᵀ r.
     pub(crate) carried: f64,
-    pub(crate) motion: Motion,
+    pub(crate) motion: ForceKind,
 }
 
 /// State of a rider at the start of a step, and of its ground then and at the time of balance.
@@ -66,7 +66,7 @@ pub(crate) struct Instant<'a> {
     pub(crate) balance: [f64; 2],
 }
 
-impl Gauge {
+impl RelativeCoordinate {
     /// dᵀw for a displacement of the rider and its ground, m.
     pub(crate) fn place(&self, u: &[f64], ground: f64) -> f64 {
         inner(&self.direction, u) - self.carried * ground
@@ -76,12 +76,12 @@ impl Gauge {
     pub(crate) fn beyond(&self, zero: f64, c: &Coefficients, at: &Instant, delta: &[f64]) -> f64 {
         let moved = inner(&self.direction, delta);
         match self.motion {
-            Motion::Place => {
+            ForceKind::Spring => {
                 // The ground stands at z of the balance, the rider at u + (1 − α_f) Δu.
                 let ground = self.carried * (at.balance[0] - at.ground);
                 self.place(at.u, at.ground) - zero + c.stiffness * moved - ground
             }
-            Motion::Rate => {
+            ForceKind::Damper => {
                 let old = c.velocity_from_v * inner(&self.direction, at.v)
                     + c.velocity_from_a * inner(&self.direction, at.a);
                 old + c.damping * moved - self.carried * at.balance[1] - zero
@@ -92,9 +92,9 @@ impl Gauge {
 
 /// A kink during a run.
 #[derive(Debug, Clone)]
-pub(crate) struct Kink {
+pub(crate) struct Breakpoint {
     /// Its motion; d opens it.
-    pub(crate) gauge: Gauge,
+    pub(crate) gauge: RelativeCoordinate,
     /// A⁻¹ d, the response of the increment to a unit force.
     pub(crate) column: Vec<f64>,
     /// +1 when it hardens, −1 when it softens.
@@ -106,7 +106,7 @@ pub(crate) struct Kink {
     /// x₀, where it closes.
     pub(crate) closed: f64,
     /// The law it belongs to and the side of it; none for a stop.
-    pub(crate) law: Option<(usize, Side)>,
+    pub(crate) law: Option<(usize, Branch)>,
     /// Whether it stands in the complementarity problem.
     pub(crate) is_in: bool,
     /// s at the time of balance, without contact forces and kinks.
@@ -115,7 +115,7 @@ pub(crate) struct Kink {
     pub(crate) force: f64,
 }
 
-impl Kink {
+impl Breakpoint {
     /// Row of this kink, column of another one of the same rider.
     pub(crate) fn response(&self, other: &Self, is_same: bool) -> f64 {
         let compliance = f64::from(u8::from(is_same)) * self.flexibility / self.factor;

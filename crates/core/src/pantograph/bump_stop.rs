@@ -7,13 +7,13 @@
 //! [kink](crate::pantograph::breakpoint) of a spring that is not there before.
 
 use crate::error::CoreError;
-use crate::pantograph::breakpoint::{Gauge, Kink, Motion};
+use crate::pantograph::breakpoint::{Breakpoint, ForceKind, RelativeCoordinate};
 use crate::pantograph::system::{inner, multiply};
 use crate::scheme::Coefficients;
 
 /// A stop. It closes when dᵀw has fallen by `gap`.
 #[derive(Debug, Clone)]
-pub struct Stop {
+pub struct BumpStop {
     /// d: the motion that opens it.
     pub direction: Vec<f64>,
     /// Opening at the start, m.
@@ -22,7 +22,7 @@ pub struct Stop {
     pub stiffness: f64,
 }
 
-impl Stop {
+impl BumpStop {
     pub(crate) fn is_sound(&self, n: usize) -> bool {
         self.direction.len() == n
             && self.direction.iter().all(|v| v.is_finite())
@@ -39,13 +39,13 @@ impl Stop {
         inverse: &[f64],
         (carried, ground): (&[f64], f64),
         u: &[f64],
-    ) -> Kink {
-        let gauge = Gauge {
+    ) -> Breakpoint {
+        let gauge = RelativeCoordinate {
             direction: self.direction.clone(),
             carried: inner(&self.direction, carried),
-            motion: Motion::Place,
+            motion: ForceKind::Spring,
         };
-        Kink {
+        Breakpoint {
             column: multiply(inverse, &self.direction),
             closed: gauge.place(u, ground) - self.gap,
             gauge,
@@ -68,7 +68,7 @@ const INDEPENDENT: f64 = 1e-9;
 ///
 /// # Errors
 /// [`CoreError::Input`].
-pub(crate) fn check_independent(stops: &[Kink]) -> Result<(), CoreError> {
+pub(crate) fn check_independent(stops: &[Breakpoint]) -> Result<(), CoreError> {
     let n = stops.len();
     let scale: Vec<f64> = stops.iter().map(|s| s.response(s, true).sqrt()).collect();
     let mut lower = vec![0.0; n * n];

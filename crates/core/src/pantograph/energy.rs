@@ -4,8 +4,8 @@
 //! its steepest line, and ± ½ Δ p² of each kink passed by p. A damper dissipates f(q̇_f) Δq, which for
 //! the trapezoidal rule is h f(q̇_f) q̇_f ≥ 0.
 
-use crate::pantograph::breakpoint::{Gauge, Kink, Motion};
-use crate::pantograph::system::{RiderState, inner, multiply};
+use crate::pantograph::breakpoint::{Breakpoint, ForceKind, RelativeCoordinate};
+use crate::pantograph::system::{PantographState, inner, multiply};
 use crate::scheme::Coefficients;
 
 /// Work in one step of a rider, J.
@@ -23,7 +23,7 @@ pub struct RiderWork {
     pub springs: f64,
 }
 
-impl RiderState {
+impl PantographState {
     /// Kinetic and elastic energy, J.
     #[must_use]
     pub fn energy(&self) -> f64 {
@@ -43,7 +43,7 @@ impl RiderState {
     /// What tables add to the energy of the springs, J.
     #[must_use]
     pub fn law_energy(&self) -> f64 {
-        let is_spring = |k: &&Kink| k.law.is_some() && k.gauge.motion == Motion::Place;
+        let is_spring = |k: &&Breakpoint| k.law.is_some() && k.gauge.motion == ForceKind::Spring;
         let kinks = self.kinks.iter().filter(is_spring);
         let lines = self.laws.iter();
         kinks
@@ -53,12 +53,12 @@ impl RiderState {
     }
 
     /// Forces of stops, kinks and steepest lines on the rider, each with its direction, N.
-    fn pushes(&self) -> impl Iterator<Item = (&Gauge, f64)> {
+    fn pushes(&self) -> impl Iterator<Item = (&RelativeCoordinate, f64)> {
         let kinks = self.entered().map(|k| (&k.gauge, k.push()));
         kinks.chain(self.laws.iter().map(|l| (&l.gauge, -l.intercept)))
     }
 
-    /// Work done in the step, by the completed increment. Call before [`RiderState::advance`].
+    /// Work done in the step, by the completed increment. Call before [`PantographState::advance`].
     #[must_use]
     pub fn work(&self, c: &Coefficients, speed: f64) -> RiderWork {
         let (r, drive) = (&self.rider, &self.drive);
@@ -83,7 +83,7 @@ impl RiderState {
         let pushed = self.pushes().map(|(g, force)| force * g.carried);
         let pushed = pushed.sum::<f64>();
         let borne = inner(&drive.carried, &springs) + inner(&drive.carried, &damping) - pushed;
-        let done = |motion: Motion| -> f64 {
+        let done = |motion: ForceKind| -> f64 {
             let pushes = self.pushes().filter(|(g, _)| g.motion == motion);
             pushes
                 .map(|(g, force)| force * inner(&g.direction, &moved))
@@ -94,9 +94,9 @@ impl RiderState {
             control: self
                 .controlled()
                 .map_or(0.0, |(d, force)| force * inner(d, &self.delta)),
-            dissipated: inner(&moved, &damping) - done(Motion::Rate),
+            dissipated: inner(&moved, &damping) - done(ForceKind::Damper),
             stored: inner(&self.delta, &multiply(&r.mass, &inertia)) + inner(&moved, &springs),
-            springs: done(Motion::Place),
+            springs: done(ForceKind::Spring),
         }
     }
 

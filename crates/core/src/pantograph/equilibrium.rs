@@ -11,9 +11,9 @@
 
 use crate::error::CoreError;
 use crate::linalg::dense;
-use crate::pantograph::breakpoint::Motion;
-use crate::pantograph::piecewise_force::{Law, add_outer};
-use crate::pantograph::system::{Rider, inner};
+use crate::pantograph::breakpoint::ForceKind;
+use crate::pantograph::piecewise_force::{PiecewiseForce, add_outer};
+use crate::pantograph::system::{Pantograph, inner};
 
 /// How far beyond the end of its piece a displacement may lie, as a share of the size of the table:
 /// rounding of the linear system.
@@ -35,7 +35,7 @@ impl Rest {
     /// Change of the displacements for more force, N, on the coordinates, and sᵀu changed by `z`.
     pub(crate) fn respond(
         &self,
-        rider: &Rider,
+        rider: &Pantograph,
         force: Vec<f64>,
         s: &[f64],
         z: f64,
@@ -47,17 +47,19 @@ impl Rest {
 
 /// Displacements and preload under the forces `load` = Σ e λ, with `level` = (s, z).
 pub(crate) fn settle(
-    rider: &Rider,
+    rider: &Pantograph,
     load: &[f64],
     level: (&[f64], f64),
     speed: f64,
 ) -> Result<Rest, CoreError> {
     let laws = rider.laws.iter().enumerate();
-    let springs: Vec<(usize, &Law)> = laws.filter(|(_, l)| l.motion == Motion::Place).collect();
+    let springs: Vec<(usize, &PiecewiseForce)> = laws
+        .filter(|(_, l)| l.motion == ForceKind::Spring)
+        .collect();
     let mut pieces: Vec<usize> = springs.iter().map(|(_, law)| law.steepest()).collect();
     let ground = rider.given.ground.as_ref();
-    let carried = |law: &Law| {
-        let of = |g: &crate::pantograph::excitation::Ground| {
+    let carried = |law: &PiecewiseForce| {
+        let of = |g: &crate::pantograph::excitation::BaseMotion| {
             inner(&law.direction, &g.carried) * g.displacement[0]
         };
         ground.map_or(0.0, of)
@@ -111,7 +113,7 @@ pub(crate) fn settle(
 }
 
 /// Rounding of a displacement, for a table.
-fn slack(law: &Law) -> f64 {
+fn slack(law: &PiecewiseForce) -> f64 {
     ROUNDING
         * law.points[0][0]
             .abs()
@@ -119,7 +121,7 @@ fn slack(law: &Law) -> f64 {
 }
 
 /// Move to the next piece when a displacement lies there; tells whether it does.
-fn move_on(law: &Law, piece: &mut usize, q: f64) -> bool {
+fn move_on(law: &PiecewiseForce, piece: &mut usize, q: f64) -> bool {
     let [left, right] = [law.points[*piece][0], law.points[*piece + 1][0]];
     if q < left - slack(law) && *piece > 0 {
         *piece -= 1;
@@ -133,7 +135,7 @@ fn move_on(law: &Law, piece: &mut usize, q: f64) -> bool {
 }
 
 /// Refuse a start beyond the end of a table.
-fn check_end(table: usize, law: &Law, q: f64) -> Result<(), CoreError> {
+fn check_end(table: usize, law: &PiecewiseForce, q: f64) -> Result<(), CoreError> {
     let [first, last] = [law.points[0][0], law.points[law.pieces()][0]];
     let end = if q < first { first } else { last };
     if q >= first - slack(law) && q <= last + slack(law) {
@@ -149,7 +151,7 @@ fn check_end(table: usize, law: &Law, q: f64) -> Result<(), CoreError> {
 
 /// The linear system of displacements and preload.
 fn solve(
-    rider: &Rider,
+    rider: &Pantograph,
     stiffness: &[f64],
     given: Vec<f64>,
     (s, z): (&[f64], f64),

@@ -13,7 +13,7 @@ use crate::pantograph::system::multiply;
 
 /// A force over time: the same direction always, its size given.
 #[derive(Debug, Clone, Default)]
-pub struct History {
+pub struct ForceHistory {
     /// Where it acts: force = direction · value.
     pub direction: Vec<f64>,
     /// N, at the start and after each step.
@@ -22,7 +22,7 @@ pub struct History {
 
 /// Motion of the ground that a rider stands on.
 #[derive(Debug, Clone, Default)]
-pub struct Ground {
+pub struct BaseMotion {
     /// r: displacement of the rider when the ground rises by one and nothing is strained.
     pub carried: Vec<f64>,
     /// z in m, at the start and after each step.
@@ -33,14 +33,14 @@ pub struct Ground {
 
 /// All that is given for a rider; nothing by default.
 #[derive(Debug, Clone, Default)]
-pub struct Given {
+pub struct Excitation {
     /// Forces.
-    pub forces: Vec<History>,
+    pub forces: Vec<ForceHistory>,
     /// Motion of the ground; `None` when it stands still.
-    pub ground: Option<Ground>,
+    pub ground: Option<BaseMotion>,
 }
 
-impl Given {
+impl Excitation {
     /// Check sizes and numbers for a rider of `n` coordinates.
     pub(crate) fn is_sound(&self, n: usize) -> bool {
         let forces = self.forces.iter().map(|f| (&f.direction, [&f.values; 2]));
@@ -71,7 +71,7 @@ impl Given {
     }
 
     /// Read the excitation of a step; `old` is the weight of its start in the balance.
-    pub fn read(&self, step: usize, old: f64, now: &mut GivenNow) {
+    pub fn read(&self, step: usize, old: f64, now: &mut ExcitationNow) {
         let between = |a: &[f64]| (1.0 - old) * a[step + 1] + old * a[step];
         now.force.fill(0.0);
         for history in &self.forces {
@@ -102,7 +102,7 @@ impl Given {
 
 /// Forces on a rider and motion of its ground in one step.
 #[derive(Debug, Clone)]
-pub struct GivenNow {
+pub struct ExcitationNow {
     /// Force on each coordinate at the time of balance, N.
     pub force: Vec<f64>,
     /// Displacement of the ground at the end of the step and at the time of balance in m, and its
@@ -110,7 +110,7 @@ pub struct GivenNow {
     pub ground: Option<[f64; 3]>,
 }
 
-impl GivenNow {
+impl ExcitationNow {
     /// No force and no motion, for a rider of `n` coordinates.
     #[must_use]
     pub fn zero(n: usize) -> Self {
@@ -123,7 +123,7 @@ impl GivenNow {
 
 /// Excitation of a rider in the present step.
 #[derive(Debug, Clone)]
-pub(crate) struct Drive {
+pub(crate) struct ExcitationState {
     /// r, zero when the ground stands still.
     pub(crate) carried: Vec<f64>,
     /// k r and c r.
@@ -138,8 +138,8 @@ pub(crate) struct Drive {
     pub(crate) force: Vec<f64>,
 }
 
-impl Drive {
-    pub(crate) fn new(given: &Given, stiffness: &[f64], damping: &[f64], n: usize) -> Self {
+impl ExcitationState {
+    pub(crate) fn new(given: &Excitation, stiffness: &[f64], damping: &[f64], n: usize) -> Self {
         let zero = vec![0.0; n];
         let ground = given.ground.as_ref();
         let carried = ground.map_or(zero.clone(), |g| g.carried.clone());
@@ -155,7 +155,7 @@ impl Drive {
     }
 
     /// Take the excitation of a step.
-    pub(crate) fn begin(&mut self, now: &GivenNow) {
+    pub(crate) fn begin(&mut self, now: &ExcitationNow) {
         self.force.copy_from_slice(&now.force);
         if let Some([end, displacement, rate]) = now.ground {
             self.end = end;

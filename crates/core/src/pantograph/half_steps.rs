@@ -8,9 +8,9 @@
 //! wₕ = Δz − h r ġ. What a table adds to a spring stores energy as the spring does; a stop that is rigid stores none, and a moving
 //! ground works against its force.
 
-use crate::integrator::energy::entries::Entries;
-use crate::pantograph::breakpoint::{Gauge, Motion};
-use crate::pantograph::system::{RiderState, inner};
+use crate::integrator::energy::entries::EnergyTerms;
+use crate::pantograph::breakpoint::{ForceKind, RelativeCoordinate};
+use crate::pantograph::system::{PantographState, inner};
 use crate::scheme::Coefficients;
 
 /// A rider at z⁻, and how it moves to z⁺.
@@ -33,7 +33,7 @@ fn form(a: &[f64], x: &[f64], y: &[f64]) -> f64 {
 
 impl Halves {
     /// At rest at the start.
-    pub fn new(rider: &RiderState, h: f64) -> Self {
+    pub fn new(rider: &PantographState, h: f64) -> Self {
         let n = rider.rider.size();
         let mut new = Self {
             z: vec![0.0; n],
@@ -45,8 +45,8 @@ impl Halves {
         new
     }
 
-    /// z⁻ and Δz of the step that has been found. Call before [`RiderState::advance`].
-    pub fn find(&mut self, rider: &RiderState, c: &Coefficients, h: f64) {
+    /// z⁻ and Δz of the step that has been found. Call before [`PantographState::advance`].
+    pub fn find(&mut self, rider: &PantographState, c: &Coefficients, h: f64) {
         for k in 0..self.z.len() {
             let (v, a) = (rider.v[k], rider.a[k]);
             let (new_v, new_a) = c.advance(rider.delta[k], v, a);
@@ -57,8 +57,8 @@ impl Halves {
         }
     }
 
-    /// Book the work of the step but for contacts. Call before [`RiderState::advance`].
-    pub fn book(&self, rider: &RiderState, (h, speed): (f64, f64), e: &mut Entries) {
+    /// Book the work of the step but for contacts. Call before [`PantographState::advance`].
+    pub fn book(&self, rider: &PantographState, (h, speed): (f64, f64), e: &mut EnergyTerms) {
         let (r, drive, dz) = (&rider.rider, &rider.drive, &self.moved);
         let force =
             |i: usize| r.preload[i] * rider.preload + r.lift[i] * speed * speed + drive.force[i];
@@ -84,14 +84,14 @@ impl Halves {
         for (gauge, force, is_rigid) in rider.pushes_with_stiffness() {
             let moved = inner(&gauge.direction, dz);
             let borne = match gauge.motion {
-                Motion::Rate => gauge.carried * lifted,
-                Motion::Place if is_rigid => gauge.carried * rise,
-                Motion::Place => 0.0,
+                ForceKind::Damper => gauge.carried * lifted,
+                ForceKind::Spring if is_rigid => gauge.carried * rise,
+                ForceKind::Spring => 0.0,
             };
             e.work_uplift += force * borne;
             match gauge.motion {
-                Motion::Rate => dissipated -= force * (moved - borne),
-                Motion::Place => e.switching -= force * (moved - borne),
+                ForceKind::Damper => dissipated -= force * (moved - borne),
+                ForceKind::Spring => e.switching -= force * (moved - borne),
             }
         }
         e.dissipated_riders += dissipated;
@@ -100,8 +100,8 @@ impl Halves {
         e.switching += laws + stops;
     }
 
-    /// Take the energies at the end of the step. Call after [`RiderState::advance`].
-    pub fn end(&mut self, rider: &RiderState, h: f64) {
+    /// Take the energies at the end of the step. Call after [`PantographState::advance`].
+    pub fn end(&mut self, rider: &PantographState, h: f64) {
         let place = |k: usize| rider.u[k] + 0.5 * h * rider.v[k];
         for k in 0..self.z.len() {
             self.z[k] = place(k);
@@ -114,7 +114,7 @@ impl Halves {
     }
 
     /// Energy of springs, of what tables add, and of stops.
-    fn springs(rider: &RiderState, z: &[f64], ground: f64) -> [f64; 3] {
+    fn springs(rider: &PantographState, z: &[f64], ground: f64) -> [f64; 3] {
         let (carried, k) = (&rider.drive.carried, &rider.rider.stiffness);
         let n = z.len();
         let w = |i: usize| z[i] - carried[i] * ground;
@@ -123,7 +123,7 @@ impl Halves {
         for kink in &rider.kinks {
             match kink.law {
                 None => stops += kink.energy(z, ground),
-                Some(_) if kink.gauge.motion == Motion::Place => laws += kink.energy(z, ground),
+                Some(_) if kink.gauge.motion == ForceKind::Spring => laws += kink.energy(z, ground),
                 Some(_) => {}
             }
         }
@@ -132,10 +132,10 @@ impl Halves {
     }
 }
 
-impl RiderState {
+impl PantographState {
     /// Forces of stops, kinks and steepest lines on the rider, N, each with its direction and whether it is of a
     /// rigid stop.
-    fn pushes_with_stiffness(&self) -> impl Iterator<Item = (&Gauge, f64, bool)> {
+    fn pushes_with_stiffness(&self) -> impl Iterator<Item = (&RelativeCoordinate, f64, bool)> {
         let kinks = self
             .entered()
             .map(|k| (&k.gauge, k.push(), k.flexibility == 0.0));

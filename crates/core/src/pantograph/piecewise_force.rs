@@ -29,7 +29,7 @@
 
 use crate::error::CoreError;
 use crate::linalg::dense;
-use crate::pantograph::breakpoint::{Gauge, Instant, Kink, Motion};
+use crate::pantograph::breakpoint::{Breakpoint, ForceKind, Instant, RelativeCoordinate};
 use crate::pantograph::system::{inner, multiply};
 use crate::scheme::Coefficients;
 
@@ -38,25 +38,25 @@ const SAME_SLOPE: f64 = 1e-12;
 
 /// A spring or a damper with a table.
 #[derive(Debug, Clone)]
-pub struct Law {
+pub struct PiecewiseForce {
     /// g: q = gᵀw.
     pub direction: Vec<f64>,
     /// Whether it is a spring or a damper.
-    pub motion: Motion,
+    pub motion: ForceKind,
     /// Displacement in m (or velocity in m/s) and force in N, at least two.
     pub points: Vec<[f64; 2]>,
 }
 
 /// Side of the steepest piece.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Side {
+pub enum Branch {
     /// Below it.
     Left,
     /// Above it.
     Right,
 }
 
-impl Law {
+impl PiecewiseForce {
     pub(crate) fn is_sound(&self, n: usize) -> bool {
         self.direction.len() == n
             && self.direction.iter().all(|v| v.is_finite())
@@ -97,18 +97,18 @@ impl Law {
     }
 
     /// Places and changes of slope on a side of the steepest piece, from it outwards.
-    fn changes(&self, side: Side) -> Vec<[f64; 2]> {
+    fn changes(&self, side: Branch) -> Vec<[f64; 2]> {
         let (steepest, slope) = (self.steepest(), self.slope(self.steepest()));
         let between = |inner: usize, outer: usize, at: usize| {
             let change = self.slope(outer) - self.slope(inner);
             [self.points[at][0], change]
         };
         let all: Vec<[f64; 2]> = match side {
-            Side::Left => (0..steepest)
+            Branch::Left => (0..steepest)
                 .rev()
                 .map(|i| between(i + 1, i, i + 1))
                 .collect(),
-            Side::Right => (steepest..self.pieces() - 1)
+            Branch::Right => (steepest..self.pieces() - 1)
                 .map(|i| between(i, i + 1, i + 1))
                 .collect(),
         };
@@ -122,7 +122,7 @@ impl Law {
             let changes = self.changes(side).into_iter();
             changes.map(|[_, change]| (-change).max(0.0)).sum::<f64>()
         };
-        f64::max(sum(Side::Left), sum(Side::Right))
+        f64::max(sum(Branch::Left), sum(Branch::Right))
     }
 
     /// Its kinks during a run; `number` is its own, `inverse` that of the matrix of the scheme.
@@ -132,12 +132,12 @@ impl Law {
         c: &Coefficients,
         inverse: &[f64],
         carried: &[f64],
-    ) -> Vec<Kink> {
-        let kink = |side: Side, opens: f64, [place, change]: [f64; 2]| {
+    ) -> Vec<Breakpoint> {
+        let kink = |side: Branch, opens: f64, [place, change]: [f64; 2]| {
             let direction: Vec<f64> = self.direction.iter().map(|g| opens * g).collect();
-            Kink {
+            Breakpoint {
                 column: multiply(inverse, &direction),
-                gauge: Gauge {
+                gauge: RelativeCoordinate {
                     carried: inner(&direction, carried),
                     direction,
                     motion: self.motion,
@@ -147,12 +147,12 @@ impl Law {
                 flexibility: 1.0 / change.abs(),
                 closed: opens * place,
                 law: Some((number, side)),
-                is_in: side == Side::Right,
+                is_in: side == Branch::Right,
                 free: 0.0,
                 force: 0.0,
             }
         };
-        [(Side::Left, 1.0), (Side::Right, -1.0)]
+        [(Branch::Left, 1.0), (Branch::Right, -1.0)]
             .into_iter()
             .flat_map(|(side, opens)| {
                 let changes = self.changes(side).into_iter();
@@ -166,41 +166,41 @@ impl Law {
 
 /// A law during a run.
 #[derive(Debug, Clone)]
-pub(crate) struct LawState {
-    pub(crate) gauge: Gauge,
+pub(crate) struct PiecewiseForceState {
+    pub(crate) gauge: RelativeCoordinate,
     /// Force of the steepest line at q = 0, N.
     pub(crate) intercept: f64,
     /// The first kink on each side; infinite without.
     ends: [f64; 2],
-    pub(crate) side: Side,
+    pub(crate) side: Branch,
     /// Smallest and largest q of the run so far.
     pub(crate) range: [f64; 2],
 }
 
-impl LawState {
-    pub(crate) fn new(law: &Law, carried: &[f64]) -> Self {
+impl PiecewiseForceState {
+    pub(crate) fn new(law: &PiecewiseForce, carried: &[f64]) -> Self {
         let first = |side, none| law.changes(side).first().map_or(none, |change| change[0]);
         Self {
-            gauge: Gauge {
+            gauge: RelativeCoordinate {
                 carried: inner(&law.direction, carried),
                 direction: law.direction.clone(),
                 motion: law.motion,
             },
             intercept: law.intercept(law.steepest()),
             ends: [
-                first(Side::Left, f64::NEG_INFINITY),
-                first(Side::Right, f64::INFINITY),
+                first(Branch::Left, f64::NEG_INFINITY),
+                first(Branch::Right, f64::INFINITY),
             ],
-            side: Side::Right,
+            side: Branch::Right,
             range: [f64::INFINITY, f64::NEG_INFINITY],
         }
     }
 
     /// The side where a motion lies: the present one up to the first kink of the other.
-    pub(crate) fn side_of(&self, q: f64) -> Side {
+    pub(crate) fn side_of(&self, q: f64) -> Branch {
         match self.side {
-            Side::Right if q < self.ends[0] => Side::Left,
-            Side::Left if q > self.ends[1] => Side::Right,
+            Branch::Right if q < self.ends[0] => Branch::Left,
+            Branch::Left if q > self.ends[1] => Branch::Right,
             side => side,
         }
     }
@@ -213,18 +213,18 @@ impl LawState {
     /// Energy of the steepest line beside ½ k q², J; none for a damper.
     pub(crate) fn energy(&self, u: &[f64], ground: f64) -> f64 {
         match self.gauge.motion {
-            Motion::Place => self.intercept * self.gauge.place(u, ground),
-            Motion::Rate => 0.0,
+            ForceKind::Spring => self.intercept * self.gauge.place(u, ground),
+            ForceKind::Damper => 0.0,
         }
     }
 }
 
 /// Add the steepest slopes to K and C.
-pub(crate) fn add_slopes(laws: &[Law], stiffness: &mut [f64], damping: &mut [f64]) {
+pub(crate) fn add_slopes(laws: &[PiecewiseForce], stiffness: &mut [f64], damping: &mut [f64]) {
     for law in laws {
         let matrix = match law.motion {
-            Motion::Place => &mut *stiffness,
-            Motion::Rate => &mut *damping,
+            ForceKind::Spring => &mut *stiffness,
+            ForceKind::Damper => &mut *damping,
         };
         add_outer(law.slope(law.steepest()), &law.direction, matrix);
     }
@@ -244,7 +244,11 @@ pub(crate) fn add_outer(factor: f64, d: &[f64], matrix: &mut [f64]) {
 ///
 /// # Errors
 /// [`CoreError::Input`].
-pub(crate) fn check_steps(laws: &[Law], matrix: &[f64], c: &Coefficients) -> Result<(), CoreError> {
+pub(crate) fn check_steps(
+    laws: &[PiecewiseForce],
+    matrix: &[f64],
+    c: &Coefficients,
+) -> Result<(), CoreError> {
     let Some(first) = laws.first() else {
         return Ok(());
     };

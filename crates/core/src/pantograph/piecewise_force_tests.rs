@@ -3,11 +3,11 @@
 use crate::error::CoreError;
 use crate::lcp::LcpSolver;
 use crate::linalg::dense;
-use crate::pantograph::breakpoint::{Gauge, Motion};
-use crate::pantograph::excitation::{Given, GivenNow, Ground, History};
-use crate::pantograph::piecewise_force::{Law, Side};
+use crate::pantograph::breakpoint::{ForceKind, RelativeCoordinate};
+use crate::pantograph::excitation::{BaseMotion, Excitation, ExcitationNow, ForceHistory};
+use crate::pantograph::piecewise_force::{Branch, PiecewiseForce};
 use crate::pantograph::strip::Strip;
-use crate::pantograph::system::{Rider, RiderState, inner};
+use crate::pantograph::system::{Pantograph, PantographState, inner};
 use crate::scheme::{Coefficients, Scheme};
 
 /// Numbers between −1 and 1 from a linear congruential generator (Knuth's MMIX constants).
@@ -64,26 +64,26 @@ fn table(random: &mut Random, steep: f64, width: f64) -> Vec<[f64; 2]> {
     points
 }
 
-fn random_rider(random: &mut Random) -> Rider {
+fn random_rider(random: &mut Random) -> Pantograph {
     let n = 1 + random.below(4);
     let mut mass = random.matrix(n, n, 4.0);
     (0..n).for_each(|i| mass[i * n + i] += 1.0);
     let mut stiffness = random.matrix(n, 1, 3e3);
     (0..n).for_each(|i| stiffness[i * n + i] += 500.0);
     let laws = (0..1 + random.below(4)).map(|_| {
-        let motion = [Motion::Place, Motion::Rate][random.below(2)];
+        let motion = [ForceKind::Spring, ForceKind::Damper][random.below(2)];
         let steep = 10_f64.powi(2 + random.below(4) as i32);
-        Law {
+        PiecewiseForce {
             direction: random.vector(n),
             motion,
             // Dampers steep enough to outweigh the inertia: 2/h · 10⁵ against 4/h² · some kg.
             points: match motion {
-                Motion::Place => table(random, 2e4, 1e-3),
-                Motion::Rate => table(random, steep, 0.1),
+                ForceKind::Spring => table(random, 2e4, 1e-3),
+                ForceKind::Damper => table(random, steep, 0.1),
             },
         }
     });
-    Rider {
+    Pantograph {
         laws: laws.collect(),
         mass,
         damping: random.matrix(n, 1, 50.0),
@@ -92,12 +92,12 @@ fn random_rider(random: &mut Random) -> Rider {
         preload: random.vector(n),
         lift: vec![0.0; n],
         start_force: 0.0,
-        given: Given {
-            forces: vec![History {
+        given: Excitation {
+            forces: vec![ForceHistory {
                 direction: random.vector(n),
                 values: (0..60).map(|_| 500.0 * random.next()).collect(),
             }],
-            ground: Some(Ground {
+            ground: Some(BaseMotion {
                 carried: vec![1.0; n],
                 displacement: (0..60).map(|_| 1e-3 * random.next()).collect(),
                 rate: random.vector(60),
@@ -109,7 +109,7 @@ fn random_rider(random: &mut Random) -> Rider {
 }
 
 /// Solve the complementarity problem of a rider on its own, as a step does; returns the turns taken.
-fn close(state: &mut RiderState, c: &Coefficients, solver: &mut LcpSolver) -> usize {
+fn close(state: &mut PantographState, c: &Coefficients, solver: &mut LcpSolver) -> usize {
     for turns in 0.. {
         let entered: Vec<_> = state.entered().cloned().collect();
         let n = entered.len();
@@ -140,12 +140,16 @@ fn close(state: &mut RiderState, c: &Coefficients, solver: &mut LcpSolver) -> us
 }
 
 /// Motion of a law at the time of balance, linear in the increment: [value without, factors].
-fn motion(state: &RiderState, gauge: &Gauge, c: &Coefficients) -> (f64, Vec<f64>) {
+fn motion(
+    state: &PantographState,
+    gauge: &RelativeCoordinate,
+    c: &Coefficients,
+) -> (f64, Vec<f64>) {
     let drive = &state.drive;
     let d = &gauge.direction;
     let (old, ground) = match gauge.motion {
-        Motion::Place => (inner(d, &state.u), drive.balance[0]),
-        Motion::Rate => {
+        ForceKind::Spring => (inner(d, &state.u), drive.balance[0]),
+        ForceKind::Damper => {
             let by_v = c.velocity_from_v * inner(d, &state.v);
             (
                 by_v + c.velocity_from_a * inner(d, &state.a),
@@ -158,9 +162,9 @@ fn motion(state: &RiderState, gauge: &Gauge, c: &Coefficients) -> (f64, Vec<f64>
 }
 
 /// Increments of all arrangements of pieces in which every law is on its piece.
-fn enumerate(rider: &Rider, state: &RiderState, c: &Coefficients) -> Vec<Vec<f64>> {
+fn enumerate(rider: &Pantograph, state: &PantographState, c: &Coefficients) -> Vec<Vec<f64>> {
     let n = rider.size();
-    let counts: Vec<usize> = rider.laws.iter().map(Law::pieces).collect();
+    let counts: Vec<usize> = rider.laws.iter().map(PiecewiseForce::pieces).collect();
     let mut found: Vec<Vec<f64>> = Vec::new();
     for number in 0..counts.iter().product::<usize>() {
         let mut rest = number;
@@ -212,7 +216,7 @@ fn enumerate(rider: &Rider, state: &RiderState, c: &Coefficients) -> Vec<Vec<f64
 }
 
 /// Right-hand side without any law: forces less inertia, dampers and springs of the old state.
-fn bare_rhs(rider: &Rider, state: &RiderState, c: &Coefficients) -> Vec<f64> {
+fn bare_rhs(rider: &Pantograph, state: &PantographState, c: &Coefficients) -> Vec<f64> {
     let n = rider.size();
     let drive = &state.drive;
     let row = |matrix: &[f64], i: usize, x: &[f64]| inner(&matrix[i * n..(i + 1) * n], x);
@@ -249,7 +253,7 @@ fn a_step_finds_the_one_arrangement_of_pieces_that_fits() {
         ];
         let c = [scheme[number % 2], Scheme::BackwardDifference][number % 5 / 4].coefficients(1e-3);
         let rider = random_rider(&mut random);
-        let mut state = match RiderState::new(rider.clone(), &c, 0.0, 0.0) {
+        let mut state = match PantographState::new(rider.clone(), &c, 0.0, 0.0) {
             Ok(state) => state,
             // Beyond a table at the start, or a table that needs a shorter step.
             Err(CoreError::BeyondTable { .. } | CoreError::Input { .. }) => {
@@ -258,7 +262,7 @@ fn a_step_finds_the_one_arrangement_of_pieces_that_fits() {
             }
             Err(error) => panic!("{error}"),
         };
-        let mut now = GivenNow::zero(rider.size());
+        let mut now = ExcitationNow::zero(rider.size());
         for step in 0..40 {
             rider.given.read(step, c.old, &mut now);
             state.begin(&now);
@@ -293,18 +297,18 @@ fn both_sides_of_a_steep_friction_together_are_no_p_matrix() {
     (rider.damping, rider.stiffness) = (vec![0.0], vec![0.0]);
     rider.strips = vec![Strip::plain(vec![1.0])];
     (rider.preload, rider.lift) = (vec![1.0], vec![0.0]);
-    rider.given = Given::default();
+    rider.given = Excitation::default();
     let points = vec![[-2.0, -20.0], [-1e-3, -20.0], [1e-3, 20.0], [2.0, 20.0]];
-    rider.laws = vec![Law {
+    rider.laws = vec![PiecewiseForce {
         direction: vec![1.0],
-        motion: Motion::Rate,
+        motion: ForceKind::Damper,
         points,
     }];
-    let state = RiderState::new(rider, &c, 0.0, 0.0).expect("one side is carried");
+    let state = PantographState::new(rider, &c, 0.0, 0.0).expect("one side is carried");
     let [a, b] = [&state.kinks[0], &state.kinks[1]];
     assert_eq!(
         [a.law, b.law],
-        [Some((0, Side::Left)), Some((0, Side::Right))]
+        [Some((0, Branch::Left)), Some((0, Branch::Right))]
     );
     let minor =
         a.response(a, true) * b.response(b, true) - a.response(b, false) * b.response(a, false);
@@ -319,7 +323,7 @@ fn a_table_that_softens_twice_needs_short_steps() {
     (rider.damping, rider.stiffness) = (vec![0.0], vec![10.0]);
     rider.strips = vec![Strip::plain(vec![1.0])];
     (rider.preload, rider.lift) = (vec![1.0], vec![0.0]);
-    rider.given = Given::default();
+    rider.given = Excitation::default();
     let points = [
         [-1.0, -1e4],
         [0.1, 1e3],
@@ -329,15 +333,15 @@ fn a_table_that_softens_twice_needs_short_steps() {
         [0.5, 2.8e3],
         [0.6, 2.8e3],
     ];
-    rider.laws = vec![Law {
+    rider.laws = vec![PiecewiseForce {
         direction: vec![1.0],
-        motion: Motion::Place,
+        motion: ForceKind::Spring,
         points: points.to_vec(),
     }];
     // Softening 10⁴ + 9·10³ + 9·10³, the steepest 10⁴: 18 kN/m too much; 4 kg/h² = 16 kN/m at 16 ms.
     let refused = |h: f64| {
         let c = Scheme::generalised_alpha(1.0).coefficients(h);
-        RiderState::new(rider.clone(), &c, 0.0, 0.0).is_err()
+        PantographState::new(rider.clone(), &c, 0.0, 0.0).is_err()
     };
     assert!(refused(0.016) && !refused(0.014));
 }

@@ -14,17 +14,19 @@
 use crate::error::CoreError;
 use crate::linalg::dense;
 use crate::pantograph::actuator::{Actuator, ActuatorState};
-use crate::pantograph::breakpoint::Kink;
-use crate::pantograph::bump_stop::{Stop, check_independent};
+use crate::pantograph::breakpoint::Breakpoint;
+use crate::pantograph::bump_stop::{BumpStop, check_independent};
 use crate::pantograph::equilibrium;
-use crate::pantograph::excitation::{Drive, Given, GivenNow};
-use crate::pantograph::piecewise_force::{Law, LawState, add_slopes, check_steps};
+use crate::pantograph::excitation::{Excitation, ExcitationNow, ExcitationState};
+use crate::pantograph::piecewise_force::{
+    PiecewiseForce, PiecewiseForceState, add_slopes, check_steps,
+};
 use crate::pantograph::strip::{self, Strip};
 use crate::scheme::Coefficients;
 
 /// Description of a rider. Matrices are n × n, row by row; SI units.
 #[derive(Debug, Clone)]
-pub struct Rider {
+pub struct Pantograph {
     /// Mass matrix, kg.
     pub mass: Vec<f64>,
     /// Damping matrix, N·s/m.
@@ -40,16 +42,16 @@ pub struct Rider {
     /// Contact force at the start, N, at the speed of the start: the sum over its contacts.
     pub start_force: f64,
     /// Forces and motion of the ground, given for the whole run.
-    pub given: Given,
+    pub given: Excitation,
     /// One-sided stops.
-    pub stops: Vec<Stop>,
+    pub stops: Vec<BumpStop>,
     /// Springs and dampers with a table, beside those in the matrices.
-    pub laws: Vec<Law>,
+    pub laws: Vec<PiecewiseForce>,
     /// A force decided on during the run.
     pub actuator: Option<Actuator>,
 }
 
-impl Rider {
+impl Pantograph {
     /// Number of degrees of freedom.
     #[must_use]
     pub fn size(&self) -> usize {
@@ -110,9 +112,9 @@ impl Rider {
 
 /// State and prepared matrices of a rider during a run.
 #[derive(Debug, Clone)]
-pub struct RiderState {
+pub struct PantographState {
     /// What it is.
-    pub rider: Rider,
+    pub rider: Pantograph,
     inverse: Vec<f64>,
     /// Constant preload, N.
     pub preload: f64,
@@ -125,21 +127,21 @@ pub struct RiderState {
     /// Increment of the current step without contact force, then with it.
     pub delta: Vec<f64>,
     /// Its stops, then the kinks of its laws.
-    pub(crate) kinks: Vec<Kink>,
-    pub(crate) laws: Vec<LawState>,
+    pub(crate) kinks: Vec<Breakpoint>,
+    pub(crate) laws: Vec<PiecewiseForceState>,
     pub(crate) actuator: ActuatorState,
-    pub(crate) drive: Drive,
+    pub(crate) drive: ExcitationState,
     /// The increment without contact forces and kinks.
     free: Vec<f64>,
     rhs: Vec<f64>,
 }
 
-impl RiderState {
+impl PantographState {
     /// Prepare a rider that stands in equilibrium with its first strip at height `z`.
     ///
     /// # Errors
     /// [`CoreError::Input`] when there is no equilibrium or a mass is missing.
-    pub fn new(rider: Rider, c: &Coefficients, z: f64, speed: f64) -> Result<Self, CoreError> {
+    pub fn new(rider: Pantograph, c: &Coefficients, z: f64, speed: f64) -> Result<Self, CoreError> {
         rider.check()?;
         let stand = rider.equilibrium(rider.start_force, z, speed)?;
         Self::standing(rider, c, stand)
@@ -150,7 +152,7 @@ impl RiderState {
     /// # Errors
     /// [`CoreError::Input`] when a mass is missing, or stops or tables cannot be stepped.
     pub fn standing(
-        mut rider: Rider,
+        mut rider: Pantograph,
         c: &Coefficients,
         (u, preload): (Vec<f64>, f64),
     ) -> Result<Self, CoreError> {
@@ -168,16 +170,19 @@ impl RiderState {
             reason: "a mass without inertia or stiffness".into(),
         })?;
         let zero = vec![0.0; n];
-        let drive = Drive::new(&rider.given, &rider.stiffness, &rider.damping, n);
+        let drive = ExcitationState::new(&rider.given, &rider.stiffness, &rider.damping, n);
         check_steps(&rider.laws, &a, c)?;
         let ground = (drive.carried.as_slice(), drive.now);
         let stops = rider.stops.iter();
-        let mut kinks: Vec<Kink> = stops.map(|s| s.kink(c, &inverse, ground, &u)).collect();
+        let mut kinks: Vec<Breakpoint> = stops.map(|s| s.kink(c, &inverse, ground, &u)).collect();
         check_independent(&kinks)?;
         for (number, law) in rider.laws.iter().enumerate() {
             kinks.extend(law.kinks(number, c, &inverse, &drive.carried));
         }
-        let laws = rider.laws.iter().map(|l| LawState::new(l, &drive.carried));
+        let laws = rider
+            .laws
+            .iter()
+            .map(|l| PiecewiseForceState::new(l, &drive.carried));
         Ok(Self {
             laws: laws.collect(),
             kinks,
@@ -240,8 +245,8 @@ impl RiderState {
         (force != 0.0).then_some((&actuator.direction, force))
     }
 
-    /// Take the excitation of a step. Call before [`RiderState::free_increment`].
-    pub fn begin(&mut self, now: &GivenNow) {
+    /// Take the excitation of a step. Call before [`PantographState::free_increment`].
+    pub fn begin(&mut self, now: &ExcitationNow) {
         self.drive.begin(now);
     }
 
@@ -252,7 +257,7 @@ impl RiderState {
         }
     }
 
-    /// Forget what was added since [`RiderState::free_increment`].
+    /// Forget what was added since [`PantographState::free_increment`].
     pub fn take_back(&mut self) {
         self.delta.copy_from_slice(&self.free);
     }

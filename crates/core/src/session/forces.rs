@@ -3,11 +3,11 @@
 use crate::constraint::contacts::Contact;
 use crate::error::CoreError;
 use crate::linear::loads::Load;
-use crate::session::Live;
-use crate::slideline::Path;
-use crate::slideline::point::{Nodal, Place};
+use crate::session::Session;
+use crate::slideline::Slideline;
+use crate::slideline::point::{Nodal, SlidelinePoint};
 
-impl<const DIM: usize, const D: usize> Live<DIM, D> {
+impl<const DIM: usize, const D: usize> Session<DIM, D> {
     /// Put on the forces of the step, with the loop at the start of the step, at the time of balance,
     /// and at its end.
     pub(crate) fn push(
@@ -96,11 +96,11 @@ impl<const DIM: usize, const D: usize> Live<DIM, D> {
 
 /// The wire at a collector, by its number, in a step.
 pub(crate) fn locate<const DIM: usize>(
-    lane: &Path<DIM>,
+    lane: &Slideline<DIM>,
     position: f64,
     near: usize,
     (number, step): (usize, usize),
-) -> Result<Place<DIM>, CoreError> {
+) -> Result<SlidelinePoint<DIM>, CoreError> {
     lane.locate(position, near).ok_or(CoreError::OffWire {
         rider: number,
         position,
@@ -110,7 +110,7 @@ pub(crate) fn locate<const DIM: usize>(
 
 /// Displacement of the wire to the side, m.
 pub(crate) fn aside<const DIM: usize, const D: usize>(
-    place: &Place<DIM>,
+    place: &SlidelinePoint<DIM>,
     u: &(impl Nodal<D> + ?Sized),
 ) -> f64 {
     if DIM < 3 {
@@ -123,7 +123,7 @@ pub(crate) fn aside<const DIM: usize, const D: usize>(
 /// Let a load be a unit force upwards at a place, with the friction μ along, and what it takes from links.
 fn press<const DIM: usize, const D: usize>(
     load: &mut Load,
-    place: &Place<DIM>,
+    place: &SlidelinePoint<DIM>,
     friction: f64,
     pulled: impl Iterator<Item = (usize, usize, f64)>,
 ) {

@@ -22,17 +22,17 @@ pub(crate) mod subgrid_height;
 
 use crate::checkpoint::Checkpoint;
 use crate::error::CoreError;
-use crate::integrator::prepared::Prepared;
+use crate::integrator::prepared::WireModel;
 use crate::linear::loads::{Load, Loads};
 use crate::pantograph::actuator::Actuator;
-use crate::pantograph::system::Rider;
-use crate::session::outputs::Reading;
+use crate::pantograph::system::Pantograph;
+use crate::session::outputs::Outputs;
 use crate::simulation::inputs::Inputs;
 use crate::simulation::model::Model;
 use crate::simulation::run::OBSERVE_EVERY;
 use crate::simulation::state::State;
 use crate::simulation::step::step;
-use crate::slideline::point::Place;
+use crate::slideline::point::SlidelinePoint;
 use std::sync::Arc;
 
 /// What presses against the wire with a force that is given.
@@ -58,9 +58,9 @@ pub struct Begin {
 /// Line and riders of a loop, which nothing changes.
 #[derive(Debug)]
 pub(crate) struct Fixed<const DIM: usize, const D: usize> {
-    pub(crate) line: Arc<Prepared<DIM, D>>,
+    pub(crate) line: Arc<WireModel<DIM, D>>,
     /// None where forces are given.
-    pub(crate) riders: Vec<Rider>,
+    pub(crate) riders: Vec<Pantograph>,
     /// Distance of each rider behind the first, m.
     pub(crate) distances: Vec<f64>,
     /// Coefficient of friction along the wire.
@@ -80,11 +80,11 @@ impl<const DIM: usize, const D: usize> Fixed<DIM, D> {
 
 /// A line that is stepped from outside.
 #[derive(Debug)]
-pub struct Live<const DIM: usize, const D: usize> {
+pub struct Session<const DIM: usize, const D: usize> {
     pub(crate) fixed: Fixed<DIM, D>,
     pub(crate) collectors: Vec<Collector>,
     /// Where the wire was found last at each collector.
-    pub(crate) places: Vec<Place<DIM>>,
+    pub(crate) places: Vec<SlidelinePoint<DIM>>,
     /// Force of each collector on the line: shares of nodes, and the force in N.
     pub(crate) loads: Vec<Load>,
     pub(crate) sizes: Vec<f64>,
@@ -94,7 +94,7 @@ pub struct Live<const DIM: usize, const D: usize> {
     pub(crate) position: f64,
     pub(crate) speed: f64,
     pub(crate) state: State<DIM, D>,
-    pub(crate) reading: Reading,
+    pub(crate) reading: Outputs,
 }
 
 /// Name of position and speed among the numbers of a state.
@@ -105,7 +105,7 @@ pub(crate) fn refuse(array: &'static str, reason: &str) -> CoreError {
     CoreError::Input { array, reason }
 }
 
-impl<const DIM: usize, const D: usize> Live<DIM, D> {
+impl<const DIM: usize, const D: usize> Session<DIM, D> {
     /// Take a step that ends at `position` (m) with `speed` (m/s). `forces` in N act during the
     /// step: one for each collector where forces are given, else one for the actuator of each rider.
     ///
@@ -137,7 +137,7 @@ impl<const DIM: usize, const D: usize> Live<DIM, D> {
 
     /// What the last step, or the start, has left.
     #[must_use]
-    pub fn reading(&self) -> &Reading {
+    pub fn reading(&self) -> &Outputs {
         &self.reading
     }
 
@@ -175,7 +175,8 @@ impl<const DIM: usize, const D: usize> Live<DIM, D> {
         if !position.is_finite() || !speed.is_finite() {
             return Err(refuse("position", "not finite"));
         }
-        let unheard = |(rider, force): (&Rider, &f64)| rider.actuator.is_none() && *force != 0.0;
+        let unheard =
+            |(rider, force): (&Pantograph, &f64)| rider.actuator.is_none() && *force != 0.0;
         if self.fixed.riders.iter().zip(forces).any(unheard) {
             return Err(refuse("forces", "a force for a rider without actuator"));
         }

@@ -2,16 +2,16 @@
 
 use crate::error::CoreError;
 use crate::integrator::WireState;
-use crate::session::Live;
+use crate::session::Session;
 use crate::session::forces::{aside, locate};
-use crate::slideline::Path;
-use crate::slideline::point::Place;
+use crate::slideline::Slideline;
+use crate::slideline::point::SlidelinePoint;
 
 /// The wire where something touches it, and the riders. Where forces are given there is one value for
 /// each collector; where riders are simulated, one for each contact (strip on a lane), and those of
 /// the riders.
 #[derive(Debug, Clone, Default)]
-pub struct Reading {
+pub struct Outputs {
     /// Contacts: rider, strip and lane of each; empty where forces are given.
     pub contacts: Vec<[usize; 3]>,
     /// Contact force, N, at the time of balance of the step; the given one where forces are given.
@@ -28,7 +28,7 @@ pub struct Reading {
     pub velocity: Vec<f64>,
 }
 
-impl Reading {
+impl Outputs {
     pub(crate) fn new(contacts: Vec<[usize; 3]>, count: usize, coordinates: usize) -> Self {
         let zero = vec![0.0; count];
         Self {
@@ -46,7 +46,7 @@ impl Reading {
     fn wire<const DIM: usize, const D: usize>(
         &mut self,
         number: usize,
-        (lane, x, place): (&Path<DIM>, f64, &Place<DIM>),
+        (lane, x, place): (&Slideline<DIM>, f64, &SlidelinePoint<DIM>),
         line: &WireState<D>,
         speed: f64,
     ) -> bool {
@@ -64,7 +64,7 @@ impl Reading {
     }
 }
 
-impl<const DIM: usize, const D: usize> Live<DIM, D> {
+impl<const DIM: usize, const D: usize> Session<DIM, D> {
     /// Read the line and the riders where they stand.
     pub(crate) fn read(&mut self) -> Result<(), CoreError> {
         self.read_mesh()?;

@@ -1,15 +1,15 @@
 //! The start of a loop.
 
 use crate::error::CoreError;
-use crate::integrator::prepared::Prepared;
+use crate::integrator::prepared::WireModel;
 use crate::linear::loads::Load;
-use crate::linear::static_response::Still;
-use crate::pantograph::system::Rider;
+use crate::linear::static_response::StaticSolver;
+use crate::pantograph::system::Pantograph;
 use crate::session::forces::locate;
-use crate::session::outputs::Reading;
-use crate::session::{Begin, Collector, Fixed, Live, is_direct, refuse};
+use crate::session::outputs::Outputs;
+use crate::session::{Begin, Collector, Fixed, Session, is_direct, refuse};
 use crate::simulation::state::State;
-use crate::slideline::point::Place;
+use crate::slideline::point::SlidelinePoint;
 use crate::slideline::residual_flexibility::MOST;
 use std::sync::Arc;
 
@@ -17,14 +17,14 @@ use std::sync::Arc;
 /// room from the start. A step with more makes room once: that is memory in proportion to the square.
 pub const ROOM: usize = 256;
 
-impl<const DIM: usize, const D: usize> Live<DIM, D> {
+impl<const DIM: usize, const D: usize> Session<DIM, D> {
     /// A loop with given forces: the line in equilibrium under `forces` (N) of the collectors.
     ///
     /// # Errors
     /// [`CoreError::Input`]: no collector, several lanes (how a given force is shared between wires is
-    /// not known), updated kinematics; [`CoreError::OffWire`], or any of [`Still`].
+    /// not known), updated kinematics; [`CoreError::OffWire`], or any of [`StaticSolver`].
     pub fn with_forces(
-        p: Arc<Prepared<DIM, D>>,
+        p: Arc<WireModel<DIM, D>>,
         collectors: Vec<Collector>,
         forces: &[f64],
         begin: Begin,
@@ -48,12 +48,12 @@ impl<const DIM: usize, const D: usize> Live<DIM, D> {
             locate(&p.lanes[0], begin.position - c.behind, 0, (number, 0))
         };
         let places = collectors.iter().enumerate().map(find);
-        let places: Vec<Place<DIM>> = places.collect::<Result<_, _>>()?;
+        let places: Vec<SlidelinePoint<DIM>> = places.collect::<Result<_, _>>()?;
         let pressed = places
             .iter()
             .map(|place| (*place, p.lanes[0].yield_at(place)));
         let pressed = pressed.collect::<Vec<_>>();
-        let still = Still::of(&p)?.press(&pressed, forces)?;
+        let still = StaticSolver::of(&p)?.press(&pressed, forces)?;
         let is_rigid = p.lanes[0].is_rigid();
         let links = if is_rigid { 0 } else { MOST };
         let fixed = Fixed {
@@ -74,7 +74,7 @@ impl<const DIM: usize, const D: usize> Live<DIM, D> {
             forces: forces.to_vec(),
             position: begin.position,
             speed: begin.speed,
-            reading: Reading::new(Vec::new(), places.len(), 0),
+            reading: Outputs::new(Vec::new(), places.len(), 0),
             collectors,
             places,
             state,
@@ -90,8 +90,8 @@ impl<const DIM: usize, const D: usize> Live<DIM, D> {
     /// [`CoreError::Input`]: what is given for a whole run, an actuator with a delay, or updated
     /// kinematics; or any error of the start of a run.
     pub fn with_riders(
-        p: Arc<Prepared<DIM, D>>,
-        riders: Vec<Rider>,
+        p: Arc<WireModel<DIM, D>>,
+        riders: Vec<Pantograph>,
         distances: Vec<f64>,
         begin: Begin,
     ) -> Result<Self, CoreError> {
@@ -99,7 +99,7 @@ impl<const DIM: usize, const D: usize> Live<DIM, D> {
         if riders.is_empty() || distances.len() != riders.len() {
             return Err(refuse("riders", "none, or not one distance for each"));
         }
-        let is_given = |r: &Rider| !r.given.forces.is_empty() || r.given.ground.is_some();
+        let is_given = |r: &Pantograph| !r.given.forces.is_empty() || r.given.ground.is_some();
         if riders.iter().any(is_given) {
             return Err(refuse("riders", "what is given for a whole run"));
         }
@@ -109,7 +109,7 @@ impl<const DIM: usize, const D: usize> Live<DIM, D> {
                 "an actuator that is not asked in every step",
             ));
         }
-        let coordinates = riders.iter().map(Rider::size).sum();
+        let coordinates = riders.iter().map(Pantograph::size).sum();
         let fixed = Fixed {
             friction: begin.friction,
             line: p,
@@ -128,7 +128,7 @@ impl<const DIM: usize, const D: usize> Live<DIM, D> {
             forces: Vec::new(),
             position: begin.position,
             speed: begin.speed,
-            reading: Reading::new(contacts.clone(), contacts.len(), coordinates),
+            reading: Outputs::new(contacts.clone(), contacts.len(), coordinates),
             state,
             fixed,
         }
@@ -151,7 +151,7 @@ impl<const DIM: usize, const D: usize> Live<DIM, D> {
 }
 
 fn check<const DIM: usize, const D: usize>(
-    p: &Prepared<DIM, D>,
+    p: &WireModel<DIM, D>,
     begin: &Begin,
 ) -> Result<(), CoreError> {
     let all = [begin.position, begin.speed, begin.friction];

@@ -1,18 +1,18 @@
 //! What a loop reads of the wire beyond the mesh: see [`yields`](crate::slideline::residual_flexibility).
 
-use crate::session::Live;
-use crate::slideline::Path;
-use crate::slideline::point::Place;
-use crate::slideline::residual_flexibility::Yield;
+use crate::session::Session;
+use crate::slideline::Slideline;
+use crate::slideline::point::SlidelinePoint;
+use crate::slideline::residual_flexibility::LocalCompliance;
 
 /// Half of the way over which slopes are taken, m: kinks are rounded over a tenth of a metre, so the
 /// square of this is nothing; and nothing is what rounding of a place adds.
 const NEARBY: f64 = 1e-4;
 
-impl<const DIM: usize, const D: usize> Live<DIM, D> {
+impl<const DIM: usize, const D: usize> Session<DIM, D> {
     /// Add to the heights and their rates what the wires are higher than the mesh.
     pub(crate) fn add_raised(&mut self) {
-        if self.fixed.line.lanes.iter().all(Path::is_rigid) {
+        if self.fixed.line.lanes.iter().all(Slideline::is_rigid) {
             return;
         }
         let (_, speed) = self.place();
@@ -41,7 +41,11 @@ impl<const DIM: usize, const D: usize> Live<DIM, D> {
     }
 
     /// Lane, place and yield of what presses against the wire, moved along by a little.
-    fn spot(&self, number: usize, shift: f64) -> Option<(usize, Place<DIM>, Yield)> {
+    fn spot(
+        &self,
+        number: usize,
+        shift: f64,
+    ) -> Option<(usize, SlidelinePoint<DIM>, LocalCompliance)> {
         let (position, _) = self.place();
         let (lane, x, near) = match self.collectors.get(number) {
             Some(c) => (0, position - c.behind, self.places[number].element),
@@ -60,7 +64,11 @@ impl<const DIM: usize, const D: usize> Live<DIM, D> {
 
     /// Height above the mesh at the end of the step, with the forces and corrections of the step, when all
     /// that presses has moved along by a little.
-    fn raised(&self, (lane, place, yields): (usize, &Place<DIM>, &Yield), shift: f64) -> f64 {
+    fn raised(
+        &self,
+        (lane, place, yields): (usize, &SlidelinePoint<DIM>, &LocalCompliance),
+        shift: f64,
+    ) -> f64 {
         let (p, motion) = (&self.fixed.line, &self.state.motion);
         let correction = &motion.unilateral.correction;
         let by_link = |(l, rise): (usize, f64)| {

@@ -13,15 +13,15 @@
 
 use crate::constraint::contacts::{Contact, Contacts};
 use crate::error::CoreError;
-use crate::integrator::prepared::Prepared;
+use crate::integrator::prepared::WireModel;
 use crate::integrator::static_line::StaticLine;
 use crate::linalg::BlockLdl;
-use crate::linear::static_response::{StillState, compliance};
+use crate::linear::static_response::{StaticState, compliance};
 use crate::pantograph::equilibrium::{self, Rest};
-use crate::pantograph::system::{Rider, inner, times};
+use crate::pantograph::system::{Pantograph, inner, times};
 use crate::simulation::load_sharing::{share, unshared};
 use crate::simulation::model::Model;
-use crate::slideline::Path;
+use crate::slideline::Slideline;
 
 /// Bound on the rounds over all riders; a round takes the error down by the coupling between riders.
 const MOST_ROUNDS: usize = 100;
@@ -30,14 +30,14 @@ const SETTLED: f64 = 1e-12;
 
 /// Line, contacts and riders on the way to equilibrium.
 pub(crate) struct Start<'a, const DIM: usize, const D: usize> {
-    p: &'a Prepared<DIM, D>,
-    riders: &'a [Rider],
+    p: &'a WireModel<DIM, D>,
+    riders: &'a [Pantograph],
     /// Position of the first rider, m.
     position: f64,
     /// Speed, m/s.
     speed: f64,
     wires: StaticLine<'a, DIM, D>,
-    pub(crate) lanes: Vec<Path<DIM>>,
+    pub(crate) lanes: Vec<Slideline<DIM>>,
     pub(crate) contacts: Contacts<DIM>,
     /// Forces of the active contacts, N.
     pub(crate) forces: Vec<f64>,
@@ -96,7 +96,7 @@ impl<'a, const DIM: usize, const D: usize> Start<'a, DIM, D> {
     }
 
     /// The line under the present forces; contacts follow it where it moves along the track.
-    fn line(&mut self) -> Result<StillState<D>, CoreError> {
+    fn line(&mut self) -> Result<StaticState<D>, CoreError> {
         let forces = (self.position, &self.forces[..]);
         let found = self
             .wires
@@ -106,7 +106,7 @@ impl<'a, const DIM: usize, const D: usize> Start<'a, DIM, D> {
     }
 
     /// Share the forces of all riders among their contacts; returns the line under them.
-    pub(crate) fn settle(&mut self) -> Result<StillState<D>, CoreError> {
+    pub(crate) fn settle(&mut self) -> Result<StaticState<D>, CoreError> {
         let several: Vec<usize> = (0..self.riders.len())
             .filter(|&j| self.own(j).len() > 1)
             .collect();
@@ -125,7 +125,7 @@ impl<'a, const DIM: usize, const D: usize> Start<'a, DIM, D> {
     }
 
     /// Height of the wire at a contact above the datum, m.
-    fn wire(&self, i: usize, line: &StillState<D>) -> f64 {
+    fn wire(&self, i: usize, line: &StaticState<D>) -> f64 {
         let contact = self.contact(i);
         let (place, yields) = (&contact.place, &contact.yields);
         let active = self.contacts.active().zip(&self.forces);
@@ -136,7 +136,7 @@ impl<'a, const DIM: usize, const D: usize> Start<'a, DIM, D> {
 
     /// A rider under its present forces: with one contact at the height of its wire, with several at
     /// its level, or at first at the height of the wire that carries it.
-    pub(crate) fn stand(&self, j: usize, line: &StillState<D>) -> Result<Rest, CoreError> {
+    pub(crate) fn stand(&self, j: usize, line: &StaticState<D>) -> Result<Rest, CoreError> {
         let (own, rider, speed) = (self.own(j), &self.riders[j], self.speed);
         let [first, ..] = own[..] else {
             return Err(unshared());
@@ -167,7 +167,7 @@ impl<'a, const DIM: usize, const D: usize> Start<'a, DIM, D> {
     }
 
     /// Share the force of one rider anew; returns the largest change of a contact's force, N.
-    fn share_of(&mut self, j: usize, line: &StillState<D>) -> Result<f64, CoreError> {
+    fn share_of(&mut self, j: usize, line: &StaticState<D>) -> Result<f64, CoreError> {
         let (own, rider, p) = (self.own(j), &self.riders[j], self.p);
         let (n, rest) = (own.len(), self.stand(j, line)?);
         let level = inner(&rider.preload, &rest.u);

@@ -1,9 +1,9 @@
 //! Inputs of one step: where the riders travel, and the forces given from outside.
 
 use crate::linear::loads::Loads;
-use crate::pantograph::excitation::GivenNow;
-use crate::pantograph::system::Rider;
-use crate::simulation::run::Travel;
+use crate::pantograph::excitation::ExcitationNow;
+use crate::pantograph::system::Pantograph;
+use crate::simulation::run::Trajectory;
 
 /// Inputs of one step. Forces of actuators are part of the state, which holds them from one
 /// sample to the next.
@@ -17,21 +17,21 @@ pub struct Inputs<'a> {
     /// Forces on nodes of the line.
     pub loads: Loads<'a>,
     /// Forces on each rider and motion of its ground; empty where there are none.
-    pub given: &'a [GivenNow],
+    pub given: &'a [ExcitationNow],
 }
 
 /// Inputs of a run, step by step, from its histories.
 #[derive(Debug)]
 pub(crate) struct Histories<'a> {
-    travel: &'a Travel,
-    riders: &'a [Rider],
+    travel: &'a Trajectory,
+    riders: &'a [Pantograph],
     sizes: Vec<f64>,
-    given: Vec<GivenNow>,
+    given: Vec<ExcitationNow>,
 }
 
 impl<'a> Histories<'a> {
-    pub(crate) fn new(travel: &'a Travel, riders: &'a [Rider]) -> Self {
-        let given = riders.iter().map(|rider| GivenNow::zero(rider.size()));
+    pub(crate) fn new(travel: &'a Trajectory, riders: &'a [Pantograph]) -> Self {
+        let given = riders.iter().map(|rider| ExcitationNow::zero(rider.size()));
         Self {
             sizes: vec![0.0; travel.loads.len()],
             given: given.collect(),

@@ -8,10 +8,10 @@
 
 use crate::checkpoint::{Checkpoint, refuse};
 use crate::error::CoreError;
-use crate::integrator::prepared::Prepared;
+use crate::integrator::prepared::WireModel;
 use crate::linear::loads::Load;
 use crate::pantograph::actuator::{Ask, Sample};
-use crate::pantograph::system::Rider;
+use crate::pantograph::system::Pantograph;
 use crate::simulation::inputs::Histories;
 use crate::simulation::model::Model;
 use crate::simulation::recording::record::{Record, RecordPlan};
@@ -21,7 +21,7 @@ use crate::simulation::step::step;
 
 /// Motion along the track and laws of the contact.
 #[derive(Debug, Clone)]
-pub struct Travel {
+pub struct Trajectory {
     /// Position of the first rider at the start and after each step, m.
     pub positions: Vec<f64>,
     /// Speed at the same instants, m/s.
@@ -44,19 +44,19 @@ pub struct Part<'a> {
 }
 
 /// Takes the next piece of the series; answers whether to go on.
-pub type Take<'a> = &'a mut dyn FnMut(Record) -> bool;
+pub type Sink<'a> = &'a mut dyn FnMut(Record) -> bool;
 
 /// Who is called during a run.
-pub struct Callers<'a> {
+pub struct Callbacks<'a> {
     /// Called now and then with the number of steps done; answers whether to go on.
     pub observe: &'a mut dyn FnMut(usize) -> bool,
     /// Asked for the forces of actuators.
     pub ask: Ask<'a>,
     /// Takes the series as soon as they hold so many numbers; `None` leaves them in the record.
-    pub take: Option<(usize, Take<'a>)>,
+    pub take: Option<(usize, Sink<'a>)>,
 }
 
-impl Callers<'_> {
+impl Callbacks<'_> {
     /// Tell how many steps are done, and hand on what has been recorded.
     fn call<const DIM: usize, const D: usize>(
         &mut self,
@@ -81,7 +81,7 @@ impl Callers<'_> {
 }
 
 impl Part<'_> {
-    fn steps(&self, travel: &Travel) -> Result<std::ops::Range<usize>, CoreError> {
+    fn steps(&self, travel: &Trajectory) -> Result<std::ops::Range<usize>, CoreError> {
         let all = travel.positions.len() - 1;
         let (first, last) = (self.from.map_or(0, |s| s.step), self.until.unwrap_or(all));
         if first < last && last <= all {
@@ -95,7 +95,7 @@ impl Part<'_> {
 /// Steps between two calls of the observer: often enough to stop within a fraction of a second.
 pub(crate) const OBSERVE_EVERY: usize = 256;
 
-impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
+impl<const DIM: usize, const D: usize> WireModel<DIM, D> {
     /// Run all steps of `travel`. `observe` is called now and then with the number of steps done;
     /// the run ends with [`CoreError::Cancelled`] when it returns `false`.
     ///
@@ -103,8 +103,8 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
     /// Any [`CoreError`] that a step can raise.
     pub fn run(
         &self,
-        riders: &[Rider],
-        travel: &Travel,
+        riders: &[Pantograph],
+        travel: &Trajectory,
         plan: &RecordPlan,
         observe: &mut dyn FnMut(usize) -> bool,
     ) -> Result<Record, CoreError> {
@@ -118,8 +118,8 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
     /// Any [`CoreError`] that a step can raise, [`CoreError::Control`] among them.
     pub fn run_controlled(
         &self,
-        riders: &[Rider],
-        travel: &Travel,
+        riders: &[Pantograph],
+        travel: &Trajectory,
         plan: &RecordPlan,
         observe: &mut dyn FnMut(usize) -> bool,
         ask: Ask<'_>,
@@ -129,35 +129,35 @@ impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
         done.map(|(record, _)| record)
     }
 
-    /// Do a part of the steps of `travel`; see [`Prepared::run_controlled`] for the rest.
+    /// Do a part of the steps of `travel`; see [`WireModel::run_controlled`] for the rest.
     ///
     /// # Errors
     /// Any [`CoreError`] that a step can raise; [`CoreError::Input`] for a state of another run.
     pub fn run_part(
         &self,
-        riders: &[Rider],
-        travel: &Travel,
+        riders: &[Pantograph],
+        travel: &Trajectory,
         plan: &RecordPlan,
         part: Part<'_>,
         observe: &mut dyn FnMut(usize) -> bool,
         ask: Ask<'_>,
     ) -> Result<(Record, Checkpoint), CoreError> {
         let take = None;
-        self.run_pieces(riders, travel, plan, part, Callers { observe, ask, take })
+        self.run_pieces(riders, travel, plan, part, Callbacks { observe, ask, take })
     }
 
     /// Do a part of the steps, with the series handed on in pieces; those of the record returned are
     /// the last one.
     ///
     /// # Errors
-    /// As [`Prepared::run_part`].
+    /// As [`WireModel::run_part`].
     pub fn run_pieces(
         &self,
-        riders: &[Rider],
-        travel: &Travel,
+        riders: &[Pantograph],
+        travel: &Trajectory,
         plan: &RecordPlan,
         part: Part<'_>,
-        mut callers: Callers<'_>,
+        mut callers: Callbacks<'_>,
     ) -> Result<(Record, Checkpoint), CoreError> {
         check(riders, travel, plan, self.keeps_energy())?;
         check_nodes(&plan.nodes, self.line.nodes())?;
@@ -195,7 +195,7 @@ impl<const DIM: usize, const D: usize> State<DIM, D> {
     /// State of a run that is recorded: at its start, or where a saved one left it.
     fn begin(
         model: &Model<'_, DIM, D>,
-        travel: &Travel,
+        travel: &Trajectory,
         plan: &RecordPlan,
         from: Option<&Checkpoint>,
     ) -> Result<Self, CoreError> {
@@ -242,8 +242,8 @@ impl<const DIM: usize, const D: usize> State<DIM, D> {
 /// # Errors
 /// [`CoreError::Input`].
 pub(crate) fn check(
-    riders: &[Rider],
-    travel: &Travel,
+    riders: &[Pantograph],
+    travel: &Trajectory,
     plan: &RecordPlan,
     keeps_energy: bool,
 ) -> Result<(), CoreError> {

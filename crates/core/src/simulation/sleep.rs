@@ -5,9 +5,9 @@
 //! recorded, is laid to rest again. A step then costs what one or two islands cost, however
 //! long the line, and the forces are those of stepping everything, bit for bit.
 
-use crate::integrator::prepared::Prepared;
+use crate::integrator::prepared::WireModel;
 use crate::linalg::islands::islands;
-use crate::linear::model::Line;
+use crate::linear::model::LinearModel;
 use crate::simulation::model::Model;
 use crate::simulation::state::{Motion, State};
 use std::ops::Range;
@@ -31,7 +31,7 @@ impl Island {
     /// The islands of a line, in the order of their nodes. A line whose links are not listed island by
     /// island is taken as one.
     pub(crate) fn all<const DIM: usize, const D: usize>(
-        line: &Line<DIM, D>,
+        line: &LinearModel<DIM, D>,
         fixed: &[(u32, u32)],
     ) -> Vec<Self> {
         let nodes = islands(&line.stiffness);
@@ -56,7 +56,10 @@ impl Island {
         nodes.into_iter().enumerate().map(own).collect()
     }
 
-    fn whole<const DIM: usize, const D: usize>(line: &Line<DIM, D>, fixed: &[(u32, u32)]) -> Self {
+    fn whole<const DIM: usize, const D: usize>(
+        line: &LinearModel<DIM, D>,
+        fixed: &[(u32, u32)],
+    ) -> Self {
         Self {
             nodes: 0..line.nodes(),
             links: 0..line.links.len(),
@@ -68,12 +71,12 @@ impl Island {
 }
 
 /// Largest coordinate along the track of some nodes.
-fn end<const DIM: usize, const D: usize>(line: &Line<DIM, D>, nodes: Range<usize>) -> f64 {
+fn end<const DIM: usize, const D: usize>(line: &LinearModel<DIM, D>, nodes: Range<usize>) -> f64 {
     let along = line.shape[nodes].iter().map(|r| r[0]);
     along.fold(f64::NEG_INFINITY, f64::max)
 }
 
-impl<const DIM: usize, const D: usize> Prepared<DIM, D> {
+impl<const DIM: usize, const D: usize> WireModel<DIM, D> {
     /// Islands by their numbers.
     pub(crate) fn awake<'a>(&'a self, numbers: &'a [usize]) -> impl Iterator<Item = &'a Island> {
         numbers.iter().map(|&number| &self.islands[number])

@@ -2,7 +2,7 @@
 
 use crate::error::CoreError;
 use crate::lcp::LcpStats;
-use crate::pantograph::system::RiderState;
+use crate::pantograph::system::PantographState;
 use crate::simulation::model::Model;
 use crate::simulation::state::{Motion, State};
 
@@ -84,7 +84,7 @@ impl<const DIM: usize, const D: usize> Motion<DIM, D> {
                 self.riders[contact.rider()].add_contact(*force, &contact.column);
             }
         }
-        self.riders.iter_mut().for_each(RiderState::add_kinks);
+        self.riders.iter_mut().for_each(PantographState::add_kinks);
     }
 
     /// Let links enter that have to; tells whether there are new ones.
@@ -108,7 +108,7 @@ impl<const DIM: usize, const D: usize> Motion<DIM, D> {
         let c = model.line.coefficients;
         let turned = self.riders.iter_mut().any(|rider| rider.turn(&c));
         if turned {
-            self.riders.iter_mut().for_each(RiderState::take_back);
+            self.riders.iter_mut().for_each(PantographState::take_back);
         }
         turned
     }

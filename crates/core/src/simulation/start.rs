@@ -3,7 +3,7 @@
 use crate::constraint::contacts::Contacts;
 use crate::error::CoreError;
 use crate::pantograph::equilibrium::Rest;
-use crate::pantograph::system::{Rider, RiderState};
+use crate::pantograph::system::{Pantograph, PantographState};
 use crate::simulation::initial_equilibrium::Start;
 use crate::simulation::model::Model;
 use crate::simulation::state::{Motion, State};
@@ -21,12 +21,12 @@ impl<const DIM: usize, const D: usize> State<DIM, D> {
         may_sleep: bool,
     ) -> Result<Self, CoreError> {
         let (line, riders) = (model.line, model.riders);
-        riders.iter().try_for_each(Rider::check)?;
+        riders.iter().try_for_each(Pantograph::check)?;
         let mut start = Start::new(model, position, speed)?;
         let found = start.settle()?;
-        let stand = |(j, rider): (usize, &Rider)| {
+        let stand = |(j, rider): (usize, &Pantograph)| {
             let Rest { u, preload, .. } = start.stand(j, &found)?;
-            RiderState::standing(rider.clone(), &line.coefficients, (u, preload))
+            PantographState::standing(rider.clone(), &line.coefficients, (u, preload))
         };
         let states = riders.iter().enumerate().map(stand);
         let states = states.collect::<Result<Vec<_>, _>>()?;
@@ -50,10 +50,10 @@ impl<const DIM: usize, const D: usize> State<DIM, D> {
     /// [`CoreError::Input`].
     pub(crate) fn blank(model: &Model<'_, DIM, D>, may_sleep: bool) -> Result<Self, CoreError> {
         let (line, riders) = (model.line, model.riders);
-        riders.iter().try_for_each(Rider::check)?;
-        let stand = |rider: &Rider| {
+        riders.iter().try_for_each(Pantograph::check)?;
+        let stand = |rider: &Pantograph| {
             let nowhere = (vec![0.0; rider.size()], 0.0);
-            RiderState::standing(rider.clone(), &line.coefficients, nowhere)
+            PantographState::standing(rider.clone(), &line.coefficients, nowhere)
         };
         let states = riders.iter().map(stand).collect::<Result<Vec<_>, _>>()?;
         let contacts = Contacts::blank(riders, model.distances, line.lanes.len());

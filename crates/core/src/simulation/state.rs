@@ -1,11 +1,11 @@
 //! The state of a run: what a step changes, and nothing else.
 
 use crate::constraint::contacts::Contacts;
-use crate::constraint::problem::Unilateral;
+use crate::constraint::problem::ConstraintProblem;
 use crate::error::CoreError;
 use crate::integrator::WireState;
-use crate::integrator::prepared::Prepared;
-use crate::pantograph::system::RiderState;
+use crate::integrator::prepared::WireModel;
+use crate::pantograph::system::PantographState;
 use crate::simulation::model::Model;
 use crate::simulation::recording::recorder::Recorder;
 
@@ -13,7 +13,7 @@ use crate::simulation::recording::recorder::Recorder;
 #[derive(Debug, Clone)]
 pub struct State<const DIM: usize, const D: usize> {
     /// The line formed at its present position, with updated kinematics.
-    pub(crate) present: Option<Box<Prepared<DIM, D>>>,
+    pub(crate) present: Option<Box<WireModel<DIM, D>>>,
     pub(crate) motion: Motion<DIM, D>,
     /// Records of the run; `None` where nothing is recorded.
     pub(crate) recorder: Option<Recorder<DIM, D>>,
@@ -25,11 +25,11 @@ pub struct Motion<const DIM: usize, const D: usize> {
     /// Steps done.
     pub(crate) steps: usize,
     pub(crate) line: WireState<D>,
-    pub(crate) riders: Vec<RiderState>,
+    pub(crate) riders: Vec<PantographState>,
     /// Displacements of the riders at the start, m.
     pub(crate) start_u: Vec<Vec<f64>>,
     pub(crate) contacts: Contacts<DIM>,
-    pub(crate) unilateral: Unilateral,
+    pub(crate) unilateral: ConstraintProblem,
     /// Friction force along the wire at each contact, N.
     pub(crate) friction: Vec<f64>,
     /// Gap of each contact without contact forces, m.
@@ -65,7 +65,7 @@ impl<const DIM: usize, const D: usize> Motion<DIM, D> {
     /// Line at rest and undisturbed, riders as they stand, no force anywhere.
     pub(crate) fn at_rest(
         model: &Model<'_, DIM, D>,
-        riders: Vec<RiderState>,
+        riders: Vec<PantographState>,
         mut contacts: Contacts<DIM>,
         may_sleep: bool,
     ) -> Self {
@@ -76,7 +76,7 @@ impl<const DIM: usize, const D: usize> Motion<DIM, D> {
             steps: 0,
             line: line.at_rest(vec![[0.0; D]; line.line.nodes()]),
             start_u: riders.iter().map(|r| r.u.clone()).collect(),
-            unilateral: Unilateral::new(count, vec![0.0; links]),
+            unilateral: ConstraintProblem::new(count, vec![0.0; links]),
             friction: vec![0.0; count],
             gaps: vec![0.0; count],
             datum: 0.0,

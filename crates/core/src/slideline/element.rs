@@ -4,13 +4,13 @@ use crate::element::hermite;
 use crate::error::CoreError;
 use crate::slideline::point::slots;
 use crate::slideline::refuse;
-use crate::slideline::smoothed_segment::Rounded;
+use crate::slideline::smoothed_segment::SmoothedSegment;
 use crate::statics::assembly::{Geometry, Shape};
 use std::sync::Arc;
 
 /// An element in its static shape, or where it has moved to.
 #[derive(Debug, Clone)]
-pub(crate) enum PathElement<const DIM: usize> {
+pub(crate) enum SlidelineElement<const DIM: usize> {
     /// Hermite element.
     Curve {
         rest_length: f64,
@@ -19,19 +19,19 @@ pub(crate) enum PathElement<const DIM: usize> {
     /// Segment of a chain, between its two ends.
     Chord([[f64; DIM]; 2]),
     /// The same, as a curve: with explicit steps.
-    Rounded(Arc<Rounded<DIM>>),
+    Smoothed(Arc<SmoothedSegment<DIM>>),
 }
 
 /// Newton steps that invert x(ξ); the wire is nearly straight, three reach rounding.
 const MOST_INVERSIONS: usize = 20;
 
-impl<const DIM: usize> PathElement<DIM> {
+impl<const DIM: usize> SlidelineElement<DIM> {
     /// Coordinates of both ends along the track, m.
     pub(crate) fn range(&self) -> (f64, f64) {
         match self {
             Self::Curve { coordinates: e, .. } => (e[0][0], e[2][0]),
             Self::Chord(ends) => (ends[0][0], ends[1][0]),
-            Self::Rounded(it) => it.range(),
+            Self::Smoothed(it) => it.range(),
         }
     }
 
@@ -41,7 +41,7 @@ impl<const DIM: usize> PathElement<DIM> {
         match self {
             Self::Curve { rest_length: l, .. } => hermite::shape(xi, *l),
             Self::Chord(_) => [1.0 - xi, xi, 0.0, 0.0],
-            Self::Rounded(it) => it.shares(xi),
+            Self::Smoothed(it) => it.shares(xi),
         }
     }
 
@@ -61,7 +61,7 @@ impl<const DIM: usize> PathElement<DIM> {
                 let per_length = 1.0 / (b[0] - a[0]);
                 [-per_length, per_length, 0.0, 0.0]
             }
-            Self::Rounded(it) => it.share_slopes(xi),
+            Self::Smoothed(it) => it.share_slopes(xi),
         }
     }
 
@@ -98,7 +98,7 @@ impl<const DIM: usize> PathElement<DIM> {
                     }
                     Self::Chord(points) => points[side][c] += end[c],
                     // Explicit steps keep the kinematics of the position at rest.
-                    Self::Rounded(_) => (),
+                    Self::Smoothed(_) => (),
                 }
             }
         }
@@ -109,7 +109,7 @@ impl<const DIM: usize> PathElement<DIM> {
         match self {
             Self::Curve { coordinates, .. } => hermite::interpolate(weights, coordinates),
             Self::Chord([a, b]) => std::array::from_fn(|c| weights[0] * a[c] + weights[1] * b[c]),
-            Self::Rounded(it) => it.point(weights),
+            Self::Smoothed(it) => it.point(weights),
         }
     }
 
@@ -117,7 +117,7 @@ impl<const DIM: usize> PathElement<DIM> {
     pub(crate) fn window(&self) -> (usize, usize) {
         match self {
             Self::Curve { .. } | Self::Chord(_) => (0, 2),
-            Self::Rounded(it) => it.window(),
+            Self::Smoothed(it) => it.window(),
         }
     }
 
@@ -127,7 +127,7 @@ impl<const DIM: usize> PathElement<DIM> {
         match self {
             Self::Curve { .. } => weights[2 * side] = 1.0,
             Self::Chord(_) => weights[side] = 1.0,
-            Self::Rounded(it) => weights = it.shares(side as f64),
+            Self::Smoothed(it) => weights = it.shares(side as f64),
         }
         weights
     }
@@ -135,7 +135,7 @@ impl<const DIM: usize> PathElement<DIM> {
     /// R(x, x) of a chain, m/N.
     pub(crate) fn missing(&self, weights: &[f64; 4]) -> f64 {
         match self {
-            Self::Rounded(it) => it.own(weights),
+            Self::Smoothed(it) => it.own(weights),
             _ => 0.0,
         }
     }
@@ -143,7 +143,7 @@ impl<const DIM: usize> PathElement<DIM> {
     /// R(x, y) of a chain, m/N.
     pub(crate) fn missing_between(&self, weights: &[f64; 4], other: &Self, its: &[f64; 4]) -> f64 {
         match (self, other) {
-            (Self::Rounded(it), Self::Rounded(other)) => it.missing(weights, other, its),
+            (Self::Smoothed(it), Self::Smoothed(other)) => it.missing(weights, other, its),
             _ => 0.0,
         }
     }
@@ -162,20 +162,20 @@ pub(crate) fn element<const DIM: usize, const D: usize>(
     geometry: &Geometry<DIM, D>,
     shape: &Shape<D>,
     number: usize,
-) -> Result<(PathElement<DIM>, [usize; 2]), CoreError> {
+) -> Result<(SlidelineElement<DIM>, [usize; 2]), CoreError> {
     let s = &geometry.structure;
     if slots::<DIM, D>() == 1 {
         let segment = s.segments.get(number);
         let nodes = segment.ok_or_else(|| refuse("unknown element"))?.nodes;
         let ends = nodes.map(|n| Geometry::<DIM, D>::position(shape, n));
-        return Ok((PathElement::Chord(ends), nodes));
+        return Ok((SlidelineElement::Chord(ends), nodes));
     }
     let wire = s.wires.get(number);
     let wire = wire.ok_or_else(|| refuse("unknown element"))?;
     if !wire.runs_through() {
         return Err(refuse("the wire is hinged"));
     }
-    let curve = PathElement::Curve {
+    let curve = SlidelineElement::Curve {
         rest_length: wire.section.rest_length,
         coordinates: Geometry::<DIM, D>::coordinates(shape, wire),
     };

@@ -10,17 +10,17 @@ pub(crate) mod smoothed_segment;
 pub(crate) mod smoothing;
 
 use crate::error::CoreError;
-use crate::slideline::element::{PathElement, element};
-use crate::slideline::point::{Nodal, Place};
-use crate::slideline::residual_flexibility::Yields;
+use crate::slideline::element::{SlidelineElement, element};
+use crate::slideline::point::{Nodal, SlidelinePoint};
+use crate::slideline::residual_flexibility::LocalCompliances;
 use crate::statics::assembly::{Geometry, Shape};
 
 /// Elements of a lane in the order of the track, in their static shape.
 #[derive(Debug, Clone)]
-pub struct Path<const DIM: usize> {
-    pub(crate) elements: Vec<PathElement<DIM>>,
+pub struct Slideline<const DIM: usize> {
+    pub(crate) elements: Vec<SlidelineElement<DIM>>,
     /// The same elements where they have moved to, with updated kinematics; else empty.
-    moved: Vec<PathElement<DIM>>,
+    moved: Vec<SlidelineElement<DIM>>,
     /// Nodes of each element.
     pub(crate) ends: Vec<[usize; 2]>,
     /// Wire of each element, counted along the lane.
@@ -29,7 +29,7 @@ pub struct Path<const DIM: usize> {
     pub nodes: Vec<usize>,
     /// Number of nodes in the lanes before this one.
     before: usize,
-    pub(crate) yields: Yields,
+    pub(crate) yields: LocalCompliances,
 }
 
 pub(crate) fn refuse(reason: &str) -> CoreError {
@@ -43,11 +43,11 @@ pub(crate) fn refuse(reason: &str) -> CoreError {
 /// in a time step.
 const STEPS: usize = 4;
 
-impl<const DIM: usize> Path<DIM> {
+impl<const DIM: usize> Slideline<DIM> {
     /// One path for each list of wire elements (segments of a chain).
     ///
     /// # Errors
-    /// Those of [`Path::new`]; also [`CoreError::Input`] without lanes, or when an element is in two.
+    /// Those of [`Slideline::new`]; also [`CoreError::Input`] without lanes, or when an element is in two.
     pub fn lanes<const D: usize>(
         geometry: &Geometry<DIM, D>,
         shape: &Shape<D>,
@@ -88,7 +88,7 @@ impl<const DIM: usize> Path<DIM> {
             wires: Vec::with_capacity(wires.len()),
             nodes: Vec::with_capacity(wires.len() + 1),
             before: 0,
-            yields: Yields::default(),
+            yields: LocalCompliances::default(),
         };
         for &number in wires {
             let (element, ends) = element(geometry, shape, number)?;
@@ -97,7 +97,7 @@ impl<const DIM: usize> Path<DIM> {
         Ok(lane)
     }
 
-    fn push(&mut self, element: PathElement<DIM>, ends: [usize; 2]) -> Result<(), CoreError> {
+    fn push(&mut self, element: SlidelineElement<DIM>, ends: [usize; 2]) -> Result<(), CoreError> {
         let (first, last) = element.range();
         if last <= first {
             return Err(refuse("the wire runs backwards"));
@@ -118,7 +118,7 @@ impl<const DIM: usize> Path<DIM> {
     }
 
     /// Nodes of the element of a place and of two on each side: where it acts now, and in the next step.
-    pub(crate) fn around(&self, place: &Place<DIM>) -> impl Iterator<Item = usize> + '_ {
+    pub(crate) fn around(&self, place: &SlidelinePoint<DIM>) -> impl Iterator<Item = usize> + '_ {
         let last = (place.element + 3).min(self.ends.len());
         let elements = &self.ends[place.element.saturating_sub(2)..last];
         elements.iter().flatten().copied()
@@ -144,7 +144,7 @@ impl<const DIM: usize> Path<DIM> {
         runs_forwards
     }
 
-    fn present(&self) -> &[PathElement<DIM>] {
+    fn present(&self) -> &[SlidelineElement<DIM>] {
         if self.moved.is_empty() {
             &self.elements
         } else {
@@ -155,7 +155,7 @@ impl<const DIM: usize> Path<DIM> {
     /// Place at coordinate `x` along the track; `None` beyond the ends and in gaps. `near` is the
     /// element where the search starts (contacts move little from step to step).
     #[must_use]
-    pub fn locate(&self, x: f64, near: usize) -> Option<Place<DIM>> {
+    pub fn locate(&self, x: f64, near: usize) -> Option<SlidelinePoint<DIM>> {
         let present = self.present();
         let (first, last) = (present[0].range().0, present[present.len() - 1].range().1);
         if !(first..=last).contains(&x) {
@@ -184,7 +184,7 @@ impl<const DIM: usize> Path<DIM> {
 
     /// Place at coordinate `x` on the wire of element `near`, at its end when that is nearer.
     #[must_use]
-    pub(crate) fn on_wire(&self, x: f64, near: usize) -> Place<DIM> {
+    pub(crate) fn on_wire(&self, x: f64, near: usize) -> SlidelinePoint<DIM> {
         let present = self.present();
         let mut k = near.min(present.len() - 1);
         while k > 0 && self.wires[k - 1] == self.wires[k] && x < present[k].range().0 {
@@ -200,12 +200,12 @@ impl<const DIM: usize> Path<DIM> {
 
     /// Whether two places are on the same wire.
     #[must_use]
-    pub(crate) fn is_one_wire(&self, a: &Place<DIM>, b: &Place<DIM>) -> bool {
+    pub(crate) fn is_one_wire(&self, a: &SlidelinePoint<DIM>, b: &SlidelinePoint<DIM>) -> bool {
         self.wires[a.element] == self.wires[b.element]
     }
 
     /// Place on element `k` at coordinate `x`, which lies on it.
-    fn place(&self, k: usize, x: f64) -> Place<DIM> {
+    fn place(&self, k: usize, x: f64) -> SlidelinePoint<DIM> {
         let present = self.present();
         let last = present[present.len() - 1].range().1;
         let weights = present[k].weights(x, 4.0 * f64::EPSILON * last.abs());
@@ -216,7 +216,7 @@ impl<const DIM: usize> Path<DIM> {
     pub(crate) fn slope<const D: usize>(
         &self,
         x: f64,
-        near: &Place<DIM>,
+        near: &SlidelinePoint<DIM>,
         u: &(impl Nodal<D> + ?Sized),
     ) -> f64 {
         let accuracy = 4.0 * f64::EPSILON * x.abs();
@@ -226,30 +226,30 @@ impl<const DIM: usize> Path<DIM> {
     }
 
     /// Place on element `k` with known shape functions; `None` when there is no such element.
-    pub(crate) fn at(&self, k: usize, weights: [f64; 4]) -> Option<Place<DIM>> {
+    pub(crate) fn at(&self, k: usize, weights: [f64; 4]) -> Option<SlidelinePoint<DIM>> {
         (k < self.elements.len()).then(|| self.weighted(k, weights))
     }
 
     /// Whether a place is on this lane.
-    pub(crate) fn holds(&self, place: &Place<DIM>) -> bool {
+    pub(crate) fn holds(&self, place: &SlidelinePoint<DIM>) -> bool {
         (self.before..self.before + self.nodes.len()).contains(&place.number)
     }
 
     /// The nodes of the lane with their places, those between two elements twice.
-    pub(crate) fn ends(&self) -> impl Iterator<Item = (usize, Place<DIM>)> {
+    pub(crate) fn ends(&self) -> impl Iterator<Item = (usize, SlidelinePoint<DIM>)> {
         self.ends.iter().enumerate().flat_map(move |(k, nodes)| {
             let at = |side: usize| (nodes[side], self.weighted(k, self.elements[k].end(side)));
             [at(0), at(1)]
         })
     }
 
-    fn weighted(&self, k: usize, weights: [f64; 4]) -> Place<DIM> {
+    fn weighted(&self, k: usize, weights: [f64; 4]) -> SlidelinePoint<DIM> {
         // The static point with these weights: displacements are added by whoever asks for them.
         let r = self.elements[k].point(&weights);
         let (first, count) = self.elements[k].window();
         // Place of its first node along the lane.
         let number = k + self.wires[k] - first;
-        Place {
+        SlidelinePoint {
             element: k,
             nodes: std::array::from_fn(|i| self.nodes[number + i.min(count - 1)]),
             count,

@@ -29,7 +29,7 @@ impl<const D: usize> Nodal<D> for Vec<[f64; D]> {
 
 /// A place on a lane. It needs no lane to read a field there or to put a force on the wire.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct Place<const DIM: usize> {
+pub struct SlidelinePoint<const DIM: usize> {
     /// Element of the lane.
     pub element: usize,
     /// Nodes that take part, the last one again where there are fewer than four.
@@ -46,7 +46,7 @@ pub struct Place<const DIM: usize> {
     pub lateral: f64,
 }
 
-impl<const DIM: usize> Place<DIM> {
+impl<const DIM: usize> SlidelinePoint<DIM> {
     /// Component `c` of a displacement field.
     #[inline(always)]
     #[must_use]

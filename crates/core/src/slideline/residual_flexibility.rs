@@ -21,8 +21,8 @@ use crate::element::hermite;
 use crate::flexibility::between::{Between, Field, Shapes};
 use crate::flexibility::patch::{Patch, Web};
 use crate::flexibility::taut::Taut;
-use crate::slideline::Path;
-use crate::slideline::point::Place;
+use crate::slideline::Slideline;
+use crate::slideline::point::SlidelinePoint;
 use crate::statics::assembly::{Geometry, Shape};
 use std::sync::Arc;
 
@@ -36,18 +36,18 @@ const AHEAD: usize = 3;
 
 /// What contacts with a lane meet beyond its mesh.
 #[derive(Debug, Clone, Default)]
-pub(crate) enum Yields {
+pub(crate) enum LocalCompliances {
     #[default]
     Nothing,
     /// Residual flexibility, element by element.
-    OfCubics(Arc<Vec<ElementYield>>),
+    OfCubics(Arc<Vec<ElementCompliance>>),
     /// That of a chain between its points: see [`rounded`](crate::slideline::smoothed_segment).
     OfChains,
 }
 
 /// Fields of one element of a lane.
 #[derive(Debug)]
-pub(crate) struct ElementYield {
+pub(crate) struct ElementCompliance {
     taut: Taut,
     /// R on the element itself, and between it and the next ones.
     pairs: Vec<Between>,
@@ -59,7 +59,7 @@ pub(crate) struct ElementYield {
 
 /// What one place needs of it.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct Yield {
+pub struct LocalCompliance {
     /// R(x, x), m/N.
     pub(crate) own: f64,
     /// Static height above the mesh, m.
@@ -69,7 +69,7 @@ pub struct Yield {
     count: usize,
 }
 
-impl Yield {
+impl LocalCompliance {
     /// Links and R_d, m/N.
     #[inline(always)]
     pub(crate) fn pulls(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
@@ -85,7 +85,7 @@ impl Yield {
     }
 }
 
-impl ElementYield {
+impl ElementCompliance {
     /// Shape functions at a place with the given ones of the mesh.
     fn shapes(&self, weights: &[f64; 4]) -> Shapes {
         // A straight line is a cubic, so ξ = N₂ + (N₁′ + N₂′)/ℓ.
@@ -93,13 +93,13 @@ impl ElementYield {
         Shapes::new(&self.taut, xi, *weights)
     }
 
-    fn at(&self, weights: &[f64; 4]) -> Yield {
+    fn at(&self, weights: &[f64; 4]) -> LocalCompliance {
         let shapes = self.shapes(weights);
-        let mut found = Yield {
+        let mut found = LocalCompliance {
             own: self.pairs[0].within(&self.taut, &shapes, &shapes),
             rise: self.rise.at(&shapes),
             count: self.links.len(),
-            ..Yield::default()
+            ..LocalCompliance::default()
         };
         for (slot, (link, up, field)) in self.links.iter().enumerate() {
             found.links[slot] = *link;
@@ -144,9 +144,9 @@ fn element(
     sources: &Sources,
     (wire, nodes): (usize, &[usize; 2]),
     ahead: &[usize],
-) -> ElementYield {
+) -> ElementCompliance {
     let taut = *web.wire(wire);
-    let mut found = ElementYield {
+    let mut found = ElementCompliance {
         taut,
         pairs: vec![Between::default()],
         rise: Field::default(),
@@ -179,9 +179,9 @@ fn element(
 
 /// R between two places on cubic elements, m/N.
 fn between<const DIM: usize>(
-    elements: &[ElementYield],
-    first: &Place<DIM>,
-    second: &Place<DIM>,
+    elements: &[ElementCompliance],
+    first: &SlidelinePoint<DIM>,
+    second: &SlidelinePoint<DIM>,
 ) -> f64 {
     let own = &elements[first.element];
     let Some(pair) = own.pairs.get(second.element - first.element) else {
@@ -196,7 +196,7 @@ fn between<const DIM: usize>(
     }
 }
 
-impl<const DIM: usize> Path<DIM> {
+impl<const DIM: usize> Slideline<DIM> {
     /// Lanes on which contacts meet what their wires yield beyond the mesh; `lanes` are their wires.
     #[must_use]
     pub fn yielding<const D: usize>(
@@ -214,40 +214,40 @@ impl<const DIM: usize> Path<DIM> {
                 let ahead: Vec<usize> = next.map(|k| wires[k]).collect();
                 element(&web, &sources, (wire, &path.ends[k]), &ahead)
             });
-            path.yields = Yields::OfCubics(Arc::new(yields.collect()));
+            path.yields = LocalCompliances::OfCubics(Arc::new(yields.collect()));
         }
         paths
     }
 
     /// What the wire yields at a place beyond the mesh.
     #[inline]
-    pub(crate) fn yield_at(&self, place: &Place<DIM>) -> Yield {
+    pub(crate) fn yield_at(&self, place: &SlidelinePoint<DIM>) -> LocalCompliance {
         match &self.yields {
-            Yields::Nothing => Yield::default(),
-            Yields::OfCubics(elements) => elements[place.element].at(&place.weights),
-            Yields::OfChains => Yield {
+            LocalCompliances::Nothing => LocalCompliance::default(),
+            LocalCompliances::OfCubics(elements) => elements[place.element].at(&place.weights),
+            LocalCompliances::OfChains => LocalCompliance {
                 own: self.elements[place.element].missing(&place.weights),
-                ..Yield::default()
+                ..LocalCompliance::default()
             },
         }
     }
 
     /// Whether places on the lane yield as the mesh does.
     pub(crate) fn is_rigid(&self) -> bool {
-        matches!(self.yields, Yields::Nothing)
+        matches!(self.yields, LocalCompliances::Nothing)
     }
 
     /// R between two places on the lane, m/N.
-    pub(crate) fn between(&self, a: &Place<DIM>, b: &Place<DIM>) -> f64 {
+    pub(crate) fn between(&self, a: &SlidelinePoint<DIM>, b: &SlidelinePoint<DIM>) -> f64 {
         let (first, second) = if a.element <= b.element {
             (a, b)
         } else {
             (b, a)
         };
         match &self.yields {
-            Yields::Nothing => 0.0,
-            Yields::OfCubics(elements) => between(elements, first, second),
-            Yields::OfChains => {
+            LocalCompliances::Nothing => 0.0,
+            LocalCompliances::OfCubics(elements) => between(elements, first, second),
+            LocalCompliances::OfChains => {
                 let [own, other] = [first, second].map(|at| &self.elements[at.element]);
                 own.missing_between(&first.weights, other, &second.weights)
             }

@@ -102,7 +102,7 @@ impl Taut {
 
 /// An element between two points, with the points beside them.
 #[derive(Debug, Clone)]
-pub(crate) struct Rounded<const DIM: usize> {
+pub(crate) struct SmoothedSegment<const DIM: usize> {
     taut: Taut,
     /// Of the chain at both ends.
     corners: [Corner; 2],
@@ -120,7 +120,7 @@ pub(crate) struct Rounded<const DIM: usize> {
     between: [[f64; 4]; 4],
 }
 
-impl<const DIM: usize> Rounded<DIM> {
+impl<const DIM: usize> SmoothedSegment<DIM> {
     /// On two to four points, of which `first` and the next one are its ends. `held` has what the wire and the chain are
     /// like there for those of the two which something holds.
     pub(crate) fn new(

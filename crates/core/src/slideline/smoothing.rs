@@ -1,9 +1,9 @@
 //! Lanes of chains on which contacts meet curves: what their elements need to know of the structure.
 
-use crate::slideline::Path;
-use crate::slideline::element::PathElement;
-use crate::slideline::residual_flexibility::Yields;
-use crate::slideline::smoothed_segment::{Rounded, Taut};
+use crate::slideline::Slideline;
+use crate::slideline::element::SlidelineElement;
+use crate::slideline::residual_flexibility::LocalCompliances;
+use crate::slideline::smoothed_segment::{SmoothedSegment, Taut};
 use crate::statics::assembly::{Geometry, Shape};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -65,7 +65,7 @@ impl<'a, const DIM: usize, const D: usize> Structured<'a, DIM, D> {
     }
 }
 
-impl<const DIM: usize> Path<DIM> {
+impl<const DIM: usize> Slideline<DIM> {
     /// Lanes of chains on which contacts meet curves in the place of chords.
     #[must_use]
     pub fn rounded<const D: usize>(
@@ -75,8 +75,8 @@ impl<const DIM: usize> Path<DIM> {
     ) -> Vec<Self> {
         let of = Structured::new(geometry, shape);
         for lane in &mut lanes {
-            lane.yields = Yields::OfChains;
-            let chords: Vec<_> = lane.elements.iter().map(PathElement::chord).collect();
+            lane.yields = LocalCompliances::OfChains;
+            let chords: Vec<_> = lane.elements.iter().map(SlidelineElement::chord).collect();
             for k in 0..chords.len() {
                 if let (Some(chord), Some(taut)) = (chords[k], of.taut(&lane.ends[k])) {
                     let held = std::array::from_fn(|end| {
@@ -92,8 +92,8 @@ impl<const DIM: usize> Path<DIM> {
                     let points = before.into_iter().chain(chord);
                     let points: Vec<_> = points.chain(beside(k + 1).map(|c| c[1])).collect();
                     let first = usize::from(before.is_some());
-                    let rounded = Rounded::new(taut, &points, first, held);
-                    lane.elements[k] = PathElement::Rounded(Arc::new(rounded));
+                    let rounded = SmoothedSegment::new(taut, &points, first, held);
+                    lane.elements[k] = SlidelineElement::Smoothed(Arc::new(rounded));
                 }
             }
         }

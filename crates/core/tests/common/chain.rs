@@ -1,9 +1,9 @@
 //! The same wires as chains of point masses.
 
 use arcless_core::CoreError;
-use arcless_core::integrator::prepared::Prepared;
-use arcless_core::linear::model::Line;
-use arcless_core::slideline::Path;
+use arcless_core::integrator::prepared::WireModel;
+use arcless_core::linear::model::LinearModel;
+use arcless_core::slideline::Slideline;
 use arcless_core::statics::{Geometry, Shape};
 use arcless_core::structure::{Bend, Segment, Structure};
 
@@ -58,10 +58,10 @@ pub fn explicit<const DIM: usize, const D: usize>(
     (structure, lanes): &(Structure, Vec<Vec<usize>>),
     h: f64,
     contact_stiffness: f64,
-) -> Result<Prepared<DIM, D>, CoreError> {
+) -> Result<WireModel<DIM, D>, CoreError> {
     let (geometry, shape) = settled::<DIM, D>(yielding(structure));
-    let lanes = Path::lanes(&geometry, &shape, lanes).expect("lanes");
-    let lanes = Path::rounded(lanes, &geometry, &shape);
-    let line = Line::new(&geometry, shape);
-    Prepared::explicit(&geometry, line, lanes, h, contact_stiffness)
+    let lanes = Slideline::lanes(&geometry, &shape, lanes).expect("lanes");
+    let lanes = Slideline::rounded(lanes, &geometry, &shape);
+    let line = LinearModel::new(&geometry, shape);
+    WireModel::explicit(&geometry, line, lanes, h, contact_stiffness)
 }

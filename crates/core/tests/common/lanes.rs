@@ -1,10 +1,10 @@
 //! Straight wires without weight, side by side or one behind the other.
 
 use super::Single;
-use arcless_core::integrator::prepared::Prepared;
-use arcless_core::linear::model::Line;
+use arcless_core::integrator::prepared::WireModel;
+use arcless_core::linear::model::LinearModel;
 use arcless_core::scheme::Scheme;
-use arcless_core::slideline::Path;
+use arcless_core::slideline::Slideline;
 use arcless_core::statics::Geometry;
 use arcless_core::structure::Structure;
 
@@ -72,9 +72,16 @@ pub fn lined(
     (structure, lanes): (Structure, Vec<Vec<usize>>),
     scheme: Scheme,
     contact: f64,
-) -> Prepared<3, 6> {
+) -> WireModel<3, 6> {
     let geometry = Geometry::<3, 6>::new(structure).expect("a valid structure");
     let shape = geometry.settle(&geometry.initial_shape()).expect("at rest");
-    let lanes = Path::lanes(&geometry, &shape, &lanes).expect("lanes");
-    Prepared::new(Line::new(&geometry, shape), lanes, scheme, 1e-3, contact).expect("regular")
+    let lanes = Slideline::lanes(&geometry, &shape, &lanes).expect("lanes");
+    WireModel::new(
+        LinearModel::new(&geometry, shape),
+        lanes,
+        scheme,
+        1e-3,
+        contact,
+    )
+    .expect("regular")
 }

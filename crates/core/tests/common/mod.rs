@@ -6,15 +6,15 @@ pub mod lanes;
 pub mod space;
 
 use arcless_core::element::hermite::Section;
-use arcless_core::integrator::prepared::Prepared;
-use arcless_core::linear::model::Line;
-use arcless_core::pantograph::excitation::Given;
+use arcless_core::integrator::prepared::WireModel;
+use arcless_core::linear::model::LinearModel;
+use arcless_core::pantograph::excitation::Excitation;
 use arcless_core::pantograph::strip::Strip;
-use arcless_core::pantograph::system::Rider;
+use arcless_core::pantograph::system::Pantograph;
 use arcless_core::scheme::Scheme;
 use arcless_core::simulation::recording::record::{Record, RecordPlan};
-use arcless_core::simulation::run::Travel;
-use arcless_core::slideline::Path;
+use arcless_core::simulation::run::Trajectory;
+use arcless_core::slideline::Slideline;
 use arcless_core::statics::Geometry;
 use arcless_core::structure::{
     Link, PointMass, Rayleigh, Spring, SpringMode, Structure, TensionedEnd, Wire,
@@ -171,12 +171,12 @@ fn add_droppers_and_supports(s: &mut Structure, spans: usize, at: &impl Fn(f64, 
 }
 
 /// The line at rest, ready to step.
-pub fn prepared(spans: usize, scheme: Scheme, h: f64, contact: f64) -> Prepared<2, 4> {
+pub fn prepared(spans: usize, scheme: Scheme, h: f64, contact: f64) -> WireModel<2, 4> {
     prepare(simple_line(spans), |_| (), scheme, h, contact)
 }
 
 /// The three-mass pantograph of the 55 m data set.
-pub fn three_masses(force: f64) -> Rider {
+pub fn three_masses(force: f64) -> Pantograph {
     let (k, c) = ([160.0, 15_500.0, 7_000.0], [100.0, 0.1, 45.0]);
     let chain = |v: [f64; 3]| {
         vec![
@@ -191,7 +191,7 @@ pub fn three_masses(force: f64) -> Rider {
             v[2],
         ]
     };
-    Rider {
+    Pantograph {
         mass: vec![6.0, 0.0, 0.0, 0.0, 9.0, 0.0, 0.0, 0.0, 7.5],
         damping: chain(c),
         stiffness: chain(k),
@@ -199,7 +199,7 @@ pub fn three_masses(force: f64) -> Rider {
         preload: vec![1.0, 0.0, 0.0],
         lift: vec![0.0; 3],
         start_force: force,
-        given: Given::default(),
+        given: Excitation::default(),
         stops: Vec::new(),
         laws: Vec::new(),
         actuator: None,
@@ -213,7 +213,7 @@ pub fn prepare(
     scheme: Scheme,
     h: f64,
     contact: f64,
-) -> Prepared<2, 4> {
+) -> WireModel<2, 4> {
     prepare_any(line, change, scheme, h, contact)
 }
 
@@ -224,13 +224,20 @@ pub fn prepare_any<const DIM: usize, const D: usize>(
     scheme: Scheme,
     h: f64,
     contact: f64,
-) -> Prepared<DIM, D> {
+) -> WireModel<DIM, D> {
     let mut geometry = Geometry::<DIM, D>::new(structure).expect("a valid structure");
     let start = geometry.design().expect("the design converges");
     change(&mut geometry.structure);
     let shape = geometry.settle(&start).expect("the equilibrium converges");
-    let lanes = Path::lanes(&geometry, &shape, &[path]).expect("the wire is a path");
-    Prepared::new(Line::new(&geometry, shape), lanes, scheme, h, contact).expect("regular")
+    let lanes = Slideline::lanes(&geometry, &shape, &[path]).expect("the wire is a path");
+    WireModel::new(
+        LinearModel::new(&geometry, shape),
+        lanes,
+        scheme,
+        h,
+        contact,
+    )
+    .expect("regular")
 }
 
 /// The same with residual flexibility.
@@ -240,16 +247,23 @@ pub fn yielding<const DIM: usize, const D: usize>(
     scheme: Scheme,
     h: f64,
     contact: f64,
-) -> Prepared<DIM, D> {
+) -> WireModel<DIM, D> {
     let mut geometry = Geometry::<DIM, D>::new(structure).expect("a valid structure");
     geometry.add_residual_flexibility();
     let start = geometry.design().expect("the design converges");
     change(&mut geometry.structure);
     let shape = geometry.settle(&start).expect("the equilibrium converges");
     let lanes = [path];
-    let paths = Path::lanes(&geometry, &shape, &lanes).expect("the wire is a path");
-    let paths = Path::yielding(paths, &geometry, &shape, &lanes);
-    Prepared::new(Line::new(&geometry, shape), paths, scheme, h, contact).expect("regular")
+    let paths = Slideline::lanes(&geometry, &shape, &lanes).expect("the wire is a path");
+    let paths = Slideline::yielding(paths, &geometry, &shape, &lanes);
+    WireModel::new(
+        LinearModel::new(&geometry, shape),
+        paths,
+        scheme,
+        h,
+        contact,
+    )
+    .expect("regular")
 }
 
 /// One horizontal wire between fixed ends: nodes from left to right, all elements on the path.
@@ -319,8 +333,8 @@ impl Single {
 }
 
 /// Rider of one mass that nothing holds: its contact force is the preload but for its inertia.
-pub fn free_mass(mass: f64, force: f64) -> Rider {
-    Rider {
+pub fn free_mass(mass: f64, force: f64) -> Pantograph {
+    Pantograph {
         mass: vec![mass],
         damping: vec![0.0],
         stiffness: vec![0.0],
@@ -328,7 +342,7 @@ pub fn free_mass(mass: f64, force: f64) -> Rider {
         preload: vec![1.0],
         lift: vec![0.0],
         start_force: force,
-        given: Given::default(),
+        given: Excitation::default(),
         stops: Vec::new(),
         laws: Vec::new(),
         actuator: None,
@@ -336,14 +350,14 @@ pub fn free_mass(mass: f64, force: f64) -> Rider {
 }
 
 /// Travel at constant speed.
-pub fn travel(start: f64, end: f64, speed: f64, h: f64) -> Travel {
+pub fn travel(start: f64, end: f64, speed: f64, h: f64) -> Trajectory {
     let steps = ((end - start) / (speed * h)).floor() as usize;
     steady(start, speed, h, steps)
 }
 
 /// The same for a number of steps.
-pub fn steady(start: f64, speed: f64, h: f64, steps: usize) -> Travel {
-    Travel {
+pub fn steady(start: f64, speed: f64, h: f64, steps: usize) -> Trajectory {
+    Trajectory {
         positions: (0..=steps).map(|i| start + speed * h * i as f64).collect(),
         speeds: vec![speed; steps + 1],
         distances: vec![0.0],
@@ -367,9 +381,9 @@ pub fn everything() -> RecordPlan {
 }
 
 pub fn run<const DIM: usize, const D: usize>(
-    p: &Prepared<DIM, D>,
-    riders: &[Rider],
-    travel: &Travel,
+    p: &WireModel<DIM, D>,
+    riders: &[Pantograph],
+    travel: &Trajectory,
     plan: &RecordPlan,
 ) -> Record {
     p.run(riders, travel, plan, &mut |_| true)

@@ -8,8 +8,8 @@ use crate::common::{everything, run, simple_line_of, three_masses, travel};
 use crate::islands::{near, way};
 use crate::resume::{compare, part};
 use arcless_core::CoreError;
-use arcless_core::integrator::energy::implicit::Entries;
-use arcless_core::integrator::prepared::Prepared;
+use arcless_core::integrator::energy::implicit::EnergyTerms;
+use arcless_core::integrator::prepared::WireModel;
 use arcless_core::linear::loads::Load;
 use arcless_core::simulation::recording::record::{Record, RecordPlan};
 use arcless_core::simulation::run::Part;
@@ -39,11 +39,11 @@ fn hard<const DIM: usize, const D: usize>(h: f64, plan: &RecordPlan) -> Record {
     run(&p, &[three_masses(200.0), three_masses(60.0)], &way, plan)
 }
 
-fn explicit_rigid(chain: &Chain) -> Prepared<2, 2> {
+fn explicit_rigid(chain: &Chain) -> WireModel<2, 2> {
     crate::common::chain::explicit(chain, H, f64::INFINITY).expect("short steps")
 }
 
-fn last(r: &Record) -> Entries {
+fn last(r: &Record) -> EnergyTerms {
     let mut known = r.energy.iter().filter(|e| !e.kinetic.is_nan());
     *known.next_back().expect("energies are recorded")
 }

@@ -7,7 +7,7 @@ use crate::islands::{
     SHIFT, is_laid_to_rest, parts_are_the_whole, put_behind, sleeps_as_if_awake,
     untouched_is_at_rest,
 };
-use arcless_core::integrator::prepared::Prepared;
+use arcless_core::integrator::prepared::WireModel;
 
 fn chains() -> Chain {
     let (mut structure, path) = simple_line_of(3, [0.9, 0.9]);
@@ -17,7 +17,7 @@ fn chains() -> Chain {
     (lumped(&structure), vec![path, behind])
 }
 
-pub fn two_lengths() -> Prepared<2, 2> {
+pub fn two_lengths() -> WireModel<2, 2> {
     explicit(&chains(), 1e-3)
 }
 

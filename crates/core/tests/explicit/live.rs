@@ -5,8 +5,8 @@ use crate::common::chain::lumped;
 use crate::common::space::staggered;
 use crate::common::{SPAN, difference, peak, simple_line_of, three_masses};
 use allocation_counter::measure;
-use arcless_core::integrator::prepared::Prepared;
-use arcless_core::session::{Begin, Collector, Live};
+use arcless_core::integrator::prepared::WireModel;
+use arcless_core::session::{Begin, Collector, Session};
 use arcless_core::simulation::recording::record::Record;
 use std::sync::Arc;
 
@@ -17,12 +17,12 @@ const STEPS: usize = 700;
 const BEHIND: [f64; 2] = [0.0, 31.0];
 const FORCE: f64 = 250.0;
 
-fn planar() -> Arc<Prepared<2, 2>> {
+fn planar() -> Arc<WireModel<2, 2>> {
     let (structure, path) = simple_line_of(4, [0.9; 2]);
     Arc::new(explicit(&(lumped(&structure), vec![path]), H))
 }
 
-fn spatial() -> Arc<Prepared<3, 3>> {
+fn spatial() -> Arc<WireModel<3, 3>> {
     let (structure, path) = simple_line_of(4, [0.9; 2]);
     let chain = lumped(&staggered(&structure, 4, 0.2));
     Arc::new(explicit(&(chain, vec![path]), H))
@@ -40,7 +40,7 @@ fn begin() -> Begin {
     }
 }
 
-fn run<const DIM: usize, const D: usize>(p: &Prepared<DIM, D>) -> Record {
+fn run<const DIM: usize, const D: usize>(p: &WireModel<DIM, D>) -> Record {
     let mut travel = way(START, SPEED, H, H * STEPS as f64);
     travel.distances = BEHIND.to_vec();
     let riders = [FORCE; 2].map(three_masses);
@@ -50,20 +50,20 @@ fn run<const DIM: usize, const D: usize>(p: &Prepared<DIM, D>) -> Record {
     record
 }
 
-fn with_riders<const DIM: usize, const D: usize>(p: &Arc<Prepared<DIM, D>>) -> Live<DIM, D> {
+fn with_riders<const DIM: usize, const D: usize>(p: &Arc<WireModel<DIM, D>>) -> Session<DIM, D> {
     let riders = [FORCE; 2].map(three_masses).to_vec();
-    Live::with_riders(p.clone(), riders, BEHIND.to_vec(), begin()).expect("it stands")
+    Session::with_riders(p.clone(), riders, BEHIND.to_vec(), begin()).expect("it stands")
 }
 
-fn with_forces<const DIM: usize, const D: usize>(p: &Arc<Prepared<DIM, D>>) -> Live<DIM, D> {
+fn with_forces<const DIM: usize, const D: usize>(p: &Arc<WireModel<DIM, D>>) -> Session<DIM, D> {
     let collectors = BEHIND.map(|behind| Collector {
         behind,
         half_width: 0.6,
     });
-    Live::with_forces(p.clone(), collectors.to_vec(), &[FORCE; 2], begin()).expect("it stands")
+    Session::with_forces(p.clone(), collectors.to_vec(), &[FORCE; 2], begin()).expect("it stands")
 }
 
-fn riders_step_as_in_a_run<const DIM: usize, const D: usize>(p: &Arc<Prepared<DIM, D>>) {
+fn riders_step_as_in_a_run<const DIM: usize, const D: usize>(p: &Arc<WireModel<DIM, D>>) {
     let record = run(p);
     let mut live = with_riders(p);
     for step in 0..STEPS {
@@ -84,7 +84,7 @@ fn simulated_riders_step_as_in_a_run() {
 }
 
 /// Rounding: a run adds contact forces behind the answers of links, a loop before them.
-fn forces_move_as_the_run<const DIM: usize, const D: usize>(p: &Arc<Prepared<DIM, D>>) {
+fn forces_move_as_the_run<const DIM: usize, const D: usize>(p: &Arc<WireModel<DIM, D>>) {
     let record = run(p);
     let mut live = with_forces(p);
     let (mut heights, mut sides) = (Vec::new(), Vec::new());
@@ -108,7 +108,7 @@ fn given_forces_of_a_run_move_the_wire_as_the_run() {
     forces_move_as_the_run(&spatial());
 }
 
-fn allocations<const DIM: usize, const D: usize>(mut live: Live<DIM, D>, force: f64) -> u64 {
+fn allocations<const DIM: usize, const D: usize>(mut live: Session<DIM, D>, force: f64) -> u64 {
     let counted = measure(|| {
         for step in 0..STEPS {
             let done = live.step(&[force; 2], position(step + 1), SPEED);
@@ -129,7 +129,7 @@ fn a_step_allocates_nothing() {
 fn a_state_put_back_repeats_what_followed() {
     let p = planar();
     for (mut live, force) in [(with_riders(&p), 0.0), (with_forces(&p), 300.0)] {
-        let go = |live: &mut Live<2, 2>| {
+        let go = |live: &mut Session<2, 2>| {
             let mut seen = Vec::new();
             for step in live.steps()..live.steps() + 200 {
                 live.step(&[force; 2], position(step + 1), SPEED)

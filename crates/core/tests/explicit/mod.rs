@@ -14,12 +14,12 @@ mod waves;
 use crate::common::chain::{self, lumped, settled, yielding};
 use crate::common::{Single, steady, three_masses};
 use arcless_core::CoreError;
-use arcless_core::integrator::prepared::Prepared;
-use arcless_core::linear::model::Line;
+use arcless_core::integrator::prepared::WireModel;
+use arcless_core::linear::model::LinearModel;
 use arcless_core::scheme::Scheme;
 use arcless_core::simulation::recording::record::{Record, RecordPlan};
-use arcless_core::simulation::run::Travel;
-use arcless_core::slideline::Path;
+use arcless_core::simulation::run::Trajectory;
+use arcless_core::slideline::Slideline;
 use arcless_core::statics::{Geometry, Shape};
 use arcless_core::structure::{Spring, SpringMode, Structure};
 
@@ -43,11 +43,11 @@ pub type Chain = (Structure, Vec<Vec<usize>>);
 pub fn prepare<const DIM: usize, const D: usize>(
     chain: &Chain,
     h: f64,
-) -> Result<Prepared<DIM, D>, CoreError> {
+) -> Result<WireModel<DIM, D>, CoreError> {
     chain::explicit(chain, h, CONTACT)
 }
 
-pub fn explicit<const DIM: usize, const D: usize>(chain: &Chain, h: f64) -> Prepared<DIM, D> {
+pub fn explicit<const DIM: usize, const D: usize>(chain: &Chain, h: f64) -> WireModel<DIM, D> {
     prepare(chain, h).expect("short steps")
 }
 
@@ -55,7 +55,7 @@ pub fn explicit<const DIM: usize, const D: usize>(chain: &Chain, h: f64) -> Prep
 pub fn implicit<const DIM: usize, const D: usize>(
     (structure, lanes): &Chain,
     h: f64,
-) -> Prepared<DIM, D> {
+) -> WireModel<DIM, D> {
     solved(structure.clone(), lanes, h, |_, _, lanes| lanes)
 }
 
@@ -63,7 +63,7 @@ pub fn implicit<const DIM: usize, const D: usize>(
 pub fn angular<const DIM: usize, const D: usize>(
     (structure, lanes): &Chain,
     h: f64,
-) -> Prepared<DIM, D> {
+) -> WireModel<DIM, D> {
     solved(yielding(structure), lanes, h, |_, _, lanes| lanes)
 }
 
@@ -71,9 +71,9 @@ pub fn angular<const DIM: usize, const D: usize>(
 pub fn fitted<const DIM: usize, const D: usize>(
     (structure, lanes): &Chain,
     h: f64,
-) -> Prepared<DIM, D> {
+) -> WireModel<DIM, D> {
     solved(yielding(structure), lanes, h, |geometry, shape, lanes| {
-        Path::rounded(lanes, geometry, shape)
+        Slideline::rounded(lanes, geometry, shape)
     })
 }
 
@@ -87,13 +87,13 @@ fn solved<const DIM: usize, const D: usize>(
     structure: Structure,
     lanes: &[Vec<usize>],
     h: f64,
-    change: impl FnOnce(&Geometry<DIM, D>, &Shape<D>, Vec<Path<DIM>>) -> Vec<Path<DIM>>,
-) -> Prepared<DIM, D> {
+    change: impl FnOnce(&Geometry<DIM, D>, &Shape<D>, Vec<Slideline<DIM>>) -> Vec<Slideline<DIM>>,
+) -> WireModel<DIM, D> {
     let (geometry, shape) = settled::<DIM, D>(structure);
-    let lanes = Path::lanes(&geometry, &shape, lanes).expect("lanes");
+    let lanes = Slideline::lanes(&geometry, &shape, lanes).expect("lanes");
     let lanes = change(&geometry, &shape, lanes);
-    let line = Line::new(&geometry, shape);
-    Prepared::new(line, lanes, Scheme::newmark(0.25, 0.5), h, CONTACT).expect("regular")
+    let line = LinearModel::new(&geometry, shape);
+    WireModel::new(line, lanes, Scheme::newmark(0.25, 0.5), h, CONTACT).expect("regular")
 }
 
 /// A spring that does as good as nothing: steps tell of a node that has one.
@@ -131,15 +131,15 @@ pub fn plan(nodes: Vec<usize>) -> RecordPlan {
 }
 
 /// From a place, for some seconds, in steps of h.
-pub fn way(start: f64, speed: f64, h: f64, seconds: f64) -> Travel {
+pub fn way(start: f64, speed: f64, h: f64, seconds: f64) -> Trajectory {
     steady(start, speed, h, (seconds / h).round() as usize)
 }
 
 /// A run of the three masses.
 pub fn pass<const DIM: usize, const D: usize>(
-    p: &Prepared<DIM, D>,
+    p: &WireModel<DIM, D>,
     force: f64,
-    travel: &Travel,
+    travel: &Trajectory,
     plan: &RecordPlan,
 ) -> Record {
     let riders = [three_masses(force)];

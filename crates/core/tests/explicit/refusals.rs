@@ -4,14 +4,14 @@ use super::{Chain, WIRE, prepare, seen_wire};
 use crate::common::chain::settled;
 use crate::common::simple_line;
 use arcless_core::CoreError;
-use arcless_core::integrator::prepared::Prepared;
-use arcless_core::linear::model::Line;
-use arcless_core::slideline::Path;
+use arcless_core::integrator::prepared::WireModel;
+use arcless_core::linear::model::LinearModel;
+use arcless_core::slideline::Slideline;
 use arcless_core::structure::{Link, Rayleigh};
 
 const STEP: f64 = 1e-3;
 
-fn reason(refused: Result<Prepared<2, 2>, CoreError>) -> String {
+fn reason(refused: Result<WireModel<2, 2>, CoreError>) -> String {
     match refused {
         Err(CoreError::Input {
             array: "solver",
@@ -25,9 +25,9 @@ fn reason(refused: Result<Prepared<2, 2>, CoreError>) -> String {
 fn cubic_elements_are_refused() {
     let (structure, path) = simple_line(2);
     let (geometry, shape) = settled::<2, 4>(structure);
-    let lanes = Path::lanes(&geometry, &shape, &[path]).expect("a path");
-    let line = Line::new(&geometry, shape);
-    let refused = Prepared::explicit(&geometry, line, lanes, STEP, 5e4);
+    let lanes = Slideline::lanes(&geometry, &shape, &[path]).expect("a path");
+    let line = LinearModel::new(&geometry, shape);
+    let refused = WireModel::explicit(&geometry, line, lanes, STEP, 5e4);
     let Err(CoreError::Input { array, reason }) = refused else {
         panic!("cubic elements have no point masses");
     };

@@ -17,10 +17,10 @@
 use super::{Chain, WIRE, angular, explicit, pass, plan, seen, stiffer, way};
 use crate::common::chain::lumped;
 use crate::common::{Single, peak};
-use arcless_core::integrator::prepared::Prepared;
-use arcless_core::linear::static_response::Still;
-use arcless_core::session::{Begin, Collector, Live};
-use arcless_core::slideline::Path;
+use arcless_core::integrator::prepared::WireModel;
+use arcless_core::linear::static_response::StaticSolver;
+use arcless_core::session::{Begin, Collector, Session};
+use arcless_core::slideline::Slideline;
 use arcless_core::statics::{Geometry, Shape};
 use std::sync::Arc;
 
@@ -97,11 +97,12 @@ fn uneven(height: impl Fn(f64) -> f64, held: &[usize]) -> (Geometry<2, 2>, Shape
 }
 
 /// Its lane with chords, and with curves.
-fn both(height: impl Fn(f64) -> f64, held: &[usize]) -> [Path<2>; 2] {
+fn both(height: impl Fn(f64) -> f64, held: &[usize]) -> [Slideline<2>; 2] {
     let (geometry, shape) = uneven(height, held);
     let lane: Vec<usize> = (0..UNEVEN.len() - 1).collect();
-    let lanes = || Path::lanes(&geometry, &shape, std::slice::from_ref(&lane)).expect("a lane");
-    [lanes(), Path::rounded(lanes(), &geometry, &shape)].map(|mut lanes| lanes.remove(0))
+    let lanes =
+        || Slideline::lanes(&geometry, &shape, std::slice::from_ref(&lane)).expect("a lane");
+    [lanes(), Slideline::rounded(lanes(), &geometry, &shape)].map(|mut lanes| lanes.remove(0))
 }
 
 /// Places all along it, both ends among them.
@@ -110,7 +111,7 @@ fn along() -> impl Iterator<Item = f64> {
 }
 
 /// Largest difference of heights from those expected at some places.
-fn off(lane: &Path<2>, x: impl Iterator<Item = f64>, height: impl Fn(f64) -> f64) -> f64 {
+fn off(lane: &Slideline<2>, x: impl Iterator<Item = f64>, height: impl Fn(f64) -> f64) -> f64 {
     let apart = x.map(|x| lane.locate(x, 0).expect("on the wire").height - height(x));
     peak(&apart.collect::<Vec<_>>())
 }
@@ -140,7 +141,7 @@ fn a_straight_line_and_a_parabola_are_met() {
 }
 
 /// Jump of the slope at a point, by differences of second order to both sides.
-fn jump(lane: &Path<2>, node: usize, u: &[[f64; 2]]) -> f64 {
+fn jump(lane: &Slideline<2>, node: usize, u: &[[f64; 2]]) -> f64 {
     let step = 1e-5;
     let at = |x: f64| lane.locate(x, 0).expect("on the wire").displacement(u, 1);
     let towards = |side: f64| {
@@ -200,13 +201,13 @@ fn a_point_that_is_held_has_a_rounded_corner() {
     }
 }
 
-fn elasticity(p: &Prepared<2, 2>, x: &[f64]) -> Vec<f64> {
-    let mut still = Still::new(&p.line).expect("a firm line");
+fn elasticity(p: &WireModel<2, 2>, x: &[f64]) -> Vec<f64> {
+    let mut still = StaticSolver::new(&p.line).expect("a firm line");
     still.elasticity(&p.lanes, x, 0.0).expect("on the wire")
 }
 
 /// Largest difference from the wire, times T, m.
-fn wrong(p: &Prepared<2, 2>, exact: impl Fn(f64) -> f64) -> f64 {
+fn wrong(p: &WireModel<2, 2>, exact: impl Fn(f64) -> f64) -> f64 {
     let x: Vec<f64> = (0..80).map(|i| 28.0 + 0.053 * f64::from(i)).collect();
     let apart = x.iter().zip(elasticity(p, &x));
     let apart = apart.map(|(x, found)| WIRE.tension * found - exact(*x));
@@ -248,7 +249,7 @@ fn so_it_does_beside_a_spring() {
 }
 
 /// Heights of the wire at two strips of a standing head.
-fn heights(p: Prepared<2, 2>, [first, second]: [f64; 2], forces: [f64; 2]) -> Vec<f64> {
+fn heights(p: WireModel<2, 2>, [first, second]: [f64; 2], forces: [f64; 2]) -> Vec<f64> {
     let begin = Begin {
         position: first,
         speed: 0.0,
@@ -258,7 +259,7 @@ fn heights(p: Prepared<2, 2>, [first, second]: [f64; 2], forces: [f64; 2]) -> Ve
         behind,
         half_width: f64::INFINITY,
     });
-    let live = Live::with_forces(Arc::new(p), strips.into(), &forces, begin);
+    let live = Session::with_forces(Arc::new(p), strips.into(), &forces, begin);
     live.expect("it stands").reading().height.clone()
 }
 
@@ -292,7 +293,7 @@ const FORCE: f64 = 200.0;
 const PER_ELEMENT: usize = 4;
 
 /// A rider at 0.7 of the speed of waves, for two thirds of a second: contact force by the part of the element it is on.
-fn by_part(p: &Prepared<2, 2>, h: f64) -> [f64; PER_ELEMENT] {
+fn by_part(p: &WireModel<2, 2>, h: f64) -> [f64; PER_ELEMENT] {
     let travel = way(40.1, SPEED, h, 60.0 / SPEED);
     let force = pass(p, FORCE, &travel, &plan(Vec::new())).force;
     // What is left of the start is slow, and gone half-way.
@@ -302,7 +303,7 @@ fn by_part(p: &Prepared<2, 2>, h: f64) -> [f64; PER_ELEMENT] {
     std::array::from_fn(mean)
 }
 
-fn ripple(p: &Prepared<2, 2>, h: f64) -> f64 {
+fn ripple(p: &WireModel<2, 2>, h: f64) -> f64 {
     let parts = by_part(p, h);
     let [low, high] = [f64::min, f64::max].map(|of| parts.into_iter().reduce(of).expect("parts"));
     high - low

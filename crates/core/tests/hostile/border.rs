@@ -3,10 +3,10 @@
 use super::feed::Feed;
 use super::finite::{assert_finite, told};
 use super::{motion, stepping, structure};
-use arcless_core::integrator::prepared::Prepared;
-use arcless_core::linear::model::Line;
-use arcless_core::linear::static_response::Still;
-use arcless_core::slideline::Path;
+use arcless_core::integrator::prepared::WireModel;
+use arcless_core::linear::model::LinearModel;
+use arcless_core::linear::static_response::StaticSolver;
+use arcless_core::slideline::Slideline;
 use arcless_core::statics::{Alteration, Geometry, Shape};
 
 /// How far an input came.
@@ -154,7 +154,7 @@ fn read_at_rest<const DIM: usize, const D: usize>(
     shape: &Shape<D>,
     lanes: &[Vec<usize>],
 ) {
-    let Some(paths) = told(Path::lanes(geometry, shape, lanes)) else {
+    let Some(paths) = told(Slideline::lanes(geometry, shape, lanes)) else {
         return;
     };
     let s = &geometry.structure;
@@ -162,8 +162,8 @@ fn read_at_rest<const DIM: usize, const D: usize>(
     if let Some(forces) = told(geometry.nodal_forces(&loads)) {
         assert_finite("nodal forces", forces.iter().map(|f| f.2));
     }
-    let line = Line::new(geometry, shape.clone());
-    let Some(mut still) = told(Still::new(&line)) else {
+    let line = LinearModel::new(geometry, shape.clone());
+    let Some(mut still) = told(StaticSolver::new(&line)) else {
         return;
     };
     let (x, force) = ([feed.number(4.0), 7.5], feed.number(50.0));
@@ -187,15 +187,15 @@ fn prepared<const DIM: usize, const D: usize>(
     geometry: &Geometry<DIM, D>,
     shape: &Shape<D>,
     lanes: &[Vec<usize>],
-) -> Option<Prepared<DIM, D>> {
-    let paths = told(Path::lanes(geometry, shape, lanes))?;
+) -> Option<WireModel<DIM, D>> {
+    let paths = told(Slideline::lanes(geometry, shape, lanes))?;
     let (scheme, h) = (motion::scheme(feed), feed.number(1e-3));
     let contact = [5e4, f64::INFINITY][feed.below(2)];
     let contact = feed.number(contact);
-    let line = Line::new(geometry, shape.clone());
+    let line = LinearModel::new(geometry, shape.clone());
     told(if feed.flag() {
-        Prepared::updated(geometry, line, paths, scheme, h, contact)
+        WireModel::updated(geometry, line, paths, scheme, h, contact)
     } else {
-        Prepared::new(line, paths, scheme, h, contact)
+        WireModel::new(line, paths, scheme, h, contact)
     })
 }

@@ -4,7 +4,7 @@ use super::feed::Feed;
 use arcless_core::linear::loads::Load;
 use arcless_core::scheme::Scheme;
 use arcless_core::simulation::recording::record::RecordPlan;
-use arcless_core::simulation::run::Travel;
+use arcless_core::simulation::run::Trajectory;
 
 /// Instants of a run at most; short, so that many runs fit into a minute.
 const MOST_INSTANTS: usize = 24;
@@ -20,10 +20,10 @@ pub fn scheme(feed: &mut Feed<'_>) -> Scheme {
 }
 
 /// Motion of riders over a line of the given number of nodes.
-pub fn travel(feed: &mut Feed<'_>, riders: usize, nodes: usize) -> Travel {
+pub fn travel(feed: &mut Feed<'_>, riders: usize, nodes: usize) -> Trajectory {
     let instants = 2 + feed.below(MOST_INSTANTS - 1);
     let (start, speed) = (feed.number(4.0), feed.number(50.0));
-    let mut travel = Travel {
+    let mut travel = Trajectory {
         positions: (0..instants)
             .map(|i| start + 1e-3 * speed * i as f64)
             .collect(),
@@ -43,7 +43,7 @@ pub fn travel(feed: &mut Feed<'_>, riders: usize, nodes: usize) -> Travel {
 }
 
 /// Spoil a number or the length of a list.
-pub fn spoil(feed: &mut Feed<'_>, t: &mut Travel) {
+pub fn spoil(feed: &mut Feed<'_>, t: &mut Trajectory) {
     let list = [&mut t.positions, &mut t.speeds, &mut t.distances];
     let list = list.into_iter().nth(feed.below(3)).into_iter().flatten();
     let mut all: Vec<&mut f64> = list.collect();

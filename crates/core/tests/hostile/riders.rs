@@ -2,17 +2,17 @@
 
 use super::feed::Feed;
 use arcless_core::pantograph::actuator::Actuator;
-use arcless_core::pantograph::breakpoint::Motion;
-use arcless_core::pantograph::bump_stop::Stop;
-use arcless_core::pantograph::excitation::{Given, Ground, History};
-use arcless_core::pantograph::piecewise_force::Law;
+use arcless_core::pantograph::breakpoint::ForceKind;
+use arcless_core::pantograph::bump_stop::BumpStop;
+use arcless_core::pantograph::excitation::{BaseMotion, Excitation, ForceHistory};
+use arcless_core::pantograph::piecewise_force::PiecewiseForce;
 use arcless_core::pantograph::strip::Strip;
-use arcless_core::pantograph::system::Rider;
+use arcless_core::pantograph::system::Pantograph;
 
 /// Chains of one to three masses with one or two strips, for a run of so many instants.
-pub fn rider(feed: &mut Feed<'_>, instants: usize) -> Rider {
+pub fn rider(feed: &mut Feed<'_>, instants: usize) -> Pantograph {
     let n = 1 + feed.below(3);
-    let mut rider = Rider {
+    let mut rider = Pantograph {
         mass: diagonal(n, feed.number(7.0)),
         damping: diagonal(n, feed.number(50.0)),
         stiffness: chain(n, feed.number(7e3)),
@@ -20,7 +20,7 @@ pub fn rider(feed: &mut Feed<'_>, instants: usize) -> Rider {
         preload: first(n),
         lift: vec![0.0; n],
         start_force: feed.number(100.0),
-        given: Given::default(),
+        given: Excitation::default(),
         stops: Vec::new(),
         laws: Vec::new(),
         actuator: None,
@@ -33,7 +33,7 @@ pub fn rider(feed: &mut Feed<'_>, instants: usize) -> Rider {
         rider.given = given(feed, n, instants);
     }
     if extras & 4 != 0 {
-        rider.stops.push(Stop {
+        rider.stops.push(BumpStop {
             direction: first(n),
             gap: feed.number(0.01),
             stiffness: [1e5, f64::INFINITY][feed.below(2)],
@@ -78,7 +78,7 @@ fn last(n: usize) -> Vec<f64> {
     (0..n).map(|i| if i + 1 == n { 1.0 } else { 0.0 }).collect()
 }
 
-fn add_strips(feed: &mut Feed<'_>, rider: &mut Rider, n: usize) {
+fn add_strips(feed: &mut Feed<'_>, rider: &mut Pantograph, n: usize) {
     let half_width = feed.number(0.8);
     rider.strips[0].half_width = half_width;
     rider.strips.push(Strip {
@@ -89,15 +89,15 @@ fn add_strips(feed: &mut Feed<'_>, rider: &mut Rider, n: usize) {
     });
 }
 
-fn given(feed: &mut Feed<'_>, n: usize, instants: usize) -> Given {
+fn given(feed: &mut Feed<'_>, n: usize, instants: usize) -> Excitation {
     let values = vec![feed.number(10.0); instants];
-    let ground = Ground {
+    let ground = BaseMotion {
         carried: vec![1.0; n],
         displacement: vec![feed.number(0.01); instants],
         rate: vec![0.0; instants],
     };
-    Given {
-        forces: vec![History {
+    Excitation {
+        forces: vec![ForceHistory {
             direction: last(n),
             values,
         }],
@@ -106,19 +106,19 @@ fn given(feed: &mut Feed<'_>, n: usize, instants: usize) -> Given {
 }
 
 /// A table that hardens or softens.
-fn law(feed: &mut Feed<'_>, n: usize) -> Law {
+fn law(feed: &mut Feed<'_>, n: usize) -> PiecewiseForce {
     let mut points = vec![[-0.5, -50.0], [-0.1, -10.0], [0.1, 10.0], [0.5, 20.0]];
     points[0][1] = feed.number(-50.0);
     points[3][1] = feed.number(20.0);
-    Law {
+    PiecewiseForce {
         direction: last(n),
-        motion: [Motion::Place, Motion::Rate][feed.below(2)],
+        motion: [ForceKind::Spring, ForceKind::Damper][feed.below(2)],
         points,
     }
 }
 
 /// Every number of a rider.
-fn numbers(r: &mut Rider) -> Vec<&mut f64> {
+fn numbers(r: &mut Pantograph) -> Vec<&mut f64> {
     let mut all = vec![&mut r.start_force];
     all.extend(r.mass.iter_mut().chain(&mut r.damping));
     all.extend(r.stiffness.iter_mut().chain(&mut r.preload));
@@ -148,7 +148,7 @@ fn numbers(r: &mut Rider) -> Vec<&mut f64> {
 }
 
 /// Spoil a number or the length of a list.
-pub fn spoil(feed: &mut Feed<'_>, r: &mut Rider) {
+pub fn spoil(feed: &mut Feed<'_>, r: &mut Pantograph) {
     match feed.below(16) {
         0..=8 => {
             let mut all = numbers(r);

@@ -5,18 +5,18 @@ use super::finite::check;
 use super::{motion, riders};
 use arcless_core::CoreError;
 use arcless_core::checkpoint::Checkpoint;
-use arcless_core::integrator::prepared::Prepared;
-use arcless_core::pantograph::system::Rider;
+use arcless_core::integrator::prepared::WireModel;
+use arcless_core::pantograph::system::Pantograph;
 use arcless_core::simulation::run::Part;
 
 pub fn run<const DIM: usize, const D: usize>(
     feed: &mut Feed<'_>,
-    p: &Prepared<DIM, D>,
+    p: &WireModel<DIM, D>,
 ) -> Result<(), CoreError> {
     let (count, nodes) = (1 + feed.below(2), p.line.nodes());
     let mut travel = motion::travel(feed, count, nodes);
     let instants = travel.positions.len();
-    let mut found: Vec<Rider> = (0..count).map(|_| riders::rider(feed, instants)).collect();
+    let mut found: Vec<Pantograph> = (0..count).map(|_| riders::rider(feed, instants)).collect();
     let plan = motion::plan(feed, nodes);
     for _ in 0..feed.below(4) {
         match feed.below(3) {

@@ -15,18 +15,18 @@
 
 use crate::constraint::contacts::{Contact, Contacts};
 use crate::integrator::WireState;
-use crate::integrator::energy::implicit::{Ledger, StepForces};
-use crate::integrator::prepared::Prepared;
-use crate::pantograph::system::{RiderState, inner};
-use crate::slideline::point::Place;
-use crate::slideline::residual_flexibility::Yield;
+use crate::integrator::energy::implicit::{ImplicitBalance, StepForces};
+use crate::integrator::prepared::WireModel;
+use crate::pantograph::system::{PantographState, inner};
+use crate::slideline::point::SlidelinePoint;
+use crate::slideline::residual_flexibility::LocalCompliance;
 
-impl<const D: usize> Ledger<D> {
+impl<const D: usize> ImplicitBalance<D> {
     pub(crate) fn book_contacts<const DIM: usize>(
         &mut self,
-        p: &Prepared<DIM, D>,
+        p: &WireModel<DIM, D>,
         state: &WireState<D>,
-        riders: &[RiderState],
+        riders: &[PantographState],
         f: &StepForces<'_, DIM>,
     ) {
         for (i, contact) in f.contacts.all.iter().enumerate().filter(|(_, c)| c.meets) {
@@ -38,7 +38,7 @@ impl<const D: usize> Ledger<D> {
             let on_rider = -force * inner(&contact.vector, &riders[contact.rider()].delta);
             let aside = force * contact.slid;
             // Height of the wire under the contact, before and after the step.
-            let height = |q: &Place<DIM>, y: &Yield, back: f64| {
+            let height = |q: &SlidelinePoint<DIM>, y: &LocalCompliance, back: f64| {
                 let height = q.height + y.rise + p.felt(q, y, &state.u);
                 height - back * p.felt(q, y, &state.delta)
             };
@@ -53,7 +53,7 @@ impl<const D: usize> Ledger<D> {
             self.entries.work_traction += on_line - by_scheme - force * rise + aside;
             self.entries.switching -= force * rise + on_rider - aside;
             // A contact that moves on to where the wire yields more: dE = F dp − ½ F² dC.
-            let yields = |y: &Yield| y.own - p.carried(y, y);
+            let yields = |y: &LocalCompliance| y.own - p.carried(y, y);
             let softened = 0.5 * force * force * (yields(&felt_after) - yields(&felt_before));
             self.entries.work_traction -= softened;
             self.entries.switching -= softened;
@@ -68,13 +68,13 @@ impl<const D: usize> Ledger<D> {
 
 /// Energy ½ p²/k_c of the contact compliances, p the overlap of strip and wire, and of the stops.
 pub(crate) fn contact_energy<const DIM: usize, const D: usize>(
-    p: &Prepared<DIM, D>,
+    p: &WireModel<DIM, D>,
     state: &WireState<D>,
-    riders: &[RiderState],
+    riders: &[PantographState],
     contacts: &Contacts<DIM>,
     datum: f64,
 ) -> f64 {
-    let stops: f64 = riders.iter().map(RiderState::stop_energy).sum();
+    let stops: f64 = riders.iter().map(PantographState::stop_energy).sum();
     // Both are one, 1/k_c, where nothing yields beyond the mesh.
     let scale = if p.contact_flexibility > 0.0 {
         p.contact_flexibility

@@ -2,7 +2,7 @@
 
 /// Entries in J, summed since the start of the run (stored energies: their change).
 #[derive(Debug, Clone, Copy, Default)]
-pub struct Entries {
+pub struct EnergyTerms {
     /// Kinetic energy of the line.
     pub kinetic: f64,
     /// Elastic energy of the line about its equilibrium (gravity and prestress included).
@@ -35,7 +35,7 @@ pub struct Entries {
     pub work_loads: f64,
 }
 
-impl Entries {
+impl EnergyTerms {
     /// Stored + dissipated + lost − supplied: zero but for rounding.
     #[must_use]
     pub fn residual(&self) -> f64 {

@@ -19,26 +19,26 @@
 //! itself, and its residual, times the number of steps it stands for, counts. Between them `dissipated_line` is what the balance
 //! leaves, which must not be negative.
 
-use crate::checkpoint::Walk;
+use crate::checkpoint::Archive;
 use crate::constraint::contacts::Contacts;
-use crate::constraint::problem::Unilateral;
+use crate::constraint::problem::ConstraintProblem;
 use crate::error::CoreError;
 use crate::integrator::WireState;
-use crate::integrator::energy::entries::Entries;
+use crate::integrator::energy::entries::EnergyTerms;
 use crate::integrator::energy::explicit_contacts::Pressed;
 use crate::integrator::energy::explicit_links::{Damper, dampers};
 use crate::integrator::energy::implicit::StepForces;
 use crate::integrator::explicit::energy::{Forms, Lost, Stored};
 use crate::integrator::explicit::{Explicit, Grid};
-use crate::integrator::prepared::Prepared;
+use crate::integrator::prepared::WireModel;
 use crate::pantograph::half_steps::Halves;
-use crate::pantograph::system::RiderState;
+use crate::pantograph::system::PantographState;
 
 /// Running ledger of explicit steps, and its work space.
 #[derive(Debug, Clone)]
-pub struct Balance<const DIM: usize, const D: usize> {
+pub struct ExplicitBalance<const DIM: usize, const D: usize> {
     /// Entries so far.
-    pub entries: Entries,
+    pub entries: EnergyTerms,
     /// Every how many steps the dissipation of wires is measured.
     pub(crate) every: usize,
     pub(crate) forms: Forms,
@@ -71,19 +71,19 @@ pub struct Balance<const DIM: usize, const D: usize> {
     pub(crate) switched: f64,
 }
 
-impl<const DIM: usize, const D: usize> Balance<DIM, D> {
+impl<const DIM: usize, const D: usize> ExplicitBalance<DIM, D> {
     /// Open the ledger at the starting state.
     pub(crate) fn new(
-        p: &Prepared<DIM, D>,
+        p: &WireModel<DIM, D>,
         (steps, grid): (&Explicit<DIM>, &Grid),
         state: &WireState<D>,
-        riders: &[RiderState],
+        riders: &[PantographState],
         contacts: &Contacts<DIM>,
         (datum, every): (f64, usize),
     ) -> Self {
         let halves = riders.iter().map(|rider| Halves::new(rider, p.h));
         let mut new = Self {
-            entries: Entries::default(),
+            entries: EnergyTerms::default(),
             every: every.max(1),
             forms: Forms::new(steps),
             z: state.u.clone(),
@@ -125,9 +125,9 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
     /// Everything that needs the state before the step is taken, when its forces are known.
     pub(crate) fn before(
         &mut self,
-        p: &Prepared<DIM, D>,
+        p: &WireModel<DIM, D>,
         state: &WireState<D>,
-        riders: &[RiderState],
+        riders: &[PantographState],
         (step, speed): (usize, f64),
         f: &StepForces<'_, DIM>,
     ) {
@@ -180,11 +180,11 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
     /// Book the step after it was taken. Tells whether energies are those of the end of the step.
     pub(crate) fn after(
         &mut self,
-        p: &Prepared<DIM, D>,
+        p: &WireModel<DIM, D>,
         state: &WireState<D>,
-        riders: &[RiderState],
+        riders: &[PantographState],
         (step, is_row): (usize, bool),
-        unilateral: &Unilateral,
+        unilateral: &ConstraintProblem,
     ) -> bool {
         let Some((steps, grid)) = p.explicit_state(state) else {
             return false;
@@ -257,7 +257,7 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
     /// An island is about to be laid to rest: what it has leaves the ledger with it.
     pub(crate) fn leave(
         &mut self,
-        p: &Prepared<DIM, D>,
+        p: &WireModel<DIM, D>,
         (steps, grid): (&Explicit<DIM>, &Grid),
         island: usize,
     ) {
@@ -293,7 +293,7 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
     }
 
     /// What follows from a state that was put back.
-    pub(crate) fn go_on(&mut self, p: &Prepared<DIM, D>, riders: &[RiderState]) {
+    pub(crate) fn go_on(&mut self, p: &WireModel<DIM, D>, riders: &[PantographState]) {
         for (halves, rider) in self.riders.iter_mut().zip(riders) {
             halves.end(rider, p.h);
         }
@@ -323,7 +323,7 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
     }
 
     /// Save or put back the sums so far.
-    pub(crate) fn walk(&mut self, walk: &mut Walk<'_>) -> Result<(), CoreError> {
+    pub(crate) fn walk(&mut self, walk: &mut Archive<'_>) -> Result<(), CoreError> {
         walk.numbers("energy", self.entries.all_mut().into_iter())?;
         walk.numbers("energy_sums", self.numbers())?;
         walk.flags("energy_contact_meets", self.meets())

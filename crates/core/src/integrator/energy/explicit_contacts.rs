@@ -1,12 +1,12 @@
 //! Contacts in the [`balance`](crate::integrator::energy::explicit) of explicit steps.
 
 use crate::constraint::contacts::{Contact, Contacts};
-use crate::integrator::energy::explicit::Balance;
+use crate::integrator::energy::explicit::ExplicitBalance;
 use crate::integrator::energy::implicit::StepForces;
 use crate::integrator::explicit::{Explicit, Grid};
-use crate::integrator::prepared::Prepared;
-use crate::pantograph::system::{RiderState, inner};
-use crate::slideline::residual_flexibility::Yield;
+use crate::integrator::prepared::WireModel;
+use crate::pantograph::system::{PantographState, inner};
+use crate::slideline::residual_flexibility::LocalCompliance;
 
 /// A contact at the end of the last step.
 #[derive(Debug, Clone, Copy, Default)]
@@ -24,14 +24,14 @@ fn overlap_energy(overlap: f64, compliance: f64) -> f64 {
     }
 }
 
-impl<const DIM: usize, const D: usize> Balance<DIM, D> {
+impl<const DIM: usize, const D: usize> ExplicitBalance<DIM, D> {
     /// A contact at the start, where z is u.
     pub(crate) fn press(
         &self,
-        p: &Prepared<DIM, D>,
+        p: &WireModel<DIM, D>,
         contacts: &Contacts<DIM>,
         i: usize,
-        (riders, datum): (&[RiderState], f64),
+        (riders, datum): (&[PantographState], f64),
     ) -> Pressed {
         let contact = &contacts.all[i];
         let (end, lane) = (&contact.ends[1], &p.lanes[contact.of[2]]);
@@ -48,7 +48,7 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
 
     pub(crate) fn book_contacts(
         &mut self,
-        p: &Prepared<DIM, D>,
+        p: &WireModel<DIM, D>,
         (steps, grid): (&Explicit<DIM>, &Grid),
         f: &StepForces<'_, DIM>,
     ) {
@@ -81,9 +81,9 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
     /// One that meets the wire, where that yields; tells how it is at the end.
     fn book_contact(
         &mut self,
-        p: &Prepared<DIM, D>,
+        p: &WireModel<DIM, D>,
         (i, contact): (usize, &Contact<DIM>),
-        (before, yields): (Pressed, &Yield),
+        (before, yields): (Pressed, &LocalCompliance),
         f: &StepForces<'_, DIM>,
     ) -> Pressed {
         let (end, force) = (&contact.ends[1], f.unilateral.force[i]);
@@ -122,9 +122,9 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
 
     /// What the wire is higher by at a contact than that of the mesh, by corrections of links and other contacts.
     fn raised(
-        p: &Prepared<DIM, D>,
+        p: &WireModel<DIM, D>,
         (i, contact): (usize, &Contact<DIM>),
-        yields: &Yield,
+        yields: &LocalCompliance,
         f: &StepForces<'_, DIM>,
     ) -> f64 {
         let corrected = |(link, rise): (usize, f64)| {

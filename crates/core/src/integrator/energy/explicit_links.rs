@@ -1,10 +1,10 @@
 //! Links and dampers in the [`balance`](crate::integrator::energy::explicit) of explicit steps.
 
-use crate::constraint::problem::Unilateral;
+use crate::constraint::problem::ConstraintProblem;
 use crate::integrator::WireState;
-use crate::integrator::energy::explicit::Balance;
+use crate::integrator::energy::explicit::ExplicitBalance;
 use crate::integrator::explicit::{Explicit, Grid};
-use crate::integrator::prepared::Prepared;
+use crate::integrator::prepared::WireModel;
 use crate::linalg::{Kernel, widest};
 use crate::linear::model::LinearLink;
 
@@ -17,9 +17,9 @@ pub(crate) struct Damper {
     pub rate: f64,
 }
 
-impl<const DIM: usize, const D: usize> Balance<DIM, D> {
+impl<const DIM: usize, const D: usize> ExplicitBalance<DIM, D> {
     /// Of links that are slack in a state at rest: −r₀ e, and what they do not store, −½ min(T, 0)²/k.
-    pub(crate) fn slack_at_rest(&self, p: &Prepared<DIM, D>, state: &WireState<D>) -> f64 {
+    pub(crate) fn slack_at_rest(&self, p: &WireModel<DIM, D>, state: &WireState<D>) -> f64 {
         let slack = p.line.links.iter().filter(|link| link.unilateral);
         let of = |link: &LinearLink<DIM>| {
             let elongation = link.elongation(&state.u);
@@ -32,9 +32,9 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
     /// What slack links do not store, and the work of their corrections.
     pub(crate) fn book_links(
         &mut self,
-        p: &Prepared<DIM, D>,
+        p: &WireModel<DIM, D>,
         (steps, grid): (&Explicit<DIM>, &Grid),
-        unilateral: &Unilateral,
+        unilateral: &ConstraintProblem,
     ) {
         let (links, corrections) = (&p.line.links, &unilateral.correction);
         let slack = unilateral.links.iter().filter(|&&l| corrections[l] > 0.0);
@@ -87,9 +87,9 @@ impl<const DIM: usize, const D: usize> Balance<DIM, D> {
     /// Dissipation of links as if all were linear; what slack ones have of it is no dissipation.
     pub(crate) fn book_linear_links(
         &mut self,
-        p: &Prepared<DIM, D>,
+        p: &WireModel<DIM, D>,
         state: &WireState<D>,
-        unilateral: &Unilateral,
+        unilateral: &ConstraintProblem,
     ) {
         let rates = &state.links.rate;
         let mut sum = 0.0;
@@ -137,7 +137,7 @@ impl Kernel for Squares<'_> {
 }
 
 /// Dampers of a line at rest; springs alone are left out.
-pub(crate) fn dampers<const DIM: usize, const D: usize>(p: &Prepared<DIM, D>) -> Vec<Damper> {
+pub(crate) fn dampers<const DIM: usize, const D: usize>(p: &WireModel<DIM, D>) -> Vec<Damper> {
     let all = p.line.dampers.iter().filter(|damper| damper.2 != 0.0);
     let at_rest = all.map(|&(node, component, viscosity)| Damper {
         node,

@@ -19,25 +19,25 @@
 //! products with K and M, the solver never forms the product with K. Stored energies are taken
 //! from the state itself whenever the ledger is settled.
 
-use crate::checkpoint::Walk;
+use crate::checkpoint::Archive;
 use crate::constraint::contacts::Contacts;
-use crate::constraint::problem::Unilateral;
+use crate::constraint::problem::ConstraintProblem;
 use crate::error::CoreError;
 use crate::integrator::WireState;
 use crate::integrator::energy::contact_energy::contact_energy;
-pub use crate::integrator::energy::entries::Entries;
-use crate::integrator::prepared::Prepared;
+pub use crate::integrator::energy::entries::EnergyTerms;
+use crate::integrator::prepared::WireModel;
 use crate::linalg::{Kernel, widest};
 use crate::linear::loads::Loads;
 use crate::pantograph::energy::RiderWork;
-use crate::pantograph::system::RiderState;
+use crate::pantograph::system::PantographState;
 
 /// Running ledger and its work space.
 #[derive(Debug, Clone)]
-pub struct Ledger<const D: usize> {
+pub struct ImplicitBalance<const D: usize> {
     /// Entries so far.
-    pub entries: Entries,
-    pub(crate) start: Entries,
+    pub entries: EnergyTerms,
+    pub(crate) start: EnergyTerms,
     rate: Vec<[f64; D]>,
     work: Vec<[f64; D]>,
     link_work: Vec<f64>,
@@ -70,7 +70,7 @@ struct Sums([f64; 4]);
 
 /// The products of one step, in one pass over the matrices.
 struct StepWork<'a, const DIM: usize, const D: usize> {
-    p: &'a Prepared<DIM, D>,
+    p: &'a WireModel<DIM, D>,
     state: &'a WireState<D>,
     /// v_f of every node.
     rate: &'a mut [[f64; D]],
@@ -114,7 +114,7 @@ pub struct StepForces<'a, const DIM: usize> {
     /// Contacts.
     pub contacts: &'a Contacts<DIM>,
     /// Forces and corrections found.
-    pub unilateral: &'a Unilateral,
+    pub unilateral: &'a ConstraintProblem,
     /// Friction force along the wire at each contact, N.
     pub friction: &'a [f64],
     /// Loads on the line at the time of balance.
@@ -123,20 +123,20 @@ pub struct StepForces<'a, const DIM: usize> {
     pub datum: f64,
 }
 
-impl<const D: usize> Ledger<D> {
+impl<const D: usize> ImplicitBalance<D> {
     /// Open the ledger at the starting state.
     #[must_use]
     pub fn new<const DIM: usize>(
-        p: &Prepared<DIM, D>,
+        p: &WireModel<DIM, D>,
         state: &WireState<D>,
-        riders: &[RiderState],
+        riders: &[PantographState],
         contacts: &Contacts<DIM>,
         datum: f64,
     ) -> Self {
         let zero = vec![[0.0; D]; state.u.len()];
         let mut ledger = Self {
-            entries: Entries::default(),
-            start: Entries::default(),
+            entries: EnergyTerms::default(),
+            start: EnergyTerms::default(),
             rate: zero.clone(),
             work: zero,
             link_work: vec![0.0; p.line.links.len()],
@@ -149,11 +149,11 @@ impl<const D: usize> Ledger<D> {
             rider_work: Vec::with_capacity(riders.len()),
             rider_energy: 0.0,
             law_energy: 0.0,
-            start_laws: riders.iter().map(RiderState::law_energy).sum(),
+            start_laws: riders.iter().map(PantographState::law_energy).sum(),
         };
         ledger.start_linear = 0.5 * p.line.stiffness.quadratic(&state.u);
         ledger.start.contact = contact_energy(p, state, riders, contacts, datum);
-        ledger.start.riders = riders.iter().map(RiderState::energy).sum();
+        ledger.start.riders = riders.iter().map(PantographState::energy).sum();
         ledger
     }
 
@@ -161,9 +161,9 @@ impl<const D: usize> Ledger<D> {
     /// complete and before `advance`.
     pub fn before<const DIM: usize>(
         &mut self,
-        p: &Prepared<DIM, D>,
+        p: &WireModel<DIM, D>,
         state: &WireState<D>,
-        riders: &[RiderState],
+        riders: &[PantographState],
         speed: f64,
     ) {
         let c = &p.coefficients;
@@ -192,7 +192,7 @@ impl<const D: usize> Ledger<D> {
     }
 
     /// Δuᵀ (C − αM − βK) v_f
-    fn rest_form<const DIM: usize>(&mut self, p: &Prepared<DIM, D>, state: &WireState<D>) -> f64 {
+    fn rest_form<const DIM: usize>(&mut self, p: &WireModel<DIM, D>, state: &WireState<D>) -> f64 {
         let mut sum = 0.0;
         if let Some(rest) = &p.line.mass_damping_rest {
             rest.product(&self.rate, &mut self.work);
@@ -218,9 +218,9 @@ impl<const D: usize> Ledger<D> {
     /// Book the step after `advance`.
     pub fn after<const DIM: usize>(
         &mut self,
-        p: &Prepared<DIM, D>,
+        p: &WireModel<DIM, D>,
         state: &WireState<D>,
-        riders: &[RiderState],
+        riders: &[PantographState],
         f: &StepForces<'_, DIM>,
     ) {
         self.book_springs(p, state);
@@ -232,7 +232,7 @@ impl<const D: usize> Ledger<D> {
 
     /// Stored energies of the state itself, ½ vᵀM v and ½ uᵀK u, and what the scheme has dissipated:
     /// the work against inertia that is not stored, and (½ − α_f) ΔuᵀK Δu of every step.
-    pub fn settle<const DIM: usize>(&mut self, p: &Prepared<DIM, D>, state: &WireState<D>) {
+    pub fn settle<const DIM: usize>(&mut self, p: &WireModel<DIM, D>, state: &WireState<D>) {
         let e = &mut self.entries;
         e.kinetic = 0.5 * p.line.mass.quadratic(&state.v);
         let linear = 0.5 * p.line.stiffness.quadratic(&state.u) - self.start_linear;
@@ -241,7 +241,7 @@ impl<const D: usize> Ledger<D> {
     }
 
     /// Take the dampers to ground out of the dissipation of the line.
-    fn book_springs<const DIM: usize>(&mut self, p: &Prepared<DIM, D>, state: &WireState<D>) {
+    fn book_springs<const DIM: usize>(&mut self, p: &WireModel<DIM, D>, state: &WireState<D>) {
         for &(node, component, viscosity) in &p.line.dampers {
             let lost = viscosity * self.rate[node][component] * state.delta[node][component];
             self.entries.dissipated_springs += lost;
@@ -253,9 +253,9 @@ impl<const D: usize> Ledger<D> {
     /// store.
     fn book_links<const DIM: usize>(
         &mut self,
-        p: &Prepared<DIM, D>,
+        p: &WireModel<DIM, D>,
         state: &WireState<D>,
-        unilateral: &Unilateral,
+        unilateral: &ConstraintProblem,
     ) {
         let mut switching = 0.0;
         let mut dissipated = 0.0;
@@ -282,8 +282,8 @@ impl<const D: usize> Ledger<D> {
         self.entries.switching += switching;
     }
 
-    fn book_riders(&mut self, riders: &[RiderState]) {
-        let energy = riders.iter().map(RiderState::energy).sum::<f64>() - self.start.riders;
+    fn book_riders(&mut self, riders: &[PantographState]) {
+        let energy = riders.iter().map(PantographState::energy).sum::<f64>() - self.start.riders;
         for work in &self.rider_work {
             self.entries.work_uplift += work.uplift;
             self.entries.work_control += work.control;
@@ -293,14 +293,14 @@ impl<const D: usize> Ledger<D> {
         }
         self.scheme_riders -= energy - self.rider_energy;
         self.rider_energy = energy;
-        let laws = riders.iter().map(RiderState::law_energy).sum::<f64>() - self.start_laws;
+        let laws = riders.iter().map(PantographState::law_energy).sum::<f64>() - self.start_laws;
         self.entries.switching -= laws - self.law_energy;
         self.law_energy = laws;
         self.entries.riders = energy + laws;
     }
 
     /// Save or put back the sums so far.
-    pub(crate) fn walk(&mut self, walk: &mut Walk<'_>) -> Result<(), CoreError> {
+    pub(crate) fn walk(&mut self, walk: &mut Archive<'_>) -> Result<(), CoreError> {
         walk.numbers("energy", self.entries.all_mut().into_iter())?;
         let start = [
             &mut self.start.contact,
@@ -325,7 +325,7 @@ impl<const D: usize> Ledger<D> {
 /// Energy that slack links do not store although K counts it. With T = T₀ + k e of the linear link:
 /// −½ min(0, T)²/k, and −r₀ e for a link slack at rest, whose K is cancelled by r₀ from the start.
 fn slack_energy<const DIM: usize, const D: usize>(
-    p: &Prepared<DIM, D>,
+    p: &WireModel<DIM, D>,
     state: &WireState<D>,
 ) -> f64 {
     let mut energy = 0.0;

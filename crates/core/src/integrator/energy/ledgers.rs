@@ -1,10 +1,10 @@
 //! The energy ledger of a run, whatever its steps are, and when it ends the run.
 
-use crate::checkpoint::Walk;
+use crate::checkpoint::Archive;
 use crate::error::CoreError;
-use crate::integrator::energy::entries::Entries;
-use crate::integrator::energy::explicit::Balance;
-use crate::integrator::energy::implicit::{Ledger, StepForces};
+use crate::integrator::energy::entries::EnergyTerms;
+use crate::integrator::energy::explicit::ExplicitBalance;
+use crate::integrator::energy::implicit::{ImplicitBalance, StepForces};
 use crate::simulation::inputs::Inputs;
 use crate::simulation::model::Model;
 use crate::simulation::recording::record::Record;
@@ -25,12 +25,12 @@ const SWITCHING: f64 = 0.05;
 
 /// A ledger of either kind.
 #[derive(Debug, Clone)]
-pub(crate) enum Books<const DIM: usize, const D: usize> {
-    Solved(Box<Ledger<D>>),
-    Explicit(Box<Balance<DIM, D>>),
+pub(crate) enum EnergyBalance<const DIM: usize, const D: usize> {
+    Solved(Box<ImplicitBalance<D>>),
+    Explicit(Box<ExplicitBalance<DIM, D>>),
 }
 
-impl<const DIM: usize, const D: usize> Books<DIM, D> {
+impl<const DIM: usize, const D: usize> EnergyBalance<DIM, D> {
     /// Open the ledger of a run at its start; explicit steps measure what wires dissipate every so
     /// many of them.
     pub(crate) fn open(model: &Model<'_, DIM, D>, motion: &Motion<DIM, D>, every: usize) -> Self {
@@ -39,14 +39,16 @@ impl<const DIM: usize, const D: usize> Books<DIM, D> {
         match p.explicit_state(state) {
             Some((steps, grid)) => {
                 let with = (datum, every);
-                let new = Balance::new(p, (steps, grid), state, riders, contacts, with);
+                let new = ExplicitBalance::new(p, (steps, grid), state, riders, contacts, with);
                 Self::Explicit(Box::new(new))
             }
-            None => Self::Solved(Box::new(Ledger::new(p, state, riders, contacts, datum))),
+            None => Self::Solved(Box::new(ImplicitBalance::new(
+                p, state, riders, contacts, datum,
+            ))),
         }
     }
 
-    fn entries(&self) -> &Entries {
+    fn entries(&self) -> &EnergyTerms {
         match self {
             Self::Solved(ledger) => &ledger.entries,
             Self::Explicit(balance) => &balance.entries,
@@ -93,7 +95,7 @@ impl<const DIM: usize, const D: usize> Books<DIM, D> {
     ///
     /// # Errors
     /// [`CoreError::Input`] for numbers that do not fit.
-    pub(crate) fn walk(&mut self, walk: &mut Walk<'_>) -> Result<(), CoreError> {
+    pub(crate) fn walk(&mut self, walk: &mut Archive<'_>) -> Result<(), CoreError> {
         match self {
             Self::Solved(own) => own.walk(walk),
             Self::Explicit(own) => own.walk(walk),
@@ -139,7 +141,7 @@ impl<const DIM: usize, const D: usize> Books<DIM, D> {
         model: &Model<'_, DIM, D>,
         r: &mut Record,
         step: usize,
-    ) -> Result<Entries, CoreError> {
+    ) -> Result<EnergyTerms, CoreError> {
         let [residual, least, switched, stored] = self.off();
         let entries = *self.entries();
         r.energy_residual = r.energy_residual.max(residual.abs());

@@ -1,6 +1,6 @@
 //! Forces on single points, with what the clusters beside them answer at once.
 
-use crate::constraint::columns::Columns;
+use crate::constraint::columns::ComplianceColumns;
 use crate::integrator::explicit::simd::rows::{LANES, place};
 use crate::integrator::explicit::{BETA, Explicit, Grid};
 
@@ -73,7 +73,7 @@ impl<const DIM: usize> Explicit<DIM> {
     /// is empty before and after.
     pub(crate) fn set_column<const D: usize>(
         &self,
-        columns: &mut Columns<D>,
+        columns: &mut ComplianceColumns<D>,
         number: usize,
         load: impl Iterator<Item = (usize, usize, f64)>,
         grid: &mut Grid,

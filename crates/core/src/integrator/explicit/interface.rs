@@ -1,15 +1,15 @@
 //! Explicit steps behind the interface of integrators.
 
 use crate::integrator::explicit::Explicit;
-use crate::integrator::prepared::Prepared;
+use crate::integrator::prepared::WireModel;
 use crate::integrator::{Stepping, WireState};
 use crate::simulation::sleep::Island;
 
 impl<const DIM: usize> Explicit<DIM> {
-    /// As [`Prepared::predict`].
+    /// As [`WireModel::predict`].
     pub(crate) fn predict<const D: usize>(
         &self,
-        p: &Prepared<DIM, D>,
+        p: &WireModel<DIM, D>,
         state: &mut WireState<D>,
         load: impl FnOnce(&mut [[f64; D]]) -> bool,
     ) {
@@ -49,7 +49,7 @@ impl<const DIM: usize> Explicit<DIM> {
         self.show(grid, (u, delta));
     }
 
-    /// As [`Prepared::commit`].
+    /// As [`WireModel::commit`].
     pub(crate) fn commit<const D: usize>(&self, state: &mut WireState<D>) {
         let WireState {
             u,

@@ -11,7 +11,7 @@ use crate::common::Single;
 use crate::common::chain::{explicit, lumped};
 use crate::integrator::Integrator;
 use crate::integrator::explicit::{Explicit, Grid};
-use crate::integrator::prepared::Prepared;
+use crate::integrator::prepared::WireModel;
 use crate::structure::Rayleigh;
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
@@ -65,7 +65,7 @@ fn decays(damping: Rayleigh) {
     for segment in &mut chain.segments {
         segment.damping = damping;
     }
-    let p: Prepared<2, 2> = explicit(&(chain, vec![path]), STEP, 50e3).expect("short steps");
+    let p: WireModel<2, 2> = explicit(&(chain, vec![path]), STEP, 50e3).expect("short steps");
     let Integrator::Explicit(steps) = &p.integrator else {
         panic!("explicit steps");
     };

@@ -6,7 +6,7 @@
 
 use crate::integrator::explicit::simd::rows::place;
 use crate::integrator::explicit::{Explicit, Grid};
-use crate::integrator::prepared::Prepared;
+use crate::integrator::prepared::WireModel;
 use crate::linalg::SymmetricBlocks;
 
 /// Rounds; each takes two digits or more.
@@ -19,7 +19,7 @@ impl<const DIM: usize> Explicit<DIM> {
     /// have it.
     pub(crate) fn at_rest<const D: usize>(
         &self,
-        p: &Prepared<DIM, D>,
+        p: &WireModel<DIM, D>,
         mut u: Vec<[f64; D]>,
     ) -> (Grid, Vec<[f64; D]>) {
         let mut grid = self.still();

@@ -5,7 +5,7 @@
 
 use crate::constraint::contacts::Contacts;
 use crate::error::CoreError;
-use crate::integrator::energy::implicit::Entries;
+use crate::integrator::energy::implicit::EnergyTerms;
 use crate::simulation::recording::window::Near;
 use std::mem::{replace, take};
 
@@ -70,7 +70,7 @@ pub struct Record {
     /// Number of slack links.
     pub slack: Vec<f64>,
     /// Energy entries.
-    pub energy: Vec<Entries>,
+    pub energy: Vec<EnergyTerms>,
     /// Smallest tension of each link over all steps, N.
     pub link_min: Vec<f64>,
     /// Largest tension of each link over all steps, N.
@@ -142,7 +142,7 @@ impl Record {
     /// Numbers in the series.
     pub(crate) fn held(&mut self) -> usize {
         let numbers: usize = self.series_mut().iter().map(|s| s.len()).sum();
-        numbers + self.energy.len() * (size_of::<Entries>() / size_of::<f64>())
+        numbers + self.energy.len() * (size_of::<EnergyTerms>() / size_of::<f64>())
     }
 
     /// All series of numbers; the energies are entries.

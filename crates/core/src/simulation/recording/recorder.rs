@@ -2,18 +2,18 @@
 
 use crate::constraint::contacts::Contact;
 use crate::error::CoreError;
-use crate::integrator::energy::entries::Entries;
-use crate::integrator::energy::ledgers::Books;
+use crate::integrator::energy::entries::EnergyTerms;
+use crate::integrator::energy::ledgers::EnergyBalance;
 use crate::lcp::LcpStats;
 use crate::linalg::{Kernel, widest};
-use crate::pantograph::system::RiderState;
+use crate::pantograph::system::PantographState;
 use crate::simulation::inputs::Inputs;
 use crate::simulation::model::Model;
 use crate::simulation::recording::record::{Record, RecordPlan};
-use crate::simulation::recording::subgrid_height::{Spot, spots};
+use crate::simulation::recording::subgrid_height::{Probe, spots};
 use crate::simulation::state::Motion;
-use crate::slideline::Path;
-use crate::slideline::point::{Nodal, Place};
+use crate::slideline::Slideline;
+use crate::slideline::point::{Nodal, SlidelinePoint};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -24,18 +24,21 @@ pub(crate) struct Recorder<const DIM: usize, const D: usize> {
     /// Number of the last step of the run.
     last: usize,
     /// Places whose uplift is recorded.
-    points: Vec<Place<DIM>>,
+    points: Vec<SlidelinePoint<DIM>>,
     /// Watched nodes on lanes, where wires yield beyond the mesh.
-    spots: BTreeMap<usize, Spot<DIM>>,
+    spots: BTreeMap<usize, Probe<DIM>>,
     /// For each island, the watched nodes of the plan on it, by their numbers in the plan.
     watched: Vec<Vec<usize>>,
     pub(crate) record: Record,
     /// Ledger of energies; `None` where none is kept.
-    pub(crate) books: Option<Books<DIM, D>>,
+    pub(crate) books: Option<EnergyBalance<DIM, D>>,
 }
 
 /// Places of the given points: on the lowest wire where there are several.
-fn points<const DIM: usize>(lanes: &[Path<DIM>], x: &[f64]) -> Result<Vec<Place<DIM>>, CoreError> {
+fn points<const DIM: usize>(
+    lanes: &[Slideline<DIM>],
+    x: &[f64],
+) -> Result<Vec<SlidelinePoint<DIM>>, CoreError> {
     let locate = |&x: &f64| {
         let found = lanes.iter().filter_map(|lane| lane.locate(x, 0));
         let lowest = found.min_by(|a, b| a.height.total_cmp(&b.height));
@@ -84,7 +87,7 @@ impl<const DIM: usize, const D: usize> Recorder<DIM, D> {
     /// Open the ledger at the start of the run, if one is kept.
     pub(crate) fn open_books(&mut self, model: &Model<'_, DIM, D>, motion: &Motion<DIM, D>) {
         if self.plan.ledger {
-            self.books = Some(Books::open(model, motion, self.plan.ledger_every));
+            self.books = Some(EnergyBalance::open(model, motion, self.plan.ledger_every));
         }
     }
 
@@ -115,7 +118,7 @@ impl<const DIM: usize, const D: usize> Recorder<DIM, D> {
         let row = if settled {
             books.check(model, &mut self.record, step)?
         } else {
-            Entries::unknown()
+            EnergyTerms::unknown()
         };
         if is_row {
             self.record.energy.push(row);
@@ -279,7 +282,10 @@ impl<const DIM: usize, const D: usize> Recorder<DIM, D> {
     /// where all of the line is, and where a ledger needs all of it.
     pub(crate) fn first_recorded(&self, model: &Model<'_, DIM, D>, position: f64) -> Option<f64> {
         let near = self.plan.near.as_ref()?;
-        let needs_all = self.books.as_ref().is_some_and(Books::needs_all_islands);
+        let needs_all = self
+            .books
+            .as_ref()
+            .is_some_and(EnergyBalance::needs_all_islands);
         let from = near.from(position, model.distances);
         (!needs_all).then(|| near.first_recorded(from))
     }
@@ -304,7 +310,7 @@ impl<const DIM: usize, const D: usize> Recorder<DIM, D> {
     /// Record how far the laws of the riders have been moved.
     pub(crate) fn read_laws(&mut self, motion: &Motion<DIM, D>) {
         let riders = motion.riders.iter();
-        self.record.law_ranges = riders.flat_map(RiderState::law_ranges).collect();
+        self.record.law_ranges = riders.flat_map(PantographState::law_ranges).collect();
     }
 }
 
@@ -339,7 +345,7 @@ impl<const DIM: usize, const D: usize> Motion<DIM, D> {
 
 /// Uplift of a node at the time of balance, m.
 fn node_uplift<const DIM: usize, const D: usize>(
-    spots: &BTreeMap<usize, Spot<DIM>>,
+    spots: &BTreeMap<usize, Probe<DIM>>,
     model: &Model<'_, DIM, D>,
     motion: &Motion<DIM, D>,
     node: usize,

@@ -4,22 +4,22 @@ use crate::constraint::contacts::Contact;
 use crate::simulation::model::Model;
 use crate::simulation::recording::record::RecordPlan;
 use crate::simulation::state::Motion;
-use crate::slideline::Path;
-use crate::slideline::point::Place;
-use crate::slideline::residual_flexibility::Yield;
+use crate::slideline::Slideline;
+use crate::slideline::point::SlidelinePoint;
+use crate::slideline::residual_flexibility::LocalCompliance;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A place whose motion is watched.
 #[derive(Debug, Clone)]
-pub(crate) struct Spot<const DIM: usize> {
+pub(crate) struct Probe<const DIM: usize> {
     lane: usize,
-    place: Place<DIM>,
-    yields: Yield,
+    place: SlidelinePoint<DIM>,
+    yields: LocalCompliance,
 }
 
-impl<const DIM: usize> Spot<DIM> {
+impl<const DIM: usize> Probe<DIM> {
     /// A place on one of the lanes; `None` where it yields as the mesh does.
-    fn new(lanes: &[Path<DIM>], place: &Place<DIM>) -> Option<Self> {
+    fn new(lanes: &[Slideline<DIM>], place: &SlidelinePoint<DIM>) -> Option<Self> {
         let lane = lanes.iter().position(|lane| lane.holds(place))?;
         let is_rigid = lanes[lane].is_rigid();
         (!is_rigid).then(|| Self {
@@ -32,17 +32,17 @@ impl<const DIM: usize> Spot<DIM> {
 
 /// Those of the watched nodes of a plan that lie on lanes; none without residual flexibility.
 pub(crate) fn spots<const DIM: usize>(
-    lanes: &[Path<DIM>],
+    lanes: &[Slideline<DIM>],
     plan: &RecordPlan,
-) -> BTreeMap<usize, Spot<DIM>> {
-    if lanes.iter().all(Path::is_rigid) {
+) -> BTreeMap<usize, Probe<DIM>> {
+    if lanes.iter().all(Slideline::is_rigid) {
         return BTreeMap::new();
     }
     let near = plan.near.iter().flat_map(|near| &near.nodes.of);
     let watched: BTreeSet<usize> = plan.nodes.iter().chain(near).copied().collect();
-    let ends = lanes.iter().flat_map(Path::ends);
+    let ends = lanes.iter().flat_map(Slideline::ends);
     let ends = ends.filter(|(node, _)| watched.contains(node));
-    ends.filter_map(|(node, place)| Some((node, Spot::new(lanes, &place)?)))
+    ends.filter_map(|(node, place)| Some((node, Probe::new(lanes, &place)?)))
         .collect()
 }
 
@@ -51,7 +51,7 @@ impl<const DIM: usize, const D: usize> Motion<DIM, D> {
     pub(crate) fn raised_by_links(
         &self,
         model: &Model<'_, DIM, D>,
-        yields: &Yield,
+        yields: &LocalCompliance,
         share: f64,
     ) -> f64 {
         let (motion, line) = (&self.line.links, model.line);
@@ -68,7 +68,7 @@ impl<const DIM: usize, const D: usize> Motion<DIM, D> {
     fn raised(
         &self,
         model: &Model<'_, DIM, D>,
-        (yields, share): (&Yield, f64),
+        (yields, share): (&LocalCompliance, f64),
         residual: impl Fn(&Contact<DIM>) -> f64,
     ) -> f64 {
         let corrections = &self.unilateral.correction;
@@ -96,7 +96,7 @@ impl<const DIM: usize, const D: usize> Motion<DIM, D> {
     }
 
     /// Rise of a watched place beyond the mesh since the line was at rest, m.
-    pub(crate) fn raised_since(&self, model: &Model<'_, DIM, D>, spot: &Spot<DIM>) -> f64 {
+    pub(crate) fn raised_since(&self, model: &Model<'_, DIM, D>, spot: &Probe<DIM>) -> f64 {
         let line = model.line;
         let residual = |other: &Contact<DIM>| {
             let carried = line.carried(&spot.yields, &other.yields);
@@ -111,8 +111,12 @@ impl<const DIM: usize, const D: usize> Motion<DIM, D> {
     }
 
     /// Rise of a place beyond the mesh since the line was at rest, m.
-    pub(crate) fn place_raised(&self, model: &Model<'_, DIM, D>, place: &Place<DIM>) -> f64 {
-        let spot = Spot::new(&model.line.lanes, place);
+    pub(crate) fn place_raised(
+        &self,
+        model: &Model<'_, DIM, D>,
+        place: &SlidelinePoint<DIM>,
+    ) -> f64 {
+        let spot = Probe::new(&model.line.lanes, place);
         spot.map_or(0.0, |spot| self.raised_since(model, &spot))
     }
 }

@@ -9,14 +9,14 @@ pub struct Near {
     /// Distance behind the last rider at which a row begins, m.
     pub behind: f64,
     /// Links in the order along the track.
-    pub links: Ordered,
+    pub links: SortedStations,
     /// Nodes in the order along the track.
-    pub nodes: Ordered,
+    pub nodes: SortedStations,
 }
 
 /// Things in the order along the track, of which a fixed number in a row is recorded.
 #[derive(Debug, Clone)]
-pub struct Ordered {
+pub struct SortedStations {
     /// Their numbers.
     pub of: Vec<usize>,
     /// Their coordinates, ascending, m.
@@ -55,7 +55,7 @@ impl Near {
     }
 }
 
-impl Ordered {
+impl SortedStations {
     /// Place in the order of the first that a row holds, which begins at a coordinate.
     pub(crate) fn first(&self, x: f64) -> usize {
         let first = self.x.partition_point(|p| *p < x);

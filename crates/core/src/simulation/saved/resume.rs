@@ -3,16 +3,16 @@
 //! Not on it is what every step makes anew before it is read: increments, tensions, gaps, right-hand
 //! sides, and all that updated kinematics form.
 
-use crate::checkpoint::{Checkpoint, Walk, count, refuse};
+use crate::checkpoint::{Archive, Checkpoint, count, refuse};
 use crate::constraint::contacts::Contacts;
 use crate::error::CoreError;
 use crate::pantograph::actuator::ActuatorState;
-use crate::pantograph::piecewise_force::Side;
-use crate::pantograph::system::{Rider, RiderState};
+use crate::pantograph::piecewise_force::Branch;
+use crate::pantograph::system::{Pantograph, PantographState};
 use crate::simulation::model::Model;
 use crate::simulation::recording::record::Record;
 use crate::simulation::state::State;
-use crate::slideline::Path;
+use crate::slideline::Slideline;
 
 type Done = Result<(), CoreError>;
 
@@ -22,7 +22,7 @@ impl<const DIM: usize, const D: usize> State<DIM, D> {
     /// # Errors
     /// None of a state that steps have left.
     pub(crate) fn take_down(&mut self, model: &Model<'_, DIM, D>) -> Result<Checkpoint, CoreError> {
-        let mut walk = Walk::taking_down();
+        let mut walk = Archive::taking_down();
         self.walk(model, &mut walk)?;
         Ok(walk.checkpoint(self.motion.steps))
     }
@@ -32,7 +32,7 @@ impl<const DIM: usize, const D: usize> State<DIM, D> {
     /// # Errors
     /// [`CoreError::Input`] for numbers of another run; the state is then part the one, part the other.
     pub(crate) fn put_back(&mut self, model: &Model<'_, DIM, D>, saved: &Checkpoint) -> Done {
-        let mut walk = Walk::putting_back(saved);
+        let mut walk = Archive::putting_back(saved);
         self.walk(model, &mut walk)?;
         walk.finish()?;
         let motion = &mut self.motion;
@@ -50,7 +50,7 @@ impl<const DIM: usize, const D: usize> State<DIM, D> {
         Ok(())
     }
 
-    fn walk(&mut self, model: &Model<'_, DIM, D>, walk: &mut Walk<'_>) -> Done {
+    fn walk(&mut self, model: &Model<'_, DIM, D>, walk: &mut Archive<'_>) -> Done {
         let lanes = &model.at(self.present.as_deref()).line.lanes;
         let motion = &mut self.motion;
         motion.line.walk(walk)?;
@@ -75,8 +75,8 @@ impl<const DIM: usize, const D: usize> State<DIM, D> {
 
 fn walk_contacts<const DIM: usize>(
     contacts: &mut Contacts<DIM>,
-    walk: &mut Walk<'_>,
-    lanes: &[Path<DIM>],
+    walk: &mut Archive<'_>,
+    lanes: &[Slideline<DIM>],
 ) -> Done {
     let all = &mut contacts.all;
     walk.flags("contact_meets", all.iter_mut().map(|c| &mut c.meets))?;
@@ -95,9 +95,9 @@ fn walk_contacts<const DIM: usize>(
 }
 
 fn walk_rider(
-    rider: &mut RiderState,
+    rider: &mut PantographState,
     start: &mut [f64],
-    walk: &mut Walk<'_>,
+    walk: &mut Archive<'_>,
     prefix: &str,
 ) -> Done {
     let name = |part: &str| format!("{prefix}_{part}");
@@ -119,16 +119,16 @@ fn walk_rider(
     walk.numbers(&name("kink_force"), force)?;
     let ranges = rider.laws.iter_mut().flat_map(|l| &mut l.range);
     walk.numbers(&name("law_range"), ranges)?;
-    let mut right: Vec<bool> = rider.laws.iter().map(|l| l.side == Side::Right).collect();
+    let mut right: Vec<bool> = rider.laws.iter().map(|l| l.side == Branch::Right).collect();
     walk.flags(&name("law_right"), right.iter_mut())?;
     for (law, right) in right.into_iter().enumerate() {
-        rider.enter(law, if right { Side::Right } else { Side::Left });
+        rider.enter(law, if right { Branch::Right } else { Branch::Left });
     }
     Ok(())
 }
 
 /// Forces that wait: step and force of each, one after the other.
-fn walk_waiting(actuator: &mut ActuatorState, walk: &mut Walk<'_>, name: &str) -> Done {
+fn walk_waiting(actuator: &mut ActuatorState, walk: &mut Archive<'_>, name: &str) -> Done {
     let waiting = &mut actuator.waiting;
     let pairs = waiting.iter().flat_map(|&(due, force)| [due as f64, force]);
     let mut list = pairs.collect();
@@ -143,7 +143,7 @@ fn walk_waiting(actuator: &mut ActuatorState, walk: &mut Walk<'_>, name: &str) -
     Ok(())
 }
 
-fn walk_record(record: &mut Record, walk: &mut Walk<'_>) -> Done {
+fn walk_record(record: &mut Record, walk: &mut Archive<'_>) -> Done {
     walk.numbers("link_min", record.link_min.iter_mut())?;
     walk.numbers("link_max", record.link_max.iter_mut())?;
     walk.numbers("uplift_max", record.uplift_max.iter_mut())?;
@@ -171,7 +171,7 @@ fn walk_record(record: &mut Record, walk: &mut Walk<'_>) -> Done {
 
 impl<const DIM: usize> Contacts<DIM> {
     /// Read the strips where the wires lay in the last step.
-    fn go_on(&mut self, riders: &[Rider]) {
+    fn go_on(&mut self, riders: &[Pantograph]) {
         for contact in &mut self.all {
             let strip = &riders[contact.of[0]].strips[contact.of[1]];
             contact.read(strip);

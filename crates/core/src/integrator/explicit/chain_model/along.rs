@@ -5,7 +5,7 @@ use crate::integrator::explicit::Along;
 use crate::integrator::explicit::chain_model::blocks::Run;
 use crate::integrator::explicit::chain_model::layout::{Chains, along};
 use crate::integrator::explicit::simd::rows::LANES;
-use crate::linear::model::Line;
+use crate::linear::model::LinearModel;
 use crate::statics::assembly::{Geometry, Shape};
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -32,7 +32,7 @@ impl Chains {
         &mut self,
         geometry: &Geometry<DIM, D>,
         shape: &Shape<D>,
-        line: &Line<DIM, D>,
+        line: &LinearModel<DIM, D>,
         (runs, islands): (&[Run], usize),
         masses: &[[f64; 2]],
     ) -> Result<(), CoreError> {
@@ -76,7 +76,7 @@ impl Chains {
     /// Masses of masters, with those of the points between them.
     fn weigh_masters<const DIM: usize, const D: usize>(
         &mut self,
-        line: &Line<DIM, D>,
+        line: &LinearModel<DIM, D>,
         masses: &[[f64; 2]],
         master: &[usize],
     ) {
@@ -113,7 +113,7 @@ impl Chains {
     fn places_along<const DIM: usize, const D: usize>(
         &self,
         geometry: &Geometry<DIM, D>,
-        line: &Line<DIM, D>,
+        line: &LinearModel<DIM, D>,
         run: &Run,
         is_owner: &[bool],
     ) -> Vec<usize> {

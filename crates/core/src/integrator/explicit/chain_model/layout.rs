@@ -10,7 +10,7 @@ use crate::integrator::explicit::simd::strands::Strands;
 use crate::integrator::explicit::stiff_groups::cluster::Cluster;
 use crate::integrator::explicit::{Along, Explicit, refuse};
 use crate::linalg::islands::islands;
-use crate::linear::model::Line;
+use crate::linear::model::LinearModel;
 use crate::statics::assembly::{Geometry, Shape};
 use crate::structure::Segment;
 use std::ops::Range;
@@ -64,7 +64,7 @@ fn nodes_of<const DIM: usize, const D: usize>(
 
 fn runs<const DIM: usize, const D: usize>(
     geometry: &Geometry<DIM, D>,
-    line: &Line<DIM, D>,
+    line: &LinearModel<DIM, D>,
 ) -> (Vec<Run>, usize) {
     let ranges = islands(&line.stiffness);
     let island = |node: usize| ranges.partition_point(|r| r.end <= node);
@@ -180,7 +180,7 @@ impl<const DIM: usize> Explicit<DIM> {
     pub fn new<const D: usize>(
         geometry: &Geometry<DIM, D>,
         shape: &Shape<D>,
-        line: &Line<DIM, D>,
+        line: &LinearModel<DIM, D>,
         h: f64,
     ) -> Result<Self, CoreError> {
         let with = |h| Ok(Chains::new(geometry, shape, line, h)?.dealt());
@@ -195,7 +195,7 @@ impl Chains {
     fn new<const DIM: usize, const D: usize>(
         geometry: &Geometry<DIM, D>,
         shape: &Shape<D>,
-        line: &Line<DIM, D>,
+        line: &LinearModel<DIM, D>,
         h: f64,
     ) -> Result<Self, CoreError> {
         if D != DIM {
@@ -312,7 +312,7 @@ impl Chains {
 
     fn add_masses<const DIM: usize, const D: usize>(
         &mut self,
-        line: &Line<DIM, D>,
+        line: &LinearModel<DIM, D>,
         masses: &[[f64; 2]],
     ) -> Result<(), CoreError> {
         for point in self.all() {

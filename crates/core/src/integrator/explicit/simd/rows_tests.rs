@@ -6,7 +6,7 @@ use crate::common::{everything, run, simple_line_of, steady, three_masses};
 use crate::integrator::Integrator;
 use crate::integrator::explicit::Explicit;
 use crate::integrator::explicit::simd::rows::LANES;
-use crate::integrator::prepared::Prepared;
+use crate::integrator::prepared::WireModel;
 use crate::simulation::recording::record::{Record, RecordPlan};
 use crate::structure::Structure;
 
@@ -30,11 +30,11 @@ impl<const DIM: usize> Explicit<DIM> {
 }
 
 /// A regular line of chains, with elements of half a metre on the lower wire.
-fn line<const DIM: usize>(structure: &Structure, path: &[usize]) -> Prepared<DIM, DIM> {
+fn line<const DIM: usize>(structure: &Structure, path: &[usize]) -> WireModel<DIM, DIM> {
     explicit(&(lumped(structure), vec![path.to_vec()]), STEP, 50e3).expect("short steps")
 }
 
-fn pass<const DIM: usize>(p: &Prepared<DIM, DIM>) -> Record {
+fn pass<const DIM: usize>(p: &WireModel<DIM, DIM>) -> Record {
     let plan = RecordPlan {
         ledger: false,
         ..everything()
@@ -43,7 +43,7 @@ fn pass<const DIM: usize>(p: &Prepared<DIM, DIM>) -> Record {
     run(p, &[three_masses(250.0)], &travel, &plan)
 }
 
-fn compare<const DIM: usize>(p: Prepared<DIM, DIM>) {
+fn compare<const DIM: usize>(p: WireModel<DIM, DIM>) {
     let Integrator::Explicit(steps) = p.integrator.clone() else {
         panic!("explicit steps");
     };

@@ -5,7 +5,7 @@ use crate::integrator::explicit::Along;
 use crate::integrator::explicit::chain_model::layout::Chains;
 use crate::integrator::explicit::stiff_groups::cluster::{Cluster, Member};
 use crate::linalg::SymmetricBlocks;
-use crate::linear::model::Line;
+use crate::linear::model::LinearModel;
 use crate::statics::assembly::{Geometry, Shape, link_tension};
 
 impl Chains {
@@ -13,7 +13,7 @@ impl Chains {
         &mut self,
         geometry: &Geometry<DIM, D>,
         shape: &Shape<D>,
-        line: &Line<DIM, D>,
+        line: &LinearModel<DIM, D>,
     ) -> Result<(), CoreError> {
         let [k, c] = implicit(geometry, shape, line);
         let s = &geometry.structure;
@@ -124,7 +124,7 @@ fn entry<const D: usize>(
 fn implicit<const DIM: usize, const D: usize>(
     geometry: &Geometry<DIM, D>,
     shape: &Shape<D>,
-    line: &Line<DIM, D>,
+    line: &LinearModel<DIM, D>,
 ) -> [SymmetricBlocks<D>; 2] {
     let s = &geometry.structure;
     let (mut k, mut c) = (geometry.empty_matrix(), geometry.empty_matrix());
