@@ -93,7 +93,8 @@ CONTACTS = [
     Mutation("gap with the whole increment of the head", "measure_gaps",
              "A * inner(B, &C.delta)", "inner(B, &C.delta)", (CONTACT,)),
     Mutation("slope of the wire turned round where displacements are read",
-             "SlidelinePoint::displacement", "+ A * B[DIM + C] + D", "- A * B[DIM + C] + D", (LEDGER,)),
+             "SlidelinePoint::displacement",
+             "+ A * B[DIM + C] + D", "- A * B[DIM + C] + D", (LEDGER,)),
 ]  # fmt: skip
 
 RIDERS = [
