@@ -70,7 +70,7 @@ class Mutation:
         for letter in LETTER.finditer(self.old):
             name = letter[0]
             operand = f"(?P={name})" if name in seen else f"(?P<{name}>{OPERAND})"
-            parts += [_literal(self.old[last : letter.start()]), rf"(?<![\w.]){operand}"]
+            parts += [_literal(self.old[last : letter.start()]), rf"(?<![\w.]){operand}(?!\w)"]
             seen.add(name)
             last = letter.end()
         return "".join(parts) + _literal(self.old[last:])
