@@ -4,7 +4,7 @@
 SHELL := /bin/sh
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help build demo test peers evidence fuzz golden lint bench counts wheel clean check-python check-rust
+.PHONY: help build demo test peers evidence pages fuzz golden lint bench counts wheel clean check-python check-rust
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -13,6 +13,8 @@ WITH_PEERS = $(if $(wildcard $(PEERS)/.packages),PYTHONPATH="$(CURDIR)/python" $
 DEMO := en50318-ac-simple-320
 # Neighbours stay in one process, which keeps what they share; an idle one takes half of the rest.
 ON_ALL_CORES := --numprocesses=auto --maxprocesses=8 --dist=worksteal
+# Hundreds of processes are started by tests: each would compile the package anew.
+KEEPING := PYTHONDONTWRITEBYTECODE=
 OLDEST_PYTHON := 3.11
 FUZZ := crates/core/fuzz
 SECONDS := 600
@@ -47,17 +49,22 @@ demo: build ## run the reference case AC simple at 320 km/h, say how sure it is;
 
 test: build ## run every test: the Rust core, then the Python package
 	cargo test
-	$(BIN)/python -m pytest $(ON_ALL_CORES)
+	$(KEEPING) $(BIN)/python -m pytest $(ON_ALL_CORES)
 
 peers: $(PEERS)/.packages ## install the other programs, those that can be, and compare with them
 	PYTHONPATH="$(CURDIR)/python" $(PEERS)/bin/python -m pytest $(ON_ALL_CORES) \
-	tests/verification/peers \
+	tests/verification/peers tests/verification/test_tables.py \
 	|| test $$? -eq 5 # none of them is here: every comparison was skipped
 
 evidence: build ## run every check, the slow ones too, and write the pages of docs/validation
-	$(WITH_PEERS) -m pytest $(ON_ALL_CORES) --dist=loadfile -m "" --publish \
-	tests/verification tests/faults tests/drills tests/pages
-	$(BIN)/python docs/make_evidence.py
+	$(KEEPING) $(WITH_PEERS) -m pytest $(ON_ALL_CORES) --dist=loadfile -m "" --publish \
+	tests/verification tests/faults tests/drills
+	$(KEEPING) $(BIN)/python -m pytest $(ON_ALL_CORES) -m evidence \
+	tests/golden tests/hostile tests/interface tests/scenarios tests/unit
+	OPENBLAS_NUM_THREADS=1 $(BIN)/python docs/make_pages.py --all
+
+pages: build ## write the generated parts of pages that take seconds; CHECK=1 says which are out of date
+	@$(BIN)/python docs/make_pages.py $(if $(CHECK),--check) $(PAGES)
 
 fuzz: build ## look for input that breaks something, for SECONDS (600) each target
 	@command -v c++ >/dev/null || { echo 'make fuzz: a C++ compiler is missing, which libFuzzer needs'; exit 1; }
@@ -79,6 +86,7 @@ lint: build ## check format, lints and types, and that no lock file or local pat
 	cargo clippy --workspace --all-targets -- -D warnings
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
+	$(BIN)/python -m tests.prose
 	$(BIN)/mypy
 	@! git ls-files '*.lock' 2>/dev/null | grep . \
 	|| { echo 'make lint: lock files record download addresses: remove them from git'; exit 1; }
@@ -135,9 +143,13 @@ $(VENV)/.packages: pyproject.toml
 	print(*t["build-system"]["requires"], *p["dependencies"], *(n for g in ("study", "dev") \
 	for n in p["optional-dependencies"][g]), sep="\n")' \
 	> $(VENV)/requirements.txt
-	@echo 'Installing the packages that pyproject.toml names'
-	@$(BIN)/python -m pip install --quiet --requirement $(VENV)/requirements.txt \
-	|| { echo 'make: the packages could not be installed; the first build needs a network'; exit 1; }
+	@mkdir -p target
+	@echo 'Installing the packages that pyproject.toml names, compiling the numerical core beside it'
+	@offline() { echo 'make: the packages could not be installed; the first build needs a network'; exit 1; }; \
+	$(BIN)/python -m pip install --quiet "$$(head -n 1 $(VENV)/requirements.txt)" || offline; \
+	$(MATURIN) build --release --quiet --out target/wheels > target/first-build.log 2>&1 & compiling=$$!; \
+	$(BIN)/python -m pip install --quiet --requirement $(VENV)/requirements.txt || { kill $$compiling; offline; }; \
+	wait $$compiling || true # what stopped it is told where the core is built
 	@touch $@
 
 # `develop` points the environment at python/, so Python edits need no rebuild.

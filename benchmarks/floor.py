@@ -8,6 +8,8 @@ docs/performance.md. D unknowns a node, numbers of 8 bytes.
 from dataclasses import dataclass
 from itertools import product
 
+import numpy as np
+
 from arcless.equilibrium.equilibrium import Equilibrium
 
 NUMBER, INDEX = 8, 8
@@ -38,7 +40,8 @@ class Floor:
 def mass_entries(found: Equilibrium) -> int:
     """Pairs of nodes that the mass matrix couples, both ways, and each node with itself."""
     pairs = {(node, node) for node in range(len(found.mesh.positions))}
-    for row in found.mesh.parts["wires"][0].tolist():
+    wires = found.mesh.parts["wires"]
+    for row in np.hstack([wires["nodes"], wires["slope_nodes"]]).tolist():
         pairs.update(product(row, row))
     return len(pairs)
 

@@ -95,13 +95,14 @@ class Matrices:
         self.nodes = len(self.mesh.positions)
         self.at = found.arrays["positions"].reshape(-1, 2)
         slopes = found.arrays["slopes"].reshape(-1, 2)
-        ends, data = self.mesh.parts["wires"]
-        a, b, slope_a, slope_b = ends.T
+        wires = self.mesh.parts["wires"]
+        (a, b), (slope_a, slope_b) = wires["nodes"].T, wires["slope_nodes"].T
         corners = [self.at[a], slopes[slope_a], self.at[b], slopes[slope_b]]
         self.coordinates = np.stack(corners, axis=1)
-        first = PER_NODE * ends[:, [0, 2, 1, 3]] + np.array([0, SLOPE, 0, SLOPE])
+        owners = np.stack([a, slope_a, b, slope_b], axis=1)
+        first = PER_NODE * owners + np.array([0, SLOPE, 0, SLOPE])
         self.unknowns = (first[:, :, None] + np.arange(2)).reshape(-1, 8)
-        self._line(data)
+        self._line(wires)
         self._pantograph()
         self._contact_wire()
 
@@ -112,20 +113,20 @@ class Matrices:
         entries = (blocks.ravel(), (rows.ravel(), columns.ravel()))
         return coo_matrix(entries, shape=(size, size)).tocsr()
 
-    def _line(self, data: Array) -> None:
+    def _line(self, wires: Array) -> None:
         length = self.found.arrays["wire_rest_length"]
-        alpha, beta = data[:, 4, None, None], data[:, 5, None, None]
-        stiffness = wire_tangent(self.coordinates, length, data[:, 1], data[:, 2])
-        mass = wire_mass(length, data[:, 3])
+        alpha, beta = (wires[name][:, None, None] for name in ("alpha", "beta"))
+        rigid = wires["axial_stiffness"], wires["bending_stiffness"]
+        stiffness = wire_tangent(self.coordinates, length, *rigid)
+        mass = wire_mass(length, wires["mass"])
         self.mass = self._sum(self.unknowns, mass)
         self.stiffness = self._sum(self.unknowns, stiffness)
         self.damping = self._sum(self.unknowns, alpha * mass + beta * stiffness)
-        (node,), (kg, rate) = (table.T for table in self.mesh.parts["masses"])
-        self._add_masses(node, kg, rate)
-        (node, component, _), (k, c, _) = (table.T for table in self.mesh.parts["springs"])
-        place = (PER_NODE * node + component)[:, None]
-        self.stiffness += self._sum(place, k[:, None, None])
-        self.damping += self._sum(place, c[:, None, None])
+        masses, springs = self.mesh.parts["masses"], self.mesh.parts["springs"]
+        self._add_masses(masses["node"], masses["mass"], masses["alpha"])
+        place = (PER_NODE * springs["node"] + springs["component"])[:, None]
+        self.stiffness += self._sum(place, springs["stiffness"][:, None, None])
+        self.damping += self._sum(place, springs["viscosity"][:, None, None])
         self._droppers()
 
     def _add_masses(self, nodes: Array, mass: Array, alpha: Array) -> None:
@@ -135,8 +136,10 @@ class Matrices:
         self.damping += self._sum(places, alpha[:, None, None] * blocks)
 
     def _droppers(self) -> None:
-        (upper, lower, *_), table = (part.T for part in self.mesh.parts["links"])
-        _, k, c, alpha, beta, mass = table
+        links = self.mesh.parts["links"]
+        upper, lower = links["nodes"].T
+        k, c, mass = links["stiffness"], links["viscosity"], links["mass"]
+        alpha, beta = links["alpha"], links["beta"]
         rest = self.found.arrays["link_rest_length"]
         along = self.at[lower] - self.at[upper]
         length = np.hypot(*along.T)
@@ -159,9 +162,9 @@ class Matrices:
     def _pantograph(self) -> None:
         """Put the pantograph behind the line, and take out what cannot move."""
         parts = self.scenario.pantographs[0].model.masses
-        fixed = self.mesh.parts["fixed"][0]
+        fixed = self.mesh.parts["fixed"]
         held = self.stiffness.diagonal() == 0.0  # of nodes that hold a slope only
-        held[PER_NODE * fixed[:, 0] + fixed[:, 1]] = True
+        held[PER_NODE * fixed["node"] + fixed["component"]] = True
         self.held = np.concatenate([held, np.zeros(len(parts), dtype=bool)])
         self.size = len(self.held)
         own = (

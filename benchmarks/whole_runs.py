@@ -77,8 +77,8 @@ class Stepping:
 
     def floor(self) -> Floor:
         """What a step of the whole line has to do."""
-        nodes, blocks = self.job.prepared.cost()[:2]
-        chained = bool(len(self.job.found.mesh.parts["segments"][0]))
+        nodes, blocks = self.job.model.cost()[:2]
+        chained = bool(len(self.job.found.mesh.parts["segments"]))
         width = self.job.found.mesh.dimension * (1 if chained else 2)
         return floor(nodes, blocks, mass_entries(self.job.found), width)
 

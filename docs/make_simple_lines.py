@@ -1,6 +1,6 @@
 """Draw the figures of simple lines and line parts: `python docs/make_simple_lines.py docs/images`.
 
-The tables of the two pages are printed.
+What the two pages print of them and `docs/make_pages.py` does not write is printed.
 """
 
 import sys
@@ -73,30 +73,18 @@ def save(figure: Any, file: Path) -> None:
     figure.savefig(file, metadata={"Date": None})
 
 
-def row(name: str, values: list[float], digits: int) -> None:
-    """Print a row of a table."""
-    print(f"| {name} | {' | '.join(f'{value:.{digits}f}' for value in values)} |")
-
-
 def bridles(file: Path) -> None:
-    """Draw the trolley wire with and without bridles; print what differs."""
+    """Draw the trolley wire with and without bridles; print how high these hang."""
     scenarios = [arcless.load(TROLLEY).with_(**PLAIN), arcless.load(TROLLEY)]
     found = [statics(scenario) for scenario in scenarios]
     styles = [{"color": GREY, "lw": 0.9, "ls": "--"}, {"color": BLUE, "lw": 1.3}]
     compare(list(zip(["trolley wire", "on bridles"], found, styles, strict=True)), file)
-    run = [arcless.run(s).assessment.to_dict()["pantographs"][0] for s in scenarios]
-    print("| | trolley wire | on bridles |\n|---|---|---|")
-    row("sag, mm", [1e3 * f.contact_wire_sag_m for f in found], 0)
-    row("highest elasticity, mm/N", [1e3 * max(f.elasticity_m_per_N) for f in found], 2)
-    row("lowest elasticity, mm/N", [1e3 * min(f.elasticity_m_per_N) for f in found], 2)
-    row("σ at 60 km/h and 80 N, N", [r["std_force_N"] for r in run], 1)
-    row("highest force after the low-pass, N", [r["max_force_N"] for r in run], 0)
     hang = found[1].bridles[len(found[1].bridles) // 2]["hangs_at_m"]
     print(f"hangs at {hang:.3f} m")
 
 
 def rails(file: Path) -> None:
-    """Draw a conductor rail; print the three cases."""
+    """Draw three conductor rails."""
     found = [statics(arcless.load(name)) for name in RAILS]
     styles = [{"color": c, "lw": 1.2} for c in (BLUE, ORANGE, GREEN)]
     labels = [f"conductor-rail-{number}" for number in (1, 2, 3)]
@@ -113,19 +101,6 @@ def rails(file: Path) -> None:
     above.legend(loc="lower center", ncols=3, frameon=False, bbox_to_anchor=(0.5, 1.0))
     below.set(xlim=(-12.0, 20.0), xlabel="distance from a support, m", ylabel="elasticity, µm/N")
     save(figure, file)
-    print("| | case 1 | case 2 | case 3 |\n|---|---|---|---|")
-    row("sag in the middle span, mm", [1e3 * f.contact_wire_sag_m for f in found], 1)
-    row("highest elasticity, µm/N", [1e6 * max(f.elasticity_m_per_N) for f in found], 1)
-    row("lowest elasticity, µm/N", [1e6 * min(f.elasticity_m_per_N) for f in found], 2)
-    row("first natural frequency, Hz", [f.natural_frequencies_Hz[0] for f in found], 2)
-    for speed in (80, 100, 120, 140, 160):
-        sigmas = [
-            arcless.run(arcless.load(name).with_(speed=f"{speed} km/h")).assessment.to_dict()[
-                "pantographs"
-            ][0]["std_force_N"]
-            for name in RAILS
-        ]
-        row(f"σ at {speed} km/h, N", sigmas, 1)
 
 
 def insert(file: Path) -> None:

@@ -49,7 +49,9 @@ def draw_track(file: Path) -> None:
     plan.legend(loc="upper left", ncols=4, frameon=False)
     held = [s for s in mesh.supports if s.steady_arm is not None]
     rows = [s.steady_arm for s in held]
-    force = found.equilibrium.arrays["strut_tension"][rows] * mesh.parts["struts"][1][rows, 1]
+    force = (
+        found.equilibrium.arrays["strut_tension"][rows] * mesh.parts["struts"]["direction"][rows, 1]
+    )
     x = np.array([s.x for s in held])
     arms.bar(x, force, width=12, color=BLUE, label="as found")
     arms.plot(x, by_hand(line, x), "o", color=ORANGE, ms=3, label="T × (bend − turn), by hand")

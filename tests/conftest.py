@@ -31,14 +31,16 @@ def pytest_runtest_makereport(item: pytest.Item, call: pytest.CallInfo[None]) ->
 @pytest.fixture
 def evidence(request: pytest.FixtureRequest) -> Iterator[Evidence]:
     """Collect the values of a verification test; compare them with their record, or write it."""
-    slow = request.node.get_closest_marker("evidence") is not None
-    found = Evidence(request.node.name, slow)
+    found = Evidence(request.node.name, records.is_slow(request.node))
     yield found
     if request.node.stash.get(FAILED, True):
         return  # what was not finished is not recorded
     file = Path(request.path)
     assert found.rows, "a verification test records at least one value"
     if request.config.getoption("--publish"):
-        records.publish_rows(file, request.module, found.test, found.rows, found.figures)
+        tests = {test.name for test in records.measuring(request.node.getparent(pytest.Module))}
+        records.publish_rows(
+            file, request.module, found.test, found.rows, found.figures, tests=tests
+        )
     else:
         records.compare_rows(file, found.test, found.rows)

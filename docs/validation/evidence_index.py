@@ -4,7 +4,7 @@ from validation.runs import table
 
 from arcless.validate.evidence import GROUPS, Topic
 
-NAME = "index.md"
+NAME = "index"
 HEAD = """# Why the numbers can be trusted
 
 What stands here was written by the tests. A check in `tests/verification` says what it measured,
@@ -34,8 +34,8 @@ Longer studies, each with its own text:
 
 
 def page_name(group: str) -> str:
-    """File name of the page of a group."""
-    return group.replace("_", "-").replace("peers", "other-programs") + ".md"
+    """Name of the page of a group."""
+    return group.replace("_", "-").replace("peers", "other-programs")
 
 
 def page(topics: list[Topic]) -> str:
@@ -46,7 +46,7 @@ def page(topics: list[Topic]) -> str:
     for group, title in GROUPS.items():
         own = [topic for topic in topics if topic.group == group]
         if own:
-            parts.append(f"## [{title}]({page_name(group)})\n\n{_table(own)}\n")
+            parts.append(f"## [{title}]({page_name(group)}.md)\n\n{_table(own)}\n")
     return "\n".join([*parts, TAIL])
 
 

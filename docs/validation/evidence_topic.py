@@ -2,7 +2,7 @@
 
 from validation.runs import table
 
-from arcless.validate.evidence import GROUPS, Measured, Noticed, Topic
+from arcless.validate.evidence import GROUPS, Measurement, NoticedFault, Topic
 
 GROUP_TEXTS = {
     "closed_forms": """The program against formulas: each section has the equation, its source, how
@@ -51,7 +51,7 @@ def _section(topic: Topic) -> str:
     return "\n\n".join(part for part in parts if part) + "\n"
 
 
-def _values(rows: list[Measured]) -> str:
+def _values(rows: list[Measurement]) -> str:
     marked = any(row.mark for row in rows)
     head = ["value", "measured", "reference", "allowed", "used", "verdict", "why this tolerance"]
     if marked:
@@ -60,7 +60,7 @@ def _values(rows: list[Measured]) -> str:
     return table(head, [[*_cells(row), *([row.mark] if marked else [])] for row in rows])
 
 
-def _cells(row: Measured) -> list[str]:
+def _cells(row: Measurement) -> list[str]:
     unit = "" if row.unit == "1" else f" {row.unit}"
     verdict = row.verdict if row.verdict == "inside" else f"**{row.verdict}**"
     return [
@@ -74,7 +74,7 @@ def _cells(row: Measured) -> list[str]:
     ]
 
 
-def _order(row: Measured) -> str:
+def _order(row: Measurement) -> str:
     unit = row.unit.removeprefix("order in ")
     lines = [
         [f"{size:.5g}", f"{error:.3g}", *(f"{order:.2f}" for order in local or [])]
@@ -84,16 +84,16 @@ def _order(row: Measured) -> str:
     return f"{row.what}:\n\n" + table([unit, "error", "local order"], lines)
 
 
-def _kinds(rows: list[Measured]) -> str:
+def _kinds(rows: list[Measurement]) -> str:
     """Return the values of many scenarios that are held against the same, kind by kind."""
-    kinds: dict[str, list[Measured]] = {}
+    kinds: dict[str, list[Measurement]] = {}
     for row in rows:
         kinds.setdefault(row.what.rpartition(": ")[2], []).append(row)
     head = ["value †", "scenarios", "inside", "most used", "allowed", "why this tolerance"]
     return table(head, [[kind, *_summary(own)] for kind, own in kinds.items()])
 
 
-def _summary(rows: list[Measured]) -> list[str]:
+def _summary(rows: list[Measurement]) -> list[str]:
     inside = sum(row.verdict == "inside" for row in rows)
     used = max((row.share or 0.0 for row in rows), default=0.0)
     first = rows[0]
@@ -101,7 +101,7 @@ def _summary(rows: list[Measured]) -> list[str]:
     return [str(len(rows)), str(inside), f"{100 * used:.0f} %", *texts]
 
 
-def _beside(rows: list[Measured]) -> str:
+def _beside(rows: list[Measurement]) -> str:
     """Return what runs are and by how much they are off; `tests/support/limit_rows.py` says how."""
     if not rows:
         return ""
@@ -110,7 +110,7 @@ def _beside(rows: list[Measured]) -> str:
     return "By pantograph:\n\n" + table(head, [line for row in rows for line in _lines(row)])
 
 
-def _lines(row: Measured) -> list[list[str]]:
+def _lines(row: Measurement) -> list[list[str]]:
     (uplift, off, *rest, scattered), *strips = row.table
     line = [f"{uplift:.1f}", f"{off:+.2f}", *(f"{value:.2f}" for value in rest), f"{scattered:g}"]
     found = []
@@ -123,7 +123,7 @@ def _lines(row: Measured) -> list[list[str]]:
     return found
 
 
-def _faults(faults: list[Noticed]) -> str:
+def _faults(faults: list[NoticedFault]) -> str:
     return table(
         ["broken", "noticed by", "found there; allowed"],
         [

@@ -73,4 +73,5 @@ def pantographs_table() -> str:
     return table(("pantograph", "masses kg", "springs N/m", "static N", *KNOWN), rows)
 
 
-TABLES = {"lines": lines_table, "pantographs": pantographs_table}
+QUICK = {"pantographs": pantographs_table}
+SLOW = {"lines": lines_table}

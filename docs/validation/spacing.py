@@ -17,6 +17,7 @@ from validation.runs import run, table
 
 import arcless
 
+IMAGES = Path(__file__).parents[1] / "images"
 Floats = NDArray[np.float64]
 
 SPACINGS = tuple(range(60, 221, 5))
@@ -156,13 +157,13 @@ def period_table() -> str:
     return table(head, rows)
 
 
-def draw(file: Path) -> None:
+def figure() -> str:
     """Draw σ of both over the spacing, with odd multiples of half a period."""
     import matplotlib as mpl
     import matplotlib.pyplot as plt
 
     mpl.rcParams.update({"svg.hashsalt": "arcless", "svg.fonttype": "none", "font.size": 9})
-    figure, all_axes = plt.subplots(
+    drawn, all_axes = plt.subplots(
         len(CASES), 1, figsize=(8.0, 6.4), sharex=True, layout="constrained"
     )
     for axes, case in zip(all_axes, CASES, strict=True):
@@ -179,8 +180,14 @@ def draw(file: Path) -> None:
         axes.set_title(f"{case.title}; dotted: (n + ½) v/f", loc="left", fontsize=9)
     all_axes[0].legend(ncols=3, frameon=False, loc="upper right")
     all_axes[-1].set_xlabel("spacing of the two pantographs, m")
-    figure.savefig(file, metadata={"Date": None})
-    plt.close(figure)
+    drawn.savefig(IMAGES / "spacing.svg", metadata={"Date": None})
+    plt.close(drawn)
+    return "![σ over the spacing](../images/spacing.svg)"
 
 
-TABLES = {"leading": leading_table, "spacing": spacing_table, "period": period_table}
+TABLES = {
+    "leading": leading_table,
+    "spacing": spacing_table,
+    "spacing-figure": figure,
+    "period": period_table,
+}

@@ -4,7 +4,18 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from arcless.mesh.tables.columns import Tables
+from arcless.simulate.setup.core_data import (
+    CollectorData,
+    LoadData,
+    PantographData,
+    RecordPlan,
+    SessionStart,
+)
+
 __version__: str
+# Names of the series of a record, which grow with the run.
+SERIES: tuple[str, ...]
 
 class NativeError(Exception): ...
 
@@ -18,10 +29,11 @@ def filtered(
 class Equilibrium:
     def __new__(
         cls,
-        dim: int,
+        *,
+        dimension: int,
         positions: NDArray[np.float64],
         slopes: NDArray[np.float64],
-        parts: dict[str, tuple[NDArray[np.int64], NDArray[np.float64]]],
+        parts: Tables,
         gravity: float,
         design: bool,
         residual_flexibility: bool = False,
@@ -38,24 +50,26 @@ class Equilibrium:
     ) -> tuple[float, list[float], list[float]]: ...
     def prepare(
         self,
+        *,
         lanes: list[list[int]],
         scheme: tuple[str, list[float]],
         step: float,
         contact_stiffness: float,
         updated: bool,
         period_correction: bool = False,
-    ) -> Prepared: ...
+    ) -> WireModel: ...
 
-class Prepared:
+class WireModel:
     def run(
         self,
-        riders: list[Any],
+        *,
+        pantographs: list[PantographData],
         distances: list[float],
         positions: ArrayLike,
         speeds: ArrayLike,
         friction: float,
-        loads: list[tuple[list[tuple[int, int, float]], list[float]]],
-        plan: dict[str, Any],
+        loads: list[LoadData],
+        plan: RecordPlan,
         observe: Callable[[int], bool],
         state: tuple[int, dict[str, NDArray[np.float64]]] | None = None,
         until: int | None = None,
@@ -63,21 +77,23 @@ class Prepared:
     ) -> dict[str, Any]: ...
     def cost(self) -> tuple[int, int, int]: ...
 
-class Live:
+class Session:
     @staticmethod
     def with_forces(
-        line: Prepared,
-        collectors: list[tuple[float, float]],
+        *,
+        line: WireModel,
+        collectors: list[CollectorData],
         forces: list[float],
-        start: tuple[float, float, float],
-    ) -> Live: ...
+        start: SessionStart,
+    ) -> Session: ...
     @staticmethod
-    def with_riders(
-        line: Prepared,
-        riders: list[Any],
+    def with_pantographs(
+        *,
+        line: WireModel,
+        pantographs: list[PantographData],
         distances: list[float],
-        start: tuple[float, float, float],
-    ) -> Live: ...
+        start: SessionStart,
+    ) -> Session: ...
     def step(
         self,
         forces: NDArray[np.float64],

@@ -138,10 +138,10 @@ class ResultFormatError(ArclessError):
 
 
 class StudyError(ArclessError):
-    """A study cannot be begun, or not go on, as asked: its folder or a package says no."""
+    """A study cannot be begun or continued as asked: its folder or a package says no."""
 
     exit_code = 2
 
 
 class ExecutorError(ArclessError):
-    """What computes the variants of a study does not answer, or went away."""
+    """The executor that computes the variants of a study does not answer, or went away."""

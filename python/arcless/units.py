@@ -83,7 +83,7 @@ _GROUPED = re.compile(r"[+-]?\d{1,3}([ ,'_\u00a0\u202f]\d{3})+(?!\d)")
 _DECIMAL_COMMA = re.compile(r"[+-]?\d+,\d+")
 _NOT_FINITE = re.compile(r"[+-]?\.?(nan|inf|infinity)\b", re.IGNORECASE)
 MAX_TEXT = 80
-# What is wrong when got and expected say it all; messages then leave it out.
+# Text of an error whose got and expected say it all; messages then leave it out.
 WRONG_VALUE = "wrong value"
 DECIMAL_POINT = "write the decimal point as a point"
 

@@ -1,4 +1,4 @@
-"""A batch that is killed or interrupted: what is done stays done, the rest comes out the same."""
+"""A batch that is killed or interrupted: finished members stay, the rest is unchanged."""
 
 import json
 import signal

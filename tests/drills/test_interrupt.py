@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from tests.drills.conftest import NEW, OLD, RUN, SHORT, Stop, check_whole, leftovers
-from tests.support.signals import interruptible
+from tests.support.signals import compute, interruptible
 from tests.support.stopped import End, Job
 
 Place = Callable[[str], Path]
@@ -110,14 +110,19 @@ def start(words: list[str], folder: Path) -> subprocess.Popen[str]:
     )
 
 
-@pytest.mark.parametrize("strokes", [1, 3], ids=["once", "impatiently"])
-@pytest.mark.parametrize("kind", ENDLESS)
+@pytest.mark.parametrize(
+    ("kind", "strokes"),
+    [
+        *((kind, 1) for kind in ENDLESS),
+        ("stepping", 3),
+        *(pytest.param(k, 3, marks=pytest.mark.evidence) for k in ENDLESS if k != "stepping"),
+    ],
+)
 def test_in_native_code(tmp_path: Path, kind: str, strokes: int) -> None:
     words = ENDLESS[kind] + ([] if kind == "validate" else ["--out", "out"])
     with interruptible():
         running = start(words, tmp_path)
-    time.sleep(3.0)  # past the imports; earlier moments have their own drills
-    assert running.poll() is None, running.communicate()
+    compute(running)  # earlier moments have their own drills
     began = time.monotonic()
     for _ in range(strokes):
         running.send_signal(signal.SIGINT)

@@ -1,4 +1,4 @@
-"""A long run, which writes its record while it goes on: stopped anywhere, it leaves nothing."""
+"""A long run, which writes its record while it steps: stopped anywhere, it leaves nothing."""
 
 import random
 from collections.abc import Callable

@@ -56,7 +56,7 @@ def check_kept(folder: Path, expected: list[dict[str, Any]]) -> int:
 
 
 def go_on(stop: Stop, folder: Path, expected: list[dict[str, Any]]) -> None:
-    """Go on, or begin where nothing was begun, and see that all is there as it should be."""
+    """Continue, or begin where nothing was begun, and see that all is there as it should be."""
     there = len(list(journal_of(folder).rows()))
     end = stop(Job(command("resume"), str(folder), "never"))
     if end.code == 2 and "no study was begun here" in end.err:
@@ -92,7 +92,7 @@ def test_killed_again_and_again(stop: Stop, tmp_path: Path, expected: list[dict[
 
 
 def everywhere(stop: Stop, tmp_path: Path, how: str, step: int) -> int:
-    """Stop the small study at file operations in turn, and go on; return how many there are."""
+    """Stop the small study at file operations in turn, and resume; return their number."""
     first = placed(tmp_path / "first")
     assert stop(Job(command("run"), str(first), "never")).code == 0
     small = rows(first / TABLE)
@@ -122,7 +122,7 @@ def check_end(end: End, how: str) -> None:
 
 @pytest.mark.parametrize("how", ["kill", "full", "interrupt"])
 def test_at_some_operations(stop: Stop, tmp_path: Path, how: str) -> None:
-    assert everywhere(stop, tmp_path, how, 9) > 20
+    assert everywhere(stop, tmp_path, how, 13) > 20
 
 
 @pytest.mark.evidence

@@ -99,7 +99,7 @@ def test_all_workers_are_killed_and_another_one_comes(
     expected: list[dict[str, Any]],
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr("arcless.study.executors.dask_chunks._ALONE_S", 0.1)
+    monkeypatch.setattr("arcless.study.executors.dask_chunks._NO_WORKER_NOTE_AFTER_S", 0.1)
 
     def kill_all() -> None:
         for worker in cluster.workers:
@@ -129,6 +129,7 @@ def test_interrupted(cluster: Cluster, tmp_path: Path, expected: list[dict[str, 
     assert rows(out / "table.parquet") == expected
 
 
+@pytest.mark.evidence
 def test_a_search_with_pruning_is_the_same(cluster: Cluster, tmp_path: Path) -> None:
     made = {
         # Runs of 1600 steps: the core hands its record on six times, and they may be stopped.

@@ -15,6 +15,7 @@ import pytest
 from tests.drills.conftest import NEW, OLD, RUN, Stop, check_whole, leftovers
 from tests.drills.test_interrupt import ENDLESS, STOPS_WITHIN_S, start
 from tests.drills.test_long_run import LONG
+from tests.support.signals import compute
 from tests.support.stopped import End, Job
 
 Place = Callable[[str], Path]
@@ -40,7 +41,7 @@ def check_stopped(end: End, folder: Path, kind: str, how: str) -> bool:
     return False
 
 
-@pytest.mark.parametrize("how", WAYS)
+@pytest.mark.parametrize("how", ["terminate", pytest.param("hang up", marks=pytest.mark.evidence)])
 def test_at_every_operation_beside_an_older_run(stop: Stop, place: Place, how: str) -> None:
     for stopped in range(100):
         folder = place("older")
@@ -62,14 +63,23 @@ def test_while_results_stream_to_the_disk(stop: Stop, place: Place) -> None:
     assert stopped > 1
 
 
-@pytest.mark.parametrize("how", WAYS)
-@pytest.mark.parametrize("kind", ENDLESS)
+@pytest.mark.parametrize(
+    ("kind", "how"),
+    [
+        *((kind, "terminate") for kind in ENDLESS),
+        ("stepping", "hang up"),
+        *(
+            pytest.param(kind, "hang up", marks=pytest.mark.evidence)
+            for kind in ENDLESS
+            if kind != "stepping"
+        ),
+    ],
+)
 def test_in_native_code(tmp_path: Path, kind: str, how: str) -> None:
     number, code, word = WAYS[how]
     words = ENDLESS[kind] + ([] if kind == "validate" else ["--out", "out"])
     running = start(words, tmp_path)
-    time.sleep(3.0)  # past the imports
-    assert running.poll() is None, running.communicate()
+    compute(running)
     began = time.monotonic()
     running.send_signal(number)
     out, err = running.communicate(timeout=60)
@@ -90,7 +100,7 @@ def test_a_closed_terminal(tmp_path: Path) -> None:
         start_new_session=True,
     )
     os.close(theirs)
-    time.sleep(3.0)
+    compute(running)
     os.close(ours)
     running.send_signal(signal.SIGHUP)
     assert running.wait(timeout=60) == 129

@@ -1,6 +1,6 @@
-"""Compare the bits of all cases with those kept, or keep them anew.
+"""Compare the bits of all cases with those kept, or renew those.
 
-``python -m tests.golden`` compares; ``--renew "reason"`` keeps them anew; ``--file FILE`` uses
+``python -m tests.golden`` compares; ``--renew "reason"`` renews those kept; ``--file FILE`` uses
 another file, ``--only TEXT`` the cases with a text in their name.
 """
 

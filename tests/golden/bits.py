@@ -1,4 +1,4 @@
-"""Digests of cases, and what they depend on beside the code."""
+"""Digests of cases, and their dependences besides the code."""
 
 import hashlib
 import json
@@ -18,7 +18,7 @@ FEATURES = ("SSE41", "AVX2", "FMA3", "AVX512F", "AVX512_SKX", "AVX512_ICL", "NEO
 
 
 def machine() -> dict[str, Any]:
-    """What may change bits without a change of the code: libraries and kinds of processor."""
+    """Return the causes of other bits than the code: libraries and kinds of processor."""
     from numpy._core._multiarray_umath import __cpu_features__ as has
 
     return {
@@ -54,7 +54,7 @@ def digests_of(name: str) -> tuple[str, dict[str, str]]:
 
 
 def read() -> dict[str, Any]:
-    """What is kept: `machine`, `reason`, `digests` by case and name."""
+    """Return the kept digests: `machine`, `reason`, `digests` by case and name."""
     return json.loads(KEPT.read_text())
 
 

@@ -1,4 +1,4 @@
-"""Result files that somebody changed and sealed anew: an error of ours, and never a guess."""
+"""Result files that somebody changed and sealed again: an error of ours, and never a guess."""
 
 import json
 from collections.abc import Callable

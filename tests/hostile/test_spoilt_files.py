@@ -105,7 +105,7 @@ def test_spoilt_tables(data: Any, folder: Path) -> None:
 @searching(30)
 @given(data=st.data())
 def test_spoilt_wind_and_heights(data: Any, folder: Path) -> None:
-    """The file a section names stands in the place of its error."""
+    """The file that a section names stands where its error says."""
     field, name = data.draw(
         st.sampled_from([("gusts", "gusts.csv"), ("measured_heights", "heights.csv")])
     )

@@ -26,7 +26,7 @@ Quoting.add_representer(
 
 
 def again(scenario: Scenario, folder: Path) -> list[Scenario]:
-    """The same scenario, loaded from its plain data, from JSON and from YAML."""
+    """Return one scenario, loaded from its plain data, from JSON and from YAML."""
     data = scenario.to_dict()
     text = json.dumps(data, allow_nan=False)
     (folder / "again.json").write_text(text, encoding="utf-8")

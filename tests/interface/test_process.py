@@ -1,4 +1,4 @@
-"""What only a real process shows: signals, pipes, terminals, exit codes."""
+"""Behaviour that only a real process shows: signals, pipes, terminals, exit codes."""
 
 import json
 import os

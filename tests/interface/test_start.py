@@ -1,4 +1,4 @@
-"""What a command loads before it answers, measured in modules because times wobble."""
+"""Modules that a command loads before it answers; times would wobble."""
 
 import gc
 import os

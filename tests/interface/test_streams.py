@@ -50,9 +50,9 @@ def test_exit_codes_are_the_same(tmp_path: Path, closed: str) -> None:
 
 
 def test_no_file_takes_the_place_of_a_stream(tmp_path: Path) -> None:
-    """What is opened next would get its number, and what libraries print."""
+    """The next file that is opened would get its number, and the output of libraries."""
     code = (
-        "import os; from arcless.cli.process.start import have_streams; have_streams();"
+        "import os; from arcless.cli.process import start; start.open_missing_streams();"
         "print(os.open('x', os.O_CREAT | os.O_WRONLY), file=open('number', 'w'))"
     )
     words = ["sh", "-c", 'exec "$@" >&- 2>&-', "sh", sys.executable, "-c", code]

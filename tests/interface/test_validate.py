@@ -128,7 +128,7 @@ def test_ranges_belong_to_the_unchanged_scenario() -> None:
 
 
 def test_ranges_belong_to_the_numbers_that_stand_for_a_word() -> None:
-    """As in results of the time when elements were numbers by default."""
+    """Results may be of the time when elements were numbers by default."""
     import arcless
 
     shipped = arcless.load("en50318-ac-simple-320-planar")

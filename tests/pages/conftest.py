@@ -1,5 +1,7 @@
-"""Shipped scenarios, each run once however many tests look at it."""
+"""The programs of docs that make pages and pictures; what they write is checked by `make pages`."""
 
-from tests.verification.conftest import at_rest, run_once
+import sys
 
-__all__ = ["at_rest", "run_once"]
+from tests.support.docs import DOCS
+
+sys.path.append(str(DOCS))

@@ -2,9 +2,8 @@
 
 from pathlib import Path
 
-from tests.support.pages import maker
+import make_wear
 
-make_wear = maker("make_wear")
 KEYS = ("wear_total_mm3_km", "wear_mechanical_mm3_km", "wear_joule_mm3_km", "wear_arc_mm3_km")
 
 

@@ -28,13 +28,13 @@ def tensions(found: equilibrium.Equilibrium) -> dict[str, float]:
 
 def heights(found: equilibrium.Equilibrium) -> np.ndarray:
     """Height of the contact wire at each dropper in m."""
-    lower = found.mesh.parts["links"][0][[d.link for d in found.mesh.droppers], 1]
+    lower = found.mesh.parts["links"]["nodes"][[d.link for d in found.mesh.droppers], 1]
     return np.asarray(found.positions[lower, 2])
 
 
 def carried(found: equilibrium.Equilibrium) -> float:
     """Force in N with which droppers and steady arms carry the contact wire."""
-    nodes = found.mesh.parts["springs"][0][:, 0]
+    nodes = found.mesh.parts["springs"]["node"]
     arms = np.isin(nodes, found.mesh.contact_nodes)
     return float(sum(tensions(found).values()) + found.arrays["spring_force"][arms].sum())
 

@@ -17,8 +17,8 @@ GRAVITY = 9.81
 def upward(found: equilibrium.Equilibrium) -> float:
     """Vertical force of all springs to the ground in N, positive upwards."""
     up = found.mesh.dimension - 1
-    integers, _ = found.mesh.parts["springs"]
-    return float(found.arrays["spring_force"][integers[:, 1] == up].sum())
+    springs = found.mesh.parts["springs"]
+    return float(found.arrays["spring_force"][springs["component"] == up].sum())
 
 
 def of(line: dict[str, Any], **changes: Any) -> Scenario:

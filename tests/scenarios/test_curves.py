@@ -43,7 +43,7 @@ def middle(found: equilibrium.Equilibrium, nodes: list[int], span: int = 2) -> f
 def arms(found: equilibrium.Equilibrium) -> np.ndarray:
     """Lateral force of each steady arm in N, positive to the left."""
     rows = [s.steady_arm for s in found.mesh.supports if s.steady_arm is not None]
-    pull = found.mesh.parts["struts"][1][rows, 1]
+    pull = found.mesh.parts["struts"]["direction"][rows, 1]
     return np.asarray(found.arrays["strut_tension"][rows] * pull)
 
 
@@ -210,7 +210,7 @@ def test_planar_models_have_no_curves(short: Short) -> None:
 
 
 def test_an_arm_that_would_push_is_named(short: Short) -> None:
-    """Stagger and curve cancel but for 1 % of the tension's part; the messenger wire, half a metre
+    """Stagger and curve cancel up to 1 % of the tension's part; the messenger wire, half a metre
     to the outside, pulls the contact wire there through the droppers.
     """
     cancel = SPAN**2 / (4 * RADIUS) * 0.995

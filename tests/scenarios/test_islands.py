@@ -13,7 +13,7 @@ LINE = overlap_data(3, ends=(5, 8), spans=11)
 
 def test_nodes_are_numbered_tension_length_by_tension_length() -> None:
     mesh = find(load(scenario_data(LINE))).mesh
-    (upper, lower, *_), _ = (part.T for part in mesh.parts["links"])
+    upper, lower = mesh.parts["links"]["nodes"].T
     number = {d.link: int(d.name.split()[2]) for d in mesh.droppers}
     of_nodes = sorted((int(n), number[i]) for i in number for n in (upper[i], lower[i]))
     assert [length for _, length in of_nodes] == sorted(length for _, length in of_nodes)

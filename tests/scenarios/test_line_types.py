@@ -1,4 +1,4 @@
-"""What is said about stitched and compound lines at rest."""
+"""Stitched and compound lines at rest."""
 
 from pathlib import Path
 from typing import Any

@@ -1,5 +1,7 @@
 """Every shipped line comes to rest from a cold start and carries a pantograph."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -10,14 +12,19 @@ from arcless.simulate import StaticsResult, run, statics
 SPANS = 6
 
 
-def scenario(line: Line, pantograph: str = "dsa-250") -> Scenario:
-    """A slow run over the middle of a line, shortened where a line is longer than that."""
+def shortened(line: Line) -> dict[str, Any]:
+    """Return a line of some spans, where it is longer than that."""
     spans = [{"type": line.spans[0].type, "count": min(SPANS, len(line.span_list()))}]
     if line.has_overlaps:  # in the middle, where the pantograph is to go
         spans = line.to_dict()["spans"]
+    return {**line.to_dict(), "spans": spans}
+
+
+def scenario(line: Line, pantograph: str = "dsa-250") -> Scenario:
+    """A slow run over the middle of a line, shortened where a line is longer than that."""
     data = {
         "name": line.name,
-        "line": {**line.to_dict(), "spans": spans},
+        "line": shortened(line),
         "pantographs": [{"model": pantograph, "static_force": 80.0}],
         "speed": "100 km/h",
         "solver": {"contact_wire_element": 1.0, "messenger_wire_element": 2.0},
@@ -29,8 +36,8 @@ def scenario(line: Line, pantograph: str = "dsa-250") -> Scenario:
 
 @pytest.fixture(scope="module", params=shipped("line"))
 def rest(request: pytest.FixtureRequest) -> StaticsResult:
-    line = load_line(request.param)
-    return statics(load({"name": "rest", "line": line.to_dict(), "speed": 30.0,
+    line = shortened(load_line(request.param))
+    return statics(load({"name": "rest", "line": line, "speed": 30.0,
                          "pantographs": [{"model": "dsa-250", "static_force": 70.0}]}))  # fmt: skip
 
 

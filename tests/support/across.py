@@ -239,7 +239,7 @@ def run(scenario: Scenario, step: float, places: Floats) -> Floats:
 
 
 class _Droppers:
-    """Those that would push are let go: by what cancels it, found by trial."""
+    """Droppers of which those that would push are released, found by trial."""
 
     def __init__(self, line: Line, at: Any, step: float) -> None:
         self.upper, self.lower = (np.array(rows) for rows in zip(*line.pairs, strict=True))

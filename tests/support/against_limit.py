@@ -1,4 +1,4 @@
-"""How far what a scenario gives by itself is off its limit, in shares of the goals."""
+"""Errors of a scenario as it is shipped, in shares of the goals."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
@@ -24,7 +24,7 @@ UPLIFT = "uplift at supports"
 
 @dataclass(frozen=True)
 class Compared:
-    """A scenario beside its limit; differences and goals in percent.
+    """Comparison of a scenario with its limit; differences and goals in percent.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""What is assessed of a run, and how far two runs of one scenario differ in it."""
+"""Assessed numbers of a run, and their difference between two runs of one scenario."""
 
 from dataclasses import asdict, dataclass
 from typing import Any
@@ -75,7 +75,7 @@ class Assessed:
 
     @property
     def loses_contact(self) -> bool:
-        """Whether any pantograph leaves the wire while it is assessed."""
+        """True when any pantograph leaves the wire while it is assessed."""
         return max(self.loss_percent) > 0.0
 
     def numbers(self) -> NDArray[np.float64]:

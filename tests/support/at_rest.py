@@ -1,4 +1,4 @@
-"""How far the line at rest is off from its limit: elasticity, droppers, steady arms."""
+"""Errors of the line at rest against its limit: elasticity, droppers, steady arms."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -21,7 +21,7 @@ PLACES = 9
 
 @dataclass(frozen=True)
 class AtRest:
-    """What is compared of a line at rest.
+    """Compared quantities of a line at rest.
 
     Attributes
     ----------

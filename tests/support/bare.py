@@ -1,7 +1,7 @@
 """Smallest models that a run is made of: a wall, an oscillator, riders by their matrices."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from math import inf
 from typing import Any
 
@@ -9,20 +9,27 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arcless.mesh import PLANAR, Mesh
-from arcless.mesh.tables.parts import GIVEN, Parts
+from arcless.mesh.tables.columns import GIVEN
+from arcless.mesh.tables.parts import Parts
 from arcless.model.settings.run_settings import Solver
 from arcless.simulate.setup import trajectory
-from arcless.simulate.setup.pantographs import RiderData, plain
+from arcless.simulate.setup.core_data import (
+    Excitation,
+    ForceHistory,
+    LoadData,
+    PantographData,
+    RecordPlan,
+)
+from arcless.simulate.setup.pantographs import plain
 from tests.support.schemes import Member
-from tests.support.structures import at_rest, mesh_of
+from tests.support.structures import add_element, at_rest, mesh_of
 
 Floats = NDArray[np.float64]
-Loads = list[tuple[list[tuple[int, int, float]], list[float]]]
 
 
 @dataclass
 class Asked:
-    """What is asked of a run.
+    """Requests to a run.
 
     Attributes
     ----------
@@ -50,7 +57,7 @@ class Asked:
     contact_stiffness: float = inf
     nodes: Sequence[int] = ()
     points: Sequence[float] = ()
-    loads: Loads = field(default_factory=list)
+    loads: Sequence[LoadData] = ()
     ledger: bool = False
     updated: bool = False
     friction: float = 0.0
@@ -61,27 +68,40 @@ def stand(x: float, steps: int) -> Floats:
     return np.full(steps + 1, x)
 
 
-def run(mesh: Mesh, rider: RiderData, asked: Asked, *, design: bool = False) -> dict[str, Any]:
+def run(mesh: Mesh, rider: PantographData, asked: Asked, *, design: bool = False) -> dict[str, Any]:
     """Return what the core records of a run with one rider, every step of it."""
     core = at_rest(mesh, design=design).core
     solver = Solver.model_validate({"scheme": asked.scheme.settings})
     scheme = trajectory.scheme_numbers(solver.scheme)
-    prepared = core.prepare(mesh.lanes, scheme, asked.h, asked.contact_stiffness, asked.updated)
-    plan = {
-        "contact_every": 1,
-        "line_every": 1,
-        "links": False,
-        "nodes": list(asked.nodes),
-        "points": list(asked.points),
-        "ledger": asked.ledger,
-        "ledger_every": 1,
-    }
-    speeds = np.gradient(asked.positions, asked.h).tolist()
-    travel = ([0.0], asked.positions.tolist(), speeds, asked.friction)
-    return prepared.run([rider], *travel, asked.loads, plan, lambda _step: True)
+    model = core.prepare(
+        lanes=mesh.lanes,
+        scheme=scheme,
+        step=asked.h,
+        contact_stiffness=asked.contact_stiffness,
+        updated=asked.updated,
+    )
+    plan = RecordPlan(
+        contact_every=1,
+        line_every=1,
+        links=False,
+        nodes=asked.nodes,
+        points=asked.points,
+        ledger=asked.ledger,
+        ledger_every=1,
+    )
+    return model.run(
+        pantographs=[rider],
+        distances=[0.0],
+        positions=asked.positions,
+        speeds=np.gradient(asked.positions, asked.h),
+        friction=asked.friction,
+        loads=list(asked.loads),
+        plan=plan,
+        observe=lambda _step: True,
+    )
 
 
-def rider(
+def pantograph(
     mass: Floats,
     damping: Floats,
     stiffness: Floats,
@@ -89,19 +109,27 @@ def rider(
     strip: Sequence[float],
     force: float = 0.0,
     given: Sequence[tuple[Sequence[float], Floats]] = (),
-) -> RiderData:
+) -> PantographData:
     """Return a rider whose preload acts where its strip is; `given` are forces over time."""
     rows = [np.asarray(m, dtype=np.float64).ravel().tolist() for m in (mass, damping, stiffness)]
-    outside = [(list(map(float, direction)), values.tolist()) for direction, values in given]
-    ends = ([plain(strip, None)], list(strip), [0.0] * len(strip), force)
-    return (rows[0], rows[1], rows[2], *ends, (outside, None), [], [], None)
+    forces = [ForceHistory(direction, values.tolist()) for direction, values in given]
+    return PantographData(
+        mass=rows[0],
+        damping=rows[1],
+        stiffness=rows[2],
+        strips=[plain(strip, None)],
+        preload=list(strip),
+        lift=[0.0] * len(strip),
+        start_force=force,
+        given=Excitation(forces),
+    )
 
 
-def free_mass(mass: float, force: float, given: Floats) -> RiderData:
+def free_mass(mass: float, force: float, given: Floats) -> PantographData:
     """Return a mass under a constant force and a given one, in N."""
     nothing = np.zeros((1, 1))
     one = np.full((1, 1), mass)
-    return rider(one, nothing, nothing, strip=[1.0], force=force, given=[([1.0], given)])
+    return pantograph(one, nothing, nothing, strip=[1.0], force=force, given=[([1.0], given)])
 
 
 def wall(x: Sequence[float] = (-1.0, 1.0), heights: Sequence[float] = (0.0, 0.0)) -> Mesh:
@@ -109,7 +137,7 @@ def wall(x: Sequence[float] = (-1.0, 1.0), heights: Sequence[float] = (0.0, 0.0)
     parts, points = Parts(), np.column_stack([x, np.zeros(len(x)), heights])
     lengths = np.linalg.norm(np.diff(points, axis=0), axis=1)
     rows = [
-        parts.add("segments", (i, i + 1), (length, 1e6, 1.0, 0.0, 0.0, 1.0))
+        add_element(parts, i, rest=length, axial=1e6, mass=1.0, tension=1.0)
         for i, length in enumerate(lengths.tolist())
     ]
     hold(parts, range(len(points)))
@@ -121,20 +149,19 @@ def oscillator(mass: float, damping: float, stiffness: float) -> Mesh:
 
     The strings weigh 1 g each, which is taken off the mass. The lane is a wall in front.
     """
-    parts, segment = Parts(), (1.0, 1e3, 1e-3, 0.0, 0.0, 0.0)
-    rows = [parts.add("segments", (i, i + 1), segment) for i in range(3)]
+    parts = Parts()
+    rows = [add_element(parts, i, rest=1.0, axial=1e3, mass=1e-3, tension=0.0) for i in range(3)]
     hold(parts, (0, 1, 3))
-    parts.add("fixed", (2, 0))
-    parts.add("masses", (2,), (mass - 1e-3, 0.0))
-    parts.add("springs", (2, 1, GIVEN), (stiffness, damping, 0.0))
+    parts.fix(2, 0)
+    parts.add("masses", node=2, mass=mass - 1e-3, alpha=0.0)
+    parts.add_spring(2, 1, GIVEN, stiffness=stiffness, viscosity=damping)
     return planar(np.array([[float(i), 0.0, 0.0] for i in range(4)]), parts, rows[:1])
 
 
 def hold(parts: Parts, nodes: Sequence[int]) -> None:
     """Fix nodes of a planar structure."""
     for node in nodes:
-        parts.add("fixed", (node, 0))
-        parts.add("fixed", (node, 1))
+        parts.fix(node, 0, 1)
 
 
 def planar(points: Floats, parts: Parts, lane: list[int]) -> Mesh:

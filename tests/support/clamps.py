@@ -13,7 +13,8 @@ def balance_at(found: Equilibrium, clamps: list[int], mass: float) -> tuple[np.n
     For chains of segments without bending stiffness; `mass` is that of a clamp in kg.
     """
     mesh, points = found.mesh, found.positions
-    nodes, floats = mesh.parts["segments"]
+    segments = mesh.parts["segments"]
+    nodes = segments["nodes"]
     tension, rest = found.arrays["wire_tension"], found.arrays["wire_rest_length"]
     sums, along = [], []
     for clamp in clamps:
@@ -21,7 +22,7 @@ def balance_at(found: Equilibrium, clamps: list[int], mass: float) -> tuple[np.n
         far = np.where(nodes[rows, 0] == clamp, nodes[rows, 1], nodes[rows, 0])
         away = points[far] - points[clamp]
         pull = tension[rows, None] * away / np.linalg.norm(away, axis=1)[:, None]
-        weight = GRAVITY * (mass + 0.5 * np.sum(floats[rows, 2] * rest[rows]))
+        weight = GRAVITY * (mass + 0.5 * np.sum(segments["mass"][rows] * rest[rows]))
         sums.append(pull.sum(axis=0) - [0.0, 0.0, weight])
         along.append(sorted(np.abs(pull[:, 0])))
     return np.array(sums), np.array(along)

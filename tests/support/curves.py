@@ -5,8 +5,9 @@ from math import sin
 import numpy as np
 
 from arcless.equilibrium.equilibrium import Equilibrium
-from arcless.mesh.tables.parts import GIVEN, Parts
-from tests.support.structures import at_rest, mesh_of
+from arcless.mesh.tables.columns import GIVEN
+from arcless.mesh.tables.parts import Parts
+from tests.support.structures import add_element, at_rest, mesh_of
 
 AXIAL, MASS = 14e6, 1.1
 
@@ -53,13 +54,12 @@ def two_spans(
     parts = Parts()
     add_wire(parts, kind, 2 * count, rest / count, tension)
     for _ in range(2 * count if from_track else 0):
-        parts.add("turns", (), (angle / count,))
+        parts.add("turns", angle=angle / count)
     for end in (0, 2 * count):
-        for component in range(3):
-            parts.add("fixed", (end, component))
-    parts.add("fixed", (count, 2))
+        parts.fix(end, 0, 1, 2)
+    parts.fix(count, 2)
     held = 2.0 * tension * sin(lean)
-    parts.add("springs", (count, 1, GIVEN), (stiffness, 0.0, -held / stiffness))
+    parts.add_spring(count, 1, GIVEN, stiffness=stiffness, rest=-held / stiffness)
     mesh = mesh_of(3, points, slopes, parts, list(range(2 * count)), gravity=gravity)
     return at_rest(mesh)
 
@@ -75,10 +75,9 @@ def one_span(kind: str, count: int, *, radius: float, span: float, tension: floa
     parts = Parts()
     add_wire(parts, kind, count, rest / count, tension)
     for end in (0, count):
-        for component in range(3):
-            parts.add("fixed", (end, component))
+        parts.fix(end, 0, 1, 2)
     for _ in range(count):
-        parts.add("turns", (), (angle / count,))
+        parts.add("turns", angle=angle / count)
     slopes = np.gradient(points, rest / count, axis=0)
     return at_rest(mesh_of(3, points, slopes, parts, list(range(count))))
 
@@ -86,8 +85,5 @@ def one_span(kind: str, count: int, *, radius: float, span: float, tension: floa
 def add_wire(parts: Parts, kind: str, count: int, rest: float, tension: float) -> None:
     """Add a wire without bending stiffness, of elements of a length in m."""
     for i in range(count):
-        if kind == "wires":
-            numbers = (rest, AXIAL, 0.0, MASS, 0.0, 0.0, tension)
-            parts.add("wires", (i, i + 1, i, i + 1), numbers)
-        else:
-            parts.add("segments", (i, i + 1), (rest, AXIAL, MASS, 0.0, 0.0, tension))
+        bending = 0.0 if kind == "wires" else None
+        add_element(parts, i, rest=rest, axial=AXIAL, mass=MASS, tension=tension, bending=bending)

@@ -1,4 +1,4 @@
-"""What verification tests say: a value, what it must be, how far it may be off, and why."""
+"""Statements of verification tests: a value, its reference, its tolerance, and the reason."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from arcless.validate.evidence import INSIDE, OUTSIDE, UNVERIFIED, Measured
+from arcless.validate.evidence import INSIDE, OUTSIDE, UNVERIFIED, Measurement
 from arcless.validate.reference import VERIFIED
 
 LEAST_SIZES = 3
@@ -16,7 +16,7 @@ LEAST_SIZES = 3
 class OutsideError(AssertionError):
     """A value is not where it must be."""
 
-    def __init__(self, row: Measured) -> None:
+    def __init__(self, row: Measurement) -> None:
         super().__init__(f"{row.what}: {row.value:.9g} {row.unit}, allowed {row.allowed}")
         self.row = row
 
@@ -30,7 +30,7 @@ class Evidence:
 
     test: str = ""
     slow: bool = False
-    rows: list[Measured] = field(default_factory=list)
+    rows: list[Measurement] = field(default_factory=list)
     figures: list[dict[str, Any]] = field(default_factory=list)
 
     def close(
@@ -127,7 +127,7 @@ class Evidence:
             " to ".join(texts) if len(texts) > 1 else f"{'≤' if low is None else '≥'} {texts[0]}"
         )
         self.rows.append(
-            Measured(
+            Measurement(
                 what, unit, float(value), None, low, high, f"{shown} {_shown(unit)}".rstrip(),
                 source, mark, verdict, self.test, self.slow,
             )
@@ -154,7 +154,9 @@ class Evidence:
         inside = inside and isfinite(value)
         verdict = INSIDE if inside else OUTSIDE
         fields = {"reference": None, "mark": ""} | rest
-        row = Measured(what, unit, value, verdict=verdict, test=self.test, slow=self.slow, **fields)
+        row = Measurement(
+            what, unit, value, verdict=verdict, test=self.test, slow=self.slow, **fields
+        )
         if not inside:
             raise OutsideError(row)
         self.rows.append(row)

@@ -1,4 +1,4 @@
-"""What makes a scenario one of explicit steps, and what one of steps that are solved for."""
+"""Changes that make a scenario one of explicit steps, or one of implicit steps."""
 
 from typing import Any
 

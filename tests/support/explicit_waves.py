@@ -98,7 +98,7 @@ class Stepped(Waves):
         return a, min(max(b, 0.0), MOST)
 
     def louder(self, omega: Floats) -> Floats:
-        """What a force on a point sends over what it sends along the wire, but for (kℓ)⁴."""
+        """Return the wave by a force on a point over the wave along the wire, up to (kℓ)⁴."""
         courant, wire, chain = self.shares
         more = (1.0 - 2.0 * courant) / 12.0 - (chain - wire)
         return np.asarray(1.0 + more * (self.distance * super().number(omega)) ** 2)

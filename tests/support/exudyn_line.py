@@ -48,7 +48,7 @@ class Line:
         self.cables = {name: self._cables(name) for name in wires}
         self.droppers = [self._dropper(place) for place in cut.mesh.droppers]
         self.springs = self._springs()
-        for held, component in cut.mesh.parts["fixed"][0]:
+        for held, component in cut.mesh.parts["fixed"]:
             self.hold(self.coordinate(self.at[int(held)], int(component)), self.ground)
 
     def coordinate(self, node: Any, component: int) -> Any:
@@ -78,7 +78,9 @@ class Line:
         wire, mesh, made = getattr(self.scenario.line, name), self.cut.mesh, []
         shorter = same_wire(wire.tension, wire.axial_stiffness)
         for row in mesh.wire_rows[name]:
-            a, b, slope_a, slope_b = (int(node) for node in mesh.parts["wires"][0][row])
+            element = mesh.parts["wires"][row]
+            a, b = element["nodes"].tolist()
+            slope_a, slope_b = element["slope_nodes"].tolist()
             cable = items.ObjectANCFCable2D(
                 length=shorter * self.cut.arrays["wire_rest_length"][row],
                 massPerLength=wire.mass,
@@ -117,7 +119,7 @@ class Line:
     def _springs(self) -> list[Any]:
         line, mesh, made = self.scenario.line, self.cut.mesh, []
         on_contact = set(mesh.contact_nodes)
-        for row, (place, component, _) in enumerate(mesh.parts["springs"][0]):
+        for row, (place, component) in enumerate(mesh.parts["springs"][["node", "component"]]):
             node = self.at[int(place)]
             part = line.steady_arm if int(place) in on_contact else line.support
             along = component == ALONG

@@ -69,7 +69,8 @@ class Run:
 
     def _wire(self, begin: Any) -> Wire:
         mesh = self.cut.mesh
-        ends = [mesh.parts["wires"][0][row].tolist() for row in mesh.wire_rows["contact_wire"]]
+        wires = mesh.parts["wires"][mesh.wire_rows["contact_wire"]]
+        ends = [(*a.tolist(), *b.tolist()) for a, b in wires[["nodes", "slope_nodes"]]]
         length = [self.system.GetObject(c)["length"] for c in self.line.cables["contact_wire"]]
         left = np.array([begin[a, slope] for a, _, slope, _ in ends])
         return Wire(left, np.array([begin[b, slope] for _, b, _, slope in ends]), length)

@@ -46,7 +46,7 @@ class Family:
 
     @property
     def is_chain(self) -> bool:
-        """Whether wires are chains of point masses."""
+        """True when wires are chains of point masses."""
         return self.scheme == EXPLICIT
 
     def line(self, x: Floats, *kinds: Wire, **options: Any) -> Straight:

@@ -11,27 +11,20 @@ from unittest.mock import patch
 import numpy as np
 
 from arcless.equilibrium import equilibrium
-from arcless.validate.evidence import Noticed
+from arcless.mesh.tables.columns import COLUMNS
+from arcless.validate.evidence import NoticedFault
 from tests.support.evidence import Evidence, OutsideError
 
-# Float columns of the tables in `arcless.mesh.tables.mesh_types.Mesh`.
-COLUMNS = {
-    "wires": ("length", "EA", "EI", "mass", "alpha", "beta", "tension"),
-    "segments": ("length", "EA", "mass", "alpha", "beta", "tension"),
-    "bends": ("EI", "beta"),
-    "links": ("length", "stiffness", "damping", "alpha", "beta", "mass"),
-    "springs": ("stiffness", "damping", "rest"),
-    "masses": ("mass", "alpha"),
-    "ends": ("force",),
-    "loads": ("force",),
-    "wire_loads": ("along", "across", "up"),
-    "turns": ("turn",),
-}
+# Columns by the names that faults call them by.
+SHORT = {
+    "EA": "axial_stiffness", "EI": "bending_stiffness", "length": "rest_length",
+    "tension": "design_tension", "damping": "viscosity",
+}  # fmt: skip
 # False where there was nothing to spoil.
 Spoil = Callable[[dict[str, Any]], bool | None]
 # A context manager that is a decorator too, and so can be entered again: those of `contextmanager`
 # and of `unittest.mock.patch` are.
-Broken = Callable[[Callable[[], Noticed]], Callable[[], Noticed]]
+Broken = Callable[[Callable[[], NoticedFault]], Callable[[], NoticedFault]]
 
 
 class Fault:
@@ -55,7 +48,7 @@ class Fault:
         more = [value for value in said if value not in self.what]
         return f"{self.check.__name__}[{', '.join([self.what, *more])}]"
 
-    def noticed(self, fixture: Callable[[str], Any]) -> Noticed:
+    def noticed(self, fixture: Callable[[str], Any]) -> NoticedFault:
         """Break it, and return what the check says.
 
         Raises
@@ -67,7 +60,7 @@ class Fault:
         wanted = signature(self.check).parameters
         arguments = {name: known[name] if name in known else fixture(name) for name in wanted}
 
-        def notice() -> Noticed:
+        def notice() -> NoticedFault:
             name = self.check.__name__
             try:
                 self.check(**arguments)
@@ -78,7 +71,7 @@ class Fault:
                 found = name.replace("_", " "), str(error).strip().partition("\n")[0][:80]
             else:
                 raise AssertionError(f"{name} does not notice: {self.what}")
-            return Noticed(self.what, *found, name, self.slow)
+            return NoticedFault(self.what, *found, self.name, self.slow)
 
         for broken in reversed(self.broken):
             # `patch` marks a function that it decorates; `partial` keeps that from the next one.
@@ -117,12 +110,11 @@ def spoiled(spoil: Spoil) -> Iterator[None]:
     core = equilibrium._core
     built: list[int] = []
 
-    def build(dim: int, *arguments: Any, **options: bool) -> Any:
-        named = dict(zip(("positions", "slopes", "parts", "gravity"), arguments, strict=True))
-        named = deepcopy(named) | options  # a mesh is used again
-        if spoil(named) is not False:
-            built.append(dim)
-        return core.Equilibrium(dim, **named)
+    def build(**arguments: Any) -> Any:
+        arguments = deepcopy(arguments)  # a mesh is used again
+        if spoil(arguments) is not False:
+            built.append(len(built))
+        return core.Equilibrium(**arguments)
 
     class Spoiled:
         Equilibrium = staticmethod(build)
@@ -154,16 +146,16 @@ def without(option: str) -> Iterator[None]:
 def scaled(
     kind: str, column: str, factor: float, rows: slice | list[int] = slice(None)
 ) -> Iterator[None]:
-    """Multiply a column of a table of parts, in all rows or in some."""
+    """Multiply a column of a table (see `arcless.mesh.tables.columns`), in all rows or in some."""
 
     def spoil(arguments: dict[str, Any]) -> bool:
         # Wires are cubic elements or chains.
-        is_chain = kind == "wires" and not len(arguments["parts"]["wires"][0])
+        is_chain = kind == "wires" and not len(arguments["parts"]["wires"])
         own = "segments" if is_chain else kind
-        table, place = arguments["parts"][own][1], COLUMNS[own].index(column)
-        before = table[rows, place].copy()
-        table[rows, place] *= factor
-        return bool(np.any(table[rows, place] != before))
+        values = arguments["parts"][own][SHORT.get(column, column)]
+        before = values.copy()
+        values[rows] *= factor
+        return bool(np.any(values != before))
 
     with spoiled(spoil):
         yield
@@ -175,14 +167,14 @@ def curve_as_a_load() -> Iterator[None]:
 
     def spoil(arguments: dict[str, Any]) -> bool:
         parts = arguments["parts"]
-        kind = "wires" if len(parts["wires"][0]) else "segments"
-        floats, (rows, turns) = parts[kind][1], parts["turns"]
-        if not turns.any():
+        elements = parts["wires"] if len(parts["wires"]) else parts["segments"]
+        angles = parts["turns"]["angle"]
+        if not angles.any():
             return False
-        load = np.zeros((len(floats), 3))
-        load[:, 1] = floats[:, COLUMNS[kind].index("tension")] * turns[:, 0] / floats[:, 0]
-        parts["wire_loads"] = (rows, load)
-        parts["turns"] = (rows, np.zeros_like(turns))
+        parts["wire_loads"] = np.zeros(len(elements), COLUMNS["wire_loads"])
+        pull = elements["design_tension"] * angles / elements["rest_length"]
+        parts["wire_loads"]["force"][:, 1] = pull
+        parts["turns"] = np.zeros_like(parts["turns"])
         return True
 
     with spoiled(spoil):

@@ -1,4 +1,4 @@
-"""Runs that are computed anew, because something is broken while they are."""
+"""Runs that are computed again, because something is broken meanwhile."""
 
 from typing import Any
 

@@ -50,7 +50,7 @@ def circulant(n: int, random: np.random.Generator) -> Problem:
 
 
 def near_singular(n: int, random: np.random.Generator) -> Problem:
-    """Rank one third and 1e-6 beside it: contacts that move almost together."""
+    """Return a matrix of rank one third, plus 1e-6: contacts that move almost together."""
     g = random.standard_normal((n, -(-n // 3)))
     return g @ g.T / n + 1e-6 * np.eye(n), random.standard_normal(n)
 
@@ -82,7 +82,7 @@ def dropped_beam() -> list[Problem]:
 
 
 def unit_diagonal(H: np.ndarray, w: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """The same problem without units, H with ones on its diagonal and |w| ≤ 1; x is scale · x′."""
+    """Return the problem without units, with H_kk = 1 and |w| ≤ 1; x is scale · x′."""
     d = 1.0 / np.sqrt(np.diagonal(H))
     size = max(np.abs(d * w).max(), np.finfo(float).tiny)
     return np.ascontiguousarray(H * np.outer(d, d)), d * w / size, d * size

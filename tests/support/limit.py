@@ -1,4 +1,4 @@
-"""What counts as the limit: two families of elements that share no discretisation error.
+"""The limit: agreement of two families of elements that share no discretisation error.
 
 Refined cubic elements with residual flexibility, stepped with a matrix, miss waves that are short
 beside an element and nothing under point forces. Refined chains of point masses, stepped
@@ -61,7 +61,7 @@ class Limit:
 
     @property
     def agreed(self) -> bool:
-        """Whether both families agree, so that this is a limit."""
+        """True when both families agree, so that this is a limit."""
         return self.apart <= AGREEMENT
 
 
@@ -126,7 +126,7 @@ def divided(
 
 
 def is_rail(scenario: arcless.Scenario) -> bool:
-    """Whether the line is a conductor rail."""
+    """Return whether the line is a conductor rail."""
     return scenario.line.contact_wire.kind == "conductor_rail"
 
 

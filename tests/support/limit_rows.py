@@ -1,4 +1,4 @@
-"""What is recorded of a scenario beside its limit."""
+"""Rows that are recorded of a scenario and its limit."""
 
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""What a mass that moves along a string throws back ahead, in closed form.
+"""Wave that a mass moving along a string throws back ahead, in closed form.
 
 A wave e^{i(ωt + kx)} that comes from ahead moves the place of the mass with ω' = ω + kV. The string
 gives a force f there f/(2iω'Z), so the mass pushes with −D y/(1 + D/(2iω'Z)), and what goes ahead

@@ -8,17 +8,23 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+import pytest
 from scipy.signal import butter, sosfiltfilt
 
 from arcless.equilibrium.equilibrium import Equilibrium
 from arcless.model.pantograph.pantograph import Pantograph
 from arcless.simulate.setup import pantographs
+from arcless.simulate.setup.core_data import Excitation, ForceHistory, RecordPlan
 from tests.support.families import Family
 from tests.support.straight import Floats, Straight
 from tests.support.waves import Waves
 
 KMH = 1.0 / 3.6
 SPEEDS = (275.0 * KMH, 320.0 * KMH)  # m/s
+# The second one shows the same at another place of the same formulas.
+AT_SPEEDS = [SPEEDS[0], pytest.param(SPEEDS[1], marks=pytest.mark.evidence)]
+# So does a line in space, which takes cubic elements longer.
+CHAIN_FIRST = ["chain", pytest.param("cubic", marks=pytest.mark.evidence)]
 STEP = 5e-4  # s
 PRESSED = 12.0  # N
 FILTER, SHARP = 20.0, 3  # Hz, order
@@ -52,22 +58,27 @@ class Travel:
         """Run, with forces in N on the strips that begin with nothing."""
         time = self.time
         scheme, corrected = self.family.scheme, not self.family.is_chain
-        prepared = line.core.prepare(line.mesh.lanes, scheme, STEP, self.contact, False, corrected)
-        plan = {"contact_every": 1, "line_every": 1, "links": False, "nodes": [], "points": []}
-        given = [([([1.0], (f - f[0]).tolist())], None) for f in forces]
-        raw = prepared.run(
-            [
-                pantographs.rider(strip, PRESSED, own)
+        model = line.core.prepare(
+            lanes=line.mesh.lanes, scheme=scheme, step=STEP, contact_stiffness=self.contact,
+            updated=False, period_correction=corrected,
+        )  # fmt: skip
+        given = [Excitation([ForceHistory([1.0], (f - f[0]).tolist())]) for f in forces]
+        raw = model.run(
+            pantographs=[
+                pantographs.data(strip, PRESSED, own)
                 for strip, own in zip(self.strips, given, strict=True)
             ],
-            list(self.behind),
-            (self.start + self.speed * time).tolist(),
-            [self.speed] * len(time),
-            0.0,
-            [],
-            {**plan, "ledger": False, "ledger_every": 1},
-            lambda _step: True,
-        )
+            distances=list(self.behind),
+            positions=self.start + self.speed * time,
+            speeds=[self.speed] * len(time),
+            friction=0.0,
+            loads=[],
+            plan=RecordPlan(
+                contact_every=1, line_every=1, links=False, nodes=[], points=[],
+                ledger=False, ledger_every=1,
+            ),
+            observe=lambda _step: True,
+        )  # fmt: skip
         shape = (len(raw["time"]), len(self.strips))
         return Travelled(raw["time"], raw["height"].reshape(shape), raw["force"].reshape(shape))
 
@@ -81,7 +92,7 @@ class Travelled:
     force: Floats
 
     def __sub__(self, calm: "Travelled") -> "Travelled":
-        """What one run has more than another in which nothing happens."""
+        """Return the excess of one run over another in which nothing happens."""
         assert min(self.force.min(), calm.force.min()) > 0.0, "a contact is lost"
         return Travelled(self.time, self.height - calm.height, self.force - calm.force)
 

@@ -1,4 +1,4 @@
-"""The numerical core with one line spoiled, built beside the real one."""
+"""The numerical core with one line spoiled, built next to the real one."""
 
 import os
 import re
@@ -116,7 +116,7 @@ def functions(source: Path) -> list[Body]:
 
 
 class Workshop:
-    """A copy of the sources where cores are built; a build takes seconds, but for the first."""
+    """A copy of the sources where cores are built; a build takes seconds, except the first."""
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder

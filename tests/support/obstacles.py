@@ -1,4 +1,4 @@
-"""A pulse that meets an obstacle on wires of either family: what goes on, and so what comes back.
+"""A pulse that meets an obstacle on wires of either family: its transmission and reflection.
 
 An obstacle at a point sends the same wave both ways, so r = t − 1, and t is what passes a place
 behind it over what does without it: u/u₀, whatever the elements do to a wave on its way there.
@@ -27,8 +27,7 @@ OMEGA = 2.0 * np.pi * HERTZ
 
 @dataclass(frozen=True)
 class Obstacle:
-    """What a pulse meets: the wires, and what fastens the obstacle to the first, at a place in"
-    " m."""
+    """Setting that a pulse meets: wires, and a function that fastens the obstacle at x in m."""
 
     kinds: tuple[Wire, ...]
     fasten: Callable[[Straight, float], object]

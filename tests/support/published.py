@@ -1,4 +1,4 @@
-"""Rows of a run's assessment beside the ranges that were published for it."""
+"""Rows of a run's assessment with the ranges that were published for it."""
 
 from arcless.results import Result
 from arcless.validate import Case, Row, compare

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from arcless.equilibrium.equilibrium import Equilibrium
 from arcless.model.pantograph.pantograph import Pantograph
 from arcless.simulate.setup import pantographs
-from arcless.simulate.setup.gust_loads import LoadData
+from arcless.simulate.setup.core_data import Excitation, ForceHistory, LoadData, RecordPlan
 
 Floats = NDArray[np.float64]
 
@@ -22,7 +22,7 @@ WEIGHTLESS = 1e-9
 
 @dataclass(frozen=True)
 class Pressed:
-    """What a run leaves: times in s at the balance of each step, the rest at these times.
+    """Record of a run: times in s at the balance of each step, the rest at these times.
 
     Attributes
     ----------
@@ -86,26 +86,33 @@ def press(
         Whether the mass of the wires is corrected for the period error of the scheme.
     """
     pantograph = strip or mass(WEIGHTLESS)
-    given = pantographs.NOTHING if added is None else ([([1.0], added.tolist())], None)
-    plan = {
-        "contact_every": 1,
-        "line_every": 1,
-        "links": True,
-        "nodes": list(nodes),
-        "points": list(points),
-        "ledger": False,
-        "ledger_every": 1,
-    }
-    prepared = line.core.prepare(line.mesh.lanes, scheme, step, contact, False, period_correction)
-    raw = prepared.run(
-        [pantographs.rider(pantograph, start_force, given)],
-        [0.0],
-        positions.tolist(),
-        [speed] * len(positions),
-        0.0,
-        list(loads),
-        plan,
-        lambda _step: True,
+    changing = [] if added is None else [ForceHistory([1.0], added.tolist())]
+    plan = RecordPlan(
+        contact_every=1,
+        line_every=1,
+        links=True,
+        nodes=nodes,
+        points=points,
+        ledger=False,
+        ledger_every=1,
+    )
+    model = line.core.prepare(
+        lanes=line.mesh.lanes,
+        scheme=scheme,
+        step=step,
+        contact_stiffness=contact,
+        updated=False,
+        period_correction=period_correction,
+    )
+    raw = model.run(
+        pantographs=[pantographs.data(pantograph, start_force, Excitation(changing))],
+        distances=[0.0],
+        positions=positions,
+        speeds=[speed] * len(positions),
+        friction=0.0,
+        loads=list(loads),
+        plan=plan,
+        observe=lambda _step: True,
     )
     rows = len(raw["line_time"])
     assert rows == len(positions) - 1

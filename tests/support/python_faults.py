@@ -7,7 +7,7 @@ from typing import Any
 from unittest.mock import patch
 
 from arcless.simulate.recording import record
-from tests.support.faults import COLUMNS, spoiled
+from tests.support.faults import spoiled
 
 
 @contextmanager
@@ -72,10 +72,10 @@ def tension(factor: float = 1.0, *, more: float = 0.0) -> Iterator[None]:
     """Change the tension asked for, of all wires and of what pulls at their ends: × factor + N."""
 
     def spoil(arguments: dict[str, Any]) -> None:
-        for kind, column in (("wires", "tension"), ("segments", "tension"), ("ends", "force")):
-            table = arguments["parts"][kind][1]
-            place = COLUMNS[kind].index(column)
-            table[:, place] = factor * table[:, place] + more
+        pulls = {"wires": "design_tension", "segments": "design_tension", "ends": "force"}
+        for kind, column in pulls.items():
+            table = arguments["parts"][kind]
+            table[column] = factor * table[column] + more
 
     with spoiled(spoil):
         yield

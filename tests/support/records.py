@@ -1,14 +1,15 @@
-"""Records of the evidence: compared with what a test measures, or written anew (`--publish`)."""
+"""Records of the evidence: compared with a test's measurements, or renewed (`--publish`)."""
 
-from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Container, Iterator
 from contextlib import contextmanager
 from fcntl import LOCK_EX, flock
 from pathlib import Path
 from types import ModuleType
 
+import pytest
+
 import arcless
-from arcless.validate.evidence import Measured, Noticed, Topic
+from arcless.validate.evidence import Measurement, NoticedFault, Topic
 from tests.support.faults import Fault
 from tests.support.figures import draw
 
@@ -39,16 +40,37 @@ def load(group: str, name: str) -> Topic:
     return Topic.from_json(file.read_text(encoding="utf-8"))
 
 
+def measuring(module: pytest.Module) -> list[pytest.Function]:
+    """Return the tests of a verification file that take the fixture `evidence`.
+
+    The file is collected whole, whatever part of it is run: what none of these is called, no run
+    of the file measures.
+    """
+    tests = [item for item in module.collect() if isinstance(item, pytest.Function)]
+    return [test for test in tests if "evidence" in test.fixturenames]
+
+
+def is_slow(test: pytest.Item) -> bool:
+    """Return whether a test is left to `make evidence`."""
+    return test.get_closest_marker("evidence") is not None
+
+
 def publish_rows(
-    file: Path, module: ModuleType, test: str, rows: list[Measured], figures: list[dict[str, str]]
-) -> None:
-    """Replace what the record has of a test, and what it has of tests that are gone."""
+    file: Path, module: ModuleType, test: str, rows: list[Measurement],
+    figures: list[dict[str, str]], *, tests: Container[str],
+) -> None:  # fmt: skip
+    """Replace what the record has of a test, and drop what it has of none of the file's `tests`."""
     with _own(file) as topic:
+        topic.rows = [row for row in topic.rows if row.test in tests]
         _take_rows(topic, module, test, rows, figures)
 
 
 def _take_rows(
-    topic: Topic, module: ModuleType, test: str, rows: list[Measured], figures: list[dict[str, str]]
+    topic: Topic,
+    module: ModuleType,
+    test: str,
+    rows: list[Measurement],
+    figures: list[dict[str, str]],
 ) -> None:
     topic.title, _, text = (module.__doc__ or "").strip().partition("\n")
     topic.title, topic.text = topic.title.rstrip("."), text.strip()
@@ -63,34 +85,26 @@ def _take_rows(
     ]
 
 
-def publish_fault(file: Path, faults: list[Fault], number: int, found: Noticed) -> None:
-    """Replace what the record has of a fault, and what it has of faults that are gone."""
+def publish_fault(file: Path, faults: list[Fault], found: NoticedFault) -> None:
+    """Replace what the record has of a fault, and drop what it has of faults that are gone."""
     with _own(file) as topic:
-        _take_fault(topic, faults, number, found)
+        _take_fault(topic, faults, found)
 
 
-def _take_fault(topic: Topic, faults: list[Fault], number: int, found: Noticed) -> None:
-    def told(fault: Noticed) -> tuple[str, ...]:
-        return fault.fault, fault.row, fault.found.partition("; ")[2]
+def _take_fault(topic: Topic, faults: list[Fault], found: NoticedFault) -> None:
+    def steady(fault: NoticedFault) -> tuple[str | bool, ...]:
+        allowed = fault.found.partition("; ")[2]
+        return fault.fault, fault.row, allowed, fault.slow
 
-    places = _numbered(fault.what for fault in faults)
-    known = dict(zip(_numbered(fault.fault for fault in topic.faults), topic.faults, strict=True))
+    known = {fault.test: fault for fault in topic.faults}
+    before = known.get(found.test)
     # What was found under a fault may vary; the record is kept while the tolerance beside it stays.
-    known[places[number]] = {told(fault): fault for fault in topic.faults}.get(told(found), found)
-    topic.faults = [known[place] for place in places if place in known]
+    if before is None or steady(before) != steady(found):
+        known[found.test] = found
+    topic.faults = [known[fault.name] for fault in faults if fault.name in known]
 
 
-def _numbered(texts: Iterable[str]) -> list[tuple[str, int]]:
-    """Tell faults of one text apart: the first, the second, …."""
-    seen: Counter[str] = Counter()
-    found = []
-    for text in texts:
-        found.append((text, seen[text]))
-        seen[text] += 1
-    return found
-
-
-def compare_rows(file: Path, test: str, rows: list[Measured]) -> None:
+def compare_rows(file: Path, test: str, rows: list[Measurement]) -> None:
     """Fail if a test measures something else than what its record says."""
     known = {row.what: row for row in load(*place(file)).rows if row.test == test}
     assert {row.what for row in rows} == set(known), f"not as recorded: {AGAIN}"
@@ -98,18 +112,18 @@ def compare_rows(file: Path, test: str, rows: list[Measured]) -> None:
         _compare(row, known[row.what])
 
 
-def compare_fault(file: Path, found: Noticed) -> None:
+def compare_fault(file: Path, found: NoticedFault) -> None:
     """Fail if a fault is noticed by something else than what its record says."""
-    known = [(fault.fault, fault.row) for fault in load(*place(file)).faults]
-    assert (found.fault, found.row) in known, f"not as recorded: {AGAIN}"
+    known = [(fault.test, fault.row) for fault in load(*place(file)).faults]
+    assert (found.test, found.row) in known, f"not as recorded: {AGAIN}"
 
 
-def _compare(now: Measured, then: Measured) -> None:
+def _compare(now: Measurement, then: Measurement) -> None:
     changes = _changes(now, then, DRIFT)
     assert not changes, f"{now.what}: {'; '.join(changes)}: {AGAIN}"
 
 
-def _changes(now: Measured, then: Measured, share: float) -> list[str]:
+def _changes(now: Measurement, then: Measurement, share: float) -> list[str]:
     """Say what differs by more than a share of the tolerance."""
     changes = [
         f"{name} changed"
@@ -125,14 +139,14 @@ def _changes(now: Measured, then: Measured, share: float) -> list[str]:
     return changes
 
 
-def _tolerance(row: Measured) -> float:
+def _tolerance(row: Measurement) -> float:
     if row.low is not None and row.high is not None:
         return (row.high - row.low) / 2.0
     bound = row.high if row.high is not None else row.low
     return abs(bound or 0.0)
 
 
-def _steady(rows: list[Measured], known: list[Measured]) -> list[Measured]:
+def _steady(rows: list[Measurement], known: list[Measurement]) -> list[Measurement]:
     """Keep the record of what only rounding moved, so that writing again changes no file."""
     before = {row.what: row for row in known}
     return [
@@ -144,9 +158,9 @@ def _steady(rows: list[Measured], known: list[Measured]) -> list[Measured]:
 
 
 def _replaced(
-    known: list[Measured], test: str, found: list[Measured], module: ModuleType
-) -> list[Measured]:
-    kept = [row for row in known if row.test != test and hasattr(module, _function(row.test))]
+    known: list[Measurement], test: str, found: list[Measurement], module: ModuleType
+) -> list[Measurement]:
+    kept = [row for row in known if row.test != test]
     lines = {
         row.test: getattr(module, _function(row.test)).__code__.co_firstlineno
         for row in [*kept, *found]

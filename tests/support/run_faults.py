@@ -9,14 +9,7 @@ from unittest.mock import patch
 from arcless.equilibrium import equilibrium
 from tests.support.schemes import Member
 
-PREPARED = ("lanes", "scheme", "step", "contact_stiffness", "updated", "corrected")
-RUN = (
-    "riders", "distances", "positions", "speeds", "friction", "loads", "plan", "observe",
-    "state", "until",
-)  # fmt: skip
-# Where `arcless.simulate.setup.pantographs.RiderData` keeps its matrices.
-RIDER = {"mass": 0, "damping": 1, "stiffness": 2}
-START_FORCE = 6
+WATCHING = ("observe", "take")
 # False where there was nothing to spoil.
 Spoil = Callable[[dict[str, Any]], bool | None]
 
@@ -33,7 +26,7 @@ class _Watched:
 
 @contextmanager
 def spoiled(*, preparing: Spoil | None = None, running: Spoil | None = None) -> Iterator[None]:
-    """Let functions change the arguments of every `prepare` (PREPARED) and `run` (RUN).
+    """Let functions change the arguments of every `prepare` and `run`.
 
     Raises
     ------
@@ -43,25 +36,25 @@ def spoiled(*, preparing: Spoil | None = None, running: Spoil | None = None) -> 
     core = equilibrium._core
     spoilt: list[Spoil] = []
 
-    def changed(names: tuple[str, ...], values: tuple[Any, ...], spoil: Spoil | None) -> list[Any]:
-        named = dict(zip(names[: len(values)], values, strict=True))
+    def changed(arguments: dict[str, Any], spoil: Spoil | None) -> dict[str, Any]:
         if spoil is not None:
             # Matrices and plans are used again; who watches stays who it is.
-            named |= deepcopy({name: value for name, value in named.items() if name != "observe"})
-            if spoil(named) is not False:
+            own = {name: value for name, value in arguments.items() if name not in WATCHING}
+            arguments |= deepcopy(own)
+            if spoil(arguments) is not False:
                 spoilt.append(spoil)
-        return list(named.values())
+        return arguments
 
-    def build(*arguments: Any, **named: Any) -> Any:
-        found = core.Equilibrium(*arguments, **named)
+    def build(**arguments: Any) -> Any:
+        found = core.Equilibrium(**arguments)
 
-        def prepare(*arguments: Any) -> Any:
-            prepared = found.prepare(*changed(PREPARED, arguments, preparing))
+        def prepare(**arguments: Any) -> Any:
+            model = found.prepare(**changed(arguments, preparing))
 
-            def run(*arguments: Any) -> Any:
-                return prepared.run(*changed(RUN, arguments, running))
+            def run(**arguments: Any) -> Any:
+                return model.run(**changed(arguments, running))
 
-            return _Watched(prepared, run=run)
+            return _Watched(model, run=run)
 
         return _Watched(found, prepare=prepare)
 
@@ -74,19 +67,16 @@ def spoiled(*, preparing: Spoil | None = None, running: Spoil | None = None) -> 
 
 
 @contextmanager
-def rider_scaled(matrix: str, factor: float) -> Iterator[None]:
-    """Multiply the mass, damping or stiffness matrix of every rider."""
+def pantograph_scaled(matrix: str, factor: float) -> Iterator[None]:
+    """Multiply the mass, damping or stiffness matrix of every pantograph."""
 
     def spoil(arguments: dict[str, Any]) -> bool:
-        before = arguments["riders"]
-        arguments["riders"] = [
-            tuple(
-                [factor * value for value in part] if number == RIDER[matrix] else part
-                for number, part in enumerate(rider)
-            )
-            for rider in before
+        before = arguments["pantographs"]
+        arguments["pantographs"] = [
+            one._replace(**{matrix: [factor * value for value in getattr(one, matrix)]})
+            for one in before
         ]
-        return bool(arguments["riders"] != before)
+        return bool(arguments["pantographs"] != before)
 
     with spoiled(running=spoil):
         yield
@@ -94,12 +84,11 @@ def rider_scaled(matrix: str, factor: float) -> Iterator[None]:
 
 @contextmanager
 def start_force(factor: float) -> Iterator[None]:
-    """Multiply the contact force at the start, which the preload of every rider follows from."""
+    """Multiply the contact force at the start, from which each preload follows."""
 
     def spoil(arguments: dict[str, Any]) -> None:
-        arguments["riders"] = [
-            (*rider[:START_FORCE], factor * rider[START_FORCE], *rider[START_FORCE + 1 :])
-            for rider in arguments["riders"]
+        arguments["pantographs"] = [
+            one._replace(start_force=factor * one.start_force) for one in arguments["pantographs"]
         ]
 
     with spoiled(running=spoil):

@@ -1,4 +1,4 @@
-"""A pulse that meets an obstacle on a straight wire: what comes back, and what goes on."""
+"""A pulse that meets an obstacle on a straight wire: its reflection and transmission."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -27,7 +27,7 @@ class Scattered:
     Attributes
     ----------
     omega : at which closed forms are to be taken, 1/s (see `tests.support.waves`)
-    back, on : of what comes back and of what goes on, on the first wire
+    back, on : of the reflected and of the transmitted wave, on the first wire
     across : of what goes to either side on each further wire
     """
 

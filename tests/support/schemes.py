@@ -33,7 +33,7 @@ class Member:
 
     @property
     def published(self) -> bool:
-        """Whether it is the scheme of one-sided differences."""
+        """True for the scheme of one-sided differences."""
         return self.name == "backward-difference"
 
     @property

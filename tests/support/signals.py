@@ -1,8 +1,12 @@
-"""Processes that Ctrl-C reaches, whoever started the tests."""
+"""Processes that signals reach in the middle of their work."""
 
+import os
 import signal
+import subprocess
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
+from pathlib import Path
 
 
 @contextmanager
@@ -17,3 +21,20 @@ def interruptible() -> Iterator[None]:
         yield
     finally:
         signal.signal(signal.SIGINT, before)
+
+
+# Processor time that a process has used when it computes, s: imports take 0.4 to 0.7.
+PAST_IMPORTS_S = 1.5
+
+
+def compute(running: subprocess.Popen[str] | subprocess.Popen[bytes]) -> None:
+    """Wait until a process computes: by its processor time, which other work does not change."""
+    while _used(running.pid) < PAST_IMPORTS_S:
+        assert running.poll() is None, running.communicate()
+        time.sleep(0.02)
+
+
+def _used(pid: int) -> float:
+    """Return the processor time of a process and its threads, s."""
+    fields = Path(f"/proc/{pid}/stat").read_text("ascii").rpartition(")")[2].split()
+    return sum(map(int, fields[11:13])) / os.sysconf("SC_CLK_TCK")

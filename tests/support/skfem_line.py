@@ -31,7 +31,7 @@ class Line:
             self._wire(name)
         self.size = len(self.start)
         mesh = cut.mesh
-        self.fixed = {self.at[int(node)][int(c)] for node, c in mesh.parts["fixed"][0]}
+        self.fixed = {self.at[int(node)][int(c)] for node, c in mesh.parts["fixed"]}
         self.free = np.array(sorted(set(range(self.size)) - self.fixed))
         self.springs = self._springs()
         self.droppers = [
@@ -46,9 +46,9 @@ class Line:
         """Cut a wire at its hinges; number its pieces."""
         mesh, kind = self.cut.mesh, getattr(self.scenario.line, name)
         piece: list[int] = []
-        ends = mesh.parts["wires"][0]
+        slopes = mesh.parts["wires"]["slope_nodes"]
         for row in mesh.wire_rows[name]:
-            if piece and ends[piece[-1], 3] != ends[row, 2]:  # another slope: a hinge
+            if piece and slopes[piece[-1], 1] != slopes[row, 0]:  # another slope: a hinge
                 self._piece(piece, kind)
                 piece = []
             piece.append(row)
@@ -60,7 +60,7 @@ class Line:
         joints = np.concatenate([[0.0], np.cumsum(lengths)])
         fine = np.interp(np.arange(len(rows) * parts + 1) / parts, range(len(joints)), joints)
         wire = Wire(fine, kind.axial_stiffness, kind.bending_stiffness, kind.mass)
-        table = mesh.parts["wires"][0]
+        table = mesh.parts["wires"]["nodes"]
         nodes = [int(table[rows[0], 0]), *(int(node) for node in table[rows, 1])]
         drawn = [np.interp(fine, joints, mesh.positions[nodes, c]) for c in (X, Z)]
         numbers = np.full(2 * wire.size, -1)
@@ -85,7 +85,7 @@ class Line:
     def _springs(self) -> list[tuple[int, float, float]]:
         line, mesh = self.scenario.line, self.cut.mesh
         on_contact, made = set(mesh.contact_nodes), []
-        for row, (node, component, _) in enumerate(mesh.parts["springs"][0]):
+        for row, (node, component) in enumerate(mesh.parts["springs"][["node", "component"]]):
             part = line.steady_arm if int(node) in on_contact else line.support
             stiffness = part.longitudinal_stiffness if component == X else part.vertical_stiffness
             unknown = self.at[int(node)][int(component)]

@@ -10,7 +10,7 @@ from arcless.mesh import PLANAR, Mesh
 from arcless.mesh.tables.parts import Parts
 from tests.support import catenary
 from tests.support.evidence import Evidence
-from tests.support.structures import at_rest, mesh_of
+from tests.support.structures import add_element, at_rest, mesh_of
 
 # Wire model, components of space.
 MODELS = {
@@ -55,17 +55,18 @@ def span(
     tension = axial * (length / rest - 1.0) if length > rest else 1.0
     for i, piece in enumerate(pieces):
         if kind == "hermite":
-            both = (i, i + 1)
-            parts.add("wires", (*both, *both), (piece, axial, bending, mass, 0.0, 0.0, tension))
+            add_element(
+                parts, i, rest=piece, axial=axial, mass=mass, tension=tension, bending=bending
+            )
         else:
-            parts.add("segments", (i, i + 1), (piece, axial, mass, 0.0, 0.0, tension))
+            add_element(parts, i, rest=piece, axial=axial, mass=mass, tension=tension)
             if i and bending > 0.0:
-                parts.add("bends", (i - 1, i), (bending, 0.0))
+                parts.add("bends", segments=(i - 1, i), bending_stiffness=bending, beta=0.0)
         if wind:
-            parts.add("wire_loads", (), (0.0, wind, 0.0))
+            parts.add("wire_loads", force=(0.0, wind, 0.0))
     for component in range(dimension):
-        parts.add("fixed", (0, component))
-        parts.add("fixed", (count, component))
+        parts.fix(0, component)
+        parts.fix(count, component)
     return mesh_of(dimension, points, slopes, parts, list(range(count)), gravity=gravity)
 
 

@@ -1,4 +1,4 @@
-"""How much an assessed number scatters when only the start of a run is another one."""
+"""Scatter of an assessed number over starts of a run."""
 
 from typing import Any
 

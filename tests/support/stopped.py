@@ -54,7 +54,7 @@ class Job:
 
 @dataclass(frozen=True)
 class End:
-    """How a command line ended."""
+    """End of a command: exit code and output."""
 
     code: int  # negative: the signal
     operations: int  # seen until it was stopped or done

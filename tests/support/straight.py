@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 from arcless.equilibrium.equilibrium import Equilibrium
 from arcless.mesh import PLANAR, SPATIAL
 from arcless.mesh.division import wires
-from arcless.mesh.tables.parts import GIVEN, Parts
+from arcless.mesh.tables.columns import GIVEN
+from arcless.mesh.tables.parts import Parts
 from arcless.model.line.parts.components import DropperType, Wire
 from tests.support.structures import at_rest, mesh_of
 
@@ -92,12 +93,12 @@ class Straight:
         for which, kind in enumerate(kinds):
             for end in (0, len(x) - 1):
                 number = end * len(kinds) + which
-                self.parts.add("fixed", (number, ALONG))
+                self.parts.fix(number, ALONG)
                 if not loose:
-                    self.parts.add("fixed", (number, self.up))
+                    self.parts.fix(number, self.up)
                 if slant is not None:
-                    self.parts.add("fixed", (number, ACROSS))
-            self.parts.add("ends", (number, 0), (kind.tension,))
+                    self.parts.fix(number, ACROSS)
+            self.parts.add("ends", node=number, force=kind.tension, released=False)
 
     def _lay(self, which: int, kind: Wire) -> list[int]:
         numbers = [i * len(self.kinds) + which for i in range(len(self.x))]
@@ -118,14 +119,16 @@ class Straight:
 
     def add_mass(self, x: float, mass: float, which: int = 0) -> None:
         """Fasten a mass, kg."""
-        self.parts.add_mass(self.node(x, which), mass, 0.0)
+        self.parts.add_mass(self.node(x, which), mass)
 
     def add_spring(
         self, x: float, stiffness: float = NEARLY_NONE, damping: float = 0.0, which: int = 0
     ) -> None:
-        """Fasten a spring to the ground, N/m, with a damper beside it, N·s/m."""
-        rest = self.heights[which]
-        self.parts.add("springs", (self.node(x, which), self.up, GIVEN), (stiffness, damping, rest))
+        """Fasten a spring to the ground, N/m, with a parallel damper, N·s/m."""
+        self.parts.add_spring(
+            self.node(x, which), self.up, GIVEN,
+            stiffness=stiffness, viscosity=damping, rest=self.heights[which],
+        )  # fmt: skip
 
     def add_dropper(self, x: float, kind: DropperType, pull: float = 0.0) -> int:
         """Hang the first wire on the second; return its row.
@@ -134,8 +137,8 @@ class Straight:
         """
         upper, lower = self.node(x, 1), self.node(x, 0)
         if pull:
-            self.parts.add("loads", (lower, self.up), (-pull,))
-            self.parts.add("loads", (upper, self.up), (pull,))
+            self.parts.add("loads", node=lower, component=self.up, force=-pull)
+            self.parts.add("loads", node=upper, component=self.up, force=pull)
         apart = self.heights[1] - self.heights[0]
         return self.parts.add_dropper(kind, upper, lower, apart, apart - pull / kind.stiffness)
 

@@ -28,13 +28,34 @@ def mesh_of(
     )
 
 
+def add_element(
+    parts: Parts, i: int, *, rest: float, axial: float, mass: float, tension: float,
+    bending: float | None = None,
+) -> int:  # fmt: skip
+    """Add an undamped element from node `i` to the next: cubic if it has a bending stiffness.
+
+    Rest length in m, EA in N, kg/m, tension of the design in N, EI in N·m².
+    """
+    columns = {
+        "nodes": (i, i + 1), "rest_length": rest, "axial_stiffness": axial, "mass": mass,
+        "alpha": 0.0, "beta": 0.0, "design_tension": tension,
+    }  # fmt: skip
+    if bending is None:
+        return parts.add("segments", **columns)
+    return parts.add("wires", **columns, slope_nodes=(i, i + 1), bending_stiffness=bending)
+
+
 def at_rest(
     mesh: Mesh, *, design: bool = False, fitted_bends: bool = False,
     residual_flexibility: bool = False,
 ) -> equilibrium.Equilibrium:  # fmt: skip
     """Find the equilibrium; through the module that deliberate faults spoil."""
     core = equilibrium._core.Equilibrium(
-        *(mesh.dimension, mesh.positions, mesh.slopes, mesh.parts, mesh.gravity),
+        dimension=mesh.dimension,
+        positions=mesh.positions,
+        slopes=mesh.slopes,
+        parts=mesh.parts,
+        gravity=mesh.gravity,
         design=design,
         residual_flexibility=residual_flexibility,
         fitted_bends=fitted_bends,

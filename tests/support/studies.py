@@ -86,7 +86,7 @@ def journal_of(folder: Path, name: str = "small") -> StudyFolder:
 
 
 def rows_in(journal: Path) -> int:
-    """Return how many rows a journal has, whoever is writing it; 0 of none."""
+    """Return how many rows a journal has, also while it is written; 0 of none."""
     try:
         with closing(sqlite3.connect(f"{journal.absolute().as_uri()}?mode=ro", uri=True)) as base:
             return int(base.execute("SELECT count(*) FROM rows").fetchone()[0])

@@ -67,7 +67,7 @@ class Table(pytest.Collector):
         def notice(request: pytest.FixtureRequest) -> None:
             found = self.faults[number].noticed(request.getfixturevalue)
             if request.config.getoption("--publish"):
-                records.publish_fault(self.path, self.faults, number, found)
+                records.publish_fault(self.path, self.faults, found)
             else:
                 records.compare_fault(self.path, found)
 

@@ -7,11 +7,11 @@
 #[path = "../tests/common/mod.rs"]
 mod common;
 
-use arcless_core::integrator::prepared::WireModel;
+use arcless_core::integrator::wire_model::WireModel;
 use arcless_core::lcp::LcpSolver;
 use arcless_core::linalg::BlockLdl;
 use arcless_core::scheme::Scheme;
-use arcless_core::session::{Begin, Collector, Session};
+use arcless_core::session::{Collector, Session, SessionStart};
 use arcless_core::structure::Structure;
 use common::chain::lumped;
 use common::space::staggered;
@@ -80,8 +80,8 @@ fn explicit<const DIM: usize, const D: usize>() -> Arc<WireModel<DIM, D>> {
     Arc::new(steps.expect("short steps"))
 }
 
-fn begin() -> Begin {
-    Begin {
+fn begin() -> SessionStart {
+    SessionStart {
         position: START,
         speed: SPEED,
         friction: 0.0,
@@ -90,7 +90,7 @@ fn begin() -> Begin {
 
 fn riders<const DIM: usize, const D: usize>(p: &Arc<WireModel<DIM, D>>) -> Session<DIM, D> {
     let rider = common::three_masses(170.0);
-    Session::with_riders(p.clone(), vec![rider], vec![0.0], begin()).expect("it stands")
+    Session::with_pantographs(p.clone(), vec![rider], vec![0.0], begin()).expect("it stands")
 }
 
 fn forces<const DIM: usize, const D: usize>(p: &Arc<WireModel<DIM, D>>) -> Session<DIM, D> {
@@ -103,7 +103,7 @@ fn forces<const DIM: usize, const D: usize>(p: &Arc<WireModel<DIM, D>>) -> Sessi
 
 fn steps<const DIM: usize, const D: usize>(mut live: Session<DIM, D>) -> [usize; 2] {
     // A rider without actuator takes no force; a force that is given swings about its mean.
-    let size = if live.reading().contacts.is_empty() {
+    let size = if live.outputs().contacts.is_empty() {
         1.0
     } else {
         0.0

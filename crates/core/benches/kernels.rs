@@ -5,7 +5,7 @@
 mod common;
 
 use arcless_core::constraint::columns::ComplianceColumns;
-use arcless_core::integrator::prepared::WireModel;
+use arcless_core::integrator::wire_model::WireModel;
 use arcless_core::lcp::LcpSolver;
 use arcless_core::linalg::BlockLdl;
 use arcless_core::scheme::Scheme;
@@ -63,7 +63,7 @@ fn solves<const DIM: usize, const D: usize>(bencher: Bencher, p: &WireModel<DIM,
 /// Solve for a unit force on the wire in the middle of the line and keep what is not negligible.
 fn finds_column<const DIM: usize, const D: usize>(bencher: Bencher, p: &WireModel<DIM, D>) {
     let factor = factor(p);
-    let node = p.lanes[0].nodes[p.lanes[0].nodes.len() / 2];
+    let node = p.slidelines[0].nodes[p.slidelines[0].nodes.len() / 2];
     let mut force = [0.0; D];
     force[DIM - 1] = 1.0;
     let [mut x, mut work] = [0, 1].map(|_| vec![[0.0; D]; p.line.nodes()]);

@@ -1,21 +1,22 @@
-//! A state between two steps as plain numbers under plain names, for files.
+//! Checkpoint: a state between two steps as plain numbers with plain names, for files.
 //!
-//! Only what the motion has made of the run is in it. What follows from line, riders and travel is
-//! made anew by whoever goes on, from the same line, riders and travel.
+//! A checkpoint contains the state of the motion alone. Data that follow from line, pantographs and
+//! trajectory are computed again when a run is continued, from the same line, pantographs and
+//! trajectory.
 
 use crate::error::CoreError;
 use std::collections::BTreeMap;
 
-/// Numbers with which a run goes on as if it had never stopped.
+/// Numbers from which a run continues as if it had never stopped.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Checkpoint {
-    /// Steps done.
+    /// Number of steps done.
     pub step: usize,
     /// Numbers by name, SI; counts and flags are whole numbers.
     pub numbers: BTreeMap<String, Vec<f64>>,
 }
 
-/// Refuse a state.
+/// Refuses a state.
 pub(crate) fn refuse(name: &str, reason: &str) -> CoreError {
     CoreError::Input {
         array: "state",
@@ -23,32 +24,36 @@ pub(crate) fn refuse(name: &str, reason: &str) -> CoreError {
     }
 }
 
-/// Goes through everything that changes during a run. One walk takes a state down and puts it
-/// back, so that neither can forget what the other knows.
+/// Archive of everything that changes during a run. One function saves a state and restores it, so
+/// that both handle the same fields.
 pub(crate) struct Archive<'a> {
-    /// What is put back; `None` while a state is taken down.
+    /// Numbers that are restored; `None` while a state is saved.
     saved: Option<&'a BTreeMap<String, Vec<f64>>>,
-    taken: BTreeMap<String, Vec<f64>>,
-    met: usize,
+    /// Numbers saved so far.
+    collected: BTreeMap<String, Vec<f64>>,
+    /// Number of lists visited.
+    visited: usize,
 }
 
-/// Whole numbers up to this one are exact.
-const MOST: f64 = 9_007_199_254_740_992.0;
+/// Largest whole number below which all are exact.
+const LARGEST_EXACT: f64 = 9_007_199_254_740_992.0;
 
 impl<'a> Archive<'a> {
-    pub(crate) fn taking_down() -> Self {
+    /// Archive that saves a state.
+    pub(crate) fn saving() -> Self {
         Self {
             saved: None,
-            taken: BTreeMap::new(),
-            met: 0,
+            collected: BTreeMap::new(),
+            visited: 0,
         }
     }
 
-    pub(crate) fn putting_back(saved: &'a Checkpoint) -> Self {
+    /// Archive that restores a state.
+    pub(crate) fn restoring(saved: &'a Checkpoint) -> Self {
         Self {
             saved: Some(&saved.numbers),
-            taken: BTreeMap::new(),
-            met: 0,
+            collected: BTreeMap::new(),
+            visited: 0,
         }
     }
 
@@ -56,25 +61,25 @@ impl<'a> Archive<'a> {
     pub(crate) fn checkpoint(self, step: usize) -> Checkpoint {
         Checkpoint {
             step,
-            numbers: self.taken,
+            numbers: self.collected,
         }
     }
 
-    /// Nothing may be left over: it would belong to another run.
+    /// Refuses numbers that were not visited: they belong to another run.
     pub(crate) fn finish(&self) -> Result<(), CoreError> {
         match self.saved {
-            Some(saved) if saved.len() != self.met => {
+            Some(saved) if saved.len() != self.visited => {
                 Err(refuse("numbers", "has parts that this run does not have"))
             }
             _ => Ok(()),
         }
     }
 
-    /// A list of any length.
+    /// Saves or restores a list of any length.
     pub(crate) fn list(&mut self, name: &str, values: &mut Vec<f64>) -> Result<(), CoreError> {
-        self.met += 1;
+        self.visited += 1;
         let Some(saved) = self.saved else {
-            self.taken.insert(name.into(), values.clone());
+            self.collected.insert(name.into(), values.clone());
             return Ok(());
         };
         let saved = saved.get(name).ok_or_else(|| refuse(name, "is missing"))?;
@@ -85,51 +90,51 @@ impl<'a> Archive<'a> {
         Ok(())
     }
 
-    /// As many numbers as there are.
+    /// Saves or restores as many numbers as there are.
     pub(crate) fn numbers<'v>(
         &mut self,
         name: &str,
         values: impl Iterator<Item = &'v mut f64>,
     ) -> Result<(), CoreError> {
-        let places: Vec<&mut f64> = values.collect();
-        let mut list = places.iter().map(|v| **v).collect();
+        let targets: Vec<&mut f64> = values.collect();
+        let mut list = targets.iter().map(|v| **v).collect();
         self.list(name, &mut list)?;
-        if list.len() != places.len() {
-            let reason = format!("has {} numbers, not {}", list.len(), places.len());
+        if list.len() != targets.len() {
+            let reason = format!("has {} numbers, not {}", list.len(), targets.len());
             return Err(refuse(name, &reason));
         }
-        places.into_iter().zip(list).for_each(|(v, new)| *v = new);
+        targets.into_iter().zip(list).for_each(|(v, new)| *v = new);
         Ok(())
     }
 
-    /// As many counts as there are.
+    /// Saves or restores as many counts as there are.
     pub(crate) fn counts<'v>(
         &mut self,
         name: &str,
         values: impl Iterator<Item = &'v mut usize>,
     ) -> Result<(), CoreError> {
-        let places: Vec<&mut usize> = values.collect();
-        let mut list: Vec<f64> = places.iter().map(|v| **v as f64).collect();
+        let targets: Vec<&mut usize> = values.collect();
+        let mut list: Vec<f64> = targets.iter().map(|v| **v as f64).collect();
         self.numbers(name, list.iter_mut())?;
-        for (place, number) in places.into_iter().zip(list) {
-            *place = count(name, number)?;
+        for (target, number) in targets.into_iter().zip(list) {
+            *target = count(name, number)?;
         }
         Ok(())
     }
 
-    /// As many flags as there are.
+    /// Saves or restores as many flags as there are.
     pub(crate) fn flags<'v>(
         &mut self,
         name: &str,
         values: impl Iterator<Item = &'v mut bool>,
     ) -> Result<(), CoreError> {
-        let places: Vec<&mut bool> = values.collect();
-        let mut list: Vec<usize> = places.iter().map(|v| usize::from(**v)).collect();
+        let targets: Vec<&mut bool> = values.collect();
+        let mut list: Vec<usize> = targets.iter().map(|v| usize::from(**v)).collect();
         self.counts(name, list.iter_mut())?;
         if list.iter().any(|&v| v > 1) {
             return Err(refuse(name, "is neither 0 nor 1"));
         }
-        places
+        targets
             .into_iter()
             .zip(list)
             .for_each(|(v, new)| *v = new == 1);
@@ -137,9 +142,9 @@ impl<'a> Archive<'a> {
     }
 }
 
-/// A whole number.
+/// Count from a number, which has to be whole.
 pub(crate) fn count(name: &str, number: f64) -> Result<usize, CoreError> {
-    if number.fract() == 0.0 && (0.0..MOST).contains(&number) {
+    if number.fract() == 0.0 && (0.0..LARGEST_EXACT).contains(&number) {
         return Ok(number as usize);
     }
     Err(refuse(name, "is no count"))

@@ -1,4 +1,4 @@
-//! What can go wrong in the core, each variant with the numbers that explain it.
+//! Errors of the core, each variant with the numbers that explain it.
 
 use crate::lcp::LcpFailure;
 
@@ -10,7 +10,7 @@ pub enum CoreError {
     Input {
         /// Name of the array.
         array: &'static str,
-        /// What is wrong with it.
+        /// Reason why it is refused.
         reason: String,
     },
     /// Explicit steps are longer than is stable.
@@ -18,7 +18,7 @@ pub enum CoreError {
     StepTooLong {
         /// Time step, s.
         step: f64,
-        /// Longest stable one, s, four figures.
+        /// Longest stable time step, s, four figures.
         longest: f64,
     },
     /// A pivot of a factorisation vanished: the structure can move without force.
@@ -43,7 +43,7 @@ pub enum CoreError {
         iterations: usize,
         /// Largest force that is not balanced, N (or N·m for slopes).
         residual: f64,
-        /// Where it acts.
+        /// Node where it acts.
         node: usize,
         /// Largest residual accepted, N.
         tolerance: f64,
@@ -53,33 +53,35 @@ pub enum CoreError {
     PushingLink {
         /// Index of the link.
         link: usize,
-        /// Its (negative) tension, N.
+        /// Tension of the link (negative), N.
         force: f64,
     },
-    /// A table ends before a rider is in equilibrium at the start.
-    #[error("table {table} of rider {rider} ends at {end} m, the start is at {place} m")]
+    /// A table ends before a pantograph is in equilibrium at the start.
+    #[error(
+        "table {table} of pantograph {pantograph} ends at {end} m, the start is at {displacement} m"
+    )]
     BeyondTable {
-        /// Index of the rider.
-        rider: usize,
-        /// Index of the table among its laws.
+        /// Index of the pantograph.
+        pantograph: usize,
+        /// Index of the table among the piecewise linear forces.
         table: usize,
-        /// Displacement in equilibrium if the table went on, m.
-        place: f64,
-        /// Where it ends, m.
+        /// Displacement in equilibrium if the table continued, m.
+        displacement: f64,
+        /// Displacement at the end of the table, m.
         end: f64,
     },
-    /// The force of an actuator was asked for and not given.
-    #[error("no force for rider {rider} in step {step} (t = {time:.6} s): {reason}")]
+    /// The controller of an actuator gave no force.
+    #[error("no force for pantograph {pantograph} in step {step} (t = {time:.6} s): {reason}")]
     Control {
-        /// Index of the rider.
-        rider: usize,
+        /// Index of the pantograph.
+        pantograph: usize,
         /// Step number.
         step: usize,
         /// Time, s.
         time: f64,
-        /// Position of the rider, m.
+        /// Position of the pantograph, m.
         position: f64,
-        /// Why.
+        /// Reason given by the controller.
         reason: String,
     },
     /// A number became infinite or not a number.
@@ -87,27 +89,28 @@ pub enum CoreError {
     NotFinite {
         /// Quantity concerned.
         what: &'static str,
-        /// Step at which it was noticed.
+        /// Number of the step after which it was noticed.
         step: usize,
     },
-    /// The energy ledger does not close.
+    /// The energy balance does not close.
     #[error(
-        "the energy balance does not close in step {step} (t = {time:.6} s): {what} of {off:.3e} J, \
-         {turnover:.3e} J were turned over"
+        "the energy balance does not close in step {step} (t = {time:.6} s): {what} of \
+         {off:.3e} J, {turnover:.3e} J were turned over"
     )]
     Balance {
-        /// `residual`, `damping` that gives energy, or `switching`.
+        /// Term: `residual`, `damping` that gives energy, or `switching`.
         what: &'static str,
         /// Step number.
         step: usize,
-        /// Time at its end, s.
+        /// Time at the end of the step, s.
         time: f64,
-        /// How much, J.
+        /// Error of the term, J.
         off: f64,
         /// Energy turned over or stored so far, J.
         turnover: f64,
     },
-    /// The wire that contacts run along no longer runs forwards: the motion has grown out of bounds.
+    /// The wire that contacts run along no longer runs forwards: the motion has grown out of
+    /// bounds.
     #[error("the wire folds back on itself in step {step}")]
     Folded {
         /// Step number.
@@ -120,13 +123,13 @@ pub enum CoreError {
         step: usize,
         /// Time, s.
         time: f64,
-        /// Contacts in the problem: rider, strip, lane.
+        /// Contacts in the problem: pantograph, strip, slideline.
         contacts: Vec<[usize; 3]>,
-        /// Links in the problem, by index, after the contacts.
+        /// Links in the problem by index, in the rows after the contacts.
         links: Vec<usize>,
-        /// Number of stops of each rider; they stand behind the links.
+        /// Number of stops of each pantograph, in the rows after the links.
         stops: Vec<usize>,
-        /// The problem itself and why it failed.
+        /// Complementarity problem and the reason of its failure.
         failure: Box<LcpFailure>,
     },
     /// The set of slack links did not settle within a step.
@@ -137,27 +140,27 @@ pub enum CoreError {
         /// Time, s.
         time: f64,
     },
-    /// A strip of a rider stands where no lane has wire.
-    #[error("rider {rider} left the wire at {position:.3} m in step {step}")]
+    /// A strip of a pantograph is where no slideline has wire.
+    #[error("pantograph {pantograph} left the wire at {position:.3} m in step {step}")]
     OffWire {
-        /// Index of the rider.
-        rider: usize,
+        /// Index of the pantograph.
+        pantograph: usize,
         /// Position along the track, m.
         position: f64,
         /// Step number.
         step: usize,
     },
-    /// All wires lie beyond the ends of a rider's strips.
+    /// All wires are beyond the ends of a strip of a pantograph.
     #[error(
-        "the wire leaves rider {rider} sideways at {position:.3} m in step {step}: {lateral:.3} m off \
-         the middle of a strip that reaches {half_width:.3} m"
+        "the wire leaves pantograph {pantograph} sideways at {position:.3} m in step {step}: \
+         {lateral:.3} m off the middle of a strip that reaches {half_width:.3} m"
     )]
     OutOfReach {
-        /// Index of the rider.
-        rider: usize,
+        /// Index of the pantograph.
+        pantograph: usize,
         /// Position of the strip along the track, m.
         position: f64,
-        /// Lateral place of the wire least far out, m.
+        /// Lateral position of the nearest wire, m.
         lateral: f64,
         /// Half width of the strip, m.
         half_width: f64,
@@ -167,16 +170,22 @@ pub enum CoreError {
     /// The caller asked to stop.
     #[error("cancelled at step {step}")]
     Cancelled {
-        /// Steps done.
+        /// Number of steps done.
         step: usize,
     },
 }
 
 impl CoreError {
-    /// The same error with the number of the rider that it is about.
-    pub(crate) fn of_rider(mut self, number: usize) -> Self {
-        if let Self::BeyondTable { rider, .. } = &mut self {
-            *rider = number;
+    /// Refuses an input array, with what is wrong with it.
+    pub(crate) fn invalid(array: &'static str, reason: impl Into<String>) -> Self {
+        let reason = reason.into();
+        Self::Input { array, reason }
+    }
+
+    /// Sets the index of the pantograph concerned.
+    pub(crate) fn of_pantograph(mut self, number: usize) -> Self {
+        if let Self::BeyondTable { pantograph, .. } = &mut self {
+            *pantograph = number;
         }
         self
     }

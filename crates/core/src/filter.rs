@@ -4,10 +4,10 @@
 //!
 //! Source: Oppenheim & Schafer, Discrete-Time Signal Processing, section 6.3.
 
-/// One section: b₀, b₁, b₂, a₁, a₂ (a₀ = 1).
+/// Second-order section: b₀, b₁, b₂, a₁, a₂ (a₀ = 1).
 pub type Section = [f64; 5];
 
-/// Filter a signal in place; `state` holds z₁ and z₂ of each section, before and after.
+/// Filters a signal in place; `state` holds z₁ and z₂ of each section, before and after.
 pub fn cascade(sections: &[Section], state: &mut [[f64; 2]], signal: &mut [f64]) {
     for value in signal {
         for (&[b0, b1, b2, a1, a2], z) in sections.iter().zip(state.iter_mut()) {

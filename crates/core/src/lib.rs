@@ -3,35 +3,39 @@
 //! The arrow of the core:
 //!
 //! ```text
-//! Structure ─→ Geometry ─→ shape (static equilibrium) ─→ LinearModel ─→ WireModel ─→ Model ─step─→ Record
+//! Structure ─→ Geometry ─→ shape (static equilibrium) ─→ LinearModel ─→ WireModel ─→ Model
+//!                                                                         Model ─step─→ Record
 //! ```
 //!
 //! * [`structure`] — wires, links, springs and masses as plain data;
 //! * [`statics`] — positions from lengths, or lengths from positions;
 //! * [`linear`] — matrices about the equilibrium, static response, natural frequencies;
 //! * [`slideline`] — wires that contacts run along;
-//! * [`pantograph`] — what travels along them;
+//! * [`pantograph`] — pantographs that travel along them;
 //! * [`constraint`] — contacts, slack links and stops: one [`lcp`] per step;
-//! * [`integrator`] — how wires take a step, and the ledger of energies;
-//! * [`simulation`] — model, state, and the [step](simulation::step::step) between two states; runs;
-//! * [`session`] — steps one by one, driven from outside;
-//! * [`element`], [`linalg`], [`scheme`], [`flexibility`] — what these are made of;
-//! * [`filter`] — recursive filters for what was recorded; [`checkpoint`] — states as plain numbers.
+//! * [`integrator`] — how wires take a step, and the energy balance;
+//! * [`simulation`] — model, state, and the [step](simulation::step::step) between two states;
+//!   runs;
+//! * [`session`] — single steps, driven from outside;
+//! * [`element`], [`linalg`], [`scheme`], [`residual_flexibility`] — the parts of these;
+//! * [`filter`] — recursive filters for recorded signals; [`checkpoint`] — states as plain numbers.
 //!
-//! `DIM` is the number of components of space (2 or 3), `D` the unknowns of a node: `2·DIM` (position
-//! and slope) where wires are Hermite elements, `DIM` where they are chains of point masses.
+//! `DIM` is the number of components of space (2 or 3), `D` the unknowns of a node: `2·DIM`
+//! (position and slope) where wires are Hermite elements, `DIM` where they are chains of point
+//! masses.
 
 pub mod checkpoint;
 pub mod constraint;
 pub mod element;
+pub mod energy_terms;
 pub mod error;
 pub mod filter;
-pub mod flexibility;
 pub mod integrator;
 pub mod lcp;
 pub mod linalg;
 pub mod linear;
 pub mod pantograph;
+pub mod residual_flexibility;
 pub mod scheme;
 pub mod session;
 pub mod simulation;
@@ -42,7 +46,7 @@ mod structure_check;
 
 pub use error::CoreError;
 
-// Tests of what is private use the lines of the other tests, which name this library.
+// Unit tests use the lines of the integration tests, which name this library.
 #[cfg(test)]
 extern crate self as arcless_core;
 #[cfg(test)]

@@ -19,7 +19,7 @@
 
 use crate::error::CoreError;
 
-/// A time-stepping scheme.
+/// Time-stepping scheme.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Scheme {
     /// Member of the generalised-α family.
@@ -28,16 +28,16 @@ pub enum Scheme {
     BackwardDifference,
 }
 
-/// Parameters of a member of the family.
+/// Parameters of a member of the generalised-α family.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AlphaScheme {
-    /// Newmark's β.
+    /// Parameter β of Newmark.
     pub beta: f64,
-    /// Newmark's γ.
+    /// Parameter γ of Newmark.
     pub gamma: f64,
-    /// Weight of the old acceleration in the balance.
+    /// Weight α_m of the old acceleration in the balance.
     pub alpha_m: f64,
-    /// Weight of the old state in the balance.
+    /// Weight α_f of the old state in the balance.
     pub alpha_f: f64,
 }
 
@@ -77,7 +77,7 @@ impl Scheme {
         })
     }
 
-    /// Check that the scheme is implicit and unconditionally stable for linear systems.
+    /// Checks that the scheme is implicit and unconditionally stable for linear systems.
     ///
     /// # Errors
     /// [`CoreError::Input`].
@@ -88,8 +88,8 @@ impl Scheme {
         }
     }
 
-    /// c of the period error: an undamped oscillator of frequency ω swings too slowly by the share
-    /// c (ωh)² + O((ωh)⁴). `None` where the error is of another order.
+    /// Coefficient c of the period error: an undamped oscillator of frequency ω is too slow by the
+    /// share c (ωh)² + O((ωh)⁴). `None` where the error is of another order.
     #[must_use]
     pub fn period_error(&self) -> Option<f64> {
         match self {
@@ -109,12 +109,13 @@ impl Scheme {
 }
 
 impl AlphaScheme {
-    /// α_m ≤ α_f ≤ ½, γ ≥ ½ − α_m + α_f, β ≥ ½ γ (Chung & Hulbert 1993; Newmark's 2β ≥ γ ≥ ½).
+    /// Checks stability: α_m ≤ α_f ≤ ½, γ ≥ ½ − α_m + α_f, β ≥ ½ γ (Chung & Hulbert 1993; Newmark's
+    /// 2β ≥ γ ≥ ½).
     fn check(&self) -> Result<(), CoreError> {
         let finite = [self.beta, self.gamma, self.alpha_m, self.alpha_f]
             .iter()
             .all(|v| v.is_finite());
-        // Rounding of the parameters themselves must not refuse the limit ρ = 1.
+        // Rounding of the parameters must not refuse the limit ρ = 1.
         let slack = 1e-12;
         let stable = self.alpha_m <= self.alpha_f + slack
             && self.alpha_f <= 0.5 + slack
@@ -129,9 +130,10 @@ impl AlphaScheme {
         })
     }
 
-    /// The scheme turns the oscillator by the angle Ω of a step, and multiplies it by a factor of size
-    /// 1 + O((ωh)⁴). With u ∝ e^{iΩn} the averages over a step and its neighbours are powers of e^{iΩ};
-    /// their expansion in Ω, put into the balance, is Ω = ωh (1 − c (ωh)²) with
+    /// Coefficient c of the period error. The scheme turns an oscillator by the angle Ω in a step,
+    /// and multiplies it by a factor of size 1 + O((ωh)⁴). With u ∝ e^{iΩn} the averages over a
+    /// step and its neighbours are powers of e^{iΩ}; their expansion in Ω, put into the balance, is
+    /// Ω = ωh (1 − c (ωh)²) with
     ///
     ///   c = ½ (β + ¼ − γ/2 − (γ−½)²/2 + ½ (α_f − α_f² − α_m + α_m²)) − 1/24
     ///
@@ -143,7 +145,7 @@ impl AlphaScheme {
             alpha_m,
             alpha_f,
         } = *self;
-        // As in `check`: the parameters are rounded.
+        // The parameters are rounded, as in `check`.
         let is_second_order = (gamma - (0.5 - alpha_m + alpha_f)).abs() <= 1e-12;
         let averages = alpha_f * (1.0 - alpha_f) - alpha_m * (1.0 - alpha_m);
         let offset = gamma - 0.5;
@@ -178,7 +180,7 @@ impl AlphaScheme {
     }
 }
 
-/// Numbers of a scheme for one step length.
+/// Coefficients of a scheme for one step length.
 ///
 /// With the unknown Δu = uₙ₊₁ − uₙ:  A = mass·M + damping·C + stiffness·K, and
 /// a_m = mass·Δu + acceleration_from_v·v + acceleration_from_a·a,
@@ -199,16 +201,16 @@ pub struct Coefficients {
     pub velocity_from_v: f64,
     /// Part of v_f that follows from the old acceleration, s.
     pub velocity_from_a: f64,
-    /// aₙ₊₁ from (Δu, v, a).
+    /// Coefficients of aₙ₊₁ from (Δu, v, a).
     pub new_a: [f64; 3],
-    /// vₙ₊₁ from (Δu, v, a).
+    /// Coefficients of vₙ₊₁ from (Δu, v, a).
     pub new_v: [f64; 3],
     /// Weight α_f of the old state in the balance.
     pub old: f64,
 }
 
 impl Coefficients {
-    /// A = M/h² + C/h + K; a_m = Δu/h² − v/h and v_f = Δu/h, as published.
+    /// Coefficients of A = M/h² + C/h + K; a_m = Δu/h² − v/h and v_f = Δu/h, as published.
     fn backward_difference(h: f64) -> Self {
         Self {
             mass: 1.0 / (h * h),
@@ -224,7 +226,7 @@ impl Coefficients {
         }
     }
 
-    /// New velocity and acceleration from an increment and the old ones.
+    /// Velocity and acceleration at the end of a step from an increment and the old ones.
     #[inline(always)]
     #[must_use]
     pub fn advance(&self, delta: f64, v: f64, a: f64) -> (f64, f64) {

@@ -1,11 +1,20 @@
-//! What is given to the core: a structure of wires, links, springs and masses, as plain data.
+//! Structure of wires, links, springs and masses, as plain data: the input of the core.
 //!
-//! Wires are Hermite elements ([`Wire`]) or chains of point masses ([`Segment`], [`Bend`]), not both.
-//! Nodes carry a position and, for Hermite elements, a slope (the derivative of position along the
-//! unstretched wire). Components are ordered along the track, (across,) up; the last one is
-//! vertical. Nodes must be ordered along the track so that the matrices stay narrow.
+//! Wires are Hermite elements ([`Wire`]) or chains of point masses ([`Segment`], [`Bend`]), not
+//! both. Nodes carry a position and, for Hermite elements, a slope (the derivative of position
+//! along the unstretched wire). Components are ordered along the track, (across,) up; the last one
+//! is vertical. Nodes must be ordered along the track so that the matrices stay narrow.
 
-use crate::element::hermite::Section;
+/// Elastic data of a wire element.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Section {
+    /// Unstretched length L, m.
+    pub rest_length: f64,
+    /// Axial stiffness EA, N.
+    pub axial_stiffness: f64,
+    /// Bending stiffness EI, N·m².
+    pub bending_stiffness: f64,
+}
 
 /// Proportional damping `alpha · M + beta · K`.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -37,14 +46,14 @@ pub struct Wire {
 }
 
 impl Wire {
-    /// Where the four coordinates r₁, r₁′, r₂, r₂′ live: node, and 0 for position or 1 for slope.
+    /// Node and slot (0 position, 1 slope) of the four coordinates r₁, r₁′, r₂, r₂′.
     #[must_use]
-    pub fn places(&self) -> [(usize, usize); 4] {
+    pub fn coordinate_slots(&self) -> [(usize, usize); 4] {
         let ([a, b], [c, d]) = (self.nodes, self.slope_nodes);
         [(a, 0), (c, 1), (b, 0), (d, 1)]
     }
 
-    /// Whether both slopes are held by the end nodes themselves.
+    /// Tells whether both slopes are held by the end nodes themselves.
     #[must_use]
     pub fn runs_through(&self) -> bool {
         self.nodes == self.slope_nodes
@@ -137,18 +146,18 @@ pub struct Spring {
     pub viscosity: f64,
     /// Coordinate at which the spring is free of force, m; found unless `mode` is `Given`.
     pub rest: f64,
-    /// How the design calculation treats the rest coordinate.
+    /// Treatment of the rest coordinate by the design calculation.
     pub mode: SpringMode,
 }
 
-/// What is known of a spring when the design calculation begins.
+/// Knowledge of a spring when the design calculation begins.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SpringMode {
     /// The rest coordinate is given.
     Given,
     /// The position is given and held; the spring carries the reaction.
     Held,
-    /// The spring carries nothing in the design position, wherever that is.
+    /// The spring is free of force in the design position, wherever that is.
     Unloaded,
 }
 
@@ -175,16 +184,17 @@ pub struct PointMass {
     pub alpha: f64,
 }
 
-/// What the wires yield at point forces beyond the mesh; see [`crate::flexibility`].
+/// Residual flexibility of the wires at point forces; see [`crate::flexibility`].
 #[derive(Debug, Clone, Default)]
 pub struct ResidualFlexibility {
-    /// Stiffness of each link by itself, N/m: that in the list of links has R at both ends in it.
+    /// Stiffness of each link alone, N/m; that in the list of links contains R at both ends.
     pub links: Vec<f64>,
-    /// The same of struts.
+    /// Stiffness of each strut alone, N/m.
     pub struts: Vec<f64>,
-    /// The same of springs; those along the track keep theirs.
+    /// Stiffness of each spring alone, N/m; springs along the track do not contain R.
     pub springs: Vec<f64>,
-    /// R in m/N: node, node with a force, what the force raises the first by beyond the mesh.
+    /// Residual flexibility R: node, node with a force, height of the first above the mesh per
+    /// force, m/N.
     pub pairs: Vec<(usize, usize, f64)>,
 }
 
@@ -217,14 +227,14 @@ pub struct Structure {
     pub ends: Vec<TensionedEnd>,
     /// Forces on nodes: node, component, N.
     pub loads: Vec<(usize, usize, f64)>,
-    /// Steady force per metre of rest length on each wire element or segment, N/m, beside its
-    /// weight; empty where there is none.
+    /// Steady force per metre of rest length on each wire element or segment, N/m, in addition to
+    /// its weight; empty where there is none.
     pub wire_loads: Vec<[f64; 3]>,
-    /// Whether chains yield under forces on their points as their wires do: see
+    /// Choice of bends for which forces on points displace points as on the wires: see
     /// [`Geometry::bending`](crate::statics::Geometry::bending).
     pub fitted_bends: bool,
-    /// Whether the line moves across the track only, with the tensions of its rest: see
-    /// [`LinearModel`](crate::linear::model::LinearModel). The statics do not ask for it.
+    /// Restriction to motion across the track, with the tensions at rest: see
+    /// [`LinearModel`](crate::linear::model::LinearModel). The statics do not use it.
     pub across_only: bool,
     /// Residual flexibility, contained in links, struts and springs; `None` when it is left out.
     pub residual: Option<ResidualFlexibility>,
@@ -233,7 +243,7 @@ pub struct Structure {
 }
 
 impl Structure {
-    /// The three nodes of a bending element, in order.
+    /// Nodes of a bending element, three in order.
     #[must_use]
     pub fn bend_nodes(&self, bend: &Bend) -> [usize; 3] {
         let [before, behind] = bend.segments.map(|k| self.segments[k].nodes);

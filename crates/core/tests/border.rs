@@ -3,7 +3,7 @@
 use crate::common;
 
 use arcless_core::CoreError;
-use arcless_core::integrator::prepared::WireModel;
+use arcless_core::integrator::wire_model::WireModel;
 use arcless_core::linear::model::LinearModel;
 use arcless_core::linear::static_response::StaticSolver;
 use arcless_core::pantograph::actuator::Actuator;
@@ -63,15 +63,15 @@ fn wires_that_yield_as_one_have_no_elasticity() {
     for force in [0.0, 100.0] {
         // At the fixed ends none of the two yields at all.
         assert!(is_refused(
-            still.elasticity(&p.lanes, &[0.0], force),
+            still.elasticity(&p.slidelines, &[0.0], force),
             "lanes"
         ));
-        let inside = still.elasticity(&p.lanes, &[24.0], force);
+        let inside = still.elasticity(&p.slidelines, &[24.0], force);
         assert!(inside.expect("two wires")[0] > 0.0);
     }
     for force in [f64::NAN, f64::INFINITY, -1.0] {
         assert!(is_refused(
-            still.elasticity(&p.lanes, &[24.0], force),
+            still.elasticity(&p.slidelines, &[24.0], force),
             "force"
         ));
     }
@@ -158,7 +158,7 @@ fn a_run_that_ends_beyond_all_numbers_is_an_error() {
         let mut values = vec![pull; steps];
         values[0] = 0.0;
         let mut rider = free_mass(5.0, 100.0);
-        rider.given.forces.push(ForceHistory {
+        rider.excitation.forces.push(ForceHistory {
             direction: vec![1.0],
             values,
         });
@@ -181,9 +181,11 @@ fn a_run_that_ends_beyond_all_numbers_is_an_error() {
 fn steps_that_no_line_takes_are_refused() {
     let (s, lanes) = STRING.structure(2);
     let geometry = Geometry::<2, 4>::new(s).expect("sound");
-    let shape = geometry.settle(&geometry.initial_shape()).expect("firm");
+    let shape = geometry
+        .find_equilibrium(&geometry.initial_shape())
+        .expect("firm");
     let prepare = |h: f64| {
-        let paths = Slideline::lanes(&geometry, &shape, std::slice::from_ref(&lanes))?;
+        let paths = Slideline::from_elements(&geometry, &shape, std::slice::from_ref(&lanes))?;
         let line = LinearModel::new(&geometry, shape.clone());
         WireModel::new(line, paths, scheme(), h, 5e4)
     };
@@ -198,7 +200,9 @@ fn steps_that_no_line_takes_are_refused() {
 fn frequencies_are_bounded_and_can_be_given_up() {
     let (s, _) = STRING.structure(2);
     let geometry = Geometry::<2, 4>::new(s).expect("sound");
-    let shape = geometry.settle(&geometry.initial_shape()).expect("firm");
+    let shape = geometry
+        .find_equilibrium(&geometry.initial_shape())
+        .expect("firm");
     let line = LinearModel::new(&geometry, shape);
     let all = line.frequencies(1000).expect("a firm line");
     assert!(all.len() <= line.free.iter().flatten().filter(|f| **f).count());

@@ -2,7 +2,7 @@
 
 use crate::common;
 
-use arcless_core::integrator::energy::implicit::EnergyTerms;
+use arcless_core::energy_terms::EnergyTerms;
 use arcless_core::linear::static_response::StaticSolver;
 use arcless_core::scheme::Scheme;
 use arcless_core::simulation::recording::record::Record;
@@ -105,7 +105,7 @@ fn standing_riders_stay_as_they_started() {
         way.distances = vec![0.0, 37.0];
         let forces = [150.0, 80.0];
         let r = run(&p, &forces.map(three_masses), &way, &everything());
-        let places = [130.0, 93.0].map(|x| p.lanes[0].locate(x, 0).expect("on the wire"));
+        let places = [130.0, 93.0].map(|x| p.slidelines[0].locate(x, 0).expect("on the wire"));
         let still = StaticSolver::new(&p.line)
             .and_then(|mut s| s.solve(&places, &forces))
             .expect("an equilibrium");
@@ -188,7 +188,8 @@ fn thrown_head(contact: f64, radius: f64) -> (Vec<f64>, usize) {
     way.speeds.resize(end, 0.0);
     way.speeds[stop..].fill(0.0);
     let r = run(&p, &[free_mass(7.5, 8.0)], &way, &everything());
-    let energy = |e: &EnergyTerms| e.kinetic + e.elastic + e.contact + e.riders - e.work_uplift;
+    let energy =
+        |e: &EnergyTerms| e.kinetic + e.elastic + e.contact + e.pantographs - e.work_uplift;
     let total = r.energy[stop + 1..].iter().map(energy).collect();
     let landings = r.gap[stop..]
         .windows(2)

@@ -3,10 +3,10 @@
 use crate::common;
 
 use arcless_core::CoreError;
-use arcless_core::integrator::prepared::WireModel;
+use arcless_core::integrator::wire_model::WireModel;
 use arcless_core::linear::static_response::StaticSolver;
+use arcless_core::pantograph::model::Pantograph;
 use arcless_core::pantograph::strip::Strip;
-use arcless_core::pantograph::system::Pantograph;
 use arcless_core::scheme::Scheme;
 use arcless_core::simulation::recording::record::Record;
 use common::lanes::{At, STRING, lined, strings};
@@ -192,7 +192,7 @@ fn a_tilting_head_shares_its_force_by_leverage() {
     let r = run(&p, &[tilting(force, 1.0, k)], &way, &everything());
     let mut still = StaticSolver::new(&p.line).expect("a firm line");
     let w = still
-        .elasticity(&p.lanes[..1], &[24.0], 0.0)
+        .elasticity(&p.slidelines[..1], &[24.0], 0.0)
         .expect("on the wire")[0];
     let w = w + 1.0 / CONTACT;
     // Both closed: W (λ₂ − λ₁) = (y₂ − y₁) φ with φ = −(y₁ λ₁ + y₂ λ₂)/k and λ₁ + λ₂ = F.
@@ -259,7 +259,7 @@ fn a_wire_out_of_reach_is_named() {
     let go = |rider: Pantograph| p.run(&[rider], &way, &everything(), &mut |_| true);
     match go(tilting(100.0, 0.2, 800.0)) {
         Err(CoreError::OutOfReach {
-            rider: 0,
+            pantograph: 0,
             position,
             lateral,
             half_width,
@@ -279,6 +279,6 @@ fn a_wire_out_of_reach_is_named() {
     });
     assert!(matches!(
         go(behind),
-        Err(CoreError::OffWire { rider: 0, .. })
+        Err(CoreError::OffWire { pantograph: 0, .. })
     ));
 }

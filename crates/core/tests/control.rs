@@ -5,7 +5,7 @@ use crate::common;
 use arcless_core::CoreError;
 use arcless_core::pantograph::actuator::{Actuator, Sample};
 use arcless_core::pantograph::excitation::ForceHistory;
-use arcless_core::pantograph::system::Pantograph;
+use arcless_core::pantograph::model::Pantograph;
 use arcless_core::scheme::Scheme;
 use arcless_core::simulation::recording::record::Record;
 use common::{difference, everything, three_masses, travel};
@@ -71,7 +71,7 @@ fn an_answered_force_is_a_given_force() {
     let count = travel(70.0, 120.0, 70.0, 1e-3).positions.len();
     // Newmark's balance is at the end of the step, where the answer of its start is held.
     let values = (0..count).map(|i| force(i.saturating_sub(1) as f64 * 1e-3));
-    rider.given.forces.push(ForceHistory {
+    rider.excitation.forces.push(ForceHistory {
         direction: vec![1.0, 0.0, 0.0],
         values: values.collect(),
     });
@@ -128,7 +128,7 @@ fn no_force_is_an_error_that_says_when() {
         let error =
             controlled(with_actuator(2, 0), scheme, &mut |_, s| answer(s)).expect_err("it fails");
         let CoreError::Control {
-            rider,
+            pantograph,
             step,
             position,
             reason,
@@ -138,7 +138,7 @@ fn no_force_is_an_error_that_says_when() {
             panic!("{error}")
         };
         // Rounding of a place of 70 m.
-        assert_eq!((rider, step), (0, 14));
+        assert_eq!((pantograph, step), (0, 14));
         assert!((position - 70.0 - 0.07 * 14.0).abs() < 1e-9);
         assert!(reason.contains(words), "{reason}");
     }

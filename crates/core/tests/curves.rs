@@ -32,8 +32,8 @@ fn curved(elements: [f64; 2]) -> (Structure, Vec<usize>) {
 /// Forces of everything in a shape.
 fn forces<const D: usize>(g: &Geometry<3, D>, shape: &Shape<D>) -> Shape<D> {
     let mut residual = vec![[0.0; D]; shape.len()];
-    g.wires_and_weight(shape, &mut residual);
-    g.add_supports(shape, LinkLaw::Linear, &mut residual);
+    g.wire_and_weight_residual(shape, &mut residual);
+    g.add_link_and_support_forces(shape, LinkLaw::Linear, &mut residual);
     residual
 }
 

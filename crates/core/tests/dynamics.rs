@@ -150,7 +150,7 @@ fn modes_that_a_force_moves() {
     let (structure, path) = s.structure(2);
     let mut g = Geometry::<2, 4>::new(structure).expect("a valid structure");
     let shape = g.design().expect("the design converges");
-    let lanes = Slideline::lanes(&g, &shape, &[path]).expect("a path");
+    let lanes = Slideline::from_elements(&g, &shape, &[path]).expect("a path");
     let line = LinearModel::new(&g, shape);
     let middle = lanes[0].locate(0.5 * s.length, 0).expect("on the wire");
     let found = line.modes_moved(&[middle], 20).expect("regular");
@@ -178,7 +178,7 @@ fn a_force_on_a_fixed_node_moves_no_mode() {
     let (structure, path) = WIRE.structure(2);
     let mut g = Geometry::<2, 4>::new(structure).expect("a valid structure");
     let shape = g.design().expect("the design converges");
-    let lanes = Slideline::lanes(&g, &shape, &[path]).expect("a path");
+    let lanes = Slideline::from_elements(&g, &shape, &[path]).expect("a path");
     let end = lanes[0].locate(0.0, 0).expect("on the wire");
     let line = LinearModel::new(&g, shape);
     let found = line.modes_moved(&[end], 30).expect("regular");

@@ -4,7 +4,7 @@
 use crate::common;
 
 use arcless_core::constraint::columns::ComplianceColumns;
-use arcless_core::integrator::prepared::WireModel;
+use arcless_core::integrator::wire_model::WireModel;
 use arcless_core::linalg::{BlockLdl, SymmetricBlocks, dense};
 use arcless_core::linear::model::LinearModel;
 use arcless_core::scheme::Scheme;
@@ -211,9 +211,9 @@ fn planar_line_is_the_spatial_one_without_stagger() {
     let mut g = Geometry::<3, 6>::new(in_space(&s)).expect("a valid structure");
     let shape = g
         .design()
-        .and_then(|shape| g.settle(&shape))
+        .and_then(|shape| g.find_equilibrium(&shape))
         .expect("an equilibrium");
-    let places = Slideline::lanes(&g, &shape, std::slice::from_ref(&path)).expect("a path");
+    let places = Slideline::from_elements(&g, &shape, std::slice::from_ref(&path)).expect("a path");
     let spatial = WireModel::new(LinearModel::new(&g, shape), places, scheme(), STEP, CONTACT)
         .expect("regular");
     let planar = common::prepare((s, path), |_| (), scheme(), STEP, CONTACT);

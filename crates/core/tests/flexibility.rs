@@ -2,12 +2,12 @@
 
 use crate::common;
 
-use arcless_core::integrator::prepared::WireModel;
+use arcless_core::integrator::wire_model::WireModel;
 use arcless_core::linear::static_response::StaticSolver;
+use arcless_core::pantograph::model::Pantograph;
 use arcless_core::pantograph::strip::Strip;
-use arcless_core::pantograph::system::Pantograph;
 use arcless_core::scheme::Scheme;
-use arcless_core::session::{Begin, Collector, Session};
+use arcless_core::session::{Collector, Session, SessionStart};
 use arcless_core::statics::{Alteration, Geometry, Shape};
 use arcless_core::structure::Structure;
 use common::{
@@ -45,7 +45,9 @@ fn prepared(line: (Structure, Vec<usize>), yields: bool) -> WireModel<2, 4> {
 
 fn elasticity(p: &WireModel<2, 4>, x: &[f64]) -> Vec<f64> {
     let mut still = StaticSolver::new(&p.line).expect("a firm line");
-    still.elasticity(&p.lanes, x, 0.0).expect("on the wire")
+    still
+        .elasticity(&p.slidelines, x, 0.0)
+        .expect("on the wire")
 }
 
 fn worst(found: &[f64], expected: &[f64]) -> f64 {
@@ -97,7 +99,7 @@ fn elasticity_hardly_depends_on_the_mesh() {
 /// Heights of the wire of a standing head with two strips, of which each feels the other.
 #[test]
 fn strips_feel_one_another() {
-    let begin = |position: f64| Begin {
+    let begin = |position: f64| SessionStart {
         position,
         speed: 0.0,
         friction: 0.0,
@@ -110,7 +112,7 @@ fn strips_feel_one_another() {
             half_width: f64::INFINITY,
         });
         let live = Session::with_forces(p, pair.into(), &[80.0, 80.0], begin(position));
-        live.expect("it stands").reading().height.clone()
+        live.expect("it stands").outputs().height.clone()
     };
     // On one element, on two, and with a node between them.
     for position in [28.9, 30.2, 30.5] {
@@ -219,7 +221,7 @@ fn a_force_that_moves_meets_no_elements() {
         let wire = Single { elements, ..WIRE };
         let p = Arc::new(prepared(wire.structure(2), yields));
         let (from, speed) = (25.0, 20.0);
-        let begin = Begin {
+        let begin = SessionStart {
             position: from,
             speed,
             friction: 0.0,
@@ -232,7 +234,7 @@ fn a_force_that_moves_meets_no_elements() {
         let after = (1..400).map(|step| {
             let x = from + speed * H * f64::from(step);
             live.step(&[100.0], x, speed).expect("a step");
-            live.reading().height[0]
+            live.outputs().height[0]
         });
         after.collect::<Vec<_>>()
     };
@@ -252,7 +254,9 @@ fn after_changes_the_line_yields_with_its_own_tension() {
     let mut geometry = Geometry::<2, 4>::new(structure).expect("a valid structure");
     geometry.add_residual_flexibility();
     let start = geometry.design().expect("the design converges");
-    let shape = geometry.settle(&start).expect("the equilibrium converges");
+    let shape = geometry
+        .find_equilibrium(&start)
+        .expect("the equilibrium converges");
     let s = &geometry.structure;
     let longer = Alteration {
         length_factor: vec![1.0003; s.wires.len()],

@@ -4,16 +4,16 @@ use crate::common::{everything, simple_line, three_masses};
 use crate::resume::{bits, compare, part, sums};
 
 use arcless_core::checkpoint::Checkpoint;
-use arcless_core::integrator::prepared::WireModel;
+use arcless_core::integrator::wire_model::WireModel;
 use arcless_core::linalg::SymmetricBlocks;
 use arcless_core::linalg::islands::islands;
 use arcless_core::linear::loads::Load;
 use arcless_core::linear::model::LinearModel;
 use arcless_core::scheme::Scheme;
+use arcless_core::simulation::inputs::Trajectory;
 use arcless_core::simulation::recording::record::RecordPlan;
 use arcless_core::simulation::recording::window::{Near, SortedStations};
 use arcless_core::simulation::run::Part;
-use arcless_core::simulation::run::Trajectory;
 use arcless_core::slideline::Slideline;
 use arcless_core::statics::Geometry;
 use arcless_core::structure::Structure;
@@ -75,11 +75,13 @@ fn two_lengths(yields: bool) -> WireModel<2, 4> {
         geometry.add_residual_flexibility();
     }
     let start = geometry.design().expect("the design converges");
-    let shape = geometry.settle(&start).expect("the equilibrium converges");
+    let shape = geometry
+        .find_equilibrium(&start)
+        .expect("the equilibrium converges");
     let wires = [path, behind];
-    let mut lanes = Slideline::lanes(&geometry, &shape, &wires).expect("two lanes");
+    let mut lanes = Slideline::from_elements(&geometry, &shape, &wires).expect("two lanes");
     if yields {
-        lanes = Slideline::yielding(lanes, &geometry, &shape, &wires);
+        lanes = Slideline::with_residual_flexibility(lanes, &geometry, &shape, &wires);
     }
     let line = LinearModel::new(&geometry, shape);
     WireModel::new(line, lanes, Scheme::hht(0.1), 1e-3, 5e4).expect("regular")

@@ -10,8 +10,10 @@ use common::lanes::STRING;
 fn lanes(lists: &[Vec<usize>]) -> Result<Vec<Slideline<2>>, String> {
     let (structure, _) = STRING.structure(2);
     let geometry = Geometry::<2, 4>::new(structure).expect("a valid structure");
-    let shape = geometry.settle(&geometry.initial_shape()).expect("at rest");
-    Slideline::lanes(&geometry, &shape, lists).map_err(|e| e.to_string())
+    let shape = geometry
+        .find_equilibrium(&geometry.initial_shape())
+        .expect("at rest");
+    Slideline::from_elements(&geometry, &shape, lists).map_err(|e| e.to_string())
 }
 
 #[test]

@@ -5,10 +5,11 @@ use crate::common;
 use arcless_core::CoreError;
 use arcless_core::pantograph::breakpoint::ForceKind;
 use arcless_core::pantograph::bump_stop::BumpStop;
+use arcless_core::pantograph::equilibrium;
 use arcless_core::pantograph::excitation::{BaseMotion, ForceHistory};
+use arcless_core::pantograph::model::Pantograph;
 use arcless_core::pantograph::piecewise_force::PiecewiseForce;
 use arcless_core::pantograph::strip::Strip;
-use arcless_core::pantograph::system::Pantograph;
 use arcless_core::scheme::Scheme;
 use arcless_core::simulation::recording::record::Record;
 use common::{difference, everything, free_mass, run, three_masses, travel};
@@ -18,10 +19,10 @@ fn trapezoidal() -> Scheme {
     Scheme::generalised_alpha(1.0)
 }
 
-fn law(direction: &[f64], motion: ForceKind, points: &[[f64; 2]]) -> PiecewiseForce {
+fn law(direction: &[f64], kind: ForceKind, points: &[[f64; 2]]) -> PiecewiseForce {
     PiecewiseForce {
         direction: direction.to_vec(),
-        motion,
+        kind,
         points: points.to_vec(),
     }
 }
@@ -43,8 +44,8 @@ fn shaken(change: impl FnOnce(&mut Pantograph), scheme: Scheme, contact: f64) ->
     let mut rider = three_masses(90.0);
     let t: Vec<f64> = (0..way.positions.len()).map(|i| i as f64 * 1e-3).collect();
     let omega = 2.0 * PI * 1.7;
-    rider.given.ground = Some(BaseMotion {
-        carried: vec![1.0; 3],
+    rider.excitation.base = Some(BaseMotion {
+        influence: vec![1.0; 3],
         displacement: t.iter().map(|t| 0.03 * (omega * t).sin()).collect(),
         rate: t.iter().map(|t| 0.03 * omega * (omega * t).cos()).collect(),
     });
@@ -84,7 +85,7 @@ fn a_straight_table_is_the_linear_spring_or_damper() {
                     [0.5, 0.5 * slope],
                 ]
             };
-            rider.laws = vec![
+            rider.piecewise_forces = vec![
                 law(&joint, ForceKind::Spring, &line(k)),
                 law(&joint, ForceKind::Damper, &line(c)),
             ];
@@ -123,7 +124,7 @@ fn a_stop_is_the_table_of_a_stop() {
                 let start = sign * -90.0 / -rider.stiffness[5];
                 let closed = start - gap;
                 let points = [[closed - 1.0, -stiffness], [closed, 0.0], [1.0, 0.0]];
-                rider.laws = vec![law(&joint, ForceKind::Spring, &points)];
+                rider.piecewise_forces = vec![law(&joint, ForceKind::Spring, &points)];
             },
             scheme,
             contact,
@@ -143,7 +144,7 @@ fn tables_add_up() {
         [[-0.5, 0.0], [-0.0045, 0.0], [0.5, 5045.0]],
     ];
     let several = shaken(
-        |rider| rider.laws = parts.map(|p| law(&joint, ForceKind::Spring, &p)).to_vec(),
+        |rider| rider.piecewise_forces = parts.map(|p| law(&joint, ForceKind::Spring, &p)).to_vec(),
         trapezoidal(),
         50e3,
     );
@@ -160,7 +161,7 @@ fn tables_add_up() {
     };
     let sum = [-0.5, -0.007, -0.0055, -0.0045, 0.5].map(|x| [x, force(x)]);
     let one = shaken(
-        |rider| rider.laws = vec![law(&joint, ForceKind::Spring, &sum)],
+        |rider| rider.piecewise_forces = vec![law(&joint, ForceKind::Spring, &sum)],
         trapezoidal(),
         50e3,
     );
@@ -193,7 +194,7 @@ fn the_balance_closes_with_tables_and_friction() {
                         [0.05, 40.0],
                         [1.0, 50.0],
                     ];
-                    rider.laws = vec![
+                    rider.piecewise_forces = vec![
                         friction(&base, 12.0, 1e-3),
                         law(&joint, ForceKind::Spring, &spring),
                         law(&joint, ForceKind::Damper, &damper),
@@ -235,9 +236,11 @@ fn swinging(scheme: Scheme, h: f64, speed: f64, pull: f64, end: f64) -> (Record,
     rider.stiffness = vec![0.0, 0.0, 0.0, SPRING];
     rider.strips = vec![Strip::plain(vec![1.0, 0.0])];
     (rider.preload, rider.lift) = (vec![1.0, 0.0], vec![0.0; 2]);
-    rider.laws.push(friction(&[0.0, 1.0], FRICTION, speed));
+    rider
+        .piecewise_forces
+        .push(friction(&[0.0, 1.0], FRICTION, speed));
     let pulls = |x: &f64| if *x > 100.0 { pull } else { 0.0 };
-    rider.given.forces.push(ForceHistory {
+    rider.excitation.forces.push(ForceHistory {
         direction: vec![0.0, -1.0],
         values: way.positions.iter().map(pulls).collect(),
     });
@@ -282,7 +285,7 @@ fn friction_turns_motion_into_heat() {
     let (r, x) = swinging(trapezoidal(), 5e-4, 1e-3, PULL, 3.0);
     // Rounding of some 1e3 sums.
     assert!(r.energy_residual < 1e-12 * r.energy_turnover);
-    let heat: Vec<f64> = r.energy.iter().map(|e| e.dissipated_riders).collect();
+    let heat: Vec<f64> = r.energy.iter().map(|e| e.dissipated_pantographs).collect();
     assert!(heat.windows(2).all(|w| w[1] >= w[0]), "never backwards");
     // In the end it stands: what came from the force and is not in the spring is heat, and that is
     // the force times the way.
@@ -325,8 +328,8 @@ fn start_of(laws: Vec<PiecewiseForce>, force: f64) -> Result<(Vec<f64>, f64), Co
     let mut rider = three_masses(force);
     // The joints above the first mass are those of the laws alone.
     rider.stiffness = vec![160.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
-    rider.laws = laws;
-    rider.equilibrium(force, 0.25, 0.0)
+    rider.piecewise_forces = laws;
+    equilibrium::under_one_contact(&rider, force, 0.25, 0.0)
 }
 
 #[test]
@@ -379,11 +382,14 @@ fn a_free_play_is_passed_on_the_way_to_the_start() {
     let short = [[-0.008, -80.0], [0.0, 0.0]];
     match start_of(springs(&short), 90.0).expect_err("it ends at 80 N") {
         CoreError::BeyondTable {
-            table, place, end, ..
+            table,
+            displacement,
+            end,
+            ..
         } => {
             assert_eq!((table, end), (0, -0.008));
-            // Rounding of a place.
-            assert!((place + 0.009).abs() < 1e-12, "{place}");
+            // Rounding of a displacement.
+            assert!((displacement + 0.009).abs() < 1e-12, "{displacement}");
         }
         other => panic!("{other}"),
     }
@@ -398,9 +404,9 @@ fn wrong_tables_are_refused() {
         vec![[0.0, 0.0], [1.0, f64::NAN]],
     ] {
         let mut rider = three_masses(90.0);
-        rider.laws = vec![law(&[1.0, 0.0, 0.0], ForceKind::Spring, &points)];
+        rider.piecewise_forces = vec![law(&[1.0, 0.0, 0.0], ForceKind::Spring, &points)];
         assert!(rider.check().is_err(), "{points:?}");
-        rider.laws = vec![law(
+        rider.piecewise_forces = vec![law(
             &[1.0, 0.0],
             ForceKind::Spring,
             &[[0.0, 0.0], [1.0, 1.0]],

@@ -2,7 +2,7 @@
 
 use crate::common;
 
-use arcless_core::integrator::energy::implicit::EnergyTerms;
+use arcless_core::energy_terms::EnergyTerms;
 use arcless_core::scheme::Scheme;
 use arcless_core::simulation::recording::record::Record;
 use arcless_core::structure::Structure;
@@ -54,7 +54,7 @@ fn dissipation(e: &EnergyTerms) -> [f64; 4] {
         e.dissipated_line,
         e.dissipated_links,
         e.dissipated_springs,
-        e.dissipated_riders,
+        e.dissipated_pantographs,
     ]
 }
 
@@ -100,11 +100,11 @@ fn every_entry_is_needed_for_the_balance() {
         ("kinetic", e.kinetic),
         ("elastic", e.elastic),
         ("contact", e.contact),
-        ("riders", e.riders),
+        ("riders", e.pantographs),
         ("dissipated_line", e.dissipated_line),
         ("dissipated_links", e.dissipated_links),
         ("dissipated_springs", e.dissipated_springs),
-        ("dissipated_riders", e.dissipated_riders),
+        ("dissipated_riders", e.dissipated_pantographs),
         ("dissipated_scheme", e.dissipated_scheme),
         ("switching", e.switching),
         ("work_uplift", e.work_uplift),

@@ -4,12 +4,12 @@ use crate::common;
 
 use allocation_counter::measure;
 use arcless_core::CoreError;
-use arcless_core::integrator::prepared::WireModel;
+use arcless_core::integrator::wire_model::WireModel;
 use arcless_core::pantograph::actuator::{Actuator, Sample};
 use arcless_core::pantograph::excitation::ForceHistory;
-use arcless_core::pantograph::system::Pantograph;
+use arcless_core::pantograph::model::Pantograph;
 use arcless_core::scheme::Scheme;
-use arcless_core::session::{Begin, Collector, Session};
+use arcless_core::session::{Collector, Session, SessionStart};
 use arcless_core::simulation::recording::record::Record;
 use common::space::staggered;
 use common::{SPAN, difference, everything, peak, simple_line, three_masses, travel};
@@ -20,8 +20,8 @@ const H: f64 = 1e-3;
 const SPEED: f64 = 80.0;
 const START: f64 = 1.3 * SPAN;
 
-fn begin() -> Begin {
-    Begin {
+fn begin() -> SessionStart {
+    SessionStart {
         position: START,
         speed: SPEED,
         friction: 0.1,
@@ -84,7 +84,7 @@ fn run<const DIM: usize, const D: usize>(
 
 fn with_riders<const DIM: usize, const D: usize>(p: &Arc<WireModel<DIM, D>>) -> Session<DIM, D> {
     let (riders, distances) = pair();
-    Session::with_riders(p.clone(), riders, distances, begin()).expect("it stands")
+    Session::with_pantographs(p.clone(), riders, distances, begin()).expect("it stands")
 }
 
 fn with_forces<const DIM: usize, const D: usize>(p: &Arc<WireModel<DIM, D>>) -> Session<DIM, D> {
@@ -95,7 +95,7 @@ fn with_friction<const DIM: usize, const D: usize>(
     p: &Arc<WireModel<DIM, D>>,
     friction: f64,
 ) -> Session<DIM, D> {
-    let begin = Begin {
+    let begin = SessionStart {
         friction,
         ..begin()
     };
@@ -115,12 +115,12 @@ fn is_the_run<const DIM: usize, const D: usize>(p: &Arc<WireModel<DIM, D>>) {
         live.step(&[force, force], position(step + 1), SPEED)
             .expect("a step");
         assert_eq!(
-            live.reading().force[..],
+            live.outputs().force[..],
             record.force[2 * step..][..2],
             "{step}"
         );
     }
-    assert_eq!(live.reading().contacts, record.contacts);
+    assert_eq!(live.outputs().contacts, record.contacts);
 }
 
 #[test]
@@ -146,7 +146,7 @@ fn move_as_the_run(p: &Arc<WireModel<2, 4>>) {
     for (step, forces) in record.force.chunks(2).enumerate() {
         live.step(forces, position(step + 1), SPEED)
             .expect("a step");
-        heights.extend_from_slice(&live.reading().height);
+        heights.extend_from_slice(&live.outputs().height);
     }
     let moved: Vec<f64> = record.height.iter().map(|z| z - record.height[0]).collect();
     let found: Vec<f64> = heights.iter().map(|z| z - record.height[0]).collect();
@@ -175,9 +175,9 @@ fn rate_is_derivative(p: &Arc<WireModel<2, 4>>, speed: f64) {
         let force = 150.0 + 0.1 * step as f64;
         let x = START + speed * H * (step + 1) as f64;
         live.step(&[force, 150.0], x, speed).expect("a step");
-        let rate = live.reading().rate[0];
+        let rate = live.outputs().rate[0];
         if step >= 200 {
-            height.push(live.reading().height[0]);
+            height.push(live.outputs().height[0]);
         }
         if step > 200 {
             sum.push(sum[sum.len() - 1] + 0.5 * H * (before + rate));
@@ -228,7 +228,10 @@ fn go_on_after_failures<const DIM: usize, const D: usize>(
             let beyond = live.step(&forces, end + 1.0, SPEED);
             assert!(matches!(beyond, Err(CoreError::OffWire { step: s, .. }) if s == step));
             let before = live.step(&forces, 20.0, SPEED);
-            assert!(matches!(before, Err(CoreError::OffWire { rider: 1, .. })));
+            assert!(matches!(
+                before,
+                Err(CoreError::OffWire { pantograph: 1, .. })
+            ));
             for (forces, next, speed) in [
                 (&[f64::NAN, 0.0][..], next, SPEED),
                 (&[1.0][..], next, SPEED),
@@ -241,8 +244,8 @@ fn go_on_after_failures<const DIM: usize, const D: usize>(
         }
         live.step(&forces, next, SPEED).expect("a step");
         whole.step(&forces, next, SPEED).expect("a step");
-        assert_eq!(live.reading().height, whole.reading().height);
-        assert_eq!(live.reading().force, whole.reading().force);
+        assert_eq!(live.outputs().height, whole.outputs().height);
+        assert_eq!(live.outputs().force, whole.outputs().force);
     }
 }
 
@@ -260,23 +263,23 @@ fn repeats<const DIM: usize, const D: usize>(mut live: Session<DIM, D>) {
         for step in first..first + 200 {
             live.step(&[200.0 + pushed(step); 2], position(step + 1), SPEED)
                 .expect("a step");
-            seen.extend_from_slice(&live.reading().height);
-            seen.extend_from_slice(&live.reading().force);
+            seen.extend_from_slice(&live.outputs().height);
+            seen.extend_from_slice(&live.outputs().force);
         }
         seen
     };
-    let start = live.take_down().expect("a state");
+    let start = live.save().expect("a state");
     let first = go(&mut live);
-    let middle = live.take_down().expect("a state");
+    let middle = live.save().expect("a state");
     let second = go(&mut live);
-    live.put_back(&middle).expect("a state of its own");
-    assert_eq!(live.place(), (position(200), SPEED));
+    live.restore(&middle).expect("a state of its own");
+    assert_eq!(live.position_and_speed(), (position(200), SPEED));
     assert_eq!(go(&mut live), second);
-    live.put_back(&start).expect("a state of its own");
+    live.restore(&start).expect("a state of its own");
     assert_eq!(go(&mut live), first);
     let mut foreign = start.clone();
     foreign.numbers.remove("line_velocity");
-    assert!(live.put_back(&foreign).is_err());
+    assert!(live.restore(&foreign).is_err());
     assert_eq!(go(&mut live), second, "a refused state changes nothing");
 }
 
@@ -314,7 +317,7 @@ fn what_a_loop_cannot_do_is_refused() {
             ..
         })
     ));
-    let far = Begin {
+    let far = SessionStart {
         position: -1.0,
         ..begin()
     };
@@ -323,12 +326,12 @@ fn what_a_loop_cannot_do_is_refused() {
     let mut late = driven();
     late.actuator.as_mut().expect("an actuator").delay = 2;
     let mut given = driven();
-    given.given.forces.push(ForceHistory {
+    given.excitation.forces.push(ForceHistory {
         direction: vec![0.0; 3],
         values: vec![0.0; 9],
     });
     for rider in [late, given] {
-        let refused = Session::with_riders(p.clone(), vec![rider], vec![0.0], begin());
+        let refused = Session::with_pantographs(p.clone(), vec![rider], vec![0.0], begin());
         assert!(matches!(
             refused,
             Err(CoreError::Input {
@@ -337,8 +340,8 @@ fn what_a_loop_cannot_do_is_refused() {
             })
         ));
     }
-    let mut live =
-        Session::with_riders(p, vec![three_masses(100.0)], vec![0.0], begin()).expect("it stands");
+    let mut live = Session::with_pantographs(p, vec![three_masses(100.0)], vec![0.0], begin())
+        .expect("it stands");
     let unheard = live.step(&[1.0], position(1), SPEED);
     assert!(matches!(
         unheard,

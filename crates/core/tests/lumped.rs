@@ -4,7 +4,7 @@
 use crate::common;
 
 use arcless_core::CoreError;
-use arcless_core::integrator::prepared::WireModel;
+use arcless_core::integrator::wire_model::WireModel;
 use arcless_core::linear::model::LinearModel;
 use arcless_core::scheme::Scheme;
 use arcless_core::simulation::recording::record::Record;
@@ -179,7 +179,9 @@ fn settling_after_the_design_moves_nothing() {
     let drawn = s.positions.clone();
     let mut g = Geometry::<2, 2>::new(s).expect("a valid structure");
     let shape = g.design().expect("the design converges");
-    let moved = g.settle(&shape).expect("the equilibrium converges");
+    let moved = g
+        .find_equilibrium(&shape)
+        .expect("the equilibrium converges");
     let pairs = || shape.iter().zip(&moved);
     let largest = pairs().map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1]));
     // Forces balance to 1e-5 N; over the softest stiffness (100 N/m) that is 1e-7 m.
@@ -187,7 +189,9 @@ fn settling_after_the_design_moves_nothing() {
     assert!(shape.iter().zip(&drawn).all(|(r, x)| r[0] == x[0]));
     // Partner: without bends the same lengths are no equilibrium.
     g.structure.bends.clear();
-    let other = g.settle(&shape).expect("the equilibrium converges");
+    let other = g
+        .find_equilibrium(&shape)
+        .expect("the equilibrium converges");
     let gone = pairs().zip(&other).map(|((a, _), b)| (a[1] - b[1]).abs());
     assert!(gone.fold(0.0, f64::max) > 1e-6);
 }

@@ -3,8 +3,8 @@
 use crate::common::Single;
 use crate::common::chain::settled;
 use crate::common::lanes::STRING;
-use arcless_core::integrator::WireState;
-use arcless_core::integrator::prepared::WireModel;
+use arcless_core::integrator::state::WireState;
+use arcless_core::integrator::wire_model::WireModel;
 use arcless_core::linear::model::LinearModel;
 use arcless_core::scheme::Scheme;
 use arcless_core::slideline::Slideline;
@@ -16,7 +16,7 @@ const H: f64 = 1e-3;
 fn corrected(string: &Single, scheme: Scheme, h: f64) -> (LinearModel<2, 4>, Vec<Slideline<2>>) {
     let (structure, path) = string.structure(2);
     let (geometry, shape) = settled::<2, 4>(structure);
-    let lanes = Slideline::lanes(&geometry, &shape, &[path]).expect("a path");
+    let lanes = Slideline::from_elements(&geometry, &shape, &[path]).expect("a path");
     let line = LinearModel::new(&geometry, shape);
     (line.with_correct_period(&geometry, &scheme, h), lanes)
 }

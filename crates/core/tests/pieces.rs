@@ -4,7 +4,7 @@ use crate::common::{everything, prepare, simple_line, three_masses};
 use crate::resume::{bits, way};
 
 use arcless_core::CoreError;
-use arcless_core::integrator::prepared::WireModel;
+use arcless_core::integrator::wire_model::WireModel;
 use arcless_core::pantograph::actuator::Sample;
 use arcless_core::scheme::Scheme;
 use arcless_core::simulation::recording::record::{Record, RecordPlan};

@@ -4,20 +4,20 @@ use crate::common;
 
 use arcless_core::CoreError;
 use arcless_core::checkpoint::Checkpoint;
-use arcless_core::integrator::prepared::WireModel;
+use arcless_core::integrator::wire_model::WireModel;
 use arcless_core::linear::loads::Load;
 use arcless_core::linear::model::LinearModel;
 use arcless_core::pantograph::actuator::{Actuator, Sample};
 use arcless_core::pantograph::breakpoint::ForceKind;
 use arcless_core::pantograph::bump_stop::BumpStop;
 use arcless_core::pantograph::excitation::{BaseMotion, ForceHistory};
+use arcless_core::pantograph::model::Pantograph;
 use arcless_core::pantograph::piecewise_force::PiecewiseForce;
 use arcless_core::pantograph::strip::Strip;
-use arcless_core::pantograph::system::Pantograph;
 use arcless_core::scheme::Scheme;
+use arcless_core::simulation::inputs::Trajectory;
 use arcless_core::simulation::recording::record::{Record, RecordPlan};
 use arcless_core::simulation::run::Part;
-use arcless_core::simulation::run::Trajectory;
 use arcless_core::slideline::Slideline;
 use common::chain::{lumped, settled};
 use common::lanes::{At, STRING, lined, strings};
@@ -130,12 +130,12 @@ fn full(instants: usize) -> Pantograph {
         (0..instants).map(at).collect()
     };
     let first = vec![1.0, 0.0, 0.0];
-    rider.given.forces.push(ForceHistory {
+    rider.excitation.forces.push(ForceHistory {
         direction: first.clone(),
         values: wave(40.0, 0.02),
     });
-    rider.given.ground = Some(BaseMotion {
-        carried: vec![1.0; 3],
+    rider.excitation.base = Some(BaseMotion {
+        influence: vec![1.0; 3],
         displacement: wave(2e-3, 0.03),
         rate: wave(6e-2, 0.03),
     });
@@ -144,9 +144,9 @@ fn full(instants: usize) -> Pantograph {
         gap: 2e-4,
         stiffness: 1e5,
     });
-    rider.laws.push(PiecewiseForce {
+    rider.piecewise_forces.push(PiecewiseForce {
         direction: vec![0.0, -1.0, 1.0],
-        motion: ForceKind::Damper,
+        kind: ForceKind::Damper,
         points: vec![[-0.5, -60.0], [-0.02, -4.0], [0.02, 1.0], [0.5, 13.0]],
     });
     rider.actuator = Some(Actuator {
@@ -245,7 +245,8 @@ fn updated_kinematics_go_on() {
     let scheme = Scheme::generalised_alpha(0.5);
     let (structure, path) = simple_line(3);
     let (geometry, shape) = settled::<2, 4>(structure.clone());
-    let lanes = Slideline::lanes(&geometry, &shape, std::slice::from_ref(&path)).expect("a path");
+    let lanes =
+        Slideline::from_elements(&geometry, &shape, std::slice::from_ref(&path)).expect("a path");
     let p = WireModel::updated(
         &geometry,
         LinearModel::new(&geometry, shape.clone()),
@@ -258,7 +259,7 @@ fn updated_kinematics_go_on() {
     compare(&p, &[three_masses(90.0)], (&travel, &plan), &[20, 21]);
     let chain = lumped(&structure);
     let (geometry, shape) = settled::<2, 2>(chain);
-    let lanes = Slideline::lanes(&geometry, &shape, &[path]).expect("a path");
+    let lanes = Slideline::from_elements(&geometry, &shape, &[path]).expect("a path");
     let p = WireModel::updated(
         &geometry,
         LinearModel::new(&geometry, shape.clone()),

@@ -4,11 +4,12 @@ use crate::common;
 
 use arcless_core::pantograph::bump_stop::BumpStop;
 use arcless_core::pantograph::excitation::{BaseMotion, Excitation, ExcitationNow, ForceHistory};
+use arcless_core::pantograph::model::Pantograph;
+use arcless_core::pantograph::state::PantographState;
 use arcless_core::pantograph::strip::Strip;
-use arcless_core::pantograph::system::{Pantograph, PantographState};
 use arcless_core::scheme::Scheme;
+use arcless_core::simulation::inputs::Trajectory;
 use arcless_core::simulation::recording::record::Record;
-use arcless_core::simulation::run::Trajectory;
 use common::{difference, everything, free_mass, run, three_masses, travel};
 use std::f64::consts::PI;
 
@@ -23,9 +24,9 @@ fn two_masses() -> Pantograph {
         preload: vec![1.0, 0.0],
         lift: vec![0.0; 2],
         start_force: 0.0,
-        given: Excitation::default(),
+        excitation: Excitation::default(),
         stops: Vec::new(),
-        laws: Vec::new(),
+        piecewise_forces: Vec::new(),
         actuator: None,
     }
 }
@@ -73,8 +74,8 @@ fn response_error(frequency: f64, h: f64) -> f64 {
     let time = |i: usize| i as f64 * h;
     let mut rider = two_masses();
     let exact = transmissibility(&rider, omega);
-    rider.given.ground = Some(BaseMotion {
-        carried: vec![1.0, 1.0],
+    rider.excitation.base = Some(BaseMotion {
+        influence: vec![1.0, 1.0],
         displacement: (0..=steps)
             .map(|i| size * (omega * time(i)).sin())
             .collect(),
@@ -89,10 +90,10 @@ fn response_error(frequency: f64, h: f64) -> f64 {
     let (mut error, mut largest): (f64, f64) = (0.0, 0.0);
     let last_period = steps - (1.0 / (frequency * h)) as usize;
     for step in 0..steps {
-        state.rider.given.read(step, c.old, &mut now);
-        state.begin(&now);
-        state.free_increment(&c, 0.0);
-        state.advance(&c);
+        state.model.excitation.read(step, c.old, &mut now);
+        state.set_excitation(&now);
+        state.predict(&c, 0.0);
+        state.commit(&c);
         if step >= last_period {
             let phase = omega * time(step + 1);
             for (u, (re, im)) in state.u.iter().zip(exact) {
@@ -133,7 +134,7 @@ fn dropped(stiffness: f64, damping: f64, scheme: Scheme) -> Record {
     rider.damping[0] = damping;
     // At the start, in equilibrium, nothing pulls.
     let pulls = |x: &f64| if *x > 100.0 { PULL } else { 0.0 };
-    rider.given.forces.push(ForceHistory {
+    rider.excitation.forces.push(ForceHistory {
         direction: vec![-1.0],
         values: way.positions.iter().map(pulls).collect(),
     });
@@ -210,12 +211,12 @@ fn shaken(scheme: Scheme, contact: f64, stiffness: f64) -> Record {
     let mut rider = three_masses(90.0);
     let omega = 2.0 * PI * 1.7;
     let t = instants(&way);
-    rider.given.ground = Some(BaseMotion {
-        carried: vec![1.0; 3],
+    rider.excitation.base = Some(BaseMotion {
+        influence: vec![1.0; 3],
         displacement: t.iter().map(|t| 0.03 * (omega * t).sin()).collect(),
         rate: t.iter().map(|t| 0.03 * omega * (omega * t).cos()).collect(),
     });
-    rider.given.forces.push(ForceHistory {
+    rider.excitation.forces.push(ForceHistory {
         direction: vec![0.0, 0.0, 1.0],
         values: t.iter().map(|t| 30.0 * (9.0 * t).sin()).collect(),
     });
@@ -287,8 +288,8 @@ fn ground_that_stands_elsewhere_is_no_ground_motion() {
     let plain = run(&p, &[three_masses(90.0)], &way, &everything());
     let mut rider = three_masses(90.0);
     let count = way.positions.len();
-    rider.given.ground = Some(BaseMotion {
-        carried: vec![1.0; 3],
+    rider.excitation.base = Some(BaseMotion {
+        influence: vec![1.0; 3],
         displacement: vec![0.25; count],
         rate: vec![0.0; count],
     });
@@ -314,8 +315,8 @@ fn what_is_given_wrongly_is_refused() {
         direction: vec![1.0, 0.0, 0.0],
         values: vec![1.0; count],
     };
-    fails(&|r| r.given.forces.push(history(3)), "each instant");
-    fails(&|r| r.given.forces.push(history(0)), "each instant");
+    fails(&|r| r.excitation.forces.push(history(3)), "each instant");
+    fails(&|r| r.excitation.forces.push(history(0)), "each instant");
     let stop = |sign: f64, gap: f64| BumpStop {
         direction: vec![sign, 0.0, 0.0],
         gap,

@@ -4,8 +4,9 @@ use crate::common;
 
 use arcless_core::CoreError;
 use arcless_core::pantograph::excitation::Excitation;
+use arcless_core::pantograph::model::Pantograph;
+use arcless_core::pantograph::state::PantographState;
 use arcless_core::pantograph::strip::Strip;
-use arcless_core::pantograph::system::{Pantograph, PantographState};
 use arcless_core::scheme::{AlphaScheme, Scheme};
 use std::f64::consts::TAU;
 
@@ -20,9 +21,9 @@ fn oscillator(zeta: f64) -> Pantograph {
         preload: vec![1.0],
         lift: vec![0.0],
         start_force: 0.0,
-        given: Excitation::default(),
+        excitation: Excitation::default(),
         stops: Vec::new(),
-        laws: Vec::new(),
+        piecewise_forces: Vec::new(),
         actuator: None,
     }
 }
@@ -32,15 +33,15 @@ fn released(rider: Pantograph, scheme: Scheme, h: f64) -> PantographState {
     let c = scheme.coefficients(h);
     let mut state = PantographState::new(rider, &c, 0.0, 0.0).expect("an equilibrium");
     state.u[0] = 1.0;
-    state.a[0] = -state.rider.stiffness[0] / state.rider.mass[0];
+    state.a[0] = -state.model.stiffness[0] / state.model.mass[0];
     state
 }
 
 fn advance(state: &mut PantographState, scheme: Scheme, h: f64, steps: usize) {
     let c = scheme.coefficients(h);
     for _ in 0..steps {
-        state.free_increment(&c, 0.0);
-        state.advance(&c);
+        state.predict(&c, 0.0);
+        state.commit(&c);
     }
 }
 

@@ -260,7 +260,9 @@ fn strut_carries_the_stagger() {
         of_force.push((arm.linear_tension / lateral - 1.0).abs());
         let push = 10.0;
         g.structure.loads.push((middle, 2, push));
-        let moved = g.settle(&shape).expect("the equilibrium converges");
+        let moved = g
+            .find_equilibrium(&shape)
+            .expect("the equilibrium converges");
         let stiffness = push / (moved[middle][2] - shape[middle][2]);
         let wire = 2.0 * BEAM.tension / 55.0;
         let arm_alone = arm.linear_tension / arm.length;
@@ -302,7 +304,9 @@ fn settling_after_the_design_moves_nothing() {
     let (structure, heights) = line();
     let drawn: Vec<f64> = structure.positions.iter().map(|p| p[0]).collect();
     let (g, shape) = designed(structure);
-    let moved = g.settle(&shape).expect("the equilibrium converges");
+    let moved = g
+        .find_equilibrium(&shape)
+        .expect("the equilibrium converges");
     let largest = shape
         .iter()
         .flatten()
@@ -323,7 +327,9 @@ fn settling_after_the_design_moves_nothing() {
     // Partner: one dropper one per cent too long.
     let mut fault = g.clone();
     fault.structure.links[12].rest_length *= 1.01;
-    let moved = fault.settle(&shape).expect("the equilibrium converges");
+    let moved = fault
+        .find_equilibrium(&shape)
+        .expect("the equilibrium converges");
     let node = fault.structure.links[12].nodes[1];
     assert!(shape[node][1] - moved[node][1] > 1e-3);
 }
@@ -337,7 +343,9 @@ fn tension_at_a_released_end_is_exact() {
             // What the tension must not depend on: a changed dropper.
             g.structure.links[12].rest_length += 0.01;
         }
-        let shape = g.settle(&shape).expect("the equilibrium converges");
+        let shape = g
+            .find_equilibrium(&shape)
+            .expect("the equilibrium converges");
         for end in &g.structure.ends {
             let wire = g
                 .structure
@@ -373,7 +381,9 @@ fn too_long_link_is_slack_and_its_neighbours_carry() {
     let (mut g, shape) = designed(line().0);
     let before = tensions(&g, &shape);
     g.structure.links[13].rest_length += 0.1;
-    let settled = g.settle(&shape).expect("the equilibrium converges");
+    let settled = g
+        .find_equilibrium(&shape)
+        .expect("the equilibrium converges");
     let after = tensions(&g, &settled);
     assert!(after[13] < 0.0, "the linear law would push");
     // A taut wire hands the share on to the two neighbours.

@@ -2,9 +2,9 @@
 
 use crate::common;
 
-use arcless_core::integrator::prepared::WireModel;
+use arcless_core::integrator::wire_model::WireModel;
 use arcless_core::linear::loads::Loads;
-use arcless_core::pantograph::system::Pantograph;
+use arcless_core::pantograph::model::Pantograph;
 use arcless_core::scheme::Scheme;
 use arcless_core::simulation::inputs::Inputs;
 use arcless_core::simulation::model::Model;
@@ -19,8 +19,8 @@ const STEPS: usize = 300;
 
 fn model<'a>(line: &'a WireModel<2, 4>, riders: &'a [Pantograph]) -> Model<'a, 2, 4> {
     Model {
-        line,
-        riders,
+        wires: line,
+        pantographs: riders,
         distances: &[0.0],
         friction: 0.1,
     }
@@ -34,7 +34,7 @@ fn inputs(number: usize, old: f64) -> Inputs<'static> {
         positions: [start, (1.0 - old) * end + old * start, end],
         speed: SPEED,
         loads: Loads::new(&[], &[]),
-        given: &[],
+        excitations: &[],
     }
 }
 
@@ -44,7 +44,7 @@ fn steps_one_by_one_are_a_run_and_a_copy_goes_on_alike() {
     let riders = [three_masses(250.0)];
     let model = model(&line, &riders);
     let old = line.coefficients.old;
-    let mut state = State::standing(&model, (START, SPEED), true).expect("it stands");
+    let mut state = State::in_equilibrium(&model, (START, SPEED), true).expect("it stands");
     let mut forces = Vec::new();
     for number in 0..STEPS {
         step(&model, &inputs(number, old), &mut state).expect("it steps");
@@ -65,5 +65,8 @@ fn steps_one_by_one_are_a_run_and_a_copy_goes_on_alike() {
     }
     assert_eq!(copy.steps(), 2 * STEPS);
     assert_eq!(copy.contact_forces(), state.contact_forces());
-    assert_eq!(copy.rider_displacement(0), state.rider_displacement(0));
+    assert_eq!(
+        copy.pantograph_displacement(0),
+        state.pantograph_displacement(0)
+    );
 }

@@ -4,14 +4,14 @@
 use crate::common;
 
 use arcless_core::CoreError;
-use arcless_core::integrator::prepared::WireModel;
+use arcless_core::integrator::wire_model::WireModel;
 use arcless_core::linear::model::LinearModel;
 use arcless_core::pantograph::excitation::Excitation;
+use arcless_core::pantograph::model::Pantograph;
 use arcless_core::pantograph::strip::Strip;
-use arcless_core::pantograph::system::Pantograph;
 use arcless_core::scheme::Scheme;
+use arcless_core::simulation::inputs::Trajectory;
 use arcless_core::simulation::recording::record::{Record, RecordPlan};
-use arcless_core::simulation::run::Trajectory;
 use arcless_core::slideline::Slideline;
 use arcless_core::structure::Structure;
 use common::chain::{lumped, settled};
@@ -49,7 +49,7 @@ fn updated<const DIM: usize, const D: usize>(
     contact: f64,
 ) -> WireModel<DIM, D> {
     let (geometry, shape) = settled::<DIM, D>(structure.clone());
-    let lanes = Slideline::lanes(&geometry, &shape, std::slice::from_ref(path))
+    let lanes = Slideline::from_elements(&geometry, &shape, std::slice::from_ref(path))
         .expect("the wire is a path");
     WireModel::updated(
         &geometry,
@@ -96,9 +96,9 @@ fn two_masses(force: f64) -> Pantograph {
         preload: vec![1.0, 0.0],
         lift: vec![0.0; 2],
         start_force: force,
-        given: Excitation::default(),
+        excitation: Excitation::default(),
         stops: Vec::new(),
-        laws: Vec::new(),
+        piecewise_forces: Vec::new(),
         actuator: None,
     }
 }
@@ -227,7 +227,7 @@ fn a_wire_that_folds_back_is_noticed() {
     let mut path = Slideline::new(&geometry, &shape, &elements).expect("a path");
     let mut u = vec![[0.0; 2]; shape.len()];
     u[20][0] = 0.49;
-    assert!(path.follow(&u), "just not yet: elements of 0.5 m");
+    assert!(path.update_geometry(&u), "just not yet: elements of 0.5 m");
     u[20][0] = 0.51;
-    assert!(!path.follow(&u));
+    assert!(!path.update_geometry(&u));
 }

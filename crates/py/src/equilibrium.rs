@@ -1,11 +1,11 @@
 //! Static equilibrium and what is read from it.
 
 use crate::error::convert;
-use crate::prepared::{self, Prepared};
+use crate::model::{Any as AnyModel, WireModel};
 use crate::structure;
 use arcless_core::CoreError;
 use arcless_core::element::hermite;
-use arcless_core::integrator::prepared::WireModel;
+use arcless_core::integrator::wire_model;
 use arcless_core::linalg::lanczos::Recurrence;
 use arcless_core::linear::model::LinearModel;
 use arcless_core::linear::static_response::StaticSolver;
@@ -55,10 +55,10 @@ impl Equilibrium {
     /// with `fitted_bends`, points of chains yield as those of their wires do; with `across_only`,
     /// nothing that is asked of it later moves along the track.
     #[new]
-    #[pyo3(signature = (dim, positions, slopes, parts, gravity, design, residual_flexibility = false, fitted_bends = false, across_only = false))]
+    #[pyo3(signature = (*, dimension, positions, slopes, parts, gravity, design, residual_flexibility = false, fitted_bends = false, across_only = false))]
     fn new(
         py: Python<'_>,
-        dim: usize,
+        dimension: usize,
         positions: PyReadonlyArray2<'_, f64>,
         slopes: PyReadonlyArray2<'_, f64>,
         parts: &Bound<'_, PyDict>,
@@ -69,11 +69,11 @@ impl Equilibrium {
         across_only: bool,
     ) -> PyResult<Self> {
         let how = (design, residual_flexibility);
-        let mut s = structure::build(dim, &positions, &slopes, parts, gravity)?;
+        let mut s = structure::build(dimension, &positions, &slopes, parts, gravity)?;
         s.fitted_bends = fitted_bends;
         s.across_only = across_only;
         let is_chain = s.wires.is_empty() && !s.segments.is_empty();
-        let found = py.detach(|| match (dim, is_chain) {
+        let found = py.detach(|| match (dimension, is_chain) {
             (2, false) => Solved::new(s, how).map(Any::Planar),
             (_, false) => Solved::new(s, how).map(Any::Spatial),
             (2, true) => Solved::new(s, how).map(Any::PlanarChain),
@@ -155,7 +155,7 @@ impl Equilibrium {
     /// Factorise for stepping: wire elements of each lane in the order of the track, scheme as name and parameters, step in s, contact stiffness in N/m
     /// (infinite when rigid), updated or linearised kinematics, and whether the mass of the wires is
     /// corrected for the period error of the scheme.
-    #[pyo3(signature = (lanes, scheme, step, contact_stiffness, updated, period_correction = false))]
+    #[pyo3(signature = (*, lanes, scheme, step, contact_stiffness, updated, period_correction = false))]
     fn prepare(
         &self,
         py: Python<'_>,
@@ -165,7 +165,7 @@ impl Equilibrium {
         contact_stiffness: f64,
         updated: bool,
         period_correction: bool,
-    ) -> PyResult<Prepared> {
+    ) -> PyResult<WireModel> {
         let stepping = Stepping {
             scheme: read_scheme(&scheme.0, &scheme.1)?,
             step,
@@ -176,12 +176,12 @@ impl Equilibrium {
         };
         let with = &stepping;
         let found = py.detach(|| match &self.0 {
-            Any::Planar(s) => s.prepare(&lanes, with).map(prepared::Any::Planar),
-            Any::Spatial(s) => s.prepare(&lanes, with).map(prepared::Any::Spatial),
-            Any::PlanarChain(s) => s.prepare(&lanes, with).map(prepared::Any::PlanarChain),
-            Any::SpatialChain(s) => s.prepare(&lanes, with).map(prepared::Any::SpatialChain),
+            Any::Planar(s) => s.prepare(&lanes, with).map(AnyModel::Planar),
+            Any::Spatial(s) => s.prepare(&lanes, with).map(AnyModel::Spatial),
+            Any::PlanarChain(s) => s.prepare(&lanes, with).map(AnyModel::PlanarChain),
+            Any::SpatialChain(s) => s.prepare(&lanes, with).map(AnyModel::SpatialChain),
         });
-        found.map(Prepared).map_err(|e| convert(py, &e))
+        found.map(WireModel).map_err(|e| convert(py, &e))
     }
 }
 
@@ -227,7 +227,7 @@ impl<const DIM: usize, const D: usize> Solved<DIM, D> {
             geometry.initial_shape()
         };
         // The service equilibrium decides, also after a design: the lengths must reproduce it.
-        let shape = geometry.settle(&start)?;
+        let shape = geometry.find_equilibrium(&start)?;
         Ok(Self { geometry, shape })
     }
 
@@ -242,12 +242,14 @@ impl<const DIM: usize, const D: usize> Solved<DIM, D> {
 
     fn lanes(&self, lanes: &[Vec<usize>]) -> Result<Vec<Slideline<DIM>>, CoreError> {
         let (geometry, shape) = (&self.geometry, &self.shape);
-        let paths = Slideline::lanes(geometry, shape, lanes)?;
+        let paths = Slideline::from_elements(geometry, shape, lanes)?;
         if geometry.structure.fitted_bends {
-            return Ok(Slideline::rounded(paths, geometry, shape));
+            return Ok(Slideline::smoothed(paths, geometry, shape));
         }
         if geometry.structure.residual.is_some() {
-            return Ok(Slideline::yielding(paths, geometry, shape, lanes));
+            return Ok(Slideline::with_residual_flexibility(
+                paths, geometry, shape, lanes,
+            ));
         }
         Ok(paths)
     }
@@ -272,7 +274,7 @@ impl<const DIM: usize, const D: usize> Solved<DIM, D> {
         let places: Vec<_> = lanes.iter().filter_map(|lane| lane.locate(x, 0)).collect();
         if places.is_empty() {
             return Err(CoreError::OffWire {
-                rider: 0,
+                pantograph: 0,
                 position: x,
                 step: 0,
             });
@@ -284,7 +286,7 @@ impl<const DIM: usize, const D: usize> Solved<DIM, D> {
         &self,
         lanes: &[Vec<usize>],
         with: &Stepping,
-    ) -> Result<Arc<WireModel<DIM, D>>, CoreError> {
+    ) -> Result<Arc<wire_model::WireModel<DIM, D>>, CoreError> {
         let (lanes, h, contact) = (self.lanes(lanes)?, with.step, with.contact_stiffness);
         let (geometry, mut line) = (&self.geometry, self.line());
         if with.period_correction {
@@ -297,14 +299,14 @@ impl<const DIM: usize, const D: usize> Solved<DIM, D> {
             });
         }
         if with.explicit {
-            let p = WireModel::explicit(geometry, line, lanes, h, contact);
+            let p = wire_model::WireModel::explicit(geometry, line, lanes, h, contact);
             return p.map(Arc::new);
         }
         if with.updated {
-            let p = WireModel::updated(geometry, line, lanes, with.scheme, h, contact);
+            let p = wire_model::WireModel::updated(geometry, line, lanes, with.scheme, h, contact);
             return p.map(Arc::new);
         }
-        WireModel::new(line, lanes, with.scheme, h, contact).map(Arc::new)
+        wire_model::WireModel::new(line, lanes, with.scheme, h, contact).map(Arc::new)
     }
 
     fn arrays<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
@@ -373,7 +375,7 @@ impl<const DIM: usize, const D: usize> Solved<DIM, D> {
     fn tensions(&self) -> Vec<f64> {
         let s = &self.geometry.structure;
         let middle = |w: &arcless_core::structure::Wire| {
-            let e = Geometry::<DIM, D>::straightened(&self.shape, w);
+            let e = Geometry::<DIM, D>::frame_coordinates(&self.shape, w);
             hermite::tension(&w.section, &e, 0.5)
         };
         let segments = s

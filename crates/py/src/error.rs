@@ -62,25 +62,25 @@ fn details<'py>(
             "pushing"
         }
         CoreError::BeyondTable {
-            rider,
+            pantograph,
             table,
-            place,
+            displacement,
             end,
         } => {
-            d.set_item("rider", rider)?;
+            d.set_item("rider", pantograph)?;
             d.set_item("table", table)?;
-            d.set_item("place", place)?;
+            d.set_item("place", displacement)?;
             d.set_item("end", end)?;
             "beyond_table"
         }
         CoreError::Control {
-            rider,
+            pantograph,
             step,
             time,
             position,
             reason,
         } => {
-            d.set_item("rider", rider)?;
+            d.set_item("rider", pantograph)?;
             d.set_item("step", step)?;
             d.set_item("time", time)?;
             d.set_item("position", position)?;
@@ -133,23 +133,23 @@ fn details<'py>(
             "slack_set"
         }
         CoreError::OffWire {
-            rider,
+            pantograph,
             position,
             step,
         } => {
-            d.set_item("rider", rider)?;
+            d.set_item("rider", pantograph)?;
             d.set_item("position", position)?;
             d.set_item("step", step)?;
             "off_wire"
         }
         CoreError::OutOfReach {
-            rider,
+            pantograph,
             position,
             lateral,
             half_width,
             step,
         } => {
-            d.set_item("rider", rider)?;
+            d.set_item("rider", pantograph)?;
             d.set_item("position", position)?;
             d.set_item("lateral", lateral)?;
             d.set_item("half_width", half_width)?;

@@ -4,22 +4,25 @@ mod equilibrium;
 mod error;
 mod filter;
 mod lcp;
-mod live;
-mod prepared;
+mod model;
+mod pantographs;
 mod records;
-mod riders;
+mod session;
 mod structure;
 
+use arcless_core::simulation::recording::record::Record;
 use pyo3::prelude::*;
+use pyo3::types::PyTuple;
 
 /// Native part of `arcless`; private, use the package's Python interface.
 #[pymodule]
 fn _core(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add("__version__", env!("CARGO_PKG_VERSION"))?;
+    m.add("SERIES", PyTuple::new(m.py(), Record::SERIES)?)?;
     m.add("NativeError", m.py().get_type::<error::NativeError>())?;
     m.add_class::<equilibrium::Equilibrium>()?;
-    m.add_class::<prepared::Prepared>()?;
-    m.add_class::<live::Live>()?;
+    m.add_class::<model::WireModel>()?;
+    m.add_class::<session::Session>()?;
     m.add_function(wrap_pyfunction!(lcp::solve_lcp, m)?)?;
     m.add_function(wrap_pyfunction!(filter::filtered, m)?)?;
     Ok(())

@@ -1,55 +1,141 @@
-//! Structure from tables of numbers: for each kind of part one integer and one float array.
+//! Structure from tables of parts: one structured array for each kind, whose columns are read by
+//! their names, which are those of the fields of the core.
 
-use arcless_core::element::hermite::Section;
 use arcless_core::statics::Alteration;
+use arcless_core::structure::Section;
 use arcless_core::structure::{
     Bend, Link, PointMass, Rayleigh, Segment, Spring, SpringMode, Structure, Strut, TensionedEnd,
     Wire,
 };
-use numpy::PyReadonlyArray2;
+use numpy::ndarray::{ArrayView1, Dimension, Ix1, Ix2};
+use numpy::{Element, PyArrayMethods, PyReadonlyArray, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// A table: integer and float columns of the same number of rows, one row after the other.
-struct Table {
+/// Table of one kind of part.
+struct Table<'py> {
+    kind: &'static str,
+    array: Bound<'py, PyAny>,
     rows: usize,
-    widths: [usize; 2],
-    integers: Vec<usize>,
-    floats: Vec<f64>,
 }
 
-fn table(parts: &Bound<'_, PyDict>, name: &str, widths: [usize; 2]) -> PyResult<Table> {
-    let item = parts.get_item(name)?;
-    let item = item.ok_or_else(|| PyValueError::new_err(format!("part {name} is missing")))?;
-    let (integers, floats): (PyReadonlyArray2<'_, i64>, PyReadonlyArray2<'_, f64>) =
-        item.extract()?;
-    let (integers, floats) = (integers.as_array(), floats.as_array());
-    if integers.nrows() != floats.nrows() || [integers.ncols(), floats.ncols()] != widths {
-        let message = format!("part {name}: expected {widths:?} columns and equal rows");
-        return Err(PyValueError::new_err(message));
+impl<'py> Table<'py> {
+    fn of(parts: &Bound<'py, PyDict>, kind: &'static str) -> PyResult<Self> {
+        let array = parts.get_item(kind)?;
+        let array = array.ok_or_else(|| PyValueError::new_err(format!("no table {kind}")))?;
+        let rows = array.len()?;
+        Ok(Self { kind, array, rows })
     }
-    let unsigned = |&v: &i64| {
-        usize::try_from(v)
-            .map_err(|_| PyValueError::new_err(format!("part {name}: negative index {v}")))
-    };
-    Ok(Table {
-        rows: integers.nrows(),
-        widths,
-        integers: integers.iter().map(unsigned).collect::<PyResult<_>>()?,
-        floats: floats.iter().copied().collect(),
-    })
+
+    /// Values of a column, row by row.
+    fn column<T: Value>(&self, name: &str) -> PyResult<Vec<T>> {
+        let refused = |reason: &str| {
+            PyValueError::new_err(format!("table {}: column {name}: {reason}", self.kind))
+        };
+        let column = self.array.get_item(name);
+        let column = column.map_err(|_| refused("there is none"))?;
+        let values = T::read(&column).map_err(refused)?;
+        if values.len() != self.rows {
+            return Err(refused("not as many rows as the table"));
+        }
+        Ok(values)
+    }
 }
 
-fn each<T>(t: &Table, make: impl Fn(&[usize], &[f64]) -> T) -> Vec<T> {
-    let [integers, floats] = t.widths;
-    let row = |k: usize| {
-        make(
-            &t.integers[k * integers..(k + 1) * integers],
-            &t.floats[k * floats..(k + 1) * floats],
-        )
-    };
-    (0..t.rows).map(row).collect()
+/// Value that a column holds in each row.
+trait Value: Sized {
+    /// Reads a column, or tells what it should have been.
+    fn read(column: &Bound<'_, PyAny>) -> Result<Vec<Self>, &'static str>;
+}
+
+/// Column of numbers as an array of so many dimensions; `None` if it is not one.
+fn numbers<'py, T: Element, D: Dimension>(
+    column: &Bound<'py, PyAny>,
+    row: &[usize],
+) -> Option<PyReadonlyArray<'py, T, D>> {
+    let array: PyReadonlyArray<'_, T, D> = column.extract().ok()?;
+    let steps = array.strides();
+    // Rows of a structured array may lie anywhere.
+    let is_aligned = array.data().is_aligned()
+        && steps
+            .iter()
+            .all(|step| step % align_of::<T>().cast_signed() == 0);
+    (is_aligned && array.shape()[1..] == *row).then_some(array)
+}
+
+/// One number in each row.
+fn single<T: Element + Copy>(column: &Bound<'_, PyAny>) -> Option<Vec<T>> {
+    let array = numbers::<T, Ix1>(column, &[])?;
+    Some(array.as_array().iter().copied().collect())
+}
+
+/// `N` numbers in each row.
+fn several<T: Element + Copy, const N: usize>(column: &Bound<'_, PyAny>) -> Option<Vec<[T; N]>> {
+    let array = numbers::<T, Ix2>(column, &[N])?;
+    let rows = array.as_array();
+    let row = |row: ArrayView1<'_, T>| std::array::from_fn(|k| row[k]);
+    Some(rows.rows().into_iter().map(row).collect())
+}
+
+fn index(number: i64) -> Result<usize, &'static str> {
+    usize::try_from(number).map_err(|_| "a number is negative")
+}
+
+impl Value for f64 {
+    fn read(column: &Bound<'_, PyAny>) -> Result<Vec<Self>, &'static str> {
+        single(column).ok_or("expected a float64 in each row")
+    }
+}
+
+impl Value for [f64; 3] {
+    fn read(column: &Bound<'_, PyAny>) -> Result<Vec<Self>, &'static str> {
+        several(column).ok_or("expected three float64 in each row")
+    }
+}
+
+impl Value for bool {
+    fn read(column: &Bound<'_, PyAny>) -> Result<Vec<Self>, &'static str> {
+        single(column).ok_or("expected a bool in each row")
+    }
+}
+
+impl Value for usize {
+    fn read(column: &Bound<'_, PyAny>) -> Result<Vec<Self>, &'static str> {
+        let all = single(column).ok_or("expected an int64 in each row")?;
+        all.into_iter().map(index).collect()
+    }
+}
+
+impl Value for [usize; 2] {
+    fn read(column: &Bound<'_, PyAny>) -> Result<Vec<Self>, &'static str> {
+        let all = several::<i64, 2>(column).ok_or("expected two int64 in each row")?;
+        all.into_iter()
+            .map(|[a, b]| Ok([index(a)?, index(b)?]))
+            .collect()
+    }
+}
+
+impl Value for SpringMode {
+    fn read(column: &Bound<'_, PyAny>) -> Result<Vec<Self>, &'static str> {
+        let modes = usize::read(column)?.into_iter().map(|mode| match mode {
+            0 => Ok(Self::Given),
+            1 => Ok(Self::Held),
+            2 => Ok(Self::Unloaded),
+            _ => Err("expected 0, 1 or 2 in each row"),
+        });
+        modes.collect()
+    }
+}
+
+/// Reads a table: names of its columns, and the part that a row of them makes.
+macro_rules! rows {
+    ($parts:expr, $kind:ident [$($column:ident),+] => $row:expr) => {{
+        let table = Table::of($parts, stringify!($kind))?;
+        $(let mut $column = table.column(stringify!($column))?.into_iter();)+
+        let row = || { $(let $column = $column.next()?;)+ Some($row) };
+        std::iter::from_fn(row).collect()
+    }};
 }
 
 pub fn triples(array: &PyReadonlyArray2<'_, f64>) -> PyResult<Vec<[f64; 3]>> {
@@ -66,7 +152,7 @@ pub fn triples(array: &PyReadonlyArray2<'_, f64>) -> PyResult<Vec<[f64; 3]>> {
         .collect())
 }
 
-/// Assemble the structure; the columns are documented in `arcless.mesh`.
+/// Assembles the structure; the columns are documented in `arcless.mesh.tables.columns`.
 pub fn build(
     dim: usize,
     positions: &PyReadonlyArray2<'_, f64>,
@@ -78,41 +164,46 @@ pub fn build(
         dim,
         positions: triples(positions)?,
         slopes: triples(slopes)?,
-        wires: each(&table(parts, "wires", [4, 7])?, wire),
-        segments: each(&table(parts, "segments", [2, 6])?, segment),
-        bends: each(&table(parts, "bends", [2, 2])?, |i, f| Bend {
-            segments: [i[0], i[1]],
-            stiffness: f[0],
-            beta: f[1],
-        }),
-        links: each(&table(parts, "links", [4, 6])?, link),
-        struts: each(&table(parts, "struts", [2, 10])?, strut),
-        springs: each(&table(parts, "springs", [3, 3])?, spring),
-        masses: each(&table(parts, "masses", [1, 2])?, |i, f| PointMass {
-            node: i[0],
-            mass: f[0],
-            alpha: f[1],
-        }),
-        fixed: each(&table(parts, "fixed", [2, 0])?, |i, _| (i[0], i[1])),
-        ends: each(&table(parts, "ends", [2, 1])?, |i, f| TensionedEnd {
-            node: i[0],
-            force: f[0],
-            released: i[1] != 0,
-        }),
-        loads: each(&table(parts, "loads", [2, 1])?, |i, f| (i[0], i[1], f[0])),
-        wire_loads: each(&table(parts, "wire_loads", [0, 3])?, |_, f| {
-            [f[0], f[1], f[2]]
-        }),
+        wires: wires(parts)?,
+        segments: rows!(parts, segments [nodes, rest_length, axial_stiffness, mass, alpha, beta,
+            design_tension] => Segment { nodes, rest_length, axial_stiffness, turn: 0.0, mass,
+            damping: Rayleigh { alpha, beta }, design_tension }),
+        bends: rows!(parts, bends [segments, bending_stiffness, beta] => Bend {
+            segments, stiffness: bending_stiffness, beta }),
+        links: rows!(parts, links [nodes, unilateral, adjust, rest_length, stiffness, viscosity,
+            alpha, beta, mass] => Link { nodes, unilateral, adjust, rest_length, stiffness,
+            viscosity, damping: Rayleigh { alpha, beta }, mass }),
+        struts: rows!(parts, struts [node, adjust, direction, anchor, rest_length, stiffness,
+            moving_mass, hanging_mass] => Strut { node, adjust, direction, anchor, rest_length,
+            stiffness, moving_mass, hanging_mass }),
+        springs: rows!(parts, springs [node, component, mode, stiffness, viscosity, rest] =>
+            Spring { node, component, mode, stiffness, viscosity, rest }),
+        masses: rows!(parts, masses [node, mass, alpha] => PointMass { node, mass, alpha }),
+        fixed: rows!(parts, fixed [node, component] => (node, component)),
+        ends: rows!(parts, ends [node, force, released] => TensionedEnd { node, force, released }),
+        loads: rows!(parts, loads [node, component, force] => (node, component, force)),
+        wire_loads: Table::of(parts, "wire_loads")?.column("force")?,
         fitted_bends: false,
         across_only: false,
         residual: None,
         gravity,
     };
-    turn(&mut structure, &table(parts, "turns", [0, 1])?.floats)?;
+    turn(&mut structure, &Table::of(parts, "turns")?.column("angle")?)?;
     Ok(structure)
 }
 
-/// By what the track turns along each wire element or segment, or nothing at all.
+fn wires(parts: &Bound<'_, PyDict>) -> PyResult<Vec<Wire>> {
+    Ok(
+        rows!(parts, wires [nodes, slope_nodes, rest_length, axial_stiffness, bending_stiffness,
+        mass, alpha, beta, design_tension] => {
+            let section = Section { rest_length, axial_stiffness, bending_stiffness };
+            let damping = Rayleigh { alpha, beta };
+            Wire { nodes, slope_nodes, section, turn: 0.0, mass, damping, design_tension }
+        }),
+    )
+}
+
+/// Sets the angle by which the track turns along each element, rad; none are given on a straight one.
 fn turn(s: &mut Structure, turns: &[f64]) -> PyResult<()> {
     let elements = s.wires.len() + s.segments.len();
     if !turns.is_empty() && turns.len() != elements {
@@ -145,83 +236,4 @@ pub fn alteration(arrays: &Bound<'_, PyDict>) -> PyResult<Alteration> {
         end_force: item("end_force")?.extract()?,
         removed: item("removed")?.extract()?,
     })
-}
-
-fn wire(i: &[usize], f: &[f64]) -> Wire {
-    Wire {
-        nodes: [i[0], i[1]],
-        slope_nodes: [i[2], i[3]],
-        section: Section {
-            rest_length: f[0],
-            axial_stiffness: f[1],
-            bending_stiffness: f[2],
-        },
-        turn: 0.0,
-        mass: f[3],
-        damping: Rayleigh {
-            alpha: f[4],
-            beta: f[5],
-        },
-        design_tension: f[6],
-    }
-}
-
-fn segment(i: &[usize], f: &[f64]) -> Segment {
-    Segment {
-        nodes: [i[0], i[1]],
-        rest_length: f[0],
-        axial_stiffness: f[1],
-        turn: 0.0,
-        mass: f[2],
-        damping: Rayleigh {
-            alpha: f[3],
-            beta: f[4],
-        },
-        design_tension: f[5],
-    }
-}
-
-fn link(i: &[usize], f: &[f64]) -> Link {
-    Link {
-        nodes: [i[0], i[1]],
-        unilateral: i[2] != 0,
-        adjust: i[3] != 0,
-        rest_length: f[0],
-        stiffness: f[1],
-        viscosity: f[2],
-        damping: Rayleigh {
-            alpha: f[3],
-            beta: f[4],
-        },
-        mass: f[5],
-    }
-}
-
-fn strut(i: &[usize], f: &[f64]) -> Strut {
-    Strut {
-        node: i[0],
-        adjust: i[1] != 0,
-        direction: [f[0], f[1], f[2]],
-        anchor: [f[3], f[4], f[5]],
-        rest_length: f[6],
-        stiffness: f[7],
-        moving_mass: f[8],
-        hanging_mass: f[9],
-    }
-}
-
-fn spring(i: &[usize], f: &[f64]) -> Spring {
-    let mode = match i[2] {
-        0 => SpringMode::Given,
-        1 => SpringMode::Held,
-        _ => SpringMode::Unloaded,
-    };
-    Spring {
-        node: i[0],
-        component: i[1],
-        mode,
-        stiffness: f[0],
-        viscosity: f[1],
-        rest: f[2],
-    }
 }

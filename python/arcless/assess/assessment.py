@@ -55,17 +55,17 @@ class Assessment:
     wall_time_s: float
     real_time_factor: float
     supply: str
-    """Whose limits were taken."""
+    """Supply whose limits were taken."""
     criteria: list[Criterion]
     notes: list[str]
     certainty: dict[str, dict[str, float | None]] | None = None
     """Spread and discretisation of the numbers of the run, by key; None where nobody asked."""
     certainty_method: dict[str, Any] | None = None
-    """How they were found, see `arcless.assess.certainty`."""
+    """Method by which they were found, see `arcless.assess.certainty`."""
 
     @property
     def passed(self) -> bool:
-        """Whether no limit that decides was missed; those too close to tell count as met."""
+        """True when no deciding limit was missed; criteria too close to tell count as met."""
         return not any(criterion.fails for criterion in self.criteria)
 
     def to_dict(self) -> dict[str, Any]:
@@ -155,7 +155,7 @@ def assess(
 
 
 def draw_of(assessment: Assessment) -> Draw:
-    """Return what is kept of an assessed run beside another one."""
+    """Return the numbers that are kept of an assessed run that served another one's certainty."""
     return Draw(
         {each.name: numbers_of(each) for each in assessment.pantographs},
         {key: getattr(assessment, key) for key in RUN_KEYS},
@@ -166,7 +166,7 @@ def draw_of(assessment: Assessment) -> Draw:
 def _draws(
     facts: Mapping[str, Any], section: Section, low_pass_Hz: float
 ) -> tuple[Draws | None, dict[str, Any] | None, list[str]]:
-    """Return the runs beside a run, how they were made, and what is to be said of them."""
+    """Return the additional runs, how they were made, and remarks about them."""
     found, asked = facts["certainty"], facts["scenario"].get("certainty")
     if found is None:
         missing = "how sure the numbers are was asked for, and not found out here"
@@ -188,12 +188,12 @@ def _draws(
 
 
 def _absences(line: Mapping[str, Any], scenario: Mapping[str, Any]) -> list[str]:
-    """Return what is missing from a record and could be there."""
+    """Return notes about quantities that are missing from a record and could be there."""
     solver = scenario["solver"]
     never = set()
     if scenario["line"].get("messenger_wire") is None:
         never.add("min_dropper_force_N")
-    # Who asks for a ledger of these gets an error in the place of a run.
+    # A run with a ledger and updated kinematics is refused.
     if solver["kinematics"] == "updated":
         never.add("energy_residual_relative")
     return [_absent(n) for n, value in line.items() if value is None and n not in never]

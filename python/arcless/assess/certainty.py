@@ -1,4 +1,4 @@
-"""How sure an assessed number is: its spread over starts, and its error of discretisation.
+"""Certainty of an assessed number: its spread over starts, and its error of discretisation.
 
 A run is one draw: begun elsewhere within a span, which nobody can prefer, it gives another number.
 With N draws x₁ … x_N, of which x₁ is the run's own, and their mean x̄,
@@ -32,7 +32,7 @@ from arcless.assess.statistics import PantographAssessment
 COVERAGE = 0.95
 # Numbers of the whole run that are assessed; the others are given, or counts of the computation.
 RUN_KEYS = ("max_uplift_at_support_mm", "slack_droppers_max", "min_dropper_force_N")
-# What a result says of how the runs were made.
+# Attributes of a result that say how the runs were made.
 METHOD_KEYS = ("starts_m", "static_force_N", "other_family", "wall_time_s", "notes")
 # Halvings of an interval of angles: to rounding.
 HALVINGS = 60
@@ -40,14 +40,14 @@ HALVINGS = 60
 
 @dataclass(frozen=True)
 class Certainty:
-    """How sure one number is, in its own unit; None where that is not known."""
+    """Certainty of one number, in its own unit; None where that is not known."""
 
     spread: float | None
     discretisation: float | None
 
     @property
     def uncertainty(self) -> float | None:
-        """What is known of both, together; None where nothing is."""
+        """Sum of the known parts; None where both are unknown."""
         known = [part for part in (self.spread, self.discretisation) if part is not None]
         return sum(known) if known else None
 
@@ -109,7 +109,7 @@ Pair = tuple[float | None, float | None]
 
 @dataclass(frozen=True)
 class Draw:
-    """What is kept of an assessed run: its numbers, and value and limit of each criterion."""
+    """Data kept of an assessed run: its numbers, and value and limit of each criterion."""
 
     pantographs: dict[str, dict[str, float | None]]
     run: dict[str, float | None]
@@ -129,7 +129,7 @@ class Draw:
 
 @dataclass(frozen=True)
 class Draws:
-    """The runs beside a run: from the other starts, and by the other family of elements."""
+    """Additional runs: from the other starts, and by the other family of elements."""
 
     starts: Sequence[Draw]
     refined: Draw | None

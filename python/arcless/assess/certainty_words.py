@@ -1,4 +1,4 @@
-"""How sure the numbers of a run are, in sentences."""
+"""Certainty of the numbers of a run, in sentences."""
 
 from collections.abc import Mapping
 from typing import Any

@@ -39,11 +39,11 @@ class Criterion:
     certainty: dict[str, float | None] | None = None
     """Spread and discretisation of value less limit; None where nobody asked."""
     tolerance: float = 0.0
-    """How far the value may lie beyond the limit, in its unit."""
+    """Distance that the value may lie beyond the limit, in its unit."""
 
     @property
     def fails(self) -> bool:
-        """Whether it is not met, by a limit that decides: one that was not merely remembered."""
+        """True when it is not met, by a limit that decides: one that was not merely remembered."""
         return self.passed is False and decides(self.mark)
 
 
@@ -56,7 +56,7 @@ def verdict_of(criterion: Mapping[str, Any]) -> str:
 
 
 def allowance(criterion: Mapping[str, Any]) -> str:
-    """Return what follows a printed limit: the tolerance of the comparison, if there is one."""
+    """Return the text after a printed limit: the tolerance of the comparison, if there is one."""
     if not criterion["tolerance"] or criterion["limit"] is None:
         return ""
     return f" {'−' if criterion['relation'].startswith('>') else '+'} {criterion['tolerance']:g}"

@@ -1,4 +1,4 @@
-"""What criteria are judged by: supply, speeds, space, and collector heads, read from a result."""
+"""Facts that criteria are judged by: supply, speeds, space, and collector heads, from a result."""
 
 import math
 from collections.abc import Mapping
@@ -19,7 +19,7 @@ LARGEST_USUAL_UPLIFT_MM = 250.0
 
 
 def criteria_facts(facts: Mapping[str, Any], speed: Any, uplift_mm: float | None) -> Facts:
-    """Return what the criteria are judged by.
+    """Return the facts that the criteria are judged by.
 
     Parameters
     ----------
@@ -68,7 +68,7 @@ def uplift_notes(uplift_mm: float | None) -> list[str]:
 def lateral_mm(
     dataset: "Dataset", column: int, inside: NDArray[np.bool_], sway_m: float
 ) -> float | None:
-    """Return how far the contact wire ran from the middle of a head, its sway included.
+    """Return the largest distance of the contact wire from the middle of a head, sway included.
 
     Parameters
     ----------

@@ -28,22 +28,22 @@ DECIDING = ("A", "A'", "B", "D")
 
 
 def decides(mark: str) -> bool:
-    """Whether a limit with this mark decides whether a run, or a reference case, passes."""
+    """Return whether a limit with this mark decides whether a run, or a reference case, passes."""
     return mark in DECIDING
 
 
 @dataclass(frozen=True)
 class HeadLimit:
-    """How far from the middle of a collector head the contact wire may run."""
+    """Lateral range of the contact wire on a collector head, from its middle."""
 
     limit_mm: float
     mark: str
-    """Of the limit, or of the width of the head if that is less sure."""
+    """Mark of the limit, or of the width of the head if that is less sure."""
 
 
 @dataclass(frozen=True)
 class Facts:
-    """What the rules are judged by, beside the pantographs' own numbers."""
+    """Facts that the rules are judged by, besides the pantographs' own numbers."""
 
     supply: str
     speed_km_h: float
@@ -56,7 +56,7 @@ class Facts:
     uplift_space_mm: float | None = None
     uplift_limited: bool = False
     heads: Mapping[str, "HeadLimit"] = field(default_factory=dict)
-    """By name of the pantograph, how far aside its head lets a contact wire run."""
+    """Lateral range of the contact wire that each head allows, by name of the pantograph."""
 
     @property
     def uplift_to_provide_mm(self) -> float | None:
@@ -77,7 +77,7 @@ class Limit:
     """Name of the quantity that the factor multiplies."""
 
     def value(self, facts: Facts, pantograph: PantographAssessment) -> float | None:
-        """Return the limit for this run, None if the quantity behind it is not known."""
+        """Return the limit for this run; None if its reference quantity is not known."""
         if self.of is None:
             return self.constant + self.per_speed_squared * facts.speed_km_h**2
         quantity = quantity_of(self.of, facts, pantograph)
@@ -107,10 +107,10 @@ class Rule:
     note: str = ""
     supplies: tuple[str, ...] = ANY_SUPPLY
     speeds_km_h: tuple[float, float] = ANY_SPEED
-    """Above the first, up to and including the second."""
+    """Range of speed in km/h: above the first, up to and including the second."""
     tolerance: float = 0.0
     whole_run: bool = False
-    """Judged once, not for every pantograph."""
+    """True for a rule that is judged once, not for every pantograph."""
 
     def applies(self, facts: Facts) -> bool:
         """Say whether the rule is meant for this supply and speed."""

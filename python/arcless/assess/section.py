@@ -1,4 +1,4 @@
-"""What of a record lies inside the analysis section."""
+"""Part of a record inside the analysis section."""
 # ruff: noqa: N815 - the names carry their units
 
 from dataclasses import dataclass
@@ -81,7 +81,7 @@ def extreme_inside(
 def section_notes(
     dataset: "Dataset", section: Section, record: ForceRecord, band_split_Hz: float
 ) -> list[str]:
-    """Say in sentences what makes the numbers of this section less than they should be."""
+    """Say in sentences why the numbers of this section cover less than they should."""
     position, time = dataset["position"].values, dataset["time"].values
     notes = []
     if record.rate_Hz < MEASUREMENT_RATE_HZ:

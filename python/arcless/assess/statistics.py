@@ -38,9 +38,9 @@ class PantographAssessment:
     unfiltered_max_force_N: float
     unfiltered_min_force_N: float
     max_lateral_position_mm: float | None = None
-    """Of the contact wire from the middle of the head, sway included; None of a planar run."""
+    """Distance of the contact wire from the middle of the head, sway included; None if planar."""
     wear_mechanical_mm3_km: float | None = None
-    """None, as are the next three, of a scenario without coefficients of wear."""
+    """Wear rates: None, as are the next three, of a scenario without coefficients of wear."""
     wear_joule_mm3_km: float | None = None
     wear_arc_mm3_km: float | None = None
     wear_total_mm3_km: float | None = None

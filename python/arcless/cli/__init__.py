@@ -9,11 +9,11 @@ __all__ = ["main"]
 
 def main() -> None:
     """Run the command `arcless` and leave with its exit code."""
-    start.have_streams()
-    interrupts.answer_once()
-    start.own_process()
+    start.open_missing_streams()
+    interrupts.merge_signals()
+    start.claim_process()
     try:
-        with start.staying():
+        with start.permanent_objects():
             from arcless.cli.app import app
 
         app(prog_name="arcless")

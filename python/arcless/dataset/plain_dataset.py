@@ -80,7 +80,7 @@ class Plain:
         return {**self._data, **self._coords}
 
     def dataset(self) -> "xarray.Dataset":
-        """Return the same as an xarray dataset; arrays are shared."""
+        """Return an xarray dataset with the variables and attributes; arrays are shared."""
         import xarray
 
         return xarray.Dataset(dict(self._data), dict(self._coords), self.attrs)

@@ -17,7 +17,7 @@ CHANNELS = {"dropper": "dropper_force", "support": "support_uplift"}
 
 
 def is_recorded(dataset: "Dataset", place: Place) -> bool:
-    """Whether a dataset holds the forces of droppers or the uplift of supports over time."""
+    """Return whether a dataset has the forces of droppers or the uplift of supports over time."""
     channel = CHANNELS[place]
     return channel in dataset or f"near_{channel}" in dataset
 

@@ -1,4 +1,4 @@
-"""What a result file holds: one table that building, checking and the documentation share."""
+"""Content of a result file: one table that building, checking and the documentation share."""
 
 from dataclasses import dataclass
 from typing import Any, Literal
@@ -25,9 +25,11 @@ class Variable:
     required: bool = False
     integer: bool = False
     padded: bool = False
-    """Whole columns may be NaN (a pantograph with fewer masses than another)."""
+    """True when whole columns may be NaN (a pantograph with fewer masses than another)."""
     absent: bool = False
-    """Single values may be NaN (a contact that has no wire in reach)."""
+    """True when single values may be NaN (a contact that has no wire in reach)."""
+    channel: str = ""
+    """Channel of the core's record that it is, columns in the order of the dimension."""
 
 
 @dataclass(frozen=True)
@@ -98,10 +100,16 @@ VARIABLES: dict[str, Variable] = {
         absent=True,
     ),
     "position": Variable(
-        _CONTACT, "m", "position of the pantograph along the track", required=True
+        _CONTACT,
+        "m",
+        "position of the pantograph along the track",
+        required=True,
+        channel="position",
     ),
-    "control_force": Variable(_CONTACT, "N", "controlled force on the pantograph, upwards"),
-    "speed": Variable(("time",), "m/s", "speed of the train", required=True),
+    "control_force": Variable(
+        _CONTACT, "N", "controlled force on the pantograph, upwards", channel="control"
+    ),
+    "speed": Variable(("time",), "m/s", "speed of the train", required=True, channel="speed"),
     "mass_displacement": Variable(
         ("time", "pantograph", "mass"),
         "m",
@@ -114,25 +122,50 @@ VARIABLES: dict[str, Variable] = {
         "roll angle of a strip since the start of the run, positive when the left side rises",
         padded=True,
     ),
-    "dropper_force": Variable(("line_time", "dropper"), "N", "dropper force, tension positive"),
-    "support_uplift": Variable(("line_time", "support"), "m", "uplift of the contact wire"),
+    "dropper_force": Variable(
+        ("line_time", "dropper"), "N", "dropper force, tension positive", channel="link_force"
+    ),
+    "support_uplift": Variable(
+        ("line_time", "support"), "m", "uplift of the contact wire", channel="uplift"
+    ),
     "near_dropper_force": Variable(
-        ("line_time", "near_dropper"), "N", "force of the droppers near the pantographs"
+        ("line_time", "near_dropper"),
+        "N",
+        "force of the droppers near the pantographs",
+        channel="link_force",
     ),
     "near_dropper_first": Variable(
-        _LINE, "1", "place in `dropper_order` of the first dropper of a row, from 0", integer=True
+        _LINE,
+        "1",
+        "place in `dropper_order` of the first dropper of a row, from 0",
+        integer=True,
+        channel="link_first",
     ),
     "near_support_uplift": Variable(
-        ("line_time", "near_support"), "m", "uplift at the supports near the pantographs"
+        ("line_time", "near_support"),
+        "m",
+        "uplift at the supports near the pantographs",
+        channel="uplift",
     ),
     "near_support_first": Variable(
-        _LINE, "1", "place in `support_order` of the first support of a row, from 0", integer=True
+        _LINE,
+        "1",
+        "place in `support_order` of the first support of a row, from 0",
+        integer=True,
+        channel="uplift_first",
     ),
-    "point_uplift": Variable(("line_time", "point"), "m", "uplift of the contact wire"),
+    "point_uplift": Variable(
+        ("line_time", "point"), "m", "uplift of the contact wire", channel="point_uplift"
+    ),
     "point_along": Variable(
-        ("line_time", "point"), "m", "displacement of the contact wire along the track"
+        ("line_time", "point"),
+        "m",
+        "displacement of the contact wire along the track",
+        channel="point_along",
     ),
-    "slack_droppers": Variable(_LINE, "1", "number of slack droppers", integer=True),
+    "slack_droppers": Variable(
+        _LINE, "1", "number of slack droppers", integer=True, channel="slack"
+    ),
     "energy_kinetic": _energy("kinetic energy of the line"),
     "energy_elastic": _energy("elastic energy of the line"),
     "energy_contact": _energy("energy stored in contacts and bump stops"),
@@ -151,9 +184,15 @@ VARIABLES: dict[str, Variable] = {
     "energy_work_friction": _energy("work of the friction along the wire"),
     "energy_work_wind": _energy("work of the gusts on the wires"),
     "energy_residual": _energy("what the energy ledger does not account for"),
-    "dropper_force_min": Variable(("dropper",), "N", "lowest dropper force, every step"),
-    "dropper_force_max": Variable(("dropper",), "N", "highest dropper force, every step"),
-    "support_uplift_max": Variable(("support",), "m", "highest contact-wire uplift, every step"),
+    "dropper_force_min": Variable(
+        ("dropper",), "N", "lowest dropper force, every step", channel="link_min"
+    ),
+    "dropper_force_max": Variable(
+        ("dropper",), "N", "highest dropper force, every step", channel="link_max"
+    ),
+    "support_uplift_max": Variable(
+        ("support",), "m", "highest contact-wire uplift, every step", channel="uplift_max"
+    ),
     "dropper_order": Variable(
         ("dropper",), "1", "droppers along the track: index of each, from 0", integer=True
     ),

@@ -1,4 +1,4 @@
-"""What to say of a line that was designed and cannot stand: steady arms that would push."""
+"""Errors of a designed line that cannot stand: steady arms that would push."""
 
 import numpy as np
 from numpy.typing import NDArray

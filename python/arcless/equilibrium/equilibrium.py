@@ -33,7 +33,7 @@ MOST_KEPT = 50
 REACH = 0.02
 # Friction of tensioning devices: bound on the rounds, two or three are normal.
 MOST_ROUNDS = 8
-# What the core says of a line that has no shape at rest.
+# Kinds of the core's errors for a line that has no shape at rest.
 NO_SHAPE = ("singular", "unstable", "equilibrium")
 
 
@@ -60,14 +60,14 @@ class Equilibrium:
         return self.arrays[name][rows]
 
     def elasticity(self, x: Floats, force: float = 0.0) -> Floats:
-        """Elasticity in m/N at positions x in m, for a force in N (0: the limit of a small one).
+        """Return elasticities in m/N at positions x in m, for a force in N (0: a small one).
 
         Of wires side by side, that with all of them lifted together which hang at one height.
         """
         return self.elasticities([x], force)[0]
 
     def elasticities(self, places: Sequence[Floats], force: float = 0.0) -> list[Floats]:
-        """Elasticity in m/N at several sets of positions in m, asked for at once.
+        """Return the elasticity in m/N at several sets of positions in m, asked for at once.
 
         The stiffness of the line is factorised once for all of them that are not known yet.
         """
@@ -100,22 +100,21 @@ class Equilibrium:
         heights = self._lane_heights(x)
         lowest = heights.min(axis=1, keepdims=True)
         within: NDArray[np.bool_] = heights <= lowest + REACH
-        # Nothing is touched beyond the ends: whoever asks for that is told so by the core.
+        # Nothing is touched beyond the ends: the core refuses such positions.
         within[~np.isfinite(lowest[:, 0]), 0] = True
         return within
 
     def lowest_heights(self, x: Floats) -> Floats:
-        """Height in m of the lowest contact wire at positions x in m, infinite beyond the ends."""
+        """Return heights in m of the lowest contact wire at x in m, infinite off the ends."""
         return np.asarray(self._lane_heights(x).min(axis=1))
 
     def _lane_heights(self, x: Floats) -> Floats:
-        """Height in m at positions (rows) of each lane, infinite where there is no wire."""
+        """Return heights in m at positions (rows) of each lane, infinite where there is no wire."""
         return np.column_stack([self._heights(lane, x) for lane in self.mesh.lanes])
 
     def _heights(self, lane: list[int], x: Floats) -> Floats:
-        """Height in m at positions of the wires of a lane, infinite where there is none."""
-        kind = "wires" if len(self.mesh.parts["wires"][0]) else "segments"
-        nodes = self.mesh.parts[kind][0][lane, :2]
+        """Return heights in m at positions of the wires of a lane, infinite where there is none."""
+        nodes = self.mesh.elements["nodes"][lane]
         ends = self.positions[nodes]
         row = np.clip(np.searchsorted(ends[:, 1, 0], x), 0, len(lane) - 1)
         (left, _, low), (right, _, high) = ends[row, 0].T, ends[row, 1].T
@@ -123,22 +122,22 @@ class Equilibrium:
         return np.where((left <= x) & (x <= right), low + share * (high - low), np.inf)
 
     def frequencies(self, count: int = FREQUENCIES) -> Floats:
-        """Lowest natural frequencies in Hz, ascending."""
+        """Return the lowest natural frequencies in Hz, ascending."""
         with named(self.mesh):
             return np.array(self.core.frequencies(count))
 
     def lanes_at(self, x: float) -> list[list[int]]:
-        """Lanes whose wires a strip below touches at a position in m."""
+        """Return the lanes whose wires a strip below touches at a position in m."""
         within = self._within_reach(np.array([x]))[0]
         return [lane for lane, is_in in zip(self.mesh.lanes, within, strict=True) if is_in]
 
     def wave_speed(self) -> float:
-        """Lowest wave speed along the contact wire in m/s: √(tension / mass per metre)."""
+        """Return the lowest wave speed of the contact wire in m/s: √(tension / mass per metre)."""
         tension = self.arrays["wire_tension"][self.mesh.contact_rows]
         return float(np.sqrt(np.min(tension / self.arrays["wire_mass"][self.mesh.contact_rows])))
 
     def mean_tensions(self) -> tuple[float, float | None]:
-        """Mean tension of the contact and of the messenger wire over the whole line, in N."""
+        """Return the mean tensions of contact and messenger wire over the whole line, in N."""
         tension = self.arrays["wire_tension"]
         is_contact = np.zeros(len(tension), dtype=bool)
         is_contact[self.mesh.contact_rows] = True
@@ -146,7 +145,7 @@ class Equilibrium:
         return contact, float(tension[~is_contact].mean()) if self.mesh.messenger_nodes else None
 
     def end_travel(self, end: int = -1) -> tuple[float, float | None]:
-        """Way of the far ends (with 0, the near ones) of contact and messenger wire in m.
+        """Return the travel of the far (0: near) ends of contact and messenger wire in m.
 
         Of several tension lengths, that of the one that moved furthest.
         """
@@ -159,11 +158,11 @@ class Equilibrium:
         return float(max(ways, key=abs))
 
     def support_places(self) -> list[float]:
-        """Positions of the supports in m, each once."""
+        """Return the positions of the supports in m, each once."""
         return sorted({support.x for support in self.mesh.supports})
 
     def middle_span(self, length: float | None = None) -> tuple[float, float]:
-        """Supports in m of the span in the middle, or of the next to it that is in no overlap.
+        """Return the supports in m of the span in the middle, or of the nearest one in no overlap.
 
         With a length in m to the millimetre, of the spans of that length.
         """
@@ -177,14 +176,14 @@ class Equilibrium:
         return spans[next(alone, by_distance[0])]
 
     def _overlaps(self, left: float, right: float) -> bool:
-        """Whether wires of two tension lengths run between two places."""
+        """Return whether wires of two tension lengths run between two places."""
         x, middle = self.mesh.positions[:, 0], 0.5 * (left + right)
         wires = [next(iter(own.contact.values())) for own in self.mesh.systems]
         ends = [(x[wire[0]], x[wire[-1]]) for wire in wires]
         return sum(bool(first < middle < last) for first, last in ends) > 1
 
     def elasticity_positions(self) -> Floats:
-        """Positions in m along the middle span at which the elasticity is reported."""
+        """Return the positions in m along the middle span at which the elasticity is reported."""
         left, right = self.middle_span()
         count = max(2, round((right - left) / ELASTICITY_SPACING) + 1)
         return np.linspace(left, right, count)
@@ -220,7 +219,7 @@ def designed(
     solver
         Elements and scheme, no words left in it.
     heights
-        Measured heights in m by place in m, in the place of those drawn.
+        Measured heights in m by place in m, instead of those drawn.
 
     Raises
     ------
@@ -231,7 +230,11 @@ def designed(
     check_carried(line, mesh.gravity)
     with _designed(mesh, line, heights):
         core = _core.Equilibrium(
-            *(mesh.dimension, mesh.positions, mesh.slopes, mesh.parts, mesh.gravity),
+            dimension=mesh.dimension,
+            positions=mesh.positions,
+            slopes=mesh.slopes,
+            parts=mesh.parts,
+            gravity=mesh.gravity,
             design=True,
             residual_flexibility=bool(solver.residual_flexibility),
             fitted_bends=solver.scheme.name == schemes.EXPLICIT,
@@ -281,7 +284,7 @@ def _found_again(
 
 @contextmanager
 def _designed(mesh: Mesh, line: Line, heights: Mapping[float, float]) -> Iterator[None]:
-    """As `named`; look further for why there is no equilibrium."""
+    """Find the designed shape, see `named`; look further for why there is no equilibrium."""
     try:
         yield
     except _core.NativeError as error:

@@ -1,7 +1,7 @@
-"""Why a line has no shape at rest: what to look at, with numbers, in the words of its file.
+"""Hints why a line has no shape at rest, with numbers, in the words of its file.
 
 A wire between two holds a length L apart sags by w L²/8T, a rail by 5 w L⁴/384 EI. A dropper at the
-height h, beside others at h₁ and h₂ that are d₁ and d₂ away, carries
+height h, between others at h₁ and h₂ that are d₁ and d₂ away, carries
 
     F = w (d₁ + d₂)/2 + T ((h − h₁)/d₁ + (h − h₂)/d₂)
 
@@ -24,7 +24,7 @@ from arcless.model import Line, SteadyArmBar
 NEIGHBOURS = 50.0
 # No wire and no rail in service sags by a tenth of the distance between what holds it.
 DEEP = 0.1
-# As deep as half of that distance is no line at all: Newton's method would wander for long.
+# A sag of half of that distance is no line at all: Newton's method would wander for long.
 BOTTOMLESS = 0.5
 # Positions that are one. In m.
 SAME = 1e-6
@@ -72,8 +72,8 @@ def _low_messenger(line: Line, gravity: float, span: float) -> str | None:
     )
 
 
-class Deep(NamedTuple):
-    """How deep a wire sags: its field and what is given there, over which way, by how much in m."""
+class Sag(NamedTuple):
+    """Sag of a wire: its field and given value, the distance of its holds, the sag in m."""
 
     field: str
     given: str
@@ -104,26 +104,26 @@ def _deep(line: Line, gravity: float) -> Iterator[str]:
             )
 
 
-def _sags(line: Line, gravity: float) -> Iterator[Deep]:
+def _sags(line: Line, gravity: float) -> Iterator[Sag]:
     """Yield how deep the contact wire hangs between what holds it, and the messenger wire."""
     wire, apart = line.contact_wire, _longest_free(line)
     weight = wire.mass * gravity
     if wire.tension > 0:
         sag = weight * apart**2 / (8.0 * wire.tension)
-        yield Deep("contact_wire.tension", _newtons(wire.tension), apart, sag)
+        yield Sag("contact_wire.tension", _newtons(wire.tension), apart, sag)
     else:
         stiffness = wire.bending_stiffness
         sag = 5.0 * weight * apart**4 / (384.0 * stiffness)
-        yield Deep("contact_wire.bending_stiffness", f"{stiffness:g} N m²", apart, sag)
+        yield Sag("contact_wire.bending_stiffness", f"{stiffness:g} N m²", apart, sag)
     above = line.messenger_wire
     if above is not None:
         span = max(span.length for span in line.span_list())
         sag = line.hanging_mass * gravity * span**2 / (8.0 * above.tension)
-        yield Deep("messenger_wire.tension", _newtons(above.tension), span, sag)
+        yield Sag("messenger_wire.tension", _newtons(above.tension), span, sag)
 
 
 def _longest_free(line: Line) -> float:
-    """Longest distance in m along a span between what holds the contact wire."""
+    """Return the longest distance in m along a span between the holds of the contact wire."""
     return max(
         right - left
         for span in line.span_types.values()
@@ -132,7 +132,7 @@ def _longest_free(line: Line) -> float:
 
 
 def _lifting_arm(mesh: Mesh, line: Line, dropper: DropperPlace) -> str | None:
-    """Say that the steady arm beside a dropper lifts more of the contact wire than hangs there."""
+    """Say that the steady arm next to a dropper lifts more contact wire than hangs there."""
     arm, supports = line.steady_arm, line.support_positions()
     index = next(
         (k for k in (dropper.span - 1, dropper.span) if _beside(mesh, line, dropper, k)), 0
@@ -159,7 +159,7 @@ def _lifting_arm(mesh: Mesh, line: Line, dropper: DropperPlace) -> str | None:
 
 
 def _beside(mesh: Mesh, line: Line, dropper: DropperPlace, support: int) -> bool:
-    """Whether no other dropper hangs between a dropper and a support, counted from 0."""
+    """Return whether no other dropper hangs between a dropper and a support, counted from 0."""
     here = line.support_positions()[support]
     low, high = sorted((here, dropper.x))
     return not any(
@@ -168,7 +168,7 @@ def _beside(mesh: Mesh, line: Line, dropper: DropperPlace, support: int) -> bool
 
 
 def _hanging_at(mesh: Mesh, line: Line, dropper: DropperPlace, here: float) -> float:
-    """Weight in N of the contact wire between the droppers to both sides of a place in m."""
+    """Return the weight in N of the contact wire between the droppers to both sides of x in m."""
     xs = [one.x for one in mesh.droppers if one.wires == dropper.wires]
     left = max((x for x in xs if x < here), default=here)
     right = min((x for x in xs if x > here), default=here)
@@ -176,7 +176,7 @@ def _hanging_at(mesh: Mesh, line: Line, dropper: DropperPlace, here: float) -> f
 
 
 class Hold(NamedTuple):
-    """What a dropper or an anchor gives the contact wire: place, nominal height and pre-sag, m."""
+    """Hold of the contact wire, a dropper or an anchor: place, nominal height and pre-sag, m."""
 
     x: float
     height: float

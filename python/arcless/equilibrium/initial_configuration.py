@@ -129,7 +129,7 @@ class InitialConfiguration:
 
     @property
     def elasticity_nonuniformity(self) -> float:
-        """Return u = (e_max − e_min) / (e_max + e_min) over the middle span."""
+        """Non-uniformity of elasticity u = (e_max − e_min)/(e_max + e_min) in the middle span."""
         high, low = max(self.elasticity_m_per_N), min(self.elasticity_m_per_N)
         return (high - low) / (high + low)
 

@@ -1,4 +1,4 @@
-"""Tensioning devices with friction: which hold still, and which have moved since the installation.
+"""Tensioning devices with friction: holding still, or moved since the installation.
 
 A device of the efficiency η that was set to the tension T₀ holds the end of its wire as long as
 
@@ -51,8 +51,7 @@ class SlidingEnds:
 
     def _start(self, end: EndPlace, points: Any, along: float, bounds: tuple[float, float]) -> None:
         """Let a device slide whose wire pulls outside of its band."""
-        kind = "wires" if len(self._mesh.parts["wires"][0]) else "segments"
-        first, last = self._mesh.parts[kind][0][end.element, :2]
+        first, last = self._mesh.elements["nodes"][end.element]
         chord = points[last] - points[first]
         pull = along * float(chord[0] / np.linalg.norm(chord))
         low, high = bounds

@@ -1,4 +1,4 @@
-"""What can go wrong with a complementarity problem."""
+"""Errors of a complementarity problem."""
 
 from arcless.errors import ArclessError
 

@@ -22,7 +22,7 @@ DEFINITE_MIN = 1e-14
 
 @dataclass(frozen=True)
 class LcpInfo:
-    """What it took to solve a problem.
+    """Effort and accuracy of a solution.
 
     Parameters
     ----------

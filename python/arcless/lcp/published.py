@@ -25,7 +25,7 @@ Steps 1 and 2, the one-sided differences, turn model 1 into R_i = A u_i + p̂_i 
     1    u̇_i = (u_i − u_{i−1})/τ
     2    ü_i = (u_i − 2u_{i−1} + u_{i−2})/τ²
 
-Steps 3 to 11 stand beside the lines of `PublishedStep` that compute them.
+Steps 3 to 11 stand at the lines of `PublishedStep` that compute them.
 """
 
 from dataclasses import dataclass
@@ -251,7 +251,7 @@ class PublishedStep:
 
 
 def friction(coefficient: float, previous_force: ArrayLike) -> Array:
-    """Friction of Amontons and Coulomb with the forces of the step before: ``T_i = f n_{i−1}``.
+    """Return the friction of Amontons and Coulomb with the last step's forces: ``T_i = f n_{i−1}``.
 
     Add it to the load on the degrees of freedom along the surface, in the direction in which the
     other body slides: ``load + tangent_map @ friction(f, last.force)``. With the force of the step

@@ -1,7 +1,7 @@
 """Change, add and remove values in the text of a model file; every other byte stays as it is.
 
 Comments, order, quotes, spelling of numbers and units, line ends and a byte-order mark are kept:
-what is written anew is the text of one value. The text is read again afterwards, and the change is
+only the text of one value is rewritten. The text is read again afterwards, and the change is
 refused unless it is exactly the one that was asked for.
 """
 
@@ -15,7 +15,7 @@ from typing import Any
 
 from arcless.errors import ModelError, OutputError
 from arcless.model.fields.part import Path
-from arcless.model.files.text_patches import Found, Patch, added, find, removed, replaced
+from arcless.model.files.text_patches import NodePath, Patch, added, find, removed, replaced
 from arcless.model.files.yaml_nodes import compose
 from arcless.model.files.yaml_reader import parse, read_text
 from arcless.units import plain
@@ -130,7 +130,7 @@ def _read(text: str, label: str) -> tuple[Any, dict[str, Any]]:
     return compose(text, label), data
 
 
-def _found(root: Any, path: str, label: str, *, into_value: bool) -> Found:
+def _found(root: Any, path: str, label: str, *, into_value: bool) -> NodePath:
     parts: Path = tuple(path.split("."))
     try:
         found = find(root, parts)
@@ -142,7 +142,7 @@ def _found(root: Any, path: str, label: str, *, into_value: bool) -> Found:
     is_wrapper = isinstance(node.value, dict) and "value" in node.value
     if inner is None or not is_wrapper or "format" in node.value:
         return found
-    return Found(
+    return NodePath(
         (*found.nodes, *inner.nodes[1:]),
         (*found.keys, *inner.keys[1:]),
         (*found.place, "value"),
@@ -177,7 +177,7 @@ def _check(patch: Patch, text: str, expected: dict[str, Any], path: str, label: 
 
 
 def _same(one: Any, other: Any) -> bool:
-    """Whether data are equal, true and 1 and 1.0 being different."""
+    """Return whether data are equal, true and 1 and 1.0 being different."""
     if isinstance(one, dict) and isinstance(other, dict):
         return list(one) == list(other) and all(_same(one[key], other[key]) for key in one)
     if isinstance(one, list) and isinstance(other, list):
@@ -191,7 +191,7 @@ def _plain_data(value: Any) -> Any:
     return [_plain_data(item) for item in value] if isinstance(value, list | tuple) else value
 
 
-def _with(data: dict[str, Any], found: Found, value: Any) -> dict[str, Any]:
+def _with(data: dict[str, Any], found: NodePath, value: Any) -> dict[str, Any]:
     """Return the data as they must be after a change."""
     whole: dict[str, Any] = deepcopy(data)
     value = _plain_data(value)

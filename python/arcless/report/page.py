@@ -9,7 +9,7 @@ from arcless.assess.certainty_words import explained
 from arcless.model import MARKS
 from arcless.report import tables
 from arcless.report.figures import along_track, contacts, distribution, line_at_rest
-from arcless.report.figures.run_data import Scene
+from arcless.report.figures.run_data import RunData
 from arcless.report.model_data import groups, marks_used
 from arcless.report.reported_run import ReportedRun
 from arcless.report.template import render
@@ -55,7 +55,7 @@ def write(
     assessment
         An assessment over another section or filter than the scenario's own.
     reference_rows
-        Reference values to show beside the run's: ``quantity``, ``value``, ``low``, ``high``,
+        Reference values to show next to the run's: ``quantity``, ``value``, ``low``, ``high``,
         ``verdict`` ("inside", "outside"), ``mark``, ``source``.
 
     Raises
@@ -71,12 +71,12 @@ def html(
     result: ReportedRun, *, assessment: Assessment | None = None, reference_rows: Rows = ()
 ) -> str:
     """Return the report as one HTML text; see `write`."""
-    scene = Scene(result.latest, assessment or result.assessment)
+    scene = RunData(result.latest, assessment or result.assessment)
     drawn = {name: draw(scene) for name, draw in FIGURES.items()}
     return render("page.html", drawn, **_texts(result, scene, reference_rows))
 
 
-def _texts(result: ReportedRun, scene: Scene, reference_rows: Rows) -> dict[str, Any]:
+def _texts(result: ReportedRun, scene: RunData, reference_rows: Rows) -> dict[str, Any]:
     facts, assessment = result.metadata, scene.assessment
     data = groups(result.scenario)
     criteria = tables.criterion_rows(assessment)

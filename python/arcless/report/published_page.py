@@ -17,7 +17,7 @@ from arcless.report.drawing.style import (
     figure,
     single,
 )
-from arcless.report.figures.run_data import Scene
+from arcless.report.figures.run_data import RunData
 from arcless.report.reported_run import ReportedRun
 from arcless.report.tables import number
 from arcless.report.template import render
@@ -52,7 +52,7 @@ def write(
     OutputError
         The file cannot be written; nothing half-written stays behind.
     """
-    scenes = [Scene(result.latest, result.assessment) for result in results]
+    scenes = [RunData(result.latest, result.assessment) for result in results]
     fast = [scene for scene in scenes if scene.assessment.speed_m_s > GAPS_ABOVE]
     drawn = {f"force {place}": force(scene) for place, scene in enumerate(scenes)}
     drawn |= {f"gap {place}": gap(scene) for place, scene in enumerate(fast)}
@@ -76,7 +76,7 @@ def _cells(verdict: Mapping[str, Any]) -> dict[str, Any]:
     return {**verdict, "rows": rows}
 
 
-def force(scene: Scene) -> Figure:
+def force(scene: RunData) -> Figure:
     """Draw the unfiltered contact force over time."""
     values = scene.record.force[:, 0]
     seen = values[scene.record.inside[:, 0]]
@@ -84,7 +84,7 @@ def force(scene: Scene) -> Figure:
     return _over_time(scene, title, ("contact force", "N"), values, "0.0")
 
 
-def gap(scene: Scene) -> Figure:
+def gap(scene: RunData) -> Figure:
     """Draw the gap between strip and wire over time."""
     values = 1e3 * scene.dataset["contact_gap"].values[:, 0]
     seen = values[scene.record.inside[:, 0]]
@@ -92,11 +92,11 @@ def gap(scene: Scene) -> Figure:
     return _over_time(scene, title, ("gap", "mm"), values, "0.000")
 
 
-def _speed(scene: Scene) -> str:
+def _speed(scene: RunData) -> str:
     return f"{3.6 * scene.assessment.speed_m_s:.0f} km/h"
 
 
-def _over_time(scene: Scene, title: str, axis: tuple[str, str], values: Any, form: str) -> Figure:
+def _over_time(scene: RunData, title: str, axis: tuple[str, str], values: Any, form: str) -> Figure:
     time, x = scene.values("time"), scene.dataset["position"].values[:, 0]
     name, unit = axis
     fig = figure(title, "time, s", f"{name}, {unit}", height=270)

@@ -1,4 +1,4 @@
-"""A run as its report needs it."""
+"""Interface of a run that a report is written of."""
 
 from typing import Any, Protocol
 

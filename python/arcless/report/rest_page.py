@@ -55,7 +55,7 @@ def write(found: InitialConfiguration, path: str | Path) -> None:
 
 def html(found: InitialConfiguration) -> str:
     """Return the page of an initial configuration; see `write`."""
-    sight = _Sight(found)
+    sight = _View(found)
     drawn = {
         "side": sight.view(UP, "Side view", "height above rail, m", 330),
         "plan": sight.view(ACROSS, "Plan view", "across the track, m", 260),
@@ -74,7 +74,7 @@ def html(found: InitialConfiguration) -> str:
 
 
 def facts(found: InitialConfiguration) -> list[tuple[str, str]]:
-    """Return what the page says in numbers."""
+    """Return the numbers that the page shows."""
     e = 1e3 * np.array(found.elasticity_m_per_N)
     lengths = [dropper["length_m"] for dropper in found.droppers]
     places = found.equilibrium.support_places()
@@ -101,7 +101,7 @@ def elasticity(found: InitialConfiguration, track: Model) -> Figure:
     return fig
 
 
-class _Sight:
+class _View:
     """The part of a line that is drawn, and its views from the side and from above."""
 
     def __init__(self, found: InitialConfiguration) -> None:
@@ -124,7 +124,7 @@ class _Sight:
 
     @property
     def exaggeration(self) -> float:
-        """How much larger heights are drawn than lengths, on a usual screen, to one digit."""
+        """Scale of heights over lengths in the drawing, on a usual screen, to one digit."""
         heights = self._inside(self.points)[:, UP]
         per_height = FRAME_HEIGHT / max(1e-3, 1.1 * float(np.ptp(heights)))
         ratio = per_height / (FRAME_WIDTH / (self.track.end - self.track.start))
@@ -147,7 +147,7 @@ class _Sight:
 
     def _wires(self, fig: Figure, axis: int) -> Iterator[tuple[str, Model]]:
         """Yield each wire's name and its line; elements that do not meet leave a gap."""
-        ends = self._element_ends()
+        ends = self.mesh.elements["nodes"]
         for index, (field, rows) in enumerate(self.mesh.wire_rows.items()):
             x, y = _chained(ends[rows], self.points, axis, (self.begin, self.end))
             if x.size == 0:
@@ -157,11 +157,6 @@ class _Sight:
             drawn = fig.draw("Line", {"x": x, "y": y}, line_width=1.6, color=shade)
             add_hover(fig, [drawn], [(name, "@y{0.000} m"), ("position", "@x{0.0} m")])
             yield name, drawn
-
-    def _element_ends(self) -> NDArray[np.int64]:
-        parts = self.mesh.parts
-        table = parts["wires"][0] if len(parts["wires"][0]) else parts["segments"][0]
-        return np.asarray(table, dtype=np.int64)[:, :2]
 
     def _droppers(self, fig: Figure, axis: int) -> Iterator[Model]:
         """Yield the droppers, each between the two nodes that it joins."""
@@ -184,13 +179,13 @@ class _Sight:
 
     def _bars(self, fig: Figure, axis: int) -> Iterator[Model]:
         """Yield the bars that hold a wire sideways, from the wire to their anchor."""
-        nodes = np.asarray(self.mesh.parts["struts"][0], dtype=np.int64)
+        nodes = self.mesh.parts["struts"]["node"]
         if len(nodes) == 0:
             return
         anchors = self.found.equilibrium.arrays["strut_anchor"].reshape(len(nodes), -1)
         if anchors.shape[1] == PLANAR:  # along and up
             anchors = np.column_stack([anchors[:, 0], np.zeros(len(nodes)), anchors[:, 1]])
-        held = self.points[nodes[:, 0]]
+        held = self.points[nodes]
         kept = (held[:, ALONG] >= self.begin) & (held[:, ALONG] <= self.end)
         yield fig.draw(
             "Segment", _between(held[kept], anchors[kept], axis), color=INK, line_width=2

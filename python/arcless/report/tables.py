@@ -13,7 +13,7 @@ from arcless.assess import (
     verdict_of,
 )
 from arcless.report.figures.line_at_rest import energy_terms, settled
-from arcless.report.figures.run_data import Scene
+from arcless.report.figures.run_data import RunData
 
 REFERENCE_KEYS = ("quantity", "value", "low", "high", "verdict", "mark", "source")
 SIGNS = {"<=": "≤", ">=": "≥", ">": ">"}
@@ -107,7 +107,7 @@ def _with_certainty(of: Any, key: str, decimals: int) -> str:
 
 
 def pair(value: float | None, uncertainty: float | None, decimals: int) -> str:
-    """Return a number with what follows its ±, where there is any."""
+    """Return a number with the text after its ±, where there is any."""
     text = number(value, decimals)
     return text if uncertainty is None else f"{text} ± {number(uncertainty, decimals)}"
 
@@ -132,7 +132,7 @@ def _parts(
     return {"pantograph": pantograph, "label": label, "unit": unit, **texts}
 
 
-def fact_pairs(scene: Scene) -> list[tuple[str, str]]:
+def fact_pairs(scene: RunData) -> list[tuple[str, str]]:
     """Return the facts of the whole run as label and text."""
     a = scene.assessment
     begin, end = a.section_m
@@ -155,7 +155,7 @@ def fact_pairs(scene: Scene) -> list[tuple[str, str]]:
 
 
 def criterion_rows(assessment: Assessment) -> list[dict[str, Any]]:
-    """Return the criteria as text; what repeats from the row above is left empty."""
+    """Return the criteria as text; text that repeats the row above is left empty."""
     above = ["", *(c.name for c in assessment.criteria)]
     return [
         {
@@ -176,7 +176,7 @@ def criterion_rows(assessment: Assessment) -> list[dict[str, Any]]:
 
 
 def _reason(criterion: Criterion) -> str:
-    """Return what makes a criterion too close to tell, which its verdict says already."""
+    """Return why a criterion is too close to tell, which its verdict says already."""
     if criterion.reason is None or verdict_of(asdict(criterion)) != TOO_CLOSE:
         return ""
     return criterion.reason.removeprefix(f"{TOO_CLOSE}: ")
@@ -187,7 +187,7 @@ def reference_cells(rows: Sequence[Mapping[str, Any]]) -> list[dict[str, str]]:
     return [{key: _cell(row.get(key)) for key in REFERENCE_KEYS} for row in rows]
 
 
-def energy_rows(scene: Scene) -> list[tuple[str, str, str]]:
+def energy_rows(scene: RunData) -> list[tuple[str, str, str]]:
     """Return each ledger term's label, meaning, and value at the end of the run in J."""
     return [
         (
@@ -207,5 +207,5 @@ def _cell(value: Any) -> str:
 
 
 def _decimals(criterion: Criterion) -> int:
-    """Return the decimals of a criterion's numbers: one more where ± is to be seen beside them."""
+    """Return the decimals of a criterion's numbers: one more where a ± must show."""
     return {"%": 3, "1": 3}.get(criterion.unit, 1 if criterion.certainty is None else 2)

@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 _SCRIPTS, _TABLES = ("bokeh",), ("bokeh-widgets", "bokeh-tables")
 
 
-def get_ready() -> None:
-    """Do what the page of a run needs, and what can go beside the run."""
+def import_ahead() -> None:
+    """Load the libraries of a run's page, which can be done during the run."""
     _templates().get_template("page.html")
     _library(_SCRIPTS)
 

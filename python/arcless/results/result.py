@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from arcless.model import Scenario
 
 
-# What a run's own file is called in its folder.
+# Name of a run's own file in its folder.
 RESULT_NAME = "result.nc"
 
 
@@ -45,7 +45,7 @@ class Result:
 
     @property
     def latest(self) -> "Dataset":
-        """The same as `dataset`, which somebody may have changed, or arrays by name without one."""
+        """Current `dataset`, with the changes made to it, or arrays by name without one."""
         return self.dataset if "dataset" in self.__dict__ else self.recorded
 
     # The two stages below are imported when asked for, so that reading a result waits for neither.
@@ -101,7 +101,7 @@ class Result:
 
     @property
     def is_complete(self) -> bool:
-        """Whether the run went to its end; otherwise `arcless.resume` goes on with it."""
+        """True when the run went to its end; otherwise `arcless.resume` continues it."""
         return self.metadata["state"] is None
 
     def save(self, path: str | Path) -> None:

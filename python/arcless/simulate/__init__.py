@@ -33,7 +33,7 @@ __all__ = [
     "statics",
 ]
 
-# What one run does without: name → module.
+# Names that one run does without: name → module.
 _LATER = {
     **dict.fromkeys(("Look", "Outcome", "Stopped", "Watching", "batch"), "batches.batch"),
     **dict.fromkeys(("Realtime", "RealtimeState", "realtime"), "session.realtime"),

@@ -1,4 +1,4 @@
-"""`arcless.run` and `arcless.resume`: a whole run, or a part of one to go on from later."""
+"""`arcless.run` and `arcless.resume`: a whole run, or a part of one to continue later."""
 
 import os
 import time
@@ -34,10 +34,10 @@ def run(
     Parameters
     ----------
     scenario
-        What to run; see `arcless.load`.
+        Scenario to run; see `arcless.load`.
     until
         Stop early, at a place of the first pantograph ("600 m", or a number in m) or a time
-        ("5 s"): the result then holds the state there, and `resume` goes on from it.
+        ("5 s"): the result then holds the state there, and `resume` continues from it.
     to
         A file to write the result to while the run steps, for long runs: no more than a piece of
         the record is in memory until the result is read from the file at the end. The file is
@@ -49,14 +49,14 @@ def run(
     cancel
         Asked now and then; the run ends with KeyboardInterrupt when it returns True.
     controllers
-        By the name of a pantograph, who decides on its controlled force: a function of a
+        By the name of a pantograph, the controller of its force: a function of a
         `ControlInput` that returns N, or a class of such, of which each run gets an instance. In
         place of `pid` and `function` of the scenario's controller; without one it is asked at
         every step. A search for the static force runs several times, each with a copy.
     certainty
         How many starts within a span say how sure the assessed numbers are, the run's own among
-        them: `certainty` of the scenario. A run that stops early says it when it has gone on to
-        its end.
+        them: `certainty` of the scenario. A run that stops early says it when it has been
+        resumed to its end.
 
     Raises
     ------
@@ -98,7 +98,7 @@ def resume(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Result:
-    """Go on with a run that stopped early; the result is that of the whole run, bit for bit.
+    """Continue a run that stopped early; the result is that of the whole run, bit for bit.
 
     Parameters
     ----------
@@ -155,8 +155,8 @@ def _check_starts(scenario: Scenario) -> None:
 
 def _sure(job: Job, forces: list[float], tell: Progress, cancel: Cancel | None) -> dict[str, Any]:
     """Run what says how sure the numbers of a run are, on all processors."""
-    from arcless.simulate.batches.side_by_side import in_parallel
-    from arcless.simulate.certainty import found_beside
+    from arcless.simulate.batches.parallel_runs import parallel_runner
+    from arcless.simulate.certainty import run_additional
 
     workers = len(os.sched_getaffinity(0))
-    return found_beside(job, forces, in_parallel(job, tell, cancel, workers))
+    return run_additional(job, forces, parallel_runner(job, tell, cancel, workers))

@@ -27,7 +27,7 @@ ALONE = Solver(
 
 @dataclass(frozen=True)
 class StaticsResult(InitialConfiguration):
-    """What `arcless.statics` finds; `to_dict` gives the documented JSON. SI units unless named."""
+    """Result of `arcless.statics`; `to_dict` gives the documented JSON. SI units unless named."""
 
     @cached_property
     def resonance_speeds(self) -> "ResonanceSpeeds":

@@ -1,6 +1,6 @@
 """Hidden files and folders of writers at work, and what killed ones left behind.
 
-A writer holds a lock (`lock`) in a file beside its hidden file or folder, made before that and
+A writer holds a lock (`lock`) in a file next to its hidden file or folder, made before that and
 removed after it. The system lets go of the lock when the process ends, however it ends. So whatever
 carries the prefix and is not locked was left behind by a process that was killed, and is removed by
 the next writer in the same folder.
@@ -85,7 +85,7 @@ def _remove_if_left(path: Path) -> None:
     if path.is_symlink() or beside.is_symlink():  # none of ours
         return
     with suppress(OSError):  # of another user, or without locks
-        lock = Lock(beside)  # made anew where the name was given back already
+        lock = Lock(beside)  # made again where the name was given back already
         if lock.take():
             try:
                 if path.is_dir():

@@ -21,8 +21,8 @@ class Lock:
     Parameters
     ----------
     path
-        The file. Nothing but this class may open it: on POSIX, whoever closes any file lets go of
-        all locks that its process has on that file.
+        The file. Nothing but this class may open it: on POSIX, closing any file releases all
+        locks that the process has on that file.
 
     Raises
     ------
@@ -49,7 +49,7 @@ class Lock:
         base = None
         try:
             base = _opened(self.path, "rw", wait_s)
-            base.execute("PRAGMA journal_mode = MEMORY")  # else it has a journal beside it
+            base.execute("PRAGMA journal_mode = MEMORY")  # else it has a journal next to it
             base.execute("BEGIN EXCLUSIVE")
         except sqlite3.Error as error:
             if base is not None:

@@ -1,4 +1,4 @@
-"""Files that are either whole or absent: written beside their place, then moved into it."""
+"""Files that are either whole or absent: written next to their place, then moved into it."""
 
 import os
 from collections.abc import Iterator
@@ -69,7 +69,7 @@ def replacing(path: str | Path) -> Iterator[BinaryIO]:
             finally:
                 with suppress(OSError):
                     temporary.unlink(missing_ok=True)
-        settle(target.parent)
+        sync_folder(target.parent)
     except OSError as error:
         raise _not_written(path, error) from error
 
@@ -107,11 +107,11 @@ def check_writable(path: Path) -> None:
 
 
 def _is_stream(target: Path) -> bool:
-    """Whether a path is that of a device or a pipe: nothing that could be replaced."""
+    """Return whether a path is that of a device or a pipe: nothing that could be replaced."""
     return target.is_fifo() or target.is_char_device()
 
 
-def settle(folder: Path) -> None:
+def sync_folder(folder: Path) -> None:
     """Make new names in a folder survive a power cut, where the file system offers that."""
     with suppress(OSError):
         descriptor = os.open(folder, os.O_RDONLY)

@@ -1,4 +1,4 @@
-"""A study, begun or gone on with: what is missing is computed, every row is kept as it comes."""
+"""Run of a study, new or resumed: missing variants are computed, every row is kept at once."""
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
@@ -16,11 +16,11 @@ from arcless.study.executors import Note
 from arcless.study.executors import executor as choose
 from arcless.study.folder import table
 from arcless.study.folder.folder import StudyFolder
-from arcless.study.folder.row_writer import Keeper, Progress, Tell
+from arcless.study.folder.row_writer import Progress, RowWriter, Tell
 from arcless.study.journal.journal import in_use, is_locked
 from arcless.study.journal.row import Row
 from arcless.study.optimisation.optimise import Optimise
-from arcless.study.optimisation.pruning import Watch
+from arcless.study.optimisation.pruning import Monitoring
 from arcless.study.optimisation.search import Search
 
 
@@ -44,11 +44,11 @@ def run(
     folder
         Its folder; ``runs/studies/NAME`` without.
     resume
-        Go on with the study that was begun there. Without it the folder must not hold rows.
+        Continue the study that was begun there. Without it the folder must not hold rows.
     retry_failed
         Compute those again that failed.
     executor
-        What computes, in place of what the study says.
+        Executor, instead of the study's own.
     tell
         Called with the progress after every row.
     note
@@ -67,7 +67,7 @@ def run(
     StudyError
         The folder holds a study already, none, or another one; a package is missing.
     ExecutorError
-        The scheduler does not answer, or went away.
+        The scheduler does not answer, or was lost.
     OutputError
         The folder cannot be written, or its disk is full.
     """
@@ -95,7 +95,7 @@ def run(
             place.note_mode(kept.mode)
             if before["arcless_version"] != code_version():
                 say(_other_version(before["arcless_version"]))
-        keeper = Keeper(study, place, kept, Counter(there.values()), tell=tell, note=say)
+        keeper = RowWriter(study, place, kept, Counter(there.values()), tell=tell, note=say)
         task = Task.of(study, place.results if study.keep == "results" else None)
         stop = cancel or (lambda: False)
         try:
@@ -114,8 +114,8 @@ def run(
     return keeper.progress
 
 
-def _rounds(study: Study, place: StudyFolder) -> Iterator[tuple[Sequence[int], Watch | None]]:
-    """Yield numbers of variants in rounds, and what their runs are watched for.
+def _rounds(study: Study, place: StudyFolder) -> Iterator[tuple[Sequence[int], Monitoring | None]]:
+    """Yield numbers of variants in rounds, and the quantities their runs are monitored by.
 
     Of most designs there is one with all of them.
     """

@@ -28,7 +28,7 @@ __all__ = [
     "run",
 ]
 
-# What published ranges do without: name → module, and its name there.
+# Names that published ranges do without: name → module, and its name there.
 _LATER = {
     "SEED_SOURCE": ("founding_paper", "SOURCE"),
     "Topic": ("evidence", "Topic"),

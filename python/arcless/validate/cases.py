@@ -98,7 +98,7 @@ def case_of(scenario: Scenario) -> Case | None:
 
 
 def _same(one: Scenario, other: Scenario) -> bool:
-    # What is recorded or run beside it, and a note that it was set, change no result; all else may.
+    # Recorded quantities, additional runs and provenance change no result; all else may.
     ignored = {"output", "provenance", "solver", "certainty"}
     same = one.model_dump(exclude=ignored) == other.model_dump(exclude=ignored)
     return same and one.stepping == other.stepping

@@ -26,7 +26,7 @@ INSIDE, OUTSIDE, UNVERIFIED = "inside", "outside", "outside (unverified)"
 
 
 @dataclass(frozen=True, slots=True)
-class Measured:
+class Measurement:
     """One value held against what it must be.
 
     Attributes
@@ -44,8 +44,8 @@ class Measured:
     test, slow
         The test that measured it, and whether only `make evidence` runs that.
     table
-        Sizes, errors and local orders behind an observed order, or what a run beside its limit
-        was compared in; else empty.
+        Sizes, errors and local orders behind an observed order, or the quantities in which a
+        run is compared with its limit; else empty.
     """
 
     what: str
@@ -64,7 +64,7 @@ class Measured:
 
     @property
     def share(self) -> float | None:
-        """How much of the tolerance is used: 1 at the bound; None without a tolerance."""
+        """Used share of the tolerance: 1 at the bound; None without a tolerance."""
         if self.reference is not None and self.high is not None and self.high > self.reference:
             return abs(self.value - self.reference) / (self.high - self.reference)
         if self.low is None and self.high:
@@ -75,7 +75,7 @@ class Measured:
 
 
 @dataclass(frozen=True, slots=True)
-class Noticed:
+class NoticedFault:
     """A deliberate fault: what was broken, which value noticed, how many tolerances it was off."""
 
     fault: str
@@ -94,8 +94,8 @@ class Topic:
     title: str = ""
     text: str = ""
     version: str = ""
-    rows: list[Measured] = field(default_factory=list)
-    faults: list[Noticed] = field(default_factory=list)
+    rows: list[Measurement] = field(default_factory=list)
+    faults: list[NoticedFault] = field(default_factory=list)
     figures: list[dict[str, str]] = field(default_factory=list)
 
     @property
@@ -129,8 +129,8 @@ class Topic:
     def from_json(cls, text: str) -> "Topic":
         """Read the text of a record."""
         data: dict[str, Any] = json.loads(text)
-        data["rows"] = [Measured(**row) for row in data["rows"]]
-        data["faults"] = [Noticed(**fault) for fault in data["faults"]]
+        data["rows"] = [Measurement(**row) for row in data["rows"]]
+        data["faults"] = [NoticedFault(**fault) for fault in data["faults"]]
         return cls(**data)
 
 

@@ -1,4 +1,4 @@
-"""Where along the track a contact force changes fastest, against the hanger joints."""
+"""Fastest changes of a contact force along the track, compared with the hanger joints."""
 
 from dataclasses import dataclass
 
@@ -12,7 +12,7 @@ Flags = NDArray[np.bool_]
 # mesh and its step, one element, can resolve. It stays the same when either is varied.
 PIECE = 0.25
 # A piece belongs to a joint when its middle is at most two such elements away, in m: the joint's
-# mass acts through the elements beside it, and backward differences spread an event over two steps.
+# mass acts through its elements, and backward differences spread an event over two steps.
 REACH = 0.5
 
 

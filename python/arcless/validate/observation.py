@@ -1,4 +1,4 @@
-"""What a run shows of the things the founding paper concludes about."""
+"""Observations of a run that the conclusions of the founding paper speak of."""
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -16,7 +16,7 @@ SMALLEST_GAP = 1e-3
 
 @dataclass(frozen=True, slots=True)
 class Observation:
-    """What a run says about the conclusions, for its first pantograph inside the section.
+    """Observations of a run for the conclusions, of its first pantograph inside the section.
 
     Attributes
     ----------
@@ -54,7 +54,7 @@ class Observation:
 
 
 def observe(result: "Result") -> Observation:
-    """Read from a run what the conclusions speak of."""
+    """Return the observations that the conclusions speak of."""
     dataset = result.dataset
     begin, end = result.assessment.section_m
     x, force, gap = (

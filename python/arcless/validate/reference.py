@@ -18,7 +18,7 @@ CLOSE = "too close to tell"
 
 @dataclass(frozen=True, slots=True)
 class Range:
-    """What a published source allows for one quantity.
+    """Range that a published source allows for one quantity.
 
     Parameters
     ----------
@@ -210,7 +210,7 @@ class DropperLengths:
     tolerance: float
 
 
-# 3 mm: the source prints whole millimetres, and an equilibrium of its data comes out 2–3 mm off.
+# 3 mm: the source prints whole millimetres, and an equilibrium of its data is 2–3 mm off.
 DROPPERS = DropperLengths(
     scenario="en50318-ac-simple-320-planar",
     title="AC simple, statics",

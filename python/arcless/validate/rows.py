@@ -1,4 +1,4 @@
-"""One value held against what is allowed."""
+"""Comparison of one value with its allowed range."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -38,7 +38,7 @@ class Row:
 
     @property
     def violates(self) -> bool:
-        """Whether the value is outside of a range that was read in a source."""
+        """True when the value is outside of a range that was read in a source."""
         return self.verdict == OUTSIDE
 
     @classmethod

@@ -22,7 +22,7 @@ FOUND = "found"
 
 
 class FoundError(Exception):
-    """What must not happen has happened."""
+    """A forbidden outcome."""
 
 
 @dataclass(frozen=True)

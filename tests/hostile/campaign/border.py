@@ -15,6 +15,7 @@ from arcless.errors import ArclessError
 from arcless.simulate.runs.job import Job, lay_out
 from arcless.simulate.setup import trajectory
 from arcless.simulate.setup.controllers import Controllers
+from arcless.simulate.setup.core_data import CollectorData, SessionStart
 from tests.hostile.campaign import spoiling
 from tests.hostile.campaign.blocks import FoundError
 from tests.support.explicit import EXPLICIT
@@ -38,7 +39,7 @@ LINES: dict[str, dict[str, Any]] = {
     "lumped": {"solver.scheme": "generalised-alpha", "solver.wire_model": "lumped"},
     "explicit": EXPLICIT,
 }
-Call = tuple[Callable[..., Any], list[Any]]
+Call = tuple[Callable[..., Any], list[Any] | dict[str, Any]]
 
 
 class RecordedError(Exception):
@@ -46,7 +47,7 @@ class RecordedError(Exception):
 
 
 class _Recorder:
-    def run(self, *given: Any) -> None:
+    def run(self, **given: Any) -> None:
         raise RecordedError(given)
 
 
@@ -57,16 +58,16 @@ def line(name: str) -> Job:
     return lay_out(scenario, Controllers(scenario), lambda _part, _text: None, None)
 
 
-def ridden(job: Job) -> list[Any]:
+def ridden(job: Job) -> dict[str, Any]:
     """Return the arguments of a sound run of some steps."""
-    alike = Job(**{**vars(job), "prepared": _Recorder()})  # type: ignore[arg-type]
+    alike = Job(**{**vars(job), "model": _Recorder()})  # type: ignore[arg-type]
     try:
         alike.step([120.0] * len(job.scenario.pantographs), full=True)
     except RecordedError as caught:
-        given = list(caught.args[0])
-    given[2], given[3] = given[2][: STEPS + 1], given[3][: STEPS + 1]
-    given[7] = lambda _step: True
-    return given
+        given: dict[str, Any] = caught.args[0]
+    for along in ("positions", "speeds"):
+        given[along] = given[along][: STEPS + 1]
+    return given | {"observe": lambda _step: True}
 
 
 def at_rest(random: Random) -> Call:
@@ -76,9 +77,11 @@ def at_rest(random: Random) -> Call:
     core, mesh = found.core, found.mesh
     way = random.randrange(6)
     if way == 0:
-        given = [mesh.dimension, mesh.positions, mesh.slopes, mesh.parts, mesh.gravity, True]
-        return _core.Equilibrium, given
-    elements = len(mesh.parts["wires"][0]) + len(mesh.parts["segments"][0])
+        return _core.Equilibrium, {
+            "dimension": mesh.dimension, "positions": mesh.positions, "slopes": mesh.slopes,
+            "parts": mesh.parts, "gravity": mesh.gravity, "design": True,
+        }  # fmt: skip
+    elements = len(mesh.elements)
     if way == 1:
         return core.nodal_forces, [np.ones((elements, 3))]
     if way == 2:
@@ -87,18 +90,22 @@ def at_rest(random: Random) -> Call:
         return core.frequencies, [5]
     if way == 4:
         return core.modes_moved, [mesh.lanes, 60.0, 5]
-    scheme = trajectory.scheme_numbers(scenario.stepping.scheme)
-    given = [mesh.lanes, scheme, scenario.time_step_s, 5e4, False, True]
-    return core.prepare, given
+    return core.prepare, {
+        "lanes": mesh.lanes, "scheme": trajectory.scheme_numbers(scenario.stepping.scheme),
+        "step": scenario.time_step_s, "contact_stiffness": 5e4, "updated": False,
+        "period_correction": True,
+    }  # fmt: skip
 
 
 def running(random: Random) -> Call:
     """A call of a run, or of a loop with the outside."""
     job = line(random.choice(list(LINES)))
     if random.random() < 0.7:
-        return job.prepared.run, ridden(job)
-    start = (60.0, 50.0, 0.0)
-    return _core.Live.with_forces, [job.prepared, [(0.0, 0.5)], [120.0], start]
+        return job.model.run, ridden(job)
+    return _core.Session.with_forces, {
+        "line": job.model, "collectors": [CollectorData(0.0, 0.5)], "forces": [120.0],
+        "start": SessionStart(60.0, 50.0, 0.0),
+    }  # fmt: skip
 
 
 def plain(random: Random) -> Call:
@@ -130,7 +137,7 @@ def case(seed: int) -> str:
         spoilt[2] = min(spoilt[2], MOST_STEPS)
     with np.errstate(all="ignore"):
         try:
-            answer = called(*spoilt)
+            answer = called(**spoilt) if isinstance(spoilt, dict) else called(*spoilt)
         except REFUSALS:
             return f"{name} refused"
     if name != "filtered":  # which does arithmetic with what it is given

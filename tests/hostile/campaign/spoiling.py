@@ -1,8 +1,9 @@
-"""How values, nested data, arrays and texts are spoilt, by a random number generator."""
+"""Spoiling of values, nested data, arrays and texts by a random number generator."""
 
 from collections.abc import Iterator
 from copy import deepcopy
 from random import Random
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -88,7 +89,9 @@ def call(random: Random, sound: Any) -> Any:
     changed = _copied(sound)
     for _ in range(random.choice([1, 1, 1, 2, 3])):
         # Every argument alike, however much is in it.
-        argument = random.randrange(len(changed))
+        argument = random.choice(
+            list(changed) if isinstance(changed, dict) else range(len(changed))
+        )
         inside = changed[argument]
         parts = list(_leaves(inside)) if isinstance(inside, (dict, list)) else []
         some = random.choices(parts, k=5) if parts else []
@@ -101,7 +104,13 @@ class _Tuple(list[Any]):
     """A tuple that can be written to."""
 
 
+class _Named(dict[str, Any]):
+    """Fields of a named tuple that can be written to."""
+
+
 def _restored(value: Any) -> Any:
+    if isinstance(value, _Named):
+        return SimpleNamespace(**{key: _restored(one) for key, one in value.items()})
     if isinstance(value, dict):
         return {key: _restored(one) for key, one in value.items()}
     if isinstance(value, list):
@@ -113,6 +122,8 @@ def _copied(value: Any) -> Any:
     """A copy that can be written to everywhere."""
     if isinstance(value, dict):
         return {key: _copied(one) for key, one in value.items()}
+    if isinstance(value, tuple) and hasattr(value, "_asdict"):
+        return _Named({key: _copied(one) for key, one in value._asdict().items()})
     if isinstance(value, (list, tuple)):
         kind = _Tuple if isinstance(value, tuple) else list
         return kind(_copied(one) for one in value)
@@ -142,11 +153,13 @@ def _other(random: Random, value: Any) -> Any:  # noqa: PLR0911 - one for each t
         return type(value)(parts)
     if isinstance(value, dict):
         kept = list(value)
-        return {key: value[key] for key in kept if key != random.choice(kept)}
+        return type(value)({key: value[key] for key in kept if key != random.choice(kept)})
     return random.choice([None, "", 0, [], "trapezoidal"])
 
 
 def _array(random: Random, value: Any) -> Any:
+    if value.dtype.names:
+        return _table(random, value)
     way = random.randrange(8)
     if way == 0:
         return value[:-1]
@@ -160,4 +173,26 @@ def _array(random: Random, value: Any) -> Any:
         place = tuple(random.randrange(size) for size in value.shape)
         other = _other(random, float(value[place]))
         value[place] = np.array(other).astype(value.dtype) if value.dtype == float else 2**31
+    return value
+
+
+def _table(random: Random, value: Any) -> Any:
+    """A structured array with a row, a name, a type or a number spoilt."""
+    way, name = random.randrange(6), random.choice(value.dtype.names)
+    if way == 0:
+        return value[:-1]
+    if way == 1:
+        return np.concatenate([value, value[:1]]) if value.size else np.zeros(3, value.dtype)
+    if way == 2:
+        return value[[one for one in value.dtype.names if one != name]]
+    if way == 3:
+        kinds = {one: value.dtype[one].base for one in value.dtype.names}
+        kinds[name] = random.choice([np.float32, np.int32, np.float64, np.int64])
+        shapes = {one: value.dtype[one].shape for one in value.dtype.names}
+        return value.astype([(one, kinds[one], shapes[one]) for one in kinds])
+    if value.size:
+        row = random.randrange(value.size)
+        other = _other(random, float(np.ravel(value[name][row])[0]))
+        with np.errstate(all="ignore"):  # as near to it as the column has
+            value[name][row] = np.array(other).astype(value.dtype[name].base)
     return value

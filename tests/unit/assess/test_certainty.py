@@ -1,4 +1,4 @@
-"""How sure a number is, by hand; and verdicts that the next run might turn."""
+"""Certainty of a number, by hand; and verdicts that the next run might turn."""
 
 import math
 from dataclasses import asdict, replace
@@ -121,7 +121,7 @@ def test_what_has_no_limit_is_not_judged_and_says_why() -> None:
 
 
 def facts_of(**changes: Any) -> dict[str, Any]:
-    """Return what a result keeps of runs beside it."""
+    """Return the data that a result keeps of its additional runs."""
     own = draw_of(assess(synthetic_dataset()))
     moved = {name: dict(values) for name, values in own.pantographs.items()}
     for values in moved.values():

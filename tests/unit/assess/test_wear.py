@@ -52,7 +52,7 @@ def test_the_sum_is_that_of_its_parts() -> None:
 
 
 def test_no_part_depends_on_the_choice_of_units() -> None:
-    """All amounts in cm, kg, ms, and amperes a tenth: the volume per length comes out in cm²."""
+    """All amounts in cm, kg, ms, and amperes a tenth: the volume per length is in cm²."""
     length, time, current = 100.0, 1e3, 10.0  # new units in one old unit
     force, power = length / time**2, length**2 / time**3
     voltage = power / current

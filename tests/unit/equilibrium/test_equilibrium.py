@@ -1,4 +1,4 @@
-"""What an equilibrium may leave out of balance."""
+"""Residual forces that an equilibrium may leave."""
 
 import sys
 from concurrent.futures import ThreadPoolExecutor
@@ -29,7 +29,7 @@ def test_what_is_left_of_rounding_is_no_failure() -> None:
 
 
 def test_runs_that_share_a_line_ask_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
-    """What one thread keeps must not disturb another that looks for what is known."""
+    """Values kept by one thread must not disturb another one that looks them up."""
     asked = [np.array([float(k)]) for k in range(MOST_KEPT)]
     found = equilibrium.Equilibrium(None, None, {})  # type: ignore[arg-type]
     monkeypatch.setattr(equilibrium.Equilibrium, "_elasticity", lambda _, x, force: x + force)

@@ -33,7 +33,7 @@ def rest(line: dict[str, Any], **built: Any) -> equilibrium.Equilibrium:
 
 def pulls(found: equilibrium.Equilibrium) -> dict[tuple[str, float], float]:
     """Horizontal tension in N of each wire at each end."""
-    nodes = found.mesh.parts["wires"][0][:, :2]
+    nodes = found.mesh.parts["wires"]["nodes"]
     told = {}
     for end in found.mesh.ends:
         chord = np.diff(found.positions[nodes[end.element]], axis=0)[0]

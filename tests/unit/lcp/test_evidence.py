@@ -22,7 +22,7 @@ def definite(n: int, seed: int) -> Problem:
 
 
 def near_singular(n: int, seed: int) -> Problem:
-    """Rank one third and 1e-6 beside it: contacts that move almost together."""
+    """Return a matrix of rank one third, plus 1e-6: contacts that move almost together."""
     random = np.random.default_rng(seed)
     g = random.standard_normal((n, -(-n // 3)))
     return g @ g.T / n + 1e-6 * np.eye(n), random.standard_normal(n)
@@ -146,7 +146,7 @@ def test_large_problems_agree_with_lemke(kind) -> None:
 
 
 def test_contacts_at_one_place_share_a_determined_force() -> None:
-    """H of rank one but for 1e-11: the sum of the forces and the gaps keep their digits."""
+    """H of rank one, plus 1e-11: the sum of the forces and the gaps keep their digits."""
     H = np.ones((3, 3)) + 1e-11 * np.eye(3)
     x, y, _ = lcp.solve(H, [-2.0, -2.0, 1.0])
     # The sum is 2/(1 + 1e-11/2), and free of the 1e-5 that round-off makes of the single forces.

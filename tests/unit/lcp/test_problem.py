@@ -120,7 +120,7 @@ def test_bad_input_is_named(H: object, w: object, message: str) -> None:
 
 
 def test_symmetry_is_judged_row_by_row_in_the_units_of_the_rows() -> None:
-    """1e-12 is rounding beside 1, and everything beside 1e-12."""
+    """1e-12 is rounding compared with 1, and everything compared with 1e-12."""
     H, w = definite(2, 3)
     units = np.array([1.0, 1e-6])
     H = H * np.outer(units, units)

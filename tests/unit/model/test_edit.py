@@ -1,4 +1,4 @@
-"""Model files are changed in place: one value is written anew, every other byte stays."""
+"""Model files are changed in place: one value is rewritten, every other byte stays."""
 
 import shutil
 import stat

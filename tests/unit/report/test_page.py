@@ -41,7 +41,7 @@ def page() -> str:
 
 
 class Page(HTMLParser):
-    """What a browser would see: tags with attributes, and text outside scripts."""
+    """Return the content that a browser shows: tags with attributes, and text outside scripts."""
 
     def __init__(self, text: str) -> None:
         super().__init__()

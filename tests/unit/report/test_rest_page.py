@@ -34,12 +34,12 @@ def found(request: pytest.FixtureRequest) -> StaticsResult:
 
 
 def named(fig: Any) -> dict[str, Any]:
-    """What is drawn, by its name in the legend."""
+    """Return the drawn data by their names in the legend."""
     return {item.label.value: item.renderers[0].data_source.data for item in fig.above[0].items}
 
 
 def side(found: StaticsResult) -> dict[str, Any]:
-    return named(rest_page._Sight(found).view(rest_page.UP, "side", "height", 300))
+    return named(rest_page._View(found).view(rest_page.UP, "side", "height", 300))
 
 
 def test_every_wire_of_the_mesh_is_drawn_through_its_nodes(found: StaticsResult) -> None:
@@ -47,8 +47,7 @@ def test_every_wire_of_the_mesh_is_drawn_through_its_nodes(found: StaticsResult)
     wires = {name: rows for name, rows in mesh.wire_rows.items() if rows}
     # Contact and messenger wire, and stitch or auxiliary wires where there are any.
     assert len(wires) == (2 if found.scenario.name == "overlaps" else 3)
-    kind = "wires" if len(mesh.parts["wires"][0]) else "segments"
-    ends = np.asarray(mesh.parts[kind][0])[:, :2]
+    ends = mesh.elements["nodes"]
     for name, rows in wires.items():
         points = found.equilibrium.positions[np.unique(ends[rows])]
         x, z = (np.asarray(drawn[name.replace("_", " ")][axis], dtype=float) for axis in "xy")
@@ -80,7 +79,7 @@ def test_droppers_end_on_the_wires_that_they_join(found: StaticsResult) -> None:
 
 
 def test_plan_view_only_where_something_is_off_the_middle(found: StaticsResult) -> None:
-    plan = rest_page._Sight(found).view(rest_page.ACROSS, "plan", "across", 260)
+    plan = rest_page._View(found).view(rest_page.ACROSS, "plan", "across", 260)
     if not found.scenario.line.is_spatial:
         assert plan is None
         return
@@ -106,7 +105,7 @@ def test_page_is_whole_and_says_that_heights_are_exaggerated(
     text = path.read_text("utf-8")
     assert text.rstrip().endswith("</html>") and path.stat().st_size < 2e6
     assert not re.search(r"<(?:script|link|img)[^>]*(?:src|href)=[\"']https?:", text)
-    factor = rest_page._Sight(found).exaggeration
+    factor = rest_page._View(found).exaggeration
     assert f"Heights are drawn larger than lengths, about {factor:g} times" in text
     assert f"{found.elasticity_nonuniformity * 100:.1f} %" in text
     assert [p.name for p in tmp_path.iterdir()] == ["line.html"]

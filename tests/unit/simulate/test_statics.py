@@ -31,7 +31,7 @@ def test_heights_asked_for_are_heights_found(short: Short) -> None:
     presag = [0.0, 0.015, 0.025, 0.015, 0.0]
     found = arcless.statics(short(**{"line.span_types.span.droppers.presag": presag})).equilibrium
     mesh = found.mesh
-    lower = mesh.parts["links"][0][:, 1]
+    lower = mesh.parts["links"]["nodes"][:, 1]
     heights = found.positions[lower, 2].reshape(6, 5)
     # Far below a millimetre; the equilibrium is solved to rounding.
     np.testing.assert_allclose(heights, 5.3 - np.tile(presag, (6, 1)), atol=1e-7)
@@ -41,9 +41,8 @@ def test_heights_asked_for_are_heights_found(short: Short) -> None:
 
 def test_tensions_are_those_asked_for(short: Short) -> None:
     found = arcless.statics(short()).equilibrium
-    _, floats = found.mesh.parts["wires"]
     tension = found.arrays["wire_tension"]
-    contact = floats[:, 3] == 1.35
+    contact = found.mesh.parts["wires"]["mass"] == 1.35
     # Tension exceeds its horizontal part by half the slope squared: at the supports the messenger
     # has 0.08, the contact wire 0.01 and the local error of its elements.
     np.testing.assert_allclose(tension[contact], 22e3, rtol=3e-4)

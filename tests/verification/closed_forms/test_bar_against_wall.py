@@ -27,7 +27,7 @@ import pytest
 
 from tests.support import bare, schemes
 from tests.support.faults import Fault, forgotten
-from tests.support.run_faults import prepared_with, rider_scaled, stepped_by
+from tests.support.run_faults import pantograph_scaled, prepared_with, stepped_by
 from tests.support.schemes import Member
 
 LENGTH, WAVE, MASS, SPEED = 2.0, 200.0, 10.0, 1.0
@@ -52,7 +52,7 @@ def thrown(pieces: int, scheme: Member, h: float) -> dict[str, Any]:
     for start, impulse in ((0.001, -MASS * SPEED), (BACK, 2.0 * MASS * SPEED)):
         first, count = round(start / h), round(0.001 / h)
         force[first : first + count] = impulse / (count * h)
-    bar = bare.rider(
+    bar = bare.pantograph(
         MASS * np.diag(share),
         np.zeros_like(stiffness),
         spring * stiffness,
@@ -152,10 +152,10 @@ def test_impulse_and_energy(evidence: Any) -> None:
 AFRESH = forgotten(finest)
 RADIUS_0 = schemes.generalised_alpha(0.0)
 FAULTS = [
-    *(Fault(f"{matrix} of the bar 1 % high", [AFRESH, rider_scaled(matrix, 1.01)],
+    *(Fault(f"{matrix} of the bar 1 % high", [AFRESH, pantograph_scaled(matrix, 1.01)],
             test_force_and_duration)
       for matrix in ("mass", "stiffness")),
-    Fault("mass of the bar 1 % high", [AFRESH, rider_scaled("mass", 1.01)],
+    Fault("mass of the bar 1 % high", [AFRESH, pantograph_scaled("mass", 1.01)],
           test_impulse_and_energy),
     Fault("one-sided differences in place of the member asked for",
           [AFRESH, stepped_by(schemes.PUBLISHED)], test_speed_after, scheme=RADIUS_0),

@@ -28,7 +28,7 @@ import pytest
 
 from tests.support import bare, schemes
 from tests.support.faults import Fault
-from tests.support.run_faults import prepared_with, rider_scaled
+from tests.support.run_faults import pantograph_scaled, prepared_with
 from tests.support.schemes import Member
 
 H, MASS, STEPS = 1e-3, 3.0, 300
@@ -142,7 +142,7 @@ FAULTS = [
             test_speed_after_a_rigid_impact, scheme=scheme)
       for scheme in BY_NAME
       if scheme.numbers),
-    Fault("mass 1 % high", rider_scaled("mass", 1.01), test_bounces_end_in_equilibrium),
-    Fault("mass 1 % high", rider_scaled("mass", 1.01), test_speed_after_a_rigid_impact,
+    Fault("mass 1 % high", pantograph_scaled("mass", 1.01), test_bounces_end_in_equilibrium),
+    Fault("mass 1 % high", pantograph_scaled("mass", 1.01), test_speed_after_a_rigid_impact,
           scheme=schemes.PUBLISHED),
 ]  # fmt: skip

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from tests.support import bare, schemes
 from tests.support.faults import Fault
-from tests.support.run_faults import contact_scaled, rider_scaled, stepped_by
+from tests.support.run_faults import contact_scaled, pantograph_scaled, stepped_by
 
 Floats = NDArray[np.float64]
 
@@ -77,7 +77,7 @@ def test_a_bounce(evidence: Any) -> None:
 
 FAULTS = [
     Fault("contact 1 % stiff", contact_scaled(1.01), test_a_bounce),
-    Fault("mass 1 % high", rider_scaled("mass", 1.01), test_a_bounce),
+    Fault("mass 1 % high", pantograph_scaled("mass", 1.01), test_a_bounce),
     Fault(f"{schemes.DAMPED.label} in place of the default scheme", stepped_by(schemes.DAMPED),
           test_a_bounce),
 ]  # fmt: skip

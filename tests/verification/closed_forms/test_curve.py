@@ -121,6 +121,6 @@ FAULTS = [
           Fault(f"the same, two spans, {kind}", curve_as_a_load(), test_two_spans, kind=kind,
                 weight=9.81),
       )),
-    Fault("track turns by 2 % more than the supports stand for", scaled("turns", "turn", 1.02),
+    Fault("track turns by 2 % more than the supports stand for", scaled("turns", "angle", 1.02),
           test_two_spans, kind="wires", weight=9.81),
 ]  # fmt: skip

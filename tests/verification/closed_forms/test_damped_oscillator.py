@@ -25,9 +25,10 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from arcless.simulate.setup.core_data import LoadData
 from tests.support import bare, schemes
 from tests.support.faults import Fault, scaled
-from tests.support.run_faults import prepared_with, rider_scaled, stepped_by
+from tests.support.run_faults import pantograph_scaled, prepared_with, stepped_by
 from tests.support.schemes import Member
 
 Floats = NDArray[np.float64]
@@ -50,8 +51,8 @@ def push() -> Floats:
 def on_line(scheme: Member, omega: float, zeta: float) -> Floats:
     """Motion of a node of a line."""
     line = bare.oscillator(MASS, 2.0 * zeta * omega * MASS, MASS * omega**2)
-    head = bare.rider(np.eye(1), np.zeros((1, 1)), np.zeros((1, 1)), strip=[1.0], force=10.0)
-    loads = [([(2, 1, 1.0)], push().tolist())]
+    head = bare.pantograph(np.eye(1), np.zeros((1, 1)), np.zeros((1, 1)), strip=[1.0], force=10.0)
+    loads = [LoadData([(2, 1, 1.0)], push().tolist())]
     asked = bare.Asked(scheme, H, bare.stand(0.5, STEPS), nodes=[2], loads=loads)
     return np.asarray(bare.run(line, head, asked)["uplift"])
 
@@ -61,7 +62,7 @@ def on_rider(scheme: Member, omega: float, zeta: float) -> Floats:
     matrices = [np.diag([MASS * value, other]) for value, other in (
         (1.0, 1.0), (2.0 * zeta * omega, 0.0), (omega**2, 0.0)
     )]  # fmt: skip
-    head = bare.rider(*matrices, strip=[0.0, 1.0], force=10.0, given=[([1.0, 0.0], push())])
+    head = bare.pantograph(*matrices, strip=[0.0, 1.0], force=10.0, given=[([1.0, 0.0], push())])
     asked = bare.Asked(scheme, H, bare.stand(0.0, STEPS))
     return np.asarray(bare.run(bare.wall(), head, asked)["masses"]).reshape(-1, 2)[:, 0]
 
@@ -151,7 +152,7 @@ FAULTS = [
     *(Fault(f"{column} of the spring 1 % high", scaled("springs", column, 1.01),
             test_frequency_and_damping, scheme=schemes.ALL[0])
       for column in ("damping", "stiffness")),
-    *(Fault(f"{matrix} of the pantograph 1 % high", rider_scaled(matrix, 1.01),
+    *(Fault(f"{matrix} of the pantograph 1 % high", pantograph_scaled(matrix, 1.01),
             test_frequency_and_damping, scheme=schemes.DEFAULT)
       for matrix in ("damping", "mass", "stiffness")),
     *(Fault(f"{scheme.label}: parameters 0.001 high", prepared_with(scheme=more),

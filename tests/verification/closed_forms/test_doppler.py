@@ -27,6 +27,7 @@ from math import pi
 
 import numpy as np
 
+from arcless.simulate.setup.core_data import LoadData
 from tests.support import straight
 from tests.support.evidence import Evidence
 from tests.support.faults import Fault, scaled
@@ -131,7 +132,7 @@ def test_wave_thrown_back_by_a_moving_mass(evidence: Evidence) -> None:
     built = straight.Straight(x, STRING)
     line, time = built.find(), STEP * np.arange(2401)
     added = pulse(time, 0.1, 0.012, 20.0)
-    load = ([(built.node(source), straight.UP, 1.0)], added.tolist())
+    load = LoadData([(built.node(source), straight.UP, 1.0)], added.tolist())
     options = {"strip": mass(MASS), "points": [watched], "contact": CONTACT}
     place = START + SPEED * time
     met = press(line, PRESSED, place, SPEED, STEP, loads=[load], **options)

@@ -57,7 +57,7 @@ def shares(place: Floats) -> Floats:
 
 
 def stepped(kind: Wire, speed: float, steps: int) -> Series:
-    """The same deflections as explicit steps make them."""
+    """Explicit steps make the deflections of the closed form, too."""
     chain = Stepped.of(kind, LENGTH / COUNT, STEP)
     numbers = np.arange(1, COUNT)
     modes = np.sin(np.pi * np.outer(numbers, numbers) / COUNT)

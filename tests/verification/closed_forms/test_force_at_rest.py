@@ -73,7 +73,7 @@ def beams(family: Family) -> list[Beam]:
 
 
 def places(size: float) -> Floats:
-    """In the middle of the wire, and in and beside an element there, m."""
+    """Return places in m: the middle of the wire, and in and next to an element there."""
     return MIDDLE + size * np.array([0.0, 0.1, 0.25, 0.5, 0.8, -1.0, -1.5, 4.0])
 
 
@@ -122,7 +122,7 @@ def at_droppers(family: Family, count: int) -> list[float]:
 
 
 def near(family: Family, count: int) -> list[bool]:
-    """Whether droppers are one element apart."""
+    """Return whether droppers are one element apart."""
     return [count > 1 and size > 0.9 * NEXT[family.name] for size in family.sizes]
 
 

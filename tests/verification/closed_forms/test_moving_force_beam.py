@@ -70,7 +70,7 @@ class Beam:
         return w
 
     def stepped(self, speed: float) -> float:
-        """What the time step changes, over the deflection under the force: Σ |F/P'| |pVh|²/12."""
+        """Return the effect of the step over the deflection under the force: Σ |F/P'| |pVh|²/12."""
         p, share = self.roots(speed)
         off = np.abs(share) * np.abs(p * speed * self.step) ** 2 / 12.0
         return float(off.sum() / self.carried(speed, np.zeros(1))[0])

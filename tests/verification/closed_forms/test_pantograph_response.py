@@ -30,9 +30,10 @@ from numpy.typing import NDArray
 
 from arcless.model import load_pantograph
 from arcless.simulate.setup import pantographs
+from arcless.simulate.setup.core_data import BaseMotion, Excitation, ForceHistory
 from tests.support import bare, multisine, schemes
 from tests.support.faults import Fault
-from tests.support.run_faults import contact_scaled, rider_scaled, spoiled
+from tests.support.run_faults import contact_scaled, pantograph_scaled, spoiled
 
 Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -57,7 +58,9 @@ def free(t: Floats) -> list[Complex]:
     """Displacements of frame and head for a force on the head, m/N."""
     force = waves(t)
     drawn = np.where(t > 0.05, force - 8.0, force)
-    found = asked(bare.wall(), 4.0, np.zeros(len(t)), ([([0.0, 1.0], drawn.tolist())], None))
+    found = asked(
+        bare.wall(), 4.0, np.zeros(len(t)), Excitation([ForceHistory([0.0, 1.0], drawn.tolist())])
+    )
     assert not found["force"][-PERIOD:].any(), "it hangs free"
     per_newton = 1.0 / coefficients(force, t)
     moved = found["masses"].reshape(-1, 2).T
@@ -76,8 +79,12 @@ def below_waves(t: Floats) -> list[Complex]:
 
 def on_roof(t: Floats) -> list[Complex]:
     """Contact force for the height of the roof, N/m."""
-    ground = ([1.0, 1.0], (2e-3 * waves(t)).tolist(), (2e-3 * multisine.rates(OMEGA, t)).tolist())
-    found = asked(bare.wall(), 400.0, np.zeros(len(t)), ([], ground))
+    ground = BaseMotion(
+        carried=[1.0, 1.0],
+        displacement=(2e-3 * waves(t)).tolist(),
+        rate=(2e-3 * multisine.rates(OMEGA, t)).tolist(),
+    )
+    found = asked(bare.wall(), 400.0, np.zeros(len(t)), Excitation([], ground))
     assert found["force"].min() > 0.0, "it touches"
     height = coefficients(2e-3 * waves(t), t)
     return [coefficients(found["force"], found["time"]) / height]
@@ -85,7 +92,7 @@ def on_roof(t: Floats) -> list[Complex]:
 
 def asked(wire: Any, force: float, positions: Floats, given: Any = pantographs.NOTHING) -> Any:
     """Run the shipped pantograph below a wire."""
-    head = pantographs.rider(load_pantograph("en50318-2002"), force, given)
+    head = pantographs.data(load_pantograph("en50318-2002"), force, given)
     return bare.run(wire, head, bare.Asked(SCHEME, H, positions, contact_stiffness=CONTACT))
 
 
@@ -159,23 +166,22 @@ def test_response(evidence: Any, kind: str) -> None:
 
 def still(arguments: dict[str, Any]) -> None:
     """Take the rate of the roof, which dampers feel."""
-    (head,) = arguments["riders"]
-    forces, (carried, height, rate) = head[7]
-    given = forces, (carried, height, [0.0 * value for value in rate])
-    arguments["riders"] = [(*head[:7], given, *head[8:])]
+    (head,) = arguments["pantographs"]
+    ground = head.given.ground._replace(rate=[0.0 * value for value in head.given.ground.rate])
+    arguments["pantographs"] = [head._replace(given=head.given._replace(ground=ground))]
 
 
 def turned(arguments: dict[str, Any]) -> None:
     """Turn round the sign of the damper between the masses."""
-    (head,) = arguments["riders"]
-    a, b, c, d = head[1]
-    arguments["riders"] = [(head[0], [a, -b, -c, d], *head[2:])]
+    (head,) = arguments["pantographs"]
+    a, b, c, d = head.damping
+    arguments["pantographs"] = [head._replace(damping=[a, -b, -c, d])]
 
 
 FAULTS = [
-    Fault("mass 1 % high", rider_scaled("mass", 1.01), test_response, kind="roof"),
-    Fault("stiffness 1 % high", rider_scaled("stiffness", 1.01), test_response, kind="roof"),
-    Fault("damping 1 % high", rider_scaled("damping", 1.01), test_response, kind="free"),
+    Fault("mass 1 % high", pantograph_scaled("mass", 1.01), test_response, kind="roof"),
+    Fault("stiffness 1 % high", pantograph_scaled("stiffness", 1.01), test_response, kind="roof"),
+    Fault("damping 1 % high", pantograph_scaled("damping", 1.01), test_response, kind="free"),
     Fault("contact 1 % stiff", contact_scaled(1.01), test_response, kind="wavy wire"),
     Fault("dampers do not feel the roof move", spoiled(running=still), test_response, kind="roof"),
     Fault("sign of the damper between the masses", spoiled(running=turned), test_response,

@@ -75,7 +75,7 @@ def test_frequencies_with_an_insert(evidence: Evidence) -> None:
 
 
 def phase_off(omega: float, a: float, b: float) -> float:
-    """How far the waves from both ends are from meeting without a kink."""
+    """Return the distance of the waves from both ends from meeting without a kink."""
     k1, k2 = (omega * sqrt(density / TENSION) for density in (1.1, 4.4))
     left = sin(k1 * a) * k2 * cos(k2 * b) + sin(k2 * b) * k1 * cos(k1 * a)
     return atan2(left, k1 + k2)

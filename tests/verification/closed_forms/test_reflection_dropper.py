@@ -29,9 +29,10 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 from arcless.model.line.parts.components import DropperType
+from arcless.simulate.setup.core_data import LoadData
 from tests.support import scattering, straight
 from tests.support.evidence import Evidence
-from tests.support.faults import COLUMNS, Fault, scaled, spoiled
+from tests.support.faults import Fault, scaled, spoiled
 from tests.support.pushing import press
 from tests.support.waves import Complex, Waves, pulse
 
@@ -106,7 +107,7 @@ def test_dropper_that_goes_slack(evidence: Evidence) -> None:
     line.add_dropper(scattering.OBSTACLE, DropperType(stiffness=SOFT), PULL)
     time = STEP * np.arange(STEPS + 1)
     added = pulse(time, 0.08, 0.012, scattering.SIZE)
-    source = ([(line.node(scattering.SOURCE), straight.UP, 1.0)], added.tolist())
+    source = LoadData([(line.node(scattering.SOURCE), straight.UP, 1.0)], added.tolist())
     run = press(line.find(), 1e-3, np.full(STEPS + 1, ASIDE), 0.0, STEP, loads=[source])
     lower, upper = (Waves.on(kind) for kind in STRINGS)
     delay = (scattering.OBSTACLE - scattering.SOURCE) / lower.speed
@@ -144,7 +145,7 @@ def test_dropper_that_goes_slack(evidence: Evidence) -> None:
 
 def heavier(arguments: dict[str, Any]) -> bool:
     """Make the wire that is not pushed 1 % heavier."""
-    mass = arguments["parts"]["wires"][1][:, COLUMNS["wires"].index("mass")]
+    mass = arguments["parts"]["wires"]["mass"]
     other = mass == WIRES[1].mass
     mass[other] *= 1.01
     return bool(other.any())
@@ -152,8 +153,8 @@ def heavier(arguments: dict[str, Any]) -> bool:
 
 def pushing(arguments: dict[str, Any]) -> bool:
     """Let droppers push."""
-    links, _ = arguments["parts"]["links"]
-    links[:, 2] = 0
+    links = arguments["parts"]["links"]
+    links["unilateral"] = False
     return len(links) > 0
 
 

@@ -58,7 +58,7 @@ def as_built(difference: float, more: dict[str, Any]) -> equilibrium.Equilibrium
 def pull(found: equilibrium.Equilibrium, end: int) -> float:
     """Horizontal tension in N of the wire's first (0) or last (-1) element."""
     row = found.mesh.contact_rows[end]
-    first, last = found.positions[found.mesh.parts["wires"][0][row, :2]]
+    first, last = found.positions[found.mesh.parts["wires"]["nodes"][row]]
     cosine = (last - first)[0] / np.linalg.norm(last - first)
     return float(found.arrays["wire_tension"][row] * cosine)
 

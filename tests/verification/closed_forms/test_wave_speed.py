@@ -28,6 +28,7 @@ import pytest
 
 from arcless.mesh.division import wires
 from arcless.model.line.parts.components import Wire
+from arcless.simulate.setup.core_data import LoadData
 from tests.support import scattering, straight
 from tests.support.evidence import Evidence
 from tests.support.faults import Fault, scaled
@@ -136,7 +137,7 @@ def test_speed_along_the_wire(evidence: Evidence, lumped: bool) -> None:
     line = straight.Straight(scattering.even(0.5), STRING, lumped=lumped)
     time = 2e-5 * np.arange(2001)
     pushed = pulse(time, middle=5e-3, width=8e-4, size=1e3).tolist()
-    load = ([(line.node(scattering.SOURCE), straight.ALONG, 1.0)], pushed)
+    load = LoadData([(line.node(scattering.SOURCE), straight.ALONG, 1.0)], pushed)
     run = press(line.find(), 1.0, np.full(2001, 200.0), 0.0, 2e-5, points=[NEAR, FAR], loads=[load])
     s = wires.chain_stretch(STRING) if lumped else wires.stretch(STRING)
     firm = AXIAL if lumped else AXIAL * (3.0 * s * s - 1.0) / 2.0

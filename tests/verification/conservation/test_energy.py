@@ -73,7 +73,7 @@ CASES: dict[str, dict[str, Any]] = {
 
 
 def terms(result: Result) -> dict[str, Any]:
-    """Return the entries of the ledger, J over line_time, but for the residual."""
+    """Return the entries of the ledger, J over line_time, without the residual."""
     data = result.dataset
     named = {str(n).removeprefix("energy_"): data[n].values for n in data if "energy_" in str(n)}
     named.pop("residual")

@@ -135,7 +135,7 @@ def test_switching_falls_with_the_step(evidence: Any) -> None:
 
 
 def lasting(step: str, sound: Any = switched) -> float:
-    """Return the same at any step, but for what no two answers share."""
+    """Return one answer for every step, apart from 1 % per letter: no two answers are equal."""
     return sound("1 ms") * (1.0 + 0.01 * len(step))
 
 

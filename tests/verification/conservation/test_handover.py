@@ -25,7 +25,7 @@ from tests.support.faults import Fault
 from tests.support.line_types import compound_data, scenario_data, stitched_data
 from tests.support.overlaps import overlap_data
 from tests.support.python_faults import wrong
-from tests.support.run_faults import rider_scaled
+from tests.support.run_faults import pantograph_scaled
 
 LOOSE = {
     "name": "loose",
@@ -170,6 +170,6 @@ FAULTS = [
     Fault("force of the second wire 0.1 % too small, sum as it was",
           wrong(__name__, "ride", partial(weaker, summed=False)), test_handover, shared=3,
           dimension="spatial"),
-    Fault("thirty times the mass", rider_scaled("mass", 30.0), test_handover, shared=3,
+    Fault("thirty times the mass", pantograph_scaled("mass", 30.0), test_handover, shared=3,
           dimension="spatial"),
 ]  # fmt: skip

@@ -40,10 +40,10 @@ def in_place() -> tuple[Job, dict[str, Any]]:
 def moved(mesh: Mesh, by: Any) -> Mesh:
     """Move a mesh before its design."""
     struts, springs = mesh.parts["struts"], mesh.parts["springs"]
-    anchored, rested = struts[1].copy(), springs[1].copy()
-    anchored[:, 3:6] += by
-    rested[:, 2] += np.asarray(by)[springs[0][:, 1]]
-    parts = mesh.parts | {"struts": (struts[0], anchored), "springs": (springs[0], rested)}
+    struts, springs = struts.copy(), springs.copy()
+    struts["anchor"] += by
+    springs["rest"] += np.asarray(by)[springs["component"]]
+    parts = mesh.parts | {"struts": struts, "springs": springs}
     return replace(mesh, positions=mesh.positions + by, parts=parts)
 
 
@@ -52,7 +52,7 @@ def difference(by: tuple[float, float, float]) -> tuple[float, float]:
     job, raw = in_place()
     found = at_rest(moved(job.found.mesh, by), design=True)
     travel = Motion(job.travel.positions + by[0], job.travel.speeds, job.travel.time_step)
-    there = replace(job, found=found, prepared=prepare(found, job.scenario), travel=travel)
+    there = replace(job, found=found, model=prepare(found, job.scenario), travel=travel)
     other = there.step([FORCE], full=True)
     lateral = other["lateral"] - raw["lateral"] - by[1]
     assert np.max(np.abs(lateral)) < 1e-6, "it was moved"
@@ -92,10 +92,9 @@ def test_across_and_up(evidence: Any) -> None:
 
 
 def softened(mesh: Mesh) -> Mesh:
-    numbers, floats = mesh.parts["springs"]
-    floats = floats.copy()
-    floats[0, 0] *= 1.0 + 1e-6
-    return replace(mesh, parts=mesh.parts | {"springs": (numbers, floats)})
+    springs = mesh.parts["springs"].copy()
+    springs["stiffness"][0] *= 1.0 + 1e-6
+    return replace(mesh, parts=mesh.parts | {"springs": springs})
 
 
 FAULTS = [

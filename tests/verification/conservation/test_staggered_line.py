@@ -117,6 +117,6 @@ def stiffer(name: str, changes: dict[str, Any] | None = None) -> StaticsResult:
 FAULTS = [
     Fault("tensions 2 % too high", tension(1.02), test_force_of_an_arm, at_rest=fresh.at_rest),
     *(Fault("springs of the plane line twice as stiff", (), test_elasticity, at_rest=stiffer,
-            steps=steps)
+            steps=steps, slow=steps == "explicit")
       for steps in sorted(STEPS)),
 ]  # fmt: skip

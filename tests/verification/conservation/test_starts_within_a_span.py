@@ -31,7 +31,7 @@ from arcless.assess.rules import Facts, Limit
 from arcless.model import Scenario
 from arcless.results import Result
 from arcless.simulate.certainty import other_starts as starts
-from tests.support.faults import Fault
+from tests.support.faults import Fault, forgotten
 from tests.support.python_faults import wrong
 
 NAME = "en50318-ac-simple-320-planar"
@@ -68,6 +68,7 @@ def by_brute_force() -> list[dict[str, Any]]:
     ]
 
 
+@cache
 def sure() -> Result:
     """Return a run with the spread of its numbers."""
     return arcless.run(scenario().with_(certainty={"starts": 8, "other_family": False}))
@@ -148,12 +149,13 @@ def alike(places: list[float]) -> list[float]:
 HALF = property(lambda own: 0.5 * (own.spread or 0.0))
 FAULTS = [
     Fault("static force kept as a number at other starts",
-          wrong(starts, "base_stiffness", lambda _stiffness: 0.0),
+          [forgotten(sure), wrong(starts, "base_stiffness", lambda _stiffness: 0.0)],
           test_the_mean_force_stays_what_was_asked_for),
     Fault("standard deviation divided by the root of the number of starts",
-          wrong(sums, "student_factor", lambda factor: factor / 8**0.5),
+          [forgotten(sure), wrong(sums, "student_factor", lambda factor: factor / 8**0.5)],
           test_most_runs_lie_within_the_spread_of_their_mean, slow=True),
-    Fault("other starts all half a metre further on", wrong(starts, "places", alike),
+    Fault("other starts all half a metre further on",
+          [forgotten(sure), wrong(starts, "places", alike)],
           test_the_spread_is_that_of_starts_at_random, slow=True),
     Fault("half of the spread counts", patch.object(sums.Certainty, "uncertainty", HALF),
           test_a_limit_within_the_spread_is_too_close_to_tell),

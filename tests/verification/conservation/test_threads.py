@@ -93,6 +93,6 @@ RUNS = count()
 FAULTS = [
     Fault("a controller remembers the run before",
           patch.object(controllers, "fresh", lambda function: function), test_order_and_threads),
-    Fault("each run adds 1e-12 N to the static force", misled(pantographs, "rider", creeping),
+    Fault("each run adds 1e-12 N to the static force", misled(pantographs, "data", creeping),
           test_one_line_for_several_runs),
 ]  # fmt: skip

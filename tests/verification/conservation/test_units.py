@@ -92,17 +92,16 @@ def test_decimal_units(evidence: Any) -> None:
     )
 
 
-def counted(kind: str, column: int, powers: scaling.Powers) -> list[Broken]:
+def counted(kind: str, column: str, powers: scaling.Powers) -> list[Broken]:
     """Take a column of a table for one of another dimension."""
-    columns = list(scaling.COLUMNS[kind])
-    assert columns[column] != powers
-    columns[column] = powers
-    return [kept(in_si), patch.dict(scaling.COLUMNS, {kind: tuple(columns)})]
+    assert scaling.COLUMNS[kind][column] != powers
+    columns = scaling.COLUMNS[kind] | {column: powers}
+    return [kept(in_si), patch.dict(scaling.COLUMNS, {kind: columns})]
 
 
 FAULTS = [
-    Fault("EI counted in N m", counted("wires", 2, scaling.ENERGY), test_length),
-    Fault("β counted as a number", counted("wires", 5, scaling.NUMBER), test_mass_and_time),
-    Fault("α of the clamps counted as a number", counted("masses", 1, scaling.NUMBER),
+    Fault("EI counted in N m", counted("wires", "bending_stiffness", scaling.ENERGY), test_length),
+    Fault("β counted as a number", counted("wires", "beta", scaling.NUMBER), test_mass_and_time),
+    Fault("α of the clamps counted as a number", counted("masses", "alpha", scaling.NUMBER),
           test_decimal_units),
 ]  # fmt: skip

@@ -26,7 +26,7 @@ from numpy.typing import NDArray
 from arcless.model import load_pantograph
 from arcless.simulate.setup import pantographs
 from tests.support import bare, schemes, spans
-from tests.support.faults import COLUMNS, Fault, Spoil, scaled, spoiled
+from tests.support.faults import Fault, Spoil, scaled, spoiled
 
 Floats = NDArray[np.float64]
 
@@ -53,7 +53,7 @@ def force(model: str, kind: str, count: int) -> Floats:
     t = H * np.arange(round(DURATION / H) + 1)
     turn = 2.0 * np.pi / DURATION
     x = 20.0 + 0.5 * SPEED * (t - np.sin(turn * t) / turn)
-    head = pantographs.rider(load_pantograph("en50318-2002"), 120.0)
+    head = pantographs.data(load_pantograph("en50318-2002"), 120.0)
     found = bare.run(wire, head, bare.Asked(schemes.DEFAULT, H, x, contact_stiffness=50e3))
     return np.asarray(found["force"])
 
@@ -79,10 +79,10 @@ def finest_heavier(kind: str) -> Spoil:
     """Make the finest mesh heavier: an error of all meshes cancels, one of the reference not."""
 
     def spoil(arguments: dict[str, Any]) -> bool:
-        rows = arguments["parts"][kind][1]
+        rows = arguments["parts"][kind]
         is_finest = len(rows) == FINEST
         if is_finest:
-            rows[:, COLUMNS[kind].index("mass")] *= 1.05
+            rows["mass"] *= 1.05
         return is_finest
 
     return spoil

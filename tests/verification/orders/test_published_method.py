@@ -23,9 +23,9 @@ from unittest.mock import patch
 import numpy as np
 import pytest
 
+from tests.support.docs import from_docs
 from tests.support.evidence import Evidence
 from tests.support.faults import Broken, Fault
-from tests.support.pages import from_docs
 
 smooth = from_docs("converging").smooth
 DEFAULT = ("hermite", "generalised-alpha", "linearised")

@@ -18,9 +18,10 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from arcless.simulate.setup.core_data import LoadData
 from tests.support import bare, schemes
 from tests.support.faults import Fault, scaled
-from tests.support.run_faults import rider_scaled, stepped_by
+from tests.support.run_faults import pantograph_scaled, stepped_by
 from tests.support.schemes import Member
 
 Floats = NDArray[np.float64]
@@ -58,11 +59,11 @@ def error(scheme: Member, h: float) -> float:
     steps = round(DURATION / h)
     acting = force(h * np.arange(steps + 1))
     line = bare.oscillator(MASS, DAMPING, STIFFNESS)
-    loads = [([(2, 1, 1.0)], acting.tolist())]
+    loads = [LoadData([(2, 1, 1.0)], acting.tolist())]
     asked = bare.Asked(scheme, h, bare.stand(0.5, steps), nodes=[2], loads=loads)
     on_line = bare.run(line, bare.free_mass(1.0, 10.0, np.zeros(steps + 1)), asked)
     matrices = (np.diag(pair) for pair in ([MASS, 1.0], [DAMPING, 0.0], [STIFFNESS, 0.0]))
-    head = bare.rider(*matrices, strip=[0.0, 1.0], force=10.0, given=[([1.0, 0.0], acting)])
+    head = bare.pantograph(*matrices, strip=[0.0, 1.0], force=10.0, given=[([1.0, 0.0], acting)])
     on_rider = bare.run(bare.wall(), head, bare.Asked(scheme, h, bare.stand(0.0, steps)))
     moved = on_rider["masses"].reshape(-1, 2)[:, 0]
     return float(
@@ -94,7 +95,7 @@ FAULTS = [
       for scheme in schemes.BY_NAME
       for what, broken in (
           ("spring of the line 1 % stiff", scaled("springs", "stiffness", 1.01)),
-          ("damper of the pantograph 10 % strong", rider_scaled("damping", 1.1)),
+          ("damper of the pantograph 10 % strong", pantograph_scaled("damping", 1.1)),
       )),
     Fault("newmark with γ = 0.51 in place of 0.5", stepped_by(schemes.newmark(0.26, 0.51)),
           test_order, scheme=schemes.newmark(0.25, 0.5)),

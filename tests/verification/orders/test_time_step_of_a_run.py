@@ -45,7 +45,7 @@ def uplift(model: str, kinematics: str, scheme: Member, h: float) -> tuple[Float
     t = h * np.arange(round(DURATION / h) + 1)
     turn = 2.0 * np.pi / DURATION
     x = 20.6 + 0.5 * SPEED * (t - np.sin(turn * t) / turn)
-    head = pantographs.rider(load_pantograph("en50318-2002"), 120.0)
+    head = pantographs.data(load_pantograph("en50318-2002"), 120.0)
     updated = kinematics == "updated"
     asked = bare.Asked(scheme, h, x, contact_stiffness=50e3, points=[35.0], updated=updated)
     found = bare.run(wire, head, asked)

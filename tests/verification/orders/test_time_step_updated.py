@@ -25,10 +25,12 @@ from scipy.integrate import solve_ivp
 
 from arcless.mesh import Mesh
 from arcless.mesh.tables.parts import Parts
+from arcless.simulate.setup.core_data import LoadData
 from tests.support import bare, schemes
 from tests.support.faults import Fault, scaled
 from tests.support.run_faults import prepared_with, stepped_by
 from tests.support.schemes import Member
+from tests.support.structures import add_element
 
 Floats = NDArray[np.float64]
 
@@ -61,18 +63,20 @@ def exact() -> Any:
 def strings() -> Mesh:
     """Two strings with the mass between them, node 2; a wall in front."""
     parts = Parts()
-    segment = (REST, AXIAL, 1e-3, 0.0, 0.0, AXIAL * (1.0 / REST - 1.0))
-    rows = [parts.add("segments", (i, i + 1), segment) for i in range(3)]
+    pull = AXIAL * (1.0 / REST - 1.0)
+    rows = [
+        add_element(parts, i, rest=REST, axial=AXIAL, mass=1e-3, tension=pull) for i in range(3)
+    ]
     bare.hold(parts, (0, 1, 3))
-    parts.add("fixed", (2, 0))
-    parts.add("masses", (2,), (MASS - REST * 1e-3, 0.0))
+    parts.fix(2, 0)
+    parts.add("masses", node=2, mass=MASS - REST * 1e-3, alpha=0.0)
     return bare.planar(np.array([[float(i), 0.0, 0.0] for i in range(4)]), parts, rows[:1])
 
 
 def error(scheme: Member, h: float) -> float:
     """Largest error, m."""
     steps = round(DURATION / h)
-    loads = [([(2, 1, 1.0)], force(h * np.arange(steps + 1)).tolist())]
+    loads = [LoadData([(2, 1, 1.0)], force(h * np.arange(steps + 1)).tolist())]
     asked = bare.Asked(
         scheme, h, bare.stand(0.5, steps), nodes=[2], loads=loads, updated=True
     )  # fmt: skip

@@ -97,7 +97,7 @@ def test_tensions_are_nominal(evidence) -> None:
     on_contact = set(found.mesh.contact_nodes)
     rows = [
         row
-        for row, (node, component, _) in enumerate(found.mesh.parts["springs"][0])
+        for row, (node, component) in enumerate(found.mesh.parts["springs"][["node", "component"]])
         if node not in on_contact and component == UP
     ]
     assert len(rows) == 9

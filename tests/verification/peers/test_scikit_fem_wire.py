@@ -25,7 +25,7 @@ import pytest
 from arcless.equilibrium.equilibrium import Equilibrium
 from arcless.mesh.tables.parts import Parts
 from tests.support.faults import Fault, scaled
-from tests.support.structures import at_rest, mesh_of
+from tests.support.structures import add_element, at_rest, mesh_of
 
 pytest.importorskip("skfem", reason="scikit-fem is not installed: `make peers`")
 
@@ -54,19 +54,18 @@ def by_arcless() -> Equilibrium:
     for k in range(len(x) - 1):
         bending, mass = PIECES[int(x[k] + 0.5 * ELEMENT > STEP)]
         rest = (x[k + 1] - x[k]) / longer
-        parts.add("wires", (k, k + 1, k, k + 1), (rest, EA, bending, mass, 0.0, 0.0, T))
-    parts.add("masses", (round(MASS_AT / ELEMENT),), (MASS, 0.0))
-    parts.add("springs", (round(SPRING_AT / ELEMENT), UP, GIVEN), (SPRING, 0.0, 0.0))
+        add_element(parts, k, rest=rest, axial=EA, mass=mass, tension=T, bending=bending)
+    parts.add_mass(round(MASS_AT / ELEMENT), MASS)
+    parts.add_spring(round(SPRING_AT / ELEMENT), UP, GIVEN, stiffness=SPRING)
     for end in (0, len(x) - 1):
-        parts.add("fixed", (end, ALONG))
-        parts.add("fixed", (end, UP))
+        parts.fix(end, ALONG, UP)
     places = np.column_stack([x, flat, flat])
     slopes = np.column_stack([np.full_like(x, longer), flat, flat])
     return at_rest(mesh_of(2, places, slopes, parts, list(range(len(x) - 1))))
 
 
 class Beam:
-    """The same by scikit-fem: stiffness, masses, and which unknowns are free."""
+    """Return the wire of scikit-fem: stiffness, masses, and its free unknowns."""
 
     def __init__(self) -> None:
         mesh = skfem.MeshLine(np.linspace(0.0, LENGTH, round(LENGTH / FINE) + 1))

@@ -138,7 +138,7 @@ FAULTS = [
       for wires in sorted(WIRES)),
     # Corners at droppers are too sharp.
     Fault("chains as they are", without("fitted_bends"), test_mesh, at_rest=fresh.at_rest,
-          wires="as shipped"),
+          wires="as shipped", slow=True),
     Fault("one clamp twice as heavy", scaled("masses", "mass", 2.0, rows=[40]),
           test_inner_spans_are_alike, at_rest=fresh.at_rest),
     Fault("droppers half as stiff as designed", (), test_as_built, at_rest=softer_as_built),

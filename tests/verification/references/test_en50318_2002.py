@@ -19,7 +19,7 @@ from arcless.validate import CASES
 from tests.support import fresh, published
 from tests.support.evidence import Evidence
 from tests.support.faults import Fault, scaled
-from tests.support.run_faults import rider_scaled, start_force
+from tests.support.run_faults import pantograph_scaled, start_force
 
 RunOnce = Callable[..., Result]
 SPEEDS = {case.title.rpartition(", ")[2]: case for case in CASES if "2002" in case.scenario}
@@ -56,7 +56,7 @@ FAULTS = [
     # The page's own table of choices: the standard deviation and three more go outside.
     Fault("all supports ten times stiffer", scaled("springs", "stiffness", 10.0), test_ranges,
           run_once=fresh.run, speed="250 km/h"),
-    Fault("springs of the pantograph halved", rider_scaled("stiffness", 0.5), test_ranges,
+    Fault("springs of the pantograph halved", pantograph_scaled("stiffness", 0.5), test_ranges,
           run_once=fresh.run, speed="300 km/h"),
     Fault("3 % less preload than asked for", start_force(0.97), test_mean_force_is_the_static_one,
           run_once=fresh.run, speed="300 km/h"),

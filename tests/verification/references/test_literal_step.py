@@ -30,7 +30,8 @@ from tests.support import bare, schemes
 from tests.support.evidence import Evidence
 from tests.support.faults import Fault, gravity, scaled
 from tests.support.literal_run import UP, Chain, LiteralRun, Pantograph
-from tests.support.run_faults import prepared_with, rider_scaled, spoiled
+from tests.support.run_faults import pantograph_scaled, prepared_with, spoiled
+from tests.support.structures import add_element
 
 Floats = NDArray[np.float64]
 
@@ -53,10 +54,15 @@ def pantograph(force: float) -> Pantograph:
 
 def mesh() -> Mesh:
     parts = Parts()
-    segment = (CHAIN.rest_length, CHAIN.axial, CHAIN.mass, 0.0, 0.0, CHAIN.tension)
-    rows = [parts.add("segments", (i, i + 1), segment) for i in range(CHAIN.count)]
+    rows = [
+        add_element(
+            parts, i, rest=CHAIN.rest_length, axial=CHAIN.axial, mass=CHAIN.mass,
+            tension=CHAIN.tension,
+        )
+        for i in range(CHAIN.count)
+    ]  # fmt: skip
     for i in rows[:-1]:
-        parts.add("bends", (i, i + 1), (CHAIN.bending, 0.0))
+        parts.add("bends", segments=(i, i + 1), bending_stiffness=CHAIN.bending, beta=0.0)
     bare.hold(parts, (0, CHAIN.count))
     points = np.insert(CHAIN.positions, UP, 0.0, axis=1)
     return replace(bare.planar(points, parts, rows), gravity=CHAIN.gravity)
@@ -65,7 +71,7 @@ def mesh() -> Mesh:
 def run(force: float) -> tuple[Floats, Floats]:
     """Contact forces and gaps of a run."""
     p = pantograph(force)
-    rider = bare.rider(p.mass, p.damping, p.stiffness, strip=p.strip.tolist(), force=force)
+    rider = bare.pantograph(p.mass, p.damping, p.stiffness, strip=p.strip.tolist(), force=force)
     asked = bare.Asked(schemes.PUBLISHED, TAU, POSITIONS, updated=True, friction=FRICTION)
     found = bare.run(mesh(), rider, asked)
     assert sum(found["pivot_counts"]) == STEPS, "one problem in each step"
@@ -125,6 +131,6 @@ FAULTS = [
     Fault("EA 0.01 % high", scaled("segments", "EA", 1.0001), test_every_step, **TOUCHING),
     Fault("EI 0.1 % high", scaled("bends", "EI", 1.001), test_every_step, **TOUCHING),
     Fault("weight 0.1 % high", gravity(1.001), test_every_step, **LEAVING),
-    Fault("dampers 0.1 % high", rider_scaled("damping", 1.001), test_every_step, **LEAVING),
+    Fault("dampers 0.1 % high", pantograph_scaled("damping", 1.001), test_every_step, **LEAVING),
     Fault("no friction", spoiled(running=without_friction), test_every_step, **TOUCHING),
 ]  # fmt: skip

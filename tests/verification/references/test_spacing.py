@@ -16,9 +16,9 @@ from unittest.mock import patch
 
 import pytest
 
+from tests.support.docs import from_docs
 from tests.support.evidence import Evidence
 from tests.support.faults import Fault
-from tests.support.pages import from_docs
 
 spacing = from_docs("spacing")
 
@@ -70,7 +70,7 @@ def test_the_trailing_pantograph_is_the_worse_one(evidence: Evidence) -> None:
 
 
 def swapped(_: Any, distance: float | None) -> list[float]:
-    """As measured at 200 m: a single one 27.8 N, leading 27.9 N, trailing 61 N."""
+    """Return values measured at 200 m: a single one 27.8 N, leading 27.9 N, trailing 61 N."""
     return [27.8] if distance is None else [61.0, 27.9]
 
 

@@ -1,16 +1,16 @@
 //! Influence columns A⁻¹c, kept only where they are not negligible.
 //!
 //! With a time step of a millisecond the influence of a force decays over a few nodes, so a
-//! column is a short window of nodes. What is cut off is below [`CUT`] of its peak.
+//! column is a short window of nodes. Values below [`CUT`] of its peak are cut.
 
 use crate::linalg::{BlockLdl, Kernel, widest};
 use std::ops::Range;
 
-/// Values below this fraction of a column's peak are cut: rounding of one solve. Larger would
-/// unbalance the forces, smaller stores noise.
+/// Fraction of a column's peak below which values are cut: rounding of one solve. A larger one
+/// would unbalance the forces, a smaller one stores noise.
 const CUT: f64 = 1e-17;
 
-/// Columns one after the other in one piece of memory, found by their numbers.
+/// Compliance columns A⁻¹c, one after the other in one piece of memory.
 #[derive(Debug, Clone)]
 pub struct ComplianceColumns<const D: usize> {
     windows: Vec<Window>,
@@ -25,7 +25,7 @@ struct Window {
 }
 
 impl<const D: usize> ComplianceColumns<D> {
-    /// Room for a number of columns; all are zero.
+    /// Creates `count` columns of zeros.
     #[must_use]
     pub fn new(count: usize) -> Self {
         Self {
@@ -34,26 +34,26 @@ impl<const D: usize> ComplianceColumns<D> {
         }
     }
 
-    /// Number of columns there is room for.
+    /// Returns the number of columns.
     #[must_use]
     pub fn count(&self) -> usize {
         self.windows.len()
     }
 
-    /// Forget all columns.
+    /// Deletes all columns.
     pub fn forget(&mut self) {
         self.windows.fill(Window::default());
         self.values.clear();
     }
 
-    /// Whether a column has been set.
+    /// Returns whether a column has been set.
     #[must_use]
     pub fn has(&self, column: usize) -> bool {
         self.windows[column].length > 0
     }
 
-    /// Solve for a load, given node by node, and keep the column. `space` is zero before and after: two
-    /// vectors of the size of the line.
+    /// Solves for a load, given node by node, and stores the column. `x` and `work` are zero before
+    /// and after: two vectors of the size of the line.
     pub fn set(
         &mut self,
         column: usize,
@@ -63,23 +63,23 @@ impl<const D: usize> ComplianceColumns<D> {
     ) {
         load.iter().for_each(|(node, force)| x[*node] = *force);
         let loaded: Vec<usize> = load.iter().map(|(node, _)| *node).collect();
-        let reached = factor.solve_near(x, &loaded, work);
-        let found = &mut x[reached.clone()];
+        let nonzero = factor.solve_near(x, &loaded, work);
+        let solution = &mut x[nonzero.clone()];
         let size = |v: &[f64; D]| v.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-        let peak = found.iter().map(size).fold(0.0, f64::max);
-        let keeps = |v: &[f64; D]| size(v) > CUT * peak;
-        let first = found.iter().position(keeps).unwrap_or(0);
-        let end = found.iter().rposition(keeps).map_or(first, |i| i + 1);
+        let peak = solution.iter().map(size).fold(0.0, f64::max);
+        let is_kept = |v: &[f64; D]| size(v) > CUT * peak;
+        let first = solution.iter().position(is_kept).unwrap_or(0);
+        let end = solution.iter().rposition(is_kept).map_or(first, |i| i + 1);
         self.windows[column] = Window {
-            first: reached.start + first,
+            first: nonzero.start + first,
             offset: self.values.len(),
             length: end - first,
         };
-        self.values.extend_from_slice(&found[first..end]);
-        found.fill([0.0; D]);
+        self.values.extend_from_slice(&solution[first..end]);
+        solution.fill([0.0; D]);
     }
 
-    /// Keep a column that is given node by node.
+    /// Stores a column that is given node by node.
     pub fn keep(&mut self, column: usize, values: &std::collections::BTreeMap<usize, [f64; D]>) {
         let (Some((&first, _)), Some((&last, _))) = (values.iter().next(), values.iter().last())
         else {
@@ -94,7 +94,7 @@ impl<const D: usize> ComplianceColumns<D> {
         self.values.extend((first..=last).map(at));
     }
 
-    /// Value at a node.
+    /// Returns the value of a column at a node.
     #[inline(always)]
     #[must_use]
     pub fn at(&self, column: usize, node: usize) -> [f64; D] {
@@ -105,7 +105,7 @@ impl<const D: usize> ComplianceColumns<D> {
         }
     }
 
-    /// `x += factor · column`; returns the nodes that this moved.
+    /// Adds `factor` · column to `x`; returns the nodes that this changed.
     #[inline(always)]
     pub fn add(&self, column: usize, factor: f64, x: &mut [[f64; D]]) -> Range<usize> {
         let w = &self.windows[column];
@@ -118,7 +118,7 @@ impl<const D: usize> ComplianceColumns<D> {
         nodes
     }
 
-    /// Numbers stored.
+    /// Returns the number of stored values.
     #[must_use]
     pub fn stored(&self) -> usize {
         self.values.len() * D

@@ -1,196 +1,206 @@
-//! The contacts of a run: every strip of every rider on every lane.
+//! Contacts of a run: every strip of every pantograph on every slideline.
 //!
-//! A contact takes part in a step when its lane has wire at the place of the strip at the time of
-//! balance, and that wire lies within the half width of the strip. The lateral place of the wire, and
-//! with it e(y) of the [strip](crate::pantograph::strip), is taken at the start of the step.
+//! A contact takes part in a step when its slideline has wire at the position of the strip at the
+//! time of balance, and that wire lies within the half width of the strip. The lateral position of
+//! the wire, and with it e(y) of the [strip](crate::pantograph::strip), is taken at the start of
+//! the step.
 
 use crate::error::CoreError;
+use crate::linalg::small::inner;
+use crate::pantograph::model::Pantograph;
+use crate::pantograph::state::PantographState;
 use crate::pantograph::strip::Strip;
-use crate::pantograph::system::{Pantograph, PantographState, inner};
 use crate::slideline::Slideline;
+use crate::slideline::local_compliance::LocalCompliance;
 use crate::slideline::point::{Nodal, SlidelinePoint};
-use crate::slideline::residual_flexibility::LocalCompliance;
 
-/// A strip of a rider on a lane.
+/// Contact of a strip of a pantograph with a slideline.
 #[derive(Debug, Clone)]
 pub struct Contact<const DIM: usize> {
-    /// Rider, strip of it, and lane, by their numbers.
-    pub(crate) of: [usize; 3],
-    /// Distance of the rider behind the first, and of the strip behind its reference point, m.
+    /// Numbers of pantograph, strip and slideline.
+    pub(crate) indices: [usize; 3],
+    /// Distance of the pantograph behind the first one, and of the strip behind its reference
+    /// point, m.
     behind: [f64; 2],
-    /// Whether it takes part in the present step.
-    pub(crate) meets: bool,
-    /// Whether it did not in the step before.
+    /// True when the contact takes part in the present step.
+    pub(crate) is_active: bool,
+    /// True when the contact did not take part in the step before.
     is_new: bool,
-    /// Whether the lane has wire at the strip; only then `place` is of this step.
+    /// True when the slideline has wire at the strip; only then `point` is of this step.
     pub(crate) has_wire: bool,
-    /// Where it acts, at the time of balance.
-    pub(crate) place: SlidelinePoint<DIM>,
-    /// What the wire yields there beyond the mesh.
-    pub(crate) yields: LocalCompliance,
-    /// The same before and after the step.
+    /// Point of the slideline at the time of balance.
+    pub(crate) point: SlidelinePoint<DIM>,
+    /// Local compliance of the wire at `point`, beyond the mesh.
+    pub(crate) compliance: LocalCompliance,
+    /// Points of the slideline before and after the step.
     pub(crate) ends: [SlidelinePoint<DIM>; 2],
-    /// Lateral place of the wire at the start of the step, m.
+    /// Lateral position of the wire at the start of the step, m.
     pub(crate) lateral: f64,
-    /// e(y).
+    /// Vector e(y) of the strip: its height is eᵀu.
     pub(crate) vector: Vec<f64>,
-    /// A⁻¹ e, the response of the rider's increment to a unit pull on the strip.
+    /// Column A⁻¹e: increment of the pantograph under a unit force on the strip.
     pub(crate) column: Vec<f64>,
-    /// A⁻¹ e at each knot.
+    /// Columns A⁻¹e at each knot of the strip.
     columns: Vec<Vec<f64>>,
-    /// How far the strip rises under the wire as that slides sideways, m: (e − e of the step before)ᵀu.
-    pub(crate) slid: f64,
+    /// Rise of the strip under a wire that slides sideways, m: (e − e of the step before)ᵀu.
+    pub(crate) lateral_rise: f64,
 }
 
 impl<const DIM: usize> Contact<DIM> {
-    /// Number of its rider.
-    pub(crate) fn rider(&self) -> usize {
-        self.of[0]
+    /// Returns the number of the pantograph.
+    pub(crate) fn pantograph(&self) -> usize {
+        self.indices[0]
     }
 
-    fn strip<'a>(&self, riders: &'a [Pantograph]) -> &'a Strip {
-        &riders[self.of[0]].strips[self.of[1]]
+    fn strip<'a>(&self, pantographs: &'a [Pantograph]) -> &'a Strip {
+        &pantographs[self.indices[0]].strips[self.indices[1]]
     }
 
-    /// Coordinate along the track when the first rider is at `position`, m.
+    /// Returns the coordinate along the track when the first pantograph is at `position`, m.
     pub(crate) fn along(&self, position: f64) -> f64 {
         position - self.behind[0] - self.behind[1]
     }
 
-    /// Lateral place of the wire before the step.
-    fn aside<const D: usize>(&self, u: &(impl Nodal<D> + ?Sized)) -> f64 {
+    /// Returns the lateral position of the wire before the step, m.
+    fn lateral_position<const D: usize>(&self, u: &(impl Nodal<D> + ?Sized)) -> f64 {
         if DIM < 3 {
             return 0.0;
         }
-        self.place.lateral + self.place.displacement(u, 1)
+        self.point.lateral + self.point.displacement(u, 1)
     }
 }
 
-/// All contacts: rider by rider, strip by strip, lane by lane.
+/// All contacts: pantograph by pantograph, strip by strip, slideline by slideline.
 #[derive(Debug, Clone)]
 pub struct Contacts<const DIM: usize> {
     pub(crate) all: Vec<Contact<DIM>>,
-    /// Those that take part in the present step.
+    /// Numbers of the contacts that take part in the present step.
     pub(crate) active: Vec<usize>,
-    pub(crate) lanes: usize,
+    pub(crate) slidelines: usize,
 }
 
 impl<const DIM: usize> Contacts<DIM> {
-    /// Contacts of `riders`, which follow the first at `distances`, at the start of a run.
+    /// Returns the contacts of `pantographs`, which follow the first one at `distances` (m), at the
+    /// start of a run.
     ///
     /// # Errors
-    /// Those of [`Contacts::find`].
+    /// As [`Contacts::search`].
     pub(crate) fn new<const D: usize>(
-        riders: &[Pantograph],
+        pantographs: &[Pantograph],
         distances: &[f64],
-        lanes: &[Slideline<DIM>],
+        slidelines: &[Slideline<DIM>],
         position: f64,
         u: &(impl Nodal<D> + ?Sized),
     ) -> Result<Self, CoreError> {
-        let mut contacts = Self::blank(riders, distances, lanes.len());
-        contacts.find(riders, lanes, u, [position; 3], 0)?;
+        let mut contacts = Self::unplaced(pantographs, distances, slidelines.len());
+        contacts.search(pantographs, slidelines, u, [position; 3], 0)?;
         for contact in &mut contacts.all {
-            let strip = &riders[contact.of[0]].strips[contact.of[1]];
-            strip.read(&strip.vectors, contact.lateral, &mut contact.vector);
+            let strip = &pantographs[contact.indices[0]].strips[contact.indices[1]];
+            strip.interpolate(&strip.vectors, contact.lateral, &mut contact.vector);
         }
         Ok(contacts)
     }
 
-    /// The same, without a place.
-    pub(crate) fn blank(riders: &[Pantograph], distances: &[f64], lanes: usize) -> Self {
+    /// Returns the contacts of `pantographs` without points on the wire.
+    pub(crate) fn unplaced(
+        pantographs: &[Pantograph],
+        distances: &[f64],
+        slidelines: usize,
+    ) -> Self {
         let mut all = Vec::new();
-        for (j, (rider, &distance)) in riders.iter().zip(distances).enumerate() {
-            for (s, strip) in rider.strips.iter().enumerate() {
-                all.extend((0..lanes).map(|lane| Contact {
-                    of: [j, s, lane],
+        for (j, (pantograph, &distance)) in pantographs.iter().zip(distances).enumerate() {
+            for (s, strip) in pantograph.strips.iter().enumerate() {
+                all.extend((0..slidelines).map(|slideline| Contact {
+                    indices: [j, s, slideline],
                     behind: [distance, strip.offset],
-                    meets: false,
+                    is_active: false,
                     is_new: true,
                     has_wire: false,
-                    place: SlidelinePoint::default(),
-                    yields: LocalCompliance::default(),
+                    point: SlidelinePoint::default(),
+                    compliance: LocalCompliance::default(),
                     ends: [SlidelinePoint::default(); 2],
                     lateral: 0.0,
                     vector: strip.vectors[0].clone(),
                     column: Vec::new(),
                     columns: Vec::new(),
-                    slid: 0.0,
+                    lateral_rise: 0.0,
                 }));
             }
         }
         Self {
             active: Vec::with_capacity(all.len()),
             all,
-            lanes,
+            slidelines,
         }
     }
 
-    /// Take down the responses of the riders to their strips.
-    pub(crate) fn respond(&mut self, riders: &[PantographState]) {
+    /// Computes the columns A⁻¹e of all contacts.
+    pub(crate) fn compute_columns(&mut self, pantographs: &[PantographState]) {
         for contact in &mut self.all {
-            let rider = &riders[contact.of[0]];
-            let strip = &rider.rider.strips[contact.of[1]];
-            let columns = strip.vectors.iter().map(|e| rider.response(e));
+            let pantograph = &pantographs[contact.indices[0]];
+            let strip = &pantograph.model.strips[contact.indices[1]];
+            let columns = strip.vectors.iter().map(|e| pantograph.response(e));
             contact.columns = columns.collect();
             contact.column = contact.columns[0].clone();
-            strip.read(&contact.columns, contact.lateral, &mut contact.column);
+            strip.interpolate(&contact.columns, contact.lateral, &mut contact.column);
         }
     }
 
-    /// Find the places of the active contacts anew, before the first step.
-    pub(crate) fn follow(&mut self, lanes: &[Slideline<DIM>], position: f64) {
+    /// Finds the points of the active contacts again on moved slidelines, before the first step.
+    pub(crate) fn relocate(&mut self, slidelines: &[Slideline<DIM>], position: f64) {
         for &i in &self.active {
             let contact = &mut self.all[i];
-            let lane = &lanes[contact.of[2]];
-            contact.place = lane.on_wire(contact.along(position), contact.place.element);
-            contact.ends = [contact.place; 2];
+            let slideline = &slidelines[contact.indices[2]];
+            contact.point =
+                slideline.nearest_on_wire(contact.along(position), contact.point.element);
+            contact.ends = [contact.point; 2];
         }
     }
 
-    /// Those that take part.
+    /// Returns the contacts that take part in the step.
     pub(crate) fn active(&self) -> impl Iterator<Item = &Contact<DIM>> {
         self.active.iter().map(|&i| &self.all[i])
     }
 
-    /// Contacts of a step in which the first rider stands at the given positions: at its start, at the
-    /// time of balance, at its end.
+    /// Finds the contacts of a step. `positions` of the first pantograph, m: at the start of the
+    /// step, at the time of balance, at its end.
     ///
     /// # Errors
     /// [`CoreError::OffWire`], [`CoreError::OutOfReach`].
-    pub(crate) fn find<const D: usize>(
+    pub(crate) fn search<const D: usize>(
         &mut self,
-        riders: &[Pantograph],
-        lanes: &[Slideline<DIM>],
+        pantographs: &[Pantograph],
+        slidelines: &[Slideline<DIM>],
         u: &(impl Nodal<D> + ?Sized),
         positions: [f64; 3],
         step: usize,
     ) -> Result<(), CoreError> {
         self.active.clear();
         for (i, contact) in self.all.iter_mut().enumerate() {
-            let lane = &lanes[contact.of[2]];
-            contact.seek(contact.strip(riders), lane, u, positions);
+            let slideline = &slidelines[contact.indices[2]];
+            contact.locate_points(contact.strip(pantographs), slideline, u, positions);
             if contact.has_wire {
-                contact.yields = lane.yield_at(&contact.place);
+                contact.compliance = slideline.compliance_at(&contact.point);
             }
-            if contact.meets {
+            if contact.is_active {
                 self.active.push(i);
             }
         }
-        self.check(riders, lanes, positions, step)
+        self.check_coverage(pantographs, slidelines, positions, step)
     }
 
-    /// Take e(y) of the contacts whose wire lies elsewhere on the strip than a step ago.
-    pub(crate) fn slide(&mut self, riders: &[PantographState]) {
+    /// Updates e(y) of the contacts whose wire has moved along the strip.
+    pub(crate) fn update_vectors(&mut self, pantographs: &[PantographState]) {
         for &i in &self.active {
             let contact = &mut self.all[i];
-            let rider = &riders[contact.of[0]];
-            let strip = &rider.rider.strips[contact.of[1]];
-            contact.slid = 0.0;
+            let pantograph = &pantographs[contact.indices[0]];
+            let strip = &pantograph.model.strips[contact.indices[1]];
+            contact.lateral_rise = 0.0;
             if strip.knots.len() > 1 {
-                let before = inner(&contact.vector, &rider.u);
-                contact.read(strip);
+                let before = inner(&contact.vector, &pantograph.u);
+                contact.interpolate_vectors(strip);
                 if !contact.is_new {
-                    contact.slid = inner(&contact.vector, &rider.u) - before;
+                    contact.lateral_rise = inner(&contact.vector, &pantograph.u) - before;
                 }
             }
         }
@@ -198,41 +208,41 @@ impl<const DIM: usize> Contacts<DIM> {
 }
 
 impl<const DIM: usize> Contact<DIM> {
-    /// Take e(y) and A⁻¹ e where the wire lies.
-    pub(crate) fn read(&mut self, strip: &Strip) {
-        strip.read(&strip.vectors, self.lateral, &mut self.vector);
-        strip.read(&self.columns, self.lateral, &mut self.column);
+    /// Interpolates e(y) and A⁻¹e at the lateral position of the wire.
+    pub(crate) fn interpolate_vectors(&mut self, strip: &Strip) {
+        strip.interpolate(&strip.vectors, self.lateral, &mut self.vector);
+        strip.interpolate(&self.columns, self.lateral, &mut self.column);
     }
 
-    /// Its places in a step, and whether it takes part.
-    fn seek<const D: usize>(
+    /// Finds the points of the contact in a step, and whether it takes part.
+    fn locate_points<const D: usize>(
         &mut self,
         strip: &Strip,
-        lane: &Slideline<DIM>,
+        slideline: &Slideline<DIM>,
         u: &(impl Nodal<D> + ?Sized),
         [start, balance, end]: [f64; 3],
     ) {
-        self.is_new = !std::mem::take(&mut self.meets);
-        let near = self.ends[1].element;
-        let found = lane.locate(self.along(balance), near);
-        self.has_wire = found.is_some();
-        let Some(place) = found else {
+        self.is_new = !std::mem::take(&mut self.is_active);
+        let nearby_element = self.ends[1].element;
+        let located = slideline.locate(self.along(balance), nearby_element);
+        self.has_wire = located.is_some();
+        let Some(point) = located else {
             return;
         };
-        self.place = place;
-        if strip.looks_aside() {
-            self.lateral = self.aside(u);
+        self.point = point;
+        if strip.depends_on_lateral_position() {
+            self.lateral = self.lateral_position(u);
         }
-        self.meets = self.lateral.abs() <= strip.half_width;
+        self.is_active = self.lateral.abs() <= strip.half_width;
         if self.is_new {
-            self.ends[1] = lane.on_wire(self.along(start), place.element);
+            self.ends[1] = slideline.nearest_on_wire(self.along(start), point.element);
         }
         self.ends[0] = self.ends[1];
-        if self.meets {
-            self.ends[1] = match lane.locate(self.along(end), near) {
-                Some(end) if lane.is_one_wire(&end, &place) => end,
+        if self.is_active {
+            self.ends[1] = match slideline.locate(self.along(end), nearby_element) {
+                Some(end) if slideline.is_same_wire(&end, &point) => end,
                 // The wire ends within the step.
-                _ => lane.on_wire(self.along(end), place.element),
+                _ => slideline.nearest_on_wire(self.along(end), point.element),
             };
         }
     }

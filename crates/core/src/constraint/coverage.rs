@@ -1,48 +1,54 @@
-//! Whether every rider has a wire in reach.
+//! Check that every pantograph has a wire in reach.
 
 use crate::constraint::contacts::{Contact, Contacts};
 use crate::error::CoreError;
-use crate::pantograph::system::Pantograph;
+use crate::pantograph::model::Pantograph;
 use crate::slideline::Slideline;
 
 impl<const DIM: usize> Contacts<DIM> {
-    /// Every strip has wire before and behind the step, every rider a contact.
-    pub(crate) fn check(
+    /// Checks that every strip has wire before and after the step, and every pantograph a contact.
+    pub(crate) fn check_coverage(
         &self,
-        riders: &[Pantograph],
-        lanes: &[Slideline<DIM>],
+        pantographs: &[Pantograph],
+        slidelines: &[Slideline<DIM>],
         [_, _, end]: [f64; 3],
         step: usize,
     ) -> Result<(), CoreError> {
-        for of_strip in self.all.chunks(self.lanes) {
-            let position = of_strip[0].along(end);
+        for contacts_of_strip in self.all.chunks(self.slidelines) {
+            let position = contacts_of_strip[0].along(end);
             let is_on = |c: &Contact<DIM>| {
-                let near = c.ends[1].element;
-                c.meets || lanes[c.of[2]].locate(position, near).is_some()
+                let nearby_element = c.ends[1].element;
+                c.is_active
+                    || slidelines[c.indices[2]]
+                        .locate(position, nearby_element)
+                        .is_some()
             };
-            if !of_strip.iter().any(|c| c.has_wire) || !of_strip.iter().any(is_on) {
+            if !contacts_of_strip.iter().any(|c| c.has_wire) || !contacts_of_strip.iter().any(is_on)
+            {
                 return Err(CoreError::OffWire {
-                    rider: of_strip[0].rider(),
+                    pantograph: contacts_of_strip[0].pantograph(),
                     position,
                     step,
                 });
             }
         }
-        for (j, rider) in riders.iter().enumerate() {
-            let mut own = self.all.iter().filter(|c| c.rider() == j);
-            if own.clone().any(|c| c.meets) {
+        for (j, pantograph) in pantographs.iter().enumerate() {
+            let mut contacts = self.all.iter().filter(|c| c.pantograph() == j);
+            if contacts.clone().any(|c| c.is_active) {
                 continue;
             }
-            // The wire that is least far out.
-            let out = |c: &&Contact<DIM>| c.lateral.abs() - rider.strips[c.of[1]].half_width;
-            let least = own.clone().filter(|c| c.has_wire);
-            let least = least.min_by(|a, b| out(a).total_cmp(&out(b)));
-            if let Some(contact) = least.or_else(|| own.next()) {
+            // The wire nearest to the strip.
+            let distance_outside =
+                |c: &&Contact<DIM>| c.lateral.abs() - pantograph.strips[c.indices[1]].half_width;
+            let nearest = contacts.clone().filter(|c| c.has_wire);
+            let nearest =
+                nearest.min_by(|a, b| distance_outside(a).total_cmp(&distance_outside(b)));
+            if let Some(contact) = nearest.or_else(|| contacts.next()) {
                 return Err(CoreError::OutOfReach {
-                    rider: j,
+                    pantograph: j,
                     position: contact.along(end),
                     lateral: contact.lateral,
-                    half_width: rider.strips[contact.of[1]].half_width,
+                    half_width: pantograph.strips[contact.indices[1]].half_width,
                     step,
                 });
             }

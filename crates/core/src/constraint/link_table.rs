@@ -1,50 +1,51 @@
-//! Numbers of links side by side, for loops over all links of an island in every step.
+//! Properties of links, list by list, for loops over all links of an island in every step.
 
 use crate::linear::model::LinearLink;
 use crate::scheme::Coefficients;
 use std::ops::Range;
 
-/// What stays the same of all links.
+/// Constant properties of all links, one list for each.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct LinkTable {
-    /// T₀, N.
+    /// Tension T₀ at equilibrium, N.
     pub rest_tension: Vec<f64>,
-    /// k, N/m.
+    /// Stiffness k, N/m.
     pub stiffness: Vec<f64>,
-    /// c, N·s/m.
+    /// Damping c, N·s/m.
     pub viscosity: Vec<f64>,
-    /// κ = a k + (a γ/β h) c, N/m.
-    pub of_increment: Vec<f64>,
-    /// Tension below which a link would push, N: zero, or beyond all numbers.
-    pub least: Vec<f64>,
-    /// Corrections that act at rest: number, N.
-    pub corrected: Vec<(usize, f64)>,
-    /// Their first nodes with their numbers, by nodes; and how far their other nodes are at most.
-    first: Vec<(usize, usize)>,
+    /// Step stiffness κ = a k + (a γ/β h) c, N/m.
+    pub step_stiffness: Vec<f64>,
+    /// Tension below which a link would push, N: zero, or −∞ for links that may push.
+    pub min_tension: Vec<f64>,
+    /// Corrections r₀ at rest that are not zero: number of the link, N.
+    pub rest_corrections: Vec<(usize, f64)>,
+    /// Smaller node and number of each link, sorted; `span` is the largest difference of the nodes
+    /// of a link.
+    first_nodes: Vec<(usize, usize)>,
     span: usize,
 }
 
 impl LinkTable {
     pub fn new<const DIM: usize>(links: &[LinearLink<DIM>], c: &Coefficients) -> Self {
-        let of = |number: fn(&LinearLink<DIM>) -> f64| links.iter().map(number).collect();
+        let column = |property: fn(&LinearLink<DIM>) -> f64| links.iter().map(property).collect();
         let ends = |link: &LinearLink<DIM>| {
             let [a, b] = link.nodes;
             (a.min(b), a.max(b))
         };
-        let mut first: Vec<_> = links.iter().map(|l| ends(l).0).zip(0..).collect();
-        first.sort_unstable();
+        let mut first_nodes: Vec<_> = links.iter().map(|l| ends(l).0).zip(0..).collect();
+        first_nodes.sort_unstable();
         let corrections = links.iter().map(LinearLink::rest_correction).enumerate();
         Self {
-            rest_tension: of(|l| l.rest_tension),
-            stiffness: of(|l| l.stiffness),
-            viscosity: of(|l| l.viscosity),
-            of_increment: links
+            rest_tension: column(|l| l.rest_tension),
+            stiffness: column(|l| l.stiffness),
+            viscosity: column(|l| l.viscosity),
+            step_stiffness: links
                 .iter()
                 .map(|l| c.stiffness * l.stiffness + c.damping * l.viscosity)
                 .collect(),
-            least: of(|l| if l.unilateral { 0.0 } else { f64::NEG_INFINITY }),
-            corrected: corrections.filter(|(_, force)| *force > 0.0).collect(),
-            first,
+            min_tension: column(|l| if l.unilateral { 0.0 } else { f64::NEG_INFINITY }),
+            rest_corrections: corrections.filter(|(_, force)| *force > 0.0).collect(),
+            first_nodes,
             span: links
                 .iter()
                 .map(|l| ends(l).1 - ends(l).0)
@@ -53,12 +54,14 @@ impl LinkTable {
         }
     }
 
-    /// Links of which a node lies in a range, and some that lie around it.
-    pub fn around(&self, nodes: Range<usize>) -> impl Iterator<Item = usize> {
+    /// Returns the links that have a node in a range, and some others nearby.
+    pub fn near_nodes(&self, nodes: Range<usize>) -> impl Iterator<Item = usize> {
         let from = nodes.start.saturating_sub(self.span);
-        let begin = self.first.partition_point(|(node, _)| *node < from);
-        let end = self.first.partition_point(|(node, _)| *node < nodes.end);
-        self.first[begin..end.max(begin)]
+        let begin = self.first_nodes.partition_point(|(node, _)| *node < from);
+        let end = self
+            .first_nodes
+            .partition_point(|(node, _)| *node < nodes.end);
+        self.first_nodes[begin..end.max(begin)]
             .iter()
             .map(|(_, link)| *link)
     }

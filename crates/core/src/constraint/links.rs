@@ -1,6 +1,6 @@
 //! Motion of the links of a line during a run.
 //!
-//! Tension at the time of balance, as if the link were linear, with κ = a k + (a γ / β h) c:
+//! Tension at the time of balance, of a link taken as linear, with κ = a k + (a γ / β h) c:
 //!
 //!   T = T₀ + k e_f + c ė_f = [T₀ + k e + c (velocity terms of the old state)] + κ Δe
 
@@ -10,10 +10,10 @@ use crate::linear::model::LinearLink;
 use crate::scheme::Coefficients;
 use std::ops::Range;
 
-/// Links looked at together when all are searched for a few.
-const LOOK: usize = 8;
+/// Number of links tested together in the search for candidates.
+const GROUP: usize = 8;
 
-/// Elongations of all links, and the tensions that follow from them.
+/// Elongations and tensions of all links.
 #[derive(Debug, Clone)]
 pub struct LinkMotion {
     /// Elongation since the static shape in m, its rate, and its second rate.
@@ -24,16 +24,16 @@ pub struct LinkMotion {
     pub delta: Vec<f64>,
     /// Tension at the time of balance without correction, N; negative where the link would push.
     pub tension: Vec<f64>,
-    /// The same without the contact forces and corrections of the current step.
+    /// Tension at the time of balance without the contact forces and corrections of the step, N.
     pub tension_free: Vec<f64>,
     /// Part of the tension that does not depend on the increment, N.
-    old_part: Vec<f64>,
-    /// What forces that are given for the step take from the tension of links: number, N.
-    pub(crate) given: Vec<(usize, f64)>,
+    old_tension: Vec<f64>,
+    /// Reductions of the tension of links by forces prescribed for the step: number of the link, N.
+    pub(crate) known_reductions: Vec<(usize, f64)>,
 }
 
 impl LinkMotion {
-    /// Links at rest in a displaced position.
+    /// Returns links at rest in a displaced position.
     #[must_use]
     pub fn at_rest<const DIM: usize, const D: usize>(
         links: &[LinearLink<DIM>],
@@ -47,13 +47,13 @@ impl LinkMotion {
             delta: zero.clone(),
             tension: zero.clone(),
             tension_free: zero.clone(),
-            old_part: zero,
-            given: Vec::new(),
+            old_tension: zero,
+            known_reductions: Vec::new(),
         }
     }
 
-    /// Measure elongations anew from the present position, along the present directions.
-    pub fn restart<const DIM: usize, const D: usize>(
+    /// Sets the current position as the reference of elongations, along the current directions.
+    pub fn reset_reference<const DIM: usize, const D: usize>(
         &mut self,
         links: &[LinearLink<DIM>],
         v: &[[f64; D]],
@@ -65,8 +65,8 @@ impl LinkMotion {
         }
     }
 
-    /// Put some links back to rest.
-    pub(crate) fn lay(&mut self, which: Range<usize>) {
+    /// Puts links back to rest.
+    pub(crate) fn reset(&mut self, which: Range<usize>) {
         let Self {
             elongation,
             rate,
@@ -79,15 +79,15 @@ impl LinkMotion {
         }
     }
 
-    /// Elongation, rate and second rate, link by link.
-    pub(crate) fn numbers(&mut self) -> impl Iterator<Item = &mut f64> {
+    /// Returns elongation, rate and second rate, link by link.
+    pub(crate) fn archived_values(&mut self) -> impl Iterator<Item = &mut f64> {
         let rates = self.rate.iter_mut().zip(&mut self.second);
         let all = self.elongation.iter_mut().zip(rates);
         all.flat_map(|(elongation, (rate, second))| [elongation, rate, second])
     }
 
-    /// Begin a step with some links, with increments of their nodes but for contact forces and corrections.
-    pub(crate) fn begin<const DIM: usize, const D: usize>(
+    /// Computes increments and tensions of links from the predicted increments of their nodes, m.
+    pub(crate) fn predict<const DIM: usize, const D: usize>(
         &mut self,
         which: Range<usize>,
         (links, table): (&[LinearLink<DIM>], &LinkTable),
@@ -100,100 +100,101 @@ impl LinkMotion {
         {
             *d = link.elongation(delta);
         }
-        widest(Begin {
+        widest(PredictTensions {
             motion: self,
             which: which.clone(),
             table,
             c,
         });
-        for k in 0..self.given.len() {
-            let (link, by) = self.given[k];
+        for k in 0..self.known_reductions.len() {
+            let (link, reduction) = self.known_reductions[k];
             if which.contains(&link) {
-                self.ease(link, by);
-                self.pull(link, table);
+                self.subtract_tension(link, reduction);
+                self.update_tension(link, table);
                 self.tension_free[link] = self.tension[link];
             }
         }
     }
 
-    /// Take from the tension of a link what a force on the wire beside it takes.
+    /// Subtracts from the tension of a link the reduction (N) by a force on the wire near it.
     #[inline(always)]
-    pub(crate) fn ease(&mut self, link: usize, by: f64) {
-        self.old_part[link] -= by;
+    pub(crate) fn subtract_tension(&mut self, link: usize, reduction: f64) {
+        self.old_tension[link] -= reduction;
     }
 
-    /// Find the tension from the increment.
+    /// Updates the tension from the increment.
     #[inline(always)]
-    fn pull(&mut self, link: usize, table: &LinkTable) {
-        self.tension[link] = self.old_part[link] + table.of_increment[link] * self.delta[link];
+    fn update_tension(&mut self, link: usize, table: &LinkTable) {
+        self.tension[link] = self.old_tension[link] + table.step_stiffness[link] * self.delta[link];
     }
 
-    /// Set the increments of links near some nodes anew, from those of the nodes.
-    pub(crate) fn follow<const DIM: usize, const D: usize>(
+    /// Updates increments and tensions of links near the given nodes.
+    pub(crate) fn update_increments<const DIM: usize, const D: usize>(
         &mut self,
         nodes: Range<usize>,
         (links, table): (&[LinearLink<DIM>], &LinkTable),
         delta: &[[f64; D]],
     ) {
-        for link in table.around(nodes) {
+        for link in table.near_nodes(nodes) {
             self.delta[link] = links[link].elongation(delta);
-            self.pull(link, table);
+            self.update_tension(link, table);
         }
     }
 
-    /// Take the step with some links.
-    pub(crate) fn advance(&mut self, which: Range<usize>, c: &Coefficients) {
-        widest(Advance {
+    /// Moves links to the end of the step.
+    pub(crate) fn commit(&mut self, which: Range<usize>, c: &Coefficients) {
+        widest(CommitLinks {
             motion: self,
             which,
             c,
         });
     }
 
-    /// Find those of some links that would push, or have a correction.
+    /// Visits the links that would push, or have a correction.
     #[inline]
-    pub(crate) fn unusual(
+    pub(crate) fn for_each_candidate(
         &self,
         which: Range<usize>,
         (table, correction): (&LinkTable, &[f64]),
-        mut found: impl FnMut(usize),
+        mut visit: impl FnMut(usize),
     ) {
-        let lists = [&self.tension[..], &table.least, correction].map(|list| part(list, &which));
-        let is_one = |&i: &usize| {
-            let [tension, least, correction] = lists.map(|list| list[i]);
-            tension < least || correction > 0.0
+        let lists =
+            [&self.tension[..], &table.min_tension, correction].map(|list| part(list, &which));
+        let is_candidate = |&i: &usize| {
+            let [tension, min_tension, correction] = lists.map(|list| list[i]);
+            tension < min_tension || correction > 0.0
         };
-        let mut look = |group: Range<usize>| {
-            let them = group.filter(is_one);
-            them.for_each(|i| found(which.start + i));
+        let mut visit_group = |group: Range<usize>| {
+            let candidates = group.filter(is_candidate);
+            candidates.for_each(|i| visit(which.start + i));
         };
-        let groups = lists.map(|list| list.as_chunks::<LOOK>().0);
+        let groups = lists.map(|list| list.as_chunks::<GROUP>().0);
         for k in 0..groups[0].len() {
-            let [tension, least, correction] = groups.map(|groups| &groups[k]);
+            let [tension, min_tension, correction] = groups.map(|groups| &groups[k]);
             let mut any = false;
-            for i in 0..LOOK {
-                any |= (tension[i] < least[i]) | (correction[i] > 0.0);
+            for i in 0..GROUP {
+                any |= (tension[i] < min_tension[i]) | (correction[i] > 0.0);
             }
             if any {
-                look(LOOK * k..LOOK * (k + 1));
+                visit_group(GROUP * k..GROUP * (k + 1));
             }
         }
-        look(LOOK * groups[0].len()..which.len());
+        visit_group(GROUP * groups[0].len()..which.len());
     }
 }
 
-struct Begin<'a> {
+struct PredictTensions<'a> {
     motion: &'a mut LinkMotion,
     which: Range<usize>,
     table: &'a LinkTable,
     c: &'a Coefficients,
 }
 
-impl Kernel for Begin<'_> {
+impl Kernel for PredictTensions<'_> {
     #[inline(always)]
     fn run(self) {
         let (which, table, c) = (self.which, self.table, self.c);
-        let of = |list| part(list, &which);
+        let values = |list| part(list, &which);
         let LinkMotion {
             elongation,
             rate,
@@ -201,13 +202,13 @@ impl Kernel for Begin<'_> {
             delta,
             tension,
             tension_free,
-            old_part,
+            old_tension,
             ..
         } = self.motion;
-        let [e, rate, second, delta] = [elongation, rate, second, delta].map(|list| of(list));
-        let [rest, k] = [&table.rest_tension, &table.stiffness].map(|list| of(list));
-        let [viscosity, kappa] = [&table.viscosity, &table.of_increment].map(|list| of(list));
-        let old = &mut old_part[which.clone()][..e.len()];
+        let [e, rate, second, delta] = [elongation, rate, second, delta].map(|list| values(list));
+        let [rest, k] = [&table.rest_tension, &table.stiffness].map(|list| values(list));
+        let [viscosity, kappa] = [&table.viscosity, &table.step_stiffness].map(|list| values(list));
+        let old = &mut old_tension[which.clone()][..e.len()];
         let tension = &mut tension[which.clone()][..e.len()];
         let free = &mut tension_free[which.clone()][..e.len()];
         for i in 0..e.len() {
@@ -219,13 +220,13 @@ impl Kernel for Begin<'_> {
     }
 }
 
-struct Advance<'a> {
+struct CommitLinks<'a> {
     motion: &'a mut LinkMotion,
     which: Range<usize>,
     c: &'a Coefficients,
 }
 
-impl Kernel for Advance<'_> {
+impl Kernel for CommitLinks<'_> {
     #[inline(always)]
     fn run(self) {
         let (which, c) = (self.which, self.c);
@@ -240,7 +241,7 @@ impl Kernel for Advance<'_> {
     }
 }
 
-/// Part of a list, of a length that the compiler sees to be the same for all lists.
+/// Returns part of a list, with a length that the compiler knows to be equal for all lists.
 #[inline(always)]
 fn part<'a>(list: &'a [f64], which: &Range<usize>) -> &'a [f64] {
     &list[which.clone()][..which.len()]

@@ -7,3 +7,5 @@ pub(crate) mod delassus;
 pub(crate) mod link_table;
 pub mod links;
 pub mod problem;
+pub(crate) mod row;
+pub mod wires;

@@ -1,31 +1,34 @@
-//! The complementarity problem of one step: contacts, slack links and stops together.
+//! Complementarity problem of one step: contacts, slack links, bump stops and breakpoints together.
 //!
-//! Contact j (a strip on a lane): force λ ≥ 0 against gap d + λ/k_c ≥ 0 (k_c infinite when rigid).
-//! Link i:    correction r ≥ 0 against tension T ≥ 0; r cancels what the linear link would push.
-//! Both laws hold at the time of balance. With Δu = Δu₀ + A⁻¹(C λ − G r),
+//! Its unknowns are the forces of [rows](crate::constraint::row). For contacts j (a strip on a
+//! slideline) and links i, with Δu = Δu₀ + A⁻¹(C λ − G r) at the time of balance,
 //!
 //!   [ d/a ]   [ CᵀA⁻¹C + eᵀA_p⁻¹e + 1/(a k_c)   −CᵀA⁻¹G        ] [ λ ]   [ d₀/a ]
 //!   [ T/κ ] = [ GᵀA⁻¹C                           1/κ − GᵀA⁻¹G   ] [ r ] + [ T₀/κ ]
 //!
-//! eᵀA_p⁻¹e couples the contacts of one rider. a = 1 − α_f, κ = a k + (a γ / β h) c of the link. Dividing by a and κ makes the diagonal blocks
-//! symmetric and the coupling skew, so the matrix is positive definite and the solution unique.
+//! eᵀA_p⁻¹e couples the contacts of one pantograph; k_c is infinite for rigid contact. The divisors
+//! a and κ make the diagonal blocks symmetric and the coupling skew, so the matrix is positive
+//! definite and the solution unique.
 //!
-//! Where wires yield beyond the mesh ([yields](crate::slideline::residual_flexibility)), C is that of s, the contacts have R̃/a as well, and
-//! the coupling to link d has −R_d k/κ in its row, +R_d/a in its column. That is skew but for damping of the
-//! link, κ > a k. The matrix stays positive definite: with D = R_d (1/a − k/κ) ≤ R_d/a, ¼D² is small
-//! against R̃/a + 1/(a k_c) times 1/κ, as R_d² ≤ R/k.
+//! Where wires have [local compliance](crate::slideline::local_compliance) beyond the mesh, C is
+//! that of s, the contacts have R̃/a as well, and the coupling to link d has −R_d k/κ in its row,
+//! +R_d/a in its column. That is skew except for damping of the link, κ > a k. The matrix stays
+//! positive definite: with D = R_d (1/a − k/κ) ≤ R_d/a, ¼D² is small against R̃/a + 1/(a k_c) times
+//! 1/κ, as R_d² ≤ R/k.
 //!
-//! Stop s of a rider: force σ ≥ 0 against opening s + σ/k_s ≥ 0. It moves its rider alone, so divided
-//! by a it joins the contacts: dᵀA_p⁻¹d + 1/(a k_s), coupled to the contacts of the same rider
-//! by −dᵀA_p⁻¹e in both directions, and to no link. The block stays symmetric and positive definite.
-//! So does a hardening [kink](crate::pantograph::breakpoint) of a spring or damper; a softening one joins the links.
+//! A bump stop moves its pantograph alone, so it joins the contacts: dᵀA_p⁻¹d + 1/(a k_s), coupled
+//! to the contacts of the same pantograph by −dᵀA_p⁻¹e in both directions, and to no link. The
+//! block stays symmetric and positive definite. A hardening
+//! [breakpoint](crate::pantograph::breakpoint) of a spring or damper likewise; a softening one
+//! joins the links.
 
 use crate::constraint::contacts::Contacts;
 use crate::constraint::link_table::LinkTable;
 use crate::constraint::links::LinkMotion;
-use crate::integrator::prepared::WireModel;
+use crate::constraint::row::{Row, RowId};
+use crate::constraint::wires::Wires;
 use crate::lcp::{LcpFailure, LcpSolver, LcpStats};
-use crate::pantograph::system::{PantographState, inner};
+use crate::pantograph::state::PantographState;
 use std::ops::Range;
 
 /// Unknowns and workspace of the complementarity problem; nothing is allocated during a run
@@ -44,7 +47,8 @@ pub struct ConstraintProblem {
     pub(crate) applied_force: Vec<f64>,
     /// Part of `correction` already contained in the increments of this step.
     pub(crate) applied_correction: Vec<f64>,
-    is_in: Vec<bool>,
+    in_working_set: Vec<bool>,
+    rows: Vec<RowId>,
     h: Vec<f64>,
     w: Vec<f64>,
     x: Vec<f64>,
@@ -54,50 +58,56 @@ pub struct ConstraintProblem {
 }
 
 impl ConstraintProblem {
-    /// For the given numbers of contacts and links, with the corrections at the start.
+    /// Creates the problem for a number of contacts and the initial corrections of all links, N.
     #[must_use]
     pub fn new(contacts: usize, correction: Vec<f64>) -> Self {
         Self {
             gap: vec![f64::INFINITY; contacts],
             applied_force: vec![0.0; contacts],
             applied_correction: vec![0.0; correction.len()],
-            is_in: vec![false; correction.len()],
+            in_working_set: vec![false; correction.len()],
             force: vec![0.0; contacts],
             correction,
             ..Self::default()
         }
     }
 
-    /// Make room for problems of up to `rows` rows, so that none is made in a step.
+    /// Reserves memory for problems of up to `rows` rows, so that a step allocates none.
     pub(crate) fn reserve(&mut self, rows: usize) {
         self.h.reserve(rows * rows);
         for vector in [&mut self.w, &mut self.x, &mut self.y] {
             vector.reserve(rows);
         }
         self.warm.reserve(rows);
+        self.rows.reserve(rows);
         self.links.reserve(self.correction.len());
         self.solver.reserve(rows);
     }
 
-    /// Forget the contacts that do not take part.
-    pub fn choose<const DIM: usize>(&mut self, contacts: &Contacts<DIM>) {
-        for (i, _) in contacts.all.iter().enumerate().filter(|(_, c)| !c.meets) {
+    /// Sets force 0 and gap ∞ of the contacts that do not take part.
+    pub fn drop_inactive_contacts<const DIM: usize>(&mut self, contacts: &Contacts<DIM>) {
+        for (i, _) in contacts
+            .all
+            .iter()
+            .enumerate()
+            .filter(|(_, c)| !c.is_active)
+        {
             (self.force[i], self.gap[i]) = (0.0, f64::INFINITY);
         }
     }
 
-    /// Forget what entered in the step before.
-    pub(crate) fn clear(&mut self) {
+    /// Clears the working set and the applied forces of the step before.
+    pub(crate) fn clear_working_set(&mut self) {
         self.applied_force.fill(0.0);
         for i in self.links.drain(..) {
             self.applied_correction[i] = 0.0;
-            self.is_in[i] = false;
+            self.in_working_set[i] = false;
         }
     }
 
-    /// Let those of the given links enter that would push, and those slack a step ago, if they have not yet; tells
-    /// whether there were any.
-    pub(crate) fn collect(
+    /// Adds to the working set the links among the given ones that would push or were slack a step
+    /// ago; returns whether any was added.
+    pub(crate) fn update_working_set(
         &mut self,
         among: impl Iterator<Item = Range<usize>>,
         (motion, table): (&LinkMotion, &LinkTable),
@@ -105,13 +115,13 @@ impl ConstraintProblem {
         let before = self.links.len();
         let Self {
             links,
-            is_in,
+            in_working_set,
             correction,
             ..
         } = self;
         for which in among {
-            motion.unusual(which, (table, correction), |i| {
-                if !std::mem::replace(&mut is_in[i], true) {
+            motion.for_each_candidate(which, (table, correction), |i| {
+                if !std::mem::replace(&mut in_working_set[i], true) {
                     links.push(i);
                 }
             });
@@ -119,114 +129,81 @@ impl ConstraintProblem {
         self.links.len() > before
     }
 
-    /// Set up H for the chosen links and solve. `gap_free` and `tension_free` are d₀ and T₀.
+    /// Sets up the rows of the active contacts, links and breakpoints, and solves. `gap_free` (m)
+    /// and `tension_free` (N) are openings without the forces of the problem.
     ///
     /// # Errors
-    /// [`LcpFailure`] with the problem in it.
+    /// [`LcpFailure`] with the problem.
     pub fn solve<const DIM: usize, const D: usize>(
         &mut self,
-        p: &WireModel<DIM, D>,
+        wires: &Wires<DIM, D>,
         contacts: &Contacts<DIM>,
-        riders: &mut [PantographState],
+        pantographs: &mut [PantographState],
         gap_free: &[f64],
         tension_free: &[f64],
     ) -> Result<LcpStats, Box<LcpFailure>> {
-        let m = contacts.active.len();
-        let first_stop = m + self.links.len();
-        let n = first_stop + riders.iter().map(|r| r.entered().count()).sum::<usize>();
+        self.number_rows(contacts, pantographs);
+        let n = self.rows.len();
         self.h.resize(n * n, 0.0);
         for v in [&mut self.w, &mut self.x, &mut self.y] {
             v.resize(n, 0.0);
         }
         self.warm.resize(n, false);
-        self.enter_contacts(p, contacts, gap_free);
-        for (k, &link) in self.links.iter().enumerate() {
-            for (l, &other) in self.links.iter().enumerate() {
-                self.h[(m + k) * n + m + l] = -p.link_on_link(other, link);
+        let force = &self.force;
+        let correction = &self.correction;
+        let row = |id: RowId| match id {
+            RowId::Contact(i) => Row::contact(wires, &contacts.all[i], (gap_free[i], force[i])),
+            RowId::Link(i) => Row::link(wires, i, (tension_free[i], correction[i])),
+            RowId::Breakpoint { pantograph, number } => {
+                Row::breakpoint(pantograph, &pantographs[pantograph].breakpoints[number])
             }
-            self.h[(m + k) * n + m + k] += 1.0 / p.table.of_increment[link];
-            self.w[m + k] = tension_free[link] / p.table.of_increment[link];
-            self.warm[m + k] = self.correction[link] > 0.0;
+        };
+        for i in 0..n {
+            let current = row(self.rows[i]);
+            self.h[i * n + i] = current.diagonal(wires);
+            for j in 0..i {
+                let [lower, upper] = current.coupling(&row(self.rows[j]), wires);
+                (self.h[i * n + j], self.h[j * n + i]) = (lower, upper);
+            }
+            self.w[i] = current.free;
+            self.warm[i] = current.force > 0.0;
         }
-        self.enter_kinks(contacts, riders, first_stop);
         let stats = self
             .solver
             .solve(&self.h, &self.w, &mut self.x, &mut self.y, &self.warm);
         let stats = stats.map_err(Box::new)?;
-        for (j, &i) in contacts.active.iter().enumerate() {
-            self.force[i] = self.x[j];
-            self.gap[i] = self.y[j] * p.coefficients.stiffness;
-        }
-        for (k, &link) in self.links.iter().enumerate() {
-            self.correction[link] = self.x[m + k];
-        }
-        let kinks = riders.iter_mut().flat_map(PantographState::entered_mut);
-        for (kink, &force) in kinks.zip(&self.x[first_stop..]) {
-            kink.force = force;
+        for (id, (&x, &y)) in self.rows.iter().zip(self.x.iter().zip(&self.y)) {
+            match *id {
+                RowId::Contact(i) => {
+                    (self.force[i], self.gap[i]) = (x, y * wires.coefficients.stiffness);
+                }
+                RowId::Link(i) => self.correction[i] = x,
+                RowId::Breakpoint { pantograph, number } => {
+                    pantographs[pantograph].breakpoints[number].force = x;
+                }
+            }
         }
         Ok(stats)
     }
 
-    /// Rows and columns of the contacts, and their coupling to the links.
-    fn enter_contacts<const DIM: usize, const D: usize>(
-        &mut self,
-        p: &WireModel<DIM, D>,
-        contacts: &Contacts<DIM>,
-        gap_free: &[f64],
-    ) {
-        let (n, m) = (self.w.len(), contacts.active.len());
-        for (j, contact) in contacts.active().enumerate() {
-            for (i, other) in contacts.active().enumerate() {
-                let residual = p.residual(contact, other) / p.coefficients.stiffness;
-                let mut response = p.contact_on_contact(contact, other) + residual;
-                if other.rider() == contact.rider() {
-                    let compliance = f64::from(u8::from(i == j)) * p.contact_compliance;
-                    response += inner(&other.vector, &contact.column) + compliance;
-                }
-                self.h[i * n + j] = response;
-            }
-            for (k, &link) in self.links.iter().enumerate() {
-                let (pulled, rise) = (p.contact_on_link(contact, link), contact.yields.of(link));
-                let eased = p.eased(link, rise) / p.table.of_increment[link];
-                self.h[(m + k) * n + j] = pulled - eased;
-                self.h[j * n + m + k] = rise / p.coefficients.stiffness - pulled;
-            }
-        }
-        for (j, &i) in contacts.active.iter().enumerate() {
-            self.w[j] = gap_free[i] / p.coefficients.stiffness;
-            self.warm[j] = self.force[i] > 0.0;
-        }
-    }
-
-    /// Rows and columns of stops and other kinks, behind those of contacts and links.
-    fn enter_kinks<const DIM: usize>(
+    /// Lists the rows: contacts that take part, links of the working set, active breakpoints.
+    fn number_rows<const DIM: usize>(
         &mut self,
         contacts: &Contacts<DIM>,
-        riders: &[PantographState],
-        first: usize,
+        pantographs: &[PantographState],
     ) {
-        let n = self.w.len();
-        for row in first..n {
-            self.h[row * n..(row + 1) * n].fill(0.0);
-            (0..first).for_each(|i| self.h[i * n + row] = 0.0);
-        }
-        let mut base = first;
-        for (number, rider) in riders.iter().enumerate() {
-            for (k, kink) in rider.entered().enumerate() {
-                let row = base + k;
-                let own = contacts.active().enumerate();
-                for (j, contact) in own.filter(|(_, c)| c.rider() == number) {
-                    let coupling = -inner(&contact.vector, &kink.column);
-                    self.h[row * n + j] = coupling;
-                    self.h[j * n + row] = coupling * kink.sign;
-                }
-                for (l, other) in rider.entered().enumerate() {
-                    self.h[row * n + base + l] = kink.response(other, k == l);
-                }
-                self.w[row] = kink.free / kink.factor;
-                self.warm[row] = kink.force > 0.0;
-            }
-            base += rider.entered().count();
+        self.rows.clear();
+        let of_contacts = contacts.active.iter().map(|&i| RowId::Contact(i));
+        self.rows.extend(of_contacts);
+        self.rows.extend(self.links.iter().map(|&i| RowId::Link(i)));
+        for (pantograph, state) in pantographs.iter().enumerate() {
+            let breakpoints = state
+                .breakpoints
+                .iter()
+                .enumerate()
+                .filter(|(_, b)| b.active);
+            let id = |(number, _)| RowId::Breakpoint { pantograph, number };
+            self.rows.extend(breakpoints.map(id));
         }
     }
 }

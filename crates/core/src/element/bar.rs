@@ -1,6 +1,6 @@
 //! Straight bar or string between two points: U = ½ k (ℓ − ℓ₀)², optionally tension only.
 
-/// Force and tangent of a bar for the vector from its first to its second end.
+/// State of a bar: direction, length and tension.
 #[derive(Debug, Clone, Copy)]
 pub struct BarState<const DIM: usize> {
     /// Unit vector from the first to the second end.
@@ -28,7 +28,8 @@ impl<const DIM: usize> BarState<DIM> {
         }
     }
 
-    /// ∂²U/∂x² for the second end: k n nᵀ + (T/ℓ)(1 − n nᵀ). The stiffness is zero for a slack bar.
+    /// Tangent ∂²U/∂x² for the second end, N/m: k n nᵀ + (T/ℓ)(1 − n nᵀ). The stiffness is zero for
+    /// a slack bar.
     #[must_use]
     pub fn tangent(&self, stiffness: f64, tension: f64) -> [[f64; DIM]; DIM] {
         let geometric = tension / self.length;

@@ -5,10 +5,11 @@
 //!   U = ½ (EA/L) (ℓ − L)²
 //!
 //! Where the track turns by τ to the left along it, ℓ is the length of d = A_b r_b − A_a r_a, see
-//! [`frame`](super::frame): (x_b − x_a − ½ τ (y_a + y_b), y_b − y_a, z_b − z_a) but for squares of τ.
+//! [`frame`](super::frame): (x_b − x_a − ½ τ (y_a + y_b), y_b − y_a, z_b − z_a) up to squares of
+//! τ.
 //!
-//! Bend at the node b that two consecutive segments a–b (length L_p) and b–c (length L_q) share. The
-//! rotations of the nodes are eliminated: the second derivative along the wire is a difference,
+//! Bend at the node b that two consecutive segments a–b (length L_p) and b–c (length L_q) share.
+//! The rotations of the nodes are eliminated: the second derivative along the wire is a difference,
 //!
 //!   r″ = ((r_c − r_b)/L_q − (r_b − r_a)/L_p) / ℓ̄,   ℓ̄ = (L_p + L_q)/2,   U = ½ EI |r″|² ℓ̄
 //!
@@ -36,7 +37,7 @@ impl Segment {
     pub fn state<const DIM: usize>(&self, ends: [&[f64; DIM]; 2]) -> BarState<DIM> {
         let [a, b] = match Frame::new::<DIM>(self.turn) {
             None => ends.map(|r| *r),
-            Some(frame) => [0, 1].map(|end| frame::turned(&frame.matrix(end, false), ends[end])),
+            Some(frame) => [0, 1].map(|end| frame::to_frame(&frame.matrix(end, false), ends[end])),
         };
         BarState::new(&a, &b, self.rest_length, self.stiffness())
     }
@@ -45,14 +46,14 @@ impl Segment {
 /// Bend between two segments of given unstretched lengths.
 #[derive(Debug, Clone, Copy)]
 pub struct BendElement {
-    /// r″ = Σ wᵢ rᵢ over the nodes a, b, c, 1/m².
+    /// Weights wᵢ of r″ = Σ wᵢ rᵢ over the nodes a, b, c, 1/m².
     weights: [f64; 3],
-    /// EI ℓ̄, N·m³.
+    /// Rigidity EI ℓ̄, N·m³.
     rigidity: f64,
 }
 
 impl BendElement {
-    /// From the bending stiffness EI and the lengths before and behind the node.
+    /// Bend with the bending stiffness EI, N·m², and the lengths before and behind the node, m.
     #[must_use]
     pub fn new(bending_stiffness: f64, [before, behind]: [f64; 2]) -> Self {
         let mean = 0.5 * (before + behind);
@@ -63,7 +64,7 @@ impl BendElement {
         }
     }
 
-    /// r″ at the middle node, 1/m.
+    /// Second derivative r″ at the middle node, 1/m.
     fn second_derivative<const DIM: usize>(&self, nodes: [&[f64; DIM]; 3]) -> [f64; DIM] {
         let [a, b, c] = nodes;
         let [first, _, last] = self.weights;
@@ -78,7 +79,7 @@ impl BendElement {
         0.5 * self.rigidity * r.iter().map(|c| c * c).sum::<f64>()
     }
 
-    /// Gradient of the energy: EI ℓ̄ wᵢ r″.
+    /// Gradient of the energy, EI ℓ̄ wᵢ r″, N.
     #[must_use]
     pub fn force<const DIM: usize>(&self, nodes: [&[f64; DIM]; 3]) -> [[f64; DIM]; 3] {
         let r = self.second_derivative(nodes);
@@ -205,7 +206,7 @@ mod tests {
         assert!(here > 1.0, "the partner: it is bent");
     }
 
-    /// On a circle of radius R the second difference is 1/R but for O(ℓ²).
+    /// On a circle of radius R the second difference is 1/R up to O(ℓ²).
     #[test]
     fn curvature_of_a_circle() {
         let radius = 10.0;

@@ -1,18 +1,19 @@
 //! Elements on a track that turns.
 //!
-//! Positions are counted along the track and from it, slopes in its directions, so a wire that is straight in space
-//! seems bent, and what moves it across seems to stretch it: by y′ v′, of which a part is not there. Stretching and
-//! bending are those in space. The frame of an element has the direction of the track in its middle; it turns by
-//! τ along it, from −τ/2 to τ/2, on a circle of radius Δx/τ. With c = cos τ/2, s = sin τ/2, k = s/(τ/2), at its first
-//! and second end (upper and lower sign)
+//! Positions are counted along the track and from it, slopes in its directions, so a wire that is
+//! straight in space seems bent, and motion across seems to stretch it: by y′ v′, of which a part
+//! is not real. Stretching and bending are those in space. The frame of an element has the
+//! direction of the track in its middle; it turns by τ along it, from −τ/2 to τ/2, on a circle of
+//! radius Δx/τ. With c = cos τ/2, s = sin τ/2, k = s/(τ/2), at its first and second end (upper and
+//! lower sign)
 //!
 //!   position   (k x ± s y, c y)            slope   (c x′ ± s y′, c y′ ∓ s x′)
 //!
-//! but for a constant: linear, e* = A e, so forces are Aᵀ f* and stiffnesses Aᵀ K* A. The tension N of a straight
-//! wire then pulls at y with N τ towards the inside, whatever N is. Slopes that two elements share stay smooth
-//! where the curvature of the track jumps. Left out: that masses turn.
+//! up to a constant: linear, e* = A e, so forces are Aᵀ f* and stiffnesses Aᵀ K* A. The tension N
+//! of a straight wire then pulls at y with N τ towards the inside, whatever N is. Slopes that two
+//! elements share stay smooth where the curvature of the track jumps. Left out: that masses turn.
 
-/// How an element of some turn is seen.
+/// Frame of an element along which the track turns.
 #[derive(Debug, Clone, Copy)]
 pub struct Frame {
     sin: f64,
@@ -21,7 +22,7 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// Of a turn to the left in rad; `None` on a straight track, and in the plane.
+    /// Frame for a turn to the left, rad; `None` on a straight track, and in the plane.
     #[must_use]
     pub fn new<const DIM: usize>(turn: f64) -> Option<Self> {
         let (sin, cos) = (0.5 * turn).sin_cos();
@@ -30,7 +31,7 @@ impl Frame {
         (DIM == 3 && turn != 0.0).then_some(frame)
     }
 
-    /// A of a position (`slope` false) or slope at the first or second end (0, 1).
+    /// Matrix A of a position (`slope` false) or slope at the first or second end (0, 1).
     #[must_use]
     pub fn matrix<const DIM: usize>(&self, end: usize, slope: bool) -> [[f64; DIM]; DIM] {
         let sin = if end == 0 { self.sin } else { -self.sin };
@@ -43,38 +44,39 @@ impl Frame {
     }
 }
 
-/// A x
+/// Coordinates A x in the frame.
 #[must_use]
-pub fn turned<const DIM: usize>(a: &[[f64; DIM]; DIM], x: &[f64; DIM]) -> [f64; DIM] {
+pub fn to_frame<const DIM: usize>(a: &[[f64; DIM]; DIM], x: &[f64; DIM]) -> [f64; DIM] {
     a.map(|row| (0..DIM).map(|c| row[c] * x[c]).sum())
 }
 
-/// Aᵀ f
+/// Forces Aᵀ f of forces f in the frame.
 #[must_use]
-pub fn back<const DIM: usize>(a: &[[f64; DIM]; DIM], f: &[f64; DIM]) -> [f64; DIM] {
+pub fn from_frame<const DIM: usize>(a: &[[f64; DIM]; DIM], f: &[f64; DIM]) -> [f64; DIM] {
     std::array::from_fn(|c| (0..DIM).map(|r| a[r][c] * f[r]).sum())
 }
 
-/// Aᵀ K B
+/// Stiffness Aᵀ K B of a stiffness K in the frame.
 #[must_use]
-pub fn between<const DIM: usize>(
+pub fn congruence<const DIM: usize>(
     a: &[[f64; DIM]; DIM],
     k: &[[f64; DIM]; DIM],
     b: &[[f64; DIM]; DIM],
 ) -> [[f64; DIM]; DIM] {
-    let mut found = [[0.0; DIM]; DIM];
+    let mut product = [[0.0; DIM]; DIM];
     for (p, q) in (0..DIM * DIM).map(|pair| (pair / DIM, pair % DIM)) {
         for (m, n) in (0..DIM * DIM).map(|pair| (pair / DIM, pair % DIM)) {
-            found[p][q] += a[m][p] * k[m][n] * b[n][q];
+            product[p][q] += a[m][p] * k[m][n] * b[n][q];
         }
     }
-    found
+    product
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::element::hermite::{self, Section};
+    use crate::element::hermite;
+    use crate::structure::Section;
 
     const SECTION: Section = Section {
         rest_length: 1.4,
@@ -82,12 +84,12 @@ mod tests {
         bending_stiffness: 195.0,
     };
     const RADIUS: f64 = 300.0;
-    /// Of the chord from the centre of the curve.
+    /// Distance of the chord from the centre of the curve, m.
     const NEAR: f64 = 299.8;
     const STRETCH: f64 = 1.001;
 
-    /// A chord seen from the track: position and slope at the angle φ from its middle. A place of it is NEAR/cos φ
-    /// from the centre, and NEAR tan φ along it.
+    /// A chord seen from the track: position and slope at the angle φ from its middle. A place of
+    /// it is NEAR/cos φ from the centre, and NEAR tan φ along it.
     fn on_chord(phi: f64) -> [[f64; 3]; 2] {
         let (sin, cos) = phi.sin_cos();
         // The slope is counted in the directions of the track there, as in space.
@@ -102,10 +104,11 @@ mod tests {
     }
 
     fn e_star(frame: &Frame, e: [[f64; 3]; 4]) -> [[f64; 3]; 4] {
-        std::array::from_fn(|k| turned(&frame.matrix(k / 2, k % 2 == 1), &e[k]))
+        std::array::from_fn(|k| to_frame(&frame.matrix(k / 2, k % 2 == 1), &e[k]))
     }
 
-    /// Nothing bends it, it has the tension of its stretch, and it pulls at its ends as it leans there.
+    /// Nothing bends it, it has the tension of its stretch, and it pulls at its ends as it leans
+    /// there.
     #[test]
     fn a_straight_wire_seen_from_a_curve_is_straight() {
         let half = (0.5 * STRETCH * SECTION.rest_length / NEAR).atan();
@@ -122,7 +125,7 @@ mod tests {
         let mut force = [[0.0; 3]; 4];
         hermite::add_force(&SECTION, &e, &mut force);
         let force: [[f64; 3]; 4] =
-            std::array::from_fn(|k| back(&frame.matrix(k / 2, k % 2 == 1), &force[k]));
+            std::array::from_fn(|k| from_frame(&frame.matrix(k / 2, k % 2 == 1), &force[k]));
         let lean = exact * half.sin();
         assert!(lean > 30.0, "the partner: it leans");
         for end in [0, 2] {
@@ -155,7 +158,8 @@ mod tests {
             std::array::from_fn(|k| std::array::from_fn(|c| e[k][c] + by[k][c]));
         let more = hermite::tension(&SECTION, &bent, 0.5) - hermite::tension(&SECTION, &e, 0.5);
         assert!(more.abs() < 1.0, "{more} N");
-        // Without the frame the slopes of the track, ± half, stretch it: EA times half times the bow, at the ends.
+        // Without the frame the slopes of the track, ± half, stretch it: EA times half times the
+        // bow, at the ends.
         let plain = SECTION.axial_stiffness * half * bow;
         assert!(plain > 50.0, "the partner: {plain} N");
     }

@@ -9,20 +9,10 @@
 //! cable); Tur, García, Baeza & Fuenmayor, Eng. Struct. 71 (2014) 234 (overhead lines).
 
 use crate::linalg;
+use crate::structure::Section;
 
 /// Coordinates of an element, or forces on them: r₁, r₁′, r₂, r₂′.
 pub type Coordinates<const DIM: usize> = [[f64; DIM]; 4];
-
-/// Elastic data of a wire element.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Section {
-    /// Unstretched length L, m.
-    pub rest_length: f64,
-    /// Axial stiffness EA, N.
-    pub axial_stiffness: f64,
-    /// Bending stiffness EI, N·m².
-    pub bending_stiffness: f64,
-}
 
 /// Gauss–Legendre points on [0, 1]: five points integrate ε² (degree 8 in s) exactly.
 pub(super) const GAUSS: [(f64, f64); 5] = [
@@ -45,7 +35,7 @@ pub fn shape(xi: f64, l: f64) -> [f64; 4] {
     ]
 }
 
-/// ∂S/∂s at ξ.
+/// Derivatives ∂S/∂s at ξ, 1/m.
 #[inline(always)]
 #[must_use]
 pub fn shape_slope(xi: f64, l: f64) -> [f64; 4] {
@@ -58,7 +48,7 @@ pub fn shape_slope(xi: f64, l: f64) -> [f64; 4] {
     ]
 }
 
-/// ∂²S/∂s² at ξ.
+/// Second derivatives ∂²S/∂s² at ξ, 1/m².
 #[inline(always)]
 #[must_use]
 pub fn shape_curvature(xi: f64, l: f64) -> [f64; 4] {
@@ -88,7 +78,7 @@ pub(super) fn dot<const DIM: usize>(a: &[f64; DIM], b: &[f64; DIM]) -> f64 {
     (0..DIM).map(|c| a[c] * b[c]).sum()
 }
 
-/// κ² as a function of a = r′ and b = r″ through s = a·a, t = b·b, w = a·b:
+/// Squared curvature κ² as a function of a = r′ and b = r″ through s = a·a, t = b·b, w = a·b:
 /// κ² = t/s² − w²/s³, with its first and second partial derivatives.
 pub(super) struct Curvature {
     value: f64,
@@ -117,7 +107,7 @@ impl Curvature {
         }
     }
 
-    /// ½ ∂²κ²/∂aₚ∂b_q, taken twice by the two orders of p and q.
+    /// Mixed derivative ½ ∂²κ²/∂aₚ∂b_q, used twice by the two orders of p and q.
     #[inline(always)]
     pub(super) fn cross<const DIM: usize>(
         &self,
@@ -157,7 +147,7 @@ pub fn tension<const DIM: usize>(section: &Section, e: &Coordinates<DIM>, xi: f6
     section.axial_stiffness * 0.5 * (s - 1.0) * s.sqrt()
 }
 
-/// Gradient of the energy: internal forces on the coordinates, added to `force`.
+/// Adds the gradient of the energy, the internal forces on the coordinates, N, to `force`.
 pub fn add_force<const DIM: usize>(
     section: &Section,
     e: &Coordinates<DIM>,
@@ -187,7 +177,7 @@ impl<const DIM: usize> linalg::Kernel for ForceKernel<'_, DIM> {
 pub fn end_force_along<const DIM: usize>(section: &Section, e: &Coordinates<DIM>) -> f64 {
     let mut force = 0.0;
     for point in &GAUSS {
-        // What is not asked for is not computed: the compiler sees that nobody takes it.
+        // The compiler leaves out the components that are not used.
         add_force_at(section, e, point, |k, c, part| {
             if (k, c) == (2, 0) {
                 force += part;
@@ -197,7 +187,7 @@ pub fn end_force_along<const DIM: usize>(section: &Section, e: &Coordinates<DIM>
     force
 }
 
-/// Hand over the forces that one integration point gives: coordinate, component, force.
+/// Adds the forces of one integration point by `add`: coordinate, component, force.
 #[inline(always)]
 fn add_force_at<const DIM: usize>(
     section: &Section,
@@ -283,8 +273,8 @@ mod tests {
                     add_force(&section, &down, &mut fd);
                     for m in 0..4 {
                         for p in 0..3 {
-                            // As above; the matrix is symmetric by construction but for rounding of
-                            // EA.
+                            // Tolerance as above; the matrix is symmetric by construction up to
+                            // rounding of EA.
                             let slope = (fu[m][p] - fd[m][p]) / (2.0 * DIFFERENCE);
                             assert!((slope - k[m][n][p][q]).abs() < 1e-7 * section.axial_stiffness);
                             assert!((k[m][n][p][q] - k[n][m][q][p]).abs() < 1e-9 * 15e6);

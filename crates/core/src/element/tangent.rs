@@ -1,9 +1,10 @@
 //! Second derivative of the energy of a wire element; see [`super::hermite`].
 
 use super::hermite::{
-    Coordinates, Curvature, GAUSS, Section, dot, interpolate, shape_curvature, shape_slope,
+    Coordinates, Curvature, GAUSS, dot, interpolate, shape_curvature, shape_slope,
 };
 use crate::linalg;
+use crate::structure::Section;
 use std::array::from_fn;
 
 /// Second derivative of the energy: pairs of coordinates, then components.
@@ -12,14 +13,14 @@ pub type Tangent<const DIM: usize> = [[[[f64; DIM]; DIM]; 4]; 4];
 /// Exact second derivative of the energy.
 #[must_use]
 pub fn tangent<const DIM: usize>(section: &Section, e: &Coordinates<DIM>) -> Tangent<DIM> {
-    let mut lanes = [[[[0.0; 4]; 4]; DIM]; DIM];
-    let k = &mut lanes;
+    let mut by_components = [[[[0.0; 4]; 4]; DIM]; DIM];
+    let k = &mut by_components;
     linalg::widest(TangentKernel { section, e, k });
-    let second = |m: usize, n: usize| from_fn(|p| from_fn(|q| lanes[p][q][m][n]));
+    let second = |m: usize, n: usize| from_fn(|p| from_fn(|q| by_components[p][q][m][n]));
     from_fn(|m| from_fn(|n| second(m, n)))
 }
 
-/// What stretching gives to it by itself, the rest follows the tension: EA ∫ (r′·δr′)(r′·δr′) ds.
+/// Axial part of the tangent, EA ∫ (r′·δr′)(r′·δr′) ds; the rest is proportional to the tension.
 #[must_use]
 pub fn stretching<const DIM: usize>(section: &Section, e: &Coordinates<DIM>) -> Tangent<DIM> {
     let mut k = [[[[0.0; DIM]; DIM]; 4]; 4];
@@ -36,7 +37,7 @@ pub fn stretching<const DIM: usize>(section: &Section, e: &Coordinates<DIM>) -> 
     k
 }
 
-/// The tangent by components first: the second coordinate fills the lanes.
+/// Kernel of the tangent by components first: the second coordinate fills the SIMD lanes.
 struct TangentKernel<'a, const DIM: usize> {
     section: &'a Section,
     e: &'a Coordinates<DIM>,
@@ -61,7 +62,7 @@ impl<const DIM: usize> linalg::Kernel for TangentKernel<'_, DIM> {
     }
 }
 
-/// What the tangent needs of one integration point.
+/// Terms of the tangent at one integration point.
 struct TangentPoint<const DIM: usize> {
     d1: [f64; 4],
     d2: [f64; 4],
@@ -95,7 +96,7 @@ impl<const DIM: usize> TangentPoint<DIM> {
         }
     }
 
-    /// Add the share of components p and q to all pairs of coordinates.
+    /// Adds the terms of components p and q to all pairs of coordinates.
     #[inline(always)]
     fn add(&self, p: usize, q: usize, sums: &mut [[f64; 4]; 4]) {
         let Self {

@@ -10,14 +10,13 @@
 //!
 //! so a step costs one product with the (structured) mass matrix and one solve.
 
+use crate::constraint::wires::Wires;
 use crate::error::CoreError;
-use crate::integrator::prepared::WireModel;
-use crate::integrator::{Stepping, WireState};
+use crate::integrator::state::{ImplicitState, Stepping, WireState};
 use crate::linalg::{BlockLdl, Kernel, widest};
+use crate::linear::island::Island;
 use crate::linear::model::LinearModel;
 use crate::scheme::Coefficients;
-use crate::simulation::sleep::Island;
-use std::ops::Range;
 
 /// Matrix of the scheme, factorised, and the numbers that form its right-hand side.
 #[derive(Debug, Clone)]
@@ -30,47 +29,15 @@ pub(crate) struct Implicit<const D: usize> {
     shift: [f64; 3],
 }
 
-/// Vectors that only implicit steps need.
-#[derive(Debug, Clone)]
-pub(crate) struct ImplicitState<const D: usize> {
-    /// Acceleration, m/s².
-    pub a: Vec<[f64; D]>,
-    /// −(combination of u, v, a) whose product with M is the inertia of the next step.
-    prepared: Vec<[f64; D]>,
-    /// s/κ of the next step.
-    shift: Vec<[f64; D]>,
-    scratch: Vec<[f64; D]>,
-}
-
-impl<const D: usize> ImplicitState<D> {
-    pub fn new(nodes: usize) -> Self {
-        let zero = vec![[0.0; D]; nodes];
-        Self {
-            a: zero.clone(),
-            prepared: zero.clone(),
-            shift: zero.clone(),
-            scratch: zero,
-        }
-    }
-
-    /// Put some nodes back to rest.
-    pub fn reset(&mut self, nodes: Range<usize>) {
-        for field in [&mut self.a, &mut self.prepared, &mut self.shift] {
-            field[nodes.clone()].fill([0.0; D]);
-        }
-    }
-}
-
 impl<const D: usize> Implicit<D> {
-    /// Factorise the matrix of the scheme. `from_u` is 1, or 0 where the forces of the present position
-    /// are given and no product K u is needed.
+    /// Factorises the matrix of the scheme. `from_u` is 1, or 0 where the forces at the current
+    /// position are computed and no product K u is needed.
     ///
     /// # Errors
     /// [`CoreError::Singular`].
     pub fn new<const DIM: usize>(
         line: &LinearModel<DIM, D>,
         c: &Coefficients,
-        fixed: Vec<(u32, u32)>,
         from_u: f64,
     ) -> Result<Self, CoreError> {
         let matrix = line.combine(c.mass, c.damping, c.stiffness);
@@ -85,30 +52,31 @@ impl<const D: usize> Implicit<D> {
             |k: usize| old_a[k] + alpha * old_v[k] - (c.mass + c.damping * alpha) / kappa * s[k];
         Ok(Self {
             factor: BlockLdl::new(&matrix)?,
-            fixed,
+            fixed: line.fixed(),
             from_mass: [0, 1, 2].map(combine),
             from_damping: [0, 1, 2].map(|k| old_v[k] - c.damping / kappa * s[k]),
             shift: s.map(|v| v / kappa),
         })
     }
 
-    /// Increment without contact forces and corrections. `load` adds given forces to the vector it gets;
-    /// `residual` are internal less external forces at the present position where these are formed, N.
+    /// Computes the increment without contact forces and corrections, m. `load` adds prescribed
+    /// forces (N) to the vector it gets; `residual` are internal less external forces at the
+    /// current position where these are formed, N.
     pub fn predict<const DIM: usize>(
         &self,
-        p: &WireModel<DIM, D>,
+        wires: &Wires<DIM, D>,
         residual: Option<&[[f64; D]]>,
         state: &mut WireState<D>,
         load: impl FnOnce(&mut [[f64; D]]) -> bool,
     ) {
-        widest(Inertia { p, state });
+        widest(Inertia { wires, state });
         let WireState {
             u,
             v,
             delta,
             work,
             awake,
-            stepping: Stepping::Implicit(own),
+            stepping: Stepping::Implicit(vectors),
             ..
         } = state
         else {
@@ -116,9 +84,9 @@ impl<const D: usize> Implicit<D> {
         };
         let ImplicitState {
             a, shift, scratch, ..
-        } = own;
-        for island in p.awake(awake) {
-            self.subtract_damping_rest(&p.line, island, [u, v, a], [work, scratch], delta);
+        } = vectors;
+        for island in wires.awake(awake) {
+            self.subtract_damping_rest(&wires.line, island, [u, v, a], [work, scratch], delta);
         }
         load(delta);
         if let Some(residual) = residual {
@@ -128,19 +96,19 @@ impl<const D: usize> Implicit<D> {
                 }
             }
         }
-        for island in p.awake(awake) {
+        for island in wires.awake(awake) {
             if residual.is_none() {
-                p.line.add_rest_corrections(island.links.clone(), delta);
+                wires.line.add_rest_corrections(island.links.clone(), delta);
             }
             for &(node, component) in &self.fixed[island.fixed.clone()] {
                 delta[node as usize][component as usize] = 0.0;
             }
         }
-        let nodes = p.awake(awake).map(|island| island.nodes.clone());
+        let nodes = wires.awake(awake).map(|island| island.nodes.clone());
         self.factor.solve_minus(nodes, delta, shift, work);
     }
 
-    /// `f −= (C − αM − βK) (v* − (a_C/κ) s)` on an island.
+    /// Subtracts (C − αM − βK) (v* − (a_C/κ) s) from `f` on an island.
     fn subtract_damping_rest<const DIM: usize>(
         &self,
         line: &LinearModel<DIM, D>,
@@ -166,21 +134,21 @@ impl<const D: usize> Implicit<D> {
         line.add_damping_rest(island, work, f, scratch);
     }
 
-    /// New displacement, velocity and acceleration.
-    pub fn commit<const DIM: usize>(&self, p: &WireModel<DIM, D>, state: &mut WireState<D>) {
-        widest(Advance {
-            p,
+    /// Computes the new displacement, velocity and acceleration.
+    pub fn commit<const DIM: usize>(&self, wires: &Wires<DIM, D>, state: &mut WireState<D>) {
+        widest(CommitNodes {
+            wires,
             implicit: self,
             state,
         });
     }
 
-    /// Right-hand side of the next step, for a state that was put back.
+    /// Computes the right-hand side of the next step of a restored state.
     pub fn resume(&self, state: &mut WireState<D>) {
         let WireState {
             u,
             v,
-            stepping: Stepping::Implicit(own),
+            stepping: Stepping::Implicit(vectors),
             ..
         } = state
         else {
@@ -188,23 +156,23 @@ impl<const D: usize> Implicit<D> {
         };
         for i in 0..u.len() {
             for k in 0..D {
-                let at = [u[i][k], v[i][k], own.a[i][k]];
-                let next = next(self.from_mass, self.shift, at);
-                (own.prepared[i][k], own.shift[i][k]) = next;
+                let motion = [u[i][k], v[i][k], vectors.a[i][k]];
+                let next_step = next_step(self.from_mass, self.shift, motion);
+                (vectors.prepared[i][k], vectors.shift[i][k]) = next_step;
             }
         }
     }
 }
 
-/// Inertia and shift of the next step from displacement, velocity and acceleration.
+/// Returns inertia and shift of the next step from displacement, velocity and acceleration.
 #[inline(always)]
-fn next([mu, mv, ma]: [f64; 3], [su, sv, sa]: [f64; 3], [u, v, a]: [f64; 3]) -> (f64, f64) {
+fn next_step([mu, mv, ma]: [f64; 3], [su, sv, sa]: [f64; 3], [u, v, a]: [f64; 3]) -> (f64, f64) {
     (-(mu * u + mv * v + ma * a), su * u + sv * v + sa * a)
 }
 
 /// `delta = M · prepared`
 struct Inertia<'a, const DIM: usize, const D: usize> {
-    p: &'a WireModel<DIM, D>,
+    wires: &'a Wires<DIM, D>,
     state: &'a mut WireState<D>,
 }
 
@@ -214,28 +182,28 @@ impl<const DIM: usize, const D: usize> Kernel for Inertia<'_, DIM, D> {
         let WireState {
             delta,
             awake,
-            stepping: Stepping::Implicit(own),
+            stepping: Stepping::Implicit(vectors),
             ..
         } = self.state
         else {
             return;
         };
-        for island in self.p.awake(awake) {
-            let mass = &self.p.line.mass;
-            mass.multiply(island.nodes.clone(), &own.prepared, delta);
+        for island in self.wires.awake(awake) {
+            let mass = &self.wires.line.mass;
+            mass.multiply(island.nodes.clone(), &vectors.prepared, delta);
         }
     }
 }
 
 /// New displacement, velocity and acceleration, and the combinations of them that the next step
 /// starts from: one pass over the state.
-struct Advance<'a, const DIM: usize, const D: usize> {
-    p: &'a WireModel<DIM, D>,
+struct CommitNodes<'a, const DIM: usize, const D: usize> {
+    wires: &'a Wires<DIM, D>,
     implicit: &'a Implicit<D>,
     state: &'a mut WireState<D>,
 }
 
-impl<const DIM: usize, const D: usize> Kernel for Advance<'_, DIM, D> {
+impl<const DIM: usize, const D: usize> Kernel for CommitNodes<'_, DIM, D> {
     #[inline(always)]
     fn run(self) {
         let WireState {
@@ -243,7 +211,7 @@ impl<const DIM: usize, const D: usize> Kernel for Advance<'_, DIM, D> {
             v,
             delta,
             awake,
-            stepping: Stepping::Implicit(own),
+            stepping: Stepping::Implicit(vectors),
             ..
         } = self.state
         else {
@@ -254,12 +222,12 @@ impl<const DIM: usize, const D: usize> Kernel for Advance<'_, DIM, D> {
             prepared,
             shift: shifts,
             ..
-        } = own;
-        let (c, from_mass) = (&self.p.coefficients, self.implicit.from_mass);
+        } = vectors;
+        let (c, from_mass) = (&self.wires.coefficients, self.implicit.from_mass);
         let shift = self.implicit.shift;
-        for island in self.p.awake(awake) {
+        for island in self.wires.awake(awake) {
             let nodes = || island.nodes.clone();
-            // Every number by itself: over rows the compiler would gather four of them and transpose.
+            // Entry by entry: over rows the compiler would gather four of them and transpose.
             let (u, v, a) = (
                 u[nodes()].as_flattened_mut(),
                 v[nodes()].as_flattened_mut(),
@@ -272,7 +240,7 @@ impl<const DIM: usize, const D: usize> Kernel for Advance<'_, DIM, D> {
             for ((((u, v), a), d), (w, s)) in state.zip(combined) {
                 let new_u = *u + d;
                 let (new_v, new_a) = c.advance(*d, *v, *a);
-                (*w, *s) = next(from_mass, shift, [new_u, new_v, new_a]);
+                (*w, *s) = next_step(from_mass, shift, [new_u, new_v, new_a]);
                 (*u, *v, *a) = (new_u, new_v, new_a);
             }
         }

@@ -1,8 +1,8 @@
-//! Checks that share nothing with the solver: of the input before, of the solution after.
+//! Checks independent of the solver: of the input before, of the solution after.
 
 use super::FailureReason;
 
-/// Lengths that fit together and finite numbers.
+/// Checks that lengths fit together and numbers are finite.
 pub(super) fn input(
     h: &[f64],
     w: &[f64],
@@ -40,12 +40,12 @@ fn finite(array: &'static str, values: &[f64]) -> Result<(), FailureReason> {
     }
 }
 
-/// How badly `x`, `y` miss `y = Hx + w`, `x ≥ 0`, `y ≥ 0`, `xᵀy = 0`; zero is perfect.
+/// Violation by `x`, `y` of `y = Hx + w`, `x ≥ 0`, `y ≥ 0`, `xᵀy = 0`; zero for an exact solution.
 ///
-/// Rows are brought to one unit, √J, by the diagonal of `H`: `x̂_k = x_k √H_kk`, `ŷ_k = y_k / √H_kk`.
-/// Returned is the largest of `|ŷ − Ĥx̂ − ŵ|_k`, `−x̂_k`, `−ŷ_k` and `min(x̂_k, ŷ_k)`, divided by the
-/// size of the terms that cancel in the equation, `max |ŵ| + max |Ĥ| max |x̂|`. NaN when any entry is
-/// NaN or a diagonal entry of `H` is not positive.
+/// Rows are brought to one unit, √J, by the diagonal of `H`: `x̂_k = x_k √H_kk`, `ŷ_k = y_k /
+/// √H_kk`. Returned is the largest of `|ŷ − Ĥx̂ − ŵ|_k`, `−x̂_k`, `−ŷ_k` and `min(x̂_k, ŷ_k)`,
+/// divided by the size of the terms that cancel in the equation, `max |ŵ| + max |Ĥ| max |x̂|`. NaN
+/// when any entry is NaN or a diagonal entry of `H` is not positive.
 #[must_use]
 pub fn residual(h: &[f64], w: &[f64], x: &[f64], y: &[f64]) -> f64 {
     let n = w.len();
@@ -72,7 +72,7 @@ pub fn residual(h: &[f64], w: &[f64], x: &[f64], y: &[f64]) -> f64 {
     }
 }
 
-/// Maximum that keeps a NaN, which `f64::max` would drop.
+/// Maximum of two numbers that keeps a NaN, which `f64::max` would drop.
 fn larger(a: f64, b: f64) -> f64 {
     if a.is_nan() || a > b { a } else { b }
 }

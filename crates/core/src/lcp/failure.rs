@@ -1,4 +1,4 @@
-//! Why a complementarity problem was not solved.
+//! Failure of a complementarity problem, with its reason.
 
 use super::LcpStats;
 
@@ -8,22 +8,22 @@ pub enum FailureReason {
     /// Lengths of the arguments do not belong together.
     #[error("the {array} has {got} entries, expected {expected}")]
     Shape {
-        /// Which argument.
+        /// Name of the argument.
         array: &'static str,
-        /// Its length.
+        /// Length of the argument.
         got: usize,
-        /// The length that fits `w`.
+        /// Length that fits `w`.
         expected: usize,
     },
     /// A number of the problem is NaN or infinite.
     #[error("the {array} has an entry that is not finite (position {position})")]
     NotFinite {
-        /// Which argument.
+        /// Name of the argument.
         array: &'static str,
         /// Index into it.
         position: usize,
     },
-    /// A pivot that is positive for every P-matrix is not.
+    /// A pivot is not positive, which it is for every P-matrix.
     #[error(
         "H is not a P-matrix to working precision: pivot {pivot:e} at row {row}, \
          where every pivot is positive"
@@ -31,13 +31,13 @@ pub enum FailureReason {
     Pivot {
         /// Row of the pivot.
         row: usize,
-        /// Its value in the scaled table, where the diagonal of H is about 1.
+        /// Value of the pivot in the scaled table, where the diagonal of H is about 1.
         pivot: f64,
     },
     /// Pivoting did not end within its bound.
     #[error("no solution within {limit} pivots")]
     PivotLimit {
-        /// The bound.
+        /// Bound on the pivots.
         limit: usize,
     },
     /// The computed solution does not satisfy the problem.
@@ -45,11 +45,14 @@ pub enum FailureReason {
     Residual,
 }
 
-/// A complementarity problem that was not solved, complete, so that it can be saved and replayed.
+/// Complementarity problem that was not solved, complete, so that it can be saved and replayed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("linear complementarity problem of size {}: {reason} ({pivots} pivots, residual {residual:e})", w.len())]
+#[error(
+    "linear complementarity problem of size {}: {reason} ({pivots} pivots, residual {residual:e})",
+    w.len()
+)]
 pub struct LcpFailure {
-    /// What went wrong.
+    /// Reason of the failure.
     pub reason: FailureReason,
     /// Matrix, by rows.
     pub h: Vec<f64>,

@@ -1,9 +1,9 @@
-//! Which row is exchanged next, and why that ends.
+//! Pivoting rules: the row that is exchanged next, and why that ends.
 //!
 //! *Energy criterion*: the violated row with the largest `q_k² / (2 T_kk)`. It is quick (often one
-//! pivot per active row), but it can return to an active set it has seen. As the choice depends on the
-//! active set alone, one repetition means an endless cycle; Brent's method finds it without a list
-//! of visited sets.
+//! pivot per active row), but it can return to an active set it has seen. As the choice depends on
+//! the active set alone, one repetition means an endless cycle; Brent's method finds it without a
+//! list of visited sets.
 //!
 //! *Least index* (Murty 1974): the first violated row. Visits no active set twice when `H` is a
 //! P-matrix, hence finite, but can need `2ⁿ` pivots. It therefore runs only until fewer rows are
@@ -33,7 +33,8 @@ enum Rule {
     LeastIndex,
 }
 
-/// Brent's cycle detection: compare with the active set of the last step number `2^j`.
+/// Detector of cycles by Brent's method: comparison with the active set of the last step number
+/// `2^j`.
 #[derive(Debug, Clone, Default)]
 struct CycleDetector {
     mark: Vec<bool>,
@@ -49,7 +50,8 @@ impl CycleDetector {
         (self.window, self.since_mark, self.steps) = (1, 0, 0);
     }
 
-    /// Record the set after a pivot; whether the walk repeats itself or is far too long.
+    /// Records the set after a pivot; returns whether the sequence repeats itself or is far too
+    /// long.
     fn repeats(&mut self, active: &[bool]) -> bool {
         self.steps += 1;
         self.since_mark += 1;
@@ -65,14 +67,14 @@ impl CycleDetector {
     }
 }
 
-/// What the choice of the next row needs to know about the current table.
+/// Violated rows of the current table, for the choice of the next one.
 struct Violation {
     count: usize,
     first: usize,
     most_energy: usize,
 }
 
-/// The pivoting rules and their counters for one problem.
+/// Pivoting rules and their counters for one problem.
 #[derive(Debug, Clone, Default)]
 pub struct Pivoting {
     cycle: CycleDetector,
@@ -92,7 +94,7 @@ impl Pivoting {
         self.fallback_used = false;
     }
 
-    /// Exchange rows until none is violated.
+    /// Exchanges rows until none is violated.
     pub(super) fn run(&mut self, tableau: &mut Tableau) -> Result<(), FailureReason> {
         self.cycle.start(tableau.active());
         while let Some(violation) = violated(tableau) {
@@ -130,7 +132,7 @@ impl Pivoting {
 
 fn violated(tableau: &Tableau) -> Option<Violation> {
     let (active_limit, inactive_limit) = tableau.thresholds(tableau.values());
-    let mut found: Option<Violation> = None;
+    let mut violation: Option<Violation> = None;
     let mut largest = f64::NEG_INFINITY;
     for k in 0..tableau.size() {
         let value = tableau.values()[k];
@@ -143,17 +145,17 @@ fn violated(tableau: &Tableau) -> Option<Violation> {
         if value >= limit {
             continue;
         }
-        let violation = found.get_or_insert(Violation {
+        let rows = violation.get_or_insert(Violation {
             count: 0,
             first: k,
             most_energy: k,
         });
-        violation.count += 1;
+        rows.count += 1;
         let energy = value * value / (2.0 * tableau.pivot(k));
         if energy > largest {
             largest = energy;
-            violation.most_energy = k;
+            rows.most_energy = k;
         }
     }
-    found
+    violation
 }

@@ -16,7 +16,7 @@ pub struct DirectSolve {
     order: Vec<usize>,
     right: Vec<f64>,
     solution: Vec<f64>,
-    /// `x̂_k` of active rows, `ŷ_k` of inactive ones: the exact counterpart of `q`.
+    /// Values `x̂_k` of active rows, `ŷ_k` of inactive ones: the exact counterpart of `q`.
     values: Vec<f64>,
     active: Vec<bool>,
 }
@@ -58,7 +58,7 @@ impl DirectSolve {
         Ok(())
     }
 
-    /// `Σ_j H_ij x_j` over the active columns, unscaled.
+    /// Sum `Σ_j H_ij x_j` over the active columns, unscaled.
     fn row_sum(&self, row: &[f64], d: &[f64]) -> f64 {
         self.rows
             .iter()
@@ -67,7 +67,7 @@ impl DirectSolve {
             .sum()
     }
 
-    /// `Ĥ_AA = P L U` with row interchanges, in place.
+    /// Factorises `Ĥ_AA = P L U` with row interchanges, in place.
     fn factorise(&mut self, h: &[f64], d: &[f64]) -> Result<(), FailureReason> {
         let (n, m) = (d.len(), self.rows.len());
         self.factor.clear();
@@ -104,7 +104,7 @@ impl DirectSolve {
         Ok(())
     }
 
-    /// Replace `right` by the solution of `P L U z = right`.
+    /// Replaces `right` by the solution of `P L U z = right`.
     fn substitute(&mut self) {
         let (m, z, lu) = (self.order.len(), &mut self.right, &self.factor);
         for k in 0..m {
@@ -120,7 +120,7 @@ impl DirectSolve {
         }
     }
 
-    /// Whether a value is negative beyond rounding, so that the active set was wrong.
+    /// Tells whether a value is negative beyond rounding, so that the active set was wrong.
     pub(super) fn contradicts(&self, tableau: &Tableau) -> bool {
         let (active_limit, inactive_limit) = tableau.thresholds(&self.values);
         self.values.iter().zip(&self.active).any(|(value, active)| {
@@ -133,7 +133,7 @@ impl DirectSolve {
         })
     }
 
-    /// Non-negative, complementary `x` and `y` in the caller's units.
+    /// Writes non-negative, complementary `x` and `y` in the units of the caller.
     pub(super) fn write(&self, d: &[f64], x: &mut [f64], y: &mut [f64]) {
         for k in 0..self.values.len() {
             let value = if self.values[k] <= 0.0 {

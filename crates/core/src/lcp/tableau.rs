@@ -19,12 +19,11 @@
 //! rounds nothing. The energies `q_k²/(2 T_kk)` (J) do not depend on it.
 
 use super::FailureReason;
-use super::polish::DirectSolve;
 
-/// Smallest pivot (scaled, diagonal of `H` about 1) that is told from rounding.
+/// Smallest pivot (scaled, diagonal of `H` about 1) that is distinguished from rounding.
 ///
-/// A pivot of an inactive row is 1 less what the active rows explain of it; some tens of roundings
-/// of 2·10⁻¹⁶ are in it, so a smaller result says nothing about the sign.
+/// A pivot of an inactive row is 1 minus the part that the active rows account for; some tens of
+/// roundings of 2·10⁻¹⁶ are in it, so a smaller result says nothing about the sign.
 pub const PIVOT_MIN: f64 = 1e-14;
 
 /// Smallest pivot taken while entering the warm-start set.
@@ -33,21 +32,22 @@ pub const PIVOT_MIN: f64 = 1e-14;
 /// later at most, while a tiny pivot spoils the whole table.
 pub const WARM_PIVOT_MIN: f64 = 1e-8;
 
-/// A value counts as negative below `−FEASIBILITY` times the size of the terms it is the sum of.
+/// Tolerance of feasibility: a value counts as negative below `−FEASIBILITY` times the size of the
+/// terms it is the sum of.
 ///
 /// About a hundred times the rounding of such a sum with `n = 40`, and far below anything that
 /// matters: 10⁻¹² of a gap of 1 m is a picometre.
 pub const FEASIBILITY: f64 = 1e-12;
 
-/// The table `v = T u + q` in scaled variables.
+/// Table `v = T u + q` in scaled variables.
 #[derive(Debug, Clone, Default)]
 pub struct Tableau {
     n: usize,
-    /// `T`, by rows.
+    /// Matrix `T`, by rows.
     table: Vec<f64>,
     q: Vec<f64>,
     active: Vec<bool>,
-    /// `d_k`, a power of two near `1/√H_kk`: `x = d x̂`, `y = ŷ/d`.
+    /// Scale `d_k`, a power of two near `1/√H_kk`: `x = d x̂`, `y = ŷ/d`.
     scale: Vec<f64>,
     /// Copy of the pivot row during an exchange.
     row: Vec<f64>,
@@ -56,7 +56,7 @@ pub struct Tableau {
 }
 
 impl Tableau {
-    /// Start with no row active: `T = Ĥ`, `q = ŵ`.
+    /// Loads a problem with no row active: `T = Ĥ`, `q = ŵ`.
     pub(super) fn load(&mut self, h: &[f64], w: &[f64]) -> Result<(), FailureReason> {
         let n = w.len();
         self.n = n;
@@ -89,8 +89,9 @@ impl Tableau {
         }
     }
 
-    /// Make the rows of `warm` active, except where the pivot is too small; the number of exchanges.
-    pub(super) fn enter(&mut self, warm: &[bool]) -> usize {
+    /// Activates the rows of `warm`, except where the pivot is too small; returns the number of
+    /// exchanges.
+    pub(super) fn activate(&mut self, warm: &[bool]) -> usize {
         let mut count = 0;
         for (k, _) in warm.iter().enumerate().filter(|(_, wanted)| **wanted) {
             if !self.active[k] && self.pivot(k) > WARM_PIVOT_MIN {
@@ -101,12 +102,12 @@ impl Tableau {
         count
     }
 
-    /// Form the table anew for the present active set, with the values of `direct` as `q`.
+    /// Forms the table again from `H` and `w` for the present active set, with `values` as `q`.
     pub(super) fn renew(
         &mut self,
         h: &[f64],
         w: &[f64],
-        direct: &DirectSolve,
+        values: &[f64],
     ) -> Result<(), FailureReason> {
         self.fill(h, w);
         for k in 0..self.n {
@@ -115,11 +116,11 @@ impl Tableau {
                 self.checked_exchange(k)?;
             }
         }
-        self.q.copy_from_slice(direct.values());
+        self.q.copy_from_slice(values);
         Ok(())
     }
 
-    /// Exchange row `k` if its pivot is positive, as it is in every table of a P-matrix.
+    /// Exchanges row `k` if its pivot is positive, as it is in every table of a P-matrix.
     pub(super) fn checked_exchange(&mut self, k: usize) -> Result<(), FailureReason> {
         let pivot = self.pivot(k);
         if pivot > PIVOT_MIN && pivot.is_finite() {
@@ -155,9 +156,10 @@ impl Tableau {
         self.active[k] = !self.active[k];
     }
 
-    /// Values below which `x̂` (active rows) and `ŷ` (inactive rows) count as negative.
+    /// Thresholds below which `x̂` (active rows) and `ŷ` (inactive rows) count as negative.
     ///
-    /// `ŷ` is a sum of terms up to `max |ŵ| + max |Ĥ| max |x̂|`; `x̂` multiplies at most `max |Ĥ|` there.
+    /// `ŷ` is a sum of terms up to `max |ŵ| + max |Ĥ| max |x̂|`; `x̂` multiplies at most `max |Ĥ|`
+    /// there.
     pub(super) fn thresholds(&self, values: &[f64]) -> (f64, f64) {
         let x_max = (0..self.n)
             .filter(|k| self.active[*k])

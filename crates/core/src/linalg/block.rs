@@ -9,7 +9,7 @@ pub fn zero<const D: usize>() -> Block<D> {
     [[0.0; D]; D]
 }
 
-/// `y += a x`
+/// Adds a product: `y += a x`.
 #[inline(always)]
 pub fn add_product<const D: usize>(y: &mut [f64; D], a: &Block<D>, x: &[f64; D]) {
     for i in 0..D {
@@ -21,7 +21,7 @@ pub fn add_product<const D: usize>(y: &mut [f64; D], a: &Block<D>, x: &[f64; D])
     }
 }
 
-/// `y -= aᵀ x`
+/// Subtracts a transposed product: `y -= aᵀ x`.
 #[inline(always)]
 pub fn subtract_transposed_product<const D: usize>(y: &mut [f64; D], a: &Block<D>, x: &[f64; D]) {
     let product = transposed_product(a, x);
@@ -30,12 +30,12 @@ pub fn subtract_transposed_product<const D: usize>(y: &mut [f64; D], a: &Block<D
     }
 }
 
-/// `aᵀ x`
+/// Transposed product `aᵀ x`.
 #[inline(always)]
 #[must_use]
 pub fn transposed_product<const D: usize>(a: &Block<D>, x: &[f64; D]) -> [f64; D] {
-    // Pairs shorten the chain of dependent additions; a block of odd size has one row left over. To
-    // begin with the first pair, not with zero, makes it one shorter still.
+    // Pairs shorten the chain of dependent additions; a block of odd size has one row left over. A
+    // start with the first pair, not with zero, shortens it by one more.
     let pair = |i: usize, j: usize| a[i][j] * x[i] + a[i + 1][j] * x[i + 1];
     let mut y: [f64; D] = std::array::from_fn(|j| pair(0, j));
     for i in (2..D - D % 2).step_by(2) {
@@ -51,7 +51,7 @@ pub fn transposed_product<const D: usize>(a: &Block<D>, x: &[f64; D]) -> [f64; D
     y
 }
 
-/// `a b`
+/// Product `a b`.
 #[must_use]
 pub fn product<const D: usize>(a: &Block<D>, b: &Block<D>) -> Block<D> {
     let mut c = zero();
@@ -65,7 +65,7 @@ pub fn product<const D: usize>(a: &Block<D>, b: &Block<D>) -> Block<D> {
     c
 }
 
-/// `c -= a bᵀ`
+/// Subtracts a product: `c -= a bᵀ`.
 pub fn subtract_product_transposed<const D: usize>(c: &mut Block<D>, a: &Block<D>, b: &Block<D>) {
     for i in 0..D {
         for j in 0..D {
@@ -91,7 +91,7 @@ pub fn transpose<const D: usize>(a: &Block<D>) -> Block<D> {
 }
 
 /// Smallest pivot, relative to the diagonal it started from, that still counts as stiffness.
-/// Rounding leaves about 1e-16; a real mechanism of zero stiffness is what is to be caught.
+/// Rounding leaves about 1e-16; a mechanism of zero stiffness has to be noticed.
 const SINGULAR_PIVOT: f64 = 1e-13;
 
 /// Inverse of a symmetric block by LDLᵀ without pivoting, and the number of negative pivots

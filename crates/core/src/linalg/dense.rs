@@ -1,6 +1,6 @@
 //! Small dense systems (a few dozen unknowns at most), row by row.
 
-/// Solve `A x = b` in place by Gaussian elimination with partial pivoting; `a` is destroyed and
+/// Solves `A x = b` in place by Gaussian elimination with partial pivoting; `a` is destroyed and
 /// `b` becomes `x`. Returns `false` when `A` is singular to working precision.
 #[must_use]
 pub fn solve_in_place(a: &mut [f64], b: &mut [f64]) -> bool {
@@ -60,11 +60,11 @@ pub fn cholesky(a: &[f64], n: usize) -> Option<Vec<f64>> {
     for i in 0..n {
         for j in 0..=i {
             let known: f64 = (0..j).map(|k| lower[i * n + k] * lower[j * n + k]).sum();
-            let rest = a[i * n + j] - known;
+            let reduced = a[i * n + j] - known;
             lower[i * n + j] = if i == j {
-                rest.sqrt()
+                reduced.sqrt()
             } else {
-                rest / lower[j * n + j]
+                reduced / lower[j * n + j]
             };
         }
         if !(lower[i * n + i].is_finite() && lower[i * n + i] > 0.0) {
@@ -74,7 +74,7 @@ pub fn cholesky(a: &[f64], n: usize) -> Option<Vec<f64>> {
     Some(lower)
 }
 
-/// Solve `L Lᵀ x = b` in place.
+/// Solves `L Lᵀ x = b` in place.
 pub fn solve_cholesky(lower: &[f64], b: &mut [f64]) {
     let n = b.len();
     for i in 0..n {
@@ -87,19 +87,19 @@ pub fn solve_cholesky(lower: &[f64], b: &mut [f64]) {
     }
 }
 
-/// Whether a symmetric matrix is positive definite to working precision: Cholesky's pivots, each
-/// above the rounding of what was subtracted from it.
+/// Tells whether a symmetric matrix is positive definite to working precision: Cholesky's pivots,
+/// each above the rounding of what was subtracted from it.
 #[must_use]
 pub fn is_positive(a: &[f64], n: usize) -> bool {
     let mut lower = vec![0.0; n * n];
     for i in 0..n {
         for j in 0..=i {
             let known: f64 = (0..j).map(|k| lower[i * n + k] * lower[j * n + k]).sum();
-            let rest = a[i * n + j] - known;
+            let reduced = a[i * n + j] - known;
             if i != j {
-                lower[i * n + j] = rest / lower[j * n + j];
-            } else if rest > 4.0 * n as f64 * f64::EPSILON * (a[i * n + i].abs() + known) {
-                lower[i * n + i] = rest.sqrt();
+                lower[i * n + j] = reduced / lower[j * n + j];
+            } else if reduced > 4.0 * n as f64 * f64::EPSILON * (a[i * n + i].abs() + known) {
+                lower[i * n + i] = reduced.sqrt();
             } else {
                 return false;
             }

@@ -4,13 +4,13 @@
 //! Full reorthogonalisation: the basis stays small (a few hundred vectors) and no ghost values
 //! appear. Source: Golub & Van Loan, Matrix Computations, sections 10.3 and 10.1.
 //!
-//! Of modes with the same frequency, or nearly, one start vector holds one combination: the others
-//! grow out of rounding and come late. So modes are counted: K − σM has as many negative pivots as
-//! there are squares ω² below σ (Sylvester's law of inertia).
+//! Of modes with equal or nearly equal frequencies one start vector contains one combination: the
+//! others arise from rounding and come late. So modes are counted: K − σM has as many negative
+//! pivots as there are squares ω² below σ (Sylvester's law of inertia).
 //!
-//! Begun with x₀ = K⁻¹b instead, the process sees the modes that a force b moves, each as far as it
-//! does so: x₀ has the part φᵀb/ω² of mode φ. So the eigenvalues θ of the tridiagonal matrix, with
-//! squares τ of the first components of its eigenvectors, are a Gauss rule of the flexibility,
+//! Started with x₀ = K⁻¹b instead, the process finds the modes that a force b excites, in
+//! proportion: x₀ has the part φᵀb/ω² of mode φ. So the eigenvalues θ of the tridiagonal matrix,
+//! with squares τ of the first components of its eigenvectors, are a Gauss rule of the flexibility,
 //!
 //!   bᵀ(K − σM)⁻¹b = Σ (φᵀb)²/(ω² − σ) ≈ |x₀|² Σ (τ/θ)/(1 − θσ),   |x₀|² = x₀ᵀM x₀
 //!
@@ -18,20 +18,21 @@
 
 use super::{BlockLdl, MassMatrix, dense};
 
-/// Steps for each frequency asked for, at first; six give the lowest ones to rounding when no two
-/// are alike.
+/// Number of steps for each frequency required, at first; six give the lowest ones to rounding when
+/// no two are equal.
 const FIRST_STEPS: usize = 6;
-/// Rounds, each with half as many steps more: thirty steps for each frequency in the last.
+/// Bound on the rounds, each with half as many steps more: thirty steps for each frequency in the
+/// last.
 const MOST_ROUNDS: usize = 5;
-/// What values may still move by in the last steps, relative.
-const SETTLED: f64 = 1e-10;
-/// How far above the last frequency wanted its modes are counted, relative in ω².
-const BEYOND: f64 = 1e-7;
-/// What is left of a vector that the basis already spans, relative.
+/// Tolerance of the change of values in the last steps, relative.
+const CONVERGED: f64 = 1e-10;
+/// Margin above the last frequency required within which its modes are counted, relative in ω².
+const MARGIN: f64 = 1e-7;
+/// Remainder of a vector that the basis already spans, relative.
 const SPANNED: f64 = 1e-8;
-/// Steps between two questions whether to go on: some milliseconds of a long line, and none of the
-/// usual ten frequencies of a short one.
-const ASKED_EVERY: usize = 128;
+/// Number of steps between two calls of `keep_going`: some milliseconds of a long line, and no call
+/// for the usual ten frequencies of a short one.
+const STEPS_PER_CALL: usize = 128;
 
 fn dot<const D: usize>(x: &[[f64; D]], y: &[[f64; D]]) -> f64 {
     x.iter()
@@ -48,12 +49,12 @@ fn axpy<const D: usize>(y: &mut [[f64; D]], factor: f64, x: &[[f64; D]]) {
         .for_each(|(a, b)| *a += factor * b);
 }
 
-/// The `count` lowest natural frequencies in Hz, ascending, each as often as it occurs; fewer when
-/// the structure has fewer.
+/// Lowest `count` natural frequencies, Hz, ascending, each with its multiplicity; fewer when the
+/// structure has fewer.
 ///
 /// `free(node, component)` tells whether a degree of freedom can move, `below` how many modes have
-/// ω² below a value, `None` where that cannot be told. After the last round what is there is taken.
-/// `go_on` is asked now and then; `None` when it says no.
+/// ω² below a value, `None` where that is not known. After the last round the values found are
+/// returned. `keep_going` is called now and then; the result is `None` when it returns false.
 pub fn lowest_frequencies<const DIM: usize, const D: usize>(
     stiffness: &BlockLdl<D>,
     mass: &MassMatrix<DIM, D>,
@@ -61,7 +62,7 @@ pub fn lowest_frequencies<const DIM: usize, const D: usize>(
     free: impl Fn(usize, usize) -> bool,
     count: usize,
     below: impl Fn(f64) -> Option<usize>,
-    go_on: &mut dyn FnMut() -> bool,
+    keep_going: &mut dyn FnMut() -> bool,
 ) -> Option<Vec<f64>> {
     let mut process = Process::new(stiffness, mass, nodes, free);
     // No structure has more modes than coordinates.
@@ -70,8 +71,8 @@ pub fn lowest_frequencies<const DIM: usize, const D: usize>(
     let mut values = Vec::new();
     for _ in 0..MOST_ROUNDS {
         while process.basis.len() < steps && !process.exhausted {
-            process.extend(steps.min(process.basis.len() + ASKED_EVERY));
-            if process.basis.len() < steps && !process.exhausted && !go_on() {
+            process.extend(steps.min(process.basis.len() + STEPS_PER_CALL));
+            if process.basis.len() < steps && !process.exhausted && !keep_going() {
                 return None;
             }
         }
@@ -81,29 +82,30 @@ pub fn lowest_frequencies<const DIM: usize, const D: usize>(
         }
         steps += steps / 2;
     }
-    let found = values.iter().take(count).filter(|&&v| v > 0.0);
+    let positive = values.iter().take(count).filter(|&&v| v > 0.0);
     Some(
-        found
+        positive
             .map(|v| 1.0 / (v.sqrt() * std::f64::consts::TAU))
             .collect(),
     )
 }
 
-/// Lanczos' process begun with one vector: its matrix, and the square of the vector's length.
+/// Recurrence of Lanczos' process started with one vector: its matrix, and the squared length of
+/// the vector.
 #[derive(Debug, Clone)]
 pub struct Recurrence {
-    /// |x₀|² = x₀ᵀM x₀.
+    /// Squared length |x₀|² = x₀ᵀM x₀.
     pub squared_length: f64,
     /// Diagonal of the tridiagonal matrix, s².
     pub diagonal: Vec<f64>,
-    /// What is beside the diagonal, s².
+    /// Off-diagonal entries of the tridiagonal matrix, s².
     pub off: Vec<f64>,
 }
 
-/// `steps` steps of the process begun with `start`, m; fewer when there are fewer modes, none for a
-/// start of zeros.
+/// Recurrence of `steps` steps of the process started with `start`, m; fewer when there are fewer
+/// modes, none for a start of zeros.
 #[must_use]
-pub fn begun_with<const DIM: usize, const D: usize>(
+pub fn recurrence_from<const DIM: usize, const D: usize>(
     stiffness: &BlockLdl<D>,
     mass: &MassMatrix<DIM, D>,
     free: impl Fn(usize, usize) -> bool,
@@ -127,7 +129,7 @@ pub fn begun_with<const DIM: usize, const D: usize>(
     }
 }
 
-/// Whether the first values stand still and none is missing among them.
+/// Tells whether the first values have converged and none is missing among them.
 fn is_complete<const DIM: usize, const D: usize, F: Fn(usize, usize) -> bool>(
     process: &Process<DIM, D, F>,
     values: &[f64],
@@ -136,18 +138,18 @@ fn is_complete<const DIM: usize, const D: usize, F: Fn(usize, usize) -> bool>(
 ) -> bool {
     let earlier = process.values(values.len() - count);
     let pairs = values.iter().zip(&earlier).take(count);
-    let settled = earlier.len() >= count && pairs.clone().all(|(v, e)| v - e <= SETTLED * v);
-    let edge = values[count - 1] / (1.0 + BEYOND);
-    settled && below(1.0 / edge) == Some(values.iter().filter(|&&v| v > edge).count())
+    let converged = earlier.len() >= count && pairs.clone().all(|(v, e)| v - e <= CONVERGED * v);
+    let edge = values[count - 1] / (1.0 + MARGIN);
+    converged && below(1.0 / edge) == Some(values.iter().filter(|&&v| v > edge).count())
 }
 
-/// A Lanczos process that can go on.
+/// Lanczos process that can be extended.
 struct Process<'a, const DIM: usize, const D: usize, F> {
     stiffness: &'a BlockLdl<D>,
     mass: &'a MassMatrix<DIM, D>,
     free: F,
     seed: u64,
-    /// Coordinates that can move: a basis has no more vectors.
+    /// Number of coordinates that can move, an upper bound of the size of the basis.
     dimension: usize,
     basis: Vec<Vec<[f64; D]>>,
     basis_mass: Vec<Vec<[f64; D]>>,
@@ -181,12 +183,12 @@ impl<'a, const DIM: usize, const D: usize, F: Fn(usize, usize) -> bool> Process<
             scratch: vec![[0.0; D]; nodes],
             exhausted: false,
         };
-        process.start_anew();
+        process.restart();
         process
     }
 
-    /// Take a vector without symmetry, the same in every run: it has a part of every mode.
-    fn start_anew(&mut self) {
+    /// Restarts with a vector without symmetry, equal in every run, which has a part of every mode.
+    fn restart(&mut self) {
         for (i, node) in self.vector.iter_mut().enumerate() {
             for (c, value) in node.iter_mut().enumerate() {
                 self.seed = self
@@ -199,6 +201,7 @@ impl<'a, const DIM: usize, const D: usize, F: Fn(usize, usize) -> bool> Process<
         }
     }
 
+    /// Product M x over the free degrees of freedom.
     fn times_mass(&self, x: &[[f64; D]]) -> Vec<[f64; D]> {
         let mut y = vec![[0.0; D]; x.len()];
         self.mass.product(x, &mut y);
@@ -211,22 +214,22 @@ impl<'a, const DIM: usize, const D: usize, F: Fn(usize, usize) -> bool> Process<
         y
     }
 
-    /// The vector times M, and its length.
+    /// Product of M and the vector, and the length of the vector.
     fn weighted(&self) -> (Vec<[f64; D]>, f64) {
         let weighted = self.times_mass(&self.vector);
         let norm = dot(&self.vector, &weighted).sqrt();
         (weighted, norm)
     }
 
-    /// Go on until the basis has so many vectors, or spans everything.
+    /// Extends the basis to `steps` vectors, or until it spans everything.
     fn extend(&mut self, steps: usize) {
         while self.basis.len() < steps && !self.exhausted {
             let (mut weighted, mut norm) = self.weighted();
             let mut coupling = norm;
             let least = 1e-13 * self.diagonal.first().copied().unwrap_or(0.0);
             if !self.basis.is_empty() && norm < least {
-                // The space is invariant: what is left of another vector starts a new one.
-                self.start_anew();
+                // The space is invariant: the remainder of another vector starts a new one.
+                self.restart();
                 let before = self.weighted().1;
                 self.remove_basis();
                 (weighted, norm) = self.weighted();
@@ -244,6 +247,7 @@ impl<'a, const DIM: usize, const D: usize, F: Fn(usize, usize) -> bool> Process<
         }
     }
 
+    /// Adds a vector to the basis and finds the next one.
     fn step(&mut self, weighted: Vec<[f64; D]>, norm: f64) {
         let scale = |x: Vec<[f64; D]>| -> Vec<[f64; D]> {
             x.into_iter().map(|v| v.map(|c| c / norm)).collect()
@@ -258,7 +262,7 @@ impl<'a, const DIM: usize, const D: usize, F: Fn(usize, usize) -> bool> Process<
         self.remove_basis();
     }
 
-    /// Twice is enough (Kahan, Parlett): removes all earlier directions to rounding.
+    /// Removes all earlier directions to rounding; twice is enough (Kahan, Parlett).
     fn remove_basis(&mut self) {
         for _ in 0..2 {
             for (direction, weighted) in self.basis.iter().zip(&self.basis_mass) {
@@ -268,7 +272,7 @@ impl<'a, const DIM: usize, const D: usize, F: Fn(usize, usize) -> bool> Process<
         }
     }
 
-    /// Ritz values 1/ω² of the first so many vectors, largest first.
+    /// Ritz values 1/ω² of the first `size` vectors, s², largest first.
     fn values(&self, size: usize) -> Vec<f64> {
         let couplings = &self.off[..size.saturating_sub(1)];
         let mut values = dense::tridiagonal_eigenvalues(&self.diagonal[..size], couplings);

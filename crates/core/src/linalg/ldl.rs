@@ -23,8 +23,8 @@ pub struct BlockLdl<const D: usize> {
     order: Vec<u32>,
     row_start: Vec<usize>,
     columns: Vec<u32>,
-    /// For each block of the factor, the pairs of blocks whose product it loses: one of its own row
-    /// (counted from the row's start) and one of the row of its column.
+    /// Pairs of blocks whose product is subtracted from each block of the factor: one of the same
+    /// row (counted from the start of the row) and one of the row of its column.
     pair_start: Vec<usize>,
     pairs: Vec<(u32, u32)>,
     lower: Vec<Block<D>>,
@@ -33,7 +33,7 @@ pub struct BlockLdl<const D: usize> {
     negative_pivots: usize,
 }
 
-/// Island by island: first, last, second, last but one, …
+/// Order of elimination island by island: first, last, second, last but one, …
 fn from_both_ends<const D: usize>(a: &SymmetricBlocks<D>) -> Vec<u32> {
     let inwards = |nodes: Range<usize>| {
         (0..nodes.len()).map(move |i| {
@@ -48,18 +48,18 @@ fn from_both_ends<const D: usize>(a: &SymmetricBlocks<D>) -> Vec<u32> {
     islands(a).into_iter().flat_map(inwards).collect()
 }
 
-/// A matrix in the order of elimination, to factorise again and again with other values.
+/// Matrix in the order of elimination, to be factorised repeatedly with other values.
 #[derive(Debug, Clone)]
 pub struct Refactoring<const D: usize> {
     /// Node eliminated at each position.
     order: Vec<u32>,
     reordered: SymmetricBlocks<D>,
-    /// For each block of the matrix as given: its place here, and whether it is transposed.
-    places: Vec<(usize, bool)>,
+    /// Index of each block of the given matrix in the reordered one, and whether it is transposed.
+    indices: Vec<(usize, bool)>,
 }
 
 impl<const D: usize> Refactoring<D> {
-    /// For matrices with the pattern of `a`.
+    /// Reordering for matrices with the pattern of `a`.
     #[must_use]
     pub fn new(a: &SymmetricBlocks<D>) -> Self {
         let order = from_both_ends(a);
@@ -73,23 +73,24 @@ impl<const D: usize> Refactoring<D> {
         };
         let pairs = entries().map(|(i, k)| (position[i], position[a.columns[k]]));
         let reordered = SymmetricBlocks::with_pattern(a.rows(), pairs);
-        let place = |(i, k): (usize, usize)| {
+        let index = |(i, k): (usize, usize)| {
             let (row, column) = (position[i], position[a.columns[k]]);
-            let place = reordered.place(row.max(column), row.min(column));
+            let index = reordered.index_of(row.max(column), row.min(column));
             // Every pair was put into the pattern above.
-            (place.unwrap_or_default(), row < column)
+            (index.unwrap_or_default(), row < column)
         };
-        let places = entries().map(place).collect();
+        let indices = entries().map(index).collect();
         Self {
             order,
             reordered,
-            places,
+            indices,
         }
     }
 
-    fn take(&mut self, a: &SymmetricBlocks<D>) {
-        for (block, &(place, transposed)) in a.blocks.iter().zip(&self.places) {
-            self.reordered.blocks[place] = if transposed {
+    /// Copies the values of a matrix.
+    fn copy_from(&mut self, a: &SymmetricBlocks<D>) {
+        for (block, &(index, transposed)) in a.blocks.iter().zip(&self.indices) {
+            self.reordered.blocks[index] = if transposed {
                 block::transpose(block)
             } else {
                 *block
@@ -99,7 +100,7 @@ impl<const D: usize> Refactoring<D> {
 }
 
 impl<const D: usize> BlockLdl<D> {
-    /// Analyse the pattern (fill-in) and factorise.
+    /// Analyses the pattern (fill-in) and factorises.
     ///
     /// # Errors
     /// [`CoreError::Singular`] when a pivot block has no inverse.
@@ -123,7 +124,7 @@ impl<const D: usize> BlockLdl<D> {
         Ok(factor)
     }
 
-    /// Factorise a matrix of the same pattern in the place of the old one.
+    /// Factorises a matrix of equal pattern, which replaces the old one.
     ///
     /// # Errors
     /// [`CoreError::Singular`] when a pivot block has no inverse.
@@ -132,13 +133,14 @@ impl<const D: usize> BlockLdl<D> {
         refactoring: &mut Refactoring<D>,
         a: &SymmetricBlocks<D>,
     ) -> Result<(), CoreError> {
-        refactoring.take(a);
+        refactoring.copy_from(a);
         self.negative_pivots = 0;
         self.factorise(&refactoring.reordered)?;
         self.substitution.fill(&self.lower, &self.diagonal_inverse);
         Ok(())
     }
 
+    /// Factorises the reordered matrix.
     fn factorise(&mut self, a: &SymmetricBlocks<D>) -> Result<(), CoreError> {
         let mut work: Vec<Block<D>> = Vec::new();
         for i in 0..a.rows() {
@@ -153,9 +155,9 @@ impl<const D: usize> BlockLdl<D> {
                     w = a.blocks[next];
                     next += 1;
                 }
-                for &(own, other) in &self.pairs[self.pair_start[p]..self.pair_start[p + 1]] {
+                for &(of_row, other) in &self.pairs[self.pair_start[p]..self.pair_start[p + 1]] {
                     let other = &self.lower[other as usize];
-                    block::subtract_product_transposed(&mut w, &work[own as usize], other);
+                    block::subtract_product_transposed(&mut w, &work[of_row as usize], other);
                 }
                 self.lower[p] = block::product(&w, &self.diagonal_inverse[j]);
                 work.push(w);
@@ -178,19 +180,19 @@ impl<const D: usize> BlockLdl<D> {
         self.negative_pivots
     }
 
-    /// Blocks stored below the diagonal; the work of a solve is proportional to it.
+    /// Number of blocks stored below the diagonal; the work of a solve is proportional to it.
     #[must_use]
     pub fn fill(&self) -> usize {
         self.lower.len()
     }
 
-    /// Solve `A x = b` in place; `work` is scratch space of the same length.
+    /// Solves `A x = b` in place; `work` is scratch space of equal length.
     pub fn solve(&self, x: &mut [[f64; D]], work: &mut [[f64; D]]) {
         self.substitution.solve(0..x.len(), x, &[], work);
     }
 
-    /// `x ← A⁻¹ x − minus` on some islands, without another pass over the vectors. The values of other
-    /// nodes are neither read nor written.
+    /// Solves and subtracts, `x ← A⁻¹ x − minus`, on some islands, without another pass over the
+    /// vectors. The values of other nodes are neither read nor written.
     pub fn solve_minus(
         &self,
         islands: impl Iterator<Item = Range<usize>>,
@@ -203,9 +205,9 @@ impl<const D: usize> BlockLdl<D> {
         }
     }
 
-    /// Solve for an `x` that is zero but at the nodes `loaded`, no further than the answer reaches (it
-    /// dies away within rounding of rounding: 1e-30 of the largest value is taken as zero). Returns the
-    /// nodes outside of which the answer is zero. `work`, of the same length, is zero before and after.
+    /// Solves for an `x` that is zero except at the nodes `loaded`, as far as the solution is not
+    /// negligible (1e-30 of the largest value is taken as zero). Returns the nodes outside of which
+    /// the solution is zero. `work`, of equal length, is zero before and after.
     pub fn solve_near(
         &self,
         x: &mut [[f64; D]],
@@ -216,7 +218,7 @@ impl<const D: usize> BlockLdl<D> {
     }
 }
 
-/// Columns of the strictly lower rows of L: the row pattern from the elimination tree.
+/// Columns of the strictly lower rows of L, the row pattern from the elimination tree.
 /// Source: Davis, Direct Methods for Sparse Linear Systems (2006), section 4.1 (`cs_ereach`).
 fn fill_pattern<const D: usize>(a: &SymmetricBlocks<D>) -> (Vec<usize>, Vec<u32>) {
     let n = a.rows();
@@ -244,19 +246,20 @@ fn fill_pattern<const D: usize>(a: &SymmetricBlocks<D>) -> (Vec<usize>, Vec<u32>
     (row_start, columns)
 }
 
-/// Σ Wᵢₖ Lⱼₖᵀ runs over the columns k that rows i and j share: for each block (i, j), where they are.
+/// Common columns k of the rows i and j of each block (i, j), over which Σ Wᵢₖ Lⱼₖᵀ runs: indices
+/// of the blocks.
 fn common_columns(row_start: &[usize], columns: &[u32]) -> (Vec<usize>, Vec<(u32, u32)>) {
     let (mut start, mut pairs) = (vec![0], Vec::new());
     for row in row_start.windows(2) {
         for p in row[0]..row[1] {
             let j = columns[p] as usize;
             let mut q = row_start[j];
-            for (own, k) in columns[row[0]..p].iter().enumerate() {
+            for (of_row, k) in columns[row[0]..p].iter().enumerate() {
                 while q < row_start[j + 1] && columns[q] < *k {
                     q += 1;
                 }
                 if q < row_start[j + 1] && columns[q] == *k {
-                    pairs.push((own as u32, q as u32));
+                    pairs.push((of_row as u32, q as u32));
                 }
             }
             start.push(pairs.len());

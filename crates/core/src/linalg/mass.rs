@@ -7,12 +7,12 @@
 
 use std::ops::Range;
 
-/// Couplings of a node with another one, or with itself: rows and columns (position, slope).
+/// Coupling of a node with another one, or with itself: rows and columns (position, slope).
 type Entry = [[f64; 2]; 2];
 
-/// An entry ready for lanes: what each component takes from itself, and what from its partner in
-/// the other half (position from slope, slope from position).
-type Lanes<const D: usize> = [[f64; D]; 2];
+/// Entry by SIMD lanes: factor of each component on itself, and on its partner in the other half
+/// (position on slope, slope on position).
+type PackedEntry<const D: usize> = [[f64; D]; 2];
 
 /// Structured mass matrix; position components, then (with `D = 2·DIM`) slope components. Rows are
 /// complete (both triangles), so a product writes every node once.
@@ -20,25 +20,25 @@ type Lanes<const D: usize> = [[f64; D]; 2];
 pub struct MassMatrix<const DIM: usize, const D: usize> {
     rows: Vec<Vec<(u32, Entry)>>,
     start: Vec<u32>,
-    entries: Vec<(u32, Lanes<D>)>,
-    stretches: Vec<Stretch>,
+    entries: Vec<(u32, PackedEntry<D>)>,
+    runs: Vec<RowRun>,
 }
 
-/// Consecutive rows that have as many entries.
+/// Consecutive rows with equal numbers of entries.
 #[derive(Debug, Clone)]
-struct Stretch {
+struct RowRun {
     rows: Range<usize>,
     width: usize,
 }
 
-/// Entries of a row inside a wire: the node and its two neighbours.
-const INSIDE: usize = 3;
+/// Number of entries of a row inside a wire: the node and its two neighbours.
+const INNER_WIDTH: usize = 3;
 
 impl<const DIM: usize, const D: usize> MassMatrix<DIM, D> {
-    /// Vectors of a node: its position, and its slope or not.
+    /// Number of vectors of a node: its position, and its slope or not.
     const SLOTS: usize = D / DIM;
 
-    /// No mass anywhere.
+    /// Zero matrix.
     #[must_use]
     pub fn zero(nodes: usize) -> Self {
         let rows = (0..nodes)
@@ -48,22 +48,22 @@ impl<const DIM: usize, const D: usize> MassMatrix<DIM, D> {
             rows,
             start: vec![0; nodes + 1],
             entries: Vec::new(),
-            stretches: Vec::new(),
+            runs: Vec::new(),
         }
     }
 
-    /// Put the rows one after the other in memory, once all masses have been added.
+    /// Packs the rows one after the other in memory, once all masses have been added.
     pub fn pack(&mut self) {
         self.entries.clear();
-        self.stretches.clear();
+        self.runs.clear();
         for (i, row) in self.rows.iter_mut().enumerate() {
             row.sort_by_key(|entry| entry.0);
             self.entries
-                .extend(row.iter().map(|(j, m)| (*j, Self::lanes(m))));
+                .extend(row.iter().map(|(j, m)| (*j, Self::packed(m))));
             self.start[i + 1] = self.entries.len() as u32;
-            match self.stretches.last_mut() {
+            match self.runs.last_mut() {
                 Some(last) if last.width == row.len() => last.rows.end = i + 1,
-                _ => self.stretches.push(Stretch {
+                _ => self.runs.push(RowRun {
                     rows: i..i + 1,
                     width: row.len(),
                 }),
@@ -71,35 +71,37 @@ impl<const DIM: usize, const D: usize> MassMatrix<DIM, D> {
         }
     }
 
-    fn lanes(m: &Entry) -> Lanes<D> {
+    /// Entry by SIMD lanes.
+    fn packed(m: &Entry) -> PackedEntry<D> {
         [
             std::array::from_fn(|c| m[c / DIM][c / DIM]),
             std::array::from_fn(|c| m[c / DIM][1 - c / DIM]),
         ]
     }
 
+    /// Entry of the coupling (i, j), created where there is none.
     fn entry(&mut self, i: usize, j: usize) -> &mut Entry {
         let row = &mut self.rows[i];
-        let place = row
+        let index = row
             .iter()
             .position(|entry| entry.0 == j as u32)
             .unwrap_or_else(|| {
                 row.push((j as u32, [[0.0; 2]; 2]));
                 row.len() - 1
             });
-        &mut row[place].1
+        &mut row[index].1
     }
 
-    /// Add a mass in kg at the position of a node.
+    /// Adds a mass at the position of a node, kg.
     pub fn add_point(&mut self, node: usize, mass: f64) {
         self.entry(node, node)[0][0] += mass;
     }
 
-    /// Add the consistent mass of a Hermite element, `m` in kg per metre of rest length `l`,
-    /// multiplied by `factor` (used for mass-proportional damping). `places` tells node and slot
+    /// Adds the consistent mass of a Hermite element, `m` in kg per metre of rest length `l`,
+    /// multiplied by `factor` (used for mass-proportional damping). `slots` are node and slot
     /// (0 position, 1 slope) of r₁, r₁′, r₂, r₂′.
     /// Source: cubic Hermite shape functions, ∫ NᵢNⱼ ds (Przemieniecki 1968, beam element).
-    pub fn add_hermite(&mut self, places: [(usize, usize); 4], m: f64, l: f64, factor: f64) {
+    pub fn add_hermite(&mut self, slots: [(usize, usize); 4], m: f64, l: f64, factor: f64) {
         let c = factor * m * l / 420.0;
         let entries = [
             [156.0, 22.0 * l, 54.0, -13.0 * l],
@@ -107,12 +109,12 @@ impl<const DIM: usize, const D: usize> MassMatrix<DIM, D> {
             [54.0, 13.0 * l, 156.0, -22.0 * l],
             [-13.0 * l, -3.0 * l * l, -22.0 * l, 4.0 * l * l],
         ];
-        self.add_element(places, &entries, c);
+        self.add_element(slots, &entries, c);
     }
 
-    /// Add `factor` times ∫ Nᵢ′Nⱼ′ ds of a Hermite element of length `l`, the matrix that tension is
-    /// multiplied by in its stiffness.
-    pub fn add_hermite_slopes(&mut self, places: [(usize, usize); 4], l: f64, factor: f64) {
+    /// Adds `factor` times ∫ Nᵢ′Nⱼ′ ds of a Hermite element of length `l`, the matrix that tension
+    /// is multiplied by in its stiffness.
+    pub fn add_hermite_slopes(&mut self, slots: [(usize, usize); 4], l: f64, factor: f64) {
         let c = factor / (30.0 * l);
         let entries = [
             [36.0, 3.0 * l, -36.0, 3.0 * l],
@@ -120,23 +122,23 @@ impl<const DIM: usize, const D: usize> MassMatrix<DIM, D> {
             [-36.0, -3.0 * l, 36.0, -3.0 * l],
             [3.0 * l, -l * l, -3.0 * l, 4.0 * l * l],
         ];
-        self.add_element(places, &entries, c);
+        self.add_element(slots, &entries, c);
     }
 
-    fn add_element(&mut self, places: [(usize, usize); 4], entries: &[[f64; 4]; 4], factor: f64) {
-        for (row, &(i, p)) in entries.iter().zip(&places) {
-            for (value, &(j, q)) in row.iter().zip(&places) {
+    fn add_element(&mut self, slots: [(usize, usize); 4], entries: &[[f64; 4]; 4], factor: f64) {
+        for (row, &(i, p)) in entries.iter().zip(&slots) {
+            for (value, &(j, q)) in row.iter().zip(&slots) {
                 self.entry(i, j)[p][q] += factor * value;
             }
         }
     }
 
-    /// `y = M x`; the matrix must be packed.
+    /// Product `y = M x`; the matrix must be packed.
     pub fn product(&self, x: &[[f64; D]], y: &mut [[f64; D]]) {
         self.product_at(0..y.len(), x, y);
     }
 
-    /// The same for some of the rows; others of `y` are left as they are.
+    /// Product `y = M x` for some of the rows; others of `y` are left as they are.
     pub fn product_at(&self, rows: Range<usize>, x: &[[f64; D]], y: &mut [[f64; D]]) {
         super::widest(Product {
             mass: self,
@@ -146,7 +148,7 @@ impl<const DIM: usize, const D: usize> MassMatrix<DIM, D> {
         });
     }
 
-    /// xᵀ M x
+    /// Quadratic form xᵀ M x.
     #[must_use]
     pub fn quadratic(&self, x: &[[f64; D]]) -> f64 {
         let mut sums = [0.0; D];
@@ -158,24 +160,24 @@ impl<const DIM: usize, const D: usize> MassMatrix<DIM, D> {
         sums.iter().sum()
     }
 
-    /// Some rows of `y = M x`, for use inside a kernel. Nearly all rows lie inside a wire and have three
-    /// entries: a loop that knows so takes half the instructions.
+    /// Product `y = M x` for some of the rows, for use inside a kernel. Nearly all rows are inside
+    /// a wire and have three entries: a loop of fixed length takes half the instructions.
     #[inline(always)]
     pub(crate) fn multiply(&self, rows: Range<usize>, x: &[[f64; D]], y: &mut [[f64; D]]) {
-        let first = self.stretches.partition_point(|s| s.rows.end <= rows.start);
-        for stretch in &self.stretches[first..] {
-            if stretch.rows.start >= rows.end {
+        let first = self.runs.partition_point(|s| s.rows.end <= rows.start);
+        for run in &self.runs[first..] {
+            if run.rows.start >= rows.end {
                 break;
             }
-            let own = stretch.rows.start.max(rows.start)..stretch.rows.end.min(rows.end);
-            let entries = self.start[own.start] as usize..self.start[own.end] as usize;
-            if stretch.width == INSIDE {
-                let (chunks, _) = self.entries[entries].as_chunks::<INSIDE>();
-                for (y, entries) in y[own].iter_mut().zip(chunks) {
+            let part = run.rows.start.max(rows.start)..run.rows.end.min(rows.end);
+            let entries = self.start[part.start] as usize..self.start[part.end] as usize;
+            if run.width == INNER_WIDTH {
+                let (chunks, _) = self.entries[entries].as_chunks::<INNER_WIDTH>();
+                for (y, entries) in y[part].iter_mut().zip(chunks) {
                     *y = Self::sum(entries, x);
                 }
             } else {
-                for (y, i) in y[own.clone()].iter_mut().zip(own) {
+                for (y, i) in y[part.clone()].iter_mut().zip(part) {
                     *y = self.row(i, x);
                 }
             }
@@ -192,25 +194,26 @@ impl<const DIM: usize, const D: usize> MassMatrix<DIM, D> {
         )
     }
 
+    /// Sum of the entries of a row times `x`.
     #[inline(always)]
-    fn sum(entries: &[(u32, Lanes<D>)], x: &[[f64; D]]) -> [f64; D] {
+    fn sum(entries: &[(u32, PackedEntry<D>)], x: &[[f64; D]]) -> [f64; D] {
         let mut sum = [0.0; D];
-        for (j, lanes) in entries {
+        for (j, entry) in entries {
             let x = x[*j as usize];
             for c in 0..D {
-                sum[c] += lanes[0][c] * x[c];
+                sum[c] += entry[0][c] * x[c];
             }
             if Self::SLOTS == 1 {
                 continue;
             }
             for c in 0..D {
-                sum[c] += lanes[1][c] * x[(c + DIM) % D];
+                sum[c] += entry[1][c] * x[(c + DIM) % D];
             }
         }
         sum
     }
 
-    /// Add `factor · M` to a matrix whose pattern holds all wire neighbours.
+    /// Adds `factor · M` to a matrix whose pattern contains all wire neighbours.
     pub fn add_to(&self, factor: f64, target: &mut super::SymmetricBlocks<D>) {
         let expand = |m: &Entry| {
             let mut block = super::block::zero::<D>();

@@ -1,4 +1,5 @@
-//! Linear algebra on node blocks: the only place that knows how matrices are stored.
+//! Linear algebra on node blocks, dense matrices, and small vectors: the only folder that depends
+//! on how matrices are stored.
 
 pub mod block;
 pub mod dense;
@@ -6,6 +7,7 @@ pub mod islands;
 pub mod lanczos;
 pub mod ldl;
 pub mod mass;
+pub mod small;
 mod substitution;
 pub mod symmetric;
 pub mod wide;

@@ -2,15 +2,16 @@
 //!
 //!   L y = b,   D z = y,   Lᵀ x = z
 //!
-//! Both sweeps are bound by loads and by their chain of dependent operations: blocks lie one behind
-//! the other, and what was computed last is used last.
+//! Both sweeps are bound by loads and by their chain of dependent operations: blocks are stored one
+//! behind the other, and the values computed last are used last.
 
 use super::block::{self, Block, zero};
 use super::{Kernel, widest};
 
-/// A value is forgotten below this fraction of the largest: influence decays by so much within a few
-/// hundred metres, and what is kept of a column is 13 orders of magnitude larger.
-const FORGOTTEN: f64 = 1e-30;
+/// Fraction of the largest value below which a value is negligible: influence decays by so much
+/// within a few hundred metres, and the part of a column that is kept is 13 orders of magnitude
+/// larger.
+const NEGLIGIBLE: f64 = 1e-30;
 
 /// Row or column of the factor: its node, and the number of its blocks off the diagonal.
 #[derive(Debug, Clone, Copy)]
@@ -26,16 +27,17 @@ struct Entry<const D: usize> {
     node: usize,
 }
 
-/// One of the two sweeps: rows in their order, and their entries.
+/// Sweep of a substitution, forward or backward: rows in their order, and their entries.
 #[derive(Debug, Clone, Default)]
 struct Sweep<const D: usize> {
     rows: Vec<Row>,
-    /// Where the entries of each row begin.
+    /// Index of the first entry of each row.
     start: Vec<u32>,
     entries: Vec<Entry<D>>,
 }
 
 impl<const D: usize> Sweep<D> {
+    /// Appends a row with the nodes that it reads.
     fn push(&mut self, node: u32, partners: impl ExactSizeIterator<Item = u32>) {
         self.start.push(self.entries.len() as u32);
         let length = partners.len() as u32;
@@ -47,47 +49,47 @@ impl<const D: usize> Sweep<D> {
         self.entries.extend(partners.map(entry));
     }
 
-    /// Some rows by their numbers: the node of each, and its entries.
+    /// Rows by their numbers: the node of each, and its entries.
     #[inline(always)]
     fn rows(&self, which: std::ops::Range<usize>) -> impl Iterator<Item = (usize, &[Entry<D>])> {
         let all = self.entries.len();
         let start = self.start.get(which.start).map_or(all, |&s| s as usize);
         let mut entries = &self.entries[start..];
         self.rows[which].iter().map(move |row| {
-            let (own, rest) = entries.split_at(row.length as usize);
-            entries = rest;
-            (row.node as usize, own)
+            let (of_row, behind) = entries.split_at(row.length as usize);
+            entries = behind;
+            (row.node as usize, of_row)
         })
     }
 }
 
-/// `own − Σ blockᵀ x`
+/// Reduced value `value − Σ blockᵀ x` of a row.
 #[inline(always)]
-fn reduce<const D: usize>(mut own: [f64; D], row: &[Entry<D>], x: &[[f64; D]]) -> [f64; D] {
+fn reduce<const D: usize>(mut value: [f64; D], row: &[Entry<D>], x: &[[f64; D]]) -> [f64; D] {
     for e in row {
-        block::subtract_transposed_product(&mut own, &e.block, &x[e.node]);
+        block::subtract_transposed_product(&mut value, &e.block, &x[e.node]);
     }
-    own
+    value
 }
 
-/// The factor as substitutions read it.
+/// Factor in the layout of the substitutions.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Substitution<const D: usize> {
-    /// Rows of L; their blocks are transposed, as each sweep wants its lanes contiguous.
+    /// Rows of L; their blocks are transposed, as each sweep needs contiguous SIMD lanes.
     forward: Sweep<D>,
     /// Columns of L from the last to the first.
     backward: Sweep<D>,
-    /// Where in L the blocks of `backward` are.
-    places: Vec<u32>,
+    /// Indices in L of the blocks of `backward`.
+    lower_index: Vec<u32>,
     inverse: Vec<Block<D>>,
     /// Position of each node in the elimination.
     position: Vec<u32>,
-    /// Largest distance, in positions, of a row from one that it reads.
-    reach: usize,
+    /// Bandwidth: largest distance, in positions, of a row from one that it reads.
+    bandwidth: usize,
 }
 
 impl<const D: usize> Substitution<D> {
-    /// Lay out a factor of the given pattern (rows of L, in the order of elimination).
+    /// Lays out a factor of the given pattern (rows of L, in the order of elimination).
     pub(super) fn new(order: &[u32], row_start: &[usize], columns: &[u32]) -> Self {
         let n = order.len();
         let mut s = Self {
@@ -99,36 +101,38 @@ impl<const D: usize> Substitution<D> {
         for (i, ends) in row_start.windows(2).enumerate() {
             s.position[order[i] as usize] = i as u32;
             let row = &columns[ends[0]..ends[1]];
-            s.reach = row.iter().fold(s.reach, |r, &j| r.max(i - j as usize));
+            s.bandwidth = row.iter().fold(s.bandwidth, |r, &j| r.max(i - j as usize));
             let partners = row.iter().map(|&j| order[j as usize]);
             s.forward.push(order[i], partners);
-            for place in ends[0]..ends[1] {
-                below[columns[place] as usize].push((i, place as u32));
+            for index in ends[0]..ends[1] {
+                below[columns[index] as usize].push((i, index as u32));
             }
         }
         for (&node, column) in order.iter().zip(&below).rev() {
-            // What was computed last comes last: the others do not have to wait for it.
+            // The value computed last comes last: the others do not have to wait for it.
             let column = column.iter().rev();
             s.backward
                 .push(node, column.clone().map(|&(i, _)| order[i]));
-            s.places.extend(column.map(|&(_, place)| place));
+            s.lower_index.extend(column.map(|&(_, index)| index));
         }
         s
     }
 
-    /// Take over the numbers of L and of the inverse of D.
+    /// Copies the values of L and of the inverse of D.
     pub(super) fn fill(&mut self, lower: &[Block<D>], inverse: &[Block<D>]) {
         for (entry, l) in self.forward.entries.iter_mut().zip(lower) {
             entry.block = block::transpose(l);
         }
-        for (entry, &place) in self.backward.entries.iter_mut().zip(&self.places) {
-            entry.block = lower[place as usize];
+        let backward = self.backward.entries.iter_mut();
+        for (entry, &index) in backward.zip(&self.lower_index) {
+            entry.block = lower[index as usize];
         }
         self.inverse.copy_from_slice(inverse);
     }
 
-    /// `x ← A⁻¹ x − minus` on the nodes of one or more islands (nothing is taken away where `minus` is
-    /// empty). An island has the same places in the elimination as it has nodes.
+    /// Solves `x ← A⁻¹ x − minus` on the nodes of one or more islands (nothing is subtracted where
+    /// `minus` is empty). The positions of an island in the elimination are the indices of its
+    /// nodes.
     pub(super) fn solve(
         &self,
         nodes: std::ops::Range<usize>,
@@ -136,7 +140,7 @@ impl<const D: usize> Substitution<D> {
         minus: &[[f64; D]],
         work: &mut [[f64; D]],
     ) {
-        widest(Whole {
+        widest(IslandSolve {
             factor: self,
             nodes,
             x,
@@ -145,8 +149,9 @@ impl<const D: usize> Substitution<D> {
         });
     }
 
-    /// `x ← A⁻¹ x` where x is zero but at `loaded`, as far as the answer reaches; `work` is zero before
-    /// and after. Returns the range of nodes outside of which x is zero.
+    /// Solves `x ← A⁻¹ x` where x is zero except at `loaded`, as far as the solution is not
+    /// negligible; `work` is zero before and after. Returns the range of nodes outside of which x
+    /// is zero.
     pub(super) fn solve_near(
         &self,
         x: &mut [[f64; D]],
@@ -156,7 +161,7 @@ impl<const D: usize> Substitution<D> {
         let positions = loaded.iter().map(|&node| self.position[node] as usize);
         let (first, last) = positions.fold((usize::MAX, 0), |(a, b), p| (a.min(p), b.max(p)));
         let mut reached = [usize::MAX, 0];
-        widest(Near {
+        widest(LocalSolve {
             factor: self,
             x,
             work,
@@ -166,8 +171,9 @@ impl<const D: usize> Substitution<D> {
         reached[0].min(reached[1])..reached[1]
     }
 
-    /// Rows of both `y = L⁻¹ x`, in the place of x, and `z = D⁻¹ y`: nothing waits for the second. Ends
-    /// behind the row for which `ends` says so; returns the number of the row behind the last one.
+    /// Computes rows of both `y = L⁻¹ x`, which replaces x, and `z = D⁻¹ y`: no row waits for the
+    /// second. Ends behind the row for which `ends` returns true; returns the number of the row
+    /// behind the last one.
     #[inline(always)]
     fn sweep_forward(
         &self,
@@ -190,7 +196,7 @@ impl<const D: usize> Substitution<D> {
         which.end
     }
 
-    /// Columns, counted from the last, of `x = L⁻ᵀ z`, in the place of z.
+    /// Computes columns, counted from the last, of `x = L⁻ᵀ z`, which replaces z.
     #[inline(always)]
     fn sweep_backward(
         &self,
@@ -208,7 +214,7 @@ impl<const D: usize> Substitution<D> {
     }
 }
 
-struct Whole<'a, const D: usize> {
+struct IslandSolve<'a, const D: usize> {
     factor: &'a Substitution<D>,
     nodes: std::ops::Range<usize>,
     x: &'a mut [[f64; D]],
@@ -216,7 +222,7 @@ struct Whole<'a, const D: usize> {
     work: &'a mut [[f64; D]],
 }
 
-impl<const D: usize> Kernel for Whole<'_, D> {
+impl<const D: usize> Kernel for IslandSolve<'_, D> {
     #[inline(always)]
     fn run(self) {
         let (factor, nodes, x, work) = (self.factor, self.nodes, self.x, self.work);
@@ -236,58 +242,61 @@ impl<const D: usize> Kernel for Whole<'_, D> {
     }
 }
 
-struct Near<'a, const D: usize> {
+struct LocalSolve<'a, const D: usize> {
     factor: &'a Substitution<D>,
     x: &'a mut [[f64; D]],
     work: &'a mut [[f64; D]],
     /// Positions of the first and the last loaded node.
     loaded: [usize; 2],
-    /// First node reached, and the one behind the last.
+    /// First node of the solution, and the one behind the last.
     reached: &'a mut [usize; 2],
 }
 
-/// Tells when a sweep has died away: when all the rows that any later one reads are negligible.
-struct Quiet {
-    reach: usize,
+/// Test of decay: a sweep ends when all the rows that any later one reads are negligible.
+struct DecayTest {
+    bandwidth: usize,
     largest: f64,
     rows: usize,
 }
 
-impl Quiet {
-    fn new(reach: usize) -> Self {
+impl DecayTest {
+    fn new(bandwidth: usize) -> Self {
         Self {
-            reach,
+            bandwidth,
             largest: 0.0,
             rows: 0,
         }
     }
 
+    /// Adds a row; returns whether the sweep has decayed.
     #[inline(always)]
-    fn after<const D: usize>(&mut self, row: &[f64; D]) -> bool {
+    fn has_decayed<const D: usize>(&mut self, row: &[f64; D]) -> bool {
         let size = row.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
         self.largest = self.largest.max(size);
-        self.rows = if size <= FORGOTTEN * self.largest {
+        self.rows = if size <= NEGLIGIBLE * self.largest {
             self.rows + 1
         } else {
             0
         };
-        self.rows >= self.reach
+        self.rows >= self.bandwidth
     }
 }
 
-impl<const D: usize> Kernel for Near<'_, D> {
+impl<const D: usize> Kernel for LocalSolve<'_, D> {
     #[inline(always)]
     fn run(self) {
         let (factor, x, z) = (self.factor, self.x, self.work);
         let n = factor.forward.rows.len();
         let [first, last] = self.loaded;
-        let mut quiet = Quiet::new(factor.reach);
-        let end = factor.sweep_forward(first..n, x, z, |i, y| quiet.after(y) && i > last);
+        let mut decay = DecayTest::new(factor.bandwidth);
+        let end = factor.sweep_forward(first..n, x, z, |i, y| decay.has_decayed(y) && i > last);
         for row in &factor.forward.rows[first..end] {
             x[row.node as usize] = [0.0; D];
         }
-        let mut quiet = Quiet::new(factor.reach);
-        let done = factor.sweep_backward(n - end..n, z, |k, x| quiet.after(x) && n - 1 - k < first);
+        let mut decay = DecayTest::new(factor.bandwidth);
+        let done = factor.sweep_backward(n - end..n, z, |k, x| {
+            decay.has_decayed(x) && n - 1 - k < first
+        });
         for k in n - end..done {
             let node = factor.backward.rows[k].node as usize;
             x[node] = std::mem::replace(&mut z[node], [0.0; D]);

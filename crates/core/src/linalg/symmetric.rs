@@ -9,12 +9,12 @@ pub struct SymmetricBlocks<const D: usize> {
     pub row_start: Vec<usize>,
     /// Column of each block.
     pub columns: Vec<usize>,
-    /// The blocks.
+    /// Blocks of the lower triangle.
     pub blocks: Vec<Block<D>>,
 }
 
-/// An entry of a matrix that belongs to a held degree of freedom: block, row and column in it, and
-/// its value, zero or one.
+/// Entry of a matrix at a held degree of freedom: block, row and column in it, and its value, zero
+/// or one.
 #[derive(Debug, Clone, Copy)]
 pub struct HeldEntry {
     block: usize,
@@ -24,7 +24,7 @@ pub struct HeldEntry {
 }
 
 impl<const D: usize> SymmetricBlocks<D> {
-    /// Matrix of zeros in which the given node pairs, and all diagonals, have a place.
+    /// Matrix of zeros with the given node pairs, and all diagonals, in its pattern.
     #[must_use]
     pub fn with_pattern(n: usize, pairs: impl IntoIterator<Item = (usize, usize)>) -> Self {
         let mut entries: Vec<(usize, usize)> = (0..n).map(|i| (i, i)).collect();
@@ -49,37 +49,37 @@ impl<const D: usize> SymmetricBlocks<D> {
         self.row_start.len() - 1
     }
 
-    /// Set every entry to zero, keep the pattern.
+    /// Sets every entry to zero and keeps the pattern.
     pub fn clear(&mut self) {
         self.blocks.fill(zero());
     }
 
-    /// Position of block (i, j), i ≥ j.
-    pub(super) fn place(&self, i: usize, j: usize) -> Option<usize> {
+    /// Index of block (i, j), i ≥ j.
+    pub(super) fn index_of(&self, i: usize, j: usize) -> Option<usize> {
         // Rows are short, and most blocks asked for are the diagonal or next to it.
         let (start, end) = (self.row_start[i], self.row_start[i + 1]);
-        let found = self.columns[start..end].iter().rposition(|&k| k == j);
-        found.map(|k| start + k)
+        let index = self.columns[start..end].iter().rposition(|&k| k == j);
+        index.map(|k| start + k)
     }
 
-    /// Add a block at nodes (i, j). Blocks above the diagonal mirror those below and are
+    /// Adds a block at nodes (i, j). Blocks above the diagonal mirror those below and are
     /// skipped, so an element may pass all of its blocks. The pair must be in the pattern.
     pub fn add(&mut self, i: usize, j: usize, block: &Block<D>) {
         if i < j {
             return;
         }
-        let place = self.place(i, j);
-        debug_assert!(place.is_some(), "pair ({i}, {j}) is not in the pattern");
-        if let Some(place) = place {
+        let index = self.index_of(i, j);
+        debug_assert!(index.is_some(), "pair ({i}, {j}) is not in the pattern");
+        if let Some(index) = index {
             for a in 0..D {
                 for b in 0..D {
-                    self.blocks[place][a][b] += block[a][b];
+                    self.blocks[index][a][b] += block[a][b];
                 }
             }
         }
     }
 
-    /// Add a block that is smaller, at a row and a column of block (i, j), as [`Self::add`] does.
+    /// Adds a smaller block, at a row and a column of block (i, j), as [`Self::add`] does.
     pub fn add_part<const N: usize>(
         &mut self,
         (i, j): (usize, usize),
@@ -89,18 +89,18 @@ impl<const D: usize> SymmetricBlocks<D> {
         if i < j {
             return;
         }
-        let place = self.place(i, j);
-        debug_assert!(place.is_some(), "pair ({i}, {j}) is not in the pattern");
-        if let Some(place) = place {
+        let index = self.index_of(i, j);
+        debug_assert!(index.is_some(), "pair ({i}, {j}) is not in the pattern");
+        if let Some(index) = index {
             for a in 0..N {
                 for b in 0..N {
-                    self.blocks[place][row + a][column + b] += part[a][b];
+                    self.blocks[index][row + a][column + b] += part[a][b];
                 }
             }
         }
     }
 
-    /// Remove the degrees of freedom that are not free: their rows and columns become those of
+    /// Removes the degrees of freedom that are not free: their rows and columns become those of
     /// the identity.
     pub fn keep_free(&mut self, free: &[[bool; D]]) {
         let held = self.held(free);
@@ -125,14 +125,14 @@ impl<const D: usize> SymmetricBlocks<D> {
         held
     }
 
-    /// Set the held entries, which come from a matrix of the same pattern.
+    /// Sets the held entries, which come from a matrix of the same pattern.
     pub fn hold(&mut self, held: &[HeldEntry]) {
         for e in held {
             self.blocks[e.block][e.a][e.b] = e.value;
         }
     }
 
-    /// xᵀ A x
+    /// Quadratic form xᵀ A x.
     #[must_use]
     pub fn quadratic(&self, x: &[[f64; D]]) -> f64 {
         let mut sums = [0.0; D];
@@ -144,15 +144,15 @@ impl<const D: usize> SymmetricBlocks<D> {
         sums.iter().sum()
     }
 
-    /// Add the terms of row `i` of xᵀ A x and of yᵀ A x to the lanes of `own` and `mixed`: with all
-    /// rows added, the lanes sum up to the forms. For use inside a kernel.
+    /// Adds the terms of row `i` of xᵀ A x and of yᵀ A x to the components of `quadratic` and
+    /// `mixed`: with all rows added, the components sum up to the forms. For use inside a kernel.
     #[inline(always)]
     pub fn add_row_of_forms(
         &self,
         i: usize,
         x: &[[f64; D]],
         y: &[[f64; D]],
-        own: &mut [f64; D],
+        quadratic: &mut [f64; D],
         mixed: &mut [f64; D],
     ) {
         let (begin, diagonal) = (self.row_start[i], self.row_start[i + 1] - 1);
@@ -164,19 +164,19 @@ impl<const D: usize> SymmetricBlocks<D> {
             let (xa, ya) = (left_product(xi, a), left_product(yi, a));
             let (xj, yj) = (&x[j], &y[j]);
             for q in 0..D {
-                own[q] += 2.0 * xa[q] * xj[q];
+                quadratic[q] += 2.0 * xa[q] * xj[q];
                 mixed[q] += xa[q] * yj[q] + ya[q] * xj[q];
             }
         }
         let xa = left_product(xi, &self.blocks[diagonal]);
         for q in 0..D {
-            own[q] += xa[q] * xi[q];
+            quadratic[q] += xa[q] * xi[q];
             mixed[q] += xa[q] * yi[q];
         }
     }
 }
 
-/// `xᵀ a`, with independent lanes.
+/// Product `xᵀ a`, with independent SIMD lanes.
 #[inline(always)]
 fn left_product<const D: usize>(x: &[f64; D], a: &Block<D>) -> [f64; D] {
     let mut y = [0.0; D];

@@ -1,18 +1,18 @@
-//! Kernels compiled for the widest lanes of the processor, chosen at run time.
+//! Kernels compiled for the widest SIMD instructions of the processor, chosen at run time.
 //!
-//! Wider lanes do the same operations in the same order, several at a time, and nothing fuses a
-//! multiplication with an addition: the bits are the same on every machine.
+//! Wider instructions do the same operations in the same order, several at a time, and nothing
+//! fuses a multiplication with an addition: the bits are the same on every machine.
 
 use std::sync::OnceLock;
 
-/// A piece of work to compile for wide lanes. `run`, and whatever it calls, must be
+/// Kernel to compile for wide SIMD instructions. `run`, and whatever it calls, must be
 /// `inline(always)`, or it is compiled for the lowest common processor after all.
 pub trait Kernel {
-    /// Do the work.
+    /// Runs the kernel.
     fn run(self);
 }
 
-/// Run a kernel with the best instructions this processor has.
+/// Runs a kernel with the best instructions this processor has.
 #[inline(always)]
 pub fn widest(kernel: impl Kernel) {
     static ARCH: OnceLock<pulp::Arch> = OnceLock::new();

@@ -1,23 +1,23 @@
-//! Forces on the line that are given for the whole run.
+//! Forces on the line that are prescribed for the whole run.
 //!
 //!   f(t) = Σ sᵢ(t) pᵢ
 //!
-//! A pattern p of forces on nodes stays, its size s has a value for the start and one after each
-//! step; at the time of balance the scheme weighs old and new as it does everywhere. The work of a
-//! step is Δu·f at that time, so it closes the ledger as the balance itself does.
+//! A pattern p of forces on nodes is constant, its size s has a value for the start and one after
+//! each step; at the time of balance the scheme weighs old and new values as it does for all
+//! others. The work of a step is Δu·f at that time, so the energy balance closes with it.
 
 use crate::error::CoreError;
 
-/// Forces on nodes over time: a pattern, and how much of it.
+/// Forces on nodes over time: a constant pattern times a size.
 #[derive(Debug, Clone, Default)]
 pub struct Load {
-    /// Node, component of its coordinates, force for the size 1.
+    /// Node, component of its coordinates, force for the size 1, N.
     pub pattern: Vec<(usize, usize, f64)>,
     /// Size at the start and after each step.
     pub sizes: Vec<f64>,
 }
 
-/// Check patterns for nodes of `D` coordinates, and that there is a size for each instant.
+/// Checks patterns for nodes of `D` coordinates, and the number of sizes.
 ///
 /// # Errors
 /// [`CoreError::Input`].
@@ -46,50 +46,51 @@ pub(crate) fn check<const D: usize>(
 /// Loads with their sizes at the time of balance of a step.
 #[derive(Debug, Clone, Copy)]
 pub struct Loads<'a> {
-    given: &'a [Load],
+    loads: &'a [Load],
     sizes: &'a [f64],
 }
 
 impl<'a> Loads<'a> {
-    /// Loads, and the size of each of them.
+    /// Loads, and their sizes at the time of balance.
     #[must_use]
-    pub fn new(given: &'a [Load], sizes: &'a [f64]) -> Self {
-        Self { given, sizes }
+    pub fn new(loads: &'a [Load], sizes: &'a [f64]) -> Self {
+        Self { loads, sizes }
     }
 
     pub(crate) fn is_empty(&self) -> bool {
-        self.given.is_empty()
+        self.loads.is_empty()
     }
 
-    /// Add the forces; a load of size zero adds nothing, not even to a negative zero.
+    /// Adds the forces, N. A load of size zero is left out: it would turn a negative zero into a
+    /// positive one.
     pub(crate) fn add_to<const D: usize>(&self, f: &mut [[f64; D]]) {
-        for (load, size) in self.acting() {
+        for (load, size) in self.active() {
             for &(node, c, share) in &load.pattern {
                 f[node][c] += size * share;
             }
         }
     }
 
-    /// Work of a step on the increment of the line, J.
+    /// Returns the work of a step, Δu·f, J.
     pub(crate) fn work<const D: usize>(&self, delta: &[[f64; D]]) -> f64 {
-        let of = |(load, size): (&Load, f64)| {
-            let moved = load
+        let work_of = |(load, size): (&Load, f64)| {
+            let increment = load
                 .pattern
                 .iter()
                 .map(|&(node, c, share)| share * delta[node][c]);
-            size * moved.sum::<f64>()
+            size * increment.sum::<f64>()
         };
-        self.acting().map(of).sum()
+        self.active().map(work_of).sum()
     }
 
-    /// Nodes that a force acts on in this step, some of them more than once.
+    /// Returns the nodes that a force acts on in this step, some of them more than once.
     pub(crate) fn nodes(&self) -> impl Iterator<Item = usize> + '_ {
-        let patterns = self.acting().flat_map(|(load, _)| &load.pattern);
+        let patterns = self.active().flat_map(|(load, _)| &load.pattern);
         patterns.map(|&(node, _, _)| node)
     }
 
-    fn acting(&self) -> impl Iterator<Item = (&'a Load, f64)> + '_ {
-        let pairs = self.given.iter().zip(self.sizes.iter().copied());
+    fn active(&self) -> impl Iterator<Item = (&'a Load, f64)> + '_ {
+        let pairs = self.loads.iter().zip(self.sizes.iter().copied());
         pairs.filter(|(_, size)| *size != 0.0)
     }
 }

@@ -2,7 +2,9 @@
 
 pub(crate) mod dispersion;
 pub(crate) mod elasticity;
+pub mod island;
 pub mod loads;
+pub(crate) mod masses;
 pub mod model;
 pub(crate) mod natural_frequencies;
 pub mod static_response;

@@ -2,25 +2,27 @@
 //!
 //!   M ü + C u̇ + K u = f,   C = Σ α M + β K (per part) + dampers
 //!
-//! With `across_only` nothing moves along the track and the tensions stay those at rest, as programs have
-//! it that know transverse motion alone. With x fixed the strain of a wire still is ½ r′·r′ + …, so a motion w
-//! on a slope z′ would stretch it by z′w′, which on a real wire the motion along it evens out. So that is left
-//! out as well, ∂H = 0, and a wire of horizontal force H is a string, or beam:
+//! With `across_only` nothing moves along the track and the tensions stay those at rest, as in
+//! programs with transverse motion alone. With x fixed the strain of a wire still is ½ r′·r′ + …,
+//! so a motion w on a slope z′ would stretch it by z′w′, which on a real wire the motion along it
+//! cancels. So that stretch is neglected as well, ∂H = 0, and a wire of horizontal force H is a
+//! string, or beam:
 //!
 //!   μ ẅ = ∂/∂x (H ∂w/∂x) − ∂²/∂x² (EI ∂²w/∂x²),    K = ∫ H (∂w/∂x)² + EI (∂²w/∂x²)² dx
 //!
-//! Unilateral links sit in K and C as if they could push; [`LinearLink`] keeps what is needed to
+//! K and C contain unilateral links as if they could push; [`LinearLink`] keeps the data that
 //! cancel their compression in the complementarity problem. Slack links keep the small lateral
 //! stiffness T/ℓ of their equilibrium: that is the limit of linearised kinematics.
 
 use crate::linalg::{Block, MassMatrix, SymmetricBlocks};
-use crate::simulation::sleep::Island;
+use crate::linear::island::{Island, Lists};
+use crate::linear::masses;
 use crate::slideline::point::Nodal;
 use crate::statics::assembly::{Geometry, LinkLaw, Shape};
 use crate::structure::{Link, Rayleigh};
 use std::ops::Range;
 
-/// A link about equilibrium: elongation e = n·(u₂ − u₁).
+/// Link about equilibrium: elongation e = n·(u₂ − u₁).
 #[derive(Debug, Clone, Copy)]
 pub struct LinearLink<const DIM: usize> {
     /// Upper and lower node.
@@ -31,9 +33,9 @@ pub struct LinearLink<const DIM: usize> {
     pub stiffness: f64,
     /// Damping along the link, with its proportional part, N·s/m.
     pub viscosity: f64,
-    /// Tension k (ℓ − ℓ₀) at equilibrium, N; negative when slack already there.
+    /// Tension k (ℓ − ℓ₀) at equilibrium, N; negative when it is slack at equilibrium.
     pub rest_tension: f64,
-    /// Tension only.
+    /// True for a link that carries tension only.
     pub unilateral: bool,
 }
 
@@ -50,7 +52,8 @@ impl<const DIM: usize> LinearLink<DIM> {
         }
     }
 
-    /// Correction that already acts at equilibrium, N: positive for a link slack there.
+    /// Returns the correction r₀ that acts at equilibrium, N: positive for a link that is slack
+    /// there.
     #[must_use]
     pub fn rest_correction(&self) -> f64 {
         if self.unilateral {
@@ -60,7 +63,7 @@ impl<const DIM: usize> LinearLink<DIM> {
         }
     }
 
-    /// gᵀ x: elongation of a displacement field.
+    /// Returns the elongation e = gᵀx in a displacement field x, m.
     #[inline(always)]
     #[must_use]
     pub fn elongation<const D: usize>(&self, x: &(impl Nodal<D> + ?Sized)) -> f64 {
@@ -72,7 +75,7 @@ impl<const DIM: usize> LinearLink<DIM> {
         e
     }
 
-    /// g, node by node: the forces of a unit pull.
+    /// Returns g, node by node: the forces of a unit tension.
     #[must_use]
     pub fn unit_pull<const D: usize>(&self) -> [(usize, [f64; D]); 2] {
         let [a, b] = self.nodes;
@@ -84,14 +87,14 @@ impl<const DIM: usize> LinearLink<DIM> {
         [(a, upper), (b, lower)]
     }
 
-    /// The same times a factor, number by number: node, component, force.
+    /// Returns `factor` · g, entry by entry: node, component, force.
     pub(crate) fn shares(&self, factor: f64) -> impl Iterator<Item = (usize, usize, f64)> {
         let ([a, b], n) = (self.nodes, self.direction);
         let ends = [(a, -factor), (b, factor)].into_iter();
         ends.flat_map(move |(node, force)| (0..DIM).map(move |c| (node, c, force * n[c])))
     }
 
-    /// `f += factor · g`
+    /// Adds `factor` · g to `f`.
     pub fn add_to<const D: usize>(&self, factor: f64, f: &mut [[f64; D]]) {
         let [a, b] = self.nodes;
         for c in 0..DIM {
@@ -104,13 +107,13 @@ impl<const DIM: usize> LinearLink<DIM> {
 /// Matrices and links of the linearised structure.
 #[derive(Debug, Clone)]
 pub struct LinearModel<const DIM: usize, const D: usize> {
-    /// Static shape the motion is measured from.
+    /// Static shape from which motion is measured, m.
     pub shape: Shape<D>,
-    /// Components that can move.
+    /// Components of each node that can move.
     pub free: Vec<[bool; D]>,
-    /// Tangent stiffness, links linear.
+    /// Tangent stiffness K, all links linear.
     pub stiffness: SymmetricBlocks<D>,
-    /// Mass.
+    /// Mass matrix M.
     pub mass: MassMatrix<DIM, D>,
     /// α and β shared by most of the structure.
     pub common: Rayleigh,
@@ -122,12 +125,12 @@ pub struct LinearModel<const DIM: usize, const D: usize> {
     pub links: Vec<LinearLink<DIM>>,
     /// Dampers to ground: node, component, N·s/m.
     pub dampers: Vec<(usize, usize, f64)>,
-    /// Whether nothing moves along the track.
+    /// True when nothing moves along the track.
     pub across_only: bool,
 }
 
 impl<const DIM: usize, const D: usize> LinearModel<DIM, D> {
-    /// Linearise about `shape`, an equilibrium of `geometry`.
+    /// Linearises about `shape`, an equilibrium of `geometry`.
     #[must_use]
     pub fn new(geometry: &Geometry<DIM, D>, shape: Shape<D>) -> Self {
         let s = &geometry.structure;
@@ -135,7 +138,7 @@ impl<const DIM: usize, const D: usize> LinearModel<DIM, D> {
         let mut stiffness = geometry.empty_matrix();
         geometry.tangent(&shape, LinkLaw::Linear, &mut stiffness);
         if s.across_only {
-            take_stretching(geometry, &shape, |_| 1.0, &mut stiffness);
+            subtract_stretching(geometry, &shape, |_| 1.0, &mut stiffness);
         }
         let hermite = s.wires.iter().map(|w| w.damping);
         let chains = s.segments.iter().map(|k| k.damping);
@@ -143,43 +146,31 @@ impl<const DIM: usize, const D: usize> LinearModel<DIM, D> {
         let mut mass = MassMatrix::zero(n);
         let mut mass_rest = MassMatrix::zero(n);
         let mut uniform = true;
-        let mut add_point = |node: usize, m: f64, alpha: f64| {
-            mass.add_point(node, m);
-            if alpha != common.alpha && m > 0.0 {
-                mass_rest.add_point(node, (alpha - common.alpha) * m);
+        let on_wires = masses::on_wires(geometry, &shape, common.alpha);
+        for point in on_wires.chain(masses::of_segments(geometry)) {
+            mass.add_point(point.node, point.mass);
+            if point.alpha != common.alpha && point.mass > 0.0 {
+                mass_rest.add_point(point.node, (point.alpha - common.alpha) * point.mass);
                 uniform = false;
             }
-        };
-        for m in &s.masses {
-            add_point(m.node, m.mass, m.alpha);
-        }
-        for link in &s.links {
-            let half = 0.5 * link.mass * Geometry::<DIM, D>::link_state(&shape, link).length;
-            link.nodes
-                .iter()
-                .for_each(|&node| add_point(node, half, link.damping.alpha));
-        }
-        for strut in &s.struts {
-            add_point(strut.node, strut.moving_mass, common.alpha);
-        }
-        for k in &s.segments {
-            let half = 0.5 * k.mass * k.rest_length;
-            k.nodes
-                .iter()
-                .for_each(|&node| add_point(node, half, k.damping.alpha));
         }
         for w in &s.wires {
-            mass.add_hermite(w.places(), w.mass, w.section.rest_length, 1.0);
+            mass.add_hermite(w.coordinate_slots(), w.mass, w.section.rest_length, 1.0);
             let difference = w.damping.alpha - common.alpha;
             if difference != 0.0 {
-                mass_rest.add_hermite(w.places(), w.mass, w.section.rest_length, difference);
+                mass_rest.add_hermite(
+                    w.coordinate_slots(),
+                    w.mass,
+                    w.section.rest_length,
+                    difference,
+                );
                 uniform = false;
             }
         }
         mass.pack();
         mass_rest.pack();
         Self {
-            free: mask(geometry),
+            free: free_components(geometry),
             across_only: s.across_only,
             damping_rest: damping_rest(geometry, &shape, common.beta, &mut geometry.empty_matrix()),
             dampers: s
@@ -202,15 +193,16 @@ impl<const DIM: usize, const D: usize> LinearModel<DIM, D> {
         self.shape.len()
     }
 
-    /// Links and dampers about another position. Masses stay, and `stiffness` too: updated kinematics
-    /// form that in place. `scratch` is a matrix of the structure's pattern.
+    /// Forms links and dampers about another position. Masses stay as they are, and so does
+    /// `stiffness`, which updated kinematics form elsewhere. `scratch` is a matrix of the
+    /// structure's pattern.
     pub fn reform(
         &mut self,
         geometry: &Geometry<DIM, D>,
         shape: &Shape<D>,
         scratch: &mut SymmetricBlocks<D>,
     ) {
-        // Whether there is any such damping does not depend on the position.
+        // The pattern of this damping does not depend on the position.
         if !self.damping_rest.is_empty() {
             self.damping_rest = damping_rest(geometry, shape, self.common.beta, scratch);
         }
@@ -219,7 +211,7 @@ impl<const DIM: usize, const D: usize> LinearModel<DIM, D> {
         }
     }
 
-    /// `c · M + d · C + k · K` with the fixed components removed.
+    /// Returns c M + d C + k K with the fixed components removed.
     #[must_use]
     pub fn combine(&self, c: f64, d: f64, k: f64) -> SymmetricBlocks<D> {
         let mut a = self.inertia(c, d);
@@ -227,7 +219,7 @@ impl<const DIM: usize, const D: usize> LinearModel<DIM, D> {
         a
     }
 
-    /// `c · M` and the mass-proportional part of `d · C`.
+    /// Returns c M and the mass-proportional part of d C.
     #[must_use]
     pub fn inertia(&self, c: f64, d: f64) -> SymmetricBlocks<D> {
         let mut a = self.stiffness.clone();
@@ -239,7 +231,7 @@ impl<const DIM: usize, const D: usize> LinearModel<DIM, D> {
         a
     }
 
-    /// Add `k · K` and the rest of `d · C`, then remove the fixed components.
+    /// Adds k K and the rest of d C, then removes the fixed components.
     pub fn add_stiffness(&self, d: f64, k: f64, a: &mut SymmetricBlocks<D>) {
         let factor = self.stiffness_factor(d, k);
         let stiffness = self.stiffness.blocks.iter().flatten().flatten();
@@ -250,13 +242,13 @@ impl<const DIM: usize, const D: usize> LinearModel<DIM, D> {
         a.keep_free(&self.free);
     }
 
-    /// What K counts in `k · K + d · C` with the damping common to all.
+    /// Returns the factor k + d β of K in k K + d C, with β common to most of the structure.
     #[must_use]
     pub fn stiffness_factor(&self, d: f64, k: f64) -> f64 {
         k + d * self.common.beta
     }
 
-    /// Add `d` times the damping that is not common to all.
+    /// Adds d (C − α M − β K), the damping that is not common to all parts.
     pub fn add_dampers(&self, d: f64, a: &mut SymmetricBlocks<D>) {
         for (i, j, block) in &self.damping_rest {
             let mut scaled = *block;
@@ -265,7 +257,7 @@ impl<const DIM: usize, const D: usize> LinearModel<DIM, D> {
         }
     }
 
-    /// Add the forces that hold those of some links which are slack at rest.
+    /// Adds the corrections r₀ of links that are slack at rest, N.
     pub fn add_rest_corrections(&self, links: Range<usize>, f: &mut [[f64; D]]) {
         for link in &self.links[links] {
             let correction = link.rest_correction();
@@ -275,8 +267,8 @@ impl<const DIM: usize, const D: usize> LinearModel<DIM, D> {
         }
     }
 
-    /// K without the links that are slack at rest, fixed components removed; `None` when there is
-    /// no such link.
+    /// Returns K without the links that are slack at rest, fixed components removed; `None` when
+    /// there is no such link.
     #[must_use]
     pub fn stiffness_at_rest(&self) -> Option<SymmetricBlocks<D>> {
         let is_slack = |i: usize| self.links[i].rest_correction() > 0.0;
@@ -284,7 +276,7 @@ impl<const DIM: usize, const D: usize> LinearModel<DIM, D> {
         any.then(|| self.stiffness_without(is_slack))
     }
 
-    /// K without the links that are slack, fixed components removed.
+    /// Returns K without the links that are slack, fixed components removed.
     #[must_use]
     pub fn stiffness_without(&self, is_slack: impl Fn(usize) -> bool) -> SymmetricBlocks<D> {
         let mut k = self.stiffness.clone();
@@ -302,7 +294,7 @@ impl<const DIM: usize, const D: usize> LinearModel<DIM, D> {
         k
     }
 
-    /// `y += (C − α M − β K) x` on one island, the part of the damping that is not common to all.
+    /// Adds (C − α M − β K) x to `y` on one island: the damping that is not common to all parts.
     /// `work` is scratch space.
     #[inline(always)]
     pub fn add_damping_rest(
@@ -334,7 +326,29 @@ impl<const DIM: usize, const D: usize> LinearModel<DIM, D> {
         }
     }
 
-    /// Set the components that cannot move to zero.
+    /// Returns the fixed components: node, component; by nodes.
+    pub(crate) fn fixed(&self) -> Vec<(u32, u32)> {
+        let of_node = |(node, free): (usize, &[bool; D])| {
+            let fixed = free.iter().enumerate().filter(|(_, free)| !**free);
+            let fixed = fixed.map(|(k, _)| (node as u32, k as u32));
+            fixed.collect::<Vec<_>>()
+        };
+        self.free.iter().enumerate().flat_map(of_node).collect()
+    }
+
+    /// Returns the islands: parts of the line that nothing couples.
+    pub(crate) fn islands(&self) -> Vec<Island> {
+        let links: Vec<usize> = self.links.iter().map(|link| link.nodes[0]).collect();
+        Island::all(&Lists {
+            stiffness: &self.stiffness,
+            links: &links,
+            damping: &self.damping_rest,
+            fixed: &self.fixed(),
+            shape: &self.shape,
+        })
+    }
+
+    /// Sets the fixed components to zero.
     pub fn mask(&self, x: &mut [[f64; D]]) {
         for (value, free) in x.iter_mut().zip(&self.free) {
             for c in 0..D {
@@ -346,8 +360,10 @@ impl<const DIM: usize, const D: usize> LinearModel<DIM, D> {
     }
 }
 
-/// What can move.
-fn mask<const DIM: usize, const D: usize>(geometry: &Geometry<DIM, D>) -> Vec<[bool; D]> {
+/// Returns the components of each node that can move.
+fn free_components<const DIM: usize, const D: usize>(
+    geometry: &Geometry<DIM, D>,
+) -> Vec<[bool; D]> {
     let mut free = geometry.service_mask();
     if geometry.structure.across_only {
         for node in &mut free {
@@ -357,8 +373,9 @@ fn mask<const DIM: usize, const D: usize>(geometry: &Geometry<DIM, D>) -> Vec<[b
     free
 }
 
-/// Take from the tangents of all wires what stretching gives, times a factor for each damping.
-fn take_stretching<const DIM: usize, const D: usize>(
+/// Subtracts the axial part of the tangents of all wires, times a factor that depends on their
+/// damping.
+fn subtract_stretching<const DIM: usize, const D: usize>(
     geometry: &Geometry<DIM, D>,
     shape: &Shape<D>,
     factor: impl Fn(Rayleigh) -> f64,
@@ -372,7 +389,7 @@ fn take_stretching<const DIM: usize, const D: usize>(
     }
 }
 
-/// Blocks of Σ (β − β₀) K over the parts whose β differs, plus all dampers.
+/// Returns the blocks of Σ (β − β₀) K over the parts whose β differs, plus all dampers.
 fn damping_rest<const DIM: usize, const D: usize>(
     geometry: &Geometry<DIM, D>,
     shape: &Shape<D>,
@@ -389,23 +406,14 @@ fn damping_rest<const DIM: usize, const D: usize>(
         Geometry::<DIM, D>::add_segment(c, shape, segment, difference);
     }
     if s.across_only {
-        take_stretching(geometry, shape, |own| own.beta - common, c);
+        subtract_stretching(geometry, shape, |damping| damping.beta - common, c);
     }
     for bend in s.bends.iter().filter(|b| b.beta != common) {
         geometry.add_bend(c, bend, bend.beta - common);
     }
     for link in &s.links {
-        let state = Geometry::<DIM, D>::link_state(shape, link);
-        let tension = crate::statics::assembly::link_tension(link, &state);
-        let difference = link.damping.beta - common;
-        let mut tangent = state.tangent(link.stiffness, tension);
-        for p in 0..DIM {
-            for q in 0..DIM {
-                let along = state.direction[p] * state.direction[q];
-                tangent[p][q] = difference * tangent[p][q] + link.viscosity * along;
-            }
-        }
-        Geometry::<DIM, D>::add_between(c, link.nodes, &tangent);
+        let damping = Geometry::<DIM, D>::link_damping(shape, link, link.damping.beta - common);
+        Geometry::<DIM, D>::add_between(c, link.nodes, &damping);
     }
     for strut in s.struts.iter().filter(|_| common != 0.0) {
         Geometry::<DIM, D>::add_strut(c, shape, strut, -common);

@@ -5,13 +5,13 @@ use crate::linalg::{BlockLdl, lanczos};
 use crate::linear::model::LinearModel;
 use crate::slideline::point::SlidelinePoint;
 
-/// Most natural frequencies that are looked for at once: each takes up to thirty vectors, and time
-/// grows with the square of their number.
+/// Largest number of natural frequencies computed at once: each one takes up to thirty vectors, and
+/// time grows with the square of their number.
 const MOST_FREQUENCIES: usize = 1000;
 
 impl<const DIM: usize, const D: usize> LinearModel<DIM, D> {
-    /// The `count` lowest natural frequencies in Hz, ascending, each as often as it occurs. Links
-    /// that are slack at rest take no part.
+    /// Returns the `count` lowest natural frequencies, Hz, ascending, each as often as its
+    /// multiplicity. Links that are slack at rest are left out.
     ///
     /// # Errors
     /// [`CoreError::Singular`] when the line is loose.
@@ -19,7 +19,8 @@ impl<const DIM: usize, const D: usize> LinearModel<DIM, D> {
         self.frequencies_while(count, &mut || true)
     }
 
-    /// The same, given up when `go_on`, which is asked now and then, says no.
+    /// Returns the `count` lowest natural frequencies, Hz, and ends early when `go_on`, which is
+    /// called now and then, returns `false`.
     ///
     /// # Errors
     /// As [`LinearModel::frequencies`]; [`CoreError::Input`] for more than a thousand;
@@ -49,26 +50,29 @@ impl<const DIM: usize, const D: usize> LinearModel<DIM, D> {
             .ok_or(CoreError::Cancelled { step: 0 })
     }
 
-    /// The modes that a vertical force of 1 N moves, shared alike by `places`: Lanczos' process begun
-    /// with the displacement under it. Links that are slack at rest take no part.
+    /// Finds the modes that a vertical force of 1 N excites, shared alike by `points`: Lanczos'
+    /// process that starts from the displacement under it. Links that are slack at rest are left
+    /// out.
     ///
     /// # Errors
     /// [`CoreError::Singular`] when the line is loose.
     pub fn modes_moved(
         &self,
-        places: &[SlidelinePoint<DIM>],
+        points: &[SlidelinePoint<DIM>],
         steps: usize,
     ) -> Result<lanczos::Recurrence, CoreError> {
         let k = self.stiffness_at_rest();
         let factor = BlockLdl::new(&k.unwrap_or_else(|| self.combine(0.0, 0.0, 1.0)))?;
         let (mut start, mut scratch) = (self.zeros(), self.zeros());
-        for place in places {
-            place.add_force(1.0 / places.len() as f64, DIM - 1, &mut start);
+        for point in points {
+            point.add_force(1.0 / points.len() as f64, DIM - 1, &mut start);
         }
         self.mask(&mut start);
         factor.solve(&mut start, &mut scratch);
         let free = |i: usize, c: usize| self.free[i][c];
-        Ok(lanczos::begun_with(&factor, &self.mass, free, start, steps))
+        Ok(lanczos::recurrence_from(
+            &factor, &self.mass, free, start, steps,
+        ))
     }
 
     fn zeros(&self) -> Vec<[f64; D]> {

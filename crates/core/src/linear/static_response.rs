@@ -1,5 +1,5 @@
-//! The linearised line at rest under vertical forces: starting state and compliance; see `elasticity`
-//! for the lift.
+//! Static response of the linearised line to vertical forces, and its compliance; see `elasticity`
+//! for wires that are lifted together.
 //!
 //!   K u = C p − G (r − r₀),   T = T₀ + k gᵀu + r ≥ 0,   r ≥ 0,   T r = 0
 //!
@@ -7,27 +7,30 @@
 //! steps, with H = 1/k − GᵀK⁻¹G.
 
 use crate::error::CoreError;
-use crate::integrator::prepared::WireModel;
 use crate::lcp::LcpSolver;
 use crate::linalg::BlockLdl;
 use crate::linear::model::LinearModel;
+use crate::slideline::local_compliance::LocalCompliance;
 use crate::slideline::point::SlidelinePoint;
-use crate::slideline::residual_flexibility::LocalCompliance;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 /// Factors of the stiffness of a line.
 #[derive(Debug, Clone)]
 pub struct StaticFactors<const D: usize> {
-    /// Of K with every link linear: the corrections r are on the right-hand side.
+    /// Factor of K with every link linear: the corrections r are on the right-hand side.
     pub linear: BlockLdl<D>,
-    /// Of the stiffness at rest, without the links that are slack there; `None` when there are none and
-    /// `linear` serves.
+    /// Factor of the stiffness at rest, without the links that are slack there; `None` when there
+    /// are none: `linear` is used then.
     at_rest: Option<BlockLdl<D>>,
 }
 
 impl<const D: usize> StaticFactors<D> {
-    fn new<const DIM: usize>(line: &LinearModel<DIM, D>) -> Result<Self, CoreError> {
+    /// Factorises the stiffness of a line.
+    ///
+    /// # Errors
+    /// [`CoreError::Singular`] when the line is loose.
+    pub(crate) fn new<const DIM: usize>(line: &LinearModel<DIM, D>) -> Result<Self, CoreError> {
         let at_rest = line.stiffness_at_rest().map(|k| BlockLdl::new(&k));
         Ok(Self {
             linear: BlockLdl::new(&line.combine(0.0, 0.0, 1.0))?,
@@ -36,23 +39,12 @@ impl<const D: usize> StaticFactors<D> {
     }
 }
 
-impl<const DIM: usize, const D: usize> WireModel<DIM, D> {
-    /// Factors of the stiffness at rest, which all runs share; found when they are first asked for.
-    pub(crate) fn still_factors(&self) -> Result<&StaticFactors<D>, CoreError> {
-        if let Some(known) = self.still.get() {
-            return Ok(known);
-        }
-        let found = StaticFactors::new(&self.line)?;
-        Ok(self.still.get_or_init(|| found))
-    }
-}
-
 /// Static solver of a linearised line.
 #[derive(Debug)]
 pub struct StaticSolver<'a, const DIM: usize, const D: usize> {
     pub(crate) line: &'a LinearModel<DIM, D>,
     factors: Cow<'a, StaticFactors<D>>,
-    pulls: BTreeMap<usize, Vec<[f64; D]>>,
+    influence_vectors: BTreeMap<usize, Vec<[f64; D]>>,
     solver: LcpSolver,
     scratch: Vec<[f64; D]>,
 }
@@ -69,79 +61,85 @@ pub struct StaticState<const D: usize> {
 }
 
 impl<const D: usize> StaticState<D> {
-    /// What links raise a place on a wire by beyond the mesh since the line was at rest, m.
-    pub(crate) fn raised<const DIM: usize>(
+    /// Returns the height of a point above the mesh by its links, relative to the line at rest: Σ
+    /// R_d ΔT, m.
+    pub(crate) fn rise_by_links<const DIM: usize>(
         &self,
         line: &LinearModel<DIM, D>,
-        yields: &LocalCompliance,
+        compliance: &LocalCompliance,
     ) -> f64 {
-        let pulled = yields.pulls().map(|(link, rise)| {
+        let rises = compliance.links().map(|(link, rise)| {
             let at_rest = &line.links[link];
-            let more = self.tension[link] - at_rest.rest_tension - at_rest.rest_correction();
-            rise * more
+            let tension_change =
+                self.tension[link] - at_rest.rest_tension - at_rest.rest_correction();
+            rise * tension_change
         });
-        pulled.sum()
+        rises.sum()
     }
 }
 
 impl<'a, const DIM: usize, const D: usize> StaticSolver<'a, DIM, D> {
-    /// Factorise the stiffness.
+    /// Factorises the stiffness.
     ///
     /// # Errors
     /// [`CoreError::Singular`] when the line is loose.
     pub fn new(line: &'a LinearModel<DIM, D>) -> Result<Self, CoreError> {
-        Ok(Self::with(line, Cow::Owned(StaticFactors::new(line)?)))
+        Ok(Self::from_factors(
+            line,
+            Cow::Owned(StaticFactors::new(line)?),
+        ))
     }
 
-    /// That of a line prepared for runs, which share the factors.
-    ///
-    /// # Errors
-    /// [`CoreError::Singular`] when the line is loose.
-    pub(crate) fn of(p: &'a WireModel<DIM, D>) -> Result<Self, CoreError> {
-        Ok(Self::with(&p.line, Cow::Borrowed(p.still_factors()?)))
+    /// Returns a static solver with borrowed factors.
+    pub(crate) fn with_factors(
+        line: &'a LinearModel<DIM, D>,
+        factors: &'a StaticFactors<D>,
+    ) -> Self {
+        Self::from_factors(line, Cow::Borrowed(factors))
     }
 
-    fn with(line: &'a LinearModel<DIM, D>, factors: Cow<'a, StaticFactors<D>>) -> Self {
+    fn from_factors(line: &'a LinearModel<DIM, D>, factors: Cow<'a, StaticFactors<D>>) -> Self {
         Self {
             line,
             factors,
-            pulls: BTreeMap::new(),
+            influence_vectors: BTreeMap::new(),
             solver: LcpSolver::new(),
             scratch: vec![[0.0; D]; line.nodes()],
         }
     }
 
-    /// Displacement under vertical forces (N, upwards) at places, of a mesh that yields no more than it
-    /// shows.
+    /// Finds the displacement under vertical forces (N, upwards) at points of the mesh, without
+    /// residual flexibility.
     ///
     /// # Errors
     /// [`CoreError::Lcp`] or [`CoreError::SlackSet`], as of step 0.
     pub fn solve(
         &mut self,
-        places: &[SlidelinePoint<DIM>],
+        points: &[SlidelinePoint<DIM>],
         forces: &[f64],
     ) -> Result<StaticState<D>, CoreError> {
-        let places = places
+        let points = points
             .iter()
-            .map(|place| (*place, LocalCompliance::default()));
-        self.press(&places.collect::<Vec<_>>(), forces)
+            .map(|point| (*point, LocalCompliance::default()));
+        self.solve_with_compliance(&points.collect::<Vec<_>>(), forces)
     }
 
-    /// The same at places where the wire yields beyond the mesh.
-    pub(crate) fn press(
+    /// Finds the displacement under vertical forces (N, upwards) at points with local compliance
+    /// beyond the mesh.
+    pub(crate) fn solve_with_compliance(
         &mut self,
-        places: &[(SlidelinePoint<DIM>, LocalCompliance)],
+        points: &[(SlidelinePoint<DIM>, LocalCompliance)],
         forces: &[f64],
     ) -> Result<StaticState<D>, CoreError> {
         let links = &self.line.links;
         let mut free = vec![[0.0; D]; self.line.nodes()];
         let mut rest: Vec<f64> = links.iter().map(|l| l.rest_tension).collect();
-        for ((place, yields), &force) in places.iter().zip(forces) {
-            place.add_force(force, DIM - 1, &mut free);
-            for (link, rise) in yields.pulls() {
-                let eased = links[link].stiffness * rise * force;
-                links[link].add_to(eased, &mut free);
-                rest[link] -= eased;
+        for ((point, compliance), &force) in points.iter().zip(forces) {
+            point.add_force(force, DIM - 1, &mut free);
+            for (link, rise) in compliance.links() {
+                let tension_relief = links[link].stiffness * rise * force;
+                links[link].add_to(tension_relief, &mut free);
+                rest[link] -= tension_relief;
             }
         }
         links
@@ -154,14 +152,14 @@ impl<'a, const DIM: usize, const D: usize> StaticSolver<'a, DIM, D> {
         let mut u = free.clone();
         // Every round adds at least one link, so there are at most as many rounds as links.
         for _ in 0..=links.len() {
-            let pushes = |i: usize| {
+            let would_push = |i: usize| {
                 let l = &links[i];
                 l.unilateral && rest[i] + l.stiffness * l.elongation(&u) < 0.0
             };
-            let new: Vec<usize> = (0..links.len())
-                .filter(|i| !active.contains(i) && pushes(*i))
+            let entering: Vec<usize> = (0..links.len())
+                .filter(|i| !active.contains(i) && would_push(*i))
                 .collect();
-            if new.is_empty() {
+            if entering.is_empty() {
                 let tension = |(i, r): (usize, &f64)| {
                     rest[i] + links[i].stiffness * links[i].elongation(&u) + r
                 };
@@ -171,13 +169,13 @@ impl<'a, const DIM: usize, const D: usize> StaticSolver<'a, DIM, D> {
                     correction,
                 });
             }
-            active.extend(new);
-            self.correct((&active, &rest), &free, &mut u, &mut correction)?;
+            active.extend(entering);
+            self.solve_corrections((&active, &rest), &free, &mut u, &mut correction)?;
         }
         Err(CoreError::SlackSet { step: 0, time: 0.0 })
     }
 
-    fn correct(
+    fn solve_corrections(
         &mut self,
         (active, rest): (&[usize], &[f64]),
         free: &[[f64; D]],
@@ -186,14 +184,17 @@ impl<'a, const DIM: usize, const D: usize> StaticSolver<'a, DIM, D> {
     ) -> Result<(), CoreError> {
         let n = active.len();
         for &i in active {
-            self.prepare_pull(i);
+            self.compute_influence_vector(i);
         }
         let links = &self.line.links;
         let (mut h, mut w) = (vec![0.0; n * n], vec![0.0; n]);
         for (a, &i) in active.iter().enumerate() {
             let l = &links[i];
             for (b, j) in active.iter().enumerate() {
-                h[a * n + b] = -self.pulls.get(j).map_or(0.0, |pull| l.elongation(pull));
+                h[a * n + b] = -self
+                    .influence_vectors
+                    .get(j)
+                    .map_or(0.0, |influence| l.elongation(influence));
             }
             h[a * n + a] += 1.0 / l.stiffness;
             w[a] = rest[i] / l.stiffness + l.elongation(free);
@@ -212,10 +213,10 @@ impl<'a, const DIM: usize, const D: usize> StaticSolver<'a, DIM, D> {
         u.copy_from_slice(free);
         for (&i, &r) in active.iter().zip(&x) {
             correction[i] = r;
-            let Some(pull) = self.pulls.get(&i) else {
+            let Some(influence) = self.influence_vectors.get(&i) else {
                 continue;
             };
-            for (target, value) in u.iter_mut().zip(pull) {
+            for (target, value) in u.iter_mut().zip(influence) {
                 for c in 0..D {
                     target[c] -= r * value[c];
                 }
@@ -224,61 +225,65 @@ impl<'a, const DIM: usize, const D: usize> StaticSolver<'a, DIM, D> {
         Ok(())
     }
 
-    /// Keep K⁻¹g of a link.
-    fn prepare_pull(&mut self, link: usize) {
-        if !self.pulls.contains_key(&link) {
-            let mut pull = vec![[0.0; D]; self.line.nodes()];
-            self.line.links[link].add_to(1.0, &mut pull);
-            self.line.mask(&mut pull);
-            self.factors.linear.solve(&mut pull, &mut self.scratch);
-            self.pulls.insert(link, pull);
+    /// Computes the influence vector K⁻¹g of a link, unless it is known.
+    fn compute_influence_vector(&mut self, link: usize) {
+        if !self.influence_vectors.contains_key(&link) {
+            let mut influence = vec![[0.0; D]; self.line.nodes()];
+            self.line.links[link].add_to(1.0, &mut influence);
+            self.line.mask(&mut influence);
+            self.factors.linear.solve(&mut influence, &mut self.scratch);
+            self.influence_vectors.insert(link, influence);
         }
     }
 
-    /// Lift of places under unit vertical forces on them, m/N, row by row, for small motion about the
-    /// state at rest: links slack there take no part. R between places is left out.
-    pub(crate) fn lifts(&self, places: &[(SlidelinePoint<DIM>, LocalCompliance)]) -> Vec<f64> {
+    /// Returns the vertical displacements of points under unit vertical forces on them, m/N, row by
+    /// row, for small motion about the state at rest: links that are slack there are left out. R
+    /// between points is not contained.
+    pub(crate) fn compliance_matrix(
+        &self,
+        points: &[(SlidelinePoint<DIM>, LocalCompliance)],
+    ) -> Vec<f64> {
         let factors = &self.factors;
         let factor = factors.at_rest.as_ref().unwrap_or(&factors.linear);
         let links = &self.line.links;
-        compliance(self.line, factor, places, |link| {
+        compliance_matrix(self.line, factor, points, |link| {
             links[link].rest_correction() > 0.0
         })
     }
 }
 
-/// What a unit force at place k raises place i by, m/N, but for R between them; row by row. `factor` is
-/// without the links that are slack.
-pub(crate) fn compliance<const DIM: usize, const D: usize>(
+/// Returns the displacement of point i under a unit force at point k, m/N, row by row, without R
+/// between them. `factor` is that of the stiffness without slack links.
+pub(crate) fn compliance_matrix<const DIM: usize, const D: usize>(
     line: &LinearModel<DIM, D>,
     factor: &BlockLdl<D>,
-    places: &[(SlidelinePoint<DIM>, LocalCompliance)],
+    points: &[(SlidelinePoint<DIM>, LocalCompliance)],
     is_slack: impl Fn(usize) -> bool,
 ) -> Vec<f64> {
-    let n = places.len();
-    let (mut found, mut scratch) = (vec![0.0; n * n], vec![[0.0; D]; line.nodes()]);
-    let taut = |y: &LocalCompliance| {
-        y.pulls()
+    let n = points.len();
+    let (mut matrix, mut scratch) = (vec![0.0; n * n], vec![[0.0; D]; line.nodes()]);
+    let taut_links = |y: &LocalCompliance| {
+        y.links()
             .filter(|(link, _)| !is_slack(*link))
             .collect::<Vec<_>>()
     };
-    for (k, (source, pressed)) in places.iter().enumerate() {
+    for (k, (source, source_compliance)) in points.iter().enumerate() {
         let mut u = vec![[0.0; D]; line.nodes()];
         source.add_force(1.0, DIM - 1, &mut u);
-        for (link, rise) in taut(pressed) {
+        for (link, rise) in taut_links(source_compliance) {
             let link = &line.links[link];
             link.add_to(link.stiffness * rise, &mut u);
         }
         line.mask(&mut u);
         factor.solve(&mut u, &mut scratch);
-        for (i, (target, raised)) in places.iter().enumerate() {
-            let mut lift = target.displacement(&u, DIM - 1);
-            for (link, rise) in taut(raised) {
-                let elongation = line.links[link].elongation(&u) - pressed.of(link);
-                lift += line.links[link].stiffness * rise * elongation;
+        for (i, (target, target_compliance)) in points.iter().enumerate() {
+            let mut displacement = target.displacement(&u, DIM - 1);
+            for (link, rise) in taut_links(target_compliance) {
+                let elongation = line.links[link].elongation(&u) - source_compliance.of_link(link);
+                displacement += line.links[link].stiffness * rise * elongation;
             }
-            found[i * n + k] = lift;
+            matrix[i * n + k] = displacement;
         }
     }
-    found
+    matrix
 }

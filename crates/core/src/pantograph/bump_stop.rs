@@ -1,29 +1,30 @@
-//! Stops of a rider: one-sided, each with a gap and a stiffness.
+//! Bump stops of a pantograph: one-sided, each with a gap and a stiffness.
 //!
 //!   0 ≤ σ  ⊥  s + σ/k_s ≥ 0,   s = gap + dᵀ(w − w₀)
 //!
-//! w is the displacement relative to the ground, w₀ that at the start of the run, and the force d σ
-//! acts on the rider, its opposite on the ground where dᵀr is not zero. A stop is the hardening
-//! [kink](crate::pantograph::breakpoint) of a spring that is not there before.
+//! w is the displacement relative to the base, w₀ that at the start of the run, and the force d σ
+//! acts on the pantograph, its opposite on the base where dᵀr is not zero. A stop is the hardening
+//! [breakpoint](crate::pantograph::breakpoint) of a spring without force before it.
 
 use crate::error::CoreError;
+use crate::linalg::small::{inner, matrix_vector};
 use crate::pantograph::breakpoint::{Breakpoint, ForceKind, RelativeCoordinate};
-use crate::pantograph::system::{inner, multiply};
 use crate::scheme::Coefficients;
 
-/// A stop. It closes when dᵀw has fallen by `gap`.
+/// Bump stop, which closes when dᵀw has fallen by `gap`.
 #[derive(Debug, Clone)]
 pub struct BumpStop {
-    /// d: the motion that opens it.
+    /// Direction d of the motion that opens it.
     pub direction: Vec<f64>,
     /// Opening at the start, m.
     pub gap: f64,
-    /// k_s in N/m; infinite when rigid.
+    /// Stiffness k_s, N/m; infinite when rigid.
     pub stiffness: f64,
 }
 
 impl BumpStop {
-    pub(crate) fn is_sound(&self, n: usize) -> bool {
+    /// Tells whether sizes and numbers fit a pantograph of `n` coordinates.
+    pub(crate) fn is_valid(&self, n: usize) -> bool {
         self.direction.len() == n
             && self.direction.iter().all(|v| v.is_finite())
             && self.gap.is_finite()
@@ -31,40 +32,40 @@ impl BumpStop {
             && self.stiffness > 0.0
     }
 
-    /// It during a run, from the inverse matrix of the scheme, the ground (what goes with it, and its
-    /// displacement) and the displacements at the start.
-    pub(crate) fn kink(
+    /// Breakpoint of this stop during a run. `inverse`: A⁻¹ of the pantograph; `base`: influence
+    /// vector r and displacement z₀ of the base; `u`: initial displacements, m.
+    pub(crate) fn breakpoint(
         &self,
         c: &Coefficients,
         inverse: &[f64],
-        (carried, ground): (&[f64], f64),
+        (influence, base): (&[f64], f64),
         u: &[f64],
     ) -> Breakpoint {
-        let gauge = RelativeCoordinate {
+        let coordinate = RelativeCoordinate {
             direction: self.direction.clone(),
-            carried: inner(&self.direction, carried),
-            motion: ForceKind::Spring,
+            influence: inner(&self.direction, influence),
+            kind: ForceKind::Spring,
         };
         Breakpoint {
-            column: multiply(inverse, &self.direction),
-            closed: gauge.place(u, ground) - self.gap,
-            gauge,
+            column: matrix_vector(inverse, &self.direction),
+            threshold: coordinate.displacement(u, base) - self.gap,
+            coordinate,
             sign: 1.0,
             factor: c.stiffness,
             flexibility: 1.0 / self.stiffness,
-            law: None,
-            is_in: true,
-            free: self.gap,
+            branch_of: None,
+            active: true,
+            predicted_opening: self.gap,
             force: 0.0,
         }
     }
 }
 
-/// Smallest pivot that still tells stops apart, as a share of the response of one of them: far above
-/// rounding, far below what any stiffness of machinery adds.
+/// Smallest pivot of stops that are independent, as a share of the response of one of them: far
+/// above rounding, far below the contribution of any stiffness of machinery.
 const INDEPENDENT: f64 = 1e-9;
 
-/// Refuse rigid stops that block the same motion: their forces would not be unique.
+/// Refuses rigid stops that block the same motion: their forces would not be unique.
 ///
 /// # Errors
 /// [`CoreError::Input`].
@@ -75,22 +76,22 @@ pub(crate) fn check_independent(stops: &[Breakpoint]) -> Result<(), CoreError> {
     for i in 0..n {
         for j in 0..=i {
             let known: f64 = (0..j).map(|k| lower[i * n + k] * lower[j * n + k]).sum();
-            let rest = stops[i].response(&stops[j], i == j) / (scale[i] * scale[j]) - known;
+            let reduced = stops[i].response(&stops[j], i == j) / (scale[i] * scale[j]) - known;
             if i != j {
-                lower[i * n + j] = rest / lower[j * n + j];
+                lower[i * n + j] = reduced / lower[j * n + j];
                 continue;
             }
             // Written so that a response of zero or NaN is refused as well.
             if !matches!(
-                rest.partial_cmp(&INDEPENDENT),
+                reduced.partial_cmp(&INDEPENDENT),
                 Some(std::cmp::Ordering::Greater)
             ) {
-                return Err(CoreError::Input {
-                    array: "stops",
-                    reason: "rigid stops block the same motion".into(),
-                });
+                return Err(CoreError::invalid(
+                    "stops",
+                    "rigid stops block the same motion",
+                ));
             }
-            lower[i * n + i] = rest.sqrt();
+            lower[i * n + i] = reduced.sqrt();
         }
     }
     Ok(())

@@ -1,25 +1,26 @@
-//! Energy of a rider and the work done on it in a step.
+//! Energy of a pantograph and the work done on it in a step.
 //!
-//! A spring given by a table stores ∫ f dq: ½ k q² of its steepest slope with k (in K), the constant force of
-//! its steepest line, and ± ½ Δ p² of each kink passed by p. A damper dissipates f(q̇_f) Δq, which for
-//! the trapezoidal rule is h f(q̇_f) q̇_f ≥ 0.
+//! A spring given by a table stores ∫ f dq: ½ k q² of its steepest slope with k (in K), the
+//! constant force of its steepest line, and ± ½ Δ p² of each breakpoint passed by p. A damper
+//! dissipates f(q̇_f) Δq, which for the trapezoidal rule is h f(q̇_f) q̇_f ≥ 0.
 
+use crate::linalg::small::{inner, matrix_vector};
 use crate::pantograph::breakpoint::{Breakpoint, ForceKind, RelativeCoordinate};
-use crate::pantograph::system::{PantographState, inner, multiply};
+use crate::pantograph::state::PantographState;
 use crate::scheme::Coefficients;
 
-/// Work in one step of a rider, J.
+/// Work in one step of a pantograph, J.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct RiderWork {
-    /// Of preload, lift, given forces and the moving ground.
+pub struct PantographWork {
+    /// Work of preload, lift, given forces and the moving base.
     pub uplift: f64,
-    /// Of the actuator.
+    /// Work of the actuator.
     pub control: f64,
-    /// Against the dampers.
+    /// Work against the dampers.
     pub dissipated: f64,
-    /// Against inertia and springs: what is stored, and what the scheme takes.
+    /// Work against inertia and springs: energy stored, and energy that the scheme dissipates.
     pub stored: f64,
-    /// Of stops, and of what tables add to the springs, on the rider relative to its ground.
+    /// Work of stops and of the tables of springs on the pantograph relative to its base.
     pub springs: f64,
 }
 
@@ -27,82 +28,98 @@ impl PantographState {
     /// Kinetic and elastic energy, J.
     #[must_use]
     pub fn energy(&self) -> f64 {
-        let kinetic = inner(&self.v, &multiply(&self.rider.mass, &self.v));
-        let strain = self.strained(&self.u, self.drive.now);
-        let elastic = inner(&strain, &multiply(&self.rider.stiffness, &strain));
+        let kinetic = inner(&self.v, &matrix_vector(&self.model.mass, &self.v));
+        let strain = self.relative(&self.u, self.excitation.displacement);
+        let elastic = inner(&strain, &matrix_vector(&self.model.stiffness, &strain));
         0.5 * (kinetic + elastic)
     }
 
     /// Energy in the stops, J.
     #[must_use]
     pub fn stop_energy(&self) -> f64 {
-        let stops = self.kinks.iter().filter(|k| k.law.is_none());
-        stops.map(|s| s.energy(&self.u, self.drive.now)).sum()
-    }
-
-    /// What tables add to the energy of the springs, J.
-    #[must_use]
-    pub fn law_energy(&self) -> f64 {
-        let is_spring = |k: &&Breakpoint| k.law.is_some() && k.gauge.motion == ForceKind::Spring;
-        let kinks = self.kinks.iter().filter(is_spring);
-        let lines = self.laws.iter();
-        kinks
-            .map(|k| k.energy(&self.u, self.drive.now))
-            .chain(lines.map(|l| l.energy(&self.u, self.drive.now)))
+        let stops = self.breakpoints.iter().filter(|b| b.branch_of.is_none());
+        stops
+            .map(|s| s.energy(&self.u, self.excitation.displacement))
             .sum()
     }
 
-    /// Forces of stops, kinks and steepest lines on the rider, each with its direction, N.
-    fn pushes(&self) -> impl Iterator<Item = (&RelativeCoordinate, f64)> {
-        let kinks = self.entered().map(|k| (&k.gauge, k.push()));
-        kinks.chain(self.laws.iter().map(|l| (&l.gauge, -l.intercept)))
+    /// Energy that tables add to that of the springs in K, J.
+    #[must_use]
+    pub fn piecewise_force_energy(&self) -> f64 {
+        let is_spring =
+            |b: &&Breakpoint| b.branch_of.is_some() && b.coordinate.kind == ForceKind::Spring;
+        let breakpoints = self.breakpoints.iter().filter(is_spring);
+        let lines = self.piecewise_forces.iter();
+        breakpoints
+            .map(|b| b.energy(&self.u, self.excitation.displacement))
+            .chain(lines.map(|l| l.energy(&self.u, self.excitation.displacement)))
+            .sum()
     }
 
-    /// Work done in the step, by the completed increment. Call before [`PantographState::advance`].
+    /// Forces of stops, breakpoints and steepest lines on the pantograph, N, with their
+    /// coordinates.
+    fn nonlinear_forces(&self) -> impl Iterator<Item = (&RelativeCoordinate, f64)> {
+        let breakpoints = self.active_breakpoints();
+        let breakpoints = breakpoints.map(|b| (&b.coordinate, b.signed_force()));
+        let lines = self.piecewise_forces.iter();
+        breakpoints.chain(lines.map(|l| (&l.coordinate, -l.intercept)))
+    }
+
+    /// Work done in the step by the completed increment. Precedes [`PantographState::commit`].
     #[must_use]
-    pub fn work(&self, c: &Coefficients, speed: f64) -> RiderWork {
-        let (r, drive) = (&self.rider, &self.drive);
+    pub fn work(&self, c: &Coefficients, speed: f64) -> PantographWork {
+        let (r, excitation) = (&self.model, &self.excitation);
         let n = r.size();
-        let rise = drive.end - drive.now;
-        let moved = self.strained(&self.delta, rise);
-        let field = |own: f64, from_v: f64, from_a: f64| -> Vec<f64> {
-            let at = |k: usize| own * self.delta[k] + from_v * self.v[k] + from_a * self.a[k];
-            (0..n).map(at).collect()
+        let base_increment = excitation.end_displacement - excitation.displacement;
+        let relative_increment = self.relative(&self.delta, base_increment);
+        let combine = |from_delta: f64, from_v: f64, from_a: f64| -> Vec<f64> {
+            let component =
+                |k: usize| from_delta * self.delta[k] + from_v * self.v[k] + from_a * self.a[k];
+            (0..n).map(component).collect()
         };
-        let inertia = field(c.mass, c.acceleration_from_v, c.acceleration_from_a);
-        let rate = field(c.damping, c.velocity_from_v, c.velocity_from_a);
-        let place: Vec<f64> = (0..n)
+        let inertia = combine(c.mass, c.acceleration_from_v, c.acceleration_from_a);
+        let rate = combine(c.damping, c.velocity_from_v, c.velocity_from_a);
+        let displacement: Vec<f64> = (0..n)
             .map(|k| c.stiffness * self.delta[k] + self.u[k])
             .collect();
-        let damping = multiply(&r.damping, &self.strained(&rate, drive.balance[1]));
-        let springs = multiply(&r.stiffness, &self.strained(&place, drive.balance[0]));
-        let force =
-            |i: usize| r.preload[i] * self.preload + r.lift[i] * speed * speed + drive.force[i];
+        let damping = matrix_vector(&r.damping, &self.relative(&rate, excitation.balance[1]));
+        let springs = matrix_vector(
+            &r.stiffness,
+            &self.relative(&displacement, excitation.balance[0]),
+        );
+        let force = |i: usize| {
+            r.preload[i] * self.preload + r.lift[i] * speed * speed + excitation.force[i]
+        };
         let supplied: f64 = (0..n).map(|i| force(i) * self.delta[i]).sum();
-        // The ground bears the reaction of springs, dampers and stops.
-        let pushed = self.pushes().map(|(g, force)| force * g.carried);
-        let pushed = pushed.sum::<f64>();
-        let borne = inner(&drive.carried, &springs) + inner(&drive.carried, &damping) - pushed;
-        let done = |motion: ForceKind| -> f64 {
-            let pushes = self.pushes().filter(|(g, _)| g.motion == motion);
-            pushes
-                .map(|(g, force)| force * inner(&g.direction, &moved))
+        // The base bears the reaction of springs, dampers and stops.
+        let nonlinear = self
+            .nonlinear_forces()
+            .map(|(x, force)| force * x.influence);
+        let nonlinear = nonlinear.sum::<f64>();
+        let reaction = inner(&excitation.influence, &springs)
+            + inner(&excitation.influence, &damping)
+            - nonlinear;
+        let nonlinear_work = |kind: ForceKind| -> f64 {
+            let forces = self.nonlinear_forces().filter(|(x, _)| x.kind == kind);
+            forces
+                .map(|(x, force)| force * inner(&x.direction, &relative_increment))
                 .sum()
         };
-        RiderWork {
-            uplift: supplied - rise * borne,
+        PantographWork {
+            uplift: supplied - base_increment * reaction,
             control: self
-                .controlled()
+                .actuator_force()
                 .map_or(0.0, |(d, force)| force * inner(d, &self.delta)),
-            dissipated: inner(&moved, &damping) - done(ForceKind::Damper),
-            stored: inner(&self.delta, &multiply(&r.mass, &inertia)) + inner(&moved, &springs),
-            springs: done(ForceKind::Spring),
+            dissipated: inner(&relative_increment, &damping) - nonlinear_work(ForceKind::Damper),
+            stored: inner(&self.delta, &matrix_vector(&r.mass, &inertia))
+                + inner(&relative_increment, &springs),
+            springs: nonlinear_work(ForceKind::Spring),
         }
     }
 
-    /// w = u − r z.
-    fn strained(&self, u: &[f64], ground: f64) -> Vec<f64> {
-        let pairs = u.iter().zip(&self.drive.carried);
-        pairs.map(|(u, r)| u - r * ground).collect()
+    /// Displacements w = u − r z relative to the base, m, for its displacement z, m.
+    fn relative(&self, u: &[f64], base: f64) -> Vec<f64> {
+        let pairs = u.iter().zip(&self.excitation.influence);
+        pairs.map(|(u, r)| u - r * base).collect()
     }
 }

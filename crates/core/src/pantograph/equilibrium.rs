@@ -1,168 +1,195 @@
-//! Static equilibrium of a rider under its contact forces, with springs given by tables.
+//! Static equilibrium of a pantograph under its contact forces, with springs given by tables.
 //!
 //!   k u + Σ g f(gᵀ(u − r z₀)) − b p = g V² + f − Σ e λ,   sᵀ u = z
 //!
 //! s is e where there is one contact.
 //!
-//! On given pieces of the tables this is one linear system, and the equilibrium is exact but for
-//! rounding. The first table that is not on its piece moves on by one, and the system is solved
-//! again. As in a step ([law](crate::pantograph::piecewise_force)) the pieces passed are never met again while the later
-//! tables keep theirs, so it ends.
+//! On given pieces of the tables this is one linear system, and the equilibrium is exact up to
+//! rounding. The first table that is not on its piece moves to the next one, and the system is
+//! solved again. As in a step ([piecewise force](crate::pantograph::piecewise_force)) the pieces
+//! passed are never met again while the later tables keep theirs, so it ends.
 
 use crate::error::CoreError;
 use crate::linalg::dense;
+use crate::linalg::small::{add_outer, inner, scaled};
 use crate::pantograph::breakpoint::ForceKind;
-use crate::pantograph::piecewise_force::{PiecewiseForce, add_outer};
-use crate::pantograph::system::{Pantograph, inner};
+use crate::pantograph::excitation::BaseMotion;
+use crate::pantograph::model::Pantograph;
+use crate::pantograph::piecewise_force::PiecewiseForce;
 
-/// How far beyond the end of its piece a displacement may lie, as a share of the size of the table:
+/// Tolerance of a displacement beyond the end of its piece, as a share of the size of the table:
 /// rounding of the linear system.
 const ROUNDING: f64 = 1e-12;
 /// Slope that replaces a level piece on the way to others, as a share of the steepest.
 const LEVEL: f64 = 1e-9;
-/// Pieces of all tables together are some dozens; more solutions than this and they run in a circle.
+/// Bound on the linear systems solved: pieces of all tables together are some dozens; with more
+/// solutions than this the search runs in a circle.
 const MOST_SOLUTIONS: usize = 100_000;
 
-/// A rider in equilibrium.
-pub(crate) struct Rest {
+/// Pantograph in static equilibrium.
+pub(crate) struct PantographEquilibrium {
+    /// Displacements, m.
     pub(crate) u: Vec<f64>,
+    /// Preload p, N.
     pub(crate) preload: f64,
-    /// K with the slopes of the tables.
+    /// Stiffness matrix K with the slopes of the tables, N/m.
     stiffness: Vec<f64>,
 }
 
-impl Rest {
-    /// Change of the displacements for more force, N, on the coordinates, and sᵀu changed by `z`.
-    pub(crate) fn respond(
+impl PantographEquilibrium {
+    /// Change of the displacements, m, for more `force` on the coordinates, N, and a change `z` of
+    /// sᵀu, m.
+    pub(crate) fn displacement_change(
         &self,
-        rider: &Pantograph,
+        pantograph: &Pantograph,
         force: Vec<f64>,
         s: &[f64],
         z: f64,
     ) -> Result<Vec<f64>, CoreError> {
-        let found = solve(rider, &self.stiffness, force, (s, z));
-        found.map(|(u, _)| u).ok_or_else(unbalanced)
+        let solution = solve(pantograph, &self.stiffness, force, (s, z));
+        solution.map(|(u, _)| u).ok_or_else(unbalanced)
     }
 }
 
-/// Displacements and preload under the forces `load` = Σ e λ, with `level` = (s, z).
-pub(crate) fn settle(
-    rider: &Pantograph,
+/// Finds the static equilibrium under a force λ on the first strip, which is at height `z`:
+/// displacements and preload from  k u − b p = g V² + f − e λ,  eᵀ u = z, with f as given for the
+/// start.
+///
+/// # Errors
+/// [`CoreError::Input`] when the pantograph has no such equilibrium, [`CoreError::BeyondTable`].
+pub fn under_one_contact(
+    pantograph: &Pantograph,
+    force: f64,
+    z: f64,
+    speed: f64,
+) -> Result<(Vec<f64>, f64), CoreError> {
+    let e = &pantograph.strips[0].vectors[0];
+    let equilibrium = find_equilibrium(pantograph, &scaled(force, e), (e, z), speed)?;
+    Ok((equilibrium.u, equilibrium.preload))
+}
+
+/// Finds displacements and preload under the contact forces `load` = Σ e λ, with `level` = (s, z).
+pub(crate) fn find_equilibrium(
+    pantograph: &Pantograph,
     load: &[f64],
     level: (&[f64], f64),
     speed: f64,
-) -> Result<Rest, CoreError> {
-    let laws = rider.laws.iter().enumerate();
-    let springs: Vec<(usize, &PiecewiseForce)> = laws
-        .filter(|(_, l)| l.motion == ForceKind::Spring)
+) -> Result<PantographEquilibrium, CoreError> {
+    let forces = pantograph.piecewise_forces.iter().enumerate();
+    let springs: Vec<(usize, &PiecewiseForce)> = forces
+        .filter(|(_, f)| f.kind == ForceKind::Spring)
         .collect();
-    let mut pieces: Vec<usize> = springs.iter().map(|(_, law)| law.steepest()).collect();
-    let ground = rider.given.ground.as_ref();
-    let carried = |law: &PiecewiseForce| {
-        let of = |g: &crate::pantograph::excitation::BaseMotion| {
-            inner(&law.direction, &g.carried) * g.displacement[0]
-        };
-        ground.map_or(0.0, of)
+    let mut pieces: Vec<usize> = springs
+        .iter()
+        .map(|(_, spring)| spring.steepest())
+        .collect();
+    let base = pantograph.excitation.base.as_ref();
+    let base_displacement = |spring: &PiecewiseForce| {
+        let along_spring =
+            |base: &BaseMotion| inner(&spring.direction, &base.influence) * base.displacement[0];
+        base.map_or(0.0, along_spring)
     };
     for _ in 0..MOST_SOLUTIONS {
         let balance = |floor: f64| {
-            let (mut stiffness, mut given) = (rider.stiffness.clone(), rider.at_start(speed));
-            for ((_, law), &piece) in springs.iter().zip(&pieces) {
-                let slope = law.slope(piece).max(floor * law.slope(law.steepest()));
-                let [x, f] = law.points[piece];
-                add_outer(slope, &law.direction, &mut stiffness);
-                let pull = slope * (x + carried(law)) - f;
-                let pulled = given.iter_mut().zip(&law.direction);
-                pulled.for_each(|(sum, g)| *sum += pull * g);
+            let mut stiffness = pantograph.stiffness.clone();
+            let mut force = pantograph.start_forces(speed);
+            for ((_, spring), &piece) in springs.iter().zip(&pieces) {
+                let slope = spring
+                    .slope(piece)
+                    .max(floor * spring.slope(spring.steepest()));
+                let [x, f] = spring.points[piece];
+                add_outer(slope, &spring.direction, &mut stiffness);
+                let intercept = slope * (x + base_displacement(spring)) - f;
+                let coordinates = force.iter_mut().zip(&spring.direction);
+                coordinates.for_each(|(sum, g)| *sum += intercept * g);
             }
-            let pushed = given.iter_mut().zip(load);
-            pushed.for_each(|(sum, load)| *sum -= load);
-            let found = solve(rider, &stiffness, given, level);
-            found.map(|(u, preload)| Rest {
+            let coordinates = force.iter_mut().zip(load);
+            coordinates.for_each(|(sum, load)| *sum -= load);
+            let solution = solve(pantograph, &stiffness, force, level);
+            solution.map(|(u, preload)| PantographEquilibrium {
                 u,
                 preload,
                 stiffness,
             })
         };
         let exact = balance(0.0);
-        let is_loose = exact.is_none();
-        let found = exact.or_else(|| balance(LEVEL));
-        let found = found.ok_or_else(unbalanced)?;
-        let at: Vec<f64> = springs
+        let is_singular = exact.is_none();
+        let equilibrium = exact.or_else(|| balance(LEVEL)).ok_or_else(unbalanced)?;
+        let elongations: Vec<f64> = springs
             .iter()
-            .map(|(_, law)| inner(&law.direction, &found.u) - carried(law))
+            .map(|(_, spring)| inner(&spring.direction, &equilibrium.u) - base_displacement(spring))
             .collect();
-        let springs_at = springs.iter().zip(&at);
-        if springs_at
+        let pairs = springs.iter().zip(&elongations);
+        if pairs
             .clone()
             .zip(&mut pieces)
-            .any(|(((_, law), q), piece)| move_on(law, piece, *q))
+            .any(|(((_, spring), q), piece)| move_to_next_piece(spring, piece, *q))
         {
             continue;
         }
-        for ((number, law), q) in springs_at {
-            check_end(*number, law, *q)?;
+        for ((number, spring), q) in pairs {
+            check_end(*number, spring, *q)?;
         }
-        return if is_loose {
+        return if is_singular {
             Err(unbalanced())
         } else {
-            Ok(found)
+            Ok(equilibrium)
         };
     }
     Err(unbalanced())
 }
 
-/// Rounding of a displacement, for a table.
-fn slack(law: &PiecewiseForce) -> f64 {
+/// Rounding of a displacement, m, for a table.
+fn tolerance(spring: &PiecewiseForce) -> f64 {
     ROUNDING
-        * law.points[0][0]
+        * spring.points[0][0]
             .abs()
-            .max(law.points[law.pieces()][0].abs())
+            .max(spring.points[spring.pieces()][0].abs())
 }
 
-/// Move to the next piece when a displacement lies there; tells whether it does.
-fn move_on(law: &PiecewiseForce, piece: &mut usize, q: f64) -> bool {
-    let [left, right] = [law.points[*piece][0], law.points[*piece + 1][0]];
-    if q < left - slack(law) && *piece > 0 {
+/// Moves to the next piece when the displacement `q`, m, lies there; returns whether it does.
+fn move_to_next_piece(spring: &PiecewiseForce, piece: &mut usize, q: f64) -> bool {
+    let [left, right] = [spring.points[*piece][0], spring.points[*piece + 1][0]];
+    if q < left - tolerance(spring) && *piece > 0 {
         *piece -= 1;
         return true;
     }
-    if q > right + slack(law) && *piece + 1 < law.pieces() {
+    if q > right + tolerance(spring) && *piece + 1 < spring.pieces() {
         *piece += 1;
         return true;
     }
     false
 }
 
-/// Refuse a start beyond the end of a table.
-fn check_end(table: usize, law: &PiecewiseForce, q: f64) -> Result<(), CoreError> {
-    let [first, last] = [law.points[0][0], law.points[law.pieces()][0]];
+/// Refuses a start beyond the end of a table.
+fn check_end(table: usize, spring: &PiecewiseForce, q: f64) -> Result<(), CoreError> {
+    let [first, last] = [spring.points[0][0], spring.points[spring.pieces()][0]];
     let end = if q < first { first } else { last };
-    if q >= first - slack(law) && q <= last + slack(law) {
+    if q >= first - tolerance(spring) && q <= last + tolerance(spring) {
         return Ok(());
     }
     Err(CoreError::BeyondTable {
-        rider: 0,
+        pantograph: 0,
         table,
-        place: q,
+        displacement: q,
         end,
     })
 }
 
-/// The linear system of displacements and preload.
+/// Solves the linear system of displacements and preload.
 fn solve(
-    rider: &Pantograph,
+    pantograph: &Pantograph,
     stiffness: &[f64],
-    given: Vec<f64>,
+    force: Vec<f64>,
     (s, z): (&[f64], f64),
 ) -> Option<(Vec<f64>, f64)> {
-    let n = rider.size();
+    let n = pantograph.size();
     let m = n + 1;
     let mut a = vec![0.0; m * m];
-    let mut rhs = given;
+    let mut rhs = force;
     for i in 0..n {
         a[i * m..i * m + n].copy_from_slice(&stiffness[i * n..(i + 1) * n]);
-        a[i * m + n] = -rider.preload[i];
+        a[i * m + n] = -pantograph.preload[i];
         a[n * m + i] = s[i];
     }
     rhs.push(z);
@@ -175,8 +202,5 @@ fn solve(
 }
 
 fn unbalanced() -> CoreError {
-    CoreError::Input {
-        array: "riders",
-        reason: "the preload cannot balance the contact force".into(),
-    }
+    CoreError::invalid("riders", "the preload cannot balance the contact force")
 }

@@ -1,15 +1,13 @@
-//! Pantographs: what travels along the wires and presses against them.
+//! Pantographs, which travel along the wires and press against them.
 
 pub mod actuator;
-pub(crate) mod branches;
 pub mod breakpoint;
 pub mod bump_stop;
 pub mod energy;
-pub(crate) mod equilibrium;
+pub mod equilibrium;
 pub mod excitation;
 pub(crate) mod half_steps;
+pub mod model;
 pub mod piecewise_force;
-#[cfg(test)]
-mod piecewise_force_tests;
+pub mod state;
 pub mod strip;
-pub mod system;

@@ -1,27 +1,28 @@
-//! Strips of a rider: what touches the wires.
+//! Contact strips of a pantograph.
 //!
-//!   height of the strip at y = e(y)ᵀ u,   e(y) = (1 − t) e_k + t e_{k+1},   y = (1 − t) y_k + t y_{k+1}
+//!   height of the strip at y = e(y)ᵀ u,
+//!   e(y) = (1 − t) e_k + t e_{k+1},   y = (1 − t) y_k + t y_{k+1}
 //!
-//! y is the lateral place of the wire on the strip. Between knots the height is linear, beyond them
-//! constant; a strip with one knot is the same everywhere.
+//! y is the lateral position of the wire on the strip. Between knots the height is linear, beyond
+//! them constant; a strip with one knot is uniform.
 
 use crate::error::CoreError;
 
-/// A strip of a rider.
+/// Contact strip of a pantograph.
 #[derive(Debug, Clone)]
 pub struct Strip {
-    /// Distance behind the reference point of the rider, m.
+    /// Distance behind the reference point of the pantograph, m.
     pub offset: f64,
-    /// Reach to either side, m; infinite when every wire is in reach.
+    /// Half width to either side, m; infinite where every lateral position is within it.
     pub half_width: f64,
-    /// Lateral places, ascending, m.
+    /// Lateral positions of the knots, ascending, m.
     pub knots: Vec<f64>,
-    /// e at each knot.
+    /// Vector e at each knot.
     pub vectors: Vec<Vec<f64>>,
 }
 
 impl Strip {
-    /// A strip at the reference point, the same everywhere: height = vectorᵀ u.
+    /// Strip at the reference point whose height is vectorᵀ u everywhere.
     #[must_use]
     pub fn plain(vector: Vec<f64>) -> Self {
         Self {
@@ -32,8 +33,8 @@ impl Strip {
         }
     }
 
-    /// Check sizes and numbers for a rider of `n` coordinates.
-    pub(crate) fn is_sound(&self, n: usize) -> bool {
+    /// Tells whether sizes and numbers fit a pantograph of `n` coordinates.
+    pub(crate) fn is_valid(&self, n: usize) -> bool {
         let finite = |x: &[f64]| x.iter().all(|v| v.is_finite());
         let ascending = self.knots.windows(2).all(|pair| pair[0] < pair[1]);
         let sized = !self.knots.is_empty() && self.vectors.len() == self.knots.len();
@@ -46,13 +47,14 @@ impl Strip {
             && self.vectors.iter().all(vectors)
     }
 
-    /// Whether the lateral place of the wire matters.
-    pub(crate) fn looks_aside(&self) -> bool {
+    /// Tells whether the contact depends on the lateral position of the wire.
+    pub(crate) fn depends_on_lateral_position(&self) -> bool {
         self.half_width.is_finite() || self.knots.len() > 1
     }
 
-    /// e(y), or whatever else `at_knots` holds for each knot, in the same way.
-    pub(crate) fn read(&self, at_knots: &[Vec<f64>], y: f64, out: &mut [f64]) {
+    /// Interpolates vectors `at_knots` to the lateral position `y`, m: e(y) from those of the
+    /// strip.
+    pub(crate) fn interpolate(&self, at_knots: &[Vec<f64>], y: f64, out: &mut [f64]) {
         let right = self.knots.partition_point(|&knot| knot <= y);
         if right == 0 || right == self.knots.len() {
             out.copy_from_slice(&at_knots[right.saturating_sub(1)]);
@@ -69,16 +71,14 @@ impl Strip {
     }
 }
 
-/// Check the strips of a rider of `n` coordinates.
+/// Checks the strips of a pantograph of `n` coordinates.
 ///
 /// # Errors
 /// [`CoreError::Input`].
 pub(crate) fn check(strips: &[Strip], n: usize) -> Result<(), CoreError> {
-    if !strips.is_empty() && strips.iter().all(|strip| strip.is_sound(n)) {
+    if !strips.is_empty() && strips.iter().all(|strip| strip.is_valid(n)) {
         return Ok(());
     }
-    Err(CoreError::Input {
-        array: "riders",
-        reason: "no strip, or one whose sizes disagree or whose knots do not ascend".into(),
-    })
+    let reason = "no strip, or one whose sizes disagree or whose knots do not ascend";
+    Err(CoreError::invalid("riders", reason))
 }

@@ -1,52 +1,50 @@
-//! A line in a loop with the outside: a step for each call, nothing allocated in it.
+//! Session: a line stepped from outside, one step for each call, with nothing allocated in it.
 //!
-//! Two kinds of loop, one [step](crate::simulation::step), that of every run:
+//! Two kinds of session, one [step](crate::simulation::step), that of every run:
 //!
-//! * **forces given** — what presses against the wire is real, its force is measured. The force of
-//!   collector j, F at the place of its wire at the time of balance, is a load on the line,
+//! * **forces given** — a real pantograph presses against the simulated wire and its force is
+//!   measured. The force F of collector j, at the position x of the collector at the time of
+//!   balance, is a load on the line,
 //!
 //!     A Δu = … + Σ F_j S(x_j)
 //!
-//!   and what comes out is the wire at the collector at the end of the step: height z, lateral place
+//!   and the output is the wire at the collector at the end of the step: height z, lateral position
 //!   and the rate of the height that the collector follows, dz/dt = ż + V ∂z/∂x.
-//! * **riders simulated** — the force of each rider's [actuator](crate::pantograph::actuator) comes in, contact
-//!   forces and the motion of the riders go out.
+//! * **pantographs simulated** — the input is the force of each pantograph's
+//!   [actuator](crate::pantograph::actuator), the outputs are contact forces and the motion of the
+//!   pantographs.
 //!
-//! What comes in is what was measured when the step begins; it acts during the whole step. What goes
-//! out belongs to the end of the step, but for contact forces, which belong to its time of balance.
+//! Inputs are measured when the step begins and act during the whole step. Outputs belong to the
+//! end of the step, except contact forces, which belong to its time of balance.
 
-pub(crate) mod forces;
+pub(crate) mod collectors;
 pub(crate) mod outputs;
+pub(crate) mod snapshot;
 pub(crate) mod start;
 pub(crate) mod subgrid_height;
 
+pub use collectors::Collector;
+pub use outputs::Outputs;
+
 use crate::checkpoint::Checkpoint;
 use crate::error::CoreError;
-use crate::integrator::prepared::WireModel;
-use crate::linear::loads::{Load, Loads};
+use crate::integrator::wire_model::WireModel;
+use crate::linear::loads::Loads;
 use crate::pantograph::actuator::Actuator;
-use crate::pantograph::system::Pantograph;
-use crate::session::outputs::Outputs;
+use crate::pantograph::model::Pantograph;
+use crate::session::collectors::{Collectors, check_end};
+use crate::session::snapshot::Snapshot;
+use crate::session::subgrid_height::add_subgrid_heights;
 use crate::simulation::inputs::Inputs;
 use crate::simulation::model::Model;
 use crate::simulation::run::OBSERVE_EVERY;
 use crate::simulation::state::State;
 use crate::simulation::step::step;
-use crate::slideline::point::SlidelinePoint;
 use std::sync::Arc;
 
-/// What presses against the wire with a force that is given.
+/// Start of a session.
 #[derive(Debug, Clone, Copy)]
-pub struct Collector {
-    /// Distance behind the position of the loop, m.
-    pub behind: f64,
-    /// Reach to either side, m; infinite when every wire is in reach.
-    pub half_width: f64,
-}
-
-/// How a loop begins.
-#[derive(Debug, Clone, Copy)]
-pub struct Begin {
+pub struct SessionStart {
     /// Position along the track, m.
     pub position: f64,
     /// Speed, m/s.
@@ -55,172 +53,196 @@ pub struct Begin {
     pub friction: f64,
 }
 
-/// Line and riders of a loop, which nothing changes.
+/// Line and pantographs of a session, owned by it; no step changes them.
 #[derive(Debug)]
-pub(crate) struct Fixed<const DIM: usize, const D: usize> {
+pub(crate) struct OwnedModel<const DIM: usize, const D: usize> {
     pub(crate) line: Arc<WireModel<DIM, D>>,
-    /// None where forces are given.
-    pub(crate) riders: Vec<Pantograph>,
-    /// Distance of each rider behind the first, m.
+    /// Pantographs; none where forces are given.
+    pub(crate) pantographs: Vec<Pantograph>,
+    /// Distance of each pantograph behind the first, m.
     pub(crate) distances: Vec<f64>,
     /// Coefficient of friction along the wire.
     pub(crate) friction: f64,
 }
 
-impl<const DIM: usize, const D: usize> Fixed<DIM, D> {
-    pub(crate) fn model(&self) -> Model<'_, DIM, D> {
+impl<const DIM: usize, const D: usize> OwnedModel<DIM, D> {
+    pub(crate) fn borrow(&self) -> Model<'_, DIM, D> {
         Model {
-            line: &self.line,
-            riders: &self.riders,
+            wires: &self.line,
+            pantographs: &self.pantographs,
             distances: &self.distances,
             friction: self.friction,
         }
     }
 }
 
-/// A line that is stepped from outside.
+/// Line that is stepped from outside.
 #[derive(Debug)]
 pub struct Session<const DIM: usize, const D: usize> {
-    pub(crate) fixed: Fixed<DIM, D>,
-    pub(crate) collectors: Vec<Collector>,
-    /// Where the wire was found last at each collector.
-    pub(crate) places: Vec<SlidelinePoint<DIM>>,
-    /// Force of each collector on the line: shares of nodes, and the force in N.
-    pub(crate) loads: Vec<Load>,
-    pub(crate) sizes: Vec<f64>,
-    /// Forces of the collectors in the last step, N.
-    pub(crate) forces: Vec<f64>,
-    /// Position along the track in m, and speed in m/s, of the last step.
+    pub(crate) model: OwnedModel<DIM, D>,
+    pub(crate) collectors: Collectors<DIM>,
+    /// Position along the track at the end of the last step, m.
     pub(crate) position: f64,
+    /// Speed at the end of the last step, m/s.
     pub(crate) speed: f64,
     pub(crate) state: State<DIM, D>,
-    pub(crate) reading: Outputs,
+    pub(crate) outputs: Outputs,
 }
 
-/// Name of position and speed among the numbers of a state.
-const PLACE: &str = "loop_position_speed";
-
-pub(crate) fn refuse(array: &'static str, reason: &str) -> CoreError {
-    let reason = reason.into();
-    CoreError::Input { array, reason }
-}
+/// Name of position and speed among the numbers of a saved state.
+const POSITION_AND_SPEED: &str = "loop_position_speed";
 
 impl<const DIM: usize, const D: usize> Session<DIM, D> {
-    /// Take a step that ends at `position` (m) with `speed` (m/s). `forces` in N act during the
-    /// step: one for each collector where forces are given, else one for the actuator of each rider.
+    /// Takes a step that ends at `position` (m) with `speed` (m/s). `forces` in N act during the
+    /// step: one for each collector where forces are given, else one for the actuator of each
+    /// pantograph.
     ///
     /// Nothing is allocated unless the step fails, or more links are slack than
-    /// [`ROOM`](crate::session::start::ROOM) allows for. After a failure the loop stands where it stood before.
+    /// [`RESERVED_ROWS`](crate::session::start::RESERVED_ROWS) allows for. After a failure the
+    /// session stands where it stood before.
     ///
     /// # Errors
     /// [`CoreError::Input`], or any [`CoreError`] that a step can raise.
     pub fn step(&mut self, forces: &[f64], position: f64, speed: f64) -> Result<(), CoreError> {
-        self.check(forces, position, speed)?;
-        let old = self.fixed.line.coefficients.old;
-        let between = |before: f64, after: f64| (1.0 - old) * after + old * before;
-        let positions = [self.position, between(self.position, position), position];
-        self.push(forces, positions)?;
+        self.check_inputs(forces, position, speed)?;
+        let old = self.model.line.coefficients.old;
+        let at_balance = |before: f64, after: f64| (1.0 - old) * after + old * before;
+        let positions = [self.position, at_balance(self.position, position), position];
+        self.set_forces(forces, positions)?;
         let inputs = Inputs {
             positions,
-            speed: between(self.speed, speed),
-            loads: Loads::new(&self.loads, &self.sizes),
-            given: &[],
+            speed: at_balance(self.speed, speed),
+            loads: Loads::new(&self.collectors.loads, &self.collectors.sizes),
+            excitations: &[],
         };
         let number = self.steps();
-        step(&self.fixed.model(), &inputs, &mut self.state)?;
+        step(&self.model.borrow(), &inputs, &mut self.state)?;
         if number.is_multiple_of(OBSERVE_EVERY) {
             self.state.motion.check_finite()?;
         }
         (self.position, self.speed) = (position, speed);
-        self.read()
+        self.read_outputs()
     }
 
-    /// What the last step, or the start, has left.
+    /// Outputs of the last step, or of the start.
     #[must_use]
-    pub fn reading(&self) -> &Outputs {
-        &self.reading
+    pub fn outputs(&self) -> &Outputs {
+        &self.outputs
     }
 
-    /// Steps taken.
+    /// Number of steps taken.
     #[must_use]
     pub fn steps(&self) -> usize {
         self.state.motion.steps
     }
 
-    /// Nodes of the line.
+    /// Number of nodes of the line.
     #[must_use]
     pub fn nodes(&self) -> usize {
-        self.fixed.line.line.nodes()
+        self.model.line.line.nodes()
     }
 
     /// Position along the track in m, and speed in m/s.
     #[must_use]
-    pub fn place(&self) -> (f64, f64) {
+    pub fn position_and_speed(&self) -> (f64, f64) {
         (self.position, self.speed)
     }
 
-    /// Number of forces that a step takes.
+    /// Number of forces that a step needs.
     #[must_use]
     pub fn inputs(&self) -> usize {
-        self.collectors.len().max(self.fixed.riders.len())
+        self.collectors.all.len().max(self.model.pantographs.len())
     }
 
-    fn check(&self, forces: &[f64], position: f64, speed: f64) -> Result<(), CoreError> {
+    fn check_inputs(&self, forces: &[f64], position: f64, speed: f64) -> Result<(), CoreError> {
         if forces.len() != self.inputs() {
-            return Err(refuse("forces", "not one for each collector or rider"));
+            let reason = "not one for each collector or rider";
+            return Err(CoreError::invalid("forces", reason));
         }
         if !forces.iter().all(|force| force.is_finite()) {
-            return Err(refuse("forces", "not finite"));
+            return Err(CoreError::invalid("forces", "not finite"));
         }
         if !position.is_finite() || !speed.is_finite() {
-            return Err(refuse("position", "not finite"));
+            return Err(CoreError::invalid("position", "not finite"));
         }
-        let unheard =
-            |(rider, force): (&Pantograph, &f64)| rider.actuator.is_none() && *force != 0.0;
-        if self.fixed.riders.iter().zip(forces).any(unheard) {
-            return Err(refuse("forces", "a force for a rider without actuator"));
+        let without_actuator = |(pantograph, force): (&Pantograph, &f64)| {
+            pantograph.actuator.is_none() && *force != 0.0
+        };
+        let mut pairs = self.model.pantographs.iter().zip(forces);
+        if pairs.any(without_actuator) {
+            let reason = "a force for a rider without actuator";
+            return Err(CoreError::invalid("forces", reason));
         }
         Ok(())
     }
 
-    /// The state between two steps.
+    /// Sets the forces of the step, N: of actuators, and of collectors on the wire. Positions of
+    /// the session, m: at the start of the step, at the time of balance, and at the end.
+    fn set_forces(&mut self, forces: &[f64], [_, balance, end]: [f64; 3]) -> Result<(), CoreError> {
+        let (model, motion) = (self.model.borrow(), &mut self.state.motion);
+        check_end(model.wires, motion, end)?;
+        for (pantograph, force) in motion.pantographs.iter_mut().zip(forces) {
+            pantograph.actuator.force = *force;
+        }
+        self.collectors
+            .apply_forces(&model, motion, forces, [balance, end])
+    }
+
+    /// Reads the outputs from the present state.
+    pub(crate) fn read_outputs(&mut self) -> Result<(), CoreError> {
+        let (line, motion) = (&*self.model.line, &self.state.motion);
+        self.collectors
+            .locate(&line.slidelines[0], self.position, motion.steps)?;
+        let snapshot = Snapshot {
+            line,
+            motion,
+            collectors: &self.collectors,
+            position: self.position,
+            speed: self.speed,
+        };
+        self.outputs.read_mesh(&snapshot)?;
+        add_subgrid_heights(&mut self.outputs, &snapshot);
+        Ok(())
+    }
+
+    /// Saves the state between two steps.
     ///
     /// # Errors
-    /// None of a state that steps have left.
-    pub fn take_down(&mut self) -> Result<Checkpoint, CoreError> {
-        let mut saved = self.state.take_down(&self.fixed.model())?;
-        saved
-            .numbers
-            .insert(PLACE.into(), vec![self.position, self.speed]);
+    /// None for a state that steps have left.
+    pub fn save(&mut self) -> Result<Checkpoint, CoreError> {
+        let mut saved = self.state.save(&self.model.borrow())?;
+        let numbers = vec![self.position, self.speed];
+        saved.numbers.insert(POSITION_AND_SPEED.into(), numbers);
         Ok(saved)
     }
 
-    /// Go on from a state of this loop, or of another on the same line with as many riders.
+    /// Restores a saved state of this session, or of another one on the same line with as many
+    /// pantographs.
     ///
     /// # Errors
-    /// [`CoreError::Input`] for a state of another loop; the present one is then kept.
-    pub fn put_back(&mut self, saved: &Checkpoint) -> Result<(), CoreError> {
-        let mut rest = saved.clone();
-        let place = rest.numbers.remove(PLACE).unwrap_or_default();
-        let [position, speed] = place[..] else {
-            return Err(refuse("state", "it is not of a loop"));
+    /// [`CoreError::Input`] for a state of another session; the present one is then kept.
+    pub fn restore(&mut self, saved: &Checkpoint) -> Result<(), CoreError> {
+        let mut saved = saved.clone();
+        let numbers = saved.numbers.remove(POSITION_AND_SPEED).unwrap_or_default();
+        let [position, speed] = numbers[..] else {
+            return Err(CoreError::invalid("state", "it is not of a loop"));
         };
         let mut state = self.state.clone();
-        state.put_back(&self.fixed.model(), &rest)?;
+        state.restore(&self.model.borrow(), &saved)?;
         let before = (self.position, self.speed);
         (self.position, self.speed) = (position, speed);
         let before_state = std::mem::replace(&mut self.state, state);
-        let done = self.read();
-        if done.is_err() {
+        let restored = self.read_outputs();
+        if restored.is_err() {
             (self.position, self.speed) = before;
             self.state = before_state;
-            self.read()?;
+            self.read_outputs()?;
         }
-        done
+        restored
     }
 }
 
-/// Whether an actuator is one of a loop: asked in every step, without delay.
+/// Tells whether an actuator is one of a session: sampled in every step, without delay.
 pub(crate) fn is_direct(actuator: &Actuator) -> bool {
     actuator.every == 1 && actuator.delay == 0
 }

@@ -1,13 +1,13 @@
-//! Samples of a run: what is measured, and the force that is answered.
+//! Samples of a run for its controllers: measured values, and the force that is returned.
 
 use crate::error::CoreError;
-use crate::pantograph::actuator::{Ask, Sample};
+use crate::pantograph::actuator::{Controller, Sample};
 use crate::simulation::model::Model;
-use crate::simulation::state::Motion;
+use crate::simulation::motion::Motion;
 
 impl<const DIM: usize, const D: usize> Motion<DIM, D> {
-    /// Before a step: ask for the forces of all actuators that are due for a sample, with the first
-    /// rider at a position (m) and speed (m/s).
+    /// Before a step: gets the forces of all actuators that are due for a sample, with the first
+    /// pantograph at a position (m) and speed (m/s).
     ///
     /// # Errors
     /// [`CoreError::Control`].
@@ -15,39 +15,39 @@ impl<const DIM: usize, const D: usize> Motion<DIM, D> {
         &mut self,
         model: &Model<'_, DIM, D>,
         (position, speed): (f64, f64),
-        ask: Ask<'_>,
+        controller: Controller<'_>,
     ) -> Result<(), CoreError> {
         let step = self.steps;
-        for j in 0..self.riders.len() {
-            let Some(actuator) = self.riders[j].rider.actuator.clone() else {
+        for j in 0..self.pantographs.len() {
+            let Some(actuator) = self.pantographs[j].model.actuator.clone() else {
                 continue;
             };
-            let mut state = std::mem::take(&mut self.riders[j].actuator);
-            let answered = state.begin(&actuator, step, |number| {
+            let mut state = std::mem::take(&mut self.pantographs[j].actuator);
+            let answered = state.update(&actuator, step, |number| {
                 let sample = self.sample(model, (position, speed), (j, number));
-                let answer = ask(j, &sample).and_then(|force| {
+                let answer = controller(j, &sample).and_then(|force| {
                     let finite = force.is_finite().then_some(force);
                     finite.ok_or_else(|| format!("the force is {force}"))
                 });
                 answer.map_err(|reason| CoreError::Control {
-                    rider: j,
+                    pantograph: j,
                     step,
                     time: sample.time,
                     position: sample.position,
                     reason,
                 })
             });
-            self.riders[j].actuator = state;
+            self.pantographs[j].actuator = state;
             answered?;
         }
         Ok(())
     }
 
-    /// Sum over the contacts of a rider, N.
-    fn rider_force(&self, j: usize) -> f64 {
-        let forces = self.contacts.all.iter().zip(&self.unilateral.force);
-        let own = forces.filter(|(contact, _)| contact.rider() == j);
-        own.map(|(_, force)| force).sum()
+    /// Returns the sum of the contact forces of a pantograph, N.
+    fn pantograph_force(&self, j: usize) -> f64 {
+        let forces = self.contacts.all.iter().zip(&self.problem.force);
+        let forces_of_pantograph = forces.filter(|(contact, _)| contact.pantograph() == j);
+        forces_of_pantograph.map(|(_, force)| force).sum()
     }
 
     fn sample(
@@ -56,16 +56,16 @@ impl<const DIM: usize, const D: usize> Motion<DIM, D> {
         (position, speed): (f64, f64),
         (j, number): (usize, usize),
     ) -> Sample {
-        let rider = &self.riders[j];
-        let moved = rider.u.iter().zip(&self.start_u[j]);
+        let pantograph = &self.pantographs[j];
+        let displacements = pantograph.u.iter().zip(&self.start_u[j]);
         Sample {
             number,
-            time: self.steps as f64 * model.line.h,
+            time: self.steps as f64 * model.wires.h,
             position: position - model.distances[j],
             speed,
-            force: self.rider_force(j),
-            displacements: moved.map(|(u, start)| u - start).collect(),
-            velocities: rider.v.clone(),
+            force: self.pantograph_force(j),
+            displacements: displacements.map(|(u, start)| u - start).collect(),
+            velocities: pantograph.v.clone(),
         }
     }
 }

@@ -1,30 +1,33 @@
-//! How contacts share a given force at rest.
+//! Sharing of a given force among contacts at rest.
 //!
 //!   0 ≤ λ  ⊥  q + H λ − a z ≥ 0,   Σ λ = F
 //!
-//! z is the height of what presses, H the compliance of all that yields, q the gaps at λ = 0 and z = 0.
-//! For given z this is a complementarity problem, and Σ λ grows with z along straight pieces: on a
-//! piece with the contacts S closed by 1ᵀ H_SS⁻¹ a_S. So Newton's method in z ends after some pieces; a
-//! step that leaves the bracket is replaced by half of it.
+//! z is the level of the pantograph, H the compliance of wires, contacts and pantograph, q the gaps
+//! at λ = 0 and z = 0. For given z this is a complementarity problem, and Σ λ grows with z along
+//! straight pieces: on a piece with the contacts S closed by 1ᵀ H_SS⁻¹ a_S. So Newton's method in z
+//! ends after some pieces; a step that leaves the bracket is replaced by half of it.
 
 use crate::error::CoreError;
 use crate::lcp::LcpSolver;
 use crate::linalg::dense;
 
-/// Pieces are fewer than two to the power of the contacts; more steps than this and there is no end.
+/// Bound on Newton steps: far more than there are pieces on the way.
 const MOST_STEPS: usize = 200;
 /// Rounding of the complementarity problems, as a share of the force.
 const ROUNDING: f64 = 1e-12;
 
-/// λ and z; `None` when the contacts cannot carry the force.
-pub(crate) fn share(h: &[f64], q: &[f64], a: &[f64], total: f64) -> Option<(Vec<f64>, f64)> {
+/// Returns λ and z; `None` when the contacts cannot carry the force.
+pub(crate) fn share_load(h: &[f64], q: &[f64], a: &[f64], total: f64) -> Option<(Vec<f64>, f64)> {
     let n = q.len();
-    let touch: Vec<f64> = q.iter().zip(a).map(|(q, a)| q / a).collect();
-    let first = (0..n).min_by(|&i, &j| touch[i].total_cmp(&touch[j]))?;
+    let touching_height: Vec<f64> = q.iter().zip(a).map(|(q, a)| q / a).collect();
+    let first = (0..n).min_by(|&i, &j| touching_height[i].total_cmp(&touching_height[j]))?;
     if a.iter().any(|&a| a <= 0.0) || total < 0.0 {
         return None;
     }
-    let (mut z, mut bracket) = (touch[first], [touch[first], f64::INFINITY]);
+    let (mut z, mut bracket) = (
+        touching_height[first],
+        [touching_height[first], f64::INFINITY],
+    );
     let (mut x, mut y, mut solver) = (vec![0.0; n], vec![0.0; n], LcpSolver::new());
     let mut closed = vec![first];
     for _ in 0..MOST_STEPS {
@@ -34,8 +37,8 @@ pub(crate) fn share(h: &[f64], q: &[f64], a: &[f64], total: f64) -> Option<(Vec<
         }
         bracket[usize::from(sum > total)] = z;
         let newton = z + (total - sum) / slope(h, a, &closed)?;
-        let is_inside = bracket[0] < newton && newton < bracket[1];
-        z = if is_inside {
+        let is_in_bracket = bracket[0] < newton && newton < bracket[1];
+        z = if is_in_bracket {
             newton
         } else {
             0.5 * (bracket[0] + bracket[1])
@@ -50,7 +53,7 @@ pub(crate) fn share(h: &[f64], q: &[f64], a: &[f64], total: f64) -> Option<(Vec<
     None
 }
 
-/// 1ᵀ H_SS⁻¹ a_S.
+/// Returns the slope 1ᵀ H_SS⁻¹ a_S of Σ λ over z, N/m.
 fn slope(h: &[f64], a: &[f64], closed: &[usize]) -> Option<f64> {
     let row = |&i: &usize| closed.iter().map(move |&j| h[i * a.len() + j]);
     let mut matrix: Vec<f64> = closed.iter().flat_map(row).collect();
@@ -60,7 +63,7 @@ fn slope(h: &[f64], a: &[f64], closed: &[usize]) -> Option<f64> {
     (is_regular && slope > 0.0).then_some(slope)
 }
 
-pub(crate) fn unshared() -> CoreError {
+pub(crate) fn cannot_share() -> CoreError {
     CoreError::Input {
         array: "riders",
         reason: "contacts at rest cannot share the force".into(),

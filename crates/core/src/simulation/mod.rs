@@ -5,6 +5,7 @@ pub(crate) mod initial_equilibrium;
 pub mod inputs;
 pub(crate) mod load_sharing;
 pub mod model;
+pub mod motion;
 pub mod recording;
 pub mod run;
 pub(crate) mod saved;

@@ -1,27 +1,28 @@
-//! The model of a run, which nothing changes: a line ready for steps, and the riders on it.
+//! Model of a run, which is constant: a line ready for steps, and the pantographs on it.
 
-use crate::integrator::prepared::WireModel;
-use crate::pantograph::system::Pantograph;
+use crate::integrator::wire_model::WireModel;
+use crate::pantograph::model::Pantograph;
 
-/// Line and riders of a run, borrowed. Steps read it and write to a [`State`](crate::simulation::state::State).
+/// Line and pantographs of a run, borrowed. Steps read it and write to a
+/// [`State`](crate::simulation::state::State).
 #[derive(Debug, Clone, Copy)]
 pub struct Model<'a, const DIM: usize, const D: usize> {
     /// Line ready for steps.
-    pub line: &'a WireModel<DIM, D>,
-    /// Riders as they were given.
-    pub riders: &'a [Pantograph],
-    /// Distance of each rider behind the first, m.
+    pub wires: &'a WireModel<DIM, D>,
+    /// Pantographs of the run.
+    pub pantographs: &'a [Pantograph],
+    /// Distance of each pantograph behind the first, m.
     pub distances: &'a [f64],
     /// Coefficient of friction along the wire.
     pub friction: f64,
 }
 
 impl<'a, const DIM: usize, const D: usize> Model<'a, DIM, D> {
-    /// Model with the line where it is: with updated kinematics the state owns one, formed at its
-    /// present position.
-    pub(crate) fn at(self, present: Option<&'a WireModel<DIM, D>>) -> Self {
+    /// Returns the model with the line at its current position: with updated kinematics the state
+    /// owns one that is formed there.
+    pub(crate) fn with_geometry(self, current_geometry: Option<&'a WireModel<DIM, D>>) -> Self {
         Self {
-            line: present.unwrap_or(self.line),
+            wires: current_geometry.unwrap_or(self.wires),
             ..self
         }
     }

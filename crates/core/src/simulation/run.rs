@@ -1,64 +1,48 @@
-//! A run, or a part of one: from its start or a saved state, to a step at which its state is taken
-//! down.
+//! Run, or part of one: from its start or a saved state, to a step at which its state is saved.
 //!
-//! Parts one after the other are the whole run, bit for bit. The series of a record are those of the
-//! part, its extremes and counts those of the run so far. The series of a long run may be handed on in
-//! pieces while it goes on: one after the other they are the whole series. A piece has the extremes and
-//! counts of the run so far.
+//! Parts one after the other are the whole run, bit for bit. The series of a record are those of
+//! the part, its extremes and counts those of the run so far. The series of a long run may be
+//! passed to a sink in pieces during the run: one after the other they are the whole series. A
+//! piece has the extremes and counts of the run so far.
 
 use crate::checkpoint::{Checkpoint, refuse};
 use crate::error::CoreError;
-use crate::integrator::prepared::WireModel;
-use crate::linear::loads::Load;
-use crate::pantograph::actuator::{Ask, Sample};
-use crate::pantograph::system::Pantograph;
-use crate::simulation::inputs::Histories;
+use crate::integrator::wire_model::WireModel;
+use crate::pantograph::actuator::{Controller, Sample};
+use crate::pantograph::model::Pantograph;
+use crate::simulation::inputs::{Histories, Trajectory};
 use crate::simulation::model::Model;
 use crate::simulation::recording::record::{Record, RecordPlan};
 use crate::simulation::recording::recorder::Recorder;
 use crate::simulation::state::State;
 use crate::simulation::step::step;
 
-/// Motion along the track and laws of the contact.
-#[derive(Debug, Clone)]
-pub struct Trajectory {
-    /// Position of the first rider at the start and after each step, m.
-    pub positions: Vec<f64>,
-    /// Speed at the same instants, m/s.
-    pub speeds: Vec<f64>,
-    /// Distance of each rider behind the first, m.
-    pub distances: Vec<f64>,
-    /// Coefficient of friction along the wire.
-    pub friction: f64,
-    /// Forces on the line, given at the same instants.
-    pub loads: Vec<Load>,
-}
-
-/// Which steps to do.
+/// Range of steps to do.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Part<'a> {
-    /// State to go on from; `None` to begin at the start.
+    /// Saved state to continue from; `None` to begin at the start.
     pub from: Option<&'a Checkpoint>,
-    /// Number of steps, counted from the start of the run, to stop after; `None` to go to the end.
+    /// Number of steps, counted from the start of the run, after which to stop; `None` for the end.
     pub until: Option<usize>,
 }
 
-/// Takes the next piece of the series; answers whether to go on.
+/// Receiver of the next piece of the series; it returns whether to continue.
 pub type Sink<'a> = &'a mut dyn FnMut(Record) -> bool;
 
-/// Who is called during a run.
+/// Functions that are called during a run.
 pub struct Callbacks<'a> {
-    /// Called now and then with the number of steps done; answers whether to go on.
+    /// Observer, called at intervals with the number of steps done; it returns whether to continue.
     pub observe: &'a mut dyn FnMut(usize) -> bool,
-    /// Asked for the forces of actuators.
-    pub ask: Ask<'a>,
-    /// Takes the series as soon as they hold so many numbers; `None` leaves them in the record.
+    /// Controller that returns the forces of actuators, N.
+    pub ask: Controller<'a>,
+    /// Sink of the series, and the number of values from which they are passed to it; `None` leaves
+    /// them in the record.
     pub take: Option<(usize, Sink<'a>)>,
 }
 
 impl Callbacks<'_> {
-    /// Tell how many steps are done, and hand on what has been recorded.
-    fn call<const DIM: usize, const D: usize>(
+    /// Reports the number of steps done, and flushes the recorded series to the sink.
+    fn report_progress<const DIM: usize, const D: usize>(
         &mut self,
         state: &mut State<DIM, D>,
     ) -> Result<(), CoreError> {
@@ -81,8 +65,8 @@ impl Callbacks<'_> {
 }
 
 impl Part<'_> {
-    fn steps(&self, travel: &Trajectory) -> Result<std::ops::Range<usize>, CoreError> {
-        let all = travel.positions.len() - 1;
+    fn steps(&self, trajectory: &Trajectory) -> Result<std::ops::Range<usize>, CoreError> {
+        let all = trajectory.positions.len() - 1;
         let (first, last) = (self.from.map_or(0, |s| s.step), self.until.unwrap_or(all));
         if first < last && last <= all {
             return Ok(first..last);
@@ -96,120 +80,134 @@ impl Part<'_> {
 pub(crate) const OBSERVE_EVERY: usize = 256;
 
 impl<const DIM: usize, const D: usize> WireModel<DIM, D> {
-    /// Run all steps of `travel`. `observe` is called now and then with the number of steps done;
-    /// the run ends with [`CoreError::Cancelled`] when it returns `false`.
+    /// Runs all steps of `trajectory`. `observe` is called at intervals with the number of steps
+    /// done; the run ends with [`CoreError::Cancelled`] when it returns `false`.
     ///
     /// # Errors
     /// Any [`CoreError`] that a step can raise.
     pub fn run(
         &self,
-        riders: &[Pantograph],
-        travel: &Trajectory,
+        pantographs: &[Pantograph],
+        trajectory: &Trajectory,
         plan: &RecordPlan,
         observe: &mut dyn FnMut(usize) -> bool,
     ) -> Result<Record, CoreError> {
         let mut nobody = |_: usize, _: &Sample| Err("nobody controls it".into());
-        self.run_controlled(riders, travel, plan, observe, &mut nobody)
+        self.run_controlled(pantographs, trajectory, plan, observe, &mut nobody)
     }
 
-    /// The same, with someone to ask for the forces of actuators.
+    /// Runs all steps of `trajectory` with a controller of the actuators.
     ///
     /// # Errors
     /// Any [`CoreError`] that a step can raise, [`CoreError::Control`] among them.
     pub fn run_controlled(
         &self,
-        riders: &[Pantograph],
-        travel: &Trajectory,
+        pantographs: &[Pantograph],
+        trajectory: &Trajectory,
         plan: &RecordPlan,
         observe: &mut dyn FnMut(usize) -> bool,
-        ask: Ask<'_>,
+        ask: Controller<'_>,
     ) -> Result<Record, CoreError> {
         let whole = Part::default();
-        let done = self.run_part(riders, travel, plan, whole, observe, ask);
-        done.map(|(record, _)| record)
+        let result = self.run_part(pantographs, trajectory, plan, whole, observe, ask);
+        result.map(|(record, _)| record)
     }
 
-    /// Do a part of the steps of `travel`; see [`WireModel::run_controlled`] for the rest.
+    /// Does a part of the steps of `trajectory`; see [`WireModel::run_controlled`] for the rest.
     ///
     /// # Errors
     /// Any [`CoreError`] that a step can raise; [`CoreError::Input`] for a state of another run.
     pub fn run_part(
         &self,
-        riders: &[Pantograph],
-        travel: &Trajectory,
+        pantographs: &[Pantograph],
+        trajectory: &Trajectory,
         plan: &RecordPlan,
         part: Part<'_>,
         observe: &mut dyn FnMut(usize) -> bool,
-        ask: Ask<'_>,
+        ask: Controller<'_>,
     ) -> Result<(Record, Checkpoint), CoreError> {
         let take = None;
-        self.run_pieces(riders, travel, plan, part, Callbacks { observe, ask, take })
+        self.run_pieces(
+            pantographs,
+            trajectory,
+            plan,
+            part,
+            Callbacks { observe, ask, take },
+        )
     }
 
-    /// Do a part of the steps, with the series handed on in pieces; those of the record returned are
-    /// the last one.
+    /// Does a part of the steps, with the series passed to a sink in pieces; those of the record
+    /// returned are the last one.
     ///
     /// # Errors
     /// As [`WireModel::run_part`].
     pub fn run_pieces(
         &self,
-        riders: &[Pantograph],
-        travel: &Trajectory,
+        pantographs: &[Pantograph],
+        trajectory: &Trajectory,
         plan: &RecordPlan,
         part: Part<'_>,
-        mut callers: Callbacks<'_>,
+        mut callbacks: Callbacks<'_>,
     ) -> Result<(Record, Checkpoint), CoreError> {
-        check(riders, travel, plan, self.keeps_energy())?;
+        check(pantographs, trajectory, plan, self.has_energy_balance())?;
         check_nodes(&plan.nodes, self.line.nodes())?;
         if let Some(near) = &plan.near {
             near.check(self.line.links.len(), self.line.nodes())?;
         }
-        crate::linear::loads::check::<D>(&travel.loads, self.line.nodes(), travel.positions.len())?;
-        let steps = part.steps(travel)?;
+        crate::linear::loads::check::<D>(
+            &trajectory.loads,
+            self.line.nodes(),
+            trajectory.positions.len(),
+        )?;
+        let steps = part.steps(trajectory)?;
         let model = Model {
-            line: self,
-            riders,
-            distances: &travel.distances,
-            friction: travel.friction,
+            wires: self,
+            pantographs,
+            distances: &trajectory.distances,
+            friction: trajectory.friction,
         };
-        let mut state = State::begin(&model, travel, plan, part.from)?;
-        let mut histories = Histories::new(travel, riders);
+        let mut state = State::start_or_resume(&model, trajectory, plan, part.from)?;
+        let mut histories = Histories::new(trajectory, pantographs);
         for number in steps {
             let is_due = number.is_multiple_of(OBSERVE_EVERY);
             if is_due {
-                callers.call(&mut state)?;
+                callbacks.report_progress(&mut state)?;
             }
-            let at_start = (travel.positions[number], travel.speeds[number]);
-            state.motion.control(&model, at_start, callers.ask)?;
+            let at_start = (trajectory.positions[number], trajectory.speeds[number]);
+            state.motion.control(&model, at_start, callbacks.ask)?;
             let inputs = histories.at(number, self.coefficients.old);
             step(&model, &inputs, &mut state)?;
             if is_due {
-                state.leave_behind(&model, travel.positions[number + 1]);
+                state.sleep_passed(&model, trajectory.positions[number + 1]);
             }
         }
-        state.end(&model)
+        state.finish(&model)
     }
 }
 
 impl<const DIM: usize, const D: usize> State<DIM, D> {
-    /// State of a run that is recorded: at its start, or where a saved one left it.
-    fn begin(
+    /// Returns the state of a recorded run: at its start, or restored from a saved one.
+    fn start_or_resume(
         model: &Model<'_, DIM, D>,
-        travel: &Trajectory,
+        trajectory: &Trajectory,
         plan: &RecordPlan,
         from: Option<&Checkpoint>,
     ) -> Result<Self, CoreError> {
-        let may_sleep = travel.loads.is_empty();
+        let may_sleep = trajectory.loads.is_empty();
         let mut state = match from {
-            None => Self::standing(model, (travel.positions[0], travel.speeds[0]), may_sleep)?,
+            None => Self::in_equilibrium(
+                model,
+                (trajectory.positions[0], trajectory.speeds[0]),
+                may_sleep,
+            )?,
             Some(_) => Self::blank(model, may_sleep)?,
         };
-        let steps = travel.positions.len() - 1;
+        let steps = trajectory.positions.len() - 1;
         let mut recorder = Recorder::new(model, plan, steps, &mut state.motion)?;
         match from {
             None => {
                 state.recorder = Some(recorder);
-                state.let_sleep(model);
+                state.sleep_untouched(model);
                 if let Some(recorder) = &mut state.recorder {
                     recorder.open_books(model, &state.motion);
                 }
@@ -217,16 +215,16 @@ impl<const DIM: usize, const D: usize> State<DIM, D> {
             Some(saved) => {
                 recorder.open_books(model, &state.motion);
                 state.recorder = Some(recorder);
-                state.put_back(model, saved)?;
+                state.restore(model, saved)?;
             }
         }
         Ok(state)
     }
 
-    /// Record and saved state at the end of a part.
-    fn end(mut self, model: &Model<'_, DIM, D>) -> Result<(Record, Checkpoint), CoreError> {
+    /// Returns record and saved state at the end of a part.
+    fn finish(mut self, model: &Model<'_, DIM, D>) -> Result<(Record, Checkpoint), CoreError> {
         self.motion.check_finite()?;
-        let saved = self.take_down(model)?;
+        let saved = self.save(model)?;
         let mut record = Record::default();
         if let Some(mut recorder) = self.recorder {
             recorder.record.check_energy(self.motion.steps)?;
@@ -237,15 +235,15 @@ impl<const DIM: usize, const D: usize> State<DIM, D> {
     }
 }
 
-/// Check what a run is given.
+/// Checks the inputs of a run.
 ///
 /// # Errors
 /// [`CoreError::Input`].
 pub(crate) fn check(
-    riders: &[Pantograph],
-    travel: &Trajectory,
+    pantographs: &[Pantograph],
+    trajectory: &Trajectory,
     plan: &RecordPlan,
-    keeps_energy: bool,
+    has_energy_balance: bool,
 ) -> Result<(), CoreError> {
     let refuse = |array, reason: &str| {
         Err(CoreError::Input {
@@ -253,20 +251,26 @@ pub(crate) fn check(
             reason: reason.into(),
         })
     };
-    if riders.is_empty() || travel.distances.len() != riders.len() {
+    if pantographs.is_empty() || trajectory.distances.len() != pantographs.len() {
         return refuse("riders", "none, or not one distance for each");
     }
-    if travel.positions.len() < 2 || travel.speeds.len() != travel.positions.len() {
+    if trajectory.positions.len() < 2 || trajectory.speeds.len() != trajectory.positions.len() {
         return refuse("positions", "fewer than two, or not one speed for each");
     }
-    let all = [&travel.positions, &travel.speeds, &travel.distances];
-    if all.iter().any(|a| a.iter().any(|v| !v.is_finite())) || !travel.friction.is_finite() {
+    let all = [
+        &trajectory.positions,
+        &trajectory.speeds,
+        &trajectory.distances,
+    ];
+    if all.iter().any(|a| a.iter().any(|v| !v.is_finite())) || !trajectory.friction.is_finite() {
         return refuse("positions", "not finite");
     }
-    for rider in riders {
-        rider.given.check_instants(travel.positions.len())?;
+    for pantograph in pantographs {
+        pantograph
+            .excitation
+            .check_instants(trajectory.positions.len())?;
     }
-    if plan.ledger && !keeps_energy {
+    if plan.ledger && !has_energy_balance {
         return refuse("plan", "an energy ledger with updated kinematics");
     }
     if plan.contact_every == 0 || plan.line_every == 0 || plan.ledger_every == 0 {
@@ -275,7 +279,7 @@ pub(crate) fn check(
     Ok(())
 }
 
-/// Refuse to watch nodes that are not there.
+/// Refuses nodes that do not exist.
 ///
 /// # Errors
 /// [`CoreError::Input`].

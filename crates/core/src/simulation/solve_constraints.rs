@@ -1,45 +1,50 @@
-//! The end of a step: everything unilateral at once.
+//! Solution of all unilateral constraints of a step together.
 
 use crate::error::CoreError;
 use crate::lcp::LcpStats;
-use crate::pantograph::system::PantographState;
+use crate::pantograph::state::PantographState;
 use crate::simulation::model::Model;
-use crate::simulation::state::{Motion, State};
+use crate::simulation::motion::Motion;
+use crate::simulation::state::State;
 
 impl<const DIM: usize, const D: usize> State<DIM, D> {
-    /// Solve the complementarity problem of the step and complete the increments with its forces.
+    /// Solves the complementarity problem of the step and complete the increments with its forces.
     ///
-    /// Only links that would push enter; a link that starts to push because of the solution
-    /// enters then, so the answer is that of the problem with all links. A [law](crate::pantograph::piecewise_force) on
-    /// whose other side the solution lies turns, and the problem is solved anew.
+    /// Only links that would push enter the working set; a link that starts to push because of the
+    /// solution enters then, so the solution is that of the problem with all links. A
+    /// [piecewise force](crate::pantograph::piecewise_force) with the solution on its other side
+    /// switches its branch, and the problem is solved again.
     ///
     /// # Errors
     /// [`CoreError::Lcp`] or [`CoreError::SlackSet`].
-    pub(crate) fn solve_unilateral(
+    pub(crate) fn solve_constraints(
         &mut self,
         model: &Model<'_, DIM, D>,
     ) -> Result<LcpStats, CoreError> {
         let Self {
-            present, motion, ..
+            current_geometry,
+            motion,
+            ..
         } = self;
-        motion.unilateral.clear();
-        motion.collect(&model.at(present.as_deref()));
+        motion.problem.clear_working_set();
+        motion.update_working_set(&model.with_geometry(current_geometry.as_deref()));
         let mut total = LcpStats::default();
-        for _ in 0..motion.most_rounds(model) {
-            // With updated kinematics influence columns are computed where they are needed.
-            if let Some(present) = present {
-                present.provide(&motion.contacts, &motion.unilateral.links);
+        for _ in 0..motion.max_rounds(model) {
+            // With updated kinematics compliance columns are computed where they are needed.
+            if let Some(current_geometry) = current_geometry {
+                current_geometry.ensure_columns(&motion.contacts, &motion.problem.links);
             }
-            let at = model.at(present.as_deref());
-            let stats = motion.solve_round(&at)?;
+            let current = model.with_geometry(current_geometry.as_deref());
+            let stats = motion.solve_working_set(&current)?;
             total.pivots += stats.pivots;
             total.fallback_used |= stats.fallback_used;
             total.residual = total.residual.max(stats.residual);
-            at.line
-                .apply(&mut motion.line, &mut motion.unilateral, &motion.contacts);
-            if !motion.collect(&at) {
-                motion.push_riders();
-                if !motion.turn(&at) {
+            current
+                .wires
+                .apply(&mut motion.wires, &mut motion.problem, &motion.contacts);
+            if !motion.update_working_set(&current) {
+                motion.apply_pantograph_forces();
+                if !motion.switch_branch(&current) {
                     return Ok(total);
                 }
             }
@@ -52,64 +57,82 @@ impl<const DIM: usize, const D: usize> State<DIM, D> {
 }
 
 impl<const DIM: usize, const D: usize> Motion<DIM, D> {
-    /// Time at the end of the present step, s.
+    /// Returns the time at the end of the current step, s.
     pub(crate) fn end_time(&self, model: &Model<'_, DIM, D>) -> f64 {
-        (self.steps + 1) as f64 * model.line.h
+        (self.steps + 1) as f64 * model.wires.h
     }
 
-    /// Forces for the links and kinks that have entered so far.
-    fn solve_round(&mut self, model: &Model<'_, DIM, D>) -> Result<LcpStats, CoreError> {
-        let tension_free = &self.line.links.tension_free;
-        let stats = self.unilateral.solve(
-            model.line,
+    /// Finds the forces of the current working set.
+    fn solve_working_set(&mut self, model: &Model<'_, DIM, D>) -> Result<LcpStats, CoreError> {
+        let tension_free = &self.wires.links.tension_free;
+        let stats = self.problem.solve(
+            model.wires,
             &self.contacts,
-            &mut self.riders,
+            &mut self.pantographs,
             &self.gaps,
             tension_free,
         );
         stats.map_err(|failure| CoreError::Lcp {
             step: self.steps,
             time: self.end_time(model),
-            contacts: self.contacts.active().map(|c| c.of).collect(),
-            links: self.unilateral.links.clone(),
-            stops: self.riders.iter().map(|r| r.entered().count()).collect(),
+            contacts: self.contacts.active().map(|c| c.indices).collect(),
+            links: self.problem.links.clone(),
+            stops: self
+                .pantographs
+                .iter()
+                .map(|r| r.active_breakpoints().count())
+                .collect(),
             failure,
         })
     }
 
-    /// Add the response of the riders to contact forces and kinks.
-    fn push_riders(&mut self) {
-        for (contact, force) in self.contacts.all.iter().zip(&self.unilateral.force) {
-            if contact.meets {
-                self.riders[contact.rider()].add_contact(*force, &contact.column);
+    /// Adds the response of the pantographs to contact forces and breakpoints.
+    fn apply_pantograph_forces(&mut self) {
+        for (contact, force) in self.contacts.all.iter().zip(&self.problem.force) {
+            if contact.is_active {
+                self.pantographs[contact.pantograph()].apply_contact_force(*force, &contact.column);
             }
         }
-        self.riders.iter_mut().for_each(PantographState::add_kinks);
+        self.pantographs
+            .iter_mut()
+            .for_each(PantographState::apply_breakpoint_forces);
     }
 
-    /// Let links enter that have to; tells whether there are new ones.
-    fn collect(&mut self, model: &Model<'_, DIM, D>) -> bool {
-        let awake = model.line.awake(&self.line.awake);
-        let links = (&self.line.links, &model.line.table);
-        self.unilateral
-            .collect(awake.map(|island| island.links.clone()), links)
+    /// Adds links to the working set; returns whether there are new ones.
+    fn update_working_set(&mut self, model: &Model<'_, DIM, D>) -> bool {
+        let awake = model.wires.awake(&self.wires.awake);
+        let links = (&self.wires.links, &model.wires.table);
+        self.problem
+            .update_working_set(awake.map(|island| island.links.clone()), links)
     }
 
-    /// Every round adds at least one link or turns a law; between two links the laws take every
-    /// arrangement of their sides once at most.
-    fn most_rounds(&self, model: &Model<'_, DIM, D>) -> usize {
-        let laws = self.riders.iter().map(|r| r.laws.len()).sum::<usize>();
-        let sides = 1_usize.checked_shl(laws as u32).unwrap_or(usize::MAX);
-        (model.line.line.links.len() + 1).saturating_mul(sides)
+    /// Returns the bound on rounds: every round adds at least one link or switches a branch, and
+    /// between two links every combination of branches occurs once at most.
+    fn max_rounds(&self, model: &Model<'_, DIM, D>) -> usize {
+        let piecewise_force_energy = self
+            .pantographs
+            .iter()
+            .map(|r| r.piecewise_forces.len())
+            .sum::<usize>();
+        let branches = 1_usize
+            .checked_shl(piecewise_force_energy as u32)
+            .unwrap_or(usize::MAX);
+        (model.wires.line.links.len() + 1).saturating_mul(branches)
     }
 
-    /// Let the first law on the wrong side turn, and take the increments of the riders back.
-    fn turn(&mut self, model: &Model<'_, DIM, D>) -> bool {
-        let c = model.line.coefficients;
-        let turned = self.riders.iter_mut().any(|rider| rider.turn(&c));
-        if turned {
-            self.riders.iter_mut().for_each(PantographState::take_back);
+    /// Switches the branch of the first piecewise force on the wrong side, and resets the
+    /// increments of the pantographs.
+    fn switch_branch(&mut self, model: &Model<'_, DIM, D>) -> bool {
+        let c = model.wires.coefficients;
+        let has_switched = self
+            .pantographs
+            .iter_mut()
+            .any(|pantograph| pantograph.switch_branch(&c));
+        if has_switched {
+            self.pantographs
+                .iter_mut()
+                .for_each(PantographState::reset_to_prediction);
         }
-        turned
+        has_switched
     }
 }

@@ -1,15 +1,16 @@
-//! One step of line and riders.
+//! Step of line and pantographs.
 
 use crate::error::CoreError;
-use crate::pantograph::system::inner;
+use crate::linalg::small::inner;
 use crate::simulation::inputs::Inputs;
 use crate::simulation::model::Model;
-use crate::simulation::state::{Motion, State};
+use crate::simulation::motion::Motion;
+use crate::simulation::state::State;
 
-/// Take one step: from the state at its start to the state at its end.
+/// Takes one step: from the state at its start to the state at its end.
 ///
 /// # Errors
-/// [`CoreError::OffWire`], [`CoreError::OutOfReach`] where a rider leaves its wires,
+/// [`CoreError::OffWire`], [`CoreError::OutOfReach`] where a pantograph leaves its wires,
 /// [`CoreError::Lcp`], [`CoreError::SlackSet`] where the unilateral forces are not found,
 /// [`CoreError::Singular`], [`CoreError::Folded`] with updated kinematics, [`CoreError::Balance`],
 /// [`CoreError::NotFinite`].
@@ -18,119 +19,126 @@ pub fn step<const DIM: usize, const D: usize>(
     inputs: &Inputs<'_>,
     state: &mut State<DIM, D>,
 ) -> Result<(), CoreError> {
-    // With updated kinematics: coordinates, forces and stiffness at the present position.
-    if let Some(present) = &mut state.present {
-        present.reform(&mut state.motion.line, state.motion.steps)?;
+    // With updated kinematics: coordinates, forces and stiffness at the current position.
+    if let Some(current_geometry) = &mut state.current_geometry {
+        current_geometry.reform(&mut state.motion.wires, state.motion.steps)?;
     }
 
-    // Where the strips meet the wires.
-    let at = model.at(state.present.as_deref());
-    state.motion.find_contacts(&at, inputs)?;
+    // Points where strips meet wires.
+    let current = model.with_geometry(state.current_geometry.as_deref());
+    state.motion.find_contacts(&current, inputs)?;
 
     // Motion without contact forces.
-    state.motion.drag(model.friction);
-    state.motion.predict(&at, inputs);
-    state.motion.measure_gaps(&at);
+    state.motion.update_friction(model.friction);
+    state.motion.predict(&current, inputs);
+    state.motion.measure_gaps(&current);
 
-    // Contacts, slack links, stops and kinks together: one complementarity problem.
-    let solved = state.solve_unilateral(model)?;
+    // Contacts, slack links, stops and breakpoints together: one complementarity problem.
+    let stats = state.solve_constraints(model)?;
 
     let State {
-        present,
+        current_geometry,
         motion,
         recorder,
     } = state;
-    let at = model.at(present.as_deref());
+    let current = model.with_geometry(current_geometry.as_deref());
     match recorder {
-        Some(recorder) => recorder.take(&at, inputs, motion, &solved),
+        Some(recorder) => recorder.take(&current, inputs, motion, &stats),
         None => {
-            motion.advance(&at);
+            motion.commit(&current);
             motion.check_sound()
         }
     }
 }
 
 impl<const DIM: usize, const D: usize> Motion<DIM, D> {
-    /// Contacts of the step, and what of the line they wake and read.
+    /// Finds the contacts of the step, wakes their islands and requests the nodes they read.
     fn find_contacts(
         &mut self,
         model: &Model<'_, DIM, D>,
         inputs: &Inputs<'_>,
     ) -> Result<(), CoreError> {
-        let (lanes, u) = (&model.line.lanes, self.line.displacement());
-        self.contacts
-            .find(model.riders, lanes, &u, inputs.positions, self.steps)?;
-        self.contacts.slide(&self.riders);
-        self.unilateral.choose(&self.contacts);
+        let (slidelines, u) = (&model.wires.slidelines, self.wires.displacement());
+        self.contacts.search(
+            model.pantographs,
+            slidelines,
+            &u,
+            inputs.positions,
+            self.steps,
+        )?;
+        self.contacts.update_vectors(&self.pantographs);
+        self.problem.drop_inactive_contacts(&self.contacts);
         let with_wire = self.contacts.all.iter().filter(|c| c.has_wire);
-        let read = with_wire.flat_map(|c| lanes[c.of[2]].around(&c.place));
+        let read = with_wire.flat_map(|c| slidelines[c.indices[2]].nodes_around(&c.point));
         if !self.contacts.all.is_empty() {
-            model.line.look_at(&mut self.line, read);
+            model.wires.request_nodes(&mut self.wires, read);
         }
         self.wake(model);
         Ok(())
     }
 
-    /// Friction of the force of the step before, T = f n (Amontons–Coulomb), drags the wire along.
-    fn drag(&mut self, friction: f64) {
-        for (t, n) in self.friction.iter_mut().zip(&self.unilateral.force) {
+    /// Computes friction along the wire from the forces of the step before, T = f n
+    /// (Amontons–Coulomb), N.
+    fn update_friction(&mut self, friction: f64) {
+        for (t, n) in self.friction.iter_mut().zip(&self.problem.force) {
             *t = friction * n;
         }
     }
 
-    /// Increments of line and riders without contact forces.
+    /// Computes the increments of line and pantographs without contact forces, m.
     fn predict(&mut self, model: &Model<'_, DIM, D>, inputs: &Inputs<'_>) {
         let Self {
-            line,
-            riders,
+            wires,
+            pantographs,
             contacts,
             friction,
             ..
         } = self;
-        model.line.predict(line, |f| {
+        model.wires.predict(wires, |f| {
             inputs.loads.add_to(f);
             for &i in contacts.active.iter().filter(|&&i| friction[i] != 0.0) {
-                contacts.all[i].place.add_force(friction[i], 0, f);
+                contacts.all[i].point.add_force(friction[i], 0, f);
             }
             !inputs.loads.is_empty() || friction.iter().any(|t| *t != 0.0)
         });
-        for (number, rider) in riders.iter_mut().enumerate() {
-            if let Some(given) = inputs.given.get(number) {
-                rider.begin(given);
+        for (number, pantograph) in pantographs.iter_mut().enumerate() {
+            if let Some(excitation) = inputs.excitations.get(number) {
+                pantograph.set_excitation(excitation);
             }
-            rider.free_increment(&model.line.coefficients, inputs.speed);
+            pantograph.predict(&model.wires.coefficients, inputs.speed);
         }
     }
 
-    /// Gaps that the motion without contact forces would open (or, negative, close).
+    /// Computes the gaps of the motion without contact forces, m; negative ones are closed.
     fn measure_gaps(&mut self, model: &Model<'_, DIM, D>) {
-        let keep = model.line.coefficients.stiffness;
+        let keep = model.wires.coefficients.stiffness;
         for &i in &self.contacts.active {
             let contact = &self.contacts.all[i];
-            let (rider, e) = (&self.riders[contact.rider()], &contact.vector);
-            let strip = self.datum + inner(e, &rider.u) + keep * inner(e, &rider.delta);
-            let raised = contact.yields.rise + self.raised_by_links(model, &contact.yields, keep);
-            self.gaps[i] = self.wire_at(model, contact, DIM - 1) + raised - strip;
+            let (pantograph, e) = (&self.pantographs[contact.pantograph()], &contact.vector);
+            let strip = self.datum + inner(e, &pantograph.u) + keep * inner(e, &pantograph.delta);
+            let height_above_mesh = contact.compliance.static_height
+                + self.raised_by_links(model, &contact.compliance, keep);
+            self.gaps[i] = self.wire_at(model, contact, DIM - 1) + height_above_mesh - strip;
         }
     }
 
-    /// Take the increments: the state at the end of the step.
-    pub(crate) fn advance(&mut self, model: &Model<'_, DIM, D>) {
-        model.line.commit(&mut self.line);
-        for rider in &mut self.riders {
-            rider.advance(&model.line.coefficients);
+    /// Adds the increments: the state at the end of the step.
+    pub(crate) fn commit(&mut self, model: &Model<'_, DIM, D>) {
+        model.wires.commit(&mut self.wires);
+        for pantograph in &mut self.pantographs {
+            pantograph.commit(&model.wires.coefficients);
         }
         self.steps += 1;
     }
 
-    /// Refuse a motion that is not finite, step by step where only the integrator sees all of it.
+    /// Refuses a motion that is not finite, step by step where only the integrator sees all of it.
     ///
     /// # Errors
     /// [`CoreError::NotFinite`].
     pub(crate) fn check_sound(&self) -> Result<(), CoreError> {
-        let of_riders = self.riders.iter().flat_map(|r| &r.u);
-        let mut all = of_riders.chain(&self.unilateral.force);
-        if self.line.is_sound() && all.all(|v| v.is_finite()) {
+        let displacements = self.pantographs.iter().flat_map(|r| &r.u);
+        let mut all = displacements.chain(&self.problem.force);
+        if self.wires.is_sound() && all.all(|v| v.is_finite()) {
             return Ok(());
         }
         Err(CoreError::NotFinite {

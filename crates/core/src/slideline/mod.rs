@@ -1,111 +1,117 @@
-//! The lanes that contacts run along: which element a place is on, and where in it.
+//! Slidelines: the wires that contacts slide along, and the points on them.
 //!
-//! A lane is one wire, or several one behind the other with gaps between them. Several lanes lie
-//! side by side, or take over from one another where they overlap along the track.
+//! A slideline is one wire, or several one behind the other with gaps between them. Several
+//! slidelines are side by side, or relieve one another where they overlap along the track.
 
 pub(crate) mod element;
+pub mod local_compliance;
 pub mod point;
-pub mod residual_flexibility;
+pub(crate) mod residual_flexibility;
 pub(crate) mod smoothed_segment;
 pub(crate) mod smoothing;
 
 use crate::error::CoreError;
 use crate::slideline::element::{SlidelineElement, element};
+use crate::slideline::local_compliance::{LocalCompliance, LocalCompliances};
 use crate::slideline::point::{Nodal, SlidelinePoint};
-use crate::slideline::residual_flexibility::LocalCompliances;
 use crate::statics::assembly::{Geometry, Shape};
 
-/// Elements of a lane in the order of the track, in their static shape.
+/// Slideline: elements in the order of the track, in their static shape.
 #[derive(Debug, Clone)]
 pub struct Slideline<const DIM: usize> {
     pub(crate) elements: Vec<SlidelineElement<DIM>>,
-    /// The same elements where they have moved to, with updated kinematics; else empty.
+    /// Elements at their present position, with updated kinematics; else empty.
     moved: Vec<SlidelineElement<DIM>>,
     /// Nodes of each element.
     pub(crate) ends: Vec<[usize; 2]>,
-    /// Wire of each element, counted along the lane.
+    /// Wire of each element, counted along the slideline.
     pub(crate) wires: Vec<usize>,
-    /// Nodes along the lane, wire by wire: each wire has one more than it has elements.
+    /// Nodes along the slideline, wire by wire: each wire has one more than it has elements.
     pub nodes: Vec<usize>,
-    /// Number of nodes in the lanes before this one.
-    before: usize,
-    pub(crate) yields: LocalCompliances,
+    /// Number of nodes in the slidelines before this one.
+    first_node: usize,
+    pub(crate) compliances: LocalCompliances,
 }
 
-pub(crate) fn refuse(reason: &str) -> CoreError {
-    CoreError::Input {
-        array: "lanes",
-        reason: reason.into(),
-    }
-}
-
-/// Elements that the search for a place goes from where it starts, one by one: more than a contact moves
-/// in a time step.
-const STEPS: usize = 4;
+/// Number of elements that the search for a point passes one by one: more than a contact moves in a
+/// time step.
+const SEARCH_STEPS: usize = 4;
 
 impl<const DIM: usize> Slideline<DIM> {
-    /// One path for each list of wire elements (segments of a chain).
+    /// Slidelines from lists of wire elements (segments of a chain), one for each list.
     ///
     /// # Errors
-    /// Those of [`Slideline::new`]; also [`CoreError::Input`] without lanes, or when an element is in two.
-    pub fn lanes<const D: usize>(
+    /// Errors of [`Slideline::new`]; also [`CoreError::Input`] without lists, or when an element is
+    /// in two.
+    pub fn from_elements<const D: usize>(
         geometry: &Geometry<DIM, D>,
         shape: &Shape<D>,
-        lanes: &[Vec<usize>],
+        lists: &[Vec<usize>],
     ) -> Result<Vec<Self>, CoreError> {
-        let mut numbers = lanes.concat();
+        let mut numbers = lists.concat();
         numbers.sort_unstable();
-        if lanes.is_empty() || numbers.windows(2).any(|pair| pair[0] == pair[1]) {
-            return Err(refuse("none, or an element that is in two places"));
+        if lists.is_empty() || numbers.windows(2).any(|pair| pair[0] == pair[1]) {
+            return Err(CoreError::invalid(
+                "lanes",
+                "none, or an element that is in two places",
+            ));
         }
-        let mut before = 0;
-        let lanes = lanes.iter().map(|wires| {
-            let path = Self::new(geometry, shape, wires)?;
-            let path = Self { before, ..path };
-            before += path.nodes.len();
-            Ok(path)
+        let mut first_node = 0;
+        let slidelines = lists.iter().map(|elements| {
+            let slideline = Self::new(geometry, shape, elements)?;
+            let slideline = Self {
+                first_node,
+                ..slideline
+            };
+            first_node += slideline.nodes.len();
+            Ok(slideline)
         });
-        lanes.collect()
+        slidelines.collect()
     }
 
-    /// A lane over the given wire elements (segments of a chain) in the order of the track. An
-    /// element that shares no node with the one before begins a new wire, which must not overlap it.
+    /// Slideline over the given wire elements (segments of a chain) in the order of the track. An
+    /// element that shares no node with the one before begins a new wire, which must not overlap
+    /// it.
     ///
     /// # Errors
     /// [`CoreError::Input`] when they do not lie one behind the other.
     pub fn new<const D: usize>(
         geometry: &Geometry<DIM, D>,
         shape: &Shape<D>,
-        wires: &[usize],
+        numbers: &[usize],
     ) -> Result<Self, CoreError> {
-        if wires.is_empty() {
-            return Err(refuse("no elements"));
+        if numbers.is_empty() {
+            return Err(CoreError::invalid("lanes", "no elements"));
         }
-        let mut lane = Self {
-            elements: Vec::with_capacity(wires.len()),
+        let mut slideline = Self {
+            elements: Vec::with_capacity(numbers.len()),
             moved: Vec::new(),
-            ends: Vec::with_capacity(wires.len()),
-            wires: Vec::with_capacity(wires.len()),
-            nodes: Vec::with_capacity(wires.len() + 1),
-            before: 0,
-            yields: LocalCompliances::default(),
+            ends: Vec::with_capacity(numbers.len()),
+            wires: Vec::with_capacity(numbers.len()),
+            nodes: Vec::with_capacity(numbers.len() + 1),
+            first_node: 0,
+            compliances: LocalCompliances::default(),
         };
-        for &number in wires {
+        for &number in numbers {
             let (element, ends) = element(geometry, shape, number)?;
-            lane.push(element, ends)?;
+            slideline.push(element, ends)?;
         }
-        Ok(lane)
+        Ok(slideline)
     }
 
+    /// Appends an element with its two nodes.
     fn push(&mut self, element: SlidelineElement<DIM>, ends: [usize; 2]) -> Result<(), CoreError> {
         let (first, last) = element.range();
         if last <= first {
-            return Err(refuse("the wire runs backwards"));
+            return Err(CoreError::invalid("lanes", "the wire runs backwards"));
         }
         let mut wire = self.wires.last().copied().unwrap_or(0);
         if self.nodes.last() != Some(&ends[0]) {
             if self.elements.last().is_some_and(|e| e.range().1 > first) {
-                return Err(refuse("the wires of a lane overlap along the track"));
+                return Err(CoreError::invalid(
+                    "lanes",
+                    "the wires of a lane overlap along the track",
+                ));
             }
             wire += usize::from(!self.elements.is_empty());
             self.nodes.push(ends[0]);
@@ -117,10 +123,14 @@ impl<const DIM: usize> Slideline<DIM> {
         Ok(())
     }
 
-    /// Nodes of the element of a place and of two on each side: where it acts now, and in the next step.
-    pub(crate) fn around(&self, place: &SlidelinePoint<DIM>) -> impl Iterator<Item = usize> + '_ {
-        let last = (place.element + 3).min(self.ends.len());
-        let elements = &self.ends[place.element.saturating_sub(2)..last];
+    /// Nodes of the element of a point and of two elements on each side, which a contact there acts
+    /// on in this step and in the next one.
+    pub(crate) fn nodes_around(
+        &self,
+        point: &SlidelinePoint<DIM>,
+    ) -> impl Iterator<Item = usize> + '_ {
+        let last = (point.element + 3).min(self.ends.len());
+        let elements = &self.ends[point.element.saturating_sub(2)..last];
         elements.iter().flatten().copied()
     }
 
@@ -131,9 +141,9 @@ impl<const DIM: usize> Slideline<DIM> {
         (self.elements[0].range().0, self.elements[last].range().1)
     }
 
-    /// From now on, places are found on the wire displaced by `u`. Tells whether every element still
-    /// runs along the track.
-    pub fn follow<const D: usize>(&mut self, u: &[[f64; D]]) -> bool {
+    /// Moves the elements on which points are found to the wire displaced by `u`, m; returns
+    /// whether every element still runs along the track.
+    pub fn update_geometry<const D: usize>(&mut self, u: &[[f64; D]]) -> bool {
         self.moved.clone_from(&self.elements);
         let mut runs_forwards = true;
         for (element, nodes) in self.moved.iter_mut().zip(&self.ends) {
@@ -144,6 +154,7 @@ impl<const DIM: usize> Slideline<DIM> {
         runs_forwards
     }
 
+    /// Elements at their present position.
     fn present(&self) -> &[SlidelineElement<DIM>] {
         if self.moved.is_empty() {
             &self.elements
@@ -152,8 +163,8 @@ impl<const DIM: usize> Slideline<DIM> {
         }
     }
 
-    /// Place at coordinate `x` along the track; `None` beyond the ends and in gaps. `near` is the
-    /// element where the search starts (contacts move little from step to step).
+    /// Point at coordinate `x` along the track, m; `None` beyond the ends and in gaps. `near` is
+    /// the element where the search starts (contacts move little from step to step).
     #[must_use]
     pub fn locate(&self, x: f64, near: usize) -> Option<SlidelinePoint<DIM>> {
         let present = self.present();
@@ -162,7 +173,7 @@ impl<const DIM: usize> Slideline<DIM> {
             return None;
         }
         let mut k = near.min(present.len() - 1);
-        for _ in 0..STEPS {
+        for _ in 0..SEARCH_STEPS {
             if k > 0 && x < present[k].range().0 {
                 k -= 1;
             } else if k + 1 < present.len() && x > present[k].range().1 {
@@ -171,20 +182,20 @@ impl<const DIM: usize> Slideline<DIM> {
                 break;
             }
         }
-        // A lane that has had no wire for long: the element that steps would end at, by halving.
+        // No wire for long: the element that single steps would end at, by halving.
         if x < present[k].range().0 {
-            k = present.partition_point(|one| one.range().0 <= x) - 1;
+            k = present.partition_point(|element| element.range().0 <= x) - 1;
         } else if x > present[k].range().1 {
-            k = present.partition_point(|one| one.range().1 < x);
+            k = present.partition_point(|element| element.range().1 < x);
         }
         // Otherwise it is in a gap.
         let (from, to) = present[k].range();
-        (from..=to).contains(&x).then(|| self.place(k, x))
+        (from..=to).contains(&x).then(|| self.point_at(k, x))
     }
 
-    /// Place at coordinate `x` on the wire of element `near`, at its end when that is nearer.
+    /// Point of the wire of element `near` that is nearest to coordinate `x` along the track, m.
     #[must_use]
-    pub(crate) fn on_wire(&self, x: f64, near: usize) -> SlidelinePoint<DIM> {
+    pub(crate) fn nearest_on_wire(&self, x: f64, near: usize) -> SlidelinePoint<DIM> {
         let present = self.present();
         let mut k = near.min(present.len() - 1);
         while k > 0 && self.wires[k - 1] == self.wires[k] && x < present[k].range().0 {
@@ -195,24 +206,24 @@ impl<const DIM: usize> Slideline<DIM> {
             k += 1;
         }
         let (first, last) = present[k].range();
-        self.place(k, x.clamp(first, last))
+        self.point_at(k, x.clamp(first, last))
     }
 
-    /// Whether two places are on the same wire.
+    /// Tells whether two points are on the same wire.
     #[must_use]
-    pub(crate) fn is_one_wire(&self, a: &SlidelinePoint<DIM>, b: &SlidelinePoint<DIM>) -> bool {
+    pub(crate) fn is_same_wire(&self, a: &SlidelinePoint<DIM>, b: &SlidelinePoint<DIM>) -> bool {
         self.wires[a.element] == self.wires[b.element]
     }
 
-    /// Place on element `k` at coordinate `x`, which lies on it.
-    fn place(&self, k: usize, x: f64) -> SlidelinePoint<DIM> {
+    /// Point of element `k` at coordinate `x` along the track, m, which is on it.
+    fn point_at(&self, k: usize, x: f64) -> SlidelinePoint<DIM> {
         let present = self.present();
         let last = present[present.len() - 1].range().1;
         let weights = present[k].weights(x, 4.0 * f64::EPSILON * last.abs());
-        self.weighted(k, weights)
+        self.weighted_point(k, weights)
     }
 
-    /// Slope dz/dx of the wire displaced by `u`, on the element of `near` at coordinate `x`.
+    /// Slope dz/dx of the wire displaced by `u`, m, on the element of `near` at coordinate `x`, m.
     pub(crate) fn slope<const D: usize>(
         &self,
         x: f64,
@@ -220,43 +231,88 @@ impl<const DIM: usize> Slideline<DIM> {
         u: &(impl Nodal<D> + ?Sized),
     ) -> f64 {
         let accuracy = 4.0 * f64::EPSILON * x.abs();
-        let slopes = self.elements[near.element].slopes(x, accuracy);
-        let place = self.weighted(near.element, slopes);
-        place.height + place.displacement(u, DIM - 1)
+        let slopes = self.elements[near.element].weight_slopes(x, accuracy);
+        let derivative = self.weighted_point(near.element, slopes);
+        derivative.height + derivative.displacement(u, DIM - 1)
     }
 
-    /// Place on element `k` with known shape functions; `None` when there is no such element.
-    pub(crate) fn at(&self, k: usize, weights: [f64; 4]) -> Option<SlidelinePoint<DIM>> {
-        (k < self.elements.len()).then(|| self.weighted(k, weights))
+    /// Point of element `k` with known shape functions; `None` when there is no such element.
+    pub(crate) fn point_on(&self, k: usize, weights: [f64; 4]) -> Option<SlidelinePoint<DIM>> {
+        (k < self.elements.len()).then(|| self.weighted_point(k, weights))
     }
 
-    /// Whether a place is on this lane.
-    pub(crate) fn holds(&self, place: &SlidelinePoint<DIM>) -> bool {
-        (self.before..self.before + self.nodes.len()).contains(&place.number)
+    /// Tells whether a point is on this slideline.
+    pub(crate) fn contains(&self, point: &SlidelinePoint<DIM>) -> bool {
+        (self.first_node..self.first_node + self.nodes.len()).contains(&point.number)
     }
 
-    /// The nodes of the lane with their places, those between two elements twice.
-    pub(crate) fn ends(&self) -> impl Iterator<Item = (usize, SlidelinePoint<DIM>)> {
+    /// Nodes of the slideline with their points, those between two elements twice.
+    pub(crate) fn node_points(&self) -> impl Iterator<Item = (usize, SlidelinePoint<DIM>)> {
         self.ends.iter().enumerate().flat_map(move |(k, nodes)| {
-            let at = |side: usize| (nodes[side], self.weighted(k, self.elements[k].end(side)));
-            [at(0), at(1)]
+            let point = |side: usize| {
+                let weights = self.elements[k].end_weights(side);
+                (nodes[side], self.weighted_point(k, weights))
+            };
+            [point(0), point(1)]
         })
     }
 
-    fn weighted(&self, k: usize, weights: [f64; 4]) -> SlidelinePoint<DIM> {
-        // The static point with these weights: displacements are added by whoever asks for them.
+    /// Point of element `k` with the given shape functions.
+    fn weighted_point(&self, k: usize, weights: [f64; 4]) -> SlidelinePoint<DIM> {
+        // Static position; displacements are added where they are needed.
         let r = self.elements[k].point(&weights);
-        let (first, count) = self.elements[k].window();
-        // Place of its first node along the lane.
+        let (first, count) = self.elements[k].node_window();
+        // Number of its first node along the slideline.
         let number = k + self.wires[k] - first;
         SlidelinePoint {
             element: k,
             nodes: std::array::from_fn(|i| self.nodes[number + i.min(count - 1)]),
             count,
-            number: self.before + number,
+            number: self.first_node + number,
             weights,
             height: r[DIM - 1],
             lateral: if DIM == 3 { r[1] } else { 0.0 },
+        }
+    }
+
+    /// Local compliance of the wire at a point.
+    #[inline]
+    pub(crate) fn compliance_at(&self, point: &SlidelinePoint<DIM>) -> LocalCompliance {
+        match &self.compliances {
+            LocalCompliances::Nothing => LocalCompliance::default(),
+            LocalCompliances::OfCubics(elements) => elements[point.element].at(&point.weights),
+            LocalCompliances::OfChains => LocalCompliance::of_chain(
+                self.elements[point.element].residual_flexibility(&point.weights),
+            ),
+        }
+    }
+
+    /// Tells whether there is no residual flexibility, so that the wire is as compliant as the
+    /// mesh.
+    pub(crate) fn is_rigid(&self) -> bool {
+        matches!(self.compliances, LocalCompliances::Nothing)
+    }
+
+    /// Residual flexibility R(a, b) between two points of the slideline, m/N.
+    pub(crate) fn residual_flexibility(
+        &self,
+        a: &SlidelinePoint<DIM>,
+        b: &SlidelinePoint<DIM>,
+    ) -> f64 {
+        let (first, second) = if a.element <= b.element {
+            (a, b)
+        } else {
+            (b, a)
+        };
+        match &self.compliances {
+            LocalCompliances::Nothing => 0.0,
+            LocalCompliances::OfCubics(elements) => {
+                local_compliance::between(elements, first, second)
+            }
+            LocalCompliances::OfChains => {
+                let [element, other] = [first, second].map(|point| &self.elements[point.element]);
+                element.residual_flexibility_between(&first.weights, other, &second.weights)
+            }
         }
     }
 }

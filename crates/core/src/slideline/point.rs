@@ -1,13 +1,13 @@
-//! A place on a wire: where a contact acts, and on which degrees of freedom.
+//! Point of a slideline: where a contact acts, and on which degrees of freedom.
 
-/// Vectors of a node, each of which takes a share of a force on the wire: its position, and its
-/// slope where it has one.
+/// Number of vectors of a node with a share of a force on the wire: its position, and its slope
+/// where it has one.
 #[must_use]
 pub const fn slots<const DIM: usize, const D: usize>() -> usize {
     D / DIM
 }
 
-/// Vectors of nodes.
+/// Vectors by node.
 pub trait Nodal<const D: usize> {
     /// Vector of a node.
     fn at(&self, node: usize) -> &[f64; D];
@@ -27,16 +27,17 @@ impl<const D: usize> Nodal<D> for Vec<[f64; D]> {
     }
 }
 
-/// A place on a lane. It needs no lane to read a field there or to put a force on the wire.
+/// Point of a slideline. Reading a field there, or applying a force to the wire, needs the point
+/// alone.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct SlidelinePoint<const DIM: usize> {
-    /// Element of the lane.
+    /// Element of the slideline.
     pub element: usize,
-    /// Nodes that take part, the last one again where there are fewer than four.
+    /// Nodes with shape functions, the last one repeated where there are fewer than four.
     pub nodes: [usize; 4],
-    /// How many they are.
+    /// Number of nodes with shape functions.
     pub count: usize,
-    /// Number of its first node among the nodes of all lanes, for influence columns.
+    /// Number of its first node among the nodes of all slidelines, for influence columns.
     pub number: usize,
     /// Shape functions: with S [`slots`], number k belongs to slot k % S of node k / S.
     pub weights: [f64; 4],
@@ -47,7 +48,7 @@ pub struct SlidelinePoint<const DIM: usize> {
 }
 
 impl<const DIM: usize> SlidelinePoint<DIM> {
-    /// Component `c` of a displacement field.
+    /// Component `c` of a displacement field at the point, m.
     #[inline(always)]
     #[must_use]
     pub fn displacement<const D: usize>(&self, x: &(impl Nodal<D> + ?Sized), c: usize) -> f64 {
@@ -60,7 +61,7 @@ impl<const DIM: usize> SlidelinePoint<DIM> {
         w[0] * a[c] + w[1] * a[DIM + c] + w[2] * b[c] + w[3] * b[DIM + c]
     }
 
-    /// Numbers of the influence columns of a force here.
+    /// Numbers of the influence columns of a force at the point.
     #[inline(always)]
     #[must_use]
     pub fn columns<const D: usize>(&self) -> std::ops::Range<usize> {
@@ -68,13 +69,13 @@ impl<const DIM: usize> SlidelinePoint<DIM> {
         slots * self.number..slots * (self.number + self.count)
     }
 
-    /// Degrees of freedom that share component `c` of a force: node, component, share.
+    /// Equivalent nodal forces of a unit force in component `c`: node, component, share.
     pub fn shares<const D: usize>(&self, c: usize) -> impl Iterator<Item = (usize, usize, f64)> {
         let (slots, nodes, weights) = (slots::<DIM, D>(), self.nodes, self.weights);
         (0..self.count * slots).map(move |k| (nodes[k / slots], k % slots * DIM + c, weights[k]))
     }
 
-    /// Add a force on component `c`.
+    /// Adds a force at the point in component `c`, N, to nodal forces `f`.
     pub fn add_force<const D: usize>(&self, force: f64, c: usize, f: &mut [[f64; D]]) {
         for (node, component, share) in self.shares::<D>(c) {
             f[node][component] += share * force;

@@ -1,25 +1,26 @@
-//! Lanes of chains on which contacts meet curves: what their elements need to know of the structure.
+//! Smoothing of slidelines of chains: the data of the structure that their elements need.
 
 use crate::slideline::Slideline;
 use crate::slideline::element::SlidelineElement;
-use crate::slideline::residual_flexibility::LocalCompliances;
-use crate::slideline::smoothed_segment::{SmoothedSegment, Taut};
+use crate::slideline::local_compliance::LocalCompliances;
+use crate::slideline::smoothed_segment::{CornerShapes, SmoothedSegment};
 use crate::statics::assembly::{Geometry, Shape};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-/// What the elements of lanes need to know of a structure.
-struct Structured<'a, const DIM: usize, const D: usize> {
+/// Data of a structure for the smoothed elements of slidelines.
+struct ChainData<'a, const DIM: usize, const D: usize> {
     geometry: &'a Geometry<DIM, D>,
     shape: &'a Shape<D>,
     /// Segment between two nodes.
     segments: BTreeMap<[usize; 2], usize>,
     /// EI of the wire and EI* of the chain at a node, N·m².
     bending: BTreeMap<usize, [f64; 2]>,
-    held: BTreeSet<usize>,
+    /// Nodes at which a point force may act.
+    loaded: BTreeSet<usize>,
 }
 
-impl<'a, const DIM: usize, const D: usize> Structured<'a, DIM, D> {
+impl<'a, const DIM: usize, const D: usize> ChainData<'a, DIM, D> {
     fn new(geometry: &'a Geometry<DIM, D>, shape: &'a Shape<D>) -> Self {
         let s = &geometry.structure;
         let segments = s.segments.iter().enumerate();
@@ -33,7 +34,7 @@ impl<'a, const DIM: usize, const D: usize> Structured<'a, DIM, D> {
                 .iter()
                 .map(|b| (node(b.segments[0]), [b.stiffness, geometry.bending(b)]))
                 .collect(),
-            held: geometry.loaded(),
+            loaded: geometry.loaded_nodes(),
         }
     }
 
@@ -44,59 +45,68 @@ impl<'a, const DIM: usize, const D: usize> Structured<'a, DIM, D> {
         (state.linear_tension > 0.0).then_some([state.linear_tension, state.length])
     }
 
-    /// Of the segment between two nodes; none without tension.
-    fn taut(&self, nodes: &[usize; 2]) -> Option<Taut> {
+    /// Corner shapes of the segment between two nodes; none without tension.
+    fn corners(&self, nodes: &[usize; 2]) -> Option<CornerShapes> {
         let [tension, length] = self.segment(nodes)?;
         // A wire that ends at a node does not bend there.
         let bending = nodes.map(|node| self.bending.get(&node).copied().unwrap_or_default());
         let [first, second] = bending;
-        let most = std::array::from_fn(|k| first[k].max(second[k]));
-        Some(Taut::new(tension, most, length))
+        let stiffest = std::array::from_fn(|k| first[k].max(second[k]));
+        Some(CornerShapes::new(tension, stiffest, length))
     }
 
-    /// At a node that something holds, between two segments: the same for both.
-    fn taut_at(&self, node: usize, beside: [&[usize; 2]; 2]) -> Option<Taut> {
-        let [first, second] = beside.map(|nodes| self.segment(nodes));
+    /// Corner shapes at a loaded node between two segments, common to both.
+    fn corners_at(&self, node: usize, neighbours: [&[usize; 2]; 2]) -> Option<CornerShapes> {
+        let [first, second] = neighbours.map(|nodes| self.segment(nodes));
         let ([a, b], [c, d]) = (first?, second?);
         let bending = self.bending.get(&node).copied().unwrap_or_default();
-        self.held
+        self.loaded
             .contains(&node)
-            .then(|| Taut::new(0.5 * (a + c), bending, 0.5 * (b + d)))
+            .then(|| CornerShapes::new(0.5 * (a + c), bending, 0.5 * (b + d)))
     }
 }
 
 impl<const DIM: usize> Slideline<DIM> {
-    /// Lanes of chains on which contacts meet curves in the place of chords.
+    /// Slidelines of chains with curves instead of chords.
     #[must_use]
-    pub fn rounded<const D: usize>(
-        mut lanes: Vec<Self>,
+    pub fn smoothed<const D: usize>(
+        mut slidelines: Vec<Self>,
         geometry: &Geometry<DIM, D>,
         shape: &Shape<D>,
     ) -> Vec<Self> {
-        let of = Structured::new(geometry, shape);
-        for lane in &mut lanes {
-            lane.yields = LocalCompliances::OfChains;
-            let chords: Vec<_> = lane.elements.iter().map(SlidelineElement::chord).collect();
+        let data = ChainData::new(geometry, shape);
+        for slideline in &mut slidelines {
+            slideline.compliances = LocalCompliances::OfChains;
+            let chords: Vec<_> = slideline
+                .elements
+                .iter()
+                .map(SlidelineElement::chord)
+                .collect();
             for k in 0..chords.len() {
-                if let (Some(chord), Some(taut)) = (chords[k], of.taut(&lane.ends[k])) {
-                    let held = std::array::from_fn(|end| {
+                if let (Some(chord), Some(corners)) = (chords[k], data.corners(&slideline.ends[k]))
+                {
+                    let end_corners = std::array::from_fn(|end| {
                         let next = (k + end).checked_sub(1)?;
-                        let pair = [lane.ends.get(next)?, lane.ends.get(next + 1)?];
-                        of.taut_at(lane.ends[k][end], pair)
+                        let pair = [slideline.ends.get(next)?, slideline.ends.get(next + 1)?];
+                        data.corners_at(slideline.ends[k][end], pair)
                     });
-                    let beside = |other: usize| {
-                        let is_one = lane.wires.get(other) == Some(&lane.wires[k]);
-                        chords.get(other).copied().flatten().filter(|_| is_one)
+                    let neighbour = |other: usize| {
+                        let is_same_wire = slideline.wires.get(other) == Some(&slideline.wires[k]);
+                        chords
+                            .get(other)
+                            .copied()
+                            .flatten()
+                            .filter(|_| is_same_wire)
                     };
-                    let before = k.checked_sub(1).and_then(beside).map(|c| c[0]);
+                    let before = k.checked_sub(1).and_then(neighbour).map(|c| c[0]);
                     let points = before.into_iter().chain(chord);
-                    let points: Vec<_> = points.chain(beside(k + 1).map(|c| c[1])).collect();
+                    let points: Vec<_> = points.chain(neighbour(k + 1).map(|c| c[1])).collect();
                     let first = usize::from(before.is_some());
-                    let rounded = SmoothedSegment::new(taut, &points, first, held);
-                    lane.elements[k] = SlidelineElement::Smoothed(Arc::new(rounded));
+                    let segment = SmoothedSegment::new(corners, &points, first, end_corners);
+                    slideline.elements[k] = SlidelineElement::Smoothed(Arc::new(segment));
                 }
             }
         }
-        lanes
+        slidelines
     }
 }

@@ -1,15 +1,15 @@
-//! What is changed on a structure after its design: lengths, sections, masses, links that are gone,
-//! where springs and struts stand, steady loads along the wires, what holds the ends of wires.
+//! Alteration of a structure after its design: lengths, sections, masses, removed links, positions
+//! of springs and struts, steady loads along the wires, fixing of the ends of wires.
 //!
 //! Elements are counted as wires, or as segments where wires are chains of point masses. Where the
-//! new equilibrium is too far from the design to be found at once, half of every change is put on
+//! new equilibrium is too far from the design to be found at once, half of every change is applied
 //! first, or half of that, and the rest in equal parts from there.
 
 use super::assembly::{Geometry, Shape};
 use crate::error::CoreError;
 use crate::structure::Structure;
 
-/// Changes of a structure whose lengths are known.
+/// Alteration of a structure whose lengths are known.
 #[derive(Debug, Clone, Default)]
 pub struct Alteration {
     /// Factor on the rest length of each element.
@@ -24,29 +24,31 @@ pub struct Alteration {
     pub load: Vec<[f64; 3]>,
     /// Factor on the rest length of each link.
     pub link_factor: Vec<f64>,
-    /// Added to the rest length of each link after that, m.
+    /// Offset added to the rest length of each link after that, m.
     pub link_offset: Vec<f64>,
-    /// Added to the coordinate at which each spring is free of force, m.
+    /// Offset added to the coordinate at which each spring is free of force, m.
     pub spring_offset: Vec<f64>,
-    /// Added to the last component of the ground point of each strut, m.
+    /// Offset added to the last component of the ground point of each strut, m.
     pub strut_offset: Vec<f64>,
-    /// Force along the track that a free end is under, N; `None` holds it where the design left it.
+    /// Force along the track on each free end, N; `None` fixes it where the design left it.
     pub end_force: Vec<Option<f64>>,
-    /// Links that are taken away, in ascending order; the lists above still count them.
+    /// Removed links, in ascending order; the lists above still count them.
     pub removed: Vec<usize>,
 }
 
-/// Smallest part of a change that is tried: below it, something other than the distance is wrong.
+/// Smallest part of a change that is tried; below it the distance is not the cause of a failure.
 const SMALLEST_PART: f64 = 1.0 / 64.0;
 
 impl Alteration {
+    /// Checks the lengths of all lists.
+    ///
     /// # Errors
     /// [`CoreError::Input`] when a list does not fit the structure.
     fn check(&self, s: &Structure) -> Result<(), CoreError> {
         let elements = s.wires.len() + s.segments.len();
         let bending = s.wires.len() + s.bends.len();
         let links = s.links.len();
-        for (array, found, expected) in [
+        for (array, count, expected) in [
             ("length_factor", self.length_factor.len(), elements),
             ("axial_factor", self.axial_factor.len(), elements),
             ("bending_factor", self.bending_factor.len(), bending),
@@ -58,21 +60,20 @@ impl Alteration {
             ("strut_offset", self.strut_offset.len(), s.struts.len()),
             ("end_force", self.end_force.len(), s.ends.len()),
         ] {
-            if found != expected {
-                let reason = format!("has {found} entries, expected {expected}");
-                return Err(CoreError::Input { array, reason });
+            if count != expected {
+                let reason = format!("has {count} entries, expected {expected}");
+                return Err(CoreError::invalid(array, reason));
             }
         }
         let ascends = self.removed.windows(2).all(|pair| pair[0] < pair[1]);
         if !ascends || self.removed.last().is_some_and(|&last| last >= links) {
             let reason = format!("not ascending, or beyond the {links} links");
-            let array = "removed";
-            return Err(CoreError::Input { array, reason });
+            return Err(CoreError::invalid("removed", reason));
         }
         Ok(())
     }
 
-    /// The structure with a share of every change; links are gone as soon as there is any.
+    /// Structure with a share of every change; links are removed with the first share.
     fn applied(&self, given: &Structure, share: f64) -> Structure {
         let factor = |f: f64| 1.0 + share * (f - 1.0);
         let mut s = given.clone();
@@ -105,10 +106,10 @@ impl Alteration {
             end.released = force.is_some();
             end.force += share * (force.unwrap_or(end.force) - end.force);
         }
-        for &gone in self.removed.iter().rev() {
-            s.links.remove(gone);
+        for &link in self.removed.iter().rev() {
+            s.links.remove(link);
             if let Some(residual) = &mut s.residual {
-                residual.links.remove(gone);
+                residual.links.remove(link);
             }
         }
         if s.wire_loads.is_empty() {
@@ -122,34 +123,34 @@ impl Alteration {
 }
 
 impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
-    /// The altered structure and its equilibrium, reached from the equilibrium `shape` of this one.
+    /// Altered structure and its equilibrium, reached from the equilibrium `shape` of this one.
     ///
     /// # Errors
-    /// [`CoreError::Input`], or those of [`Geometry::settle`].
+    /// [`CoreError::Input`], or errors of [`Geometry::find_equilibrium`].
     pub fn altered(
         &self,
         shape: &Shape<D>,
         change: &Alteration,
     ) -> Result<(Self, Shape<D>), CoreError> {
         change.check(&self.structure)?;
-        let (mut geometry, mut settled) = (self.clone(), shape.clone());
+        let (mut geometry, mut equilibrium) = (self.clone(), shape.clone());
         let (mut done, mut part): (f64, f64) = (0.0, 1.0);
         while done < 1.0 {
             let share = (done + part).min(1.0);
             let next = Self::new(change.applied(&self.structure, share))?;
-            match next.settle(&settled) {
-                Ok(found) => (geometry, settled, done) = (next, found, share),
-                Err(error) if is_lost(&error) && part > SMALLEST_PART => part *= 0.5,
+            match next.find_equilibrium(&equilibrium) {
+                Ok(found) => (geometry, equilibrium, done) = (next, found, share),
+                Err(error) if is_not_found(&error) && part > SMALLEST_PART => part *= 0.5,
                 Err(error) => return Err(error),
             }
         }
-        settled = geometry.resettle(settled)?;
-        Ok((geometry, settled))
+        equilibrium = geometry.refine_residual_flexibility(equilibrium)?;
+        Ok((geometry, equilibrium))
     }
 }
 
-/// Whether a smaller change may find what a large one did not.
-fn is_lost(error: &CoreError) -> bool {
+/// Tells whether a smaller change may have an equilibrium that is found.
+fn is_not_found(error: &CoreError) -> bool {
     matches!(
         error,
         CoreError::NoEquilibrium { .. } | CoreError::Singular { .. } | CoreError::Unstable { .. }

@@ -11,18 +11,19 @@ use crate::structure::{Link, Structure, Wire};
 /// Positions and slopes (`D = 2·DIM` numbers a node), or positions alone (`D = DIM`), of all nodes.
 pub type Shape<const D: usize> = Vec<[f64; D]>;
 
-/// A structure together with the operations that need its dimension at compile time: `D = 2·DIM`
+/// Structure with the operations that need its dimension at compile time: `D = 2·DIM`
 /// for wires of Hermite elements, `D = DIM` for chains of point masses.
 #[derive(Debug, Clone)]
 pub struct Geometry<const DIM: usize, const D: usize> {
-    /// The structure; the design calculation completes its unknown lengths.
+    /// Structure; the design calculation completes its unknown lengths.
     pub structure: Structure,
 }
 
-/// Iterations after which an equilibrium moves in rounding alone; a line takes 10 to 60.
-const LONG_AT_REST: usize = 100;
+/// Number of iterations after which an equilibrium changes by rounding alone; a line takes 10 to
+/// 60.
+const LONG_CONVERGED: usize = 100;
 
-/// Which force law a unilateral link follows in forces and tangents.
+/// Force law of unilateral links in forces and tangents.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LinkLaw {
     /// Tension only: a slack link has no stiffness.
@@ -35,7 +36,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
     /// Component that points up.
     pub const UP: usize = DIM - 1;
 
-    /// Wrap a structure whose `dim` is `DIM` and whose wires are of the model that `D` stands for.
+    /// Wraps a structure whose `dim` is `DIM` and whose wires are of the model that `D` means.
     ///
     /// # Errors
     /// [`CoreError::Input`] when indices, signs or numbers are impossible.
@@ -50,7 +51,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         self.structure.positions.len()
     }
 
-    /// Shape described by the given positions and slopes.
+    /// Shape described by the positions and slopes of the structure.
     #[must_use]
     pub fn initial_shape(&self) -> Shape<D> {
         let s = &self.structure;
@@ -77,21 +78,21 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
     /// Coordinates of a wire element.
     #[must_use]
     pub fn coordinates(shape: &Shape<D>, wire: &Wire) -> Coordinates<DIM> {
-        wire.places().map(|(node, slot)| {
+        wire.coordinate_slots().map(|(node, slot)| {
             let mut r = [0.0; DIM];
             r.copy_from_slice(&shape[node][slot * DIM..(slot + 1) * DIM]);
             r
         })
     }
 
-    /// The same in the frame of the element, in which it stretches and bends: see
+    /// Coordinates of a wire element in its frame, in which it stretches and bends: see
     /// [`frame`](crate::element::frame).
     #[must_use]
-    pub fn straightened(shape: &Shape<D>, wire: &Wire) -> Coordinates<DIM> {
+    pub fn frame_coordinates(shape: &Shape<D>, wire: &Wire) -> Coordinates<DIM> {
         let mut e = Self::coordinates(shape, wire);
         if let Some(frame) = Frame::new::<DIM>(wire.turn) {
             for (k, r) in e.iter_mut().enumerate() {
-                *r = frame::turned(&frame.matrix(k / 2, k % 2 == 1), r);
+                *r = frame::to_frame(&frame.matrix(k / 2, k % 2 == 1), r);
             }
         }
         e
@@ -100,11 +101,11 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
     /// Internal forces of a wire element, without its weight.
     pub(super) fn wire_force(shape: &Shape<D>, wire: &Wire) -> Coordinates<DIM> {
         let mut force = [[0.0; DIM]; 4];
-        let e = Self::straightened(shape, wire);
+        let e = Self::frame_coordinates(shape, wire);
         hermite::add_force(&wire.section, &e, &mut force);
         if let Some(frame) = Frame::new::<DIM>(wire.turn) {
             for (k, f) in force.iter_mut().enumerate() {
-                *f = frame::back(&frame.matrix(k / 2, k % 2 == 1), f);
+                *f = frame::from_frame(&frame.matrix(k / 2, k % 2 == 1), f);
             }
         }
         force
@@ -126,14 +127,15 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         BarState::new(&node, &anchor, strut.rest_length, strut.stiffness)
     }
 
-    /// Internal minus external forces of everything except links, struts and springs.
-    pub fn wires_and_weight(&self, shape: &Shape<D>, residual: &mut Shape<D>) {
+    /// Computes the residual, internal minus external forces, N, without the forces of links,
+    /// struts and springs.
+    pub fn wire_and_weight_residual(&self, shape: &Shape<D>, residual: &mut Shape<D>) {
         let s = &self.structure;
         residual.iter_mut().for_each(|r| *r = [0.0; D]);
         for wire in &s.wires {
             let mut force = Self::wire_force(shape, wire);
             add_weight(wire, s.gravity, &mut force);
-            for ((node, slot), f) in wire.places().into_iter().zip(&force) {
+            for ((node, slot), f) in wire.coordinate_slots().into_iter().zip(&force) {
                 for c in 0..DIM {
                     residual[node][slot * DIM + c] += f[c];
                 }
@@ -158,8 +160,13 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         }
     }
 
-    /// Add the forces of links, struts and springs to the residual.
-    pub fn add_supports(&self, shape: &Shape<D>, law: LinkLaw, residual: &mut Shape<D>) {
+    /// Adds the forces of links, struts and springs to the residual, N.
+    pub fn add_link_and_support_forces(
+        &self,
+        shape: &Shape<D>,
+        law: LinkLaw,
+        residual: &mut Shape<D>,
+    ) {
         let s = &self.structure;
         for link in &s.links {
             let state = Self::link_state(shape, link);
@@ -181,7 +188,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         }
     }
 
-    /// Matrix of zeros in which every element of the structure has a place.
+    /// Matrix of zeros with the pattern of all elements of the structure.
     #[must_use]
     pub fn empty_matrix(&self) -> SymmetricBlocks<D> {
         let wires = self.structure.wires.iter().flat_map(|w| {
@@ -197,33 +204,33 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         SymmetricBlocks::with_pattern(self.nodes(), wires.chain(chains).chain(links))
     }
 
-    /// Add the tangent of one wire element, times `factor`.
+    /// Adds the tangent of one wire element, times `factor`.
     pub fn add_wire(k: &mut SymmetricBlocks<D>, shape: &Shape<D>, wire: &Wire, factor: f64) {
-        let tangent = tangent::tangent(&wire.section, &Self::straightened(shape, wire));
+        let tangent = tangent::tangent(&wire.section, &Self::frame_coordinates(shape, wire));
         Self::add_element(k, wire, &tangent, factor);
     }
 
-    /// Add a matrix of one wire element in its frame, times `factor`.
+    /// Adds a matrix of one wire element in its frame, times `factor`.
     pub(super) fn add_element(
         k: &mut SymmetricBlocks<D>,
         wire: &Wire,
         tangent: &Tangent<DIM>,
         factor: f64,
     ) {
-        let (places, frame) = (wire.places(), Frame::new::<DIM>(wire.turn));
-        for (m, &(i, p)) in places.iter().enumerate() {
-            for (n, &(j, q)) in places.iter().enumerate().filter(|&(_, &(j, _))| i >= j) {
+        let (slots, frame) = (wire.coordinate_slots(), Frame::new::<DIM>(wire.turn));
+        for (m, &(i, p)) in slots.iter().enumerate() {
+            for (n, &(j, q)) in slots.iter().enumerate().filter(|&(_, &(j, _))| i >= j) {
                 let mut part = tangent[m][n].map(|row| row.map(|value| factor * value));
                 if let Some(frame) = &frame {
                     let [left, right] = [m, n].map(|k| frame.matrix(k / 2, k % 2 == 1));
-                    part = frame::between(&left, &part, &right);
+                    part = frame::congruence(&left, &part, &right);
                 }
                 k.add_part((i, j), (p * DIM, q * DIM), &part);
             }
         }
     }
 
-    /// Add a stiffness between the positions of two nodes.
+    /// Adds a stiffness between the positions of two nodes, N/m.
     pub fn add_between(
         k: &mut SymmetricBlocks<D>,
         nodes: [usize; 2],
@@ -236,14 +243,14 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         k.add_part((i.max(j), i.min(j)), (0, 0), &other);
     }
 
-    /// Tangent stiffness of the whole structure in service.
+    /// Computes the tangent stiffness of the whole structure in service.
     pub fn tangent(&self, shape: &Shape<D>, law: LinkLaw, k: &mut SymmetricBlocks<D>) {
         k.clear();
         self.add_fixed_tangent(1.0, k);
         self.add_moving_tangent(shape, law, 1.0, k);
     }
 
-    /// Add what does not change with the shape, times `factor`: springs and bends.
+    /// Adds the tangent that does not change with the shape, of springs and bends, times `factor`.
     pub fn add_fixed_tangent(&self, factor: f64, k: &mut SymmetricBlocks<D>) {
         for spring in &self.structure.springs {
             Self::add_spring(k, spring, factor * spring.stiffness);
@@ -253,7 +260,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         }
     }
 
-    /// Add what changes with the shape, times `factor`: wires, links and struts.
+    /// Adds the tangent that changes with the shape, of wires, links and struts, times `factor`.
     pub fn add_moving_tangent(
         &self,
         shape: &Shape<D>,
@@ -269,15 +276,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
             Self::add_segment(k, shape, segment, factor);
         }
         for link in &s.links {
-            let state = Self::link_state(shape, link);
-            let slack = link.unilateral && state.linear_tension < 0.0;
-            let stiffness = if slack && law == LinkLaw::Unilateral {
-                0.0
-            } else {
-                link.stiffness
-            };
-            let tension = link_tension(link, &state);
-            let tangent = state.tangent(factor * stiffness, factor * tension);
+            let tangent = Self::link_tangent(shape, link, law, factor);
             Self::add_between(k, link.nodes, &tangent);
         }
         for strut in &s.struts {
@@ -285,7 +284,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         }
     }
 
-    /// Add the tangent of a strut, times `factor`.
+    /// Adds the tangent of a strut, times `factor`.
     pub fn add_strut(
         k: &mut SymmetricBlocks<D>,
         shape: &Shape<D>,
@@ -298,7 +297,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         k.add_part((strut.node, strut.node), (0, 0), &part);
     }
 
-    /// Add a coefficient at the component a spring acts on.
+    /// Adds a coefficient at the component a spring acts on.
     pub fn add_spring(k: &mut SymmetricBlocks<D>, spring: &crate::structure::Spring, value: f64) {
         let mut block = [[0.0; D]; D];
         block[spring.component][spring.component] = value;
@@ -311,26 +310,27 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
     #[must_use]
     pub fn force_rounding(&self) -> f64 {
         let stiffest = |w: &Wire| w.section.axial_stiffness / w.section.rest_length;
-        let steepest = self
+        let stiffest_wire_or_chain = self
             .structure
             .wires
             .iter()
             .map(stiffest)
-            .fold(self.steepest_chain(), f64::max);
-        8.0 * f64::EPSILON * self.extent() * steepest
+            .fold(self.stiffest_chain(), f64::max);
+        8.0 * f64::EPSILON * self.extent() * stiffest_wire_or_chain
     }
 
-    /// Residual at which an iteration ends, N. Where many wires meet, more than eight errors may; an
-    /// iteration that would have come to rest long ago then moves in rounding alone.
+    /// Residual at which an iteration ends, N. Where many wires meet, more than eight errors may;
+    /// an iteration that should have converged long ago then changes by rounding alone.
     #[must_use]
     pub fn rounding_after(iterations: usize, rounding: f64) -> f64 {
-        if iterations < LONG_AT_REST {
+        if iterations < LONG_CONVERGED {
             rounding
         } else {
             2.0 * rounding
         }
     }
 
+    /// Largest coordinate along the track, m, at least 1.
     fn extent(&self) -> f64 {
         self.structure
             .positions
@@ -340,7 +340,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
     }
 }
 
-/// Tension of a link by its own law.
+/// Tension of a link, N: none in compression when it is unilateral.
 #[must_use]
 pub fn link_tension<const DIM: usize>(link: &Link, state: &BarState<DIM>) -> f64 {
     if link.unilateral {
@@ -350,7 +350,8 @@ pub fn link_tension<const DIM: usize>(link: &Link, state: &BarState<DIM>) -> f64
     }
 }
 
-/// Add the internal force of a bar with tension `t`; `n` points from the first to the second node.
+/// Adds the internal force of a bar with tension `t`, N; `n` points from the first to the second
+/// node.
 pub fn add_pair<const DIM: usize, const D: usize>(
     residual: &mut Shape<D>,
     nodes: [usize; 2],
@@ -363,7 +364,8 @@ pub fn add_pair<const DIM: usize, const D: usize>(
     }
 }
 
-/// Weight of a wire element, ∫ Sₖ μ g ds, as an internal force (it points up in the residual).
+/// Adds the weight of a wire element, ∫ Sₖ μ g ds, N, to internal forces (it points up in the
+/// residual).
 pub(super) fn add_weight<const DIM: usize>(
     wire: &Wire,
     gravity: f64,
@@ -376,9 +378,9 @@ pub(super) fn add_weight<const DIM: usize>(
     }
 }
 
-/// Largest component of a residual over the free degrees of freedom, and its node.
+/// Largest component of a residual over the free degrees of freedom, N, and its node.
 #[must_use]
-pub fn largest<const D: usize>(residual: &Shape<D>, free: &[[bool; D]]) -> (f64, usize) {
+pub fn largest_residual<const D: usize>(residual: &Shape<D>, free: &[[bool; D]]) -> (f64, usize) {
     let mut worst = (0.0, 0);
     for (node, (r, f)) in residual.iter().zip(free).enumerate() {
         for c in 0..D {

@@ -1,14 +1,14 @@
-//! What chains of point masses add to the forces and tangents of a structure.
+//! Forces and tangents of chains of point masses.
 
 use super::assembly::{Geometry, Shape, add_pair};
-use super::pace::{Pace, length_change};
+use super::relaxation::{LengthRelaxation, length_change};
 use crate::element::bar::BarState;
 use crate::element::chain::BendElement;
 use crate::element::frame::{self, Frame};
 use crate::linalg::SymmetricBlocks;
 use crate::structure::{Bend, Segment};
 
-/// x below which x coth x is 1 to rounding.
+/// Argument x below which x coth x is 1 to rounding.
 const SMALL: f64 = 1e-8;
 
 impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
@@ -19,6 +19,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         segment.state([&a, &b])
     }
 
+    /// Bending element of a bend.
     pub(crate) fn bend_element(&self, bend: &Bend) -> BendElement {
         let segments = &self.structure.segments;
         let lengths = bend.segments.map(|k| segments[k].rest_length);
@@ -29,9 +30,10 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
     ///
     ///   EI* = EI x coth x,   x = (ℓ/2) √(T/EI)
     ///
-    /// A wire under tension T and a point force has a corner that is rounded over √(EI/T), a chain with EI one that
-    /// is rounded over its elements of ℓ: its points yield too much, and corners at rest are too sharp. With EI*
-    /// forces on points displace points as they do on the wire (docs/theory/dynamics.md#explicit-steps).
+    /// A wire under tension T and a point force has a corner that is rounded over √(EI/T), a chain
+    /// with EI one that is rounded over its elements of ℓ: its points are too compliant, and
+    /// corners at rest are too sharp. With EI* forces on points displace points as they do on the
+    /// wire (docs/theory/dynamics.md#explicit-steps).
     #[must_use]
     pub fn bending(&self, bend: &Bend) -> f64 {
         let s = &self.structure;
@@ -47,7 +49,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         }
     }
 
-    /// Nodes of a bend and the forces on them.
+    /// Nodes of a bend and the forces on them, N.
     fn bend_forces(&self, shape: &Shape<D>, bend: &Bend) -> ([usize; 3], [[f64; DIM]; 3]) {
         let nodes = self.structure.bend_nodes(bend);
         let positions = nodes.map(|n| Self::position(shape, n));
@@ -55,7 +57,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         (nodes, forces)
     }
 
-    /// Add internal forces and weight of all chains to the residual.
+    /// Adds internal forces and weight of all chains to the residual, N.
     pub(super) fn add_chain_forces(&self, shape: &Shape<D>, residual: &mut Shape<D>) {
         let s = &self.structure;
         for segment in &s.segments {
@@ -69,7 +71,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
                 None => add_pair(residual, segment.nodes, &state.direction, tension),
                 Some(frame) => {
                     for (end, sign) in [(0, -tension), (1, tension)] {
-                        let force = frame::back(&frame.matrix(end, false), &state.direction);
+                        let force = frame::from_frame(&frame.matrix(end, false), &state.direction);
                         let node = &mut residual[segment.nodes[end]];
                         (0..DIM).for_each(|c| node[c] += sign * force[c]);
                     }
@@ -97,7 +99,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         neighbours.chain(outer)
     }
 
-    /// Add the tangent of one segment, times `factor`.
+    /// Adds the tangent of one segment, times `factor`.
     pub fn add_segment(
         k: &mut SymmetricBlocks<D>,
         shape: &Shape<D>,
@@ -106,11 +108,11 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
     ) {
         let state = Self::segment_state(shape, segment);
         let tangent = state.tangent(factor * segment.stiffness(), factor * state.linear_tension);
-        Self::add_of_segment(k, segment, &tangent);
+        Self::add_segment_matrix(k, segment, &tangent);
     }
 
-    /// Add a stiffness for the vector between the ends of a segment in its frame.
-    pub(super) fn add_of_segment(
+    /// Adds a stiffness for the vector between the ends of a segment in its frame, N/m.
+    pub(super) fn add_segment_matrix(
         k: &mut SymmetricBlocks<D>,
         segment: &Segment,
         stiffness: &[[f64; DIM]; DIM],
@@ -121,7 +123,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         let pairs = [(0, 0), (0, 1), (1, 0), (1, 1)].into_iter();
         for (m, n) in pairs.filter(|&(m, n)| segment.nodes[m] >= segment.nodes[n]) {
             let [left, right] = [m, n].map(|end| frame.matrix(end, false));
-            let mut part = frame::between(&left, stiffness, &right);
+            let mut part = frame::congruence(&left, stiffness, &right);
             if m != n {
                 part.iter_mut().flatten().for_each(|v| *v = -*v);
             }
@@ -129,7 +131,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         }
     }
 
-    /// Add the stiffness of one bend, times `factor`.
+    /// Adds the stiffness of one bend, times `factor`.
     pub fn add_bend(&self, k: &mut SymmetricBlocks<D>, bend: &Bend, factor: f64) {
         let (nodes, element) = (self.structure.bend_nodes(bend), self.bend_element(bend));
         for (i, &row) in nodes.iter().enumerate() {
@@ -143,15 +145,16 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         }
     }
 
-    /// Horizontal force that each segment hands on: its own, and the shear of the bends it is part
-    /// of. Where these are equal along a wire, nothing pulls its nodes along the track.
+    /// Horizontal force through each segment, N: the horizontal component of its tension, and the
+    /// shear of its bends. Where these are equal along a wire, nothing pulls its nodes along the
+    /// track.
     fn horizontal_forces(&self, shape: &Shape<D>) -> Vec<f64> {
         let s = &self.structure;
-        let own = |k: &Segment| {
+        let axial = |k: &Segment| {
             let state = Self::segment_state(shape, k);
             state.linear_tension * state.direction[0]
         };
-        let mut horizontal: Vec<f64> = s.segments.iter().map(own).collect();
+        let mut horizontal: Vec<f64> = s.segments.iter().map(axial).collect();
         for bend in &s.bends {
             let (_, [first, _, last]) = self.bend_forces(shape, bend);
             horizontal[bend.segments[0]] -= first[0];
@@ -160,9 +163,13 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         horizontal
     }
 
-    /// Correct segment lengths towards their horizontal tension, as the design calculation does with
-    /// Hermite elements; returns the largest error found before the correction, N.
-    pub(super) fn retension_chains(&mut self, shape: &Shape<D>, pace: &mut Pace) -> f64 {
+    /// Corrects segment lengths towards their horizontal tension, as the design calculation does
+    /// with Hermite elements; returns the largest error before the correction, N.
+    pub(super) fn correct_segment_lengths(
+        &mut self,
+        shape: &Shape<D>,
+        relaxation: &mut LengthRelaxation,
+    ) -> f64 {
         let mut worst: f64 = 0.0;
         let horizontal = self.horizontal_forces(shape);
         let mut bending = vec![0.0_f64; horizontal.len()];
@@ -171,15 +178,15 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
                 bending[k] = bending[k].max(bend.stiffness);
             }
         }
-        let found = horizontal.into_iter().zip(bending);
+        let forces = horizontal.into_iter().zip(bending);
         let wires = self.structure.wires.len();
         let segments = self.structure.segments.iter_mut().enumerate();
-        for ((k, segment), (force, bending)) in segments.zip(found) {
+        for ((k, segment), (force, bending)) in segments.zip(forces) {
             let (tension, axial) = (segment.design_tension, segment.axial_stiffness);
             let error = force - tension;
             let flexibility = flexibility(&Self::segment_state(shape, segment), segment, bending);
-            let relaxation = pace.of(wires + k, error);
-            let change = relaxation * length_change(error, flexibility, tension / axial);
+            let factor = relaxation.factor(wires + k, error);
+            let change = factor * length_change(error, flexibility, tension / axial);
             segment.rest_length *= 1.0 + change;
             worst = worst.max(error.abs());
         }
@@ -187,7 +194,7 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
     }
 
     /// Largest stiffness of a chain between coordinates, N/m.
-    pub(super) fn steepest_chain(&self) -> f64 {
+    pub(super) fn stiffest_chain(&self) -> f64 {
         let s = &self.structure;
         let bends = s.bends.iter().map(|b| self.bend_element(b).stiffness(1, 1));
         let segments = s.segments.iter().map(Segment::stiffness);
@@ -195,17 +202,18 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
     }
 }
 
-/// Relative change of length for a change of horizontal force, 1/N. Where neighbours are off alike,
-/// slopes follow the force and it is (1 + s)/EA with s = EA z′²/T, as for Hermite elements. Where
-/// they are off by turns, bends resist: a zigzag has curvature 4/L² for each unit of height, and
-/// slopes follow by the share T/(T + 4 EI/L²) alone. The harmonic mean of both corrects them equally
-/// fast; without it, segments shorter than √(EI/T) diverge. Without tension, slopes do not follow.
+/// Relative change of length for a change of horizontal force, 1/N. Where neighbours have equal
+/// errors, slopes follow the force and it is (1 + s)/EA with s = EA z′²/T, as for Hermite elements.
+/// Where errors alternate, bends resist: a zigzag has curvature 4/L² for each unit of height, and
+/// slopes follow by the share T/(T + 4 EI/L²) alone. The harmonic mean of both corrects them
+/// equally fast; without it, segments shorter than √(EI/T) diverge. Without tension, slopes do not
+/// follow.
 fn flexibility<const DIM: usize>(state: &BarState<DIM>, segment: &Segment, bending: f64) -> f64 {
     let (tension, axial) = (segment.design_tension, segment.axial_stiffness);
     if tension == 0.0 {
         return 1.0 / axial;
     }
-    // What a curve makes of y stays whatever the tension.
+    // The part of y due to a curve is independent of the tension.
     let first = if segment.turn == 0.0 { 1 } else { DIM - 1 };
     let across: f64 = state.direction[first..].iter().map(|n| n * n).sum();
     let steep = across * (state.length / segment.rest_length).powi(2);

@@ -4,9 +4,9 @@ use super::assembly::{Geometry, Shape};
 use crate::error::CoreError;
 
 impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
-    /// Steady loads along the wires of the structure.
+    /// Subtracts the steady loads along the wires of the structure from the residual, N.
     pub(super) fn add_wire_loads(&self, residual: &mut Shape<D>) {
-        self.share(&self.structure.wire_loads, |node, c, force| {
+        self.distribute(&self.structure.wire_loads, |node, c, force| {
             residual[node][c] -= force;
         });
     }
@@ -18,35 +18,35 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
     /// [`CoreError::Input`] when there is not one for each, or one is not finite.
     pub fn nodal_forces(&self, load: &[[f64; 3]]) -> Result<Vec<(usize, usize, f64)>, CoreError> {
         let expected = self.structure.wires.len() + self.structure.segments.len();
-        let refused = || {
+        let invalid = || {
             let reason = format!("has {} entries, expected {expected}, finite", load.len());
-            let array = "load";
-            CoreError::Input { array, reason }
+            CoreError::invalid("load", reason)
         };
         if load.len() != expected {
-            return Err(refused());
+            return Err(invalid());
         }
-        let mut found = vec![[0.0; D]; self.nodes()];
-        self.share(load, |node, c, force| found[node][c] += force);
-        // The sums as well: large loads on long elements.
-        if found.iter().flatten().any(|force| !force.is_finite()) {
-            return Err(refused());
+        let mut forces = vec![[0.0; D]; self.nodes()];
+        self.distribute(load, |node, c, force| forces[node][c] += force);
+        // Sums may overflow: large loads on long elements.
+        if forces.iter().flatten().any(|force| !force.is_finite()) {
+            return Err(invalid());
         }
-        let entries = found.iter().enumerate().flat_map(|(node, forces)| {
+        let entries = forces.iter().enumerate().flat_map(|(node, forces)| {
             let components = forces.iter().enumerate();
             components.map(move |(c, &force)| (node, c, force))
         });
         Ok(entries.filter(|(_, _, force)| *force != 0.0).collect())
     }
 
-    /// ∫ Sₖ q ds on each coordinate of a wire element; half of it on each end of a segment.
-    fn share(&self, load: &[[f64; 3]], mut add: impl FnMut(usize, usize, f64)) {
+    /// Distributes a load per metre q to the nodes: ∫ Sₖ q ds on each coordinate of a wire element;
+    /// half of it on each end of a segment.
+    fn distribute(&self, load: &[[f64; 3]], mut add: impl FnMut(usize, usize, f64)) {
         let s = &self.structure;
         let (on_wires, on_segments) = load.split_at(s.wires.len().min(load.len()));
         for (wire, load) in s.wires.iter().zip(on_wires) {
             let l = wire.section.rest_length;
             let shares = [0.5 * l, l * l / 12.0, 0.5 * l, -l * l / 12.0];
-            for ((node, slot), share) in wire.places().into_iter().zip(shares) {
+            for ((node, slot), share) in wire.coordinate_slots().into_iter().zip(shares) {
                 (0..DIM).for_each(|c| add(node, slot * DIM + c, share * load[c]));
             }
         }

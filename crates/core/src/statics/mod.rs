@@ -1,21 +1,23 @@
 //! Static equilibrium with exact geometry.
 //!
-//! * [`design`](design::design): positions are given, unstretched lengths are found;
-//! * [`service`](service::settle): unstretched lengths are given, positions are found;
-//! * [`alteration`]: what is changed after the design, before the line is in service;
+//! * [`form_finding`]: positions are given, unstretched lengths are found;
+//! * [`equilibrium`]: unstretched lengths are given, positions are found;
+//! * [`alteration`]: changes after the design, before the line is in service;
 //! * `loads`: forces along the wires, steady or given over time;
-//! * `flexibility`: what elements yield too little at point forces.
+//! * `residual_flexibility`: compliance that the elements lack at point forces.
 
 pub mod alteration;
 pub mod assembly;
 mod chain;
-pub mod design;
-mod flexibility;
+pub mod equilibrium;
+pub mod form_finding;
+mod link_matrices;
 mod loads;
 mod newton;
-mod pace;
-pub mod service;
+mod relaxation;
+mod residual_flexibility;
 mod stretching;
+mod wire_network;
 
 pub use alteration::Alteration;
 pub use assembly::{Geometry, Shape};

@@ -1,12 +1,12 @@
-//! Newton steps on the free degrees of freedom: K Δ = −R, again and again with one pattern.
+//! Newton steps on the free degrees of freedom, K Δ = −R, with one pattern.
 //!
-//! Where the fill of the factor is, and which entries are held, is found once and kept.
+//! The fill of the factor and the held entries are found once and kept.
 
 use super::assembly::Shape;
 use crate::error::CoreError;
 use crate::linalg::{BlockLdl, HeldEntry, Refactoring, SymmetricBlocks};
 
-/// What one step leaves for the next.
+/// Newton solver: data kept from one step to the next.
 pub(super) struct Newton<'a, const D: usize> {
     free: &'a [[bool; D]],
     held: Vec<HeldEntry>,
@@ -16,7 +16,7 @@ pub(super) struct Newton<'a, const D: usize> {
 }
 
 impl<'a, const D: usize> Newton<'a, D> {
-    /// For matrices with the pattern of `k`, and the degrees of freedom that can move.
+    /// Solver for matrices with the pattern of `k`, and the degrees of freedom that can move.
     pub(super) fn new(k: &SymmetricBlocks<D>, free: &'a [[bool; D]]) -> Self {
         let vector = vec![[0.0; D]; free.len()];
         Self {
@@ -28,7 +28,7 @@ impl<'a, const D: usize> Newton<'a, D> {
         }
     }
 
-    /// Hold what cannot move, and factorise.
+    /// Fixes the held degrees of freedom, and factorises.
     pub(super) fn factorise(
         &mut self,
         k: &mut SymmetricBlocks<D>,
@@ -44,7 +44,7 @@ impl<'a, const D: usize> Newton<'a, D> {
         Ok(&self.factor.insert((factor, refactoring)).0)
     }
 
-    /// Take one step from `shape`, which has the given residual and tangent.
+    /// Takes one step from `shape`, which has the given residual and tangent.
     pub(super) fn step(
         &mut self,
         k: &mut SymmetricBlocks<D>,

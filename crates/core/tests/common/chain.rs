@@ -1,7 +1,7 @@
 //! The same wires as chains of point masses.
 
 use arcless_core::CoreError;
-use arcless_core::integrator::prepared::WireModel;
+use arcless_core::integrator::wire_model::WireModel;
 use arcless_core::linear::model::LinearModel;
 use arcless_core::slideline::Slideline;
 use arcless_core::statics::{Geometry, Shape};
@@ -41,7 +41,9 @@ pub fn settled<const DIM: usize, const D: usize>(s: Structure) -> (Geometry<DIM,
         geometry.add_residual_flexibility();
     }
     let start = geometry.design().expect("the design converges");
-    let shape = geometry.settle(&start).expect("the equilibrium converges");
+    let shape = geometry
+        .find_equilibrium(&start)
+        .expect("the equilibrium converges");
     (geometry, shape)
 }
 
@@ -60,8 +62,8 @@ pub fn explicit<const DIM: usize, const D: usize>(
     contact_stiffness: f64,
 ) -> Result<WireModel<DIM, D>, CoreError> {
     let (geometry, shape) = settled::<DIM, D>(yielding(structure));
-    let lanes = Slideline::lanes(&geometry, &shape, lanes).expect("lanes");
-    let lanes = Slideline::rounded(lanes, &geometry, &shape);
+    let lanes = Slideline::from_elements(&geometry, &shape, lanes).expect("lanes");
+    let lanes = Slideline::smoothed(lanes, &geometry, &shape);
     let line = LinearModel::new(&geometry, shape);
     WireModel::explicit(&geometry, line, lanes, h, contact_stiffness)
 }

@@ -1,7 +1,7 @@
 //! Straight wires without weight, side by side or one behind the other.
 
 use super::Single;
-use arcless_core::integrator::prepared::WireModel;
+use arcless_core::integrator::wire_model::WireModel;
 use arcless_core::linear::model::LinearModel;
 use arcless_core::scheme::Scheme;
 use arcless_core::slideline::Slideline;
@@ -74,8 +74,10 @@ pub fn lined(
     contact: f64,
 ) -> WireModel<3, 6> {
     let geometry = Geometry::<3, 6>::new(structure).expect("a valid structure");
-    let shape = geometry.settle(&geometry.initial_shape()).expect("at rest");
-    let lanes = Slideline::lanes(&geometry, &shape, &lanes).expect("lanes");
+    let shape = geometry
+        .find_equilibrium(&geometry.initial_shape())
+        .expect("at rest");
+    let lanes = Slideline::from_elements(&geometry, &shape, &lanes).expect("lanes");
     WireModel::new(
         LinearModel::new(&geometry, shape),
         lanes,

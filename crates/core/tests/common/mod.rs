@@ -5,17 +5,17 @@ pub mod chain;
 pub mod lanes;
 pub mod space;
 
-use arcless_core::element::hermite::Section;
-use arcless_core::integrator::prepared::WireModel;
+use arcless_core::integrator::wire_model::WireModel;
 use arcless_core::linear::model::LinearModel;
 use arcless_core::pantograph::excitation::Excitation;
+use arcless_core::pantograph::model::Pantograph;
 use arcless_core::pantograph::strip::Strip;
-use arcless_core::pantograph::system::Pantograph;
 use arcless_core::scheme::Scheme;
+use arcless_core::simulation::inputs::Trajectory;
 use arcless_core::simulation::recording::record::{Record, RecordPlan};
-use arcless_core::simulation::run::Trajectory;
 use arcless_core::slideline::Slideline;
 use arcless_core::statics::Geometry;
+use arcless_core::structure::Section;
 use arcless_core::structure::{
     Link, PointMass, Rayleigh, Spring, SpringMode, Structure, TensionedEnd, Wire,
 };
@@ -199,9 +199,9 @@ pub fn three_masses(force: f64) -> Pantograph {
         preload: vec![1.0, 0.0, 0.0],
         lift: vec![0.0; 3],
         start_force: force,
-        given: Excitation::default(),
+        excitation: Excitation::default(),
         stops: Vec::new(),
-        laws: Vec::new(),
+        piecewise_forces: Vec::new(),
         actuator: None,
     }
 }
@@ -228,8 +228,10 @@ pub fn prepare_any<const DIM: usize, const D: usize>(
     let mut geometry = Geometry::<DIM, D>::new(structure).expect("a valid structure");
     let start = geometry.design().expect("the design converges");
     change(&mut geometry.structure);
-    let shape = geometry.settle(&start).expect("the equilibrium converges");
-    let lanes = Slideline::lanes(&geometry, &shape, &[path]).expect("the wire is a path");
+    let shape = geometry
+        .find_equilibrium(&start)
+        .expect("the equilibrium converges");
+    let lanes = Slideline::from_elements(&geometry, &shape, &[path]).expect("the wire is a path");
     WireModel::new(
         LinearModel::new(&geometry, shape),
         lanes,
@@ -252,10 +254,12 @@ pub fn yielding<const DIM: usize, const D: usize>(
     geometry.add_residual_flexibility();
     let start = geometry.design().expect("the design converges");
     change(&mut geometry.structure);
-    let shape = geometry.settle(&start).expect("the equilibrium converges");
+    let shape = geometry
+        .find_equilibrium(&start)
+        .expect("the equilibrium converges");
     let lanes = [path];
-    let paths = Slideline::lanes(&geometry, &shape, &lanes).expect("the wire is a path");
-    let paths = Slideline::yielding(paths, &geometry, &shape, &lanes);
+    let paths = Slideline::from_elements(&geometry, &shape, &lanes).expect("the wire is a path");
+    let paths = Slideline::with_residual_flexibility(paths, &geometry, &shape, &lanes);
     WireModel::new(
         LinearModel::new(&geometry, shape),
         paths,
@@ -342,9 +346,9 @@ pub fn free_mass(mass: f64, force: f64) -> Pantograph {
         preload: vec![1.0],
         lift: vec![0.0],
         start_force: force,
-        given: Excitation::default(),
+        excitation: Excitation::default(),
         stops: Vec::new(),
-        laws: Vec::new(),
+        piecewise_forces: Vec::new(),
         actuator: None,
     }
 }

@@ -8,8 +8,8 @@ use crate::common::{everything, run, simple_line_of, three_masses, travel};
 use crate::islands::{near, way};
 use crate::resume::{compare, part};
 use arcless_core::CoreError;
-use arcless_core::integrator::energy::implicit::EnergyTerms;
-use arcless_core::integrator::prepared::WireModel;
+use arcless_core::energy_terms::EnergyTerms;
+use arcless_core::integrator::wire_model::WireModel;
 use arcless_core::linear::loads::Load;
 use arcless_core::simulation::recording::record::{Record, RecordPlan};
 use arcless_core::simulation::run::Part;
@@ -111,11 +111,11 @@ fn every_entry_is_needed_for_the_balance() {
         ("kinetic", e.kinetic),
         ("elastic", e.elastic),
         ("contact", e.contact),
-        ("riders", e.riders),
+        ("riders", e.pantographs),
         ("dissipated_line", e.dissipated_line),
         ("dissipated_links", e.dissipated_links),
         ("dissipated_springs", e.dissipated_springs),
-        ("dissipated_riders", e.dissipated_riders),
+        ("dissipated_riders", e.dissipated_pantographs),
         ("switching", e.switching),
         ("work_uplift", e.work_uplift),
         ("work_traction", e.work_traction),

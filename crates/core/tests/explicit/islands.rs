@@ -7,7 +7,7 @@ use crate::islands::{
     SHIFT, is_laid_to_rest, parts_are_the_whole, put_behind, sleeps_as_if_awake,
     untouched_is_at_rest,
 };
-use arcless_core::integrator::prepared::WireModel;
+use arcless_core::integrator::wire_model::WireModel;
 
 fn chains() -> Chain {
     let (mut structure, path) = simple_line_of(3, [0.9, 0.9]);

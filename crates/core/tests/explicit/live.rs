@@ -5,8 +5,8 @@ use crate::common::chain::lumped;
 use crate::common::space::staggered;
 use crate::common::{SPAN, difference, peak, simple_line_of, three_masses};
 use allocation_counter::measure;
-use arcless_core::integrator::prepared::WireModel;
-use arcless_core::session::{Begin, Collector, Session};
+use arcless_core::integrator::wire_model::WireModel;
+use arcless_core::session::{Collector, Session, SessionStart};
 use arcless_core::simulation::recording::record::Record;
 use std::sync::Arc;
 
@@ -32,8 +32,8 @@ fn position(step: usize) -> f64 {
     START + SPEED * H * step as f64
 }
 
-fn begin() -> Begin {
-    Begin {
+fn begin() -> SessionStart {
+    SessionStart {
         position: START,
         speed: SPEED,
         friction: 0.0,
@@ -52,7 +52,7 @@ fn run<const DIM: usize, const D: usize>(p: &WireModel<DIM, D>) -> Record {
 
 fn with_riders<const DIM: usize, const D: usize>(p: &Arc<WireModel<DIM, D>>) -> Session<DIM, D> {
     let riders = [FORCE; 2].map(three_masses).to_vec();
-    Session::with_riders(p.clone(), riders, BEHIND.to_vec(), begin()).expect("it stands")
+    Session::with_pantographs(p.clone(), riders, BEHIND.to_vec(), begin()).expect("it stands")
 }
 
 fn with_forces<const DIM: usize, const D: usize>(p: &Arc<WireModel<DIM, D>>) -> Session<DIM, D> {
@@ -70,7 +70,7 @@ fn riders_step_as_in_a_run<const DIM: usize, const D: usize>(p: &Arc<WireModel<D
         live.step(&[0.0; 2], position(step + 1), SPEED)
             .expect("a step");
         assert_eq!(
-            live.reading().force[..],
+            live.outputs().force[..],
             record.force[2 * step..][..2],
             "{step}"
         );
@@ -91,8 +91,8 @@ fn forces_move_as_the_run<const DIM: usize, const D: usize>(p: &Arc<WireModel<DI
     for (step, forces) in record.force.chunks(2).enumerate() {
         live.step(forces, position(step + 1), SPEED)
             .expect("a step");
-        heights.extend_from_slice(&live.reading().height);
-        sides.extend_from_slice(&live.reading().lateral);
+        heights.extend_from_slice(&live.outputs().height);
+        sides.extend_from_slice(&live.outputs().lateral);
     }
     let from = |list: &[f64]| -> Vec<f64> { list.iter().map(|z| z - record.height[0]).collect() };
     let (found, moved) = (from(&heights), from(&record.height));
@@ -134,15 +134,15 @@ fn a_state_put_back_repeats_what_followed() {
             for step in live.steps()..live.steps() + 200 {
                 live.step(&[force; 2], position(step + 1), SPEED)
                     .expect("a step");
-                seen.extend_from_slice(&live.reading().height);
-                seen.extend_from_slice(&live.reading().rate);
+                seen.extend_from_slice(&live.outputs().height);
+                seen.extend_from_slice(&live.outputs().rate);
             }
             seen
         };
         go(&mut live);
-        let state = live.take_down().expect("a state");
+        let state = live.save().expect("a state");
         let first = go(&mut live);
-        live.put_back(&state).expect("a state of its own");
+        live.restore(&state).expect("a state of its own");
         assert_eq!(go(&mut live), first);
     }
 }

@@ -14,11 +14,11 @@ mod waves;
 use crate::common::chain::{self, lumped, settled, yielding};
 use crate::common::{Single, steady, three_masses};
 use arcless_core::CoreError;
-use arcless_core::integrator::prepared::WireModel;
+use arcless_core::integrator::wire_model::WireModel;
 use arcless_core::linear::model::LinearModel;
 use arcless_core::scheme::Scheme;
+use arcless_core::simulation::inputs::Trajectory;
 use arcless_core::simulation::recording::record::{Record, RecordPlan};
-use arcless_core::simulation::run::Trajectory;
 use arcless_core::slideline::Slideline;
 use arcless_core::statics::{Geometry, Shape};
 use arcless_core::structure::{Spring, SpringMode, Structure};
@@ -73,7 +73,7 @@ pub fn fitted<const DIM: usize, const D: usize>(
     h: f64,
 ) -> WireModel<DIM, D> {
     solved(yielding(structure), lanes, h, |geometry, shape, lanes| {
-        Slideline::rounded(lanes, geometry, shape)
+        Slideline::smoothed(lanes, geometry, shape)
     })
 }
 
@@ -90,7 +90,7 @@ fn solved<const DIM: usize, const D: usize>(
     change: impl FnOnce(&Geometry<DIM, D>, &Shape<D>, Vec<Slideline<DIM>>) -> Vec<Slideline<DIM>>,
 ) -> WireModel<DIM, D> {
     let (geometry, shape) = settled::<DIM, D>(structure);
-    let lanes = Slideline::lanes(&geometry, &shape, lanes).expect("lanes");
+    let lanes = Slideline::from_elements(&geometry, &shape, lanes).expect("lanes");
     let lanes = change(&geometry, &shape, lanes);
     let line = LinearModel::new(&geometry, shape);
     WireModel::new(line, lanes, Scheme::newmark(0.25, 0.5), h, CONTACT).expect("regular")

@@ -4,7 +4,7 @@ use super::{Chain, WIRE, prepare, seen_wire};
 use crate::common::chain::settled;
 use crate::common::simple_line;
 use arcless_core::CoreError;
-use arcless_core::integrator::prepared::WireModel;
+use arcless_core::integrator::wire_model::WireModel;
 use arcless_core::linear::model::LinearModel;
 use arcless_core::slideline::Slideline;
 use arcless_core::structure::{Link, Rayleigh};
@@ -25,7 +25,7 @@ fn reason(refused: Result<WireModel<2, 2>, CoreError>) -> String {
 fn cubic_elements_are_refused() {
     let (structure, path) = simple_line(2);
     let (geometry, shape) = settled::<2, 4>(structure);
-    let lanes = Slideline::lanes(&geometry, &shape, &[path]).expect("a path");
+    let lanes = Slideline::from_elements(&geometry, &shape, &[path]).expect("a path");
     let line = LinearModel::new(&geometry, shape);
     let refused = WireModel::explicit(&geometry, line, lanes, STEP, 5e4);
     let Err(CoreError::Input { array, reason }) = refused else {

@@ -17,9 +17,9 @@
 use super::{Chain, WIRE, angular, explicit, pass, plan, seen, stiffer, way};
 use crate::common::chain::lumped;
 use crate::common::{Single, peak};
-use arcless_core::integrator::prepared::WireModel;
+use arcless_core::integrator::wire_model::WireModel;
 use arcless_core::linear::static_response::StaticSolver;
-use arcless_core::session::{Begin, Collector, Session};
+use arcless_core::session::{Collector, Session, SessionStart};
 use arcless_core::slideline::Slideline;
 use arcless_core::statics::{Geometry, Shape};
 use std::sync::Arc;
@@ -100,9 +100,10 @@ fn uneven(height: impl Fn(f64) -> f64, held: &[usize]) -> (Geometry<2, 2>, Shape
 fn both(height: impl Fn(f64) -> f64, held: &[usize]) -> [Slideline<2>; 2] {
     let (geometry, shape) = uneven(height, held);
     let lane: Vec<usize> = (0..UNEVEN.len() - 1).collect();
-    let lanes =
-        || Slideline::lanes(&geometry, &shape, std::slice::from_ref(&lane)).expect("a lane");
-    [lanes(), Slideline::rounded(lanes(), &geometry, &shape)].map(|mut lanes| lanes.remove(0))
+    let lanes = || {
+        Slideline::from_elements(&geometry, &shape, std::slice::from_ref(&lane)).expect("a lane")
+    };
+    [lanes(), Slideline::smoothed(lanes(), &geometry, &shape)].map(|mut lanes| lanes.remove(0))
 }
 
 /// Places all along it, both ends among them.
@@ -203,7 +204,9 @@ fn a_point_that_is_held_has_a_rounded_corner() {
 
 fn elasticity(p: &WireModel<2, 2>, x: &[f64]) -> Vec<f64> {
     let mut still = StaticSolver::new(&p.line).expect("a firm line");
-    still.elasticity(&p.lanes, x, 0.0).expect("on the wire")
+    still
+        .elasticity(&p.slidelines, x, 0.0)
+        .expect("on the wire")
 }
 
 /// Largest difference from the wire, times T, m.
@@ -250,7 +253,7 @@ fn so_it_does_beside_a_spring() {
 
 /// Heights of the wire at two strips of a standing head.
 fn heights(p: WireModel<2, 2>, [first, second]: [f64; 2], forces: [f64; 2]) -> Vec<f64> {
-    let begin = Begin {
+    let begin = SessionStart {
         position: first,
         speed: 0.0,
         friction: 0.0,
@@ -260,7 +263,7 @@ fn heights(p: WireModel<2, 2>, [first, second]: [f64; 2], forces: [f64; 2]) -> V
         half_width: f64::INFINITY,
     });
     let live = Session::with_forces(Arc::new(p), strips.into(), &forces, begin);
-    live.expect("it stands").reading().height.clone()
+    live.expect("it stands").outputs().height.clone()
 }
 
 /// Each strip rises by its own force and by that of the other.

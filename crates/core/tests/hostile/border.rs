@@ -3,7 +3,7 @@
 use super::feed::Feed;
 use super::finite::{assert_finite, told};
 use super::{motion, stepping, structure};
-use arcless_core::integrator::prepared::WireModel;
+use arcless_core::integrator::wire_model::WireModel;
 use arcless_core::linear::model::LinearModel;
 use arcless_core::linear::static_response::StaticSolver;
 use arcless_core::slideline::Slideline;
@@ -80,7 +80,7 @@ fn settled<const DIM: usize, const D: usize>(
     } else {
         told(geometry.design())?
     };
-    let shape = told(geometry.settle(&start))?;
+    let shape = told(geometry.find_equilibrium(&start))?;
     assert_finite("shape", shape.iter().flatten().copied());
     let links = geometry.structure.links.iter();
     assert_finite("link lengths", links.map(|l| l.rest_length));
@@ -154,7 +154,7 @@ fn read_at_rest<const DIM: usize, const D: usize>(
     shape: &Shape<D>,
     lanes: &[Vec<usize>],
 ) {
-    let Some(paths) = told(Slideline::lanes(geometry, shape, lanes)) else {
+    let Some(paths) = told(Slideline::from_elements(geometry, shape, lanes)) else {
         return;
     };
     let s = &geometry.structure;
@@ -188,7 +188,7 @@ fn prepared<const DIM: usize, const D: usize>(
     shape: &Shape<D>,
     lanes: &[Vec<usize>],
 ) -> Option<WireModel<DIM, D>> {
-    let paths = told(Slideline::lanes(geometry, shape, lanes))?;
+    let paths = told(Slideline::from_elements(geometry, shape, lanes))?;
     let (scheme, h) = (motion::scheme(feed), feed.number(1e-3));
     let contact = [5e4, f64::INFINITY][feed.below(2)];
     let contact = feed.number(contact);

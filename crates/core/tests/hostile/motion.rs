@@ -3,8 +3,8 @@
 use super::feed::Feed;
 use arcless_core::linear::loads::Load;
 use arcless_core::scheme::Scheme;
+use arcless_core::simulation::inputs::Trajectory;
 use arcless_core::simulation::recording::record::RecordPlan;
-use arcless_core::simulation::run::Trajectory;
 
 /// Instants of a run at most; short, so that many runs fit into a minute.
 const MOST_INSTANTS: usize = 24;

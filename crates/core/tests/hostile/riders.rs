@@ -5,9 +5,9 @@ use arcless_core::pantograph::actuator::Actuator;
 use arcless_core::pantograph::breakpoint::ForceKind;
 use arcless_core::pantograph::bump_stop::BumpStop;
 use arcless_core::pantograph::excitation::{BaseMotion, Excitation, ForceHistory};
+use arcless_core::pantograph::model::Pantograph;
 use arcless_core::pantograph::piecewise_force::PiecewiseForce;
 use arcless_core::pantograph::strip::Strip;
-use arcless_core::pantograph::system::Pantograph;
 
 /// Chains of one to three masses with one or two strips, for a run of so many instants.
 pub fn rider(feed: &mut Feed<'_>, instants: usize) -> Pantograph {
@@ -20,9 +20,9 @@ pub fn rider(feed: &mut Feed<'_>, instants: usize) -> Pantograph {
         preload: first(n),
         lift: vec![0.0; n],
         start_force: feed.number(100.0),
-        given: Excitation::default(),
+        excitation: Excitation::default(),
         stops: Vec::new(),
-        laws: Vec::new(),
+        piecewise_forces: Vec::new(),
         actuator: None,
     };
     let extras = feed.byte();
@@ -30,7 +30,7 @@ pub fn rider(feed: &mut Feed<'_>, instants: usize) -> Pantograph {
         add_strips(feed, &mut rider, n);
     }
     if extras & 2 != 0 {
-        rider.given = given(feed, n, instants);
+        rider.excitation = given(feed, n, instants);
     }
     if extras & 4 != 0 {
         rider.stops.push(BumpStop {
@@ -40,7 +40,7 @@ pub fn rider(feed: &mut Feed<'_>, instants: usize) -> Pantograph {
         });
     }
     if extras & 8 != 0 {
-        rider.laws.push(law(feed, n));
+        rider.piecewise_forces.push(law(feed, n));
     }
     if extras & 16 != 0 {
         rider.actuator = Some(Actuator {
@@ -92,7 +92,7 @@ fn add_strips(feed: &mut Feed<'_>, rider: &mut Pantograph, n: usize) {
 fn given(feed: &mut Feed<'_>, n: usize, instants: usize) -> Excitation {
     let values = vec![feed.number(10.0); instants];
     let ground = BaseMotion {
-        carried: vec![1.0; n],
+        influence: vec![1.0; n],
         displacement: vec![feed.number(0.01); instants],
         rate: vec![0.0; instants],
     };
@@ -101,7 +101,7 @@ fn given(feed: &mut Feed<'_>, n: usize, instants: usize) -> Excitation {
             direction: last(n),
             values,
         }],
-        ground: feed.flag().then_some(ground),
+        base: feed.flag().then_some(ground),
     }
 }
 
@@ -112,7 +112,7 @@ fn law(feed: &mut Feed<'_>, n: usize) -> PiecewiseForce {
     points[3][1] = feed.number(20.0);
     PiecewiseForce {
         direction: last(n),
-        motion: [ForceKind::Spring, ForceKind::Damper][feed.below(2)],
+        kind: [ForceKind::Spring, ForceKind::Damper][feed.below(2)],
         points,
     }
 }
@@ -128,18 +128,18 @@ fn numbers(r: &mut Pantograph) -> Vec<&mut f64> {
         all.extend(&mut strip.knots);
         all.extend(strip.vectors.iter_mut().flatten());
     }
-    for force in &mut r.given.forces {
+    for force in &mut r.excitation.forces {
         all.extend(force.direction.iter_mut().chain(&mut force.values));
     }
-    if let Some(ground) = &mut r.given.ground {
-        all.extend(ground.carried.iter_mut().chain(&mut ground.displacement));
+    if let Some(ground) = &mut r.excitation.base {
+        all.extend(ground.influence.iter_mut().chain(&mut ground.displacement));
         all.extend(&mut ground.rate);
     }
     for stop in &mut r.stops {
         all.extend([&mut stop.gap, &mut stop.stiffness]);
         all.extend(&mut stop.direction);
     }
-    for law in &mut r.laws {
+    for law in &mut r.piecewise_forces {
         all.extend(&mut law.direction);
         all.extend(law.points.iter_mut().flatten());
     }
@@ -157,15 +157,18 @@ pub fn spoil(feed: &mut Feed<'_>, r: &mut Pantograph) {
         }
         9 => feed.disturb(&mut r.strips),
         10 => feed.disturb(&mut r.stops),
-        11 => feed.disturb(&mut r.laws),
+        11 => feed.disturb(&mut r.piecewise_forces),
         12 => {
             let which = feed.below(3);
             feed.disturb([&mut r.mass, &mut r.preload, &mut r.lift][which]);
         }
         13 => r.strips.iter_mut().for_each(|s| feed.disturb(&mut s.knots)),
-        14 => r.laws.iter_mut().for_each(|l| feed.disturb(&mut l.points)),
+        14 => r
+            .piecewise_forces
+            .iter_mut()
+            .for_each(|l| feed.disturb(&mut l.points)),
         _ => r
-            .given
+            .excitation
             .forces
             .iter_mut()
             .for_each(|f| feed.disturb(&mut f.values)),

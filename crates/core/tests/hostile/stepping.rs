@@ -5,8 +5,8 @@ use super::finite::check;
 use super::{motion, riders};
 use arcless_core::CoreError;
 use arcless_core::checkpoint::Checkpoint;
-use arcless_core::integrator::prepared::WireModel;
-use arcless_core::pantograph::system::Pantograph;
+use arcless_core::integrator::wire_model::WireModel;
+use arcless_core::pantograph::model::Pantograph;
 use arcless_core::simulation::run::Part;
 
 pub fn run<const DIM: usize, const D: usize>(

@@ -4,7 +4,7 @@
 //! real line, of few elements. Nodes 2 i lie on the lower wire, nodes 2 i + 1 on the upper one.
 
 use super::feed::Feed;
-use arcless_core::element::hermite::Section;
+use arcless_core::structure::Section;
 use arcless_core::structure::{
     Bend, Link, PointMass, Rayleigh, Segment, Spring, SpringMode, Structure, Strut, TensionedEnd,
     Wire,

@@ -10,7 +10,7 @@ if TYPE_CHECKING:
     from arcless.model import Scenario
 
 OPTION = "--certainty"
-# What may be meant as its number; what is no number at all is the next argument.
+# Texts that may be meant as its number; any other text is the next argument.
 _NUMBER = re.compile(r"[+-]?[\d.]")
 CertaintyOption = Annotated[
     str | None,

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from arcless.cli.process.start import staying
+from arcless.cli.process.start import permanent_objects
 from arcless.cli.terminal import console
 
 if TYPE_CHECKING:
@@ -46,7 +46,7 @@ def load(
     name: str, *, speed: str | None = None, changes: list[str] | None = None, quiet: bool = False
 ) -> "Scenario":
     """Load a scenario, apply the changes of the command line, and print its warnings."""
-    with staying(), warnings.catch_warnings():
+    with permanent_objects(), warnings.catch_warnings():
         from arcless import model
 
         if quiet:

@@ -1,4 +1,4 @@
-"""`arcless resume`: a run that stopped early goes on."""
+"""`arcless resume`: a run that stopped early is continued."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -34,12 +34,12 @@ def resume(
     no_report: NoReportOption = False,
     quiet: QuietOption = False,
 ) -> None:
-    """Go on with a run that `arcless run --until` stopped.
+    """Continue a run that `arcless run --until` stopped.
 
     Writes and prints what `arcless run` would have done without stopping: the result is the same,
     bit for bit. Without --out, result.nc in the folder of RUN is replaced when all is done.
 
-    Exit codes are those of `arcless run`; 2 when RUN holds no state to go on from, or one of
+    Exit codes are those of `arcless run`; 2 when RUN holds no state to continue from, or one of
     another version or scenario.
     """
     from arcless.results import open as open_result

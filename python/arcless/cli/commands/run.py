@@ -21,7 +21,7 @@ from arcless.cli.output import outcome
 from arcless.cli.output.folder import OutputFolder, check_place
 from arcless.cli.output.outcome import NoReportOption, UntilOption
 from arcless.cli.process.background import compute
-from arcless.cli.process.start import staying
+from arcless.cli.process.start import permanent_objects
 from arcless.cli.terminal import console
 
 if TYPE_CHECKING:
@@ -60,7 +60,7 @@ def run(
 
     Writes result.nc, assessment.json and report.html into a folder, runs/NAME unless --out names
     another, and prints the numbers with the criteria and, for a shipped reference case, the
-    ranges published for it. With --until, only result.nc, for `arcless resume` to go on from.
+    ranges published for it. With --until, only result.nc, from which `arcless resume` continues.
     With --certainty, every number with its spread over starts and its error of discretisation.
 
     Exit code 1: the computation failed, and nothing is written. Exit code 3: everything is written,
@@ -74,7 +74,7 @@ def run(
         command = _command(scenario, speed, set_, certainty)
         result = _simulate(
             chosen, until, folder.file(outcome.RESULT), command, quiet=quiet,
-            meanwhile=lambda: outcome.get_ready(report=not no_report and until is None),
+            meanwhile=lambda: outcome.import_ahead(report=not no_report and until is None),
         )  # fmt: skip
         written = outcome.write(result, folder, report=not no_report)
     outcome.tell(result, written, json=json, quiet=quiet)
@@ -132,7 +132,7 @@ def _simulate(
     quiet: bool,
     meanwhile: Callable[[], None],
 ) -> "Result":
-    with staying():
+    with permanent_objects():
         from arcless import simulate
 
     to = file if simulate.is_long(scenario) else None
@@ -146,7 +146,7 @@ def _simulate(
 
 
 def _find_statics(scenario: "Scenario", *, quiet: bool) -> "StaticsResult":
-    with staying():
+    with permanent_objects():
         from arcless import simulate
 
     with console.progress(quiet=quiet) as progress:

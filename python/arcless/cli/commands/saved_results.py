@@ -47,7 +47,7 @@ def assess(
 ) -> None:
     """Assess a saved run again, over another section or with another filter.
 
-    Nothing is simulated: the statistics and criteria are formed anew from result.nc. The section
+    Nothing is simulated: the statistics and criteria are computed from result.nc. The section
     and the low-pass filter are those of the scenario unless others are given.
     Exit code 3 means that a criterion is not met.
     """

@@ -58,7 +58,7 @@ SchedulerOption = Annotated[
         show_default=False,
     ),
 ]
-# How long a study that is stopped may take to put its table and its workers in order, in s.
+# Time in s that a stopped study may take to put its table and its workers in order.
 _LEAVES_WITHIN_S = {"threads": 0.8, "dask": 20.0}
 
 
@@ -105,7 +105,7 @@ def resume(
     json: JsonOption = False,
     quiet: QuietOption = False,
 ) -> None:
-    """Go on with a study that was cut off: compute what is missing.
+    """Continue a study that was cut off: compute what is missing.
 
     The file must say what it said when the study was begun; what differs is shown. What computes
     may be another executor.
@@ -257,7 +257,7 @@ def _compute(
 def _execution(
     loaded: "Study", kind: str | None, workers: int | None, scheduler: str | None
 ) -> "Execution":
-    """Return what computes: as the command line says, else as the file does."""
+    """Return the execution settings: of the command line, else of the file."""
     from arcless import study as studies
 
     own = loaded.executor

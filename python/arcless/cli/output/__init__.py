@@ -1,1 +1,1 @@
-"""What a command leaves: files in its folder, numbers on the screen."""
+"""Output of a command: files in its folder, numbers on the screen."""

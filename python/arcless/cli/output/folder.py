@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from arcless.storage.hidden_files import Claim
 
 _OLD = "old-"
-# How long a run that is cut off may take to notice that its folder is gone: 0.2 s in all.
+# Intervals for an interrupted run to notice that its folder is gone: 0.2 s in all.
 _TRIES, _BETWEEN_TRIES_S = 20, 0.01
 
 
@@ -41,8 +41,8 @@ class OutputFolder:
     Entering proves that the folder can be written, before any computing. Leaving without
     `publish` removes whatever was made, the folder itself included if it is new. Of the `files`
     that belong together the others follow from the first: those of an older run go when it is
-    replaced, so that none ever tells of another run than the first does. A link in the place of a
-    file is replaced itself; what it leads to stays as it is. A folder there is refused.
+    replaced, so that none ever tells of another run than the first does. A link that has the
+    name of a file is itself replaced, not the file it leads to. A folder there is refused.
     """
 
     def __init__(self, path: Path, *files: str) -> None:
@@ -88,14 +88,14 @@ class OutputFolder:
 
     def publish(self) -> list[Path]:
         """Move all files that were made to their names and return these."""
-        from arcless.storage.whole_files import settle
+        from arcless.storage.whole_files import sync_folder
 
         try:
             published = sorted(self.path / staged.name for staged in self._staging.iterdir())
-            with interrupts.held_back():
+            with interrupts.deferred_signals():
                 self._refuse_folders()
                 self._move()
-            settle(self.path)
+            sync_folder(self.path)
         except OSError as error:
             raise self._cannot_write(error) from error
         return published
@@ -118,7 +118,7 @@ class OutputFolder:
             (self._staging / name).replace(self.path / name)
 
     def _refuse_folders(self) -> None:
-        """Refuse folders where files are to be: what they hold is not ours to move or to remove."""
+        """Refuse folders where files are to be: their content is not ours to move or to remove."""
         for name in self._files:
             if os.path.isdir(self.path / name):  # noqa: PTH112 - `Path.is_dir` fails on long names
                 raise OutputError(
@@ -130,7 +130,7 @@ class OutputFolder:
                 )
 
     def _clear(self) -> None:
-        with interrupts.held_back():
+        with interrupts.deferred_signals():
             self._remove()
             if self._claim is not None:
                 self._claim.close()

@@ -1,4 +1,4 @@
-"""What becomes of a run: files in its folder, numbers on the screen, the exit code."""
+"""Outcome of a run: files in its folder, numbers on the screen, the exit code."""
 
 from collections.abc import Iterable
 from importlib import import_module
@@ -29,18 +29,18 @@ UntilOption = Annotated[
 NoReportOption = Annotated[bool, typer.Option("--no-report", help="Do not write report.html.")]
 
 
-# What writing and telling needs.
+# Modules that writing and printing need.
 _NEEDED = ("h5py", "rich.console", "rich.table", "arcless.cli.terminal.tables", "arcless.validate")
 
 
-def get_ready(*, report: bool) -> None:
-    """Import what writing and telling needs, while a run still computes."""
+def import_ahead(*, report: bool) -> None:
+    """Import the libraries for writing and printing while a run still computes."""
     for name in _NEEDED:
         import_module(name)
     if report:
         from arcless.report import template
 
-        template.get_ready()
+        template.import_ahead()
 
 
 def write(result: "Result", folder: OutputFolder, *, report: bool) -> list[Path]:
@@ -58,7 +58,7 @@ def write(result: "Result", folder: OutputFolder, *, report: bool) -> list[Path]
 
 
 def tell(result: "Result", written: list[Path], *, json: bool, quiet: bool) -> None:
-    """Print what came out, and leave with exit code 3 if a criterion is not met."""
+    """Print the results, and leave with exit code 3 if a criterion is not met."""
     if not result.is_complete:
         _tell_stopped(result, written[0], json=json)
         return

@@ -1,4 +1,4 @@
-"""Computing beside the main thread, so that Ctrl-C is answered at once.
+"""Computation in a second thread, so that Ctrl-C is answered at once.
 
 Python hands a signal to the main thread only, and not before native code returns. Statics of a long
 line take seconds in native code; meanwhile the main thread waits here and can leave.
@@ -26,17 +26,17 @@ class _Computation(threading.Thread, Generic[Outcome]):
         self._error: BaseException | None = None
 
     def run(self) -> None:
-        """Work; keep what comes out for the thread that waits."""
+        """Run the work, and keep its result for the thread that waits."""
         try:
             self._outcome.append(self._work(self._abandoned.is_set))
         except BaseException as error:
             self._error = error
 
     def outcome(self, meanwhile: Callable[[], object] | None = None) -> Outcome:
-        """Wait, then return or raise what the work did; who waits no longer lets it stop."""
+        """Wait, then return or raise the outcome of the work; an interrupted wait lets it stop."""
         try:
             if meanwhile is not None:
-                with _taking_turns():
+                with _short_switch_interval():
                     meanwhile()
             while self.is_alive():
                 self.join(_LOOK_EVERY_S)
@@ -48,8 +48,8 @@ class _Computation(threading.Thread, Generic[Outcome]):
 
 
 @contextmanager
-def _taking_turns() -> Iterator[None]:
-    """Let a computation that comes back from native code go on soon, and not after 5 ms."""
+def _short_switch_interval() -> Iterator[None]:
+    """Let a computation that returns from native code continue soon, and not after 5 ms."""
     before = sys.getswitchinterval()
     sys.setswitchinterval(_TURN_S)
     try:
@@ -65,7 +65,7 @@ def compute(
 
     The work is given something to ask now and then: whether it should stop, as nobody waits.
     `meanwhile` is done by the main thread before it waits: imports that are needed afterwards, as
-    native code lets Python go on.
+    native code lets Python continue.
     """
     computation = _Computation(work)
     computation.start()
@@ -73,5 +73,5 @@ def compute(
 
 
 def unfinished() -> bool:
-    """Whether a computation is still going on that nobody waits for any more."""
+    """Return whether a computation still runs that nobody waits for any more."""
     return any(isinstance(thread, _Computation) for thread in threading.enumerate())

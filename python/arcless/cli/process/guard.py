@@ -45,7 +45,7 @@ def exit_code_of(command: Callable[[], Any]) -> int:
     except (Exception, KeyboardInterrupt) as error:
         if os.environ.get("ARCLESS_TRACEBACK"):
             raise
-        # What fails after a signal has ended the work follows from that: a closed terminal.
+        # A failure after a signal has ended the work follows from that: a closed terminal.
         return _report(KeyboardInterrupt() if interrupts.ended() else error)
     return _report(KeyboardInterrupt()) if code == _INTERRUPTED_BY_TYPER else code
 

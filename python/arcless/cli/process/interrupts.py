@@ -1,4 +1,4 @@
-"""What Ctrl-C, SIGTERM and SIGHUP do while the command line cleans up, or moves finished files.
+"""Signals Ctrl-C, SIGTERM and SIGHUP while the command line cleans up, or moves finished files.
 
 All three end a run in the same way: what is unfinished is removed. Only the exit codes differ.
 """
@@ -19,10 +19,10 @@ _AFTER_SIGNAL = 128  # what a shell adds to the number of the signal that ended 
 _ended_by: list[int] = []
 
 
-def answer_once() -> None:
+def merge_signals() -> None:
     """Take several signals within a second for one: the second must not stop the cleaning up.
 
-    A process that was started to ignore one (`nohup`) goes on ignoring it.
+    A process that was started to ignore one (`nohup`) keeps ignoring it.
     """
     answered = -_ONE_STROKE_S
 
@@ -45,7 +45,7 @@ def answer_once() -> None:
 
 
 def ended() -> bool:
-    """Whether SIGTERM or SIGHUP has ended the work."""
+    """Return whether SIGTERM or SIGHUP has ended the work."""
     return bool(_ended_by)
 
 
@@ -60,7 +60,7 @@ def exit_code(by_ctrl_c: int) -> int:
 
 
 @contextmanager
-def held_back() -> Iterator[None]:
+def deferred_signals() -> Iterator[None]:
     """Answer signals after the block, not within; the block takes milliseconds."""
     if threading.current_thread() is not threading.main_thread():
         yield

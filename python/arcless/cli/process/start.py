@@ -1,4 +1,4 @@
-"""What a process spends before its work: threads that wait, memory that is searched for garbage."""
+"""Start of a process: threads that would wait, and memory that would be searched for garbage."""
 
 import gc
 import os
@@ -10,8 +10,8 @@ from contextlib import contextmanager
 _ours = threading.Event()
 
 
-def have_streams() -> None:
-    """Open what the process was started without of its standard streams, so that it leads nowhere.
+def open_missing_streams() -> None:
+    """Open the standard streams that the process was started without, so that they lead nowhere.
 
     Services and timed jobs close them (`2>&-`). The next file that is opened would take the number
     of the stream, and whatever a library says of errors would be written into it.
@@ -26,22 +26,23 @@ def have_streams() -> None:
             setattr(sys, name, open(number, mode, encoding="utf-8", closefd=False))  # noqa: SIM115
 
 
-def own_process() -> None:
+def claim_process() -> None:
     """Say that this process is ours alone; before NumPy is imported, which starts threads.
 
-    A thread of OpenBLAS waits busily for products, and none here is large enough for two. Whoever
-    sets their number gets as many.
+    A thread of OpenBLAS waits busily for products, and none here is large enough for two. A number
+    set by the user is kept.
     """
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     _ours.set()
 
 
 @contextmanager
-def staying() -> Iterator[None]:
-    """Import and build what stays to the end; no garbage is looked for among it, then or later.
+def permanent_objects() -> Iterator[None]:
+    """Import and build objects that stay to the end; no garbage is looked for among them.
 
-    There are hundreds of thousands of objects, which are gone through time and again otherwise.
-    In a process of somebody else his own would stay as well: there nothing is changed.
+    There are hundreds of thousands of them, which Python would otherwise search again and again.
+    In a process of somebody else, that process's objects would stay as well: there nothing is
+    changed.
     """
     if not _ours.is_set() or not gc.isenabled():
         yield

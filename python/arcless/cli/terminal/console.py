@@ -1,4 +1,4 @@
-"""Where text goes: data to standard output, everything else to standard error."""
+"""Streams of text: data to standard output, everything else to standard error."""
 
 import json
 import os
@@ -53,7 +53,7 @@ def warn(text: str) -> None:
 
 
 def fail(text: str, hint: str | None = None) -> None:
-    """Write an error, and what could be done about it, to standard error."""
+    """Write an error and its hint to standard error."""
     _labelled("error", "bold red", text)
     if hint:
         _labelled("hint", "cyan", hint)
@@ -89,7 +89,7 @@ def _labelled(label: str, style: str, text: str) -> None:
 
 
 def lasting() -> IO[str]:
-    """Return standard error for what is drawn on it again and again, also after it was closed."""
+    """Return standard error for text that is drawn repeatedly, also after it was closed."""
     return cast(IO[str], _Lasting(sys.stderr))
 
 
@@ -109,7 +109,7 @@ class _Lasting(TextIOBase):
 
 
 def _say(text: str, stream: TextIO | None = None) -> None:
-    """Write to standard error; work goes on where nobody can read it any more."""
+    """Write to standard error; work continues where nobody can read it any more."""
     stream = stream or sys.stderr
     try:
         write(stream, text)
@@ -118,7 +118,7 @@ def _say(text: str, stream: TextIO | None = None) -> None:
 
 
 def _lead_nowhere(stream: TextIO) -> None:
-    """Let what is still to be written to a stream, by Python when it ends as well, be lost."""
+    """Discard the text that is still to be written to a stream, also by Python when it ends."""
     with suppress(OSError, ValueError):
         os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
 

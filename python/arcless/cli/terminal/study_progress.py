@@ -33,7 +33,7 @@ def progress(*, quiet: bool = False) -> "Iterator[Callable[[Progress], None] | N
 
 
 def words(now: "Progress") -> str:
-    """Say rate, time to the end, and what went wrong."""
+    """Say rate, time to the end, and failures."""
     bad = [
         f"{now.counts[name]} {name}" for name in ("failed", "invalid", "pruned") if now.counts[name]
     ]

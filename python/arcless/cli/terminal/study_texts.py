@@ -1,4 +1,4 @@
-"""What `arcless study` says of a study on a terminal, and as data: how far it is, what is best."""
+"""Texts about a study on a terminal, and its data: progress, pruning, the best variants."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -13,7 +13,7 @@ _MOST_SHOWN = 10
 
 
 def facts_of(loaded: "Study", place: "StudyFolder", done: "Progress") -> dict[str, Any]:
-    """Return how a study ended as plain data."""
+    """Return the final state of a study as plain data."""
     return {
         "study": loaded.name,
         "folder": str(place.path),
@@ -27,7 +27,7 @@ def facts_of(loaded: "Study", place: "StudyFolder", done: "Progress") -> dict[st
 
 
 def _saving(loaded: "Study", place: "StudyFolder") -> dict[str, Any]:
-    """Return what pruning has saved; nothing of a study whose runs nobody looks at."""
+    """Return the steps that pruning has saved; None of a study whose runs nobody observes."""
     from arcless.study.folder.status import saving_of
 
     found = saving_of(loaded, place)
@@ -70,7 +70,7 @@ def _in_words(loaded: "Study", row: "Row") -> str:
 
 
 def show_done(facts: dict[str, Any]) -> None:
-    """Print how a study ended."""
+    """Print the final state of a study."""
     rate = facts["variants_per_s"]
     speed = "" if rate is None else f" in {facts['elapsed_s']:.1f} s, {rate:.3g} variants/s"
     pruned = f"{facts['pruned']} pruned, " if "steps_saved" in facts else ""
@@ -85,7 +85,7 @@ def show_done(facts: dict[str, Any]) -> None:
 
 
 def show_status(found: "StudyStatus") -> None:
-    """Print how far a study is."""
+    """Print the status of a study."""
     going = "being computed now" if found.running else "not being computed"
     pruned = "" if found.steps_saved is None else f"{found.pruned} pruned, "
     console.data(

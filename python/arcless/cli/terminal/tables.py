@@ -165,7 +165,7 @@ def criteria(assessment: dict[str, Any]) -> Table:
 
 
 def notes(assessment: dict[str, Any]) -> list[str]:
-    """Return what has to be known about the numbers, a line each."""
+    """Return remarks about the numbers, a line each."""
     if not assessment["notes"]:
         return []
     return ["Notes:\n" + "".join(f"- {note}\n" for note in assessment["notes"])]

@@ -8,8 +8,8 @@ import os
 from typing import BinaryIO
 
 
-class Disk:
-    """What h5py asks of a file object, over a file that is open for writing and reading."""
+class ErrorKeepingFile:
+    """File object for h5py, over a file that is open for writing and reading."""
 
     def __init__(self, file: BinaryIO) -> None:
         self.file = file
@@ -17,7 +17,7 @@ class Disk:
         self._error: OSError | ValueError | None = None
 
     def check(self) -> None:
-        """Raise what went wrong.
+        """Raise the first error of the disk.
 
         Raises
         ------
@@ -69,7 +69,7 @@ class Disk:
         return size
 
     def flush(self) -> None:
-        """Do nothing: whoever opened the file flushes it."""
+        """Do nothing: the owner of the file flushes it."""
 
     def _keep(self, error: OSError | ValueError) -> None:
         # ValueError: the file was closed, as when a run is interrupted.

@@ -1,4 +1,4 @@
-"""What is read from a result file has the form in which it was written.
+"""Checks of the form of all that is read from a result file.
 
 The checksum of a file tells of damage, not of who made it: a file may be sealed by anyone.
 """

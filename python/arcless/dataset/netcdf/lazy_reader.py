@@ -16,13 +16,13 @@ if TYPE_CHECKING:
 
     from arcless.dataset.build import Entry
 
-# What HDF5 and NetCDF note on a variable for themselves.
+# Attributes that HDF5 and NetCDF keep on a variable for themselves.
 OWN = frozenset({"CLASS", "NAME", "DIMENSION_LIST", "REFERENCE_LIST", "_FillValue"})
 # Name of the scale of a dimension that has no coordinate.
 NO_VARIABLE = "This is a netCDF dimension but not a netCDF variable"
 
 
-class Saved(Mapping[str, "Entry"]):
+class LazyVariables(Mapping[str, "Entry"]):
     """Dimensions, values and attributes of variables by name; an array stays once it was read.
 
     Parameters
@@ -54,7 +54,7 @@ class Saved(Mapping[str, "Entry"]):
         return len(self._variables)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Travel as what the file holds: an open file cannot."""
+        """Pickle the content of the file: an open file cannot travel."""
         return dict, (dict(self),)
 
 

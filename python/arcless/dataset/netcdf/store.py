@@ -9,7 +9,7 @@ from arcless.dataset.build import missing_variables
 from arcless.dataset.metadata import metadata
 from arcless.dataset.netcdf import checksum, lazy_reader
 from arcless.dataset.netcdf.form_checks import check_attributes, check_entry
-from arcless.dataset.netcdf.writer import netcdf
+from arcless.dataset.netcdf.netcdf_file import WHOLE, netcdf
 from arcless.dataset.plain_dataset import Plain
 from arcless.dataset.schema import ATTRIBUTES, RESULT_FORMAT
 from arcless.errors import ResultFormatError
@@ -21,11 +21,10 @@ if TYPE_CHECKING:
     from arcless.dataset.build import Entry
     from arcless.dataset.plain_dataset import Dataset
 
-# Level 2 with byte shuffling gains nearly all that level 9 does, at a fifth of its time.
-COMPRESSION = {"zlib": True, "complevel": 2, "shuffle": True, "_FillValue": None}
+COMPRESSION = {"zlib": True, "complevel": WHOLE, "shuffle": True, "_FillValue": None}
 
 
-# What the library raises for files that are no results. `RuntimeError` has `RecursionError`.
+# Exceptions of the library for files that are no results. `RuntimeError` has `RecursionError`.
 UNREADABLE = (
     OSError, ValueError, KeyError, RuntimeError, TypeError, IndexError, AttributeError, MemoryError,
     OverflowError,
@@ -54,6 +53,7 @@ def save(dataset: "Dataset", path: str | Path) -> None:
 def _content(dataset: "Dataset") -> bytes | memoryview:
     if isinstance(dataset, Plain):
         return netcdf(dataset)
+    # Somebody may have put into it whatever xarray writes.
     encoding: dict[str, dict[str, Any]] = {
         str(name): COMPRESSION if variable.dtype.kind in "fiu" else {}
         for name, variable in dataset.variables.items()
@@ -118,8 +118,8 @@ def _opened(file: Path) -> Plain:
     data, coords = lazy_reader.split(opened)
     sizes = {name: variable.shape[0] for name, variable in coords.items()}
     return Plain(
-        lazy_reader.Saved(data, read),
-        lazy_reader.Saved(coords, read),
+        lazy_reader.LazyVariables(data, read),
+        lazy_reader.LazyVariables(coords, read),
         lazy_reader.attributes(opened),
     )
 

@@ -1,7 +1,7 @@
-"""A result file written piece by piece while the run goes on.
+"""A result file written piece by piece during the run.
 
 The file has its final sizes from the first piece on; each piece fills the next rows of the series.
-It is the same dataset as `save` writes, value for value; only the parts of compression differ.
+It is the dataset that `save` writes, value for value; only how it is compressed differs.
 """
 
 from collections.abc import Iterator, Mapping
@@ -14,12 +14,9 @@ from numpy.typing import NDArray
 
 from arcless.dataset.build import Described, attributes, check_complete, variables
 from arcless.dataset.netcdf import checksum
-from arcless.dataset.netcdf.error_keeping_file import Disk
-from arcless.dataset.netcdf.writer import parts
+from arcless.dataset.netcdf.error_keeping_file import ErrorKeepingFile
+from arcless.dataset.netcdf.netcdf_file import IN_PIECES, NetcdfFile
 from arcless.errors import ResultFormatError
-
-# Level 1: of series in pieces as small as level 2 makes them, in two thirds of its time.
-COMPRESSION = {"compression": "gzip", "compression_opts": 1, "shuffle": True}
 
 
 class Writer:
@@ -36,15 +33,11 @@ class Writer:
     """
 
     def __init__(self, file: BinaryIO, rows: Mapping[str, int], names: Mapping[str, Any]) -> None:
-        import h5netcdf
-
-        self._disk = Disk(file)
+        self._disk = ErrorKeepingFile(file)
         self._rows, self._names = dict(rows), dict(names)
         self._done = dict.fromkeys(rows, 0)
         self._last = dict.fromkeys(rows, -np.inf)
-        self._h5 = h5netcdf.File(self._disk, "w")
-        # Looking a variable up in the file reads all of its attributes.
-        self._made: dict[str, Any] = {}
+        self._netcdf = NetcdfFile(self._disk, IN_PIECES)
 
     def append(self, piece: Mapping[str, Any], labels: Mapping[str, Any]) -> None:
         """Write the next rows.
@@ -69,16 +62,16 @@ class Writer:
             self._follow(dim, times)
         with self._on_disk():
             self._whole(coords)
-            for name, (dims, values, meaning) in {**series, **data}.items():
-                if name not in self._made:
-                    self._create(name, dims, values, meaning)
-                first = self._done[dims[0]]
-                self._made[name][first : first + len(values)] = values
+            for name, entry in {**series, **data}.items():
+                (dim, *_), values, _ = entry
+                if name not in self._netcdf.names:
+                    self._netcdf.add(name, entry, self._rows[dim])
+                self._netcdf.fill(name, self._done[dim], values)
         for dim, (_, times, _) in series.items():
             self._done[dim] += len(times)
 
     def finish(self, static: Mapping[str, Any], attrs: Mapping[str, Any]) -> None:
-        """Write what is no series, and the attributes; put the checksum behind the file.
+        """Write the variables that are no series, and the attributes; append the checksum.
 
         Parameters
         ----------
@@ -98,14 +91,12 @@ class Writer:
                 got=f"{self._done} rows",
                 expected=f"{self._rows}",
             )
-        check_complete({*static, *self._made})
+        check_complete({*static, *self._netcdf.names})
         data, coords = variables(static, self._names)
         texts = attributes(attrs)
         with self._on_disk():
             self._whole({**data, **coords})
-            for name, value in texts.items():
-                self._h5.attrs[name] = value
-            self._h5.close()
+            self._netcdf.finish(texts)
         checksum.put(self._disk.file)
 
     def __enter__(self) -> Self:
@@ -120,22 +111,21 @@ class Writer:
     ) -> None:
         """Let HDF5 end its work, whatever is still to come of the file."""
         with suppress(OSError, RuntimeError):
-            self._h5.close()
+            self._netcdf.close()
 
     @contextmanager
     def _on_disk(self) -> Iterator[None]:
-        """Raise what the disk says before what HDF5 makes of it."""
+        """Raise the error of the disk before the one that HDF5 makes of it."""
         try:
             yield
         finally:
             self._disk.check()
 
     def _whole(self, described: Described) -> None:
-        """Write what is no series, if it is not there yet."""
-        for name, (dims, values, meaning) in described.items():
-            if name not in self._made:
-                self._create(name, dims, values, meaning)
-                self._made[name][...] = values
+        """Write the variables that are no series, if they are not there yet."""
+        for name, entry in described.items():
+            if name not in self._netcdf.names:
+                self._netcdf.add(name, entry)
 
     def _follow(self, dim: str, times: NDArray[Any]) -> None:
         """Take note of the labels of the next rows, which must lie after those before."""
@@ -144,19 +134,3 @@ class Writer:
         if len(times) and not times[0] > self._last[dim]:
             raise ResultFormatError("a coordinate does not increase", where=dim)
         self._last[dim] = float(times[-1]) if len(times) else self._last[dim]
-
-    def _create(
-        self, name: str, dims: tuple[str, ...], values: NDArray[Any], meaning: dict[str, str]
-    ) -> None:
-        import h5py
-
-        shape = tuple(self._rows.get(dim, n) for dim, n in zip(dims, values.shape, strict=True))
-        for dim, size in zip(dims, shape, strict=True):
-            if dim not in self._h5.dimensions:
-                self._h5.dimensions[dim] = size
-        options: dict[str, Any] = {"dtype": h5py.string_dtype()}
-        if values.dtype.kind != "O":
-            options = {"dtype": values.dtype, "chunks": parts(values.shape), **COMPRESSION}
-        made = self._h5.create_variable(name, dims, **options)
-        made.attrs.update(meaning)
-        self._made[name] = made

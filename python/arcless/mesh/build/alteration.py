@@ -33,19 +33,15 @@ from arcless.model.line.parts.components import TensionedWire
 from arcless.model.line.places.dropper_names import DropperName, droppers_called, parse_name
 from arcless.model.line.places.support_names import supports_called
 
-# Column of the mass per metre.
-MASS = {"wires": 3, "segments": 2}
-
 
 def alteration(mesh: Mesh, line: Line, built: AsBuilt) -> dict[str, Any]:
     """Return the changes of a designed line as the core takes them; see above."""
-    kind = "wires" if len(mesh.parts["wires"][0]) else "segments"
-    nodes, floats = mesh.parts[kind]
-    is_contact = np.zeros(len(nodes), dtype=bool)
+    elements = mesh.elements
+    is_contact = np.zeros(len(elements), dtype=bool)
     is_contact[mesh.contact_rows] = True
-    ends = mesh.positions[nodes[:, :2], 0]
+    ends = mesh.positions[elements["nodes"], 0]
     mass_loss, axial, bending = _worn(ends, is_contact, built)
-    longer, coats = np.ones(len(nodes)), np.zeros(len(nodes))
+    longer, coats = np.ones(len(elements)), np.zeros(len(elements))
     for name, rows in mesh.wire_rows.items():
         wire: TensionedWire | None = getattr(line, name)
         if wire is None:
@@ -53,11 +49,11 @@ def alteration(mesh: Mesh, line: Line, built: AsBuilt) -> dict[str, Any]:
         longer[rows] += built.temperature_difference * wire.thermal_expansion
         coats[rows] = getattr(built.ice, name)
     # A wire that grows longer does not grow heavier.
-    bare = floats[:, MASS[kind]] * (1.0 - mass_loss) / longer
+    bare = elements["mass"] * (1.0 - mass_loss) / longer
     return {
         "length_factor": longer.tolist(),
         "axial_factor": axial.tolist(),
-        "bending_factor": (bending if kind == "wires" else _of_bends(mesh, bending)).tolist(),
+        "bending_factor": _of_bends(mesh, bending).tolist(),
         "mass": (bare + coats).tolist(),
         "load": _loads(mesh, line, built),
         **_of_links(mesh, line, built),
@@ -71,9 +67,10 @@ def end_forces(mesh: Mesh, slipping: Mapping[int, float] | None = None) -> list[
 
     `slipping` gives the tension in N of devices with friction that have moved, by row.
     """
-    (nodes, forces), moved = mesh.parts["ends"], slipping or {}
+    ends, moved = mesh.parts["ends"], slipping or {}
     free = [
-        float(force) if free else None for free, (force,) in zip(nodes[:, 1], forces, strict=True)
+        float(force) if released else None
+        for force, released in zip(ends["force"], ends["released"], strict=True)
     ]
     for end in mesh.ends:
         if end.row in moved:
@@ -83,8 +80,7 @@ def end_forces(mesh: Mesh, slipping: Mapping[int, float] | None = None) -> list[
 
 def diameters(mesh: Mesh, line: Line, built: AsBuilt) -> Floats:
     """Return the diameter in m that each wire or segment turns to the wind, ice included."""
-    kind = "wires" if len(mesh.parts["wires"][0]) else "segments"
-    found = np.zeros(len(mesh.parts[kind][0]))
+    found = np.zeros(len(mesh.elements))
     for name, rows in mesh.wire_rows.items():
         wire: TensionedWire | None = getattr(line, name)
         if wire is not None:
@@ -103,8 +99,7 @@ def _loads(mesh: Mesh, line: Line, built: AsBuilt) -> Floats:
 
 def without(mesh: Mesh, removed: list[int]) -> Mesh:
     """Return the mesh without the given rows of its links; its droppers' rows follow."""
-    integers, floats = mesh.parts["links"]
-    kept = np.ones(len(integers), dtype=bool)
+    kept = np.ones(len(mesh.parts["links"]), dtype=bool)
     kept[removed] = False
     row = np.cumsum(kept) - 1
     droppers = [
@@ -112,7 +107,7 @@ def without(mesh: Mesh, removed: list[int]) -> Mesh:
         for dropper in mesh.droppers
         if kept[dropper.link]
     ]
-    links = (integers[kept], floats[kept])
+    links = mesh.parts["links"][kept]
     return replace(mesh, droppers=droppers, parts={**mesh.parts, "links": links})
 
 
@@ -159,13 +154,17 @@ def _worn(
 
 
 def _of_bends(mesh: Mesh, bending: Floats) -> Floats:
-    """Return the factor on EI of each bend: half of its flexibility lies in either segment."""
-    segments, _ = mesh.parts["bends"]
-    return np.asarray(1.0 / np.mean(1.0 / bending[segments], axis=1))
+    """Return the factor on EI of each cubic element, or of each bend of chains.
+
+    Half of the flexibility of a bend lies in either segment.
+    """
+    if len(mesh.parts["wires"]):
+        return bending
+    return np.asarray(1.0 / np.mean(1.0 / bending[mesh.parts["bends"]["segments"]], axis=1))
 
 
 def _of_links(mesh: Mesh, line: Line, built: AsBuilt) -> dict[str, Any]:
-    count = len(mesh.parts["links"][0])
+    count = len(mesh.parts["links"])
     factor, offset = np.ones(count), np.zeros(count)
     rows = {dropper.name: dropper.link for dropper in mesh.droppers}
     for dropper in mesh.droppers:
@@ -188,7 +187,7 @@ def _of_links(mesh: Mesh, line: Line, built: AsBuilt) -> dict[str, Any]:
 
 def _of_supports(mesh: Mesh, line: Line, built: AsBuilt) -> dict[str, Any]:
     """Return by how much each spring and strut stands higher than drawn, in m."""
-    springs, (struts, _) = mesh.parts["springs"][0], mesh.parts["struts"]
+    springs, struts = mesh.parts["springs"], mesh.parts["struts"]
     higher, arms = np.zeros(len(springs)), np.zeros(len(struts))
     for error in built.support_height_errors:
         name = str(supports_called(line, error.name)[0])
@@ -197,9 +196,9 @@ def _of_supports(mesh: Mesh, line: Line, built: AsBuilt) -> dict[str, Any]:
                 continue
             held = {place.contact_node}
             if place.messenger_spring is not None:
-                held.add(int(springs[place.messenger_spring, 0]))
-            upright = springs[:, 1] == mesh.dimension - 1
-            higher[upright & np.isin(springs[:, 0], list(held))] = error.height_error
+                held.add(int(springs["node"][place.messenger_spring]))
+            upright = springs["component"] == mesh.dimension - 1
+            higher[upright & np.isin(springs["node"], list(held))] = error.height_error
             if place.steady_arm is not None:
                 arms[place.steady_arm] = error.height_error
     return {"spring_offset": higher.tolist(), "strut_offset": arms.tolist()}

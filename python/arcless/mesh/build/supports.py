@@ -1,11 +1,11 @@
-"""What holds the wires of a system at its supports → rows of the tables."""
+"""Supports of the wires of a system → rows of the tables."""
 
 from arcless.mesh.division.chain import Chains
 from arcless.mesh.division.wire_names import BRIDLE, CONTACT
 from arcless.mesh.division.wires import Stations
+from arcless.mesh.tables.columns import HELD, UNLOADED
 from arcless.mesh.tables.context import Kit
 from arcless.mesh.tables.mesh_types import SupportPlace
-from arcless.mesh.tables.parts import HELD, UNLOADED
 from arcless.model.line.parts.components import MessengerSupport, NoSteadyArm, SteadyArmBar
 from arcless.model.line.parts.contact_supports import ContactSupport
 
@@ -37,7 +37,7 @@ class Holding:
                 found.append(SupportPlace(which, x, node, spring, arm))
             if inside and chains.auxiliary is not None and self.kit.spatial:
                 # A pull-off keeps its lateral position; it hangs on droppers alone.
-                self.parts.add("fixed", (chains.auxiliary.at(x), 1))
+                self.parts.fix(chains.auxiliary.at(x), 1)
         return found
 
     def _name(self, index: int, contact_wire: str) -> str:
@@ -55,18 +55,22 @@ class Holding:
         assert support is not None
         row = self._hold(node, support)
         if support.longitudinal_stiffness > 0.0:
-            stiffness = (support.longitudinal_stiffness, 0.0, 0.0)
-            self.parts.add("springs", (node, 0, UNLOADED), stiffness)
+            self.parts.add_spring(node, 0, UNLOADED, stiffness=support.longitudinal_stiffness)
         return row
 
     def _hold(self, node: int, support: ContactSupport | MessengerSupport) -> int:
         """Hold a node up, and across in space; return the row of the vertical spring."""
-        vertical = (support.vertical_stiffness, support.vertical_damping, 0.0)
-        row = self.parts.add("springs", (node, self.kit.up, HELD), vertical)
+        row = self.parts.add_spring(
+            node,
+            self.kit.up,
+            HELD,
+            stiffness=support.vertical_stiffness,
+            viscosity=support.vertical_damping,
+        )
         if self.kit.spatial:
             lateral = support.lateral_stiffness or support.vertical_stiffness
-            self.parts.add("springs", (node, 1, HELD), (lateral, 0.0, 0.0))
-        self.parts.add_mass(node, support.mass, 0.0)
+            self.parts.add_spring(node, 1, HELD, stiffness=lateral)
+        self.parts.add_mass(node, support.mass)
         return row
 
     def _hold_contact_wire(self, node: int, name: str, index: int) -> int | None:
@@ -76,14 +80,19 @@ class Holding:
         if isinstance(arm, NoSteadyArm):
             return None
         if arm.vertical_stiffness > 0.0:
-            spring = (arm.vertical_stiffness, arm.vertical_damping, 0.0)
-            # It holds the wire at a measured height, and else carries nothing at rest.
+            # A support that holds the wire at a measured height, and else carries nothing at rest.
             mode = HELD if self.system.measured else UNLOADED
-            self.parts.add("springs", (node, self.kit.up, mode), spring)
-        self.parts.add_mass(node, arm.mass, 0.0)
+            self.parts.add_spring(
+                node,
+                self.kit.up,
+                mode,
+                stiffness=arm.vertical_stiffness,
+                viscosity=arm.vertical_damping,
+            )
+        self.parts.add_mass(node, arm.mass)
         if self.kit.spatial:
             # An arm known only by its vertical stiffness holds the stagger rigidly.
-            self.parts.add("fixed", (node, 1))
+            self.parts.fix(node, 1)
         return None
 
     def _pull_side(self, name: str, index: int) -> float:

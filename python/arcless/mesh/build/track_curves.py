@@ -15,11 +15,11 @@ def add_curves(kit: Kit, positions: Floats) -> None:
     """Add the turn along every wire or segment in rad; nothing on a straight track."""
     if not kit.line.track.curves:
         return
-    nodes, _ = kit.parts.arrays()["segments" if kit.lumped else "wires"]
+    elements = kit.parts.arrays()["segments" if kit.lumped else "wires"]
     height = kit.line.geometry.contact_wire_height
-    ends = positions[nodes[:, :2], 0]
+    ends = positions[elements["nodes"], 0]
     places, which = np.unique(ends, return_inverse=True)
     angles = np.array([kit.line.track.direction(float(x), height) for x in places])
     turns = np.diff(angles[which.reshape(ends.shape)], axis=1)[:, 0]
     for turn in turns.tolist():
-        kit.parts.add("turns", (), (turn,))
+        kit.parts.add("turns", angle=turn)

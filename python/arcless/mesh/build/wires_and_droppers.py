@@ -8,9 +8,10 @@ import numpy as np
 from arcless.mesh.division import wires
 from arcless.mesh.division.chain import Chain, Chains
 from arcless.mesh.division.masses_and_inserts import masses
+from arcless.mesh.tables.columns import UNLOADED
 from arcless.mesh.tables.context import Kit
 from arcless.mesh.tables.mesh_types import DropperPlace, EndPlace, Floats, StitchPlace
-from arcless.mesh.tables.parts import UNLOADED, each_of
+from arcless.mesh.tables.parts import each_of
 from arcless.model.line.parts.components import StitchWire, TensionedWire, Wire
 from arcless.model.line.parts.contact_supports import Bridle
 from arcless.model.line.parts.midpoint_anchor import MidpointAnchor
@@ -61,14 +62,14 @@ class Wiring:
         """Add the elements of a wire and what holds its ends; return the elements' rows."""
         rows = self._add_wire(chain)
         for component in range(self.kit.dimension):
-            self.parts.add("fixed", (chain.nodes[0], component))
-            self.parts.add("fixed", (chain.nodes[-1], component))
+            self.parts.fix(chain.nodes[0], component)
+            self.parts.fix(chain.nodes[-1], component)
         self._add_end(wire, chain.nodes[-1], rows[-1], 1.0)
         if self.line.midpoint_anchor is not None:
             self._add_end(wire, chain.nodes[0], rows[0], -1.0)
             held = chain.at(self._midpoint(self.line.midpoint_anchor))
-            stiffness = (self.line.midpoint_anchor.stiffness, 0.0, 0.0)
-            self.parts.add("springs", (held, 0, UNLOADED), stiffness)
+            stiffness = self.line.midpoint_anchor.stiffness
+            self.parts.add_spring(held, 0, UNLOADED, stiffness=stiffness)
         return rows
 
     def _add_end(self, name: str, node: int, element: int, outward: float) -> None:
@@ -79,12 +80,12 @@ class Wiring:
         """
         wire: Wire = getattr(self.line, name)
         free = not wire.is_anchored and not wire.has_friction
-        row = self.parts.add("ends", (node, int(free)), (outward * wire.tension,))
+        row = self.parts.add("ends", node=node, force=outward * wire.tension, released=free)
         self.ends.append(EndPlace(row, name, node, element, outward))
-        # It moves along the track only: weight and motion up and down are the pulley's.
-        self.parts.add_mass(node, wire.end_mass, 0.0)
+        # The weight's mass acts along the track only: it moves up and down at the pulley.
+        self.parts.add_mass(node, wire.end_mass)
         if wire.end_stiffness is not None:
-            self.parts.add("springs", (node, 0, UNLOADED), (wire.end_stiffness, 0.0, 0.0))
+            self.parts.add_spring(node, 0, UNLOADED, stiffness=wire.end_stiffness)
 
     def _midpoint(self, anchor: MidpointAnchor) -> float:
         """Return where the wires are held along the track, in m."""
@@ -126,7 +127,7 @@ class Wiring:
         return self.parts.add_wires(sections, ends, slopes, lengths)
 
     def _add_segments(self, chain: Chain) -> list[int]:
-        """Add a chain of point masses that bends at its inner nodes, but for the hinges."""
+        """Add a chain of point masses that bends at its inner nodes, except at the hinges."""
         sections = chain.sections()
         lengths = self._unstretched(chain, sections, wires.chain_stretch)
         nodes = np.array(chain.nodes)
@@ -139,8 +140,8 @@ class Wiring:
     def _unstretched(
         chain: Chain, sections: list[TensionedWire], law: Callable[[TensionedWire], float]
     ) -> Floats:
-        (stretches,) = each_of(sections, lambda wire: (law(wire),)).T
-        return wires.chord_lengths(chain.points, stretches)
+        stretches = each_of(sections, lambda wire: {"stretch": law(wire)})
+        return wires.chord_lengths(chain.points, stretches["stretch"])
 
     def _add_droppers(self) -> list[DropperPlace]:
         found: list[DropperPlace] = []

@@ -85,7 +85,7 @@ class _Division:
             made = self.points(STITCH, x, self.system.messenger_stagger)
             made[[0, -1]] = messenger.points[[messenger.row(first), messenger.row(last)]]
             stitch = Chain(made, wire)
-            # As in a saddle, and more so: a dropper bends it by 40 milliradians within 6 cm.
+            # A hinge as in a saddle: a dropper bends the wire by 40 milliradians within 6 cm.
             stitch.hinges = [stitch.row(x) for x in own[1:-1]]
             found.append(stitch)
         return found

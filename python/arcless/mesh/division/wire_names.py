@@ -1,4 +1,4 @@
-"""What the wires are called."""
+"""Names of the wires."""
 
 CONTACT, MESSENGER = "contact wire", "messenger wire"
 STITCH, AUXILIARY = "stitch wire", "auxiliary wire"

@@ -44,7 +44,7 @@ class Hanging:
 
 @dataclass(frozen=True)
 class Stations:
-    """What needs a node along the wires of a system, positions in m.
+    """Places that need a node along the wires of a system, positions in m.
 
     Attributes
     ----------
@@ -107,7 +107,7 @@ def stations(line: Line, system: WireSystem) -> Stations:
 
 
 def _bent(line: Line, supports: list[float]) -> list[float]:
-    """Return places beside the supports at which a contact wire without messenger wire is held.
+    """Return places next to the supports at which a contact wire without messenger wire is held.
 
     It turns there by w L/T within some √(EI/T), far less than an element. With a node at twice
     that on either side the sag is right to 0.1 mm with any element; without, to 2 mm with 1.45 m.

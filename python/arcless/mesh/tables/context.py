@@ -1,4 +1,4 @@
-"""What every wire system is built with."""
+"""Data that every wire system is built with."""
 
 from dataclasses import dataclass, field
 
@@ -24,10 +24,10 @@ class Kit:
 
     @property
     def spatial(self) -> bool:
-        """Whether nodes have a lateral position."""
+        """True when nodes have a lateral position."""
         return self.dimension == SPATIAL
 
     @property
     def lumped(self) -> bool:
-        """Whether wires are chains of point masses."""
+        """True when wires are chains of point masses."""
         return self.solver.wires == "lumped"

@@ -1,13 +1,14 @@
-"""What a mesh is: tables for the core, and the names behind their rows."""
+"""Mesh of a line: tables for the core, and the names behind their rows."""
 
 from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
+from arcless.mesh.tables.columns import Table, Tables
+
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
-Part = tuple[Integers, Floats]
 
 PLANAR, SPATIAL = 2, 3
 
@@ -92,32 +93,10 @@ class SystemNodes:
 class Mesh:
     """Arrays for the core. Nodes are ordered along the track; SI units.
 
-    `parts` maps a kind to (integers, floats), one row per part:
-
-    ======== ========================================== =========================================
-    kind     integer columns                            float columns
-    ======== ========================================== =========================================
-    wires    nodes of both ends, nodes that hold the    rest length m, EA N, EI N·m², kg/m, α, β,
-             slopes there (another one at a hinge)      horizontal tension in the design N
-    segments nodes of both ends                         rest length m, EA N, kg/m, α 1/s, β s,
-                                                        horizontal tension in the design N
-    bends    segment before and segment behind a node   EI N·m², β s
-    links    upper node, lower node, tension only,      rest length m, N/m, N·s/m, α 1/s, β s, kg/m
-             length to be found
-    struts   node, anchor to be found                   direction (3), anchor (3) m, rest length m,
-                                                        N/m, moving kg, hanging kg
-    springs  node, component, mode (0 rest coordinate   N/m, N·s/m, rest coordinate m
-             given, 1 position held, 2 unloaded)
-    masses   node                                       kg, α 1/s
-    fixed    node, component                            (none)
-    ends     node, free in service                      force along the track N
-    loads    node, component                            force N
-    w_loads  (none)                                     force per metre of rest length (3) N/m
-    turns    (none)                                     angle of the track along it, to the left rad
-    ======== ========================================== =========================================
+    `parts` has a table for each kind of part, see `arcless.mesh.tables.columns`.
 
     A mesh has wires (wire model hermite), or segments and bends (lumped): then its slopes are zero
-    and nothing reads them. `wire_loads` (w_loads above) and `turns` have a row for each, or none.
+    and nothing reads them.
     `lanes` holds the rows, in the table of wires or segments, of the wires that a collector may run
     on: a list for each lane, in the order of the track; a lane is one wire or several one behind
     the other with gaps. `wire_rows` holds those of each wire by its field of the line. `ends` tells
@@ -127,7 +106,7 @@ class Mesh:
     dimension: int
     positions: Floats
     slopes: Floats
-    parts: dict[str, Part]
+    parts: Tables
     gravity: float
     lanes: list[list[int]]
     droppers: list[DropperPlace]
@@ -135,6 +114,11 @@ class Mesh:
     wire_rows: dict[str, list[int]]
     systems: list[SystemNodes]
     ends: list[EndPlace] = field(default_factory=list)
+
+    @property
+    def elements(self) -> Table:
+        """Table of the elements of all wires: of cubic ones, or of the segments of chains."""
+        return self.parts["wires"] if len(self.parts["wires"]) else self.parts["segments"]
 
     @property
     def contact_rows(self) -> list[int]:

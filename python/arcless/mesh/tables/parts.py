@@ -1,78 +1,80 @@
 """Tables of parts: rows, collected wire by wire or one by one, become the arrays of the core."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from math import cos, sin
+from typing import Any, cast
 
 import numpy as np
+from numpy.typing import NDArray
 
-from arcless.mesh.tables.mesh_types import Floats, Integers, Part
+from arcless.mesh.tables.columns import COLUMNS, Table, Tables
+from arcless.mesh.tables.mesh_types import Floats, Integers
 from arcless.model.line.parts.components import DropperType, SteadyArmBar, TensionedWire
-
-# Number of integer and float columns of each kind, see `arcless.mesh.tables.mesh_types.Mesh`.
-COLUMNS = {
-    "wires": (4, 7),
-    "segments": (2, 6),
-    "bends": (2, 2),
-    "links": (4, 6),
-    "struts": (2, 10),
-    "springs": (3, 3),
-    "masses": (1, 2),
-    "fixed": (2, 0),
-    "ends": (2, 1),
-    "loads": (2, 1),
-    "wire_loads": (0, 3),
-    "turns": (0, 1),
-}
-
-GIVEN, HELD, UNLOADED = 0, 1, 2
 
 
 def each_of(
-    sections: Sequence[TensionedWire], of: Callable[[TensionedWire], tuple[float, ...]]
-) -> Floats:
-    """Return numbers of the wire of each element, row by row; most elements share one."""
-    kinds = {id(section): section for section in sections}
+    sections: Sequence[TensionedWire], of: Callable[[TensionedWire], Mapping[str, float]]
+) -> dict[str, Floats]:
+    """Return numbers of the wire of each element by name; most elements share one wire."""
+    keys = list(map(id, sections))
+    kinds = dict(zip(keys, sections, strict=True))
     which = {key: number for number, key in enumerate(kinds)}
-    table = np.array([of(section) for section in kinds.values()])
-    return table[[which[id(section)] for section in sections]]
+    rows = np.fromiter(map(which.__getitem__, keys), np.intp, len(keys))
+    numbers = [of(section) for section in kinds.values()]
+    return {name: np.array([one[name] for one in numbers])[rows] for name in numbers[0]}
+
+
+def _chain_numbers(wire: TensionedWire) -> dict[str, float]:
+    return {
+        "axial_stiffness": wire.axial_stiffness,
+        "mass": wire.mass,
+        "alpha": wire.damping.alpha,
+        "beta": wire.damping.beta,
+        "design_tension": wire.tension,
+    }
+
+
+def _cubic_numbers(wire: TensionedWire) -> dict[str, float]:
+    return {**_chain_numbers(wire), "bending_stiffness": wire.bending_stiffness}
+
+
+def _bending_numbers(wire: TensionedWire) -> dict[str, float]:
+    return {"bending_stiffness": wire.bending_stiffness, "beta": wire.damping.beta}
 
 
 class Parts:
     """Collects the parts of a structure."""
 
     def __init__(self) -> None:
-        self._rows: dict[str, list[tuple[tuple[int, ...], tuple[float, ...]]]] = {
-            kind: [] for kind in COLUMNS
-        }
+        self._rows: dict[str, list[Mapping[str, Any]]] = {kind: [] for kind in COLUMNS}
         # Of kinds that come by the thousand, wire by wire.
-        self._blocks: dict[str, list[Part]] = {"wires": [], "segments": [], "bends": []}
+        self._blocks: dict[str, list[Mapping[str, NDArray[Any]]]] = {}
 
-    def add(self, kind: str, integers: tuple[int, ...], floats: tuple[float, ...] = ()) -> int:
-        """Add a row and return its number."""
-        self._rows[kind].append((integers, floats))
+    def add(self, kind: str, **columns: Any) -> int:
+        """Add a row, all of its columns by name, and return its number."""
+        _check(kind, columns)
+        self._rows[kind].append(columns)
         return len(self._rows[kind]) - 1
 
-    def arrays(self) -> dict[str, Part]:
+    def arrays(self) -> Tables:
         """Return the tables."""
-        tables = {}
-        for kind, (integers, floats) in COLUMNS.items():
-            rows = self._rows[kind]
-            tables[kind] = (
-                np.array([row[0] for row in rows], dtype=np.int64).reshape(len(rows), integers),
-                np.array([row[1] for row in rows], dtype=np.float64).reshape(len(rows), floats),
-            )
-        for kind, blocks in self._blocks.items():
-            if blocks:
-                numbers, values = zip(*blocks, strict=True)
-                tables[kind] = np.concatenate(numbers), np.concatenate(values)
-        return tables
+        return cast("Tables", {kind: self._table(kind) for kind in COLUMNS})
 
-    def _add_block(self, kind: str, integers: Integers, floats: Floats) -> list[int]:
+    def _table(self, kind: str) -> Table:
+        names, rows = COLUMNS[kind].names or (), self._rows[kind]
+        if blocks := self._blocks.get(kind):
+            # Column by column: NumPy is slow to put tables behind one another.
+            columns = {name: np.concatenate([block[name] for block in blocks]) for name in names}
+            return _filled(kind, len(columns[names[0]]), columns)
+        return _filled(kind, len(rows), {name: [row[name] for row in rows] for name in names})
+
+    def _add_block(self, kind: str, **columns: NDArray[Any]) -> list[int]:
         """Add many rows and return their numbers."""
-        blocks = self._blocks[kind]
-        first = sum(len(numbers) for numbers, _ in blocks)
-        blocks.append((integers, floats))
-        return list(range(first, first + len(integers)))
+        _check(kind, columns)
+        blocks, (own, *_) = self._blocks.setdefault(kind, []), columns
+        first = sum(len(block[own]) for block in blocks)
+        blocks.append(columns)
+        return list(range(first, first + len(columns[own])))
 
     def add_wires(
         self,
@@ -82,53 +84,81 @@ class Parts:
         rest_lengths: Floats,
     ) -> list[int]:
         """Add the cubic elements of a piece of wire; nodes are (n × 2). Returns their rows."""
-        values = each_of(sections, lambda wire: (
-            wire.axial_stiffness, wire.bending_stiffness, wire.mass,
-            wire.damping.alpha, wire.damping.beta, wire.tension,
-        ))  # fmt: skip
-        table = np.column_stack([rest_lengths, values])
-        return self._add_block("wires", np.column_stack([nodes, slope_nodes]), table)
+        ends = {"nodes": nodes, "slope_nodes": slope_nodes, "rest_length": rest_lengths}
+        return self._add_block("wires", **ends, **each_of(sections, _cubic_numbers))
 
     def add_segments(
         self, sections: Sequence[TensionedWire], nodes: Integers, rest_lengths: Floats
     ) -> list[int]:
         """Add the links of a chain of point masses; nodes are (n × 2). Returns their rows."""
-        values = each_of(sections, lambda wire: (
-            wire.axial_stiffness, wire.mass,
-            wire.damping.alpha, wire.damping.beta, wire.tension,
-        ))  # fmt: skip
-        return self._add_block("segments", nodes, np.column_stack([rest_lengths, values]))
+        ends = {"nodes": nodes, "rest_length": rest_lengths}
+        return self._add_block("segments", **ends, **each_of(sections, _chain_numbers))
 
     def add_bends(
         self, sections: Sequence[TensionedWire], rows: Sequence[int], hinges: Sequence[int]
     ) -> None:
-        """Let a chain of segments resist bending at its inner nodes, but for the hinges.
+        """Let a chain of segments resist bending at its inner nodes, except at the hinges.
 
         Half of the flexibility lies in either segment; where one of both has no stiffness there is
         none.
         """
-        stiff, damping = each_of(sections, lambda w: (w.bending_stiffness, w.damping.beta)).T
+        numbers = each_of(sections, _bending_numbers)
+        stiff, damping = numbers["bending_stiffness"], numbers["beta"]
         one, other = stiff[:-1], stiff[1:]
         bends = np.minimum(one, other) > 0.0
         bends[[node - 1 for node in hinges if 0 < node <= len(bends)]] = False
         one, other, damping = one[bends], other[bends], damping[:-1][bends]
         both = np.where(one == other, one, 2.0 / (1.0 / one + 1.0 / other))
         pairs = np.column_stack([rows[:-1], rows[1:]])[bends]
-        self._add_block("bends", pairs, np.column_stack([both, damping]))
+        self._add_block("bends", segments=pairs, bending_stiffness=both, beta=damping)
 
     def add_dropper(
         self, kind: DropperType, upper: int, lower: int, distance: float, length: float | None
     ) -> int:
         """Add a dropper; without a length it is found by the design calculation."""
-        integers = (upper, lower, int(kind.slackens), int(length is None))
-        rest = distance if length is None else length
-        damping = (kind.damping, kind.rayleigh.alpha, kind.rayleigh.beta)
-        return self.add("links", integers, (rest, kind.stiffness, *damping, kind.mass))
+        return self.add(
+            "links",
+            nodes=(upper, lower),
+            rest_length=distance if length is None else length,
+            stiffness=kind.stiffness,
+            viscosity=kind.damping,
+            alpha=kind.rayleigh.alpha,
+            beta=kind.rayleigh.beta,
+            mass=kind.mass,
+            unilateral=kind.slackens,
+            adjust=length is None,
+        )
 
-    def add_mass(self, node: int, mass: float, alpha: float) -> None:
-        """Add a point mass, if there is any."""
+    def add_mass(self, node: int, mass: float, alpha: float = 0.0) -> None:
+        """Add a point mass in kg, with its α in 1/s, if there is any."""
         if mass > 0.0:
-            self.add("masses", (node,), (mass, alpha))
+            self.add("masses", node=node, mass=mass, alpha=alpha)
+
+    def add_spring(
+        self,
+        node: int,
+        component: int,
+        mode: int,
+        *,
+        stiffness: float,
+        viscosity: float = 0.0,
+        rest: float = 0.0,
+    ) -> int:
+        """Add a spring to the ground and return its row; see `COLUMNS`."""
+        return self.add(
+            "springs",
+            node=node,
+            component=component,
+            mode=mode,
+            stiffness=stiffness,
+            viscosity=viscosity,
+            rest=rest,
+        )
+
+    def fix(self, node: int, *components: int) -> None:
+        """Let a node not move along the given components."""
+        for component in components:
+            self.add("fixed", node=node, component=component)
 
     def add_steady_arm(self, arm: SteadyArmBar, node: int, side: float) -> int:
         """Add a hinged steady arm whose hinge is on the given side (±1 across the track).
@@ -137,7 +167,28 @@ class Parts:
         weight hangs there.
         """
         bar_mass = arm.mass * arm.length
-        direction = (0.0, side * cos(arm.slope), sin(arm.slope))
-        elastic = (arm.length, arm.axial_stiffness / arm.length)
-        masses = (bar_mass / 3.0, bar_mass / 2.0)
-        return self.add("struts", (node, 1), (*direction, 0.0, 0.0, 0.0, *elastic, *masses))
+        return self.add(
+            "struts",
+            node=node,
+            direction=(0.0, side * cos(arm.slope), sin(arm.slope)),
+            anchor=(0.0, 0.0, 0.0),
+            rest_length=arm.length,
+            stiffness=arm.axial_stiffness / arm.length,
+            moving_mass=bar_mass / 3.0,
+            hanging_mass=bar_mass / 2.0,
+            adjust=True,
+        )
+
+
+def _check(kind: str, columns: Mapping[str, Any]) -> None:
+    expected = COLUMNS[kind].names or ()
+    if columns.keys() != set(expected):
+        raise TypeError(f"{kind}: columns {', '.join(columns)}, expected {', '.join(expected)}")
+
+
+def _filled(kind: str, count: int, columns: Mapping[str, Any]) -> Table:
+    """Return a table of so many rows with the given columns."""
+    table = np.zeros(count, COLUMNS[kind])
+    for name, values in columns.items() if count else ():
+        table[name] = values
+    return table

@@ -1,1 +1,1 @@
-"""What is allowed in a model but deserves a word to the user."""
+"""Advice on models: allowed values that deserve a word to the user."""

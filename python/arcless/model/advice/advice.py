@@ -1,4 +1,4 @@
-"""What is allowed in a scenario but deserves a word to the user."""
+"""Warnings about a scenario or a line: allowed values that deserve a word to the user."""
 
 from itertools import pairwise
 from math import atan, hypot, log1p, pi

@@ -25,8 +25,8 @@ COPPER_DENSITY = 8900.0  # kg/m³
 RAYLEIGH_EXAMPLE = "damping: {alpha: 0.17 1/s, beta: 0.1 ms}"
 
 
-class Usual(NamedTuple):
-    """What a quantity usually is: from, to, in a unit, of which one has so many SI units."""
+class UsualRange(NamedTuple):
+    """Usual range of a quantity: lower and upper end in a unit, and the size of that unit in SI."""
 
     low: float
     high: float
@@ -34,16 +34,16 @@ class Usual(NamedTuple):
     scale: float = 1.0
 
 
-MASS = Usual(0.3, 3.0, "kg/m")
-STRESS = Usual(20.0, 350.0, "MPa", 1e6)
-STRAIN = Usual(0.01, 0.5, "%", 1e-2)
-LONGITUDINAL = Usual(2.5, 5.5, "km/s", 1e3)
-WAVE_SPEED = Usual(200.0, 650.0, "km/h", 1 / 3.6)
-HEIGHT = Usual(3.5, 7.5, "m")
-ENCUMBRANCE = Usual(0.15, 3.0, "m")
-DROPPER_STIFFNESS = Usual(0.5, 1e5, "kN/m", 1e3)
-FORCE = Usual(30.0, 300.0, "N")
-MOVING_MASS = Usual(3.0, 150.0, "kg")
+MASS = UsualRange(0.3, 3.0, "kg/m")
+STRESS = UsualRange(20.0, 350.0, "MPa", 1e6)
+STRAIN = UsualRange(0.01, 0.5, "%", 1e-2)
+LONGITUDINAL = UsualRange(2.5, 5.5, "km/s", 1e3)
+WAVE_SPEED = UsualRange(200.0, 650.0, "km/h", 1 / 3.6)
+HEIGHT = UsualRange(3.5, 7.5, "m")
+ENCUMBRANCE = UsualRange(0.15, 3.0, "m")
+DROPPER_STIFFNESS = UsualRange(0.5, 1e5, "kN/m", 1e3)
+FORCE = UsualRange(30.0, 300.0, "N")
+MOVING_MASS = UsualRange(3.0, 150.0, "kg")
 
 
 def line_plausibility(line: Line) -> list[str]:
@@ -144,7 +144,7 @@ def _number(value: float) -> str:
     return f"{rounded:.0f}" if THOUSAND <= value < MILLION else f"{rounded:g}"
 
 
-def _beyond(path: str, what: str, value: float, usual: Usual) -> Iterator[str]:
+def _beyond(path: str, what: str, value: float, usual: UsualRange) -> Iterator[str]:
     """Say that a value in SI is beyond its usual range; mind the unit."""
     shown = value / usual.scale
     if not usual.low <= shown <= usual.high:

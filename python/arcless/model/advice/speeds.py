@@ -1,4 +1,4 @@
-"""Speeds beside the wave speed of the contact wire: refused, warned of, or a missing unit."""
+"""Speeds compared with the contact wire's wave speed: refused, warned of, or a missing unit."""
 
 from typing import TYPE_CHECKING
 
@@ -69,7 +69,7 @@ def _meant(scenario: "Scenario") -> str:
     90 m/s are 324 km/h: nobody writes that. 100 m/s are 360 km/h, which somebody may.
     """
     speed, wave = scenario.top_speed, scenario.line.wave_speed
-    assert wave is not None  # asked for beside it alone
+    assert wave is not None  # only called where there is one
     if wave < SLOW_WAVES or not speed.is_integer() or speed < 1:
         return ""
     if (speed * KMH / 10).is_integer() and speed < wave:

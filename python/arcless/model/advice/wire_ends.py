@@ -1,4 +1,4 @@
-"""What a line is told that says nothing of the ends of its wires."""
+"""Notice about a line that says nothing of the ends of its wires."""
 
 from arcless.model.line.line import Line
 from arcless.model.line.parts.components import Wire

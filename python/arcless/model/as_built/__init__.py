@@ -1,1 +1,1 @@
-"""How a line differs from its design: as built, and in the weather."""
+"""Differences of a line from its design: as built, and in the weather."""

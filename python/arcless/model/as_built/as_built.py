@@ -1,4 +1,4 @@
-"""How a line differs from its design: as built, and in the weather."""
+"""Differences of a line from its design: as built, and in the weather."""
 
 from math import cos, pi, sin, sqrt
 from typing import Annotated
@@ -41,7 +41,7 @@ class DropperLengthError(Part):
 
     @property
     def name(self) -> DropperName:
-        """What the dropper is called."""
+        """Name of the dropper."""
         return DropperName(self.span, self.dropper, self.tension_length, self.wire)
 
 
@@ -58,7 +58,7 @@ class SupportHeightError(Part):
 
     @property
     def name(self) -> SupportName:
-        """What the support is called."""
+        """Name of the support."""
         return SupportName(self.support, self.tension_length)
 
 
@@ -104,7 +104,7 @@ class Ice(Part):
     )
 
     def diameter(self, bare: float, mass: float) -> float:
-        """Diameter in m of a round coat of ice of a mass in kg/m on a wire of bare diameter."""
+        """Return the diameter in m of a round coat of ice with a mass in kg/m on a wire."""
         return sqrt(bare * bare + 4.0 * mass / (pi * self.density))
 
 
@@ -144,7 +144,7 @@ class Wear(Part):
 
 
 class AsBuilt(Part):
-    """What changes a designed line after its design; nothing by default."""
+    """Changes of a designed line after its design; none by default."""
 
     temperature_difference: Annotated[float, Unit("K", minimum=-150, maximum=150)] = Field(
         default=0.0, description="Temperature above that of the installation."

@@ -1,1 +1,1 @@
-"""What all parts of a model share: fields with units, provenance, refusal of unknown names."""
+"""Fields of all parts of a model: units, provenance, refusal of unknown names."""

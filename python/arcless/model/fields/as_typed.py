@@ -1,6 +1,6 @@
-"""Values as they were typed, kept beside a model: ``22 kN`` where the model has 22000.0.
+"""Values as they were typed, kept with a model: ``22 kN`` where the model has 22000.0.
 
-They are no part of a model: two that are equal but for them are equal. A field that nothing was
+They are no part of a model: two models that differ only in them are equal. A field that nothing
 typed for has its default.
 """
 
@@ -9,7 +9,7 @@ from typing import Any
 
 from pydantic import BaseModel
 
-# What was given, by dotted path: its text where that holds more than the value, else None.
+# Values as given, by dotted path: the text where that holds more than the value, else None.
 Given = dict[str, str | None]
 
 # Of longer lists and texts it is only kept that they were given.

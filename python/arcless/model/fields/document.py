@@ -1,7 +1,7 @@
 """The base of the three file formats, and the provenance of their values.
 
 The form ``{value: 22 kN, mark: A, source: S1, note: "…"}`` is taken apart when a document (line,
-pantograph, scenario) is validated; the provenance is kept beside the plain data.
+pantograph, scenario) is validated; the provenance is kept next to the plain data.
 """
 
 import re
@@ -28,7 +28,7 @@ MARKS: dict[str, str] = {
 # The keys of a value that says where it comes from.
 WRAPPED_IN = ("value", "mark", "source", "note")
 MAX_DEPTH = 40
-# Control characters but for line breaks and tabs, and marks that turn the direction of writing.
+# Control characters except line breaks and tabs, and marks that turn the direction of writing.
 _STEERING = re.compile(
     "[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ufeff]"
 )
@@ -78,7 +78,7 @@ class Document(Part):
             for key, value in data.items()
         }
         given = plain.get("provenance")
-        # What is no mapping is left for its own field to refuse.
+        # Anything that is no mapping is left for its own field to refuse.
         if found and (given is None or isinstance(given, Mapping)):
             plain["provenance"] = {**(given or {}), **found}
         return cls.prepare(plain)
@@ -98,9 +98,9 @@ class Document(Part):
 
     @cached_property
     def given(self) -> Given | None:
-        """What was given, by dotted path, with its text where it was one; None: not known.
+        """Values as given, by dotted path, with their text where there was one; None: not known.
 
-        It is kept beside the data: it plays no part in whether two documents are equal.
+        It is kept outside the data: it plays no part in whether two documents are equal.
         """
         return None
 

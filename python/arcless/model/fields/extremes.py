@@ -19,11 +19,13 @@ ANGULAR_DAMPING = 1e9  # N m s/rad
 # than it takes to stop it swinging.
 MASS_SHARE = 1e4  # 1/s
 STIFFNESS_SHARE = 1e2  # s
-# What is divided by: waves run at the root of tension over mass, a stretch is tension over EA.
+# Divisors: waves run at the root of tension over mass, a stretch is tension over EA.
 LEAST_MASS_PER_METRE = 1e-6  # kg/m
 LEAST_TENSION = 1e-3  # N
 LEAST_AXIAL_STIFFNESS = 1e-3  # N
-# What is given over time or along the line may begin before the run and end after it.
+# A clamp takes 0.04 m of its wire; points nearer than a micrometre are one in a mesh.
+LEAST_CLAMP_DISTANCE = 0.1  # m
+# Readings over time or along the line may begin before the run and end after it.
 TIME = 1e6  # s; a train is on its way for 1e5
 PLACE = 1e6  # m; a line is at most 1e5 long
 AERODYNAMIC = 1e6  # N/(m/s)²; pantographs have 0.01

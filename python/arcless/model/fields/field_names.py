@@ -1,4 +1,4 @@
-"""What is known of the fields of a part of a model from its class alone."""
+"""Names of the fields of a part of a model, from its class alone."""
 
 from functools import cache
 from types import UnionType

@@ -26,6 +26,20 @@ def check_count(values: Sequence[Any] | None, count: int, of: str, field: Path) 
         )
 
 
+def check_increasing(
+    values: Sequence[float], unit: str, field: str, what: str, expected: str | None = None
+) -> None:
+    """Raise `ModelError` unless values increase; `what` is their plural, `field` their list."""
+    for index, (before, after) in enumerate(pairwise(values), start=1):
+        if after <= before:
+            raise ModelError(
+                f"{what} out of order",
+                got=f"{after:g} {unit} after {before:g} {unit}",
+                expected=expected or f"{what} that increase",
+                field=(field, index),
+            )
+
+
 def check_behind(stretches: Sequence[Stretch], what: str, field: Path) -> None:
     """Raise `ModelError` unless stretches lie one behind the other; `what` is their plural."""
     for index, (before, behind) in enumerate(pairwise(stretches), start=1):

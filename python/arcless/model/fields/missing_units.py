@@ -1,4 +1,4 @@
-"""Which unit was meant by a number without one that its field cannot hold."""
+"""Unit that was meant by a number without one that its field cannot hold."""
 
 from collections.abc import Callable
 from numbers import Real

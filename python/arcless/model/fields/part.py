@@ -1,4 +1,4 @@
-"""What all parts of a model share: units, provenance, and refusal of unknown fields.
+"""Base class of all parts of a model: units, provenance, and refusal of unknown fields.
 
 A value in a file is a number in SI, a text with its unit, or a mapping that also says where the
 value comes from: ``{value: 22 kN, mark: A, source: S1, note: "…"}``; see `documents`.
@@ -87,7 +87,7 @@ class Unit:
 
     @property
     def expected(self) -> str:
-        """What is accepted: kind, units, bounds and words."""
+        """Accepted values: kind, units, bounds and words."""
         words = [f"or {show(word)}" for word in self.words]
         return ", ".join(filter(None, [accepted(self.unit), self.bounds, *words]))
 
@@ -107,7 +107,7 @@ class Unit:
         return number
 
     def _holds(self, number: float) -> bool:
-        """Whether a number in SI keeps the bounds."""
+        """Return whether a number in SI keeps the bounds."""
         return (
             (self.above is None or number > self.above)
             and (self.minimum is None or number >= self.minimum)

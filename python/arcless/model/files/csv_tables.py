@@ -27,7 +27,7 @@ _USUAL = {"m": "mm"}
 
 @dataclass(frozen=True)
 class Table:
-    """What a CSV file holds.
+    """Columns that a CSV file must or may have.
 
     Attributes
     ----------
@@ -53,7 +53,7 @@ class Table:
         return f"({text})" if name in self.optional else text
 
     def missing(self, names: Mapping[str, Any]) -> list[str]:
-        """Columns that must be there and are not."""
+        """Return the columns that must be there and are not."""
         free = {*self.either, *self.optional}
         missing = [name for name in self.columns if name not in names and name not in free]
         if self.either and not any(name in names for name in self.either):

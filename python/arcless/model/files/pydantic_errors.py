@@ -1,4 +1,4 @@
-"""What pydantic found wrong → one `ModelError` that names file, line, field and remedy."""
+"""Errors of pydantic → one `ModelError` that names file, line, field and remedy."""
 
 import re
 from collections.abc import Mapping
@@ -42,7 +42,7 @@ def explain(error: ValidationError, data: object, origin: Origin, prefix: Path =
 
 
 def _is_echo(item: Any) -> bool:
-    """Whether a list is called too short only because items of it were refused."""
+    """Return whether a list is called too short only because items of it were refused."""
     return item["type"] == "too_short" and bool(len(item["input"]) >= item["ctx"]["min_length"])
 
 
@@ -135,7 +135,7 @@ def _without_tags(location: Path, data: object) -> Path:
 
 
 def _plain_provenance(path: Path) -> Path:
-    """Return where a provenance entry stands in the file: beside the value it belongs to."""
+    """Return where a provenance entry stands in the file: next to the value it belongs to."""
     if "provenance" not in path[:-1]:
         return path
     index = path.index("provenance")

@@ -1,4 +1,4 @@
-"""Changes to the text of a model file: one place of it is written anew, every other byte stays.
+"""Changes to the text of a model file: one place of it is rewritten, every other byte stays.
 
 The places are those of the parser's nodes. What a patch does is found out by reading the text
 again, see `edit`; here it is only made.
@@ -45,7 +45,7 @@ class Patch:
 
 
 @dataclass(frozen=True)
-class Found:
+class NodePath:
     """Where a path leads: the nodes on the way, their keys, and their path in the data."""
 
     nodes: tuple[Node, ...]
@@ -54,7 +54,7 @@ class Found:
     missing: Path
 
 
-def find(root: Node, path: Path) -> Found:
+def find(root: Node, path: Path) -> NodePath:
     """Follow a path through nodes as far as there are any; values with provenance are looked into.
 
     Raises
@@ -70,18 +70,18 @@ def find(root: Node, path: Path) -> Found:
         node = nodes[-1]
         inside = _child(node, part)
         if inside is None:
-            return Found(tuple(nodes), tuple(steps), place, path[depth:])
+            return NodePath(tuple(nodes), tuple(steps), place, path[depth:])
         if node.is_alias:
             raise refused("the value of an alias", path[:depth], node)
         key, child, step = inside
         nodes.append(child)
         steps.append(key)
         place = (*place, step)
-    return Found(tuple(nodes), tuple(steps), place, ())
+    return NodePath(tuple(nodes), tuple(steps), place, ())
 
 
 def _unwrapped(nodes: list[Node], keys: list[Node | None], place: Path) -> Path:
-    """Go on into the value of a mapping that says where it comes from."""
+    """Step into the value of a mapping that says where it comes from."""
     value = nodes[-1].value
     if not isinstance(value, dict) or "value" not in value or "format" in value:
         return place
@@ -101,7 +101,7 @@ def _child(node: Node, part: str | int) -> tuple[Node | None, Node, str | int] |
 
 
 def refused(got: str, path: Path, node: Node) -> ModelError:
-    """Return the error about a place that cannot be written anew."""
+    """Return the error about a place that cannot be rewritten."""
     return ModelError(
         "cannot be edited here",
         where=str(node.position.line),
@@ -112,7 +112,7 @@ def refused(got: str, path: Path, node: Node) -> ModelError:
     )
 
 
-def replaced(text: str, found: Found, value: Any) -> Patch:
+def replaced(text: str, found: NodePath, value: Any) -> Patch:
     """Return the patch that gives the node at the end of a path another value."""
     node, key = found.nodes[-1], found.keys[-1]
     anchor = _ANCHOR.match(text, node.start) if node.anchor else None
@@ -133,7 +133,7 @@ def replaced(text: str, found: Found, value: Any) -> Patch:
     return Patch(start, text[start:end], new)
 
 
-def added(text: str, found: Found, value: Any) -> Patch:
+def added(text: str, found: NodePath, value: Any) -> Patch:
     """Return the patch that puts what is missing at the end of a path into its last node."""
     node, (name, *inner) = found.nodes[-1], found.missing
     if node.is_alias:
@@ -181,7 +181,7 @@ def _new_line(text: str, node: Node, end: int, entry: str) -> Patch:
     return Patch(rest.end(), "", f"{line_end}{new}")
 
 
-def removed(text: str, found: Found) -> Patch:
+def removed(text: str, found: NodePath) -> Patch:
     """Return the patch that takes the node at the end of a path away, with its key."""
     node, parent, key = found.nodes[-1], found.nodes[-2], found.keys[-1]
     if parent.is_alias:
@@ -192,7 +192,7 @@ def removed(text: str, found: Found) -> Patch:
     ]
     place = next(index for index, (_, item) in enumerate(entries) if item is node)
     if len(entries) == 1:
-        upper = Found(found.nodes[:-1], found.keys[:-1], found.place[:-1], ())
+        upper = NodePath(found.nodes[:-1], found.keys[:-1], found.place[:-1], ())
         return replaced(text, upper, [] if key is None else {})
     start, end = entries[place][0], len(text[: max(node.end, node.start)].rstrip())
     if node.value is None and key is not None:

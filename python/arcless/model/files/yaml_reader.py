@@ -107,7 +107,7 @@ def parse(text: str, label: str) -> tuple[dict[str, Any], dict[Path, Position]]:
     if not isinstance(data, dict):
         where = f"{label}:{root.position.line}"
         expected = "fields such as name: and format:"
-        # What it is, not what it says: any file may be named, by a stranger too.
+        # The kind of file, not its content: any file may be named, by a stranger too.
         got = show(data) if isinstance(data, list) else f"a {KINDS.get(type(data), 'number')}"
         raise ModelError("not a model file", where=where, got=got, expected=expected)
     return data, positions

@@ -1,4 +1,4 @@
-"""Whether masses and inserts lie on a wire of the line."""
+"""Rules for masses and inserts: each lies on a wire of the line."""
 
 from arcless.errors import ModelError
 from arcless.model.line.line_data import POSITION_TOLERANCE, LineData

@@ -1,6 +1,7 @@
-"""What must fit together in a line with stitch wires or an auxiliary wire."""
+"""Rules for a line with stitch wires or an auxiliary wire."""
 
 from arcless.errors import ModelError
+from arcless.model.fields.rule_errors import missing
 from arcless.model.line.line_data import LineData
 from arcless.model.line.parts.components import AuxiliaryWire, StitchWire
 
@@ -110,11 +111,10 @@ def _check_hangers(line: LineData) -> None:
                 field=field,
             )
         if wire is not None and span.hangers is None:
-            raise ModelError(
-                "missing field",
+            raise missing(
+                *field,
                 expected="hangers: what the contact wire hangs on below the auxiliary wire",
                 hint="for instance hangers: {positions: [10 m, 20 m, 30 m, 40 m]}",
-                field=field,
             )
         for index, presag in enumerate((span.hangers and span.hangers.presag) or ()):
             if wire is not None and -presag >= wire.height:

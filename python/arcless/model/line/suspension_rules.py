@@ -1,6 +1,7 @@
-"""What must fit together in a line with a messenger wire, and in one without."""
+"""Rules for a line with a messenger wire, and for one without."""
 
 from arcless.errors import ModelError
+from arcless.model.fields.rule_errors import missing
 from arcless.model.line.line_data import LineData
 from arcless.model.line.parts.contact_supports import Bridle
 
@@ -33,7 +34,7 @@ def check_suspension(line: LineData) -> None:
 
 
 def _check_hung(line: LineData) -> None:
-    """With a messenger wire, all that hangs the contact wire on it must be there."""
+    """Refuse a messenger wire without all that hangs the contact wire on it."""
     for name in ("contact_support", "bridle"):
         if getattr(line, name) is not None:
             raise ModelError(
@@ -50,36 +51,33 @@ def _check_hung(line: LineData) -> None:
             field=("contact_wire", "kind"),
         )
     for name in ("dropper", "support", "steady_arm"):
-        missing = name not in line.model_fields_set if name == "steady_arm" else None
-        if missing or getattr(line, name) is None:
-            raise ModelError(
-                "missing field",
+        is_absent = name == "steady_arm" and name not in line.model_fields_set
+        if is_absent or getattr(line, name) is None:
+            raise missing(
+                name,
                 expected=f"{name}, which a line with a messenger wire has",
                 hint=f"for instance {name}: {EXAMPLES[name]}",
-                field=(name,),
             )
     if line.geometry.encumbrance is None:
         expected = line.geometry._expected("encumbrance")
-        raise ModelError("missing field", expected=expected, field=("geometry", "encumbrance"))
+        raise missing("geometry", "encumbrance", expected=expected)
     for name, span in line.span_types.items():
         if "droppers" not in span.model_fields_set:
             field = ("span_types", name, "droppers")
-            raise ModelError(
-                "missing field",
+            raise missing(
+                *field,
                 expected="droppers, which the contact wire hangs on",
                 hint="for instance droppers: {positions: [10 m, 20 m, 30 m]}; a span without any"
                 " has droppers: {positions: []}",
-                field=field,
             )
 
 
 def _check_trolley(line: LineData) -> None:
     given = [name for name in ABOVE if getattr(line, name) is not None]
     if line.contact_support is None and not given and line.geometry.encumbrance is None:
-        raise ModelError(
-            "missing field",
+        raise missing(
+            "messenger_wire",
             expected="messenger_wire, or contact_support for a contact wire without one",
-            field=("messenger_wire",),
         )
     for name in given:
         raise _without_messenger(ABOVE[name], name, (name,))
@@ -94,10 +92,9 @@ def _check_trolley(line: LineData) -> None:
             if own is not None and own.positions:
                 raise _without_messenger(what, what, ("span_types", name, what))
     if line.contact_support is None:
-        raise ModelError(
-            "missing field",
+        raise missing(
+            "contact_support",
             expected="contact_support: what holds the contact wire, or its bridle, at each mast",
-            field=("contact_support",),
         )
     if line.bridle is None and line.steady_arm.kind != "none":
         raise ModelError(

@@ -1,8 +1,9 @@
-"""Whether the tension lengths of a line fit together."""
+"""Rules for the tension lengths of a line."""
 
 from itertools import pairwise
 
 from arcless.errors import ModelError
+from arcless.model.fields.rule_errors import missing
 from arcless.model.line.line_data import LineData
 from arcless.model.line.parts.tension_lengths import Meeting, Overlap, TensionLength, meetings
 
@@ -99,11 +100,10 @@ def _check_three(lengths: tuple[TensionLength, ...]) -> None:
 def _check_overlap(line: LineData) -> None:
     overlap, found = line.overlap, meetings(line.tension_lengths or ())
     if overlap is None and found:
-        raise ModelError(
-            "missing field",
+        raise missing(
+            "overlap",
             expected="overlap: how the wires of two tension lengths pass each other",
             hint="for instance overlap: {raise: [500 mm, 60 mm]}",
-            field=("overlap",),
         )
     if overlap is None:
         return
@@ -149,12 +149,8 @@ def _check_raise(overlap: Overlap, found: list[Meeting]) -> None:
 def _check_sides(overlap: Overlap, found: list[Meeting]) -> None:
     given = (overlap.stagger_in, overlap.stagger_out)
     if (overlap.stagger_in is None) != (overlap.stagger_out is None):
-        missing = "stagger_in" if overlap.stagger_in is None else "stagger_out"
-        raise ModelError(
-            "missing field",
-            expected="staggers of both wires, or a separation alone",
-            field=("overlap", missing),
-        )
+        absent = "stagger_in" if overlap.stagger_in is None else "stagger_out"
+        raise missing("overlap", absent, expected="staggers of both wires, or a separation alone")
     for name, values in zip(("stagger_in", "stagger_out"), given, strict=True):
         for meeting in found:
             if values is not None and len(values) != len(meeting.supports):

@@ -1,4 +1,4 @@
-"""Whether curves and staggers of a line go together."""
+"""Rules for curves and staggers of a line."""
 
 from itertools import pairwise
 from math import sqrt
@@ -7,7 +7,7 @@ from typing import NamedTuple
 from arcless.errors import ModelError
 from arcless.model.line.line_data import LineData
 
-# Spans that are equal but for rounding: the first one is named. In m.
+# Spans that are equal apart from rounding: the first one is named. In m.
 ROUNDING = 1e-9
 # No collector in service is wider than 1.95 m, with 0.975 m to either side. In m.
 WIDEST = 1.0
@@ -15,7 +15,7 @@ WIDEST = 1.0
 STRAIGHT = (0.0, 0.0)
 
 
-class Aside(NamedTuple):
+class LateralExtreme(NamedTuple):
     """Where the contact wire of a line is farthest from the pantograph's axis."""
 
     distance: float
@@ -24,7 +24,7 @@ class Aside(NamedTuple):
     curve_part: float
 
 
-def farthest(line: LineData) -> Aside:
+def farthest(line: LineData) -> LateralExtreme:
     """Return where the contact wire at rest lies farthest aside."""
     supports, pattern = line.support_positions(), line.geometry.stagger_contact_wire
     height, worst = line.geometry.contact_wire_height, None
@@ -36,7 +36,7 @@ def farthest(line: LineData) -> Aside:
             share = place / (len(offsets) - 1)
             y = first + share * (last - first) + offset
             if worst is None or abs(y) > abs(worst.distance) + ROUNDING:
-                worst = Aside(y, index + 1, left + share * (right - left), offset)
+                worst = LateralExtreme(y, index + 1, left + share * (right - left), offset)
     assert worst is not None  # a line has spans
     return worst
 
@@ -65,7 +65,7 @@ def check_track(line: LineData) -> None:
         )
 
 
-def _shorter(line: LineData, worst: Aside) -> str:
+def _shorter(line: LineData, worst: LateralExtreme) -> str:
     """Say how long spans may be: the part of the curve goes with the square of their length."""
     by_stagger = abs(worst.distance) - abs(worst.curve_part)
     room, length = WIDEST - by_stagger, line.span_list()[worst.span - 1].length

@@ -9,6 +9,7 @@ from arcless.errors import ModelError
 from arcless.model.fields import extremes
 from arcless.model.fields.document import printed
 from arcless.model.fields.part import Part, Path, Unit
+from arcless.model.fields.rule_errors import both_given
 from arcless.model.files.yaml_reader import Origin, is_file
 from arcless.units import show
 
@@ -66,9 +67,7 @@ class Controller(Part):
     @model_validator(mode="after")
     def _check(self) -> "Controller":
         if self.pid is not None and self.function is not None:
-            raise ModelError(
-                "both pid and function given", expected="pid or function", field=("function",)
-            )
+            raise both_given("pid", "function")
         low, high = self.minimum_force, self.maximum_force
         if low is not None and high is not None and low > high:
             raise ModelError(

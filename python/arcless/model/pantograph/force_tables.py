@@ -7,7 +7,7 @@ from typing import Annotated, Any
 from pydantic import Field, model_validator
 
 from arcless.errors import ModelError
-from arcless.model.fields.list_checks import check_count
+from arcless.model.fields.list_checks import check_count, check_increasing
 from arcless.model.fields.part import Part, Path, Unit
 from arcless.model.files.csv_tables import Table, read_table
 from arcless.model.files.yaml_reader import Origin
@@ -103,14 +103,7 @@ class LiftTable(Part):
     @model_validator(mode="after")
     def _check_lists(self) -> "LiftTable":
         check_count(self.force, len(self.speed), "speed", ("force",))
-        for index, (slower, faster) in enumerate(pairwise(self.speed), start=1):
-            if faster <= slower:
-                raise ModelError(
-                    "speeds out of order",
-                    got=f"{faster:g} m/s after {slower:g} m/s",
-                    expected="speeds that increase",
-                    field=("speed", index),
-                )
+        check_increasing(self.speed, "m/s", "speed", "speeds")
         return self
 
     def at(self, speed: float) -> float:
@@ -133,14 +126,7 @@ def _check_points(
             field=(name,),
         )
     check_count(forces, len(places), name, ("force",))
-    for index, (before, after) in enumerate(pairwise(places), start=1):
-        if after <= before:
-            raise ModelError(
-                "points out of order",
-                got=f"{after:g} {unit} after {before:g} {unit}",
-                expected=f"{name} that increases",
-                field=(name, index),
-            )
+    check_increasing(places, unit, name, "points", f"{name} that increases")
     for index, (before, after) in enumerate(pairwise(forces), start=1):
         if after < before:
             raise ModelError(

@@ -1,13 +1,12 @@
 """A collector head: its strips, each on a suspension of its own, that roll and bend."""
 
-from itertools import pairwise
 from typing import Annotated
 
 from pydantic import Field, model_validator
 
 from arcless.errors import ModelError
 from arcless.model.fields import extremes
-from arcless.model.fields.list_checks import check_count
+from arcless.model.fields.list_checks import check_count, check_increasing
 from arcless.model.fields.part import Part, Unit
 
 MAX_STRIPS = 4
@@ -112,14 +111,7 @@ class CollectorHead(Part):
                 expected=f"at least {FEWEST_SHAPE_POINTS}",
                 field=("shape_positions",),
             )
-        for index, (left, right) in enumerate(pairwise(places), start=1):
-            if right <= left:
-                raise ModelError(
-                    "positions out of order",
-                    got=f"{right:g} m after {left:g} m",
-                    expected="positions that increase",
-                    field=("shape_positions", index),
-                )
+        check_increasing(places, "m", "shape_positions", "positions")
         if places[0] > -self.half_length or places[-1] < self.half_length:
             raise ModelError(
                 "the mode shapes do not reach over the strip",

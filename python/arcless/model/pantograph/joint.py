@@ -1,4 +1,4 @@
-"""What joins two masses of a pantograph beyond a linear spring and damper."""
+"""Joints between two masses of a pantograph, beyond a linear spring and damper."""
 
 from typing import Annotated, Literal
 
@@ -13,7 +13,7 @@ RIGID = "rigid"
 
 
 class BumpStops(Part):
-    """What ends the motion of a mass against what is below it."""
+    """Bump stops: they end the motion of a mass against the mass below it."""
 
     below: Annotated[float, Unit("m", minimum=0, maximum=10)] | None = Field(
         default=None, description="Way down to the lower stop at the start of a run; none without."
@@ -59,7 +59,7 @@ class Friction(Part):
 
 
 class Joint(Part):
-    """What acts between a mass and what is below it."""
+    """Joint between a mass and the mass below it: stops, tables and friction."""
 
     stiffness_table: StiffnessTable | None = Field(
         default=None, description="Spring with a table: force over elongation."

@@ -15,7 +15,7 @@ MAX_COORDINATES = 20
 # Measured or reduced matrices are written with rounded digits; this share of the largest entry is
 # taken for such rounding, by the checks of symmetry and of sign.
 ROUNDED = 1e-9
-# The strip rises with the whole pantograph but for rounding of what is written.
+# The strip rises with the whole pantograph, apart from rounding of the written numbers.
 RAISED = 1e-6
 
 Vector = tuple[Annotated[float, Unit("1", minimum=-extremes.SHARE, maximum=extremes.SHARE)], ...]

@@ -8,6 +8,7 @@ from arcless.errors import ModelError
 from arcless.model.fields import extremes
 from arcless.model.fields.document import Document
 from arcless.model.fields.part import Unit
+from arcless.model.fields.rule_errors import both_given, missing
 from arcless.model.pantograph.force_tables import LiftTable
 from arcless.model.pantograph.head import CollectorHead
 from arcless.model.pantograph.joint import Joint
@@ -39,20 +40,14 @@ class PantographMass(Joint):
     @model_validator(mode="after")
     def _check_given_once(self) -> "PantographMass":
         if self.lift is not None and self.aerodynamic != 0.0:
-            raise ModelError(
-                "both aerodynamic and lift given", expected="aerodynamic or lift", field=("lift",)
-            )
+            raise both_given("aerodynamic", "lift")
         for name in ("stiffness", "damping"):
             number, table = getattr(self, name), getattr(self, f"{name}_table")
             if number is not None and table is not None:
-                raise ModelError(
-                    f"both {name} and {name}_table given",
-                    expected=f"{name} or {name}_table",
-                    field=(f"{name}_table",),
-                )
+                raise both_given(name, f"{name}_table")
             if number is None and table is None:
                 expected = f"{self._expected(name)}, or {name}_table"
-                raise ModelError("missing field", expected=expected, field=(name,))
+                raise missing(name, expected=expected)
         return self
 
 
@@ -99,7 +94,7 @@ class Pantograph(Document):
 
     @property
     def lateral_limit(self) -> float | None:
-        """How far from the middle of its head the contact wire may run, in m; None if not known."""
+        """Lateral range of the contact wire from the middle of the head, m; None if not known."""
         return lateral_limit(self.lateral_range, self.head_width)
 
     @classmethod
@@ -110,15 +105,9 @@ class Pantograph(Document):
     @model_validator(mode="after")
     def _check_kind(self) -> "Pantograph":
         if self.masses and self.matrices is not None:
-            raise ModelError(
-                "both masses and matrices given", expected="masses or matrices", field=("matrices",)
-            )
+            raise both_given("masses", "matrices")
         if not self.masses and self.matrices is None:
-            raise ModelError(
-                "missing field",
-                expected="masses, from base to head, or matrices",
-                field=("masses",),
-            )
+            raise missing("masses", expected="masses, from base to head, or matrices")
         if self.head is not None and not self.masses:
             raise ModelError(
                 "a head on matrices",

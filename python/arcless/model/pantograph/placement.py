@@ -6,6 +6,7 @@ from pydantic import Field, PrivateAttr, model_validator
 
 from arcless.errors import ModelError
 from arcless.model.fields.part import Name, Part, Unit
+from arcless.model.fields.rule_errors import both_given
 from arcless.model.pantograph.controller import Controller
 from arcless.model.pantograph.pantograph import Pantograph
 from arcless.model.pantograph.roof import RoofMotion
@@ -50,11 +51,11 @@ class PantographPlacement(Part):
     @model_validator(mode="after")
     def _check_force(self) -> "PantographPlacement":
         if self.static_force is not None and self.mean_force is not None:
-            raise ModelError(
-                "both static_force and mean_force given",
+            raise both_given(
+                "static_force",
+                "mean_force",
                 expected="one of the two",
                 hint="leave static_force out: mean_force finds it",
-                field=("mean_force",),
             )
         if self.start_force is None:
             raise ModelError(

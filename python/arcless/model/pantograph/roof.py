@@ -10,6 +10,7 @@ from arcless.errors import ModelError
 from arcless.model.fields import extremes
 from arcless.model.fields.list_checks import check_count
 from arcless.model.fields.part import Part, Path, Unit
+from arcless.model.fields.rule_errors import both_given, missing
 from arcless.model.files.csv_tables import Table, read_table
 from arcless.model.files.yaml_reader import Origin
 
@@ -46,13 +47,9 @@ class RoofMotion(Part):
     @model_validator(mode="after")
     def _check_lists(self) -> "RoofMotion":
         if self.time is not None and self.position is not None:
-            raise ModelError(
-                "both time and position given", expected="time or position", field=("position",)
-            )
+            raise both_given("time", "position")
         if self.time is None and self.position is None:
-            raise ModelError(
-                "missing field", expected="time or position, or a file", field=("time",)
-            )
+            raise missing("time", expected="time or position, or a file")
         name = self.over
         if not self.points[1:]:
             raise ModelError(
@@ -72,7 +69,7 @@ class RoofMotion(Part):
 
     @property
     def over(self) -> str:
-        """What the points stand over: time or position."""
+        """Axis that the points stand over: time or position."""
         return "position" if self.time is None else "time"
 
     @property

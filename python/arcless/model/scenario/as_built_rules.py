@@ -1,4 +1,4 @@
-"""Whether what is said of the line as built fits the line."""
+"""Rules for the line as built: its deviations must fit the line."""
 
 from arcless.errors import ModelError
 from arcless.model.as_built.gusts import Gusts
@@ -9,7 +9,7 @@ from arcless.model.line.places.support_names import SupportName, supports_called
 from arcless.model.scenario.scenario_data import ScenarioData
 from arcless.units import accepted
 
-# As in the other checks of a scenario: the end of a run is the way over the speed.
+# Relative tolerance, equal in all checks of a scenario: the end of a run is the way over the speed.
 ROUNDING = 1e-9
 
 WIRES = ("contact_wire", "messenger_wire", "stitch_wire", "auxiliary_wire", "bridle")

@@ -36,7 +36,7 @@ from arcless.model.settings.schemes import (
 if TYPE_CHECKING:
     from arcless.model.scenario.scenario import Scenario
 
-# How much longer elements and step are, and the longest that were measured, in m and s.
+# Factors of elements and step, and the longest that were measured, in m and s.
 LONGER_CHAIN, LONGER_CUBIC, LONGER_STEP = 2.0, 1.5, 2.0
 MOST_OF_CHAIN, MOST_OF_CUBIC = LONGER_CHAIN * LONGEST_OF_CHAIN, LONGER_CUBIC * LONGEST_OF_CUBIC
 MOST_STEP = LONGER_STEP * LONGEST_STEP

@@ -20,7 +20,7 @@ CUBIC, CUBIC_STEP = 0.725, 0.5e-3
 CHAIN_CONTACT, CHAIN_MESSENGER, CHAIN_STEP = 0.225, 0.3, 0.5e-3
 # A chain of 0.45 m serves as well as cubic elements of 0.725 m.
 CUBIC_PER_CHAIN = CUBIC / (2 * CHAIN_CONTACT)
-# What the model files allow at least, m and s.
+# Least values that the model files allow, m and s.
 LEAST_ELEMENT, LEAST_STEP = 0.05, 1e-5
 # The scheme must not ring where the contact is rigid, see `advice`.
 QUIET_RADIUS = 0.0
@@ -70,12 +70,12 @@ def other_family(scenario: Scenario, *, chains: bool = True) -> Scenario:
 
 
 def steps_on_chains(solver: Solver) -> bool:
-    """Whether wires are chains of point masses, also where that follows from other settings."""
+    """Return whether wires are chains of point masses, also where other settings imply it."""
     return solver.wires == "lumped"
 
 
 def may_be_chains(scenario: Scenario) -> bool:
-    """Whether wires may be chains, and have a kink to round: a rail without tension has neither."""
+    """Return whether wires may be chains, with a kink to round: not for a rail without tension."""
     return scenario.line.wave_speed is not None
 
 

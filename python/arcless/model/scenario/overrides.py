@@ -70,7 +70,7 @@ def apply(scenario: Model, changes: Mapping[str, Any]) -> Model:
     """Return a validated copy of `scenario` with changed fields; see `Scenario.with_`."""
     changed_groups = {path.partition(".")[0] for path in changes}
     data = scenario.model_dump(mode="json", by_alias=True, include={"provenance", *changed_groups})
-    # What no change reaches into is valid as it is; to read a line again takes longest of all.
+    # Parts without a change are valid as they are; reading a line again takes longest of all.
     data = {name: data.get(name, getattr(scenario, name)) for name in type(scenario).model_fields}
     replaced: set[str] = set()
     named: dict[str, Document] = {}
@@ -118,7 +118,7 @@ def _set(
         if isinstance(place, dict) and "provenance" in place:
             document, inside = place, depth
     before, _, _ = path.rpartition(".")
-    # A change further inside must not reach the mapping of whoever asked.
+    # A change further inside must not reach the caller's mapping.
     model = _named_model(last, value)
     place[last] = deepcopy(value) if model is None else model.to_dict()
     whole = dotted((*groups, last))

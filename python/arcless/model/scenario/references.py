@@ -26,7 +26,7 @@ from arcless.units import plain, show
 Kind = Literal["scenario", "line", "pantograph"]
 Model = TypeVar("Model", bound=Document)
 KINDS: tuple[Kind, ...] = ("scenario", "line", "pantograph")
-# What to do with a file of a format that was not asked for.
+# Hints for a file of a format that was not asked for.
 _COMMANDS = {
     "scenario": "`arcless run {}`",
     "line": "`arcless check {}`, or name it as the line of a scenario",

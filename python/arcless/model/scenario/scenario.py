@@ -49,13 +49,13 @@ class Scenario(ScenarioData):
 
     @cached_property
     def choice(self) -> Choice:
-        """What a run takes where `solver` leaves it to auto, and why."""
+        """Settings that a run takes where `solver` leaves them to auto, and the reason."""
         return choose(self)
 
     def model_copy(
         self, *, update: Mapping[str, Any] | None = None, deep: bool = False
     ) -> "Scenario":
-        """Return a copy that chooses anew: what is changed may change the choice."""
+        """Return a copy that chooses again: the changes may change the choice."""
         copied = super().model_copy(update=update, deep=deep)
         copied.__dict__.pop("choice", None)
         return copied

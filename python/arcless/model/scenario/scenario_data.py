@@ -9,6 +9,7 @@ from arcless.model.as_built.as_built import AsBuilt
 from arcless.model.fields.document import Document
 from arcless.model.fields.extremes import LEAST_FREQUENCY
 from arcless.model.fields.part import Part, Unit
+from arcless.model.fields.rule_errors import both_given
 from arcless.model.line.line import Line
 from arcless.model.pantograph.placement import PantographPlacement
 from arcless.model.settings.certainty import Certainty
@@ -56,9 +57,7 @@ class Analysis(Part):
     @model_validator(mode="after")
     def _check_section(self) -> "Analysis":
         if self.spans is not None and (self.from_ is not None or self.to is not None):
-            raise ModelError(
-                "both spans and from/to given", expected="spans or from/to", field=("spans",)
-            )
+            raise both_given("spans", "from/to", at=("spans",))
         if self.spans is not None and self.spans[0] > self.spans[1]:
             raise ModelError(
                 "spans out of order",

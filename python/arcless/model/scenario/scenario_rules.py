@@ -1,10 +1,11 @@
-"""What must fit together in a scenario: pantographs, travel, section and points."""
+"""Rules for a scenario: pantographs, travel, section and points must fit together."""
 
 from itertools import pairwise
 from math import isclose
 
 from arcless.errors import ModelError
 from arcless.model.fields.part import Path
+from arcless.model.fields.rule_errors import both_given, missing
 from arcless.model.line.line_data import POSITION_TOLERANCE
 from arcless.model.pantograph.force_tables import LiftTable
 from arcless.model.pantograph.pantograph import Pantograph
@@ -57,18 +58,15 @@ def _check_dimension(scenario: ScenarioData) -> None:
 def check_speed(scenario: ScenarioData) -> None:
     """Raise `ModelError` unless there is one speed, or one profile, with motion."""
     if scenario.speed is None and scenario.speed_profile is None:
-        raise ModelError(
-            "missing field",
-            expected="speed or speed_profile",
-            hint="for instance speed: 160 km/h",
-            field=("speed",),
+        raise missing(
+            "speed", expected="speed or speed_profile", hint="for instance speed: 160 km/h"
         )
     if scenario.speed is not None and scenario.speed_profile is not None:
-        raise ModelError(
-            "both speed and speed_profile given",
+        raise both_given(
+            "speed",
+            "speed_profile",
             expected="one of the two",
             hint="leave out the one that is not meant",
-            field=("speed_profile",),
         )
     if scenario.speed_profile is not None and max(scenario.speed_profile.speed) <= 0:
         raise ModelError(

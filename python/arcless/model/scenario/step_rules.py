@@ -1,4 +1,4 @@
-"""Whether elements and time steps fit one another, the filter, controllers and the record."""
+"""Rules for elements and time steps: they must fit the filter, controllers and the record."""
 
 from math import ceil, floor, isclose
 

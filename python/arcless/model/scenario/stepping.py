@@ -1,4 +1,4 @@
-"""Which scheme, elements and time step a run takes where `solver` leaves them to `auto`.
+"""Choice of scheme, elements and time step where `solver` leaves them to `auto`.
 
 Explicit steps on chains of point masses wherever a line allows them, otherwise a matrix with cubic
 elements and residual flexibility. The goal of both: F_m, σ, maximum and uplift within 1 % of the
@@ -50,7 +50,7 @@ PER_WAVE_OF_CHAIN = 8.0, 5.0
 PER_WAVE_OF_CUBIC = 3.3, 3.3
 # A contact wire of chains may have these, in m, where λ₊ is PER_WAVE_AT_SPEED of them.
 FINE_ENOUGH, PER_WAVE_AT_SPEED = 0.30, 5.0
-# Wires beside a clamp of a bridle, in m: with 0.30 the elasticity there is up to 0.6 % off.
+# Wires next to a clamp of a bridle, in m: with 0.30 the elasticity there is up to 0.6 % off.
 LONGEST_CLAMPED = 0.20
 LONGEST_OF_CHAIN, LONGEST_OF_CUBIC = 0.45, 0.725
 # Points along the wire are so many of the shortest stable distances apart; and the share of the
@@ -78,7 +78,7 @@ ROUNDING = 1.001
 
 @dataclass(frozen=True)
 class Choice:
-    """What a run takes.
+    """Scheme, elements and time step that a run takes.
 
     Attributes
     ----------
@@ -162,7 +162,7 @@ def _with(scenario: ScenarioData, scheme: Scheme, why: str) -> Choice:
 
 
 def _taken(solver: Solver, rule: tuple[float, float]) -> list[float]:
-    """Lengths of elements in m: those given, and by the rule where they are left to `auto`."""
+    """Return the lengths of elements in m: those given, and by the rule where left to `auto`."""
     given = solver.contact_wire_element, solver.messenger_wire_element
     return [own if isinstance(one, str) else one for one, own in zip(given, rule, strict=True)]
 
@@ -242,7 +242,7 @@ def _speed(wire: TensionedWire) -> float:
 
 
 def _ahead(scenario: ScenarioData) -> float | None:
-    """λ₊ in m; None for a wire whose waves have no speed of their own."""
+    """Return λ₊ in m; None for a wire whose waves have no speed of their own."""
     wave = scenario.line.wave_speed
     if wave is None:
         return None
@@ -250,7 +250,7 @@ def _ahead(scenario: ScenarioData) -> float | None:
 
 
 def _lengths(scenario: ScenarioData, *, chains: bool) -> tuple[float, float]:
-    """Longest elements in m of the contact wire and of the wires above."""
+    """Return the longest elements in m of the contact wire and of the wires above."""
     longest = LONGEST_OF_CHAIN if chains else LONGEST_OF_CUBIC
     ahead = _ahead(scenario)
     if ahead is None:
@@ -271,7 +271,7 @@ def _lengths(scenario: ScenarioData, *, chains: bool) -> tuple[float, float]:
 
 
 def _beside_joints(scenario: ScenarioData) -> float:
-    """Longest elements in m where bridles are clamped to points, or masses count."""
+    """Return the longest elements in m where bridles are clamped to points, or masses count."""
     line = scenario.line
     if line.bridle is not None:
         return LONGEST_CLAMPED
@@ -280,12 +280,12 @@ def _beside_joints(scenario: ScenarioData) -> float:
 
 
 def _rung(length: float) -> float:
-    """Longest length of the ladder that is not longer; its shortest where all are."""
+    """Return the longest length of the ladder that is not longer; its shortest where all are."""
     return next((rung for rung in LADDER if rung <= length * ROUNDING), LADDER[-1])
 
 
 def _resolving(scenario: ScenarioData) -> float:
-    """Longest step in s that resolves what a fixed point sees of the frequency assessed."""
+    """Return the longest step in s that resolves the assessed frequency at a fixed point."""
     ahead, wave = _ahead(scenario), scenario.line.wave_speed
     if ahead is None or wave is None:
         return STEP_OF_RAILS
@@ -293,7 +293,7 @@ def _resolving(scenario: ScenarioData) -> float:
 
 
 def _step(scenario: ScenarioData, lengths: list[float]) -> float:
-    """Time step in s of explicit steps with elements of some lengths in m."""
+    """Return the time step in s of explicit steps with elements of some lengths in m."""
     found = _rounded(min(_resolving(scenario), stable_step(scenario, lengths)))
     shorter = (one for one in STEPS if one <= found and not too_stiff_along(scenario, one))
     return next(shorter, found)

@@ -1,1 +1,1 @@
-"""How a run moves, steps and records, and what is assessed of it."""
+"""Settings of a run: motion, steps, record, and assessment."""

@@ -1,4 +1,4 @@
-"""How often a run is repeated, to say how sure its numbers are."""
+"""Number of times that a run is repeated, to say how sure its numbers are."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -15,7 +15,7 @@ MOST_STARTS = 100
 
 
 class Certainty(Part):
-    """How sure the assessed numbers are: what is run beside the run itself."""
+    """Additional runs that tell how sure the assessed numbers are."""
 
     starts: int = Field(
         default=STARTS,

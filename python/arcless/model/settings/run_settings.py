@@ -1,13 +1,12 @@
-"""How a run moves, computes and records: speed profile, contact law, solver, output."""
+"""Settings of a run: speed profile, contact law, solver, output."""
 
-from itertools import pairwise
 from typing import Annotated, Any, Final, Literal, TypeAlias
 
 from pydantic import Field, model_validator
 
 from arcless.errors import ModelError
 from arcless.model.fields import extremes
-from arcless.model.fields.list_checks import check_count
+from arcless.model.fields.list_checks import check_count, check_increasing
 from arcless.model.fields.part import Lengths, Part, Unit
 from arcless.model.settings.schemes import AUTOMATIC, EXPLICIT, Auto, Scheme
 from arcless.units import WRONG_VALUE
@@ -17,9 +16,9 @@ MAX_SPEED = 300.0
 MAX_PROFILE = 50_000
 # The time step in which the collector moves by one element of the contact wire.
 ONE_ELEMENT: Final = "one element"
-# What is recorded of the line: all of it, or all where that is not too much.
+# Recorded parts of the line: all of it, or all where that is not too much.
 WHOLE_LINE: Final = "whole line"
-# What follows from other settings.
+# Settings that follow from other ones.
 AUTO: Final = "auto"
 WireModel: TypeAlias = Literal["hermite", "lumped"]
 # Elements in m of a line that is divided without a scenario, whose speed they follow from.
@@ -49,14 +48,7 @@ class SpeedProfile(Part):
                 expected="0 s as the first time",
                 field=("time", 0),
             )
-        for index, (earlier, later) in enumerate(pairwise(self.time), start=1):
-            if later <= earlier:
-                raise ModelError(
-                    "times out of order",
-                    got=f"{later:g} s after {earlier:g} s",
-                    expected="times that increase",
-                    field=("time", index),
-                )
+        check_increasing(self.time, "s", "time", "times")
         return self
 
 
@@ -73,7 +65,7 @@ class Contact(Part):
 
 
 class Solver(Part):
-    """How the motion is computed."""
+    """Solver settings: scheme, wire model, elements and time step."""
 
     time_step: Annotated[
         float | Literal["auto", "one element"],
@@ -216,7 +208,7 @@ class Solver(Part):
 
 
 class Output(Part):
-    """What is recorded, and how often."""
+    """Output settings: quantities that are recorded, and their rate."""
 
     contact_every: int = Field(
         default=1, ge=1, le=10_000, strict=True, description="Steps between records of the contact."

@@ -1,12 +1,10 @@
 """The wear of contact wire or collector strip: coefficients of a heuristic model of three parts."""
 
-from itertools import pairwise
 from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
-from arcless.errors import ModelError
-from arcless.model.fields.list_checks import check_count
+from arcless.model.fields.list_checks import check_count, check_increasing
 from arcless.model.fields.part import Part, Unit
 
 Force = Annotated[float, Unit("N", above=0, maximum=2000)]
@@ -54,14 +52,7 @@ class ResistanceTable(Part):
     @model_validator(mode="after")
     def _check_lists(self) -> "ResistanceTable":
         check_count(self.resistance, len(self.force), "force", ("resistance",))
-        for index, (lower, higher) in enumerate(pairwise(self.force), start=1):
-            if higher <= lower:
-                raise ModelError(
-                    "forces out of order",
-                    got=f"{higher:g} N after {lower:g} N",
-                    expected="forces that increase",
-                    field=("force", index),
-                )
+        check_increasing(self.force, "N", "force", "forces")
         return self
 
 

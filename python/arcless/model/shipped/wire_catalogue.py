@@ -20,7 +20,7 @@ PREFIX = "wires "
 
 
 class CatalogueWire(Part):
-    """What a wire is by itself, whatever its tension."""
+    """Properties of a wire that do not depend on its tension."""
 
     description: str = Field(description="Material, section and where it is used.")
     mass: Annotated[float, Unit("kg/m", above=0)] = Field(description="Mass per metre.")
@@ -40,7 +40,7 @@ class Catalogue(Document):
     wires: dict[str, CatalogueWire] = Field(description="Wires by name.", min_length=1)
 
 
-# What a catalogue entry can give a wire of a line.
+# Fields that a catalogue entry can give a wire of a line.
 GIVES = tuple(name for name in CatalogueWire.model_fields if name != "description")
 
 

@@ -1,4 +1,4 @@
-"""What Bokeh's script in a page reads: objects by name, their attributes, and columns of numbers.
+"""Objects that Bokeh's script in a page reads: names, attributes, and columns of numbers.
 
 Bokeh's own classes would write the same, but take longer than a run to import, make and check. The
 script knows the defaults of all attributes, so only what differs from them is written. Tests read
@@ -18,7 +18,7 @@ import numpy as np
 _ARRAYS = frozenset(map(np.dtype, ("float32", "float64", "int32")))
 # Measured: the next levels take longer than they save in a page.
 _COMPRESSION, _GZIP = 2, 31
-# What JSON has no numbers for, in Python's words and in the script's.
+# Values that JSON has no numbers for, in Python's words and in the script's.
 _NO_NUMBERS = {"+inf": "+inf", "-inf": "-inf", "+nan": "nan"}
 
 
@@ -49,7 +49,7 @@ class Model:
 
 @dataclass(frozen=True)
 class Field:
-    """A column of the source, a value for each thing drawn; a transform makes colours of it."""
+    """Reference to a column of the source, a value for each thing drawn; a transform colours it."""
 
     name: str
     transform: Model | None = None
@@ -57,7 +57,7 @@ class Field:
 
 @dataclass(frozen=True)
 class Value:
-    """The same value for all, where a name could be that of a column."""
+    """Constant value, where a name could be that of a column."""
 
     value: Any
 
@@ -68,7 +68,7 @@ def columns(data: Mapping[str, Any]) -> Model:
 
 
 def document(roots: Iterable[Model]) -> tuple[list[Any], list[str]]:
-    """Return what the script draws, ready for JSON, and a name for each of it."""
+    """Return the document that the script draws, ready for JSON, and a name for each root."""
     known: dict[int, str] = {}
     written = [_written(root, known) for root in roots]
     return written, [one["id"] for one in written]

@@ -64,7 +64,7 @@ class Figure(Model):
         unselected: float | None = None,
         **look: Any,
     ) -> Model:
-        """Draw columns; return what a legend or the pointer refers to.
+        """Draw columns; return the object that a legend or the pointer refers to.
 
         Parameters
         ----------

@@ -1,4 +1,4 @@
-"""How the figures look: one place for colours, axes and tools."""
+"""Style of the figures: one place for colours, axes and tools."""
 
 from collections.abc import Sequence
 from typing import Any

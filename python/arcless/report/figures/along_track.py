@@ -9,7 +9,7 @@ from arcless.report.drawing.bokeh_objects import Field, Model, columns
 from arcless.report.drawing.figure import Figure
 from arcless.report.drawing.style import GREY, add_hover, add_legend, colour, plain, single
 from arcless.report.drawing.thinning import envelope, every
-from arcless.report.figures.run_data import Scene
+from arcless.report.figures.run_data import RunData
 from arcless.report.figures.track_axis import (
     MARKS,
     RAW_POINTS,
@@ -25,11 +25,11 @@ X_LABEL_FRONT = "position of the first pantograph, m"
 
 TRACES, TRACE_POINTS = 24, 400
 
-# How much of a place's channel is drawn: from the train ahead of it to the last one gone.
+# Drawn part of a place's channel, in m: from the train ahead of it to the last one gone.
 BEFORE_M, AFTER_M = 100.0, 200.0
 
 
-def force(scene: Scene) -> Figure:
+def force(scene: RunData) -> Figure:
     """Draw the contact force, unfiltered and filtered, with supports and droppers marked."""
     title = f"Contact force after the {scene.assessment.low_pass_Hz:g} Hz low-pass, and unfiltered"
     fig = track_figure(scene, title, "contact force, N", height=360)
@@ -54,7 +54,7 @@ def force(scene: Scene) -> Figure:
     return fig
 
 
-def gap(scene: Scene) -> Figure | None:
+def gap(scene: RunData) -> Figure | None:
     """Draw the gap between strip and wire where contact is lost, or could be without a trace."""
     values = scene.values("contact_gap")
     if not (scene.rigid_contact or np.any(scene.record.force <= 0.0)):
@@ -73,7 +73,7 @@ def gap(scene: Scene) -> Figure | None:
     return fig
 
 
-def height(scene: Scene) -> Figure:
+def height(scene: RunData) -> Figure:
     """Draw the height of the contact point over the height of the wire at rest."""
     fig = track_figure(scene, "Height of the contact point", "height above rail, m")
     entries, hovered = [], []
@@ -92,7 +92,7 @@ def height(scene: Scene) -> Figure:
     return fig
 
 
-def uplift(scene: Scene) -> Figure | None:
+def uplift(scene: RunData) -> Figure | None:
     """Draw the uplift at supports: the section's during the passage, and the peak of each."""
     if not scene.has("support_x", "support_uplift_max"):
         return None
@@ -111,7 +111,7 @@ def uplift(scene: Scene) -> Figure | None:
     return fig
 
 
-def droppers(scene: Scene) -> Figure | None:
+def droppers(scene: RunData) -> Figure | None:
     """Draw the range of every dropper's force, and its force at rest."""
     if not scene.has("dropper_x", "dropper_force_min", "dropper_force_max"):
         return None
@@ -135,7 +135,7 @@ def droppers(scene: Scene) -> Figure | None:
     return fig
 
 
-def dropper_passages(scene: Scene) -> Figure | None:
+def dropper_passages(scene: RunData) -> Figure | None:
     """Draw the forces of the droppers of the section's middle span while the train passes."""
     if not (scene.has("dropper_x", "dropper_span") and is_recorded(scene.dataset, "dropper")):
         return None
@@ -152,7 +152,7 @@ def dropper_passages(scene: Scene) -> Figure | None:
 
 
 def _passages(
-    scene: Scene, fig: Figure, place: Place, chosen: Any, *, scale: float, tip: tuple[str, str]
+    scene: RunData, fig: Figure, place: Place, chosen: Any, *, scale: float, tip: tuple[str, str]
 ) -> list[tuple[str, list[Model]]]:
     """Draw the channel of some supports or droppers, each while the train is there."""
     x = scene.values(f"{place}_x")
@@ -170,7 +170,7 @@ def _passages(
     return [("passage of the train", [lines])]
 
 
-def _passage(scene: Scene, place: Place, index: int, x: float) -> tuple[Any, Any]:
+def _passage(scene: RunData, place: Place, index: int, x: float) -> tuple[Any, Any]:
     rows, values = passage(scene.dataset, place, index)
     beyond = scene.line_position[rows] - x
     train = float(np.ptp(scene.dataset["position"].values[0]))
@@ -179,5 +179,5 @@ def _passage(scene: Scene, place: Place, index: int, x: float) -> tuple[Any, Any
     return rows[kept], values[kept]
 
 
-def _names(scene: Scene, dimension: str, kept: Any) -> list[str]:
+def _names(scene: RunData, dimension: str, kept: Any) -> list[str]:
     return [plain(str(name)) for name in scene.values(dimension)[kept]]

@@ -1,9 +1,9 @@
-"""How the wires and strips of a pantograph share its force."""
+"""Shares of a pantograph's force between its wires and strips."""
 
 from arcless.assess.signals.filter import low_pass, sample_rate_Hz
 from arcless.report.drawing.figure import Figure
 from arcless.report.drawing.style import add_legend, colour, plain
-from arcless.report.figures.run_data import Scene
+from arcless.report.figures.run_data import RunData
 from arcless.report.figures.track_axis import (
     SMOOTH_POINTS,
     hover,
@@ -13,7 +13,7 @@ from arcless.report.figures.track_axis import (
 )
 
 
-def shares(scene: Scene) -> Figure | None:
+def shares(scene: RunData) -> Figure | None:
     """Draw the filtered force of each contact, where a pantograph has several."""
     if not scene.has("wire_contact_force"):
         return None
@@ -36,7 +36,7 @@ def shares(scene: Scene) -> Figure | None:
     return fig
 
 
-def _pantograph(scene: Scene, contact: str) -> int:
+def _pantograph(scene: RunData, contact: str) -> int:
     """Return the number of the pantograph that a contact is named after."""
     owners = [i for i, name in enumerate(scene.pantographs) if contact.startswith(f"{name} strip ")]
     return max(owners, key=lambda i: len(scene.pantographs[i]))

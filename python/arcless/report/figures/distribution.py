@@ -6,15 +6,15 @@ from arcless.assess.signals.filter import spectrum
 from arcless.report.drawing.bokeh_objects import Model
 from arcless.report.drawing.figure import Figure
 from arcless.report.drawing.style import DASHES, GREY, add_hover, add_legend, colour, figure, single
-from arcless.report.figures.run_data import Scene
+from arcless.report.figures.run_data import RunData
 
 BINS = 40
 HIGHEST_HZ = 50.0
 DECADES = 6
 
 
-def histogram(scene: Scene) -> Figure:
-    """Share of time over contact force, filtered, with the mean and three deviations."""
+def histogram(scene: RunData) -> Figure:
+    """Draw the share of time over contact force, filtered, with the mean and three deviations."""
     low_pass = f"{scene.assessment.low_pass_Hz:g} Hz"
     title = "Contact force in the section; lines: mean, mean ± 3σ"
     fig = figure(title, f"contact force after the {low_pass} low-pass, N", "time, %")
@@ -44,8 +44,8 @@ def histogram(scene: Scene) -> Figure:
     return fig
 
 
-def force_spectrum(scene: Scene) -> Figure:
-    """Power spectral density of the unfiltered force, with the bands and the span passing."""
+def force_spectrum(scene: RunData) -> Figure:
+    """Draw the power spectral density of the unfiltered force, the bands and the span passing."""
     fig = figure(
         "Spectrum of the unfiltered contact force in the section",
         "frequency, Hz",
@@ -70,7 +70,7 @@ def force_spectrum(scene: Scene) -> Figure:
     return fig
 
 
-def _frequencies(scene: Scene, fig: Figure) -> list[tuple[str, list[Model]]]:
+def _frequencies(scene: RunData, fig: Figure) -> list[tuple[str, list[Model]]]:
     a = scene.assessment
     bands = [a.band_split_Hz, a.low_pass_Hz]
     marks = [(f"{bands[0]:g} and {bands[1]:g} Hz", bands, "dashed", GREY)]

@@ -16,7 +16,7 @@ from arcless.report.drawing.style import (
     single,
 )
 from arcless.report.drawing.thinning import envelope, every
-from arcless.report.figures.run_data import Scene
+from arcless.report.figures.run_data import RunData
 from arcless.report.figures.track_axis import MARKS, X_LABEL
 from arcless.report.figures.wire_points import wire_points
 
@@ -34,7 +34,7 @@ WIRES = (
 )
 
 
-def side_view(scene: Scene) -> Figure | None:
+def side_view(scene: RunData) -> Figure | None:
     """Draw the line at rest from the side; heights are drawn larger than lengths."""
     fig = _view(scene, "Initial configuration, side view", "z", "height above rail, m", 280)
     if fig is None:
@@ -47,7 +47,7 @@ def side_view(scene: Scene) -> Figure | None:
     return fig
 
 
-def plan_view(scene: Scene) -> Figure | None:
+def plan_view(scene: RunData) -> Figure | None:
     """Draw the line at rest from above when it is not straight."""
     sides = [scene.values(f"{wire}_node_y") for wire, _, _ in WIRES]
     if not any(side.size and np.ptp(side) > 0.0 for side in sides):
@@ -55,7 +55,7 @@ def plan_view(scene: Scene) -> Figure | None:
     return _view(scene, "Initial configuration, from above", "y", "across the track, m", 220)
 
 
-def elasticity(scene: Scene) -> Figure | None:
+def elasticity(scene: RunData) -> Figure | None:
     """Draw the static elasticity of the contact wire."""
     if not scene.has("elasticity"):
         return None
@@ -72,7 +72,7 @@ def elasticity(scene: Scene) -> Figure | None:
     return fig
 
 
-def energy(scene: Scene) -> Figure | None:
+def energy(scene: RunData) -> Figure | None:
     """Draw every term of the energy ledger over time."""
     terms = [(name, label) for name, label in energy_terms(scene) if settled(scene, name).any()]
     if not terms:
@@ -92,19 +92,19 @@ def energy(scene: Scene) -> Figure | None:
     return fig
 
 
-def energy_terms(scene: Scene) -> list[tuple[str, str]]:
+def energy_terms(scene: RunData) -> list[tuple[str, str]]:
     """Return name and short label of the ledger's terms in the dataset."""
     names = [str(name) for name in scene.dataset if str(name).startswith("energy_")]
     return [(name, name.removeprefix("energy_").replace("_", " ")) for name in names]
 
 
-def settled(scene: Scene, name: str) -> Floats:
+def settled(scene: RunData, name: str) -> Floats:
     """Return a term of the ledger in the rows at which it was settled."""
     values: Floats = scene.values(name)
     return values[np.isfinite(values)]
 
 
-def _view(scene: Scene, title: str, axis: str, y_label: str, height: int) -> Figure | None:
+def _view(scene: RunData, title: str, axis: str, y_label: str, height: int) -> Figure | None:
     if not scene.has(f"contact_wire_node_{axis}", "contact_wire_node_x"):
         return None
     fig = figure(title, X_LABEL, y_label, height=height, x_range=scene.track)

@@ -1,4 +1,4 @@
-"""What every figure needs to know, computed once."""
+"""Data that every figure needs, computed once."""
 
 import json
 from dataclasses import dataclass
@@ -17,8 +17,8 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Scene:
-    """A result and its assessment, ready to be drawn."""
+class RunData:
+    """Result and assessment of a run, ready to be drawn."""
 
     dataset: "Dataset"
     assessment: Assessment
@@ -37,12 +37,12 @@ class Scene:
 
     @cached_property
     def has_droppers(self) -> bool:
-        """Whether the line has droppers."""
+        """True when the line has droppers."""
         return self.values("dropper").size > 0
 
     @cached_property
     def rigid_contact(self) -> bool:
-        """Whether strip and wire touch without a compliance between them."""
+        """True when strip and wire touch without a compliance between them."""
         law: str = json.loads(self.dataset.attrs["scenario"])["contact"]["law"]
         return law == "rigid"
 

@@ -1,4 +1,4 @@
-"""What the figures along the track have in common."""
+"""Axis, supports and tooltips of the figures along the track."""
 
 from typing import Any
 
@@ -6,7 +6,7 @@ from arcless.report.drawing.bokeh_objects import Model, columns
 from arcless.report.drawing.figure import Figure
 from arcless.report.drawing.style import HEIGHT, LIGHT, add_hover, add_section, figure, single
 from arcless.report.drawing.thinning import envelope, every
-from arcless.report.figures.run_data import Scene
+from arcless.report.figures.run_data import RunData
 
 X_LABEL = "position along the track, m"
 # Points in the file, shared by the pantographs: bounds the size whatever the run's length.
@@ -15,14 +15,14 @@ RAW_POINTS, SMOOTH_POINTS = 6000, 3000
 MARKS = 1000
 
 
-def track_figure(scene: Scene, title: str, y_label: str, *, height: int = HEIGHT) -> Figure:
+def track_figure(scene: RunData, title: str, y_label: str, *, height: int = HEIGHT) -> Figure:
     """Return an empty figure over the track with the analysis section shaded."""
     fig = figure(title, X_LABEL, y_label, height=height, x_range=scene.track)
     add_section(fig, *scene.assessment.section_m)
     return fig
 
 
-def series(scene: Scene, pantograph: int, values: Any, points: int) -> Model:
+def series(scene: RunData, pantograph: int, values: Any, points: int) -> Model:
     """Return a channel over the position of its pantograph, thinned out."""
     kept = envelope(values, max(200, points // len(scene.pantographs)))
     position = scene.dataset["position"].values[:, pantograph]
@@ -35,7 +35,7 @@ def series(scene: Scene, pantograph: int, values: Any, points: int) -> Model:
     )
 
 
-def support_entry(scene: Scene, fig: Figure) -> list[tuple[str, list[Model]]]:
+def support_entry(scene: RunData, fig: Figure) -> list[tuple[str, list[Model]]]:
     """Mark the supports; return the entry of the legend."""
     x = scene.values("support_x")
     if not x.size:

@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arcless.report.drawing.thinning import envelope, every
-from arcless.report.figures.run_data import Scene
+from arcless.report.figures.run_data import RunData
 from arcless.report.figures.track_axis import MARKS
 
 Floats = NDArray[np.float64]
@@ -13,7 +13,7 @@ Floats = NDArray[np.float64]
 WIRE_POINTS = 40
 
 
-def wire_points(scene: Scene, wire: str, axis: str, points: int) -> tuple[Floats, Floats]:
+def wire_points(scene: RunData, wire: str, axis: str, points: int) -> tuple[Floats, Floats]:
     """Return x and another coordinate of the nodes of all wires of one kind.
 
     NaN stands between several wires. About so many points are kept of all wires together, and of
@@ -31,7 +31,7 @@ def wire_points(scene: Scene, wire: str, axis: str, points: int) -> tuple[Floats
     return np.concatenate(joined[0]), np.concatenate(joined[1])
 
 
-def _owners(scene: Scene, wire: str) -> Floats:
+def _owners(scene: RunData, wire: str) -> Floats:
     """Return a number for each node that tells the wires of one kind from each other."""
     told = [scene.values(f"{wire}_node_{which}") for which in ("wire", "support")]
     known = [values for values in told if values.size]

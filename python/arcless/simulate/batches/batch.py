@@ -1,4 +1,4 @@
-"""Many runs: what they share is made once, each is what it is alone, and none stops the others."""
+"""Batch of runs: shared parts are made once, and a failed run stops no other one."""
 
 import os
 from collections.abc import Callable, Iterable, Iterator
@@ -11,9 +11,9 @@ from arcless.model import Scenario
 from arcless.model.load import check_kind
 from arcless.simulate.batches.fingerprints import SharedKeys, member_key
 from arcless.simulate.batches.groups import Groups, Member
+from arcless.simulate.batches.monitored_runs import Look, Watching
 from arcless.simulate.batches.store import Folder
-from arcless.simulate.batches.watched_runs import Look, Watching
-from arcless.simulate.batches.workers import Crew, Watch
+from arcless.simulate.batches.workers import Watch, WorkerPool
 from arcless.simulate.runs.job import Cancel, Progress
 from arcless.simulate.runs.outcome import Keep, Outcome, Stopped
 from arcless.units import show
@@ -22,7 +22,7 @@ __all__ = ["Keep", "Look", "Outcome", "Stopped", "Watching", "batch"]
 
 # Members looked at before they are run, to find those that share a line, for each worker.
 AHEAD = 64
-# Between two questions whether to go on, in s.
+# Interval in s between two questions whether to continue.
 LOOK_EVERY_S = 0.1
 
 
@@ -39,21 +39,21 @@ def batch(
 ) -> list[Outcome]:
     """Run many scenarios.
 
-    Each gives what `arcless.run` gives for it alone, bit for bit (but for times). Members
+    Each gives the result of `arcless.run` for it alone, bit for bit (except times). Members
     with the same line, solver, time step and contact stiffness share statics and factorisation;
     others are grouped by what they share. A member that fails is an outcome with its error.
 
     Parameters
     ----------
     scenarios
-        What to run. It may be a generator: members are made when they are needed, and forgotten.
+        Members to run. It may be a generator: members are made when needed, and forgotten.
     keep
         "assessment": the assessment of each member, and no records; memory does not grow with the
         length of the runs. "result": the whole result of each, as `arcless.run` returns it.
     folder
-        A folder to write what is kept of each member to, a file each. What an earlier batch has put
-        there is not run again: so a batch that was interrupted goes on. A member that was changed
-        is run, and so is one that failed.
+        A folder to write the kept data of each member to, a file each. Members with a file from an
+        earlier batch are not run again: so an interrupted batch is continued. A member that was
+        changed is run, and so is one that failed.
     workers
         Threads; as many as there are processors without it.
     progress
@@ -65,9 +65,9 @@ def batch(
         returned at the end then has neither assessments nor results: however many members there
         are, memory holds few.
     watch
-        Given index and scenario of a member, returns who looks at its runs while they step, see
+        Given index and scenario of a member, returns the observer of its runs while they step, see
         `Watching`, or None. A member that is stopped is an outcome that says so, with neither
-        assessment nor result. What is not stopped is, bit for bit, what it is without.
+        assessment nor result. A member that is not stopped is, bit for bit, as without it.
 
     Returns
     -------
@@ -87,7 +87,7 @@ def batch(
     groups = Groups(SharedKeys().of)
     outcomes: dict[int, Outcome] = {}
     count = workers or len(os.sched_getaffinity(0))
-    tell = _Telling(progress, length_hint(scenarios, 0))
+    tell = _ProgressText(progress, length_hint(scenarios, 0))
 
     def handed(outcome: Outcome) -> None:
         if take is not None:
@@ -97,7 +97,7 @@ def batch(
         tell.done(outcome)
 
     try:
-        with Crew(groups, keep, stored, count, watch=watch) as crew:
+        with WorkerPool(groups, keep, stored, count, watch=watch) as crew:
             while source.goes_on or len(outcomes) < source.begun:
                 for outcome in source.refill(groups, source.begun - len(outcomes), AHEAD * count):
                     handed(outcome)
@@ -159,8 +159,8 @@ class _Source:
         )
 
 
-class _Telling:
-    """How far a batch is, in words."""
+class _ProgressText:
+    """Progress of a batch, in words."""
 
     def __init__(self, progress: Progress | None, members: int) -> None:
         self._progress, self._members = progress, members

@@ -1,4 +1,4 @@
-"""What members of a batch share, and what a member is: both as fingerprints of the data."""
+"""Fingerprints of data: of the parts that members of a batch share, and of a whole member."""
 
 import hashlib
 import json
@@ -9,12 +9,12 @@ from arcless import _core
 from arcless.model import Scenario
 from arcless.simulate.setup import trajectory
 
-# What a line says of itself, and what nothing is computed from.
+# Descriptions in a line, which nothing is computed from.
 WORDS = ("name", "description", "sources", "provenance")
 
 
 class SharedKeys:
-    """Fingerprints of what members share; of members that share the very same parts, made once."""
+    """Fingerprints of shared parts; those of members with the very same parts are made once."""
 
     def __init__(self) -> None:
         self._parts: tuple[object, ...] = ()
@@ -61,7 +61,7 @@ def member_key(scenario: Scenario) -> str:
 def _content(file: str) -> str | None:
     try:
         return hashlib.sha256(Path(file).read_bytes()).hexdigest()
-    except OSError:  # whoever runs it says that it is missing
+    except OSError:  # the run itself says that it is missing
         return None
 
 

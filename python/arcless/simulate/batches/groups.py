@@ -1,4 +1,4 @@
-"""Members of a batch that wait, by what they share; what they share is made once."""
+"""Groups of waiting members of a batch that share a line; it is made once."""
 
 import copy
 import threading
@@ -51,7 +51,7 @@ class Group:
             return self._line
 
     def beside(self, key: str, scenario: Scenario) -> Line:
-        """Return the line of a scenario that is run beside members; the last one is kept.
+        """Return the line of an additional run next to members; the last one is kept.
 
         Raises
         ------
@@ -67,8 +67,8 @@ class Group:
 class Groups:
     """All members that wait.
 
-    A line that nobody waits for or runs on is let go, but for the last one: members that come one
-    at a time share it all the same.
+    A line that nobody waits for or runs on is released, except the last one: so members that come
+    one at a time share it, too.
     """
 
     def __init__(self, shared_key: Callable[[Scenario], str]) -> None:
@@ -100,8 +100,8 @@ class Groups:
     def choose(self) -> Group | None:
         """Return the group to work for next, waiting for one; None when all is done.
 
-        Whoever is given one calls `leave` when it does no more for it. Lines that nobody has begun
-        come first: two workers on one line would wait for each other while it is made.
+        A worker that is given one calls `leave` when it does no more for it. Lines that nobody has
+        begun come first: two workers on one line would wait for each other while it is made.
         """
         with self._change:
             while True:
@@ -120,7 +120,7 @@ class Groups:
             return group.waiting.popleft() if group.waiting else None
 
     def leave(self, group: Group) -> None:
-        """Stop to work for a group."""
+        """Stop working for a group."""
         with self._change:
             group.at_work -= 1
             idle = [

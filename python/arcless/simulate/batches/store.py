@@ -1,7 +1,7 @@
 """Members of a batch on disk: a file for each, there whole or not at all.
 
-A member's file has the fingerprint of the member for a name. So whoever runs a batch again into
-the same folder finds what is done, in whatever order; a member that was changed is another one.
+A member's file has the fingerprint of the member for a name. So a batch that is run again
+into the same folder finds the finished members, in whatever order; a changed member is another one.
 
 ```
 members.csv                  index, name and file of each member begun

@@ -1,4 +1,4 @@
-"""Workers of a batch: threads that take members and run them; the core lets go of the lock."""
+"""Workers of a batch: threads that run members; the core releases Python's lock."""
 
 import queue
 import threading
@@ -12,9 +12,9 @@ from arcless.model import Scenario
 from arcless.results import Result
 from arcless.simulate.batches.fingerprints import shared_key
 from arcless.simulate.batches.groups import Group, Groups, Member
+from arcless.simulate.batches.monitored_runs import MonitoredRuns, RunStoppedError, Watching
 from arcless.simulate.batches.store import Folder
-from arcless.simulate.batches.watched_runs import Course, StoppedError, Watching
-from arcless.simulate.certainty import found_beside, one_by_one, places
+from arcless.simulate.certainty import places, run_additional, sequential_runner
 from arcless.simulate.runs.job import Job, lay_out
 from arcless.simulate.runs.mean_force import make_runs
 from arcless.simulate.runs.member import records_all, running
@@ -27,8 +27,8 @@ LEAVES_WITHIN_S = 0.3
 Watch = Callable[[int, Scenario], Watching | None]
 
 
-class Crew:
-    """Threads at work on the members that wait in groups."""
+class WorkerPool:
+    """Worker threads that run the members waiting in groups."""
 
     def __init__(
         self,
@@ -47,14 +47,14 @@ class Crew:
         # A process that ends waits for no daemon: one may be in the midst of a long factorisation.
         self._threads = [threading.Thread(target=self._work, daemon=True) for _ in range(workers)]
 
-    def __enter__(self) -> "Crew":
-        """Begin to work."""
+    def __enter__(self) -> "WorkerPool":
+        """Start the threads."""
         for thread in self._threads:
             thread.start()
         return self
 
     def __exit__(self, *_error: object) -> None:
-        """Stop to work, in the midst of a member where there are any left."""
+        """Stop the threads, in the midst of a member where there are any left."""
         self._stop.set()
         self._groups.empty()
         deadline = time.monotonic() + LEAVES_WITHIN_S
@@ -62,7 +62,7 @@ class Crew:
             thread.join(max(0.0, deadline - time.monotonic()))
 
     def outcomes(self, timeout_s: float) -> Iterator[Outcome]:
-        """Return what was done meanwhile, waiting for the first no longer than a time in s.
+        """Return the outcomes so far, waiting for the first no longer than a time in s.
 
         Raises
         ------
@@ -92,16 +92,16 @@ class Crew:
                 self._done.put(error)
 
     def _outcome(self, group: Group, member: Member) -> Outcome:
-        """Run a member; an error is what came of it."""
+        """Return the outcome of a member; an error is one too."""
         started = time.perf_counter()
         index, name = member.index, member.scenario.name
-        course: Course | None = None
+        course: MonitoredRuns | None = None
         try:
             job = self._job(group, member)
             watching = None if self._watch is None else self._watch(index, member.scenario)
-            course = Course(job, watching)
+            course = MonitoredRuns(job, watching)
             done = self._done_of(job, course, started, group)
-        except StoppedError as stopped:
+        except RunStoppedError as stopped:
             outcome = Outcome(index, name, stopped=stopped.at)
         except Exception as error:
             outcome = Outcome(index, name, error=told(error))
@@ -114,19 +114,19 @@ class Crew:
         return replace(outcome, wall_time_s=wall_time_s, steps=steps, steps_of_run=of_run)
 
     def _done_of(
-        self, job: Job, course: Course, started: float, group: Group
+        self, job: Job, course: MonitoredRuns, started: float, group: Group
     ) -> Assessment | Result:
-        """Run a member to its end, and what says how sure it is."""
-        beside = None if job.scenario.certainty is None else self._beside(job, group)
-        run, full = running(job, self._keep, started, beside), records_all(job, self._keep)
+        """Run a member to its end, and its additional runs for certainty."""
+        additional = None if job.scenario.certainty is None else self._beside(job, group)
+        run, full = running(job, self._keep, started, additional), records_all(job, self._keep)
         return make_runs(run, lambda trial: course.run(trial, full=full))
 
     def _beside(self, job: Job, group: Group) -> Callable[[list[float]], dict[str, Any]]:
         places(job.scenario)  # without room for other starts there is no need to run it
-        runs = one_by_one(
+        runs = sequential_runner(
             job, self._stop.is_set, lambda scenario: group.beside(shared_key(scenario), scenario)
         )
-        return lambda forces: found_beside(job, forces, runs)
+        return lambda forces: run_additional(job, forces, runs)
 
     def _job(self, group: Group, member: Member) -> Job:
         line = group.line(member.scenario)

@@ -1,6 +1,6 @@
-"""Runs beside a run that say how sure its numbers are: from other starts, and refined."""
+"""Additional runs that say how sure the numbers of a run are: from other starts, and refined."""
 
+from arcless.simulate.certainty.additional_runs import Runs, run_additional, sequential_runner
 from arcless.simulate.certainty.other_starts import places
-from arcless.simulate.certainty.runs_beside import Runs, found_beside, one_by_one
 
-__all__ = ["Runs", "found_beside", "one_by_one", "places"]
+__all__ = ["Runs", "places", "run_additional", "sequential_runner"]

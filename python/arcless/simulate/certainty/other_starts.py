@@ -1,6 +1,6 @@
-"""Where a run may as well begin, and the same passage begun there.
+"""Other starts of a run, and the same passage begun there.
 
-What a run gives hangs on its start: lines damp so little that the waves of the start are still
+The numbers of a run depend on its start: lines damp so little that the waves of the start are still
 there when the section is reached. No start is better than another within a span, so others are
 taken, evenly spread over the length L of the span that the run itself starts in: s + k L/N,
 k = 1 … N − 1.
@@ -85,7 +85,7 @@ def window(scenario: Scenario) -> tuple[float, float]:
     return first, last - first
 
 
-def begun_at(job: "Job", forces: list[float], places: Sequence[float]) -> list[Scenario]:
+def started_at(job: "Job", forces: list[float], places: Sequence[float]) -> list[Scenario]:
     """Return the same passage, begun with the first pantograph at each of other places in m.
 
     Parameters

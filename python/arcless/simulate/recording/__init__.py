@@ -1,1 +1,1 @@
-"""What the core returns → variables of the result."""
+"""Arrays of the core → variables of the result."""

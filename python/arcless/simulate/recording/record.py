@@ -1,11 +1,13 @@
-"""What the core returns → variables of the result."""
+"""Arrays of the core → variables of the result."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from arcless import _core
+from arcless.dataset.schema import VARIABLES, Variable
 from arcless.equilibrium.equilibrium import Equilibrium
 from arcless.model import Scenario
 from arcless.simulate.recording import contacts
@@ -17,20 +19,12 @@ Floats = NDArray[np.float64]
 
 # Dimensions that count the instants of a run.
 SERIES = ("time", "line_time")
-# Arrays of the core's record that grow with the run; the others are extremes and counts so far.
-GROWING = (
-    "time", "force", "gap", "height", "lateral", "position", "speed", "control", "masses",
-    "line_time", "link_force", "uplift", "link_first", "uplift_first", "point_uplift",
-    "point_along", "slack",
-)  # fmt: skip
-# Entries of the core's ledger whose names in the result are the field's own words.
-ENERGY_NAMES = {
-    "riders": "pantograph",
-    "dissipated_links": "dissipated_droppers",
-    "dissipated_springs": "dissipated_supports",
-    "dissipated_riders": "dissipated_pantograph",
-    "work_loads": "work_wind",
-}
+# Variables that are a channel of the core's record: of every row, or of every step.
+OF_ROWS = {n: v for n, v in VARIABLES.items() if v.channel and v.dims[0] in SERIES}
+OF_STEPS = {n: v for n, v in VARIABLES.items() if v.channel and v.dims[0] not in SERIES}
+# Variables of the whole line, and of the part near the pantographs.
+OF_DROPPERS = ("dropper_force", "near_dropper_force", "near_dropper_first")
+OF_SUPPORTS = ("support_uplift", "near_support_uplift", "near_support_first")
 
 
 def dynamic_variables(
@@ -46,10 +40,8 @@ def series(
     """Return the time series of a run or of a piece of it, shaped as the result wants them."""
     count = len(scenario.pantographs)
     out = contacts.channels(raw, count)
-    out["position"] = raw["position"].reshape(-1, count)
-    if controlled:
-        out["control_force"] = raw["control"].reshape(-1, count)
-    out["speed"] = raw["speed"]
+    wanted = _wanted(raw, scenario, controlled=controlled)
+    out |= _channels(raw, found, {name: OF_ROWS[name] for name in wanted})
     models = [placement.model for placement in scenario.pantographs]
     moved = _of_each(raw["masses"], [model.size for model in models])
     out["mass_displacement"] = _padded(
@@ -59,56 +51,52 @@ def series(
         out["strip_roll"] = _padded(
             [own[:, model.rolls] for own, model in zip(moved, models, strict=True)]
         )
-    links = [dropper.link for dropper in found.mesh.droppers]
-    # A part of a run may be too short for a row.
-    if rows := len(raw["line_time"]):
-        out |= _line_series(raw, scenario, links, rows)
     kept = {name: values for name, values in raw["energy"].items() if len(values)}
     if scenario.as_built.gusts is None:
-        kept.pop("work_loads", None)
+        kept.pop("work_wind", None)
     if not controlled:
         kept.pop("work_control", None)
-    for name, values in kept.items():
-        out[f"energy_{ENERGY_NAMES.get(name, name)}"] = values
-    return out
+    return out | {f"energy_{name}": values for name, values in kept.items()}
 
 
 def extremes(raw: dict[str, Any], found: Equilibrium) -> dict[str, Floats]:
     """Return the extremes over every step of a run so far."""
-    links = [dropper.link for dropper in found.mesh.droppers]
-    return {
-        "dropper_force_min": raw["link_min"][links],
-        "dropper_force_max": raw["link_max"][links],
-        "support_uplift_max": raw["uplift_max"],
-    }
+    return _channels(raw, found, OF_STEPS)
 
 
-def _line_series(
-    raw: dict[str, Any], scenario: Scenario, links: list[int], rows: int
-) -> dict[str, Floats]:
-    out, output = {"slack_droppers": raw["slack"]}, scenario.output
+def _wanted(raw: dict[str, Any], scenario: Scenario, *, controlled: bool) -> list[str]:
+    """Return the names of `OF_ROWS` that a result has."""
+    output = scenario.output
     # Where only what is near was recorded, every row says where it begins.
     is_near = len(raw["uplift_first"]) > 0
-    if output.droppers and is_near:
-        out["near_dropper_force"] = raw["link_force"].reshape(rows, -1)
-        out["near_dropper_first"] = raw["link_first"]
-    elif output.droppers:
-        out["dropper_force"] = raw["link_force"].reshape(rows, -1)[:, links]
-    if output.supports:
-        prefix = "near_" if is_near else ""
-        out[f"{prefix}support_uplift"] = raw["uplift"].reshape(rows, -1)
-    if output.supports and is_near:
-        out["near_support_first"] = raw["uplift_first"]
-    if output.points:
-        out["point_uplift"] = raw["point_uplift"].reshape(rows, -1)
-        out["point_along"] = raw["point_along"].reshape(rows, -1)
+    wanted = {
+        "control_force": controlled,
+        **{name: output.droppers and ("near_" in name) == is_near for name in OF_DROPPERS},
+        **{name: output.supports and ("near_" in name) == is_near for name in OF_SUPPORTS},
+    }
+    return [name for name in OF_ROWS if wanted.get(name, True)]
+
+
+def _channels(
+    raw: dict[str, Any], found: Equilibrium, wanted: Mapping[str, Variable]
+) -> dict[str, Floats]:
+    """Return channels as variables, shaped by their dimensions; empty ones are left out."""
+    links = [dropper.link for dropper in found.mesh.droppers]
+    out = {}
+    for name, variable in wanted.items():
+        values = raw[variable.channel]
+        if not values.size:  # a part of a run may be too short for a row
+            continue
+        if variable.dims[0] in SERIES and len(variable.dims) > 1:
+            values = values.reshape(len(raw[variable.dims[0]]), -1)
+        out[name] = values[..., links] if variable.dims[-1] == "dropper" else values
     return out
 
 
 def joined(pieces: Sequence[dict[str, Any]]) -> dict[str, Any]:
     """Return a record from the pieces that the core handed on; the last one says how far it is."""
     last = pieces[-1]
-    series = {name: np.concatenate([piece[name] for piece in pieces]) for name in GROWING}
+    series = {name: np.concatenate([piece[name] for piece in pieces]) for name in _core.SERIES}
     energy = {
         name: np.concatenate([piece["energy"][name] for piece in pieces]) for name in last["energy"]
     }
@@ -135,7 +123,7 @@ def put_behind(
 
 
 def _of_each(flat: Floats, sizes: list[int]) -> list[Floats]:
-    """Return (time, coordinate) of each pantograph."""
+    """Return a quantity (time, coordinate) of each pantograph."""
     rows = flat.reshape(-1, sum(sizes))
     return np.split(rows, np.cumsum(sizes)[:-1], axis=1)
 

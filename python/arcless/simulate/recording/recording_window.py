@@ -1,4 +1,4 @@
-"""What is recorded of a long line: droppers and supports near the pantographs.
+"""Recording window of a long line: droppers and supports near the pantographs.
 
 The forces of 8100 droppers every 5 ms are 8 GB for 50 km, and all but a few dozen of them are at
 rest. So a row of the record holds those from some way behind the last pantograph to as far before
@@ -6,12 +6,13 @@ the first one: always as many, in the order along the track, and which one is th
 """
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from arcless.model.settings.run_settings import AUTO, WHOLE_LINE
+from arcless.simulate.setup.core_data import RecordingWindow, Stations
 
 if TYPE_CHECKING:
     from arcless.mesh import Mesh
@@ -32,13 +33,23 @@ class Nearby:
     supports: NDArray[np.int64]
     support_count: int
 
-    def plan(self, mesh: "Mesh") -> tuple[float, Any, Any]:
-        """Return what the core is told: distance behind in m, links, nodes."""
+    def plan(self, mesh: "Mesh") -> RecordingWindow:
+        """Return the window as the core takes it: distance behind in m, links, nodes."""
         droppers = [mesh.droppers[i] for i in self.droppers]
         supports = [mesh.supports[i] for i in self.supports]
-        links = [dropper.link for dropper in droppers], [dropper.x for dropper in droppers]
-        nodes = [support.contact_node for support in supports], [s.x for s in supports]
-        return self.around, (*links, self.dropper_count), (*nodes, self.support_count)
+        return RecordingWindow(
+            behind=self.around,
+            links=Stations(
+                of=[dropper.link for dropper in droppers],
+                x=[dropper.x for dropper in droppers],
+                in_row=self.dropper_count,
+            ),
+            nodes=Stations(
+                of=[support.contact_node for support in supports],
+                x=[support.x for support in supports],
+                in_row=self.support_count,
+            ),
+        )
 
     @property
     def variables(self) -> dict[str, NDArray[np.int64]]:
@@ -47,7 +58,7 @@ class Nearby:
 
 
 def nearby(scenario: "Scenario", mesh: "Mesh", steps: int) -> Nearby | None:
-    """Return what of a line is recorded in a run of so many steps; None for all of it."""
+    """Return the recording window of a run of so many steps; None for the whole line."""
     around = scenario.output.around
     if around == AUTO:
         rows = steps // scenario.output.line_every

@@ -18,7 +18,8 @@ from numpy.typing import NDArray
 from arcless.model.pantograph.pantograph import Pantograph
 from arcless.simulate.resonance.spans import Band
 from arcless.simulate.setup import stops_and_friction
-from arcless.simulate.setup.pantographs import rider
+from arcless.simulate.setup.core_data import StripData
+from arcless.simulate.setup.pantographs import data as pantograph_data
 
 Floats = NDArray[np.float64]
 
@@ -49,7 +50,7 @@ class PantographMode:
 
 def why_no_modes(pantograph: Pantograph) -> str | None:
     """Return why a pantograph has no natural frequencies of its own; None where it has."""
-    tables = [law.field for law in stops_and_friction.laws(pantograph) if not law.data[1]]
+    tables = [law.field for law in stops_and_friction.laws(pantograph) if not law.data.is_damper]
     if tables:
         return f"{tables[0]} is no constant: it has no natural frequency for all amplitudes"
     return None
@@ -69,11 +70,12 @@ def modes(
     contact_stiffness
         Of one contact in N/m, infinite for a rigid one.
     """
-    mass, damping, stiffness, strips, *_ = rider(pantograph, 0.0)
+    data = pantograph_data(pantograph, 0.0)
+    matrices = (data.mass, data.damping, data.stiffness)
     size = pantograph.size
-    m, c, k = (np.reshape(values, (size, size)) for values in (mass, damping, stiffness))
-    height = np.mean([_in_the_middle(places, rows) for _, _, places, rows in strips], axis=0)
-    contact = 0.0 if contact_stiffness == inf else 1.0 / (len(strips) * contact_stiffness)
+    m, c, k = (np.reshape(values, (size, size)) for values in matrices)
+    height = np.mean([_in_the_middle(strip) for strip in data.strips], axis=0)
+    contact = 0.0 if contact_stiffness == inf else 1.0 / (len(data.strips) * contact_stiffness)
     found = [
         _modes(m, c, k, height, 1.0 / (value + contact))
         for value in (elasticity.high, elasticity.middle, elasticity.low)
@@ -100,7 +102,7 @@ def _modes(m: Floats, c: Floats, k: Floats, height: Floats, spring: float) -> Fl
     return np.column_stack([omega / (2.0 * pi), zeta, share])
 
 
-def _in_the_middle(places: list[float], rows: list[list[float]]) -> list[float]:
+def _in_the_middle(strip: StripData) -> list[float]:
     """Return the coordinates that raise the middle of a strip."""
-    columns = np.array(rows).T
-    return [float(np.interp(0.0, places, column)) for column in columns]
+    columns = np.array(strip.vectors).T
+    return [float(np.interp(0.0, strip.knots, column)) for column in columns]

@@ -1,4 +1,4 @@
-"""What a span does to a pantograph that passes it: its swing, its elasticity, its path.
+"""Effect of a span on a pantograph that passes it: its swing, its elasticity, its path.
 
 **Swing.** A force of 1 N in the middle of a span raises the wire there by e = Σ (φᵀb)²/ω², a sum
 over the natural modes of the whole line. The modes with the largest shares are those in which each

@@ -1,8 +1,8 @@
-"""Where a run stops before its end, and what its result holds to go on from there.
+"""Checkpoint of a run that stops before its end, as its result holds it.
 
 The state between two steps is plain numbers by name: what the core and the controllers remember.
 A result keeps them as one variable, and in an attribute which part is what and of which run they
-are. Whoever goes on lays the run out anew from the scenario in the result and puts the state back.
+are. `resume` lays the run out again from the scenario in the result and restores the state.
 """
 
 import hashlib
@@ -40,8 +40,8 @@ class State:
 def stop_step(travel: Motion, until: str | float | None, after: int = 0) -> int:
     """Return the number of steps after which a run has reached `until`.
 
-    A place is that of the first pantograph, a time counts from the start; the run goes on to the
-    end of the step in which it gets there.
+    A place is that of the first pantograph, a time counts from the start; the run continues to
+    the end of the step in which it gets there.
 
     Raises
     ------
@@ -160,7 +160,7 @@ def take_forces(state: State, count: int) -> list[float]:
 
 
 def check_identity(result: Result, now: dict[str, str]) -> None:
-    """Refuse to go on with another scenario, or on a line that has come out differently.
+    """Refuse to continue with another scenario, or on a line at rest that differs.
 
     Raises
     ------

@@ -41,7 +41,7 @@ STEPS = {
 
 @contextmanager
 def preparing(mesh: Mesh, scenario: Scenario) -> Iterator[None]:
-    """Turn what the core refuses of `solver`, or of the line, into an error that names it."""
+    """Turn refusals of `solver` or of the line by the core into an error that names the field."""
     try:
         yield
     except _core.NativeError as error:
@@ -132,7 +132,7 @@ def _beside_the_wire(
     )
 
 
-# How the energy balance can fail: what, what is expected, and a hint.
+# Failures of the energy balance: what, what is expected, and a hint.
 FAULT = (
     "a fault of the program or of the machine: please report it; `output.energy: never` runs"
     " without the ledger"
@@ -211,7 +211,7 @@ def _contacts(numbers: Sequence[Sequence[int]], pantographs: Sequence[str]) -> l
 
 
 def _replay(text: str) -> str:
-    """Save what failed, and say how to replay it; without room the failure itself still counts."""
+    """Save the failed problem, and say how to replay it; without room the failure still counts."""
     try:
         path = _save(text)
     except OSError as error:

@@ -1,4 +1,4 @@
-"""Which static force will give a wanted mean force, as far as the line at rest tells.
+"""First guess of the static force for a wanted mean force, from the line at rest.
 
 The base spring K is at rest where the run starts: there the force P = static force + lift has
 raised the wire by e₀ P. Under a force that moves, the line behaves like a string on an elastic
@@ -9,7 +9,7 @@ elasticity over the section, and the wire at rest there higher by h on average t
 
     P = (F (1 + K A e) + K h) / (1 + K e₀),      dF/dP = (1 + K e₀) / (1 + K A e)
 
-For the shipped scenarios P comes out within 1 N and dF/dP within 0.01 (slack droppers and the other
+For the shipped scenarios P is right within 1 N and dF/dP within 0.01 (slack droppers and the other
 pantographs of the train have their say), so the second run is the last.
 
 Source: Frýba, Vibration of Solids and Structures under Moving Loads (1999), chapter 13.

@@ -18,6 +18,7 @@ from arcless.simulate.runs.checkpoint import State
 from arcless.simulate.runs.failures import preparing, stepping
 from arcless.simulate.setup import gust_loads, pantographs, trajectory
 from arcless.simulate.setup.controllers import Controllers
+from arcless.simulate.setup.core_data import Excitation, LoadData, RecordPlan
 
 Progress = Callable[[float, str], None]
 Cancel = Callable[[], bool]
@@ -27,7 +28,7 @@ PIECE = 1 << 20
 # Steps between two in which explicit ones measure what wires store and dissipate, which takes as
 # long as ten others. With fewer the ledger would cost more; with more its rows are far apart.
 MEASURED_EVERY = 500
-# What is told of runs that search for a static force.
+# Progress text of runs that search for a static force.
 SEARCHING = "finding the static force"
 
 
@@ -37,11 +38,11 @@ class Job:
 
     Attributes
     ----------
-    scenario, found, prepared, travel, given, loads, controllers
+    scenario, found, model, travel, given, loads, controllers
         The scenario, its equilibrium, the factorised line, the travel, what is given over time for
         each pantograph, and for the line, who decides on forces.
     observe
-        Called with the number of steps done; tells whether to go on.
+        Called with the number of steps done; tells whether to continue.
     copy
         Lays out a coarse copy of the run, on which a static force is searched for first; returns
         None where none serves.
@@ -49,10 +50,10 @@ class Job:
 
     scenario: Scenario
     found: equilibrium.Equilibrium
-    prepared: _core.Prepared
+    model: _core.WireModel
     travel: trajectory.Motion
-    given: list[pantographs.GivenData]
-    loads: list[gust_loads.LoadData]
+    given: list[Excitation]
+    loads: list[LoadData]
     controllers: Controllers
     observe: Callable[[int], bool]
     copy: Callable[[], "Job | None"] = lambda: None
@@ -81,47 +82,47 @@ class Job:
         if state is not None:
             self.controllers.put_back(actuators, numbers)
         ridden = [
-            pantographs.rider(p.model, force + p.model.lift_at(speed), given, actuator)
+            pantographs.data(p.model, force + p.model.lift_at(speed), given, actuator)
             for p, force, given, actuator in zip(
                 placements, forces, self.given, actuators, strict=True
             )
         ]
         began = time.perf_counter()
         with stepping(mesh, placements):
-            raw = self.prepared.run(
-                ridden,
-                [p.distance for p in placements],
-                self.travel.positions,
-                self.travel.speeds,
-                self.scenario.contact.friction_coefficient,
-                self.loads,
-                self._plan(full=full),
-                self.observe,
-                None if state is None else (state.step, numbers),
-                until,
-                *(() if take is None else ((piece or PIECE, take),)),
+            raw = self.model.run(
+                pantographs=ridden,
+                distances=[p.distance for p in placements],
+                positions=self.travel.positions,
+                speeds=self.travel.speeds,
+                friction=self.scenario.contact.friction_coefficient,
+                loads=self.loads,
+                plan=self._plan(full=full),
+                observe=self.observe,
+                state=None if state is None else (state.step, numbers),
+                until=until,
+                take=None if take is None else (piece or PIECE, take),
             )
         raw["wall_s"] = time.perf_counter() - began
         step, after = raw["state"]
         raw["state"] = State(step, {**after, **self.controllers.numbers(actuators)})
         return raw
 
-    def _plan(self, *, full: bool) -> dict[str, Any]:
+    def _plan(self, *, full: bool) -> RecordPlan:
         output = self.scenario.output
-        return {
-            "contact_every": output.contact_every,
-            "line_every": output.line_every if full else self.travel.steps + 1,
-            "links": full and output.droppers,
-            "nodes": [support.contact_node for support in self.found.mesh.supports],
-            "points": list(output.points),
-            "ledger": keeps_ledger(self.scenario) and (full or measured_every(self.scenario) > 1),
-            "ledger_every": measured_every(self.scenario),
-            "near": None if self.nearby is None else self.nearby.plan(self.found.mesh),
-        }
+        return RecordPlan(
+            contact_every=output.contact_every,
+            line_every=output.line_every if full else self.travel.steps + 1,
+            links=full and output.droppers,
+            nodes=[support.contact_node for support in self.found.mesh.supports],
+            points=list(output.points),
+            ledger=keeps_ledger(self.scenario) and (full or measured_every(self.scenario) > 1),
+            ledger_every=measured_every(self.scenario),
+            near=None if self.nearby is None else self.nearby.plan(self.found.mesh),
+        )
 
     @cached_property
     def nearby(self) -> Nearby | None:
-        """What of the line is recorded; None for all of it."""
+        """Recording window; None for the whole line."""
         return nearby(self.scenario, self.found.mesh, self.travel.steps)
 
 
@@ -130,7 +131,7 @@ class Line:
     """A line at rest and factorised for a time step: what runs may share."""
 
     found: equilibrium.Equilibrium
-    prepared: _core.Prepared
+    model: _core.WireModel
     _lock: Lock = field(default_factory=Lock, compare=False, repr=False)
     _coarse: "list[Line | None]" = field(default_factory=list, compare=False, repr=False)
 
@@ -175,8 +176,8 @@ def lay_out(
     loads = gust_loads.line_loads(line.found, scenario, travel)
     observe = observer(travel.steps, doing, tell, cancel)
     copy = partial(_coarse_copy, scenario, controllers, tell, cancel, line)
-    found, prepared = line.found, line.prepared
-    return Job(scenario, found, prepared, travel, given, loads, controllers, observe, copy)
+    found, model = line.found, line.model
+    return Job(scenario, found, model, travel, given, loads, controllers, observe, copy)
 
 
 def _coarse_copy(
@@ -200,7 +201,7 @@ def _coarse_copy(
         return None
 
 
-def prepare(found: equilibrium.Equilibrium, scenario: Scenario) -> _core.Prepared:
+def prepare(found: equilibrium.Equilibrium, scenario: Scenario) -> _core.WireModel:
     """Factorise a line for the steps of a scenario, or lay it out for explicit ones.
 
     Raises
@@ -212,17 +213,17 @@ def prepare(found: equilibrium.Equilibrium, scenario: Scenario) -> _core.Prepare
     """
     with preparing(found.mesh, scenario):
         return found.core.prepare(
-            found.mesh.lanes,
-            trajectory.scheme_numbers(scenario.stepping.scheme),
-            scenario.time_step_s,
-            trajectory.contact_stiffness(scenario),
-            scenario.solver.kinematics == "updated",
-            scenario.solver.period_correction,
+            lanes=found.mesh.lanes,
+            scheme=trajectory.scheme_numbers(scenario.stepping.scheme),
+            step=scenario.time_step_s,
+            contact_stiffness=trajectory.contact_stiffness(scenario),
+            updated=scenario.solver.kinematics == "updated",
+            period_correction=scenario.solver.period_correction,
         )
 
 
 def observer(steps: int, text: str, tell: Progress, cancel: Cancel | None) -> Callable[[int], bool]:
-    """Return who is called with the number of steps done."""
+    """Return the callback that is called with the number of steps done."""
 
     def observe(step: int) -> bool:
         if cancel is not None and cancel():
@@ -234,9 +235,9 @@ def observer(steps: int, text: str, tell: Progress, cancel: Cancel | None) -> Ca
 
 
 def keeps_ledger(scenario: Scenario) -> bool:
-    """Whether energies are booked in a run of a scenario."""
+    """Return whether energies are booked in a run of a scenario."""
     # With a matrix the ledger costs about as much as the step itself; see docs/decisions.
-    # It books work against one stiffness: with updated kinematics there is none.
+    # A ledger books work against one stiffness: with updated kinematics there is none.
     if scenario.solver.kinematics == "updated":
         return False
     wanted, scheme = scenario.output.energy, scenario.stepping.scheme.name
@@ -244,7 +245,7 @@ def keeps_ledger(scenario: Scenario) -> bool:
 
 
 def measured_every(scenario: Scenario) -> int:
-    """Every how many steps the dissipation of the wires is measured, where a ledger is kept."""
+    """Return the interval in steps of measuring the wires' dissipation, where a ledger is kept."""
     if scenario.stepping.scheme.name != EXPLICIT or scenario.output.energy == "always":
         return 1
     rows = scenario.output.line_every

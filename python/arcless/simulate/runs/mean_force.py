@@ -4,7 +4,7 @@ The mean differs from the static force by the base spring times the mean uplift,
 what the motion does. The line at rest tells most of it, and with which slope the mean follows the
 force: F ← F + (target − mean)/slope. A coarse copy of the run, at a quarter of its price, tells
 the rest; then the run itself with that force usually has the mean asked for, and is the result.
-Where it has not, or no copy serves, the search goes on with whole runs, by the secant rule.
+Where it has not, or no copy serves, the search continues with whole runs, by the secant rule.
 """
 
 from collections.abc import Callable, Generator
@@ -37,7 +37,7 @@ MOST_OF_COPY = 4
 
 @dataclass(frozen=True)
 class Search:
-    """What a search ends with: the static force of each pantograph in N, and the last run's record.
+    """Outcome of a search: static force of each pantograph in N, and the last run's record.
 
     The record is None where no run was needed.
     """
@@ -100,7 +100,7 @@ def make_runs(
     asking: Generator[Trial, dict[str, Any] | None, Outcome],
     run: Callable[[Trial], dict[str, Any] | None],
 ) -> Outcome:
-    """Make the runs that are asked for until no more are, and return what comes of them."""
+    """Make the runs that are asked for until no more are, and return the outcome."""
     try:
         trial = next(asking)
         while True:
@@ -111,7 +111,7 @@ def make_runs(
 
 
 def searching(job: "Job") -> Searching:
-    """Search as `find_forces` does, but leave the runs to whoever asks for the next one."""
+    """Search as `find_forces` does, but leave the runs to the caller."""
     placements = job.scenario.pantographs
     forces = np.array([placement.start_force or 0.0 for placement in placements])
     targets = np.array([np.nan if p.mean_force is None else p.mean_force for p in placements])
@@ -183,7 +183,7 @@ class _Secant:
         self.forces = self.forces + self._errors(means) / self.slopes
 
     def anew(self) -> "_Secant":
-        """Return what goes on from here with other runs: their means may all be a little off."""
+        """Return the corrector for other runs: their means may all be a little off."""
         return _Secant(self.targets, self.forces, self.slopes)
 
     def _errors(self, means: Floats) -> Floats:
@@ -191,14 +191,14 @@ class _Secant:
 
 
 def _secant(step: Floats, change: Floats, old: Floats) -> Floats:
-    """Slope of mean over force, kept near one: loss of contact or noise must not turn it round."""
+    """Return the slope of mean over force, kept near one: noise must not turn it round."""
     moved = np.abs(step) > TOLERANCE
     slope = np.divide(change, step, out=old.copy(), where=moved)
     return np.clip(slope, 0.5, 2.0)
 
 
 def _means(job: "Job", raw: dict[str, Any], of: "Job | None" = None) -> Floats:
-    """Mean contact force of each pantograph in its section, as the assessment defines it, in N.
+    """Return the mean contact force of each pantograph in its section in N, as assessed.
 
     Of a coarse copy at the instants of the run that it is `of`: a sample more or less at the ends
     of a section would change the mean by more than the copy does.

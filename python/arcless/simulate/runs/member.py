@@ -21,7 +21,7 @@ CHANNELS = ("contact_force", "contact_gap", "contact_height")
 
 
 def records_all(job: Job, keep: Keep) -> bool:
-    """Whether the runs of a member record more than an assessment reads.
+    """Return whether the runs of a member record more than an assessment reads.
 
     An energy ledger that books every step is settled where the line is recorded: its residual is
     that of a whole record.
@@ -31,7 +31,7 @@ def records_all(job: Job, keep: Keep) -> bool:
 
 
 def running(
-    job: Job, keep: Keep, started: float, beside: Callable[[list[float]], Any] | None = None
+    job: Job, keep: Keep, started: float, additional: Callable[[list[float]], Any] | None = None
 ) -> Running:
     """Run a member: give runs to make until it is done.
 
@@ -43,7 +43,7 @@ def running(
         What is wanted of it.
     started
         Clock at its start in s.
-    beside
+    additional
         Given the static forces in N, runs what says how sure its numbers are; None without.
     """
     search = yield from searching(job)
@@ -51,7 +51,7 @@ def running(
     if raw is None:
         raw = yield Trial(job, search.forces)
         assert raw is not None
-    sure = None if beside is None else beside(search.forces)
+    sure = None if additional is None else additional(search.forces)
     if keep == "result":
         command = f"arcless run {job.scenario.name}"
         return whole(job, search.forces, raw, started, command=command, sure=sure)
@@ -86,7 +86,7 @@ def dataset(
 ) -> Plain:
     """Return what an assessment reads of a record, which may be of a part of a run.
 
-    With the static forces in N, and what was run beside it; `raw` has wall_s and setup_s.
+    With the static forces in N, and its additional runs; `raw` has wall_s and setup_s.
     """
     count, mesh = len(job.scenario.pantographs), job.found.mesh
     channels = contacts.channels(raw, count)

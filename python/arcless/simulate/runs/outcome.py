@@ -1,4 +1,4 @@
-"""What came of a member of a batch."""
+"""Outcome of a member of a batch."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -13,7 +13,7 @@ Keep = Literal["assessment", "result"]
 
 @dataclass(frozen=True, slots=True)
 class Stopped:
-    """Where a run was stopped by who looked at it: place in m, time since its start in s, and why.
+    """Stop of a run by its observer: place in m, time since its start in s, and the reason.
 
     The place is that of the first pantograph.
     """
@@ -25,7 +25,7 @@ class Stopped:
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """What came of a member of a batch.
+    """Outcome of a member of a batch.
 
     Attributes
     ----------
@@ -66,7 +66,7 @@ class Outcome:
 
 
 def told(error: Exception) -> ArclessError:
-    """Return the error of a member; what nobody has foreseen must not lose the others either."""
+    """Return the error of a member; an unforeseen one must not lose the others either."""
     if isinstance(error, ArclessError):
         return error
     told = ArclessError(

@@ -1,4 +1,4 @@
-"""What a run, or a part of one, leaves: its result, in memory or written while it steps."""
+"""Result of a run, or of a part of one: in memory or written while it steps."""
 
 import time
 from collections.abc import Callable
@@ -48,7 +48,7 @@ class Part:
     def step(
         self, saved: checkpoint.State | None, last: int, take: Take | None = None
     ) -> dict[str, Any]:
-        """Take the steps to the last one; returns what the core does."""
+        """Take the steps to the last one; return the record of the core."""
         return self.job.step(self.forces, full=True, state=saved, until=last, take=take)
 
     def in_memory(self, raw: dict[str, Any], tell: Progress) -> Result:
@@ -78,7 +78,7 @@ class Part:
         return Result(open_plain(to), self.job.scenario)
 
     def _rest(self, raw: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
-        """Return what is no series: the line at rest, the state of a part; and attributes."""
+        """Return the variables that are no series: the line at rest, the state; and attributes."""
         raw["setup_s"] = time.perf_counter() - self.started - raw["wall_s"]
         job, found, scenario = self.job, self.job.found, self.job.scenario
         static = record.static_variables(found, found.elasticity(found.elasticity_positions()))
@@ -108,8 +108,8 @@ def whole(
 ) -> Result:
     """Return the result of a run that went to its end, in memory.
 
-    With the static forces in N, what the core returned, the clock at the start in s, and what was
-    run beside it.
+    With the static forces in N, what the core returned, the clock at the start in s, and the
+    additional runs.
     """
     part = Part(job, forces, started, command, None if sure is None else lambda: sure)
     return part.in_memory(raw, lambda _fraction, _text: None)
@@ -118,7 +118,7 @@ def whole(
 def attributes_of(
     job: Job, raw: dict[str, Any], forces: list[float], earlier: Result | None = None
 ) -> dict[str, Any]:
-    """Return what a result says of a run but for its arrays; `raw` has wall_s and setup_s."""
+    """Return the attributes of a result; `raw` has wall_s and setup_s."""
     scenario = job.scenario
     before = {} if earlier is None else earlier.metadata
     duration = raw["steps"] * job.travel.time_step
@@ -164,5 +164,5 @@ def attributes_of(
 
 
 def _relative(residual: float, turnover: float) -> float | None:
-    """Residual of the energy ledger over the energy turned over; None when none was kept."""
+    """Return the residual of the energy ledger over the energy turned over; None without one."""
     return residual / turnover if turnover > 0.0 else None

@@ -1,4 +1,4 @@
-"""The record of a long run, on its way to disk while the run goes on."""
+"""Stream of a long run's record to disk during the run."""
 
 from contextlib import ExitStack
 from types import TracebackType
@@ -19,7 +19,7 @@ LONG = 100_000
 
 
 def is_long(scenario: "Scenario") -> bool:
-    """Whether the record of a scenario should go to disk while it runs."""
+    """Return whether the record of a scenario should go to disk while it runs."""
     return trajectory.motion(scenario).steps >= LONG
 
 
@@ -72,6 +72,6 @@ class Stream:
             self._writer.append(piece, labels)
 
     def finish(self, static: dict[str, Any], attributes: dict[str, Any]) -> None:
-        """Write what is no series; see `Writer.finish`."""
+        """Write the variables that are no series; see `Writer.finish`."""
         if self._writer is not None:
             self._writer.finish(static, attributes)

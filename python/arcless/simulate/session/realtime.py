@@ -1,8 +1,8 @@
 """A line in a loop with the outside: a test bench, or a controller that runs elsewhere.
 
-The steps are those of `arcless.run`; here each is taken when it is called for. What is put in was
-measured when the step begins and acts during it; what comes out belongs to its end, contact forces
-to its time of balance (see docs/theory/dynamics.md).
+The steps are those of `arcless.run`; here each is taken when it is called for. Inputs are measured
+when the step begins and act during it; outputs belong to its end, contact forces to its time of
+balance (see docs/theory/dynamics.md).
 """
 
 from collections.abc import Sequence
@@ -24,7 +24,7 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class RealtimeState:
-    """A loop between two steps: what to `Realtime.restore`. It can be pickled.
+    """State of a loop between two steps, for `Realtime.restore`. It can be pickled.
 
     Attributes
     ----------
@@ -50,9 +50,9 @@ def realtime(scenario: Scenario, *, simulated: bool = False) -> "Realtime":
         Line, where the pantographs are, speed and force at the start (`static_force`, or
         `mean_force` where contact forces are given), time step, scheme, contact, friction.
     simulated
-        False: contact forces are put in, wire heights come out; of the pantographs only the
+        False: contact forces are inputs, wire heights outputs; of the pantographs only the
         distances and the reach of the collectors count. True: the pantographs are simulated;
-        a controlled force of each is put in, contact forces come out.
+        a controlled force of each is an input, contact forces are outputs.
 
     Raises
     ------
@@ -75,7 +75,7 @@ class Realtime:
     Attributes
     ----------
     inputs
-        What `step` takes a force for: collectors, or simulated pantographs.
+        Names that `step` takes a force for: collectors, or simulated pantographs.
     contacts
         Collectors; with simulated pantographs each strip on each contact wire.
     time_step_s
@@ -94,7 +94,7 @@ class Realtime:
     """
 
     def __init__(self, scenario: Scenario, begun: Start) -> None:
-        self._core: _core.Live = begun.core
+        self._core: _core.Session = begun.core
         self._mesh: Mesh = begun.mesh
         self._names = begun.inputs
         self._loop = fingerprint(scenario, begun)
@@ -160,7 +160,7 @@ class Realtime:
         Returns
         -------
         Heights of the contact wire in m, `height_m`; with simulated pantographs their contact
-        forces in N, `pantograph_force_N`. The array is written anew by the next step.
+        forces in N, `pantograph_force_N`. The array is overwritten by the next step.
 
         Raises
         ------
@@ -192,7 +192,7 @@ class Realtime:
         return RealtimeState(step, numbers, self._loop)
 
     def restore(self, state: RealtimeState) -> None:
-        """Go on from a state: what follows is what followed it, bit for bit.
+        """Restore a state: the steps that follow are those that followed it, bit for bit.
 
         Raises
         ------

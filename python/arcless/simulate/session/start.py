@@ -16,9 +16,14 @@ from arcless.model.pantograph.placement import PantographPlacement
 from arcless.simulate.recording import contacts
 from arcless.simulate.runs.failures import stepping, translated
 from arcless.simulate.runs.job import prepare
-from arcless.simulate.setup import pantographs as riders
-from arcless.simulate.setup import trajectory
+from arcless.simulate.setup import pantographs, trajectory
 from arcless.simulate.setup.controllers import acts_on
+from arcless.simulate.setup.core_data import (
+    ActuatorData,
+    CollectorData,
+    PantographData,
+    SessionStart,
+)
 
 
 @dataclass(frozen=True)
@@ -30,7 +35,7 @@ class Start:
     core, mesh, simulated
         The loop, names of its parts, its kind.
     inputs
-        What a force is put in for.
+        Names of the parts that take a force.
     pantographs
         Their names.
     first
@@ -39,7 +44,7 @@ class Start:
         Fingerprint of the line at rest.
     """
 
-    core: _core.Live
+    core: _core.Session
     mesh: Mesh
     simulated: bool
     inputs: list[str]
@@ -58,30 +63,32 @@ def start(scenario: Scenario, *, simulated: bool) -> Start:
     """
     _check(scenario, simulated=simulated)
     found = equilibrium.find(scenario)
-    prepared = prepare(found, scenario)
+    model = prepare(found, scenario)
     travel = trajectory.motion(scenario)
     position, speed = float(travel.positions[0]), float(travel.speeds[0])
-    begin = (position, speed, scenario.contact.friction_coefficient)
+    begin = SessionStart(position, speed, friction=scenario.contact.friction_coefficient)
     placements = scenario.pantographs
-    pantographs = [placement.name for placement in placements]
+    names = [placement.name for placement in placements]
     if simulated:
-        ridden = [_rider(placement, speed) for placement in placements]
+        ridden = [_pantograph(placement, speed) for placement in placements]
         distances = [placement.distance for placement in placements]
         with stepping(found.mesh, placements):
-            core = _core.Live.with_riders(prepared, ridden, distances, begin)
-        inputs = pantographs
+            core = _core.Session.with_pantographs(
+                line=model, pantographs=ridden, distances=distances, start=begin
+            )
+        inputs = names
         owners = [rider for rider, _, _ in core.contacts()]
     else:
-        core, inputs, owners = _given(prepared, found.mesh, placements, begin)
+        core, inputs, owners = _given(model, found.mesh, placements, begin)
     first = np.searchsorted(owners, np.arange(len(placements)))
     digest = hashlib.sha256()
     for name in sorted(found.arrays):
         digest.update(np.ascontiguousarray(found.arrays[name]).tobytes())
-    return Start(core, found.mesh, simulated, inputs, pantographs, first, digest.digest())
+    return Start(core, found.mesh, simulated, inputs, names, first, digest.digest())
 
 
 def fingerprint(scenario: Scenario, begun: Start) -> str:
-    """Return what a state of the loop belongs to."""
+    """Return the fingerprint of scenario and line that a state of the loop belongs to."""
     text = json.dumps(scenario.to_dict(), sort_keys=True, ensure_ascii=False)
     kind = f"{_core.__version__} {begun.simulated} "
     return hashlib.sha256((kind + text).encode() + begun.line).hexdigest()
@@ -95,36 +102,40 @@ def names_of(begun: Start) -> tuple[str, ...]:
     return tuple(contacts.labels(raw, begun.pantographs) or begun.pantographs)
 
 
-def _rider(placement: PantographPlacement, speed: float) -> riders.RiderData:
+def _pantograph(placement: PantographPlacement, speed: float) -> PantographData:
     pantograph = placement.model
     force = (placement.start_force or 0.0) + pantograph.lift_at(speed)
     mass = placement.controller.mass if placement.controller else None
     # Every step brings its force; nobody is asked for one.
-    return riders.rider(pantograph, force, actuator=(acts_on(placement, mass), 1, 0, None))
+    actuator = ActuatorData(acts_on(placement, mass), every=1, delay=0)
+    return pantographs.data(pantograph, force, actuator=actuator)
 
 
 def _given(
-    prepared: _core.Prepared,
+    model: _core.WireModel,
     mesh: Mesh,
     placements: tuple[PantographPlacement, ...],
-    begin: tuple[float, float, float],
-) -> tuple[_core.Live, list[str], list[int]]:
+    begin: SessionStart,
+) -> tuple[_core.Session, list[str], list[int]]:
     """Return the loop, and name and pantograph of each collector."""
     if len(mesh.lanes) > 1:
         what = "how several contact wires share a contact force that is given is not known"
         raise _refusal(what, "line", hint="realtime(scenario, simulated=True)")
     collectors, forces, names, owners = [], [], [], []
-    for number, placement in enumerate(placements):
-        strips = riders.rider(placement.model, 0.0)[3]
-        force = (placement.start_force or 0.0) + placement.model.lift_at(begin[1])
-        for strip, (offset, half_width, _, _) in enumerate(strips, start=1):
-            collectors.append((placement.distance + offset, half_width))
+    for owner, placement in enumerate(placements):
+        strips = pantographs.data(placement.model, 0.0).strips
+        force = (placement.start_force or 0.0) + placement.model.lift_at(begin.speed)
+        for number, strip in enumerate(strips, start=1):
+            behind = placement.distance + strip.offset
+            collectors.append(CollectorData(behind, strip.half_width))
             forces.append(force / len(strips))
-            owners.append(number)
+            owners.append(owner)
             several = len(strips) > 1
-            names.append(f"{placement.name} strip {strip}" if several else placement.name)
+            names.append(f"{placement.name} strip {number}" if several else placement.name)
     try:
-        core = _core.Live.with_forces(prepared, collectors, forces, begin)
+        core = _core.Session.with_forces(
+            line=model, collectors=collectors, forces=forces, start=begin
+        )
     except _core.NativeError as error:
         raise translated(mesh, names, *error.args) from error
     return core, names, owners

@@ -1,1 +1,1 @@
-"""Parts of a scenario → what the core is given to step."""
+"""Parts of a scenario → inputs of the core's steps."""

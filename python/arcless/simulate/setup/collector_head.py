@@ -18,11 +18,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arcless.model.pantograph.head import CollectorHead
+from arcless.simulate.setup.core_data import StripData
 
 Floats = NDArray[np.float64]
-# Offset behind the middle m, half length m, knots m, and for each knot the height there for a unit
-# of each coordinate.
-StripData = tuple[float, float, list[float], list[list[float]]]
 
 # Knots per strip for mode shapes: the straight pieces between them miss a cubic spline of a first
 # bending mode (wave length about twice the strip) by π²/8/40² < 0.1 % of its amplitude.
@@ -30,8 +28,8 @@ SHAPE_KNOTS = 81
 
 
 @dataclass(frozen=True)
-class Added:
-    """What a head adds to a chain of `below` masses; matrices are those of all coordinates."""
+class HeadRows:
+    """Rows that a head adds to a chain of `below` masses; matrices are those of all coordinates."""
 
     mass: Floats
     damping: Floats
@@ -40,7 +38,7 @@ class Added:
     strips: list[StripData]
 
 
-def add_head(head: CollectorHead, below: int) -> Added:
+def add_head(head: CollectorHead, below: int) -> HeadRows:
     """Return matrices (n × n), aerodynamic coefficients (n) and strips of a head.
 
     Parameters
@@ -48,7 +46,7 @@ def add_head(head: CollectorHead, below: int) -> Added:
     head
         Its strips.
     below
-        Number of masses of the chain it stands on; their rows are zero but for the suspension.
+        Number of masses of the chain it stands on; their rows are zero except for the suspension.
     """
     size = below + head.size
     mass, damping, stiffness = (np.zeros((size, size)) for _ in range(3))
@@ -64,11 +62,11 @@ def add_head(head: CollectorHead, below: int) -> Added:
         for row, (inertia, viscosity, spring) in enumerate(_own(head), start=first + 1):
             mass[row, row], damping[row, row], stiffness[row, row] = inertia, viscosity, spring
     strips = [_strip(head, below, number) for number in range(head.strips)]
-    return Added(mass, damping, stiffness, lift, strips)
+    return HeadRows(mass, damping, stiffness, lift, strips)
 
 
 def _own(head: CollectorHead) -> list[tuple[float, float, float]]:
-    """Inertia, damping and stiffness of roll and modes of a strip."""
+    """Return inertia, damping and stiffness of roll and modes of a strip."""
     own = []
     if head.roll is not None:
         own.append((head.roll.inertia, head.roll.damping, head.roll.stiffness))
@@ -88,7 +86,12 @@ def _strip(head: CollectorHead, below: int, number: int) -> StripData:
     vectors = np.zeros((len(places), below + head.size))
     first = below + number * head.strip_size
     vectors[:, first : first + head.strip_size] = np.column_stack(shapes)
-    return (head.offsets()[number], head.half_length, places.tolist(), vectors.tolist())
+    return StripData(
+        offset=head.offsets()[number],
+        half_width=head.half_length,
+        knots=places.tolist(),
+        vectors=vectors.tolist(),
+    )
 
 
 def _knots(head: CollectorHead) -> Floats:

@@ -1,4 +1,4 @@
-"""Controllers of a run: from what is given to what the core asks at every sample."""
+"""Controllers of a run: from the scenario's data to the forces that the core asks for."""
 
 import copy
 import math
@@ -16,13 +16,14 @@ from arcless.errors import ControlError, ResultFormatError
 from arcless.model import Scenario
 from arcless.model.pantograph.controller import Controller
 from arcless.model.pantograph.placement import PantographPlacement
+from arcless.simulate.setup.core_data import ActuatorData
 from arcless.simulate.setup.pid import Limit, PidLaw
 from arcless.simulate.setup.stops_and_friction import Numbers, unit_vector
 
 
 @dataclass(frozen=True, slots=True)
 class ControlInput:
-    """What a controller is told at a sample.
+    """Inputs of a controller at a sample.
 
     Attributes
     ----------
@@ -49,7 +50,7 @@ ControlFunction = Callable[[ControlInput], float]
 
 
 @dataclass
-class Loop:
+class ControlLoop:
     """One controller in one run."""
 
     name: str
@@ -68,11 +69,11 @@ class Loop:
         return self.force
 
     def numbers(self) -> Numbers:
-        """Return what it remembers, but for the memory of a function."""
+        """Return the state of the loop, without the memory of a function."""
         return [self.force, *(self.pid.numbers() if self.pid else [])]
 
     def put_back(self, numbers: Numbers) -> None:
-        """Remember what `numbers` returned."""
+        """Restore the state that `numbers` returned."""
         self.force = numbers[0]
         if self.pid:
             self.pid.put_back(numbers[1:])
@@ -85,10 +86,6 @@ class Loop:
         low, high = controller.minimum_force, controller.maximum_force
         wanted = wanted if low is None else max(wanted, low)
         return wanted if high is None else min(wanted, high)
-
-
-# Direction, steps from sample to sample, steps of delay, and who is asked.
-ActuatorData = tuple[Numbers, int, int, Loop]
 
 
 def acts_on(placement: PantographPlacement, mass: int | None) -> Numbers:
@@ -154,7 +151,7 @@ def load_function(controller: Controller, field: str) -> Any:
 
 
 class Controllers:
-    """The controllers of a scenario, made anew for each run of it."""
+    """Controllers of a scenario, new for each run of it."""
 
     def __init__(self, scenario: Scenario, given: Mapping[str, Any] | None = None) -> None:
         self._scenario, self._given = scenario, dict(given or {})
@@ -176,17 +173,17 @@ class Controllers:
 
     @property
     def given(self) -> Mapping[str, Any]:
-        """Who was given from Python, by the name of a pantograph."""
+        """Controllers given from Python, by the name of a pantograph."""
         return self._given
 
     @property
     def any(self) -> bool:
-        """Whether a pantograph is controlled."""
+        """True when a pantograph is controlled."""
         placed = any(item.controller is not None for item in self._scenario.pantographs)
         return placed or bool(self._given)
 
     def attribute(self) -> dict[str, dict[str, str]]:
-        """Return what the result says of controllers that the scenario does not name."""
+        """Return the attribute of the result for controllers that the scenario does not name."""
         if not self._given:
             return {}
         names = {name: getattr(f, "__name__", type(f).__name__) for name, f in self._given.items()}
@@ -216,22 +213,23 @@ class Controllers:
                 )
 
     def numbers(self, actuators: list[ActuatorData | None]) -> dict[str, NDArray[np.float64]]:
-        """Return what the controllers remember, by names of a state."""
-        loops = {f"controller_{i}": data[3] for i, data in enumerate(actuators) if data}
+        """Return the states of the controllers, by names of a state."""
+        loops = {f"controller_{i}": data.controller for i, data in enumerate(actuators) if data}
         return {name: np.array(loop.numbers()) for name, loop in loops.items()}
 
     def put_back(
         self, actuators: list[ActuatorData | None], numbers: dict[str, NDArray[np.float64]]
     ) -> None:
-        """Take what the controllers remembered out of the numbers of a state."""
+        """Restore the states of the controllers from the numbers of a state."""
         for index, data in enumerate(actuators):
             if data:
                 saved = numbers.pop(f"controller_{index}", np.zeros(0))
-                if len(saved) != len(data[3].numbers()):
+                loop: ControlLoop = data.controller
+                if len(saved) != len(loop.numbers()):
                     raise ResultFormatError(
-                        "the state in the result is damaged", where=f"controller of {data[3].name}"
+                        "the state in the result is damaged", where=f"controller of {loop.name}"
                     )
-                data[3].put_back(saved.tolist())
+                loop.put_back(saved.tolist())
 
     def _actuator(self, index: int, placement: PantographPlacement) -> ActuatorData | None:
         step, name = self._scenario.time_step_s, placement.name
@@ -243,10 +241,10 @@ class Controllers:
         pid = None
         if controller.pid is not None and name not in self._given:
             pid = PidLaw(controller.pid, controller.sample_time)
-        loop = Loop(name, self._law(index, placement, controller, pid), controller, pid=pid)
+        loop = ControlLoop(name, self._law(index, placement, controller, pid), controller, pid=pid)
         direction = acts_on(placement, controller.mass)
         every, delay = round(controller.sample_time / step), round(controller.delay / step)
-        return direction, every, delay, loop
+        return ActuatorData(direction, every=every, delay=delay, controller=loop)
 
     def _law(
         self,

@@ -17,11 +17,10 @@ from numpy.typing import NDArray
 from arcless.equilibrium.equilibrium import Equilibrium, named
 from arcless.mesh import Mesh, diameters
 from arcless.model import AsBuilt, Gusts, Scenario
+from arcless.simulate.setup.core_data import LoadData
 from arcless.simulate.setup.trajectory import Motion
 
 Floats = NDArray[np.float64]
-# Node, component and force for the size 1 of each part of a pattern, and its size at every instant.
-LoadData = tuple[list[tuple[int, int, float]], list[float]]
 
 
 def line_loads(found: Equilibrium, scenario: Scenario, travel: Motion) -> list[LoadData]:
@@ -42,12 +41,12 @@ def line_loads(found: Equilibrium, scenario: Scenario, travel: Motion) -> list[L
                 pattern[:, component] = share * thickness
                 with named(found.mesh):
                     forces = found.core.nodal_forces(pattern)
-                loads.append((forces, sizes.tolist()))
+                loads.append(LoadData(forces, sizes.tolist()))
     return loads
 
 
 def pressure(gusts: Gusts, built: AsBuilt, rows: list[int], times: Floats) -> Floats:
-    """Force in N per metre of wire and metre of its diameter: across and upwards, over times."""
+    """Return forces in N per metre of wire and of its diameter: across and upwards, over times."""
     wind = built.wind
     known = np.array(gusts.time)[rows]
     speed = np.interp(times, known, np.array(gusts.speed)[rows])
@@ -60,7 +59,6 @@ def pressure(gusts: Gusts, built: AsBuilt, rows: list[int], times: Floats) -> Fl
 
 
 def _shares(mesh: Mesh, places: list[float]) -> list[Floats]:
-    """Share of each place in the wind on each element: linear between the places, 1 in all."""
-    kind = "wires" if len(mesh.parts["wires"][0]) else "segments"
-    middles = mesh.positions[mesh.parts[kind][0][:, :2], 0].mean(axis=1)
+    """Return the share of each place in the wind on each element; all shares add up to 1."""
+    middles = mesh.positions[mesh.elements["nodes"], 0].mean(axis=1)
     return [np.interp(middles, places, np.eye(len(places))[index]) for index in range(len(places))]

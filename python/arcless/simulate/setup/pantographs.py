@@ -11,39 +11,28 @@ from arcless.model.pantograph.pantograph import Pantograph
 from arcless.model.pantograph.placement import PantographPlacement
 from arcless.model.pantograph.roof import RoofMotion
 from arcless.simulate.setup import stops_and_friction
-from arcless.simulate.setup.collector_head import StripData, add_head
-from arcless.simulate.setup.controllers import ActuatorData
+from arcless.simulate.setup.collector_head import add_head
+from arcless.simulate.setup.core_data import (
+    ActuatorData,
+    BaseMotion,
+    Excitation,
+    ForceHistory,
+    PantographData,
+    StripData,
+)
 from arcless.simulate.setup.stops_and_friction import elongation, unit_vector
 from arcless.simulate.setup.trajectory import Motion
 
 Floats = NDArray[np.float64]
-Numbers = list[float]
-# Forces as direction and N at every instant; the ground as what goes with it, m, and m/s.
-GivenData = tuple[list[tuple[Numbers, Numbers]], tuple[Numbers, Numbers, Numbers] | None]
-# Nobody is asked where every step brings its force.
-Actuated = ActuatorData | tuple[Numbers, int, int, None]
-RiderData = tuple[
-    Numbers,
-    Numbers,
-    Numbers,
-    list[StripData],
-    Numbers,
-    Numbers,
-    float,
-    GivenData,
-    list[stops_and_friction.StopData],
-    list[stops_and_friction.LawData],
-    Actuated | None,
-]
-NOTHING: GivenData = ([], None)
+NOTHING = Excitation()
 
 
-def rider(
+def data(
     pantograph: Pantograph,
     start_force: float,
-    given: GivenData = NOTHING,
-    actuator: Actuated | None = None,
-) -> RiderData:
+    given: Excitation = NOTHING,
+    actuator: ActuatorData | None = None,
+) -> PantographData:
     """Return a pantograph as the core takes it.
 
     Parameters
@@ -60,7 +49,7 @@ def rider(
     if pantograph.matrices is not None:
         parts = pantograph.matrices
         matrices = [np.array(m) for m in (parts.mass, parts.damping, parts.stiffness)]
-        # What is symmetric as written but for rounding is made so; the rest keeps its bits.
+        # A matrix that is symmetric apart from rounding is made so; any other keeps its bits.
         matrices = [(m + m.T) / 2.0 for m in matrices]
         lift = list(parts.lift or (0.0,) * len(parts.strip))
         strips, preload = [plain(parts.strip, pantograph.half_length)], list(parts.preload)
@@ -68,15 +57,24 @@ def rider(
         matrices, lift, strips = _chain(pantograph)
         preload = unit_vector(pantograph.size, 0)
     mass, damping, stiffness = (m.ravel().tolist() for m in matrices)
-    laws = [law.data for law in stops_and_friction.laws(pantograph)]
-    stops = stops_and_friction.stops(pantograph)
-    forces = (strips, preload, lift, start_force)
-    return (mass, damping, stiffness, *forces, given, stops, laws, actuator)
+    return PantographData(
+        mass=mass,
+        damping=damping,
+        stiffness=stiffness,
+        strips=strips,
+        preload=preload,
+        lift=lift,
+        start_force=start_force,
+        given=given,
+        stops=stops_and_friction.stops(pantograph),
+        laws=[law.data for law in stops_and_friction.laws(pantograph)],
+        actuator=actuator,
+    )
 
 
 def plain(vector: Sequence[float], half_length: float | None) -> StripData:
     """Return a strip that is the same everywhere; without a length it reaches every wire."""
-    return (0.0, half_length or inf, [0.0], [list(vector)])
+    return StripData(offset=0.0, half_width=half_length or inf, knots=[0.0], vectors=[list(vector)])
 
 
 def _chain(pantograph: Pantograph) -> tuple[list[Floats], list[float], list[StripData]]:
@@ -101,12 +99,12 @@ def _chain(pantograph: Pantograph) -> tuple[list[Floats], list[float], list[Stri
     return matrices, (lift + head.lift).tolist(), head.strips
 
 
-def given_motions(scenario: Scenario, travel: Motion) -> list[GivenData]:
+def given_motions(scenario: Scenario, travel: Motion) -> list[Excitation]:
     """Return lift tables and roof motion of each pantograph, at the start and after each step."""
     return [_given(placement, travel) for placement in scenario.pantographs]
 
 
-def _given(placement: PantographPlacement, travel: Motion) -> GivenData:
+def _given(placement: PantographPlacement, travel: Motion) -> Excitation:
     pantograph = placement.model
     tables = [
         (unit_vector(pantograph.size, i), part.lift)
@@ -116,13 +114,16 @@ def _given(placement: PantographPlacement, travel: Motion) -> GivenData:
     if pantograph.matrices is not None:
         tables += [(list(table.on), table) for table in pantograph.matrices.lift_tables]
     forces = [
-        (direction, np.interp(travel.speeds, table.speed, table.force).tolist())
+        ForceHistory(direction, values=np.interp(travel.speeds, table.speed, table.force).tolist())
         for direction, table in tables
     ]
     if placement.roof_motion is None:
-        return forces, None
+        return Excitation(forces)
     height, rate = roof(placement.roof_motion, travel, placement.distance)
-    return forces, (list(pantograph.raised), height.tolist(), rate.tolist())
+    ground = BaseMotion(
+        carried=list(pantograph.raised), displacement=height.tolist(), rate=rate.tolist()
+    )
+    return Excitation(forces, ground)
 
 
 def roof(motion: RoofMotion, travel: Motion, distance: float) -> tuple[Floats, Floats]:

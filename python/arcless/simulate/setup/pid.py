@@ -37,11 +37,11 @@ class PidLaw:
         return limit(fixed + self._integral)
 
     def numbers(self) -> Numbers:
-        """Return what it remembers."""
+        """Return the state of the law."""
         known = self._measured is not None
         return [float(known), self._measured or 0.0, self._error or 0.0, self._integral]
 
     def put_back(self, numbers: Numbers) -> None:
-        """Remember what `numbers` returned."""
+        """Restore the state that `numbers` returned."""
         known, measured, error, self._integral = numbers
         self._measured, self._error = (measured, error) if known else (None, None)

@@ -7,16 +7,13 @@ from math import inf
 from arcless.model.pantograph.joint import Joint
 from arcless.model.pantograph.pantograph import Pantograph
 from arcless.model.pantograph.placement import PantographPlacement
+from arcless.simulate.setup.core_data import BumpStopData, PiecewiseForceData
 
 Numbers = list[float]
-# The motion that opens it, gap in m, stiffness in N/m.
-StopData = tuple[Numbers, float, float]
-# The motion it looks at, whether it is a damper, points in m (or m/s) and N.
-LawData = tuple[Numbers, bool, list[tuple[float, float]]]
 
 
 @dataclass(frozen=True)
-class Law:
+class PiecewiseLinearForce:
     """A spring or a damper with a table.
 
     Attributes
@@ -30,13 +27,13 @@ class Law:
     """
 
     field: str
-    data: LawData
+    data: PiecewiseForceData
     is_table: bool
 
     @property
     def unit(self) -> str:
         """Unit of what it looks at."""
-        return "m/s" if self.data[1] else "m"
+        return "m/s" if self.data.is_damper else "m"
 
 
 def unit_vector(size: int, i: int) -> Numbers:
@@ -45,7 +42,7 @@ def unit_vector(size: int, i: int) -> Numbers:
 
 
 def elongation(size: int, i: int) -> Numbers:
-    """Elongation of what is between mass i of a chain and the one below, or the base."""
+    """Return the elongation between mass i of a chain and the mass below, or the base."""
     joint = unit_vector(size, i)
     if i > 0:
         joint[i - 1] = -1.0
@@ -62,24 +59,25 @@ def joints(pantograph: Pantograph) -> Iterator[tuple[str, Numbers, Joint]]:
             yield f"matrices.joints.{i}", list(joint.between), joint
 
 
-def stops(pantograph: Pantograph) -> list[StopData]:
+def stops(pantograph: Pantograph) -> list[BumpStopData]:
     """Return the bump stops of a pantograph as the core takes them."""
-    found: list[StopData] = []
+    found: list[BumpStopData] = []
     for _, direction, joint in joints(pantograph):
         if joint.stops is None:
             continue
         given = joint.stops.stiffness
         stiffness = inf if isinstance(given, str) else given
         if joint.stops.below is not None:
-            found.append((direction, joint.stops.below, stiffness))
+            found.append(BumpStopData(direction, gap=joint.stops.below, stiffness=stiffness))
         if joint.stops.above is not None:
-            found.append(([-value for value in direction], joint.stops.above, stiffness))
+            opens = [-value for value in direction]
+            found.append(BumpStopData(opens, gap=joint.stops.above, stiffness=stiffness))
     return found
 
 
-def laws(pantograph: Pantograph) -> list[Law]:
+def laws(pantograph: Pantograph) -> list[PiecewiseLinearForce]:
     """Return springs and dampers with tables, and friction, of a pantograph."""
-    found: list[Law] = []
+    found: list[PiecewiseLinearForce] = []
     for place, direction, joint in joints(pantograph):
         for name, is_damper in (
             ("stiffness_table", False),
@@ -88,8 +86,8 @@ def laws(pantograph: Pantograph) -> list[Law]:
         ):
             part = getattr(joint, name)
             if part is not None:
-                data = (direction, is_damper, part.points)
-                found.append(Law(f"{place}.{name}", data, name != "friction"))
+                data = PiecewiseForceData(direction, is_damper, part.points)
+                found.append(PiecewiseLinearForce(f"{place}.{name}", data, name != "friction"))
     return found
 
 
@@ -108,7 +106,7 @@ def tables_left(placements: tuple[PantographPlacement, ...], ranges: list[float]
     for placement in placements:
         for law in laws(placement.model):
             lowest, highest = next(numbers), next(numbers)
-            first, last = law.data[2][0][0], law.data[2][-1][0]
+            first, last = law.data.points[0][0], law.data.points[-1][0]
             if law.is_table and (lowest < first or highest > last):
                 warnings.append(
                     f"pantograph {placement.name}: {law.field} was left: {lowest:.4g} to"

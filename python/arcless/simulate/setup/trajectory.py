@@ -78,7 +78,7 @@ def _bounded(steps: float) -> int:
 
 
 def _distance(times: Floats, knots: Floats, speeds: Floats) -> Floats:
-    """Exact integral of the piecewise linear speed from 0 to each time."""
+    """Return the exact integral of the piecewise linear speed from 0 to each time."""
     whole = np.concatenate([[0.0], np.cumsum(np.diff(knots) * (speeds[1:] + speeds[:-1]) / 2.0)])
     piece = np.clip(np.searchsorted(knots, times, side="right") - 1, 0, len(knots) - 2)
     since = times - knots[piece]
@@ -99,5 +99,5 @@ def scheme_numbers(scheme: Scheme) -> tuple[str, list[float]]:
 
 
 def contact_stiffness(scenario: Scenario) -> float:
-    """Stiffness of the contact in N/m; infinite when rigid."""
+    """Return the stiffness of the contact in N/m; infinite when rigid."""
     return inf if scenario.contact.law == "rigid" else scenario.contact.stiffness

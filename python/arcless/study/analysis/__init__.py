@@ -1,1 +1,1 @@
-"""What follows from all rows of a study together."""
+"""Results that follow from all rows of a study together."""

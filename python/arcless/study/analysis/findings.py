@@ -1,4 +1,4 @@
-"""What follows from all rows of a study together: indices and percentiles, also as files."""
+"""Results that follow from all rows of a study together: indices and percentiles, also as files."""
 
 import json
 from collections.abc import Iterable
@@ -10,16 +10,16 @@ from arcless.study.analysis.percentiles import percentiles
 from arcless.study.analysis.sensitivity import indices
 from arcless.study.definition.study import Study
 from arcless.study.folder.folder import StudyFolder
-from arcless.study.folder.status import StudyStatus, Tally
+from arcless.study.folder.status import RowCounter, StudyStatus
 from arcless.study.journal.row import Row
 
-# Beside the table; a design has one of them, or none.
+# Files next to the table; a design has one of them, or none.
 FILES = {"sensitivity": "sensitivity.json", "percentiles": "percentiles.json"}
 Findings = dict[str, dict[str, Any] | None]
 
 
 def findings(study: Study, folder: Path | None = None) -> tuple[StudyStatus, Findings]:
-    """Return how far a study is, and what follows from the rows that are there.
+    """Return the status of a study, and the indices or percentiles of its rows.
 
     Parameters
     ----------
@@ -40,7 +40,7 @@ def findings(study: Study, folder: Path | None = None) -> tuple[StudyStatus, Fin
     """
     place = StudyFolder(study, folder)
     place.check_same()
-    tally = Tally()
+    tally = RowCounter()
     rows = tally.of(place.rows())
     found = of(study, rows)
     for _ in rows:  # those that nothing follows from
@@ -49,12 +49,12 @@ def findings(study: Study, folder: Path | None = None) -> tuple[StudyStatus, Fin
 
 
 def of(study: Study, rows: Iterable[Row]) -> Findings:
-    """Return what follows from rows, which are read once at most: no design has both."""
+    """Return the findings of rows, which are read once at most: no design has both."""
     return {"sensitivity": indices(study, rows), "percentiles": percentiles(study, rows)}
 
 
 def write(place: StudyFolder, found: Findings) -> None:
-    """Write what was found beside the table.
+    """Write the findings into files next to the table.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Which variables an output follows from: Sobol indices and Morris' effects, computed by SALib.
+"""Sensitivity of outputs to variables: Sobol indices and Morris' effects, computed by SALib.
 
 A block (or trajectory) of the design needs all its points: one with a row that failed, is invalid
 or is not there yet is left out, and counted. Then the indices are those of the blocks that remain.

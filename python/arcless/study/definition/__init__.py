@@ -1,1 +1,1 @@
-"""The study file: what is asked for, and what comes out."""
+"""The study file: variables, design, outputs and execution."""

@@ -1,4 +1,4 @@
-"""Study files → validated studies, and what of a study decides its rows."""
+"""Study files → validated studies, and the part of a study that decides its rows."""
 
 import hashlib
 import json
@@ -23,7 +23,7 @@ from arcless.units import show
 # Last part of the path of a field → what its values may name.
 _NAMES: dict[str, Kind] = {"line": "line", "model": "pantograph"}
 _REFERRED: dict[Kind, type[Line] | type[Pantograph]] = {"line": Line, "pantograph": Pantograph}
-# What no row depends on.
+# Fields that no row depends on.
 _WORDS = {"description": str, "sources": dict, "provenance": dict}
 _MOST_SHOWN = 10
 
@@ -58,7 +58,7 @@ def load(source: "str | os.PathLike[str] | Mapping[str, Any] | Study") -> Study:
 
 
 def execution(data: Mapping[str, Any]) -> Execution:
-    """Return what computes, from plain data: `kind`, `workers`, `scheduler`.
+    """Return the execution settings from plain data: `kind`, `workers`, `scheduler`.
 
     Raises
     ------
@@ -100,7 +100,7 @@ def _file(source: "str | os.PathLike[str]") -> Path:
 
 
 def contents(study: Study) -> dict[str, Any]:
-    """Return all that a study asks, with what it names, as plain data."""
+    """Return all settings of a study, with the models that it names, as plain data."""
     data = study.to_dict()
     data["order of variables"] = list(data["variables"])
     data["models"] = study.model_contents()
@@ -109,7 +109,7 @@ def contents(study: Study) -> dict[str, Any]:
 
 
 def of_contents(data: Mapping[str, Any], label: str) -> Study:
-    """Return a study from all that it asks; those of version 1 have no words.
+    """Return a study from its contents; those of version 1 have no words.
 
     Raises
     ------
@@ -124,7 +124,7 @@ def of_contents(data: Mapping[str, Any], label: str) -> Study:
 
 
 def meaning(data: Mapping[str, Any]) -> dict[str, Any]:
-    """Return what of all that a study asks decides its rows: no words, no executor."""
+    """Return the part of a study's contents that decides its rows: no words, no executor."""
     plain: dict[str, Any] = _without_words({key: data[key] for key in data if key != "executor"})
     return plain
 

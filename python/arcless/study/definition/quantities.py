@@ -1,4 +1,4 @@
-"""What the outputs of a study are made of: the numbers of an assessment by key.
+"""Quantities that outputs of a study are computed from: the numbers of an assessment by key.
 
 A key of a pantograph (`mean_force_N`) is that of the leading one; `P2.mean_force_N` is that of the
 second one, by number or by name. `criteria.NAME` is 1 where a criterion is met, 0 where not, and
@@ -26,7 +26,7 @@ _PANTOGRAPH = [
     field.name for field in fields(PantographAssessment) if field.name not in ("name", "certainty")
 ]
 _CRITERIA = sorted({rule.name for rule in RULES})
-# How the endings of keys are read; longest first.
+# Units by the endings of keys; longest first.
 _UNITS = {
     "_mm3_km": "mm³/km", "_percent": "%",
     "_m_s": "m/s", "_mm": "mm", "_Hz": "Hz", "_m": "m", "_N": "N", "_s": "s",
@@ -89,5 +89,5 @@ def _names(scenario: Scenario) -> Iterator[list[str]]:
 
 
 def is_number(value: Any) -> bool:
-    """Whether a value of a variable is a number, which expressions may use."""
+    """Return whether a value of a variable is a number, which expressions may use."""
     return isinstance(value, int | float) and not isinstance(value, bool)

@@ -1,4 +1,4 @@
-"""A study file, validated: what is varied, how it is sampled, what comes out."""
+"""A study file, validated: variables, their sampling, and outputs."""
 
 import re
 from collections.abc import Mapping
@@ -37,7 +37,7 @@ class StudyOutput(Part):
 
 
 class Execution(Part):
-    """How the variants are computed."""
+    """Execution settings: the executor and its workers."""
 
     kind: Literal["threads", "dask"] = Field(
         default="threads", description="In this process, or by Dask."
@@ -153,7 +153,7 @@ class Study(Document):
 
     @property
     def watched(self) -> bool:
-        """Whether somebody looks at its runs while they step."""
+        """True when a monitor observes its runs while they step."""
         return isinstance(self.design, Optimise) and self.design.watched
 
     @property
@@ -175,7 +175,7 @@ class Study(Document):
         return found
 
     def known_keys(self) -> list[str]:
-        """Return what an output may use: keys of the assessment, and variables that are numbers."""
+        """Return the names an output may use: keys of the assessment, and numeric variables."""
         numeric = [
             axis.name
             for axis in self.axes
@@ -184,7 +184,7 @@ class Study(Document):
         return [*keys(self.base), *numeric]
 
     def changes_of(self, values: tuple[Any, ...]) -> dict[str, Any]:
-        """Return what a combination changes in the scenario, by dotted path, groups first."""
+        """Return the changes of the scenario by a combination, by dotted path, groups first."""
         chosen = list(zip(self.axes, values, strict=True))
         changes = {one.field: self._model(value) for one, value in chosen if not one.is_drawn}
         changes |= {path: self._model(self.changes[path]) for path in self._set_inside}
@@ -198,7 +198,7 @@ class Study(Document):
 
     @cached_property
     def _set_inside(self) -> list[str]:
-        """What is set inside of a group that is varied: each variant has to set it again."""
+        """Fields set inside of a varied group: each variant has to set them again."""
         groups = tuple(f"{varied.field}." for varied in self.axes)
         return [path for path in self.changes if self._whole(path).startswith(groups)]
 

@@ -1,4 +1,4 @@
-"""Designs: which combinations of values a study computes, and in which order they are counted.
+"""Designs: the combinations of values that a study computes, and the order of their numbers.
 
 A design is a model of the file and a function `plan` that numbers its combinations. Another one is
 another class in `Design`.

@@ -1,4 +1,4 @@
-"""What a design comes to: so many combinations, each made when it is asked for."""
+"""Plan of a design: a count of combinations, each made when it is asked for."""
 
 from collections.abc import Callable
 from dataclasses import dataclass

@@ -12,11 +12,11 @@ from arcless.simulate import Outcome, batch
 from arcless.study.definition.expressions import Expression, UndefinedError
 from arcless.study.definition.quantities import is_number, reasons, values
 from arcless.study.definition.study import Study
-from arcless.study.evaluation.run_monitor import Watcher
+from arcless.study.evaluation.run_monitor import RunMonitor
 from arcless.study.evaluation.variants import Variant
 from arcless.study.evaluation.version import code_version
 from arcless.study.journal.row import Row, Status
-from arcless.study.optimisation.pruning import Watch
+from arcless.study.optimisation.pruning import Monitoring
 
 WRONG_INPUT = 2
 Take = Callable[[Row], None]
@@ -25,7 +25,7 @@ Cancel = Callable[[], bool]
 
 @dataclass(frozen=True)
 class Task:
-    """What all variants of a study share, as plain data that travel to a worker.
+    """Data that all variants of a study share, as plain data that travel to a worker.
 
     Attributes
     ----------
@@ -45,7 +45,7 @@ class Task:
     outputs: dict[str, str]
     known: list[str]
     results: str | None
-    watch: Watch | None = None
+    watch: Monitoring | None = None
 
     @classmethod
     def of(cls, study: Study, results: Path | None) -> "Task":
@@ -114,7 +114,7 @@ class _Work:
     def __init__(self, task: Task) -> None:
         self.begun = 0
         self.running: dict[int, Variant] = {}
-        self._watch, self._watchers = task.watch, dict[int, Watcher]()
+        self._watch, self._watchers = task.watch, dict[int, RunMonitor]()
         self._base = load(task.scenario)
         self._outputs = {name: Expression(text, task.known) for name, text in task.outputs.items()}
         self._results = None if task.results is None else Path(task.results)
@@ -129,12 +129,12 @@ class _Work:
         """
         return self._base.with_(**variant.changes)
 
-    def watcher(self, index: int, scenario: Scenario) -> Watcher:
+    def watcher(self, index: int, scenario: Scenario) -> RunMonitor:
         """Return who watches the runs of a variant that is running."""
         assert self._watch is not None
         searches = any(placed.mean_force is not None for placed in scenario.pantographs)
         numbers = _numbers(self.running[index])
-        made = Watcher(self._watch, self._outputs, numbers, searches=searches)
+        made = RunMonitor(self._watch, self._outputs, numbers, searches=searches)
         self._watchers[index] = made
         return made
 

@@ -1,4 +1,4 @@
-"""Whom executors tell what a user should know."""
+"""Callback type for messages of executors to the user."""
 
 from collections.abc import Callable
 

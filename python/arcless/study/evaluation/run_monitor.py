@@ -1,4 +1,4 @@
-"""Runs watched while they step: what an output is so far, and whether the run is to go on."""
+"""Monitors of runs: evaluate outputs while a run steps, and decide whether it continues."""
 
 from collections.abc import Mapping
 from math import isinf
@@ -7,13 +7,13 @@ from arcless.simulate import Look
 from arcless.study.definition.expressions import Expression, UndefinedError
 from arcless.study.definition.quantities import values
 from arcless.study.optimisation.constraints import FILTERED, RISING, Constraint, key_of
-from arcless.study.optimisation.pruning import Comparison, Watch
+from arcless.study.optimisation.pruning import Comparison, Monitoring
 
-# What has faded, times a force of a million newtons.
+# Faded part of the filter, times a force of a million newtons.
 _FADED = 1e-6
 
 
-class Watcher:
+class RunMonitor:
     """Watches the runs of one variant.
 
     Parameters
@@ -32,7 +32,7 @@ class Watcher:
 
     def __init__(
         self,
-        watch: Watch,
+        watch: Monitoring,
         outputs: Mapping[str, Expression],
         variables: Mapping[str, float],
         *,
@@ -44,7 +44,7 @@ class Watcher:
         self.so_far: dict[str, list[float | None]] = {name: [] for name in watch.seen}
 
     def see(self, look: Look) -> str | None:
-        """Return why the run is to be stopped; None to go on."""
+        """Return why the run is to be stopped; None to continue."""
         if look.run > 1:
             return None
         numbers = {**values(look.assessment), **self._variables}

@@ -1,4 +1,4 @@
-"""Executors: who computes the variants. The rows are the same, whoever does."""
+"""Executors: threads or Dask workers that compute variants, with the same rows."""
 
 from collections.abc import Iterator
 from typing import Protocol
@@ -12,7 +12,7 @@ __all__ = ["Executor", "Note", "executor"]
 
 
 class Executor(Protocol):
-    """Who computes variants."""
+    """Interface of executors: objects that compute variants."""
 
     def compute(
         self, task: Task, variants: Iterator[Variant], count: int, take: Take, cancel: Cancel
@@ -28,7 +28,7 @@ class Executor(Protocol):
         """
 
     def close(self) -> None:
-        """Let go of what `compute` needed and left for its next call."""
+        """Release the resources that `compute` needed and kept for its next call."""
 
 
 def executor(how: Execution, note: Note) -> Executor:

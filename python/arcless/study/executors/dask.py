@@ -12,14 +12,14 @@ from arcless.study.definition.study import Execution
 from arcless.study.evaluation.evaluate import Cancel, Take, Task
 from arcless.study.evaluation.messages import Note
 from arcless.study.evaluation.variants import Variant
-from arcless.study.executors.dask_chunks import Pieces
+from arcless.study.executors.dask_chunks import Chunks
 from arcless.study.folder.table import needs
 
 if TYPE_CHECKING:
     from distributed import Client
 
 # A scheduler that runs answers in milliseconds; a user is told within 10 s that none does.
-_ANSWERS_WITHIN_S = 5.0
+_CONNECT_TIMEOUT_S = 5.0
 
 
 class Dask:
@@ -45,7 +45,7 @@ class Dask:
         self._how, self._note = how, note
         self._client: Client | None = None
         self._open = ExitStack()
-        _hush()
+        _silence_logging()
         if how.scheduler is not None:
             self._connect(how.scheduler).close()
 
@@ -58,7 +58,7 @@ class Dask:
             where = self._how.scheduler
             found = _local(self._how.workers) if where is None else self._connect(where)
             self._client = self._open.enter_context(found)
-        Pieces(self._client, task, variants, count, self._note).compute(take, cancel)
+        Chunks(self._client, task, variants, count, self._note).compute(take, cancel)
 
     def close(self) -> None:
         """Stop what was started; see `Executor`."""
@@ -69,18 +69,18 @@ class Dask:
         from distributed import Client
 
         try:
-            return Client(address, timeout=_ANSWERS_WITHIN_S, set_as_default=False)
+            return Client(address, timeout=_CONNECT_TIMEOUT_S, set_as_default=False)
         except (OSError, TimeoutError, ValueError) as error:
             raise ExecutorError(
                 "no Dask scheduler answers",
                 where=address,
                 got=str(error).partition("\n")[0][:200] or type(error).__name__,
-                expected=f"an answer within {_ANSWERS_WITHIN_S:g} s",
+                expected=f"an answer within {_CONNECT_TIMEOUT_S:g} s",
                 hint="start one with `dask scheduler`, and workers with `dask worker ADDRESS`",
             ) from None
 
 
-def _hush() -> None:
+def _silence_logging() -> None:
     """Keep Dask from saying in pages what is said here in a sentence."""
     import distributed  # sets levels of its own when it is imported
 
@@ -95,7 +95,7 @@ def _local(workers: int | None) -> "Iterator[Client]":
 
     count = workers or len(os.sched_getaffinity(0))
     with ExitStack() as stack:
-        with _deaf():
+        with _without_ctrl_c():
             cluster = LocalCluster(
                 n_workers=count,
                 threads_per_worker=1,
@@ -109,7 +109,7 @@ def _local(workers: int | None) -> "Iterator[Client]":
 
 
 @contextmanager
-def _deaf() -> Iterator[None]:
+def _without_ctrl_c() -> Iterator[None]:
     """Let processes and threads that are started within not hear Ctrl-C; who started them does.
 
     A terminal sends it to all of them, and each worker would print where it was.

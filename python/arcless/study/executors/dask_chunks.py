@@ -1,4 +1,4 @@
-"""Pieces of a study on their way through a Dask cluster, and what becomes of lost ones."""
+"""Chunks of a study on their way through a Dask cluster, and the retries of lost ones."""
 
 import time
 from collections.abc import Iterator
@@ -15,28 +15,28 @@ from arcless.study.journal.row import Row
 if TYPE_CHECKING:
     from distributed import Client, Future
 
-# A piece goes to one worker: large enough to share a line, small enough to be lost. Every worker
-# gets this many at least, so that none is idle while another has the last piece.
-LARGEST_PIECE, PIECES_EACH = 8, 4
-# Pieces that wait at each worker, so that it does not while rows travel.
+# A chunk goes to one worker: large enough to share a line, small enough to be lost. Every worker
+# gets this many at least, so that none is idle while another has the last chunk.
+LARGEST_CHUNK, CHUNKS_EACH = 8, 4
+# Chunks that wait at each worker, so that it does not while rows travel.
 AHEAD = 2
-_LOOK_EVERY_S = 0.02
-# Some kilobytes take no longer, or they do not come: their piece is sent again.
-_TRAVELS_WITHIN_S = 5.0
-_COUNT_EVERY_S = 1.0
+_POLL_INTERVAL_S = 0.02
+# Some kilobytes take no longer, or they do not come: their chunk is sent again.
+_TRANSFER_TIMEOUT_S = 5.0
+_COUNT_INTERVAL_S = 1.0
 # Without a worker for so long, a user is told that the study waits.
-_ALONE_S = 5.0
+_NO_WORKER_NOTE_AFTER_S = 5.0
 
 
-def compute_piece(task: Task, variants: list[Variant]) -> list[Row]:
-    """Compute a piece in a worker, in one thread: every worker of a cluster has its own core."""
+def compute_chunk(task: Task, variants: list[Variant]) -> list[Row]:
+    """Compute a chunk in a worker, in one thread: every worker of a cluster has its own core."""
     rows: list[Row] = []
     evaluate(task, variants, rows.append, workers=1)
     return rows
 
 
-class Pieces:
-    """Sends pieces to workers and takes their rows.
+class Chunks:
+    """Sends chunks to workers and takes their rows.
 
     Parameters
     ----------
@@ -54,16 +54,16 @@ class Pieces:
         from distributed import as_completed
 
         self._client, self._task, self._variants, self._note = client, task, variants, note
-        self._again: list[list[Variant]] = []
+        self._retry: list[list[Variant]] = []
         self._sent: dict[Future, list[Variant]] = {}
-        self._ends = as_completed(loop=client.loop, with_results=False)
-        self._workers, self._counted = 0, -_COUNT_EVERY_S
-        self._seen = time.monotonic()
-        each = count // (PIECES_EACH * max(self._count_workers(), 1))
-        self._size = max(1, min(LARGEST_PIECE, each))
+        self._completed = as_completed(loop=client.loop, with_results=False)
+        self._workers, self._counted = 0, -_COUNT_INTERVAL_S
+        self._last_worker_at = time.monotonic()
+        each = count // (CHUNKS_EACH * max(self._count_workers(), 1))
+        self._size = max(1, min(LARGEST_CHUNK, each))
 
     def compute(self, take: Take, cancel: Cancel) -> None:
-        """Send pieces while there are any, and take the rows of those that end.
+        """Send chunks while there are any, and take the rows of those that end.
 
         Raises
         ------
@@ -79,42 +79,42 @@ class Pieces:
                 if cancel():
                     raise KeyboardInterrupt
                 self._count_workers()
-                while self._ends.has_ready():
-                    for row in self._rows(next(self._ends)):
+                while self._completed.has_ready():
+                    for row in self._rows(next(self._completed)):
                         take(row)
-                time.sleep(_LOOK_EVERY_S)
+                time.sleep(_POLL_INTERVAL_S)
         finally:
             if self._client.status == "running":
                 self._client.cancel(list(self._sent))
 
     def _send(self) -> bool:
-        """Send pieces until enough wait; return whether there may be more."""
+        """Send chunks until enough wait; return whether there may be more."""
         while len(self._sent) < AHEAD * max(self._count_workers(), 1):
-            piece = self._again.pop() if self._again else list(islice(self._variants, self._size))
-            if not piece:
+            chunk = self._retry.pop() if self._retry else list(islice(self._variants, self._size))
+            if not chunk:
                 return False
-            future = self._client.submit(compute_piece, self._task, piece, pure=False)
-            self._sent[future] = piece
-            self._ends.add(future)
+            future = self._client.submit(compute_chunk, self._task, chunk, pure=False)
+            self._sent[future] = chunk
+            self._completed.add(future)
         return True
 
     def _rows(self, future: "Future") -> list[Row]:
-        """Return the rows of a piece that ended; none where it has to be sent again."""
+        """Return the rows of a chunk that ended; none where it has to be sent again."""
         from distributed import KilledWorker
 
-        piece, error = self._sent.pop(future), None
+        chunk, error = self._sent.pop(future), None
         try:
             if future.status == "finished":
-                rows: list[Row] = future.result(timeout=_TRAVELS_WITHIN_S)
+                rows: list[Row] = future.result(timeout=_TRANSFER_TIMEOUT_S)
                 return rows
             if future.status == "error":
-                error = future.exception(timeout=_TRAVELS_WITHIN_S)
+                error = future.exception(timeout=_TRANSFER_TIMEOUT_S)
         except (OSError, TimeoutError, CancelledError):
             error = None  # the worker died with the rows before they were here
         if isinstance(error, KilledWorker):
-            if len(piece) == 1:
-                return [failed(piece[0], "every worker that computed it died")]
-            self._again += [[variant] for variant in piece]  # one of them may be the reason
+            if len(chunk) == 1:
+                return [failed(chunk[0], "every worker that computed it died")]
+            self._retry += [[variant] for variant in chunk]  # one of them may be the reason
             return []
         if isinstance(error, OutputError):
             raise error
@@ -126,13 +126,13 @@ class Pieces:
             )
         if self._client.status != "running":
             raise _gone()
-        self._again.append(piece)
+        self._retry.append(chunk)
         return []
 
     def _count_workers(self) -> int:
-        """Return how many pieces can be computed at once; ask for it now and then."""
+        """Return how many chunks can be computed at once; ask for it now and then."""
         now = time.monotonic()
-        if now - self._counted < _COUNT_EVERY_S:
+        if now - self._counted < _COUNT_INTERVAL_S:
             return self._workers
         try:
             self._workers = sum(self._client.nthreads().values())
@@ -140,10 +140,10 @@ class Pieces:
             raise _gone() from None
         self._counted = time.monotonic()
         if self._workers:
-            self._seen = now
-        elif now - self._seen > _ALONE_S:
+            self._last_worker_at = now
+        elif now - self._last_worker_at > _NO_WORKER_NOTE_AFTER_S:
             self._note("no worker is connected to the scheduler; the study waits for one")
-            self._seen = float("inf")
+            self._last_worker_at = float("inf")
         return self._workers
 
 

@@ -31,7 +31,7 @@ NAMES = {STATE, _COPY, _JOURNAL, TABLE, _LINES, "report.html"}
 
 
 def read_state(folder: Path) -> dict[str, Any] | None:
-    """Return what was asked when the study of a folder was begun; None where none was.
+    """Return the settings with which the study of a folder was begun; None where none was.
 
     Raises
     ------
@@ -74,7 +74,7 @@ class StudyFolder:
     Attributes
     ----------
     damage
-        What was left out of the journal by whoever read rows from here.
+        Rows of the journal that readers of this object left out.
     """
 
     def __init__(self, study: Study, path: Path | None = None) -> None:
@@ -86,7 +86,7 @@ class StudyFolder:
 
     @cached_property
     def hash(self) -> str:
-        """Hash of what the study asks: what every row is sealed with."""
+        """Hash of the study's contents, with which every row is sealed."""
         return digest(meaning(contents(self.study)))
 
     def command(self, word: str) -> str:
@@ -96,7 +96,7 @@ class StudyFolder:
 
     @property
     def is_of_this_study(self) -> bool:
-        """Whether the study that was begun here asks the same."""
+        """True when the study that was begun here has the same contents."""
         state = self.state()
         return state is not None and state["hash"] == self.hash
 
@@ -126,7 +126,7 @@ class StudyFolder:
             raise OutputError.of(error, what, self.path, hint) from error
 
     def write_state(self, mode: str) -> None:
-        """Write down what is asked: the study with all that it names, and a copy of the file.
+        """Write the study with all that it names, and a copy of its file, into the folder.
 
         `mode` says how the journal is kept whole.
         """
@@ -145,7 +145,7 @@ class StudyFolder:
         self._write(state)
 
     def note_mode(self, mode: str) -> None:
-        """Write down how the journal is kept whole, where that is another way than before."""
+        """Write down how the journal is kept whole, if that has changed."""
         state = self.check_same()
         if state.get("journal") != mode:
             self._write(state | {"journal": mode})
@@ -154,7 +154,7 @@ class StudyFolder:
         write_bytes(self.path / STATE, json.dumps(state, indent=1, ensure_ascii=False).encode())
 
     def state(self) -> dict[str, Any] | None:
-        """Return what was asked when the study was begun; None where none was.
+        """Return the settings with which the study was begun; None where none was.
 
         Raises
         ------
@@ -191,12 +191,12 @@ class StudyFolder:
         return state
 
     def open_journal(self) -> Journal:
-        """Return the journal, to be entered by who computes the study; make the folder for it."""
+        """Return the journal, to be entered by the computing process; make the folder for it."""
         self.make()
         return Journal(self.journal, self.hash)
 
     def take_former(self) -> str | None:
-        """Take the rows of a journal of lines over, and put it aside; say so. None without one.
+        """Take the rows of a journal of version 1, and rename it; say so. None without one.
 
         Only for who has the journal open.
         """
@@ -231,7 +231,7 @@ class StudyFolder:
         end = self.study.plan.count if last is None else last
         found = journal.rows(self.journal, self.hash, self.damage, first=first, last=end)
         former = self.path / _LINES
-        if former.exists():  # nobody has gone on with the study since
+        if former.exists():  # the study was not resumed since
             both = {
                 row.variant: row for row in journal_version_1.rows(former, self.study, self.damage)
             }

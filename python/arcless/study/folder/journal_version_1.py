@@ -45,7 +45,7 @@ def _row(line: bytes) -> Row | None:
 
 
 def _fits(study: Study, row: Row) -> bool:
-    """Whether a row has the outputs of a study, and the values of its variant."""
+    """Return whether a row has the outputs of a study, and the values of its variant."""
     names = [axis.name for axis in study.axes]
     if row.variant > study.plan.count or row.outputs.keys() - study.outputs.keys():
         return False

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 from arcless.errors import OutputError, StudyError
 from arcless.storage import hidden_files
-from arcless.storage.whole_files import check_writable, settle
+from arcless.storage.whole_files import check_writable, sync_folder
 from arcless.study.definition.study import Study
 from arcless.study.folder import table
 from arcless.study.folder.folder import StudyFolder
@@ -82,7 +82,7 @@ def _write(target: Path, study: Study, search: Search, rows: list[Row]) -> int:
     try:
         _fill(hidden / NAME, study, search, rows)
         (hidden / NAME).replace(target)
-        settle(target.parent)
+        sync_folder(target.parent)
     except (OSError, sqlite3.Error) as error:
         raise _not_written(error, target) from error
     finally:

@@ -1,4 +1,4 @@
-"""What becomes of rows: the journal at once, the table now and then, and how far the study is."""
+"""Writer of rows: into the journal at once, into the table now and then, with progress."""
 
 import time
 from collections import Counter
@@ -20,7 +20,7 @@ _WRITE_PART = 20.0
 
 @dataclass
 class Progress:
-    """How far a study is.
+    """Progress of a study: counts of its variants, and time.
 
     Attributes
     ----------
@@ -37,7 +37,7 @@ class Progress:
 
     @property
     def there(self) -> int:
-        """Rows that are there."""
+        """Number of rows that exist."""
         return self.counts.total()
 
     @property
@@ -54,7 +54,7 @@ class Progress:
 Tell = Callable[[Progress], None]
 
 
-class Keeper:
+class RowWriter:
     """Keeps rows: in the journal at once, in the table now and then; none stays in memory.
 
     Parameters
@@ -79,7 +79,7 @@ class Keeper:
     ) -> None:
         self._study, self._place, self._journal = study, place, journal
         self._tell, self._note = tell or (lambda _progress: None), note
-        table.make_ready()
+        table.import_ahead()
         self._versions = {code_version()}
         self._began = self._written = time.monotonic()
         self._writing_s = 0.0

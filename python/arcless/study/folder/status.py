@@ -1,4 +1,4 @@
-"""How far a study is, from its folder alone."""
+"""Status of a study, read from its folder alone."""
 
 from collections import Counter
 from collections.abc import Iterable, Iterator
@@ -19,7 +19,7 @@ class DamagedJournalWarning(UserWarning):
 
 @dataclass(frozen=True)
 class StudyStatus:
-    """How far a study is.
+    """Status of a study: counts, damage, steps, times, errors.
 
     Attributes
     ----------
@@ -30,10 +30,10 @@ class StudyStatus:
     journal
         How SQLite keeps the journal whole; None of a study of an older version.
     damaged
-        Rows of the journal that are damaged, and are computed again by who goes on; None where its
-        file is, and nobody can tell how many it had.
+        Number of damaged rows of the journal, which `resume` computes again; None where its file is
+        damaged, and the number cannot be told.
     total, done, pruned, invalid, failed, missing
-        Variants: of the study, and by what came of them.
+        Variants: of the study, and by outcome.
     steps_taken, steps_saved
         Steps of all runs, and those not taken as runs were pruned; None where nobody looked.
     wall_time_s
@@ -63,7 +63,7 @@ class StudyStatus:
 
     @property
     def damage(self) -> str | None:
-        """What is damaged of the journal, in a sentence; None where nothing is."""
+        """Damage of the journal, in a sentence; None where there is none."""
         if self.damaged == 0:
             return None
         what = "its file" if self.damaged is None else f"rows left out: {self.damaged}"
@@ -76,7 +76,7 @@ class StudyStatus:
 
 
 def status(study: Study, folder: Path | None = None) -> StudyStatus:
-    """Return how far a study is.
+    """Return the status of a study.
 
     Parameters
     ----------
@@ -92,14 +92,14 @@ def status(study: Study, folder: Path | None = None) -> StudyStatus:
     """
     place = StudyFolder(study, folder)
     place.check_same()
-    tally = Tally()
+    tally = RowCounter()
     for _ in tally.of(place.rows()):
         pass
     return tally.status(study, place)
 
 
-class Tally:
-    """Counts rows while somebody else reads them."""
+class RowCounter:
+    """Counter of rows while they are read by another consumer."""
 
     def __init__(self) -> None:
         self._counts: Counter[str] = Counter()
@@ -122,7 +122,7 @@ class Tally:
             yield row
 
     def status(self, study: Study, place: StudyFolder) -> StudyStatus:
-        """Return what the rows that were read say of a study."""
+        """Return the status that the rows read so far add up to."""
         counts, state = self._counts, place.state()
         saving = Saving.of_counts(self._steps, self._of_run) if study.watched else None
         return StudyStatus(

@@ -31,8 +31,8 @@ def check_available() -> None:
     needs("pyarrow", "the table of a study")
 
 
-def make_ready() -> None:
-    """Import what writing a table needs: who stops a study does not wait so long for its table."""
+def import_ahead() -> None:
+    """Import the libraries that a table needs, so that stopping a study does not wait for them."""
     import pyarrow.parquet
 
     pyarrow.array([0.0])  # the first array imports pandas, where it is installed

@@ -9,13 +9,13 @@ from pathlib import Path
 from shutil import copyfile
 from tempfile import TemporaryDirectory
 
-# What an exception of a database may be; damaged lengths ask for memory that nobody has.
+# Exceptions that a database may raise; damaged lengths ask for memory that nobody has.
 ERRORS = (sqlite3.DatabaseError, MemoryError)
 # Files that belong to a database.
 BESIDE = ("-wal", "-shm", "-journal")
 # Where no write-ahead log is, a reader holds up a writer, and the other way round, for a moment.
 _PATIENCE_S = 30.0
-# What the system refuses; all else is in the file. Of reading only see `is_damage`.
+# Refusals of the system; all else is in the file. Of reading only see `is_damage`.
 _REFUSED = {
     sqlite3.SQLITE_BUSY, sqlite3.SQLITE_LOCKED, sqlite3.SQLITE_IOERR, sqlite3.SQLITE_FULL,
     sqlite3.SQLITE_CANTOPEN, sqlite3.SQLITE_PERM, sqlite3.SQLITE_PROTOCOL, sqlite3.SQLITE_NOLFS,
@@ -67,14 +67,14 @@ def code(error: BaseException) -> int:
 
 
 def is_damage(error: BaseException, path: Path) -> bool:
-    """Whether an error comes from what is in the file, not from what the system refuses."""
+    """Return whether an error comes from the file's content, not from a refusal of the system."""
     if code(error) == sqlite3.SQLITE_READONLY:  # as a damaged header may say
         return os.access(path, os.W_OK) and os.access(path.parent, os.W_OK)
     return code(error) not in _REFUSED
 
 
 def words(error: BaseException) -> str:
-    """Return an error in words that tell as much as those of the system would."""
+    """Return an error in words that say as much as those of the system."""
     if code(error) == sqlite3.SQLITE_FULL:
         return os.strerror(errno.ENOSPC)
     return str(error)

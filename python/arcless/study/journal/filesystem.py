@@ -1,4 +1,4 @@
-"""Whether a folder carries a write-ahead log: memory that all processes on it share.
+"""Test of a folder for a write-ahead log: memory that all processes on it share.
 
 Processes on two machines share no memory, so a folder on a network has none, though trying it from
 one machine shows nothing wrong. Source: SQLite, "Write-Ahead Logging", disadvantages.
@@ -54,7 +54,7 @@ def _kind(place: str) -> str | None:
 
 
 def _works(folder: Path) -> bool:
-    """Try it beside the journal, which a failure would leave in a form that cannot be opened."""
+    """Try a write-ahead log next to the journal: a failure there would make it unreadable."""
     hidden = folder / hidden_files.new_name()
     try:
         claim = hidden_files.create_folder(hidden)

@@ -19,12 +19,12 @@ from arcless.storage.lock import Lock, is_held
 from arcless.study.journal.database import ERRORS, connect, is_damage, reading, tables, words
 from arcless.study.journal.filesystem import carries_wal
 from arcless.study.journal.row import Row
-from arcless.study.journal.salvage import PUT, Damage, make, mend, salvaged
+from arcless.study.journal.salvage import PUT, Damage, make, repair, salvaged
 from arcless.study.journal.sealed_rows import opened, written
 
 # A power cut loses at most the rows of this time; a killed process loses none that were written.
 _SYNC_EVERY_S = 1.0
-# Whoever only looks whether a study is going on holds its lock for a moment.
+# A process that only looks whether a study is running holds its lock for a moment.
 _WAITS_S = 0.5
 # Rows that are read at once: between two parts a writer without a write-ahead log may write.
 _PART = 500
@@ -53,7 +53,7 @@ class Journal:
     Raises
     ------
     StudyError
-        Another process is writing it, or it is that of another study.
+        Another process is writing it, or it belongs to another study.
     OutputError
         It cannot be written.
     """
@@ -65,12 +65,12 @@ class Journal:
         self._synced = time.monotonic()
 
     def __enter__(self) -> Self:
-        """Take it for this process, put it in order, and open it."""
+        """Lock the journal for this process, put it in order, and open it."""
         with ExitStack() as held:
             self._take(held)
             try:
                 if self.path.exists() and self.path.stat().st_size:
-                    self.damage = mend(self.path, self._study)
+                    self.damage = repair(self.path, self._study)
                 make(self.path, self._study)
                 self._base = held.enter_context(closing(connect(self.path, "rw")))
                 self._choose_mode()
@@ -85,7 +85,7 @@ class Journal:
         error: BaseException | None,
         trace: TracebackType | None,
     ) -> None:
-        """Put all on the disk, in one file if nobody is reading, and let others have it."""
+        """Write all to the disk, in one file if nobody is reading, and release the lock."""
         try:
             self._base.execute("PRAGMA synchronous = FULL")
             self._base.execute("PRAGMA wal_checkpoint(PASSIVE)")
@@ -147,7 +147,7 @@ class Journal:
 
 
 def lock_of(path: Path) -> Path:
-    """Return the lock that whoever writes a journal holds."""
+    """Return the lock that the process holds that writes a journal."""
     return path.with_suffix(".lock")
 
 

@@ -1,4 +1,4 @@
-"""A row of a study: what came out of one variant."""
+"""A row of a study: the outcome of one variant."""
 
 from collections.abc import Callable
 from dataclasses import MISSING, dataclass, field, fields
@@ -6,13 +6,13 @@ from math import isfinite
 from typing import Any, Literal, get_args
 
 Status = Literal["done", "pruned", "invalid", "failed"]
-# What a row has only where runs were looked at while they stepped.
+# Fields that a row has only where runs were observed while they stepped.
 _WATCHED = ("so_far", "steps", "steps_of_run", "stopped_at_m", "stopped_after_s")
 
 
 @dataclass(frozen=True)
 class Row:
-    """What came out of a variant.
+    """Outcome of a variant.
 
     Attributes
     ----------
@@ -86,7 +86,7 @@ def _is_text(value: Any) -> bool:
 
 
 def _is_named(fits: Callable[[Any], bool]) -> Callable[[Any], bool]:
-    """Whether a value has values that fit by their names."""
+    """Return whether a value is a mapping whose values fit by their names."""
     return lambda value: (
         isinstance(value, dict) and all(map(_is_text, value)) and all(map(fits, value.values()))
     )

@@ -1,4 +1,4 @@
-"""A journal that is damaged: found out, and made anew from all rows that still fit their seals.
+"""Repair of a damaged journal: all rows that still fit their seals go into a new one.
 
 Whatever was hit, a row that fits its seal is what was written. So rows are looked for where SQLite
 finds them, and where it finds none any more in the plain bytes of the file.
@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from arcless.errors import StudyError
-from arcless.storage.whole_files import settle
+from arcless.storage.whole_files import sync_folder
 from arcless.study.journal.database import BESIDE, ERRORS, connect, is_damage, tables
 from arcless.study.journal.row import Row
 from arcless.study.journal.sealed_rows import FORMAT, SEAL_LETTERS, opened, seal, written
@@ -32,14 +32,14 @@ _PAGE = 4096
 
 @dataclass
 class Damage:
-    """What a reader found damaged: numbers of rows that were left out, and whether the file is."""
+    """Damage that a reader found: numbers of rows that were left out, and state of the file."""
 
     rows: set[int] = field(default_factory=set)
     file: bool = False
 
     @property
     def found(self) -> bool:
-        """Whether there is any."""
+        """True when there is damage."""
         return self.file or bool(self.rows)
 
 
@@ -66,7 +66,7 @@ def _put_about(base: sqlite3.Connection, study: str) -> None:
     base.execute("INSERT INTO about (text, seal) VALUES (?, ?)", about)
 
 
-def mend(path: Path, study: str) -> str | None:
+def repair(path: Path, study: str) -> str | None:
     """Put a journal in order that nobody writes or reads; say what was wrong with it, if anything.
 
     Parameters
@@ -91,7 +91,7 @@ def mend(path: Path, study: str) -> str | None:
     except ERRORS as error:
         if not is_damage(error, path):
             raise
-    return _made_anew(path, spare, study)
+    return _rebuilt(path, spare, study)
 
 
 def salvaged(path: Path, study: str) -> dict[int, Row]:
@@ -135,7 +135,7 @@ def _keep(found: dict[int, Row], row: Row | None) -> None:
 
 
 def _is_whole(path: Path, study: str) -> bool:
-    """Whether a journal has its tables, its structure, and rows that all fit their seals."""
+    """Return whether a journal has its tables, its structure, and rows that all fit their seals."""
     with closing(connect(path, "rw")) as base:
         base.execute("BEGIN IMMEDIATE")  # puts in order what a killed process left
         base.execute("ROLLBACK")
@@ -176,8 +176,8 @@ def add(path: Path, rows: dict[int, Row], study: str) -> None:
         base.execute("COMMIT")
 
 
-def _made_anew(path: Path, spare: dict[int, Row], study: str) -> str:
-    """Make a journal of what can be read, and put the damaged one aside, whole until then."""
+def _rebuilt(path: Path, spare: dict[int, Row], study: str) -> str:
+    """Make a new journal of what can be read, and rename the damaged one, whole until then."""
     rows = salvaged(path, study)
     for row in spare.values():
         _keep(rows, row)
@@ -196,7 +196,7 @@ def _made_anew(path: Path, spare: dict[int, Row], study: str) -> str:
     for end in BESIDE:  # before the new one has its name, which would take them for its own
         Path(f"{path}{end}").unlink(missing_ok=True)
     fresh.replace(path)
-    settle(path.parent)
+    sync_folder(path.parent)
     return (
         f"the journal was damaged: {len(rows)} rows of it could be read and are kept, all others "
         f"are computed again; it was put aside as {aside}"

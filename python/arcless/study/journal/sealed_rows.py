@@ -33,7 +33,7 @@ def opened(text: object, mark: object, study: str, number: object = None) -> Row
     study
         Hash of what the study asks.
     number
-        Of the variant, where it stands beside the text.
+        Number of the variant, where it stands next to the text.
     """
     if not (isinstance(text, bytes) and isinstance(mark, bytes) and mark == seal(text, study)):
         return None

@@ -1,4 +1,4 @@
-"""Optimisation: a design that chooses its next variants by what came out of those before."""
+"""Optimisation: a design that chooses its next variants by the outputs of earlier ones."""
 
 from collections.abc import Collection, Mapping, Sequence
 
@@ -17,7 +17,7 @@ class Optimise(SearchSettings):
     """A search for the best values by Optuna."""
 
     def plan(self, axes: Sequence[Axis], seed: int) -> Search:
-        """Return the plan, which fills as the search goes on."""
+        """Return the plan, which fills during the search."""
         for axis in axes:
             refuse_drawn(axis, "an optimisation")
         return Search.of(self, tuple(axes), seed)
@@ -25,7 +25,7 @@ class Optimise(SearchSettings):
     def check(
         self, outputs: Mapping[str, str], scenario: Scenario, varied: Collection[str]
     ) -> None:
-        """Refuse objectives and constraints that there cannot be.
+        """Refuse objectives and constraints that are impossible.
 
         Parameters
         ----------

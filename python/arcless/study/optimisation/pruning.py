@@ -1,8 +1,8 @@
 """Pruning: runs that cannot become good any more are stopped while they step.
 
-What a run is compared with is known before its round begins, from the rows of earlier rounds alone:
-plain numbers, one for each look, that travel to whoever computes. So a run is stopped at the same
-step on every executor, and in a study that was cut off and goes on.
+The limits of a run are known before its round begins, from the rows of earlier rounds alone: plain
+numbers, one for each look, that travel to the workers. So a run is stopped at the same step on
+every executor, and in a resumed study.
 
 Sources: Optuna's percentile pruner (Akiba et al., KDD 2019); for a bound by what others improved,
 the races of Maron and Moore, Artif. Intell. Rev. 11 (1997) 193.
@@ -36,13 +36,13 @@ class _Rule(Part):
 
 
 class OutOfReach(_Rule):
-    """Stopped where improving as much as any finished variant did would not do."""
+    """Pruning rule: stop where improving as much as any finished variant did would not suffice."""
 
     kind: Literal["out-of-reach"] = Field(description="The best is out of reach.")
 
 
 class Percentile(_Rule):
-    """Stopped where it is worse than a share of the finished variants were there."""
+    """Pruning rule: stop where it is worse than a share of the finished variants were there."""
 
     kind: Literal["percentile"] = Field(description="Worse than a share of the others.")
     percentile: float = Field(
@@ -55,7 +55,7 @@ Pruning = Annotated[OutOfReach | Percentile, Field(discriminator="kind")]
 
 @dataclass(frozen=True)
 class Bar:
-    """Up to where a run goes on at one look: `limit` of a measure that is better small."""
+    """Limit up to which a run continues at one look: `limit` of a measure that is better small."""
 
     limit: float
     words: str
@@ -82,13 +82,13 @@ class Comparison:
     bars: tuple[Bar, ...] = ()
 
     def measure(self, value: float) -> float:
-        """Return what is better small."""
+        """Return the measure of a value: better when small."""
         return self.sign * value if self.constraint is None else self.constraint.excess(value)
 
 
 @dataclass(frozen=True)
-class Watch:
-    """What the runs of a round are watched for; plain data that travel to a worker.
+class Monitoring:
+    """Quantities and limits that runs of a round are monitored by; plain data for workers.
 
     Attributes
     ----------
@@ -115,7 +115,7 @@ def comparisons(
     rows: Sequence[Row],
     feasible: Callable[[Row], bool],
 ) -> tuple[Comparison, ...]:
-    """Return what runs of the next round are compared with.
+    """Return the comparisons that decide about runs of the next round.
 
     Parameters
     ----------
@@ -140,7 +140,7 @@ def comparisons(
 def _out_of_reach(
     rule: OutOfReach, test: Comparison, rows: Sequence[Row], feasible: Callable[[Row], bool]
 ) -> Comparison:
-    """Return a test with bars: go on while m_k ≤ best + max_i max(0, m_ik − m_i).
+    """Return a test with bars: continue while m_k ≤ best + max_i max(0, m_ik − m_i).
 
     m_ik is the measure of finished variant i at look k, m_i that at its end. Best is the least m_i
     of the feasible ones; of a constraint, whose measure is its excess, the 0 that is allowed.
@@ -165,7 +165,7 @@ def _out_of_reach(
 def _percentile(
     rule: Percentile, test: Comparison, rows: Sequence[Row], feasible: Callable[[Row], bool]
 ) -> Comparison:
-    """Return a test with bars: go on while the best look so far is within a percentile.
+    """Return a test with bars: continue while the best look so far is within a percentile.
 
     Of variants that break a constraint nothing is learned: their objective may be as good as none
     that is allowed.

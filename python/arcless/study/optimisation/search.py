@@ -1,9 +1,9 @@
-"""A search: rounds of variants, each chosen by Optuna from what came out of those before.
+"""A search: rounds of variants, each chosen by Optuna from the outputs of earlier ones.
 
 Variants are chosen in rounds of `at_once`. A round follows from the seed and the rows of the
 rounds before it alone, never from the order in which they came: so every executor gives the same
-table, and a study that is resumed goes on as it would have gone on. Optuna chooses; the journal is
-its memory.
+table, and a resumed study chooses as it would have done without a stop. Optuna chooses; the
+journal is its memory.
 
 Source: Bergstra et al., NeurIPS 24 (2011), tree-structured Parzen estimator, as in Optuna.
 """
@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, Literal
 from arcless.errors import StudyError
 from arcless.study.designs import Plan
 from arcless.study.journal.row import Row
-from arcless.study.optimisation.pruning import Watch
+from arcless.study.optimisation.pruning import Monitoring
 from arcless.study.optimisation.search_settings import SearchSettings
 from arcless.study.variables.variables import Axis
 
@@ -62,8 +62,8 @@ class Search(Plan):
 
     def rounds(
         self, rows: Callable[[int, int], Iterable[Row]]
-    ) -> Iterator[tuple[list[int], Watch | None]]:
-        """Yield the numbers of each round, from 1, and what its runs are watched for.
+    ) -> Iterator[tuple[list[int], Monitoring | None]]:
+        """Yield the numbers of each round, from 1, and the quantities its runs are monitored by.
 
         `rows` gives those from one number to another; it has all of a round when that is over.
         """
@@ -104,7 +104,7 @@ def frozen(
     distributions: Mapping[str, "optuna.distributions.BaseDistribution"],
     **attributes: Any,
 ) -> "optuna.trial.FrozenTrial":
-    """Return what Optuna is told of a row; one without values has failed.
+    """Return a row as a trial of Optuna; one without values has failed.
 
     Of one that was pruned the values so far stand for those at the end.
     """
@@ -135,7 +135,7 @@ def _constraints(excesses: dict[str, float]) -> dict[str, Any]:
 
 
 def _choice(axis: Axis) -> "optuna.distributions.BaseDistribution":
-    """Return a variable as Optuna knows it: a quantile, or which of its values."""
+    """Return a value as Optuna knows it: a quantile, or the index of a choice."""
     from optuna.distributions import (
         BaseDistribution,
         CategoricalDistribution,

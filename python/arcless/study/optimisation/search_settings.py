@@ -1,4 +1,4 @@
-"""What a study file says of an optimisation, which rows keep its constraints, which are best."""
+"""Settings of an optimisation, the rows that keep its constraints, and the best of them."""
 
 from collections.abc import Iterable, Sequence
 from typing import Literal
@@ -11,7 +11,7 @@ from arcless.study.designs import MAX_VARIANTS
 from arcless.study.journal.row import Row
 from arcless.study.optimisation import pruning
 from arcless.study.optimisation.constraints import Constraint
-from arcless.study.optimisation.pruning import Pruning, Watch
+from arcless.study.optimisation.pruning import Monitoring, Pruning
 
 _SIGNS = {"minimise": 1.0, "maximise": -1.0}
 
@@ -51,11 +51,11 @@ class SearchSettings(Part):
 
     @property
     def watched(self) -> bool:
-        """Whether runs are looked at while they step."""
+        """True when a monitor observes runs while they step."""
         return self.pruning is not None or any(bound.hard for bound in self.constraints)
 
-    def watch(self, earlier: Sequence[Row]) -> Watch | None:
-        """Return what runs of the next round are watched for, given the rows of earlier ones."""
+    def watch(self, earlier: Sequence[Row]) -> Monitoring | None:
+        """Return the monitoring of runs of the next round, given the rows of earlier ones."""
         if not self.watched:
             return None
         made: tuple[pruning.Comparison, ...] = ()
@@ -64,7 +64,7 @@ class SearchSettings(Part):
             aim = (name, _SIGNS[goal])
             made = pruning.comparisons(self.pruning, aim, self.constraints, earlier, self.feasible)
         seen = (*self.objectives, *(bound.output for bound in self.constraints))
-        return Watch(
+        return Monitoring(
             looks=pruning.LOOKS if self.pruning is None else self.pruning.looks,
             seen=tuple(dict.fromkeys(seen)),
             comparisons=made,
@@ -72,7 +72,7 @@ class SearchSettings(Part):
         )
 
     def feasible(self, row: Row) -> bool:
-        """Whether a row has all objectives and keeps all constraints."""
+        """Return whether a row has all objectives and keeps all constraints."""
         found = self.numbers(row)
         return found is not None and all(excess <= 0.0 for excess in found[1])
 

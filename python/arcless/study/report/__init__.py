@@ -1,4 +1,4 @@
-"""A study → one HTML file: what was varied, what came out, what follows from what."""
+"""A study → one HTML file: variables, outputs, and their dependences."""
 
 from arcless.study.report.page import html, write
 

@@ -49,7 +49,7 @@ class Commands:
 
     @cached_property
     def _is_exact(self) -> bool:
-        """Whether the command of the first variant that is valid gives that variant."""
+        """True when the command of the first valid variant gives that variant."""
         for number in range(1, self._study.plan.count + 1):
             try:
                 wanted = scenario(self._study, number)
@@ -96,7 +96,7 @@ def _read(text: str) -> Any:
 
 
 def _numbers(made: Scenario) -> Any:
-    """Return what a run depends on: no words, no sources."""
+    """Return the data that decide a run: no words, no sources."""
     return _without(json.loads(json.dumps(made.to_dict())))
 
 

@@ -1,4 +1,4 @@
-"""How an output follows from one variable: means of the variants at each value, or in each part."""
+"""Effect of one variable on an output: means of the variants at each value, or in each part."""
 
 from dataclasses import dataclass
 
@@ -50,7 +50,7 @@ def effect(variable: Column, output: Column) -> Effect | None:
 
 
 def _owners(x: Floats) -> "np.ndarray[tuple[int], np.dtype[np.intp]] | None":
-    """Return the part that each variant belongs to."""
+    """Return the number of the part that each variant belongs to."""
     if not x.size:
         return None
     levels, places = np.unique(x, return_inverse=True)

@@ -13,7 +13,7 @@ from arcless.report.drawing.style import FADED, INK, add_hover, colour, figure, 
 from arcless.report.drawing.thinning import every
 from arcless.study.report.effects import effect
 from arcless.study.report.record import Column, Record, shortened
-from arcless.study.report.speeds import Marks
+from arcless.study.report.speeds import SpeedMarks
 
 # Bounds the size of the page whatever the number of variants, variables and outputs.
 MOST_POINTS = 4000
@@ -21,7 +21,7 @@ MOST_VARIABLES, MOST_OUTPUTS = 6, 6
 PAIRED_VARIABLES, PAIRED_OUTPUTS = 4, 3
 _MOST_TICKS = 40
 _FEW_POINTS = 200
-# Letters that fit beside each other under a figure.
+# Letters that fit side by side under a figure.
 _LETTERS = 36
 
 
@@ -36,7 +36,7 @@ class Drawing:
         Resonance speeds, drawn where the speed is an axis.
     """
 
-    def __init__(self, record: Record, speeds: Marks | None = None) -> None:
+    def __init__(self, record: Record, speeds: SpeedMarks | None = None) -> None:
         self.record, self.speeds = record, speeds
         self.outputs = [out for out in record.outputs if np.isfinite(out.values).any()]
         self.drawn = every(len(record.done), MOST_POINTS)
@@ -198,7 +198,7 @@ class Drawing:
 
 
 def is_path(variables: list[Column]) -> bool:
-    """Whether all that varies rises from variant to variant: a sweep, whose values are joined."""
+    """Return whether all variables rise from variant to variant: a sweep, drawn as a line."""
     varied = [variable for variable in variables if variable.varies]
     return bool(varied) and all(
         variable.words is None and bool((np.diff(variable.values) > 0.0).all())

@@ -23,7 +23,7 @@ from arcless.study.report.figures import (
 )
 from arcless.study.report.record import Record
 from arcless.study.report.sensitivity import sections
-from arcless.study.report.speeds import WIDE, Marks, marks
+from arcless.study.report.speeds import WIDE, SpeedMarks, marks
 
 NAME = "report.html"
 
@@ -137,7 +137,7 @@ def _texts(record: Record, drawn: int) -> dict[str, Any]:
     }
 
 
-def _speeds(found: Marks | None) -> dict[str, Any]:
+def _speeds(found: SpeedMarks | None) -> dict[str, Any]:
     if found is None:
         return {"speeds": [], "speed_unit": "", "speed_notes": ()}
     unit = found.column.unit

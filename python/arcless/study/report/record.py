@@ -1,4 +1,4 @@
-"""What the report of a study is made of: its rows as columns of numbers."""
+"""Data of a study's report: its rows as columns of numbers."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -14,7 +14,7 @@ from arcless.study.definition.quantities import is_number
 from arcless.study.definition.study import Study
 from arcless.study.folder import table
 from arcless.study.folder.folder import StudyFolder
-from arcless.study.folder.status import StudyStatus, Tally
+from arcless.study.folder.status import RowCounter, StudyStatus
 from arcless.study.journal.row import Row
 
 Floats = NDArray[np.float64]
@@ -55,7 +55,7 @@ class Column:
 
     @property
     def varies(self) -> bool:
-        """Whether there are two different values."""
+        """True when there are two different values."""
         known = self.values[np.isfinite(self.values)]
         return bool(known.size and known.min() < known.max())
 
@@ -82,14 +82,14 @@ class Record:
         self.place = StudyFolder(study, folder)
         self.state: dict[str, Any] = self.place.check_same()
         self.place.recall()
-        tally = Tally()
+        tally = RowCounter()
         self.rows: list[Row] = list(tally.of(self.place.rows()))
         self.status: StudyStatus = tally.status(study, self.place)
         self.done: list[Row] = [row for row in self.rows if row.status == "done"]
 
     @cached_property
     def findings(self) -> Findings:
-        """What follows from all rows together."""
+        """Findings of all rows together."""
         return of(self.study, self.rows)
 
     @cached_property

@@ -35,12 +35,12 @@ _APART, _ROW, _ROWS = 0.02, 12, 4
 # A figure with them takes the whole width of the page, for its legend and numbers; height in px.
 WIDE = "wide"
 _HEIGHT = 330
-# Fields beside the speed that leave the speeds as they are.
+# Fields besides the speed that leave the speeds as they are.
 _FORCES = ("static_force", "mean_force")
 
 
 @dataclass(frozen=True)
-class Marks:
+class SpeedMarks:
     """Resonance speeds of a study; those inside of its range of speed have a number, from 1."""
 
     column: Column
@@ -103,7 +103,7 @@ class Marks:
         return float(np.ptp(self.column.values))
 
 
-def marks(record: Record) -> Marks | None:
+def marks(record: Record) -> SpeedMarks | None:
     """Return the resonance speeds of a study; None where its speed is no variable.
 
     A line without equilibrium has none, which the notes say: the report is made all the same.
@@ -117,7 +117,7 @@ def marks(record: Record) -> Marks | None:
         found = resonance_speeds(record.study.base)
     except ArclessError as error:
         found = ResonanceSpeeds((), (f"no resonance speeds: {error}",))
-    return Marks(column, _numbered(column, found), (*found.notes, *_varied(record.study)))
+    return SpeedMarks(column, _numbered(column, found), (*found.notes, *_varied(record.study)))
 
 
 def speed_column(record: Record) -> Column | None:

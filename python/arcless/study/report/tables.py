@@ -1,4 +1,4 @@
-"""Tables of a study's report: what was varied, what came out, what failed, which variants lead."""
+"""Tables of a study's report: variables, outputs, failures, and the leading variants."""
 
 import html
 import json
@@ -20,7 +20,7 @@ from arcless.study.variables.distributions import Choice
 from arcless.study.variables.variables import Variable
 from arcless.units import show
 
-# How many variants lead a list, for how many outputs, and how many reasons are told.
+# Numbers of leading variants in a list, of outputs, and of reasons that are shown.
 LEADING, LED_OUTPUTS, REASONS, STOPS = 3, 6, 20, 50
 _DIGITS, _SMALLEST, _LARGEST = 5, 1e-6, 1e9
 _NAMED = 12
@@ -221,7 +221,7 @@ def _format(column: Column) -> Any:
 
 
 def _ways(variable: Variable) -> str:
-    """Return what a variable takes, in words."""
+    """Return the values or the distribution of a variable, in words."""
     if variable.values is not None:
         return _some([_amount(value) for value in variable.values])
     if variable.range is not None:

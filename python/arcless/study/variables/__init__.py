@@ -1,1 +1,1 @@
-"""What a study varies, and how its values are distributed."""
+"""Variables of a study, and the distributions of their values."""

@@ -38,7 +38,7 @@ class RandomField(Part):
 
 @dataclass(frozen=True)
 class Errors:
-    """What a random field may be of.
+    """Errors of one kind that a random field may describe.
 
     Attributes
     ----------

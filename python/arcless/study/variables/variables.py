@@ -1,4 +1,4 @@
-"""Variables of a study: which field of the scenario takes which values."""
+"""Variables of a study: a field of the scenario each, and its values."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -83,7 +83,7 @@ class Axis:
 
     @property
     def is_drawn(self) -> bool:
-        """Whether its values are numbers of drawings, of which none is near another one."""
+        """True when its values are numbers of drawings, of which none is near another one."""
         return self.quantile is drawing
 
     def shown(self, value: Any) -> str:

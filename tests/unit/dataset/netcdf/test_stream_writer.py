@@ -8,7 +8,7 @@ from typing import Any, BinaryIO
 import numpy as np
 import pytest
 
-from arcless.dataset.netcdf.error_keeping_file import Disk
+from arcless.dataset.netcdf.error_keeping_file import ErrorKeepingFile
 from arcless.dataset.netcdf.stream_writer import Writer
 from arcless.errors import OutputError, ResultFormatError
 from arcless.results import open_dataset
@@ -107,7 +107,7 @@ def test_a_full_disk_is_told_by_the_disk(dataset: Any, tmp_path: Path) -> None:
 
 def test_a_disk_that_has_failed_goes_on_as_if_nothing_were() -> None:
     file = Full(b"abc")
-    disk = Disk(file)
+    disk = ErrorKeepingFile(file)
     assert disk.write(memoryview(b"0" * 30_000)) == 30_000
     assert disk.tell() == 30_000
     file.close()

@@ -30,7 +30,8 @@ def test_a_stitch_wire_ends_on_nodes_of_the_messenger_wire() -> None:
 
 def test_wires_turn_freely_at_the_clamps() -> None:
     mesh = made(stitched_data())
-    integers, _ = mesh.parts["wires"]
+    wires = mesh.parts["wires"]
+    integers = np.hstack([wires["nodes"], wires["slope_nodes"]])
     of_messenger = set(mesh.messenger_nodes)
     for stitch in mesh.stitches:
         first, last = integers[stitch.rows[0]], integers[stitch.rows[-1]]
@@ -48,22 +49,22 @@ def test_wires_turn_freely_at_the_clamps() -> None:
 
 
 def test_between_the_clamps_the_messenger_wire_keeps_the_rest_of_its_tension() -> None:
-    for model, table in (("hermite", "wires"), ("lumped", "segments")):
+    for model in ("hermite", "lumped"):
         mesh = made(stitched_data(), wire_model=model)
-        integers, floats = mesh.parts[table]
-        tension = {tuple(row[:2]): value[-1] for row, value in zip(integers, floats, strict=True)}
+        nodes, tensions = mesh.elements["nodes"], mesh.elements["design_tension"]
+        tension = dict(zip(map(tuple, nodes.tolist()), tensions, strict=True))
         for a, b in pairwise(mesh.messenger_nodes):
             x = mesh.positions[[a, b], 0].mean()
             inside = any(abs(x - support.x) < 9.0 for support in mesh.supports[1:-1])
             assert tension[a, b] == (12.2e3 if inside else 15e3)
         for stitch in mesh.stitches:
-            assert set(floats[stitch.rows][:, -1]) == {2.8e3}
+            assert set(tensions[stitch.rows]) == {2.8e3}
 
 
 def test_lumped_wires_have_no_bend_where_they_turn_freely() -> None:
     mesh = made(stitched_data(), wire_model="lumped")
-    segments, bends = mesh.parts["segments"][0], mesh.parts["bends"][0]
-    bent = {int(segments[before, 1]) for before, _ in bends}
+    before = mesh.parts["bends"]["segments"][:, 0]
+    bent = set(mesh.parts["segments"]["nodes"][before, 1].tolist())
     clamps = {node for s in mesh.stitches for node in (s.nodes[0], s.nodes[-1])}
     assert not bent & clamps
     on_stitch = {d.nodes[0] for d in mesh.droppers if d.wires[0] == "stitch wire"}
@@ -90,26 +91,26 @@ def test_droppers_below_a_stitch_wire_hang_on_it_but_not_at_the_ends_of_the_line
 
 def test_clamps_have_mass() -> None:
     mesh = made(stitched_data())
-    nodes, masses = mesh.parts["masses"]
+    masses = mesh.parts["masses"]
     clamps = sorted(node for s in mesh.stitches for node in (s.nodes[0], s.nodes[-1]))
-    heavy = sorted(int(n) for n, m in zip(nodes[:, 0], masses[:, 0], strict=True) if m == 0.5)
+    heavy = sorted(masses["node"][masses["mass"] == 0.5].tolist())
     assert heavy == clamps
 
 
 def test_hangers_come_before_the_droppers_that_carry_them() -> None:
     mesh = made(compound_data())
-    integers, floats = mesh.parts["links"]
+    links = mesh.parts["links"]
     auxiliary, contact = set(mesh.auxiliary_nodes), set(mesh.contact_nodes)
     hangers = [d for d in mesh.droppers if d.wires == ("auxiliary wire", "contact wire")]
     droppers = [d for d in mesh.droppers if d.wires == ("messenger wire", "auxiliary wire")]
     assert (len(hangers), len(droppers)) == (60, 30)
     assert max(d.link for d in hangers) < min(d.link for d in droppers)
     for d in mesh.droppers:
-        assert tuple(integers[d.link, :2]) == d.nodes
+        assert tuple(links["nodes"][d.link]) == d.nodes
     assert all(d.nodes[0] in auxiliary and d.nodes[1] in contact for d in hangers)
     assert all(d.nodes[1] in auxiliary for d in droppers)
-    assert {floats[d.link, 1] for d in hangers} == {2e5}
-    assert {floats[d.link, 1] for d in droppers} == {1e5}
+    assert {links["stiffness"][d.link] for d in hangers} == {2e5}
+    assert {links["stiffness"][d.link] for d in droppers} == {1e5}
     assert [d.name for d in mesh.droppers][:3] == [
         "span 1 hanger 1",
         "span 1 dropper 1",
@@ -120,7 +121,7 @@ def test_hangers_come_before_the_droppers_that_carry_them() -> None:
 def test_the_auxiliary_wire_is_held_sideways_where_the_arms_hold_the_contact_wire() -> None:
     staggered = compound_data(geometry__stagger_contact_wire=[0.2, -0.2])
     mesh = made(staggered)
-    fixed = {tuple(row) for row in mesh.parts["fixed"][0].tolist()}
+    fixed = set(mesh.parts["fixed"].tolist())
     x, y = mesh.positions[mesh.auxiliary_nodes, :2].T
     for index, support in enumerate(mesh.supports[1:-1], start=1):
         node = mesh.auxiliary_nodes[int(np.searchsorted(x, support.x - 1e-6))]

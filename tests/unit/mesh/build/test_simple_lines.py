@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from arcless.mesh import Mesh, build_mesh
+from arcless.mesh.tables.columns import UNLOADED
 from arcless.model import load_line
 from arcless.model.settings.run_settings import Solver
 from tests.support.line_types import compound_data, stitched_data
@@ -19,7 +20,6 @@ INSULATOR = {
     "axial_stiffness": 2e7,
     "bending_stiffness": 3e3,
 }
-UNLOADED = 2
 
 
 def made(data: dict[str, Any], **solver: Any) -> Mesh:
@@ -28,12 +28,10 @@ def made(data: dict[str, Any], **solver: Any) -> Mesh:
 
 def along(mesh: Mesh) -> list[tuple[float, float]]:
     """Return place and stiffness of each spring along the track that starts without force."""
-    integers, floats = mesh.parts["springs"]
-    return [
-        (float(mesh.positions[node, 0]), float(k))
-        for (node, component, mode), (k, _, _) in zip(integers, floats, strict=True)
-        if component == 0 and mode == UNLOADED
-    ]
+    springs = mesh.parts["springs"]
+    free = springs[(springs["component"] == 0) & (springs["mode"] == UNLOADED)]
+    places = mesh.positions[free["node"], 0].tolist()
+    return list(zip(places, free["stiffness"].tolist(), strict=True))
 
 
 def test_a_trolley_wire_is_all_there_is() -> None:
@@ -44,7 +42,7 @@ def test_a_trolley_wire_is_all_there_is() -> None:
     held = [s.messenger_spring for s in mesh.supports]
     assert held[0] is None
     assert held[-1] is None
-    nodes = [int(mesh.parts["springs"][0][row][0]) for row in held[1:-1] if row is not None]
+    nodes = [int(mesh.parts["springs"]["node"][row]) for row in held[1:-1] if row is not None]
     assert nodes == [s.contact_node for s in mesh.supports[1:-1]]
 
 
@@ -64,16 +62,17 @@ def test_bridles_hang_on_supports_and_end_on_the_contact_wire(model: str) -> Non
     mesh = made(bridle_data(), wire_model=model)
     contact = set(mesh.contact_nodes)
     assert [bridle.support for bridle in mesh.bridles] == list(range(2, 11))
-    springs, _ = mesh.parts["springs"]
+    springs = mesh.parts["springs"]
     for bridle, support in zip(mesh.bridles, mesh.supports[1:-1], strict=True):
         assert {bridle.nodes[0], bridle.nodes[-1]} <= contact
         assert not set(bridle.nodes[1:-1]) & contact
         assert support.messenger_spring is not None
-        hung = int(springs[support.messenger_spring][0])
+        hung = int(springs["node"][support.messenger_spring])
         assert hung in bridle.nodes
         assert mesh.positions[hung, 0] == support.x
-    table = mesh.parts["wires" if model == "hermite" else "segments"]
-    tension = {tuple(nodes[:2]): floats[-1] for nodes, floats in zip(*table, strict=True)}
+    columns = ("nodes", "design_tension")
+    nodes, tensions = (mesh.elements[name].tolist() for name in columns)
+    tension = dict(zip(map(tuple, nodes), tensions, strict=True))
     middle = mesh.positions[mesh.contact_nodes, 0]
     pairs = zip(mesh.contact_nodes, mesh.contact_nodes[1:], middle, middle[1:], strict=False)
     for a, b, left, right in pairs:
@@ -84,10 +83,10 @@ def test_bridles_hang_on_supports_and_end_on_the_contact_wire(model: str) -> Non
 
 def test_joints_are_masses_on_nodes_of_their_own() -> None:
     mesh = made(rail_data(contact_wire__joints={"mass": 2.5, "spacing": 12.0}))
-    nodes, masses = mesh.parts["masses"]
-    places = mesh.positions[nodes[:, 0], 0]
+    masses = mesh.parts["masses"]
+    places = mesh.positions[masses["node"], 0]
     assert places.tolist() == [12.0 * i for i in range(1, 20)]
-    assert set(masses[:, 0]) == {2.5}
+    assert set(masses["mass"]) == {2.5}
 
 
 @pytest.mark.parametrize("wire", ["contact_wire", "messenger_wire", "auxiliary_wire"])
@@ -95,25 +94,25 @@ def test_joints_are_masses_on_nodes_of_their_own() -> None:
 def test_an_insert_replaces_its_piece_of_wire(wire: str, model: str) -> None:
     plain = made(compound_data(), wire_model=model)
     mesh = made(compound_data(inserts=[{**INSULATOR, "wire": wire}]), wire_model=model)
-    kind, axial, mass = ("wires", 1, 3) if model == "hermite" else ("segments", 1, 2)
-    nodes, floats = mesh.parts[kind]
-    ends = mesh.positions[nodes[:, :2], 0]
-    own = np.zeros(len(nodes), dtype=bool)
+    elements = mesh.elements
+    ends = mesh.positions[elements["nodes"], 0]
+    own = np.zeros(len(elements), dtype=bool)
     own[mesh.wire_rows[wire]] = True
     inside = own & (ends[:, 0] > 149.0 - 1e-9) & (ends[:, 1] < 151.0 + 1e-9)
     assert ends[inside].min() == 149.0
     assert ends[inside].max() == 151.0
-    assert set(floats[inside, axial]) == {2e7}
-    assert set(floats[inside, mass]) == {4.5}
-    assert not (floats[~inside, axial] == 2e7).any()
+    assert set(elements["axial_stiffness"][inside]) == {2e7}
+    assert set(elements["mass"][inside]) == {4.5}
+    assert not (elements["axial_stiffness"][~inside] == 2e7).any()
     # Tension and damping are those of the wire.
-    before = plain.parts[kind][1][plain.wire_rows[wire]]
-    assert set(floats[inside, -1]) == set(before[:, -1])
+    before = plain.elements[plain.wire_rows[wire]]
+    for name in ("design_tension", "alpha", "beta"):
+        assert set(elements[name][inside]) == set(before[name])
 
 
 def test_at_the_end_of_an_insert_flexibilities_share_a_bend() -> None:
     mesh = made(trolley_data(inserts=[INSULATOR]), wire_model="lumped")
-    found = sorted(set(mesh.parts["bends"][1][:, 0]))
+    found = sorted(set(mesh.parts["bends"]["bending_stiffness"]))
     assert found == [130.0, pytest.approx(2 / (1 / 130.0 + 1 / 3e3)), 3e3]
 
 
@@ -121,8 +120,7 @@ def test_masses_sit_on_the_wire_that_is_named() -> None:
     wires = ("contact_wire", "messenger_wire", "auxiliary_wire")
     parts = [{"wire": wire, "position": 131.3, "mass": 3.0 + i} for i, wire in enumerate(wires)]
     mesh = made(compound_data(point_masses=parts))
-    nodes, masses = mesh.parts["masses"]
-    found = {float(m): int(n) for n, m in zip(nodes[:, 0], masses[:, 0], strict=True)}
+    found = {float(m): int(n) for n, m in mesh.parts["masses"][["node", "mass"]]}
     lists = (mesh.contact_nodes, mesh.messenger_nodes, mesh.auxiliary_nodes)
     for i, own in enumerate(lists):
         assert found[3.0 + i] in own
@@ -135,12 +133,12 @@ def test_a_midpoint_anchor_frees_both_ends() -> None:
         made(stitched_data(**both, **anchor))
         for anchor in ({}, {"midpoint_anchor": {"stiffness": 1e6}})
     )
-    assert len(plain.parts["ends"][0]) == 2
+    assert len(plain.parts["ends"]) == 2
     ends = sorted(
-        (float(held.positions[node, 0]), int(free), float(force))
-        for (node, free), (force,) in zip(*held.parts["ends"], strict=True)
+        (float(held.positions[end["node"], 0]), bool(end["released"]), float(end["force"]))
+        for end in held.parts["ends"]
     )
-    assert ends == [(0.0, 1, -15e3)] * 2 + [(360.0, 1, 15e3)] * 2
+    assert ends == [(0.0, True, -15e3)] * 2 + [(360.0, True, 15e3)] * 2
     assert along(held) == [(180.0, 1e6)] * 2
 
 

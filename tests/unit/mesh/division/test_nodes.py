@@ -22,21 +22,22 @@ def test_each_node_belongs_to_one_wire_or_is_the_far_side_of_a_hinge(mesh: Make)
     made = mesh()
     named = set(made.contact_nodes) | set(made.messenger_nodes)
     assert not set(made.contact_nodes) & set(made.messenger_nodes)
-    integers, _ = made.parts["wires"]
-    behind_hinges = set(integers[:, 2]) - set(integers[:, 0])
+    wires = made.parts["wires"]
+    behind_hinges = set(wires["slope_nodes"][:, 0]) - set(wires["nodes"][:, 0])
     assert named | behind_hinges == set(range(len(made.positions)))
     assert len(behind_hinges) == 3  # the inner supports of four spans
 
 
 def test_hinges_stand_at_the_messenger_supports_only(mesh: Make) -> None:
     made = mesh()
-    integers, _ = made.parts["wires"]
-    hinged = integers[integers[:, 2] != integers[:, 0]]
-    assert [float(made.positions[node, 0]) for node in hinged[:, 0]] == [50.0, 100.0, 150.0]
-    assert set(hinged[:, 0]) <= set(made.messenger_nodes)
+    wires = made.parts["wires"]
+    nodes, slopes = (wires[name][:, 0] for name in ("nodes", "slope_nodes"))
+    hinged = slopes != nodes
+    assert made.positions[nodes[hinged], 0].tolist() == [50.0, 100.0, 150.0]
+    assert set(nodes[hinged]) <= set(made.messenger_nodes)
     # Slopes arrive at the node itself and leave from its companion at the same place.
-    np.testing.assert_array_equal(made.positions[hinged[:, 0]], made.positions[hinged[:, 2]])
-    assert np.all(integers[:, 3] == integers[:, 1])
+    np.testing.assert_array_equal(made.positions[nodes], made.positions[slopes])
+    assert np.all(wires["slope_nodes"][:, 1] == wires["nodes"][:, 1])
 
 
 @pytest.mark.parametrize(("contact", "messenger"), [(1.45, 2.9), (0.8, 1.6), (10.0, 20.0)])
@@ -60,12 +61,11 @@ def test_division_is_even_and_never_finer_than_needed() -> None:
 
 def test_the_path_is_the_contact_wire_from_left_to_right(mesh: Make) -> None:
     made = mesh()
-    integers, floats = made.parts["wires"]
-    along = integers[made.contact_rows]
-    assert along[:, 0].tolist() == made.contact_nodes[:-1]
-    assert along[:, 1].tolist() == made.contact_nodes[1:]
-    assert set(floats[made.contact_rows][:, 3]) == {1.35}
-    assert len(integers) == len(made.contact_nodes) + len(made.messenger_nodes) - 2
+    contact = made.parts["wires"][made.contact_rows]
+    assert contact["nodes"][:, 0].tolist() == made.contact_nodes[:-1]
+    assert contact["nodes"][:, 1].tolist() == made.contact_nodes[1:]
+    assert set(contact["mass"]) == {1.35}
+    assert len(made.parts["wires"]) == len(made.contact_nodes) + len(made.messenger_nodes) - 2
 
 
 def test_names_and_places(mesh: Make) -> None:
@@ -85,9 +85,9 @@ def test_names_and_places(mesh: Make) -> None:
 
 def test_droppers_hang_between_the_wires(mesh: Make) -> None:
     made = mesh()
-    integers, _ = made.parts["links"]
+    links = made.parts["links"]
     for dropper in made.droppers:
-        upper, lower = integers[dropper.link, :2]
+        upper, lower = links["nodes"][dropper.link]
         assert upper in made.messenger_nodes
         assert lower in made.contact_nodes
         assert made.positions[upper, 0] == made.positions[lower, 0] == dropper.x
@@ -123,7 +123,7 @@ def test_300_spans_are_300_times_one(mesh: Make) -> None:
     sizes = {}
     for count in (30, 300):
         made = mesh(spans=[{"type": "span", "count": count}])
-        parts = {kind: len(integers) for kind, (integers, _) in made.parts.items()}
+        parts = {kind: len(table) for kind, table in made.parts.items()}
         sizes[count] = (len(made.contact_nodes), len(made.messenger_nodes), parts["wires"])
         assert parts["links"] == 5 * count
         assert parts["springs"] == 2 * (count - 1)

@@ -31,8 +31,7 @@ def test_no_tension_length_shares_a_node_with_another(model: str) -> None:
     mesh = made(overlap_data(), wire_model=model)
     own = [{*s.contact["contact wire"], *s.messenger} for s in mesh.systems]
     assert not own[0] & own[1]
-    integers, _ = mesh.parts["wires" if model == "hermite" else "segments"]
-    for a, b in integers[:, :2]:
+    for a, b in mesh.elements["nodes"]:
         assert ({a, b} <= own[0]) != ({a, b} <= own[1])
     # Numbered one after the other, each along the track.
     assert max(own[0]) < min(own[1])
@@ -42,9 +41,9 @@ def test_no_tension_length_shares_a_node_with_another(model: str) -> None:
 
 def test_neighbours_are_on_different_lanes_and_the_next_but_one_on_the_first() -> None:
     mesh = made(overlap_data(ends=(6, 11), spans=15))
-    integers, _ = mesh.parts["wires"]
+    nodes = mesh.parts["wires"]["nodes"]
     reach = [
-        [(mesh.positions[a, 0], mesh.positions[b, 0]) for a, b in integers[lane, :2]]
+        [(mesh.positions[a, 0], mesh.positions[b, 0]) for a, b in nodes[lane]]
         for lane in mesh.lanes
     ]
     assert (reach[0][0][0], reach[0][-1][1]) == (0.0, 900.0)
@@ -66,7 +65,7 @@ def test_a_wire_that_ends_is_raised_towards_its_anchor(shared: int, own: list[fl
         assert first[anchors[0] - 60.0 * inwards] == pytest.approx(5.3 + rise, abs=8e-3)
         assert second[anchors[1] + 60.0 * inwards] == pytest.approx(5.3 + rise, abs=8e-3)
     assert {first[0.0], first[5.0], first[65.0]} == {5.3}
-    springs = set(mesh.parts["springs"][0][:, 0].tolist())
+    springs = set(mesh.parts["springs"]["node"].tolist())
     held = [n for n in mesh.messenger_nodes if n in springs]
     above = {(mesh.positions[n, 0], round(float(mesh.positions[n, 2]), 9)) for n in held}
     for inwards, rise in enumerate(own[1:], start=1):
@@ -85,8 +84,8 @@ def test_both_wires_keep_their_distance_and_pull_outwards() -> None:
         else:
             assert places["tension length 1 support 4"][1] == pytest.approx(stagger)
             assert "tension length 2 support 4" not in places
-    nodes, floats = mesh.parts["struts"]
-    side = {int(node): direction for (node, _), direction in zip(nodes, floats[:, 1], strict=True)}
+    struts = mesh.parts["struts"]
+    side = dict(zip(struts["node"].tolist(), struts["direction"][:, 1], strict=True))
     for name, length in (("tension length 1", range(2, 8)), ("tension length 2", range(6, 12))):
         for number in length:
             found = next(s for s in mesh.supports if s.name == f"{name} support {number}")

@@ -1,4 +1,4 @@
-"""Values are kept as they were typed, beside the data: nothing that counts differs by them."""
+"""Values are kept as they were typed, outside the data: nothing that counts differs by them."""
 
 import json
 import pickle

@@ -1,4 +1,4 @@
-"""What messages say: what a file is, what was meant, and nothing that steers a terminal."""
+"""Texts of messages: kind of a file, likely meaning, and nothing that steers a terminal."""
 
 from collections.abc import Callable
 from pathlib import Path

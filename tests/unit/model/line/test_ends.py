@@ -1,4 +1,4 @@
-"""What a line is told of its ends, and what weights and friction make of a wire."""
+"""Ends of a line's wires: data, weights and friction."""
 
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""What a scenario fills in by itself, and what it warns about."""
+"""Defaults that a scenario fills in, and its warnings."""
 
 from math import pi
 from typing import Any

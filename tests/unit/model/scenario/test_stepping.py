@@ -1,4 +1,4 @@
-"""What a run takes where the solver settings leave it to `auto`."""
+"""Settings that a run takes where the solver settings leave them to `auto`."""
 
 from math import sqrt
 from typing import Any
@@ -136,7 +136,7 @@ def test_the_longest_step_of_a_string_is_the_time_of_a_wave() -> None:
 )
 @pytest.mark.parametrize("length", LADDER[3:])
 def test_steps_that_auto_takes_are_stable(name: str, length: float) -> None:
-    """What the rule takes for elements of any length, the core accepts."""
+    """The core accepts the steps of the rule for elements of any length."""
     lengths = dict.fromkeys(
         ("solver.contact_wire_element", "solver.messenger_wire_element"), length
     )

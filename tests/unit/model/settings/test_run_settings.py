@@ -1,4 +1,4 @@
-"""What the solver settings say, and what is refused of them."""
+"""Solver settings: their fields, and their refusals."""
 
 import json
 from typing import Any
@@ -16,7 +16,7 @@ EXPLICIT = {"solver.scheme": "central-difference"}
 
 
 def given(solver: Solver) -> tuple[Any, ...]:
-    """What the fields say."""
+    """Return the values of the fields."""
     return tuple(getattr(solver, name) for name in FIELDS)
 
 

@@ -23,6 +23,8 @@ REQUIRED_SCENARIOS = {
     "praks-340",
     "praks-360",
 }
+# Lines with damping from where they were published.
+KNOWN = ("ac-simple", "en50318", "praks", "conductor-rail")
 # The published method damps: that is a property to be told, not a mistake in the file.
 # The worked example of the paper has no damping in its wires.
 UNDAMPED = "line: no wire has damping"
@@ -156,3 +158,16 @@ def test_pre_sag_of_spain_is_the_published_share_of_the_span() -> None:
 )
 def test_masses_stand_from_base_to_head(name: str, head_first: list[float]) -> None:
     assert [mass.mass for mass in reversed(load_pantograph(name).masses)] == head_first
+
+
+@pytest.mark.parametrize("name", [name for name in shipped("line") if not name.startswith(KNOWN)])
+def test_real_lines_have_the_least_damping_that_was_measured(name: str) -> None:
+    line = load_line(name)
+    for field in ("contact_wire", "messenger_wire", "auxiliary_wire", "stitch_wire", "bridle"):
+        wire = getattr(line, field)
+        if wire is not None:
+            omega = 2.0 * math.pi * 1.4  # of the measurement, rad/s
+            share = wire.damping.alpha / (2.0 * omega) + wire.damping.beta * omega / 2.0
+            # α is given to two digits.
+            assert share == pytest.approx(0.01, rel=0.02)
+            assert line.provenance[f"{field}.damping"].mark == "assumed"

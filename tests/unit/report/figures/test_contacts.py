@@ -4,13 +4,13 @@ import numpy as np
 
 from arcless.assess import assess
 from arcless.report.figures import along_track, contacts
-from arcless.report.figures.run_data import Scene
+from arcless.report.figures.run_data import RunData
 from tests.support.synthetic import synthetic_dataset
 
 
 def test_there_is_none_with_one_contact_each() -> None:
     dataset = synthetic_dataset()
-    assert contacts.shares(Scene(dataset, assess(dataset))) is None
+    assert contacts.shares(RunData(dataset, assess(dataset))) is None
 
 
 def test_each_contact_has_its_line() -> None:
@@ -20,7 +20,7 @@ def test_each_contact_has_its_line() -> None:
     force = np.column_stack([np.full(dataset.sizes["time"], share) for share in (80.0, 40.0)])
     dataset = dataset.assign_coords(contact=labels)
     dataset["wire_contact_force"] = (("time", "contact"), force)
-    figure = contacts.shares(Scene(dataset, assess(dataset)))
+    figure = contacts.shares(RunData(dataset, assess(dataset)))
     assert figure is not None
     drawn = {r.name: r.data_source.data["y"] for r in figure.renderers if r.name in labels}
     # A low-pass leaves what is constant, to the single precision of a figure.
@@ -33,7 +33,7 @@ def test_no_line_joins_the_end_of_one_contact_wire_to_the_next() -> None:
     nodes = dataset.sizes["contact_wire_node"]
     number = np.where(np.arange(nodes) < nodes // 2, 1, 2)
     dataset["contact_wire_node_wire"] = (("contact_wire_node",), number)
-    figure = along_track.height(Scene(dataset, assess(dataset)))
+    figure = along_track.height(RunData(dataset, assess(dataset)))
     rest = figure.renderers[0].data_source.data
     gaps = np.isnan(rest["y"])
     # One behind each of the two wires, and every node is there.

@@ -11,7 +11,13 @@ import arcless
 from arcless.assess.certainty import student_factor
 from arcless.errors import ContactError, EquilibriumError, ModelError
 from arcless.model import Scenario
-from arcless.simulate.certainty import found_beside, one_by_one, other_starts, places, runs_beside
+from arcless.simulate.certainty import (
+    additional_runs,
+    other_starts,
+    places,
+    run_additional,
+    sequential_runner,
+)
 from arcless.simulate.setup import trajectory
 from tests.support.small import laid_out
 
@@ -88,14 +94,14 @@ def test_a_train_that_changes_speed_has_the_same_speed_at_every_place(short: Mak
     job = laid_out(scenario)
     own = job.travel
     for place in [*places(scenario)[1:], 40.0]:
-        [other] = other_starts.begun_at(job, [80.0], [place])
+        [other] = other_starts.started_at(job, [80.0], [place])
         there = trajectory.motion(other)
         assert there.positions[0] == pytest.approx(place)
         inside = own.positions[(own.positions > max(place, 60.0)) & (own.positions < 330.0)]
         # A step cuts the corners of the profile by up to 5 m/s² times half a millisecond.
         speeds = np.interp(inside, own.positions, own.speeds)
         assert np.interp(inside, there.positions, there.speeds) == pytest.approx(speeds, abs=5e-3)
-    [before] = other_starts.begun_at(job, [80.0], [40.0])
+    [before] = other_starts.started_at(job, [80.0], [40.0])
     assert before.speed_profile is not None
     assert before.speed_profile.speed[0] == 30.0
 
@@ -114,7 +120,7 @@ def test_the_pantograph_is_the_same_at_every_start(short: Make) -> None:
     job = laid_out(scenario)
     points = []
     for place in places(scenario):
-        [other] = other_starts.begun_at(job, [80.0], [place])
+        [other] = other_starts.started_at(job, [80.0], [place])
         force = other.pantographs[0].static_force
         raw = laid_out(other).step([force], full=False, until=2)
         points.append((raw["height"][0], force))
@@ -129,7 +135,7 @@ def test_the_pantograph_is_the_same_at_every_start(short: Make) -> None:
 def test_a_base_without_a_spring_keeps_its_force(short: Make) -> None:
     free = short(**LONG, **{"pantographs.0.model.masses.0.stiffness": 0.0})
     job = laid_out(asked(free))
-    for other in other_starts.begun_at(job, [80.0], places(asked(free))):
+    for other in other_starts.started_at(job, [80.0], places(asked(free))):
         assert other.pantographs[0].static_force == 80.0
 
 
@@ -157,7 +163,7 @@ def test_a_run_says_how_sure_its_numbers_are(short: Make, tmp_path: Path) -> Non
     by_hand = [own["std_force_N"]]
     job = laid_out(sure.scenario)
     for place in places(sure.scenario)[1:]:
-        [other] = other_starts.begun_at(job, [80.0], [place])
+        [other] = other_starts.started_at(job, [80.0], [place])
         by_hand.append(arcless.run(other).assessment.pantographs[0].std_force_N)
     spread = student_factor(3) * float(np.std(by_hand, ddof=1))
     # The runs are the same, bit for bit; sums of four numbers round.
@@ -251,9 +257,9 @@ def test_several_pantographs_each_say_it(placement: dict[str, Any], short: Make)
     assert len(found["certainty_method"]["static_force_N"][1]) == 2
 
 
-def failing(job: Any, fails: Callable[[Scenario], Exception | None]) -> runs_beside.Runs:
+def failing(job: Any, fails: Callable[[Scenario], Exception | None]) -> additional_runs.Runs:
     """Return who runs scenarios but those that are to fail."""
-    real = one_by_one(job, lambda: False, beside_line)
+    real = sequential_runner(job, lambda: False, beside_line)
 
     def runs(scenarios: Any) -> Any:
         outcomes = []
@@ -279,7 +285,7 @@ def test_starts_that_fail_are_told_and_the_others_count(short: Make) -> None:
     job, bad = laid_out(scenario), places(scenario)[2]
     error = ContactError("the motion grew beyond all bounds", hint="/tmp/somewhere")
     runs = failing(job, lambda s: error if s.travel.start == bad else None)
-    found = found_beside(job, [80.0], runs)
+    found = run_additional(job, [80.0], runs)
     assert len(found["draws"]) == 2
     assert found["notes"] == [
         "1 of 3 runs from other starts failed, and the spread is that of the others: the motion"
@@ -291,13 +297,13 @@ def test_where_a_line_refuses_chains_cubic_elements_are_refined(short: Make) -> 
     scenario = asked(short(**LONG), 2)
     job = laid_out(scenario)
     error = EquilibriumError("no chain stands here")
-    found = found_beside(
+    found = run_additional(
         job, [80.0], failing(job, lambda s: error if s.solver.wires == "lumped" else None)
     )
     assert found["other_family"]["wire_model"] == "hermite"
     assert found["refined"] is not None
     assert found["notes"] == []
-    nothing = found_beside(
+    nothing = run_additional(
         job, [80.0], failing(job, lambda s: error if s.solver is not scenario.solver else None)
     )
     assert nothing["refined"] is None

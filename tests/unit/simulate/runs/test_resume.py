@@ -1,4 +1,4 @@
-"""Runs that stop and go on: the same bits as whole ones, and what is refused."""
+"""Runs that stop and are resumed: the same bits as whole ones, and refusals."""
 
 import json
 from collections.abc import Callable

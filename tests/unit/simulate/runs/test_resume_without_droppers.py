@@ -1,4 +1,4 @@
-"""Lines without droppers stop and go on as others do: a series without columns is in no file."""
+"""Runs on lines without droppers are resumed, too: a series without columns is in no file."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""A record written while the run goes on is the record written at its end, bit for bit."""
+"""A record written during the run is the record written at its end, bit for bit."""
 
 from pathlib import Path
 from typing import Any
@@ -150,14 +150,14 @@ def test_passages_are_those_of_the_whole_record() -> None:
 
 def test_report_of_a_long_line_draws_the_same_passages() -> None:
     from arcless.report.figures import along_track
-    from arcless.report.figures.run_data import Scene
+    from arcless.report.figures.run_data import RunData
 
     scenario = arcless.load(SHORT).with_(**TRAVEL)
     drawn = []
     # What is drawn reaches 200 m behind: so does what is recorded, here.
     for around in ("whole line", "200 m"):
         result = arcless.run(scenario.with_(**{"output.around": around}))
-        scene = Scene(result.dataset, result.assessment)
+        scene = RunData(result.dataset, result.assessment)
         figures = [along_track.uplift(scene), along_track.dropper_passages(scene)]
         data = [r.data_source.data for figure in figures for r in figure.renderers]
         drawn.append([{key: list(map(list, d[key])) for key in d if key in "xy"} for d in data[:1]])

@@ -31,7 +31,7 @@ def pantograph(**head: Any) -> Data:
 
 
 def aside(y: float) -> Data:
-    """A line that runs straight at y beside the track."""
+    """Return changes by which a line runs straight at y from the track, m."""
     names = ("stagger_contact_wire", "stagger_messenger_wire")
     return {f"line.geometry.{name}": [y] for name in names}
 
@@ -72,17 +72,15 @@ def test_at_rest_in_the_middle_of_a_span_both_strips_carry_half(short: Short) ->
 def test_a_roll_at_a_wire_aside_is_the_matrices_with_its_lever(run: Run) -> None:
     y = 0.2
     rolling = pantograph(strips=1, roll=ROLL)
-    mass, damping, stiffness, _, preload, lift, *_ = pantographs.rider(
-        load_pantograph(rolling), 0.0
-    )
+    made = pantographs.data(load_pantograph(rolling), 0.0)
     matrices = {
         **{
-            name: np.reshape(flat, (3, 3)).tolist()
-            for name, flat in (("mass", mass), ("damping", damping), ("stiffness", stiffness))
+            name: np.reshape(getattr(made, name), (3, 3)).tolist()
+            for name in ("mass", "damping", "stiffness")
         },
         "strip": [0.0, 1.0, y],
-        "preload": preload,
-        "lift": lift,
+        "preload": made.preload,
+        "lift": made.lift,
         "raised": [1.0, 1.0, 0.0],
     }
     by_head = run(**{MODEL: rolling}, **aside(y))

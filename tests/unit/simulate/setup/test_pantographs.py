@@ -28,19 +28,17 @@ def force(result: Result) -> np.ndarray:
 
 
 def as_matrices(model: Data) -> Data:
-    """The same pantograph, its matrices formed as a chain forms them."""
-    mass, damping, stiffness, strips, preload, lift, *_ = pantographs.rider(
-        load_pantograph(model), 0.0
-    )
-    ((_, _, _, (strip,)),) = strips
+    """Return a pantograph's matrices, formed as a chain forms them."""
+    made = pantographs.data(load_pantograph(model), 0.0)
+    (strip,) = made.strips[0].vectors
     size = len(strip)
     square = {
-        name: np.reshape(flat, (size, size)).tolist()
-        for name, flat in (("mass", mass), ("damping", damping), ("stiffness", stiffness))
+        name: np.reshape(getattr(made, name), (size, size)).tolist()
+        for name in ("mass", "damping", "stiffness")
     }
     return {
         "name": model["name"],
-        "matrices": {**square, "strip": strip, "preload": preload, "lift": lift},
+        "matrices": {**square, "strip": strip, "preload": made.preload, "lift": made.lift},
     }
 
 
@@ -58,7 +56,7 @@ def test_a_chain_written_as_matrices_gives_the_same_bits(run: Run, placement: Da
 
 
 def test_coordinates_do_not_matter(run: Run, placement: Data) -> None:
-    """The same pantograph in the coordinates (height of the base mass, stroke of the head)."""
+    """Return a pantograph in the coordinates (height of the base mass, stroke of the head)."""
     chain = as_matrices(placement["model"])["matrices"]
     turn = np.array([[1.0, 0.0], [1.0, 1.0]])  # u = turn q
     matrices = {
@@ -125,11 +123,11 @@ def test_the_roof_follows_a_spline_and_its_derivative(short: Short) -> None:
     over_time = {"time": points.tolist(), "displacement": (0.01 * np.sin(omega * points)).tolist()}
     scenario = short(**{ROOF: over_time})
     travel = trajectory.motion(scenario)
-    _, ground = pantographs.given_motions(scenario, travel)[0]
+    ground = pantographs.given_motions(scenario, travel)[0].ground
     assert ground is not None
-    rigid, height, rate = ground
+    height, rate = ground.displacement, ground.rate
     times = travel.time_step * np.arange(travel.steps + 1)
-    assert rigid == [1.0, 1.0]
+    assert ground.carried == [1.0, 1.0]
     # Error of the spline: 5/384 (ωΔ)⁴ = 1e-6 of the amplitude; of its slope (ωΔ)³/24 = 4e-5.
     np.testing.assert_allclose(height, 0.01 * np.sin(omega * times), rtol=0, atol=2e-8)
     np.testing.assert_allclose(
@@ -139,11 +137,11 @@ def test_the_roof_follows_a_spline_and_its_derivative(short: Short) -> None:
     speed = scenario.speed or 0.0
     over_line = {"position": (50 + speed * points).tolist(), **over_time, "time": None}
     scenario = short(**{ROOF: over_line})
-    _, along = pantographs.given_motions(scenario, travel)[0]
+    along = pantographs.given_motions(scenario, travel)[0].ground
     assert along is not None
     # Round-off of places of 1e2 m times slopes of 1e-2, and of rates 1e3 times that.
-    np.testing.assert_allclose(along[1], height, rtol=0, atol=1e-12)
-    np.testing.assert_allclose(along[2], rate, rtol=0, atol=1e-9)
+    np.testing.assert_allclose(along.displacement, height, rtol=0, atol=1e-12)
+    np.testing.assert_allclose(along.rate, rate, rtol=0, atol=1e-9)
 
 
 def test_trailing_pantographs_meet_the_roof_motion_of_their_own_place(short: Short) -> None:

@@ -65,19 +65,17 @@ def test_joints_beside_matrices_are_those_of_a_chain(run: Run, placement: Data) 
     lift = {"speed": [0.0, 60.0], "force": [0.0, 30.0]}
     chain["masses"][0] = {**chain["masses"][0], "lift": lift}
     bare = head(placement, damping=0.0)
-    mass, damping, stiffness, strips, preload, *_ = pantographs.rider(
-        arcless.model.load_pantograph(bare), 0.0
-    )
+    made = pantographs.data(arcless.model.load_pantograph(bare), 0.0)
     square = {
-        name: np.reshape(flat, (2, 2)).tolist()
-        for name, flat in (("mass", mass), ("damping", damping), ("stiffness", stiffness))
+        name: np.reshape(getattr(made, name), (2, 2)).tolist()
+        for name in ("mass", "damping", "stiffness")
     }
     matrices = {
         "name": "general",
         "matrices": {
             **square,
-            "strip": strips[0][3][0],
-            "preload": preload,
+            "strip": made.strips[0].vectors[0],
+            "preload": made.preload,
             "joints": [{"between": [-1, 1], **joint}],
             "lift_tables": [{"on": [1, 0], **lift}],
         },
@@ -125,4 +123,5 @@ def test_a_table_too_short_for_the_static_force_is_refused(short: Short, placeme
 def test_laws_look_at_the_motion_between_a_mass_and_what_is_below(placement: Data) -> None:
     model = arcless.model.load_pantograph(head(placement, friction={"force": 8.0}))
     (law,) = stops_and_friction.laws(model)
-    assert (law.field, law.data[:2]) == ("masses.1.friction", ([-1.0, 1.0], True))
+    found = (law.field, law.data.direction, law.data.is_damper)
+    assert found == ("masses.1.friction", [-1.0, 1.0], True)

@@ -76,26 +76,26 @@ def test_a_travel_shorter_than_a_step_is_refused(short: Short) -> None:
         trajectory.motion(short(**travel))
 
 
-def test_rider_matrices_of_a_chain() -> None:
+def test_matrices_of_a_chain() -> None:
     pantograph = load_pantograph("ac-simple")
-    mass, damping, stiffness, strips, preload, lift, force, *_ = pantographs.rider(
-        pantograph, 160.0
-    )
-    np.testing.assert_array_equal(np.reshape(mass, (3, 3)), np.diag([6.0, 9.0, 7.5]))
+    made = pantographs.data(pantograph, 160.0)
+    np.testing.assert_array_equal(np.reshape(made.mass, (3, 3)), np.diag([6.0, 9.0, 7.5]))
     expected = [[160 + 15500, -15500, 0], [-15500, 15500 + 7000, -7000], [0, -7000, 7000]]
-    np.testing.assert_array_equal(np.reshape(stiffness, (3, 3)), expected)
+    np.testing.assert_array_equal(np.reshape(made.stiffness, (3, 3)), expected)
     expected = [[100.1, -0.1, 0], [-0.1, 45.1, -45], [0, -45, 45]]
-    np.testing.assert_allclose(np.reshape(damping, (3, 3)), expected)
+    np.testing.assert_allclose(np.reshape(made.damping, (3, 3)), expected)
     # One strip: in the middle, of any length, everywhere at the height of the last mass.
-    assert strips == [(0.0, inf, [0.0], [[0, 0, 1]])]
-    assert (preload, lift) == ([1, 0, 0], [0, 0, 0])
-    assert force == 160.0
+    (strip,) = made.strips
+    assert (strip.offset, strip.half_width) == (0.0, inf)
+    assert (strip.knots, strip.vectors) == ([0.0], [[0, 0, 1]])
+    assert (made.preload, made.lift) == ([1, 0, 0], [0, 0, 0])
+    assert made.start_force == 160.0
 
 
-def test_rider_frequencies_are_those_of_the_data_sheet() -> None:
+def test_frequencies_of_a_pantograph_are_those_of_the_data_sheet() -> None:
     pantograph = load_pantograph("en50318-2002")
-    mass, _, stiffness, *_ = pantographs.rider(pantograph, 120.0)
-    m, k = np.reshape(mass, (2, 2)), np.reshape(stiffness, (2, 2))
+    made = pantographs.data(pantograph, 120.0)
+    m, k = np.reshape(made.mass, (2, 2)), np.reshape(made.stiffness, (2, 2))
     found = np.sqrt(np.sort(np.linalg.eigvals(np.linalg.solve(m, k)))) / (2 * np.pi)
     # Printed with two decimals in the reference data.
     np.testing.assert_allclose(found, [0.24, 4.68], atol=0.005)

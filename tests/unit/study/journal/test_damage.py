@@ -61,7 +61,7 @@ def flipped(content: bytes, seed: int) -> bytes:
 
 
 def check_mended(folder: Path, expected: Path) -> None:
-    """Go on, and see that the table is that of an undamaged study, or an error of ours."""
+    """Resume, and see that the table is that of an undamaged study, or an error of ours."""
     made = large()
     status(made, folder)
     try:

@@ -96,7 +96,7 @@ def test_worker_processes_are_started_once(
         yield "client"
         told.append("stopped")
 
-    class Pieces:
+    class Chunks:
         def __init__(self, _client: str, *what: Any) -> None:
             self.task, self.variants, *_ = what
 
@@ -105,7 +105,7 @@ def test_worker_processes_are_started_once(
             evaluate(self.task, self.variants, take, workers=1)
 
     monkeypatch.setattr("arcless.study.executors.dask._local", local)
-    monkeypatch.setattr("arcless.study.executors.dask.Pieces", Pieces)
+    monkeypatch.setattr("arcless.study.executors.dask.Chunks", Chunks)
     run(search(design={"trials": 12}), tmp_path, executor=Execution(kind="dask"))
     assert told == ["started", *["a round"] * 3, "stopped"]
     assert rows(tmp_path / "table.parquet") == rows(found[1] / "table.parquet")[:12]

@@ -10,11 +10,17 @@ import pytest
 from arcless.errors import ModelError
 from arcless.study import Execution, Optimise, Progress, Study, StudyFolder, run, status
 from arcless.study.evaluation.evaluate import Task, evaluate
-from arcless.study.evaluation.run_monitor import Watcher
+from arcless.study.evaluation.run_monitor import RunMonitor
 from arcless.study.evaluation.variants import scenario, variants
 from arcless.study.journal.row import Row
 from arcless.study.optimisation.constraints import Constraint
-from arcless.study.optimisation.pruning import OutOfReach, Percentile, Saving, Watch, comparisons
+from arcless.study.optimisation.pruning import (
+    Monitoring,
+    OutOfReach,
+    Percentile,
+    Saving,
+    comparisons,
+)
 from arcless.study.report import html
 from tests.support.studies import QUICK, rows, study
 from tests.support.wear import wear_data
@@ -151,7 +157,7 @@ def test_a_hard_constraint_is_sound(
         outputs={"looked": key},
     )
     limit = Constraint(output="looked", hard=True, **bound)
-    task = replace(Task.of(made, None), watch=Watch(10, ("looked",), (), (limit,)))
+    task = replace(Task.of(made, None), watch=Monitoring(10, ("looked",), (), (limit,)))
     found: list[Row] = []
     evaluate(task, variants(made, [1, 2]), found.append)
     good, broken = sorted(found, key=lambda row: row.status)
@@ -208,10 +214,10 @@ def test_percentile_is_that_of_optuna() -> None:
         made.add_trial(optuna.trial.create_trial(value=one.outputs["wear"],
                                                  intermediate_values=steps))  # fmt: skip
     theirs = optuna.pruners.PercentilePruner(40.0, n_startup_trials=6)
-    watch = Watch(5, ("wear",), (test,), ())
+    watch = Monitoring(5, ("wear",), (test,), ())
     for so_far in random.random((40, 4)):
         trial = made.ask()
-        watcher = Watcher(watch, {}, {}, searches=False)
+        watcher = RunMonitor(watch, {}, {}, searches=False)
         for step, value in enumerate(map(float, so_far)):
             trial.report(value, step)
             watcher.so_far["wear"].append(value)

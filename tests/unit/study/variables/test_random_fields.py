@@ -38,7 +38,7 @@ def sample(path: str, field: RandomField) -> tuple[np.ndarray, np.ndarray]:
 
 
 @BOTH
-@pytest.mark.parametrize("length", [LENGTH, 100.0, 0.0])
+@pytest.mark.parametrize("length", [LENGTH, pytest.param(100.0, marks=pytest.mark.evidence), 0.0])
 def test_covariance_is_the_closed_form(path: str, length: float) -> None:
     field = RandomField(standard_deviation=SIGMA, correlation_length=length)
     x, found = sample(path, field)

@@ -1,166 +1,193 @@
-//! Energy ledger of explicit steps: the [`ledger`](crate::integrator::energy::implicit) of their own discrete energy.
+//! Energy balance of explicit steps: the [`balance`](crate::integrator::energy::implicit) of their
+//! own discrete energy.
 //!
-//! Energies belong to half a step after the last one, z = u + ½ h v, and every balance is multiplied by
-//! Δz = h vₙ₊₁: see [`explicit::energy`](crate::integrator::explicit::energy) for the line. Riders step by Newmark's β = ¼,
-//! γ = ½, which is the same scheme with all of K implicit: ½ (d/h)ᵀM(d/h) + ½ zᵀK z, d = h v + ½ h² a.
+//! Energies belong to half a step after the last one, z = u + ½ h v, and every balance is
+//! multiplied by Δz = h vₙ₊₁: see [`explicit::energy`](crate::integrator::explicit::energy) for the
+//! line. Pantographs step by Newmark's β = ¼, γ = ½, which is the same scheme with all of K
+//! implicit: ½ (d/h)ᵀM(d/h) + ½ zᵀK z, d = h v + ½ h² a.
 //!
-//! A contact with overlap p and compliance C = 1/k_c + R̃ stores ½ max(p, 0)²/C. It moves on with the line at z, then the line
-//! moves with the contact in its new place x:
+//! A contact with overlap p and compliance C = 1/k_c + R̃ stores ½ max(p, 0)²/C. It moves to its
+//! new point x with the line at z, then the line moves with the contact there:
 //!
 //!   traction  = E_c(z⁻, x) − E_c(z⁻, x⁻)
 //!   switching = λ Δp − (E_c(z⁺, x) − E_c(z⁻, x))
 //!
-//! λ = p(uₙ₊₁)/C and u = ½ (z⁻ + z⁺) make the switching zero unless the contact opens or closes within the step. A
-//! rigid one stores nothing: traction = λ (p(z⁻, x) − p(z⁻, x⁻)). Places are those found for the end of a step,
-//! not those where the step has put its forces. Stops, kinks and moving grounds of riders likewise; links as in the ledger.
+//! λ = p(uₙ₊₁)/C and u = ½ (z⁻ + z⁺) make the switching zero unless the contact opens or closes
+//! within the step. A rigid one stores nothing: traction = λ (p(z⁻, x) − p(z⁻, x⁻)). Points are
+//! those of the end of a step, not those where the step has applied its forces. Stops, breakpoints
+//! and base motions of pantographs likewise; links as in the implicit balance.
 //!
-//! **Measured steps.** What wires dissipate is a sum over all points of every step, which costs half as much as the
-//! step. So it may be measured in some steps only. In these everything is known: the balance must close by
-//! itself, and its residual, times the number of steps it stands for, counts. Between them `dissipated_line` is what the balance
-//! leaves, which must not be negative.
+//! **Measured steps.** The dissipation of wires is a sum over all points of every step, which costs
+//! half as much as the step. So it may be measured in some steps only. In these everything is
+//! known: the balance must close by itself, and its residual, times the number of steps it stands
+//! for, counts. Between them `dissipated_line` is the remainder of the balance, which must not be
+//! negative.
 
 use crate::checkpoint::Archive;
 use crate::constraint::contacts::Contacts;
 use crate::constraint::problem::ConstraintProblem;
+use crate::energy_terms::EnergyTerms;
 use crate::error::CoreError;
-use crate::integrator::WireState;
-use crate::integrator::energy::entries::EnergyTerms;
-use crate::integrator::energy::explicit_contacts::Pressed;
-use crate::integrator::energy::explicit_links::{Damper, dampers};
-use crate::integrator::energy::implicit::StepForces;
-use crate::integrator::explicit::energy::{Forms, Lost, Stored};
-use crate::integrator::explicit::{Explicit, Grid};
-use crate::integrator::prepared::WireModel;
-use crate::pantograph::half_steps::Halves;
-use crate::pantograph::system::PantographState;
+use crate::integrator::energy::step_forces::StepForces;
+use crate::integrator::explicit::energy::{IslandEnergies, StepLosses, StoredEnergy};
+use crate::integrator::explicit::{ChainState, Explicit};
+use crate::integrator::state::WireState;
+use crate::integrator::wire_model::WireModel;
+use crate::pantograph::half_steps::HalfStepEnergy;
+use crate::pantograph::state::PantographState;
 
-/// Running ledger of explicit steps, and its work space.
+/// Contact at the end of the last step: activity, overlap (m), energy (J).
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct ContactState {
+    pub is_active: bool,
+    pub overlap: f64,
+    pub energy: f64,
+}
+
+/// Damper to ground: node, component, N·s/m, and h v of the node, m.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Damper {
+    pub node: usize,
+    pub component: usize,
+    pub viscosity: f64,
+    pub rate: f64,
+}
+
+/// Energy balance of explicit steps during a run, and its workspace.
 #[derive(Debug, Clone)]
 pub struct ExplicitBalance<const DIM: usize, const D: usize> {
-    /// Entries so far.
-    pub entries: EnergyTerms,
-    /// Every how many steps the dissipation of wires is measured.
+    /// Terms so far, J.
+    pub terms: EnergyTerms,
+    /// Number of steps from one measurement of the dissipation of wires to the next.
     pub(crate) every: usize,
-    pub(crate) forms: Forms,
-    /// z⁻ and Δz of the nodes that something acts on.
+    pub(crate) forms: IslandEnergies,
+    /// Displacements z⁻ and increments Δz of nodes that forces act on, m.
     pub(crate) z: Vec<[f64; D]>,
-    pub(crate) moved: Vec<[f64; D]>,
-    pub(crate) riders: Vec<Halves>,
-    pub(crate) pressed: Vec<Pressed>,
+    pub(crate) increment: Vec<[f64; D]>,
+    pub(crate) pantographs: Vec<HalfStepEnergy>,
+    pub(crate) contact_states: Vec<ContactState>,
     pub(crate) dampers: Vec<Damper>,
-    /// Stored at the start by line, contacts and riders.
+    /// Energies at the start: line, contacts, pantographs, piecewise forces, J.
     pub(crate) start: [f64; 4],
     pub(crate) slack: f64,
-    /// Work of all that is not a wire, a linear link, spring or strut on the line so far, and what links and springs have
-    /// dissipated of it.
+    /// Work so far on the line by all except wires, linear links, springs and struts, and the
+    /// energy that links and springs have dissipated, J.
     pub(crate) work: f64,
-    pub(crate) spent: f64,
-    /// Line, work and spent when they were settled last.
-    pub(crate) settled: [f64; 3],
-    /// What the islands had that were laid to rest.
-    pub(crate) left: f64,
-    /// What links and springs dissipate in the present step.
-    pub(crate) of_step: f64,
-    /// What did not add up of the line where it was settled.
-    pub(crate) off: f64,
-    /// Largest amount of energy the line had.
-    pub(crate) largest: f64,
-    /// Least that the wires have dissipated between measured steps.
-    pub(crate) least: f64,
-    /// Switching of contacts and links, without stops and tables of riders.
-    pub(crate) switched: f64,
+    pub(crate) dissipated: f64,
+    /// Line energy, work and dissipation at the last evaluation of the balance, J.
+    pub(crate) last_balance: [f64; 3],
+    /// Energy of the islands that were put back to rest, J.
+    pub(crate) removed: f64,
+    /// Dissipation of links and springs in the current step, J.
+    pub(crate) step_dissipation: f64,
+    /// Imbalance of the line, summed over evaluations, J.
+    pub(crate) imbalance: f64,
+    /// Largest energy of the line, J.
+    pub(crate) max_line_energy: f64,
+    /// Smallest dissipation of wires between measured steps, J.
+    pub(crate) min_dissipation: f64,
+    /// Switching of contacts and links, without stops and piecewise forces of pantographs, J.
+    pub(crate) contact_and_link_switching: f64,
 }
 
 impl<const DIM: usize, const D: usize> ExplicitBalance<DIM, D> {
-    /// Open the ledger at the starting state.
+    /// Opens the balance at the initial state.
     pub(crate) fn new(
-        p: &WireModel<DIM, D>,
-        (steps, grid): (&Explicit<DIM>, &Grid),
+        wires: &WireModel<DIM, D>,
+        (steps, chain): (&Explicit<DIM>, &ChainState),
         state: &WireState<D>,
-        riders: &[PantographState],
+        pantographs: &[PantographState],
         contacts: &Contacts<DIM>,
         (datum, every): (f64, usize),
     ) -> Self {
-        let halves = riders.iter().map(|rider| Halves::new(rider, p.h));
-        let mut new = Self {
-            entries: EnergyTerms::default(),
+        let halves = pantographs
+            .iter()
+            .map(|pantograph| HalfStepEnergy::new(pantograph, wires.h));
+        let mut balance = Self {
+            terms: EnergyTerms::default(),
             every: every.max(1),
-            forms: Forms::new(steps),
+            forms: IslandEnergies::new(steps),
             z: state.u.clone(),
-            moved: vec![[0.0; D]; state.u.len()],
-            riders: halves.collect(),
-            dampers: dampers(p),
-            pressed: vec![Pressed::default(); contacts.all.len()],
+            increment: vec![[0.0; D]; state.u.len()],
+            pantographs: halves.collect(),
+            dampers: Self::dampers(wires),
+            contact_states: vec![ContactState::default(); contacts.all.len()],
             start: [0.0; 4],
             slack: 0.0,
             work: 0.0,
-            spent: 0.0,
-            settled: [0.0; 3],
-            left: 0.0,
-            of_step: 0.0,
-            off: 0.0,
-            largest: 0.0,
-            least: 0.0,
-            switched: 0.0,
+            dissipated: 0.0,
+            last_balance: [0.0; 3],
+            removed: 0.0,
+            step_dissipation: 0.0,
+            imbalance: 0.0,
+            max_line_energy: 0.0,
+            min_dissipation: 0.0,
+            contact_and_link_switching: 0.0,
         };
-        new.slack = new.slack_at_rest(p, state);
+        balance.slack = balance.slack_energy_at_rest(wires, state);
         for &i in &contacts.active {
-            new.pressed[i] = new.press(p, contacts, i, (riders, datum));
+            balance.contact_states[i] =
+                balance.contact_at_rest(wires, contacts, i, (pantographs, datum));
         }
-        let pressed = new.pressed.iter().map(|c| c.energy).sum::<f64>();
-        let [stored, laws, stops] = sums(&new.riders);
-        new.read(steps, state, grid);
-        let line = new.stored(steps, state);
-        new.start = [line.elastic + new.slack, pressed + stops, stored, laws];
-        new.settled[0] = line.all();
-        new.largest = line.all().abs();
-        new
+        let pressed = balance.contact_states.iter().map(|c| c.energy).sum::<f64>();
+        let [stored, piecewise_force_energy, stops] = pantograph_energies(&balance.pantographs);
+        balance.read_forms(steps, state, chain);
+        let line = balance.stored(steps, state);
+        balance.start = [
+            line.elastic + balance.slack,
+            pressed + stops,
+            stored,
+            piecewise_force_energy,
+        ];
+        balance.last_balance[0] = line.all();
+        balance.max_line_energy = line.all().abs();
+        balance
     }
 
-    /// Whether wires are measured in a step.
+    /// Returns whether the dissipation of wires is measured in a step.
     fn measures(&self, step: usize) -> bool {
         step.is_multiple_of(self.every)
     }
 
-    /// Everything that needs the state before the step is taken, when its forces are known.
+    /// Adds the terms that need the state before the commit of a step, when its forces are known.
     pub(crate) fn before(
         &mut self,
-        p: &WireModel<DIM, D>,
+        wires: &WireModel<DIM, D>,
         state: &WireState<D>,
-        riders: &[PantographState],
+        pantographs: &[PantographState],
         (step, speed): (usize, f64),
         f: &StepForces<'_, DIM>,
     ) {
-        let Some((steps, grid)) = p.explicit_state(state) else {
+        let Some((steps, chain)) = wires.explicit_state(state) else {
             return;
         };
-        // Before anything of this step is booked.
+        // Read before any term of this step is added.
         if self.measures(step) {
-            self.read(steps, state, grid);
+            self.read_forms(steps, state, chain);
         }
         if self.measures(step) && self.every > 1 {
             let line = self.stored(steps, state).all();
-            self.close(line);
+            self.assign_dissipation(line);
         }
-        for (halves, rider) in self.riders.iter_mut().zip(riders) {
-            halves.find(rider, &p.coefficients, p.h);
+        for (halves, pantograph) in self.pantographs.iter_mut().zip(pantographs) {
+            halves.update_increment(pantograph, &wires.coefficients, wires.h);
         }
-        self.of_step = 0.0;
-        let before = self.entries.switching;
-        self.book_contacts(p, (steps, grid), f);
-        self.book_links(p, (steps, grid), f.unilateral);
-        self.switched += self.entries.switching - before;
-        self.book_dampers(p.h, (steps, grid), state);
+        self.step_dissipation = 0.0;
+        let before = self.terms.switching;
+        self.add_contacts(wires, (steps, chain), f);
+        self.add_links(wires, (steps, chain), f.problem);
+        self.contact_and_link_switching += self.terms.switching - before;
+        self.add_dampers(wires.h, (steps, chain), state);
         if !f.loads.is_empty() {
             for node in f.loads.nodes() {
-                self.look(steps, grid, node);
+                self.update_node(steps, chain, node);
             }
-            let work = f.loads.work(&self.moved);
-            self.entries.work_loads += work;
+            let work = f.loads.work(&self.increment);
+            self.terms.work_loads += work;
             self.work += work;
         }
-        for (halves, rider) in self.riders.iter().zip(riders) {
-            halves.book(rider, (p.h, speed), &mut self.entries);
+        for (halves, pantograph) in self.pantographs.iter().zip(pantographs) {
+            halves.add_work(pantograph, (wires.h, speed), &mut self.terms);
         }
         if !self.measures(step) {
             return;
@@ -170,168 +197,172 @@ impl<const DIM: usize, const D: usize> ExplicitBalance<DIM, D> {
         }
     }
 
-    /// Find z⁻ and Δz of a node.
-    pub(crate) fn look(&mut self, steps: &Explicit<DIM>, grid: &Grid, node: usize) {
-        for (c, [z, by]) in steps.halves(grid, node).into_iter().enumerate() {
-            (self.z[node][c], self.moved[node][c]) = (z, by);
+    /// Reads z⁻ and Δz of a node.
+    pub(crate) fn update_node(&mut self, steps: &Explicit<DIM>, chain: &ChainState, node: usize) {
+        for (c, [z, increment]) in steps.half_step_motion(chain, node).into_iter().enumerate() {
+            (self.z[node][c], self.increment[node][c]) = (z, increment);
         }
     }
 
-    /// Book the step after it was taken. Tells whether energies are those of the end of the step.
+    /// Adds the terms of a step after its commit. Returns whether energies are those of the end of
+    /// the step.
     pub(crate) fn after(
         &mut self,
-        p: &WireModel<DIM, D>,
+        wires: &WireModel<DIM, D>,
         state: &WireState<D>,
-        riders: &[PantographState],
+        pantographs: &[PantographState],
         (step, is_row): (usize, bool),
-        unilateral: &ConstraintProblem,
+        problem: &ConstraintProblem,
     ) -> bool {
-        let Some((steps, grid)) = p.explicit_state(state) else {
+        let Some((steps, chain)) = wires.explicit_state(state) else {
             return false;
         };
-        self.book_linear_links(p, state, unilateral);
-        for (halves, rider) in self.riders.iter_mut().zip(riders) {
-            halves.end(rider, p.h);
+        self.add_linear_links(wires, state, problem);
+        for (halves, pantograph) in self.pantographs.iter_mut().zip(pantographs) {
+            halves.update_stored(pantograph, wires.h);
         }
-        self.settle_riders();
-        self.spent += self.of_step;
+        self.update_pantographs();
+        self.dissipated += self.step_dissipation;
         if !self.measures(step) {
             return false;
         }
-        self.read(steps, state, grid);
-        let mut lost = Lost::default();
+        self.read_forms(steps, state, chain);
+        let mut lost = StepLosses::default();
         for &island in &state.awake {
-            lost = lost.and(self.forms.lost(steps, island));
+            lost = lost.plus(self.forms.losses(steps, island));
         }
-        self.entries.dissipated_scheme += lost.scheme;
-        self.entries.dissipated_line += lost.damped - self.of_step;
-        self.spent += lost.damped - self.of_step + lost.scheme;
+        self.terms.dissipated_scheme += lost.scheme;
+        self.terms.dissipated_line += lost.damped - self.step_dissipation;
+        self.dissipated += lost.damped - self.step_dissipation + lost.scheme;
         if self.every == 1 && !is_row {
             return false;
         }
         let line = self.stored(steps, state);
-        self.entries.kinetic = line.kinetic;
-        self.entries.elastic = line.elastic + self.slack - self.start[0];
-        self.off += line.all() + self.left - self.settled[0];
-        self.off -= self.work - self.settled[1] - (self.spent - self.settled[2]);
-        self.settled = [line.all() + self.left, self.work, self.spent];
-        self.largest = self.largest.max(line.all().abs());
+        self.terms.kinetic = line.kinetic;
+        self.terms.elastic = line.elastic + self.slack - self.start[0];
+        self.imbalance += line.all() + self.removed - self.last_balance[0];
+        self.imbalance -=
+            self.work - self.last_balance[1] - (self.dissipated - self.last_balance[2]);
+        self.last_balance = [line.all() + self.removed, self.work, self.dissipated];
+        self.max_line_energy = self.max_line_energy.max(line.all().abs());
         true
     }
 
-    fn settle_riders(&mut self) {
-        let e = &mut self.entries;
-        let [stored, laws, stops] = sums(&self.riders);
-        e.switching -= laws + stops;
-        e.riders = stored + laws - self.start[2] - self.start[3];
-        let pressed = self.pressed.iter().map(|c| c.energy).sum::<f64>();
+    fn update_pantographs(&mut self) {
+        let e = &mut self.terms;
+        let [stored, piecewise_force_energy, stops] = pantograph_energies(&self.pantographs);
+        e.switching -= piecewise_force_energy + stops;
+        e.pantographs = stored + piecewise_force_energy - self.start[2] - self.start[3];
+        let pressed = self.contact_states.iter().map(|c| c.energy).sum::<f64>();
         e.contact = pressed + stops - self.start[1];
     }
 
-    fn read(&mut self, steps: &Explicit<DIM>, state: &WireState<D>, grid: &Grid) {
+    fn read_forms(&mut self, steps: &Explicit<DIM>, state: &WireState<D>, chain: &ChainState) {
         for &island in &state.awake {
-            self.forms.read(steps, island, grid);
+            self.forms.read(steps, island, chain);
         }
     }
 
-    /// Energies of the line between two steps, as it was read.
-    fn stored(&mut self, steps: &Explicit<DIM>, state: &WireState<D>) -> Stored {
-        let mut sum = Stored::default();
+    /// Returns the energies of the line between two steps, from its forms.
+    fn stored(&mut self, steps: &Explicit<DIM>, state: &WireState<D>) -> StoredEnergy {
+        let mut sum = StoredEnergy::default();
         for &island in &state.awake {
-            let own = self.forms.stored(steps, island);
-            sum.kinetic += own.kinetic;
-            sum.elastic += own.elastic;
+            let energy = self.forms.stored(steps, island);
+            sum.kinetic += energy.kinetic;
+            sum.elastic += energy.elastic;
         }
         sum
     }
 
-    /// What the line has lost since it was settled, but for what is known, was dissipated by the wires.
-    fn close(&mut self, line: f64) {
-        let work = self.work - self.settled[1] - (self.spent - self.settled[2]);
-        let dissipated = work - (line + self.left - self.settled[0]);
-        self.entries.dissipated_line += dissipated;
-        self.least = self.least.min(dissipated);
-        self.settled = [line + self.left, self.work, self.spent];
+    /// Assigns to the wires the loss of the line since the last evaluation that has no other cause.
+    fn assign_dissipation(&mut self, line: f64) {
+        let work = self.work - self.last_balance[1] - (self.dissipated - self.last_balance[2]);
+        let by_wires = work - (line + self.removed - self.last_balance[0]);
+        self.terms.dissipated_line += by_wires;
+        self.min_dissipation = self.min_dissipation.min(by_wires);
+        self.last_balance = [line + self.removed, self.work, self.dissipated];
     }
 
-    /// An island is about to be laid to rest: what it has leaves the ledger with it.
-    pub(crate) fn leave(
+    /// Removes the energy of an island that is about to be put to rest.
+    pub(crate) fn remove_island(
         &mut self,
-        p: &WireModel<DIM, D>,
-        (steps, grid): (&Explicit<DIM>, &Grid),
+        wires: &WireModel<DIM, D>,
+        (steps, chain): (&Explicit<DIM>, &ChainState),
         island: usize,
     ) {
-        let own = |damper: &&mut Damper| p.island_of(damper.node) == island;
+        let on_island = |damper: &&mut Damper| wires.island_of(damper.node) == island;
         self.dampers
             .iter_mut()
-            .filter(own)
+            .filter(on_island)
             .for_each(|d| d.rate = 0.0);
-        self.forms.read(steps, island, grid);
+        self.forms.read(steps, island, chain);
         let line = self.forms.stored(steps, island).all();
-        self.left += line;
-        self.entries.dissipated_scheme += line;
+        self.removed += line;
+        self.terms.dissipated_scheme += line;
     }
 
-    /// What does not add up: of measured steps as often as each stands for others.
+    /// Returns the residual of the balance, J: that of each measured step times the steps it stands
+    /// for.
     pub(crate) fn residual(&self) -> f64 {
-        self.entries.residual() + (self.every - 1) as f64 * self.off
+        self.terms.residual() + (self.every - 1) as f64 * self.imbalance
     }
 
-    /// Least that the wires have dissipated between two measured steps, J.
-    pub(crate) fn least(&self) -> f64 {
-        self.least
+    /// Returns the smallest dissipation of wires between two measured steps, J.
+    pub(crate) fn min_dissipation(&self) -> f64 {
+        self.min_dissipation
     }
 
-    /// What contacts and links have taken or given by opening and closing, J.
-    pub(crate) fn switched(&self) -> f64 {
-        self.switched
+    /// Returns the switching of contacts and links, J.
+    pub(crate) fn contact_and_link_switching(&self) -> f64 {
+        self.contact_and_link_switching
     }
 
-    /// Largest energy that the line had when it was settled, J.
-    pub(crate) fn largest(&self) -> f64 {
-        self.largest
+    /// Returns the largest energy of the line at an evaluation, J.
+    pub(crate) fn max_line_energy(&self) -> f64 {
+        self.max_line_energy
     }
 
-    /// What follows from a state that was put back.
-    pub(crate) fn go_on(&mut self, p: &WireModel<DIM, D>, riders: &[PantographState]) {
-        for (halves, rider) in self.riders.iter_mut().zip(riders) {
-            halves.end(rider, p.h);
+    /// Computes the data that follow from a restored state.
+    pub(crate) fn resume(&mut self, wires: &WireModel<DIM, D>, pantographs: &[PantographState]) {
+        for (halves, pantograph) in self.pantographs.iter_mut().zip(pantographs) {
+            halves.update_stored(pantograph, wires.h);
         }
     }
 
-    /// All that a later part of a run goes on with.
-    pub(crate) fn numbers(&mut self) -> impl Iterator<Item = &mut f64> {
-        let pressed = self.pressed.iter_mut();
+    /// Returns all values that a saved state contains.
+    pub(crate) fn archived_values(&mut self) -> impl Iterator<Item = &mut f64> {
+        let pressed = self.contact_states.iter_mut();
         let pressed = pressed.flat_map(|c| [&mut c.overlap, &mut c.energy]);
         let sums = [
             &mut self.slack,
             &mut self.work,
-            &mut self.spent,
-            &mut self.left,
-            &mut self.off,
-            &mut self.largest,
-            &mut self.least,
-            &mut self.switched,
+            &mut self.dissipated,
+            &mut self.removed,
+            &mut self.imbalance,
+            &mut self.max_line_energy,
+            &mut self.min_dissipation,
+            &mut self.contact_and_link_switching,
         ];
         let rates = self.dampers.iter_mut().map(|damper| &mut damper.rate);
-        let lists = self.start.iter_mut().chain(&mut self.settled);
+        let lists = self.start.iter_mut().chain(&mut self.last_balance);
         lists.chain(sums).chain(pressed).chain(rates)
     }
 
-    pub(crate) fn meets(&mut self) -> impl Iterator<Item = &mut bool> {
-        self.pressed.iter_mut().map(|c| &mut c.meets)
+    pub(crate) fn contact_flags(&mut self) -> impl Iterator<Item = &mut bool> {
+        self.contact_states.iter_mut().map(|c| &mut c.is_active)
     }
 
-    /// Save or put back the sums so far.
-    pub(crate) fn walk(&mut self, walk: &mut Archive<'_>) -> Result<(), CoreError> {
-        walk.numbers("energy", self.entries.all_mut().into_iter())?;
-        walk.numbers("energy_sums", self.numbers())?;
-        walk.flags("energy_contact_meets", self.meets())
+    /// Saves or restores the sums so far.
+    pub(crate) fn archive(&mut self, archive: &mut Archive<'_>) -> Result<(), CoreError> {
+        archive.numbers("energy", self.terms.all_mut().into_iter())?;
+        archive.numbers("energy_sums", self.archived_values())?;
+        archive.flags("energy_contact_meets", self.contact_flags())
     }
 }
 
-/// Energies of all riders: kinetic and of springs, what tables add, of stops.
-fn sums(riders: &[Halves]) -> [f64; 3] {
-    let of = |k: usize| riders.iter().map(|r| r.stored[k]).sum();
-    [of(0), of(1), of(2)]
+/// Returns the energies of all pantographs, J: kinetic and of springs, of piecewise forces, of
+/// stops.
+fn pantograph_energies(pantographs: &[HalfStepEnergy]) -> [f64; 3] {
+    let sum_of = |k: usize| pantographs.iter().map(|r| r.stored[k]).sum();
+    [sum_of(0), sum_of(1), sum_of(2)]
 }

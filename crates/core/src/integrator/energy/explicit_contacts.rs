@@ -1,20 +1,13 @@
 //! Contacts in the [`balance`](crate::integrator::energy::explicit) of explicit steps.
 
 use crate::constraint::contacts::{Contact, Contacts};
-use crate::integrator::energy::explicit::ExplicitBalance;
-use crate::integrator::energy::implicit::StepForces;
-use crate::integrator::explicit::{Explicit, Grid};
-use crate::integrator::prepared::WireModel;
-use crate::pantograph::system::{PantographState, inner};
-use crate::slideline::residual_flexibility::LocalCompliance;
-
-/// A contact at the end of the last step.
-#[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Pressed {
-    pub meets: bool,
-    pub overlap: f64,
-    pub energy: f64,
-}
+use crate::integrator::energy::explicit::{ContactState, ExplicitBalance};
+use crate::integrator::energy::step_forces::StepForces;
+use crate::integrator::explicit::{ChainState, Explicit};
+use crate::integrator::wire_model::WireModel;
+use crate::linalg::small::inner;
+use crate::pantograph::state::PantographState;
+use crate::slideline::local_compliance::LocalCompliance;
 
 fn overlap_energy(overlap: f64, compliance: f64) -> f64 {
     if compliance > 0.0 {
@@ -25,116 +18,128 @@ fn overlap_energy(overlap: f64, compliance: f64) -> f64 {
 }
 
 impl<const DIM: usize, const D: usize> ExplicitBalance<DIM, D> {
-    /// A contact at the start, where z is u.
-    pub(crate) fn press(
+    /// Returns a contact at the start, where z = u.
+    pub(crate) fn contact_at_rest(
         &self,
-        p: &WireModel<DIM, D>,
+        wires: &WireModel<DIM, D>,
         contacts: &Contacts<DIM>,
         i: usize,
-        (riders, datum): (&[PantographState], f64),
-    ) -> Pressed {
+        (pantographs, datum): (&[PantographState], f64),
+    ) -> ContactState {
         let contact = &contacts.all[i];
-        let (end, lane) = (&contact.ends[1], &p.lanes[contact.of[2]]);
-        let yields = lane.yield_at(end);
-        let compliance = p.contact_flexibility + yields.own - p.carried(&yields, &yields);
-        let wire = end.height + yields.rise + p.felt(end, &yields, &self.z);
-        let overlap = datum + inner(&contact.vector, &riders[contact.rider()].u) - wire;
-        Pressed {
-            meets: true,
+        let (end, slideline) = (&contact.ends[1], &wires.slidelines[contact.indices[2]]);
+        let compliance = slideline.compliance_at(end);
+        let total_compliance = wires.contact_flexibility + compliance.flexibility
+            - wires.flexibility_through_links(&compliance, &compliance);
+        let wire = end.height
+            + compliance.static_height
+            + wires.vertical_displacement(end, &compliance, &self.z);
+        let overlap = datum + inner(&contact.vector, &pantographs[contact.pantograph()].u) - wire;
+        ContactState {
+            is_active: true,
             overlap,
-            energy: overlap_energy(overlap, compliance),
+            energy: overlap_energy(overlap, total_compliance),
         }
     }
 
-    pub(crate) fn book_contacts(
+    pub(crate) fn add_contacts(
         &mut self,
-        p: &WireModel<DIM, D>,
-        (steps, grid): (&Explicit<DIM>, &Grid),
+        wires: &WireModel<DIM, D>,
+        (steps, chain): (&Explicit<DIM>, &ChainState),
         f: &StepForces<'_, DIM>,
     ) {
         for (i, contact) in f.contacts.all.iter().enumerate() {
-            let before = std::mem::take(&mut self.pressed[i]);
-            if !contact.meets {
-                self.entries.switching += before.energy;
-                self.switched -= before.energy;
+            let before = std::mem::take(&mut self.contact_states[i]);
+            if !contact.is_active {
+                self.terms.switching += before.energy;
+                self.contact_and_link_switching -= before.energy;
                 continue;
             }
-            let (end, lane) = (&contact.ends[1], &p.lanes[contact.of[2]]);
-            // That of the same place has been found.
+            let (end, slideline) = (&contact.ends[1], &wires.slidelines[contact.indices[2]]);
+            // The compliance of the same point is known.
             let is_same =
-                end.element == contact.place.element && end.weights == contact.place.weights;
-            let yields = match is_same {
-                true => contact.yields,
-                false => lane.yield_at(end),
+                end.element == contact.point.element && end.weights == contact.point.weights;
+            let compliance = match is_same {
+                true => contact.compliance,
+                false => slideline.compliance_at(end),
             };
             for node in &end.nodes[..end.count] {
-                self.look(steps, grid, *node);
+                self.update_node(steps, chain, *node);
             }
-            for (link, _) in yields.pulls() {
-                let nodes = p.line.links[link].nodes;
-                nodes.iter().for_each(|&node| self.look(steps, grid, node));
+            for (link, _) in compliance.links() {
+                let nodes = wires.line.links[link].nodes;
+                nodes
+                    .iter()
+                    .for_each(|&node| self.update_node(steps, chain, node));
             }
-            self.pressed[i] = self.book_contact(p, (i, contact), (before, &yields), f);
+            self.contact_states[i] =
+                self.add_contact(wires, (i, contact), (before, &compliance), f);
         }
     }
 
-    /// One that meets the wire, where that yields; tells how it is at the end.
-    fn book_contact(
+    /// Adds the terms of an active contact; returns its state at the end of the step.
+    fn add_contact(
         &mut self,
-        p: &WireModel<DIM, D>,
+        wires: &WireModel<DIM, D>,
         (i, contact): (usize, &Contact<DIM>),
-        (before, yields): (Pressed, &LocalCompliance),
+        (before, compliance): (ContactState, &LocalCompliance),
         f: &StepForces<'_, DIM>,
-    ) -> Pressed {
-        let (end, force) = (&contact.ends[1], f.unilateral.force[i]);
-        let compliance = p.contact_flexibility + yields.own - p.carried(yields, yields);
-        let raised = Self::raised(p, (i, contact), yields, f);
-        let wire = end.height + raised + p.felt(end, yields, &self.z);
-        let rider = &self.riders[contact.rider()];
-        let now = f.datum + inner(&contact.vector, &rider.z) - wire;
-        let lifted = inner(&contact.vector, &rider.moved);
-        let risen = p.felt(end, yields, &self.moved);
+    ) -> ContactState {
+        let (end, force) = (&contact.ends[1], f.problem.force[i]);
+        let total_compliance = wires.contact_flexibility + compliance.flexibility
+            - wires.flexibility_through_links(compliance, compliance);
+        let height_above_mesh = Self::height_above_mesh(wires, (i, contact), compliance, f);
+        let wire =
+            end.height + height_above_mesh + wires.vertical_displacement(end, compliance, &self.z);
+        let pantograph = &self.pantographs[contact.pantograph()];
+        let now = f.datum + inner(&contact.vector, &pantograph.z) - wire;
+        let lifted = inner(&contact.vector, &pantograph.increment);
+        let risen = wires.vertical_displacement(end, compliance, &self.increment);
         let after = now + lifted - risen;
-        let [energy, ended] = [now, after].map(|o| overlap_energy(o, compliance));
-        let traction = match before.meets {
-            true if compliance > 0.0 => energy - before.energy,
+        let [energy, ended] = [now, after].map(|o| overlap_energy(o, total_compliance));
+        let traction = match before.is_active {
+            true if total_compliance > 0.0 => energy - before.energy,
             true => force * (now - before.overlap),
             false => 0.0,
         };
-        if !before.meets {
-            // What a contact brings or takes at the end of a wire is no matter of steps.
-            self.switched += energy;
+        if !before.is_active {
+            // Energy that appears or disappears at the end of a wire does not depend on the step
+            // length.
+            self.contact_and_link_switching += energy;
         }
-        self.entries.work_traction += traction;
-        self.entries.switching += traction - (ended - before.energy) + force * (lifted - risen);
+        self.terms.work_traction += traction;
+        self.terms.switching += traction - (ended - before.energy) + force * (lifted - risen);
         self.work += force * risen;
         if f.friction[i] != 0.0 {
-            let work = f.friction[i] * end.displacement(&self.moved, 0);
-            self.entries.work_friction += work;
+            let work = f.friction[i] * end.displacement(&self.increment, 0);
+            self.terms.work_friction += work;
             self.work += work;
         }
-        Pressed {
-            meets: true,
+        ContactState {
+            is_active: true,
             overlap: after,
             energy: ended,
         }
     }
 
-    /// What the wire is higher by at a contact than that of the mesh, by corrections of links and other contacts.
-    fn raised(
-        p: &WireModel<DIM, D>,
+    /// Returns the height of the wire above the mesh at a contact by corrections of links and other
+    /// contacts, m.
+    fn height_above_mesh(
+        wires: &WireModel<DIM, D>,
         (i, contact): (usize, &Contact<DIM>),
-        yields: &LocalCompliance,
+        compliance: &LocalCompliance,
         f: &StepForces<'_, DIM>,
     ) -> f64 {
         let corrected = |(link, rise): (usize, f64)| {
-            rise * (f.unilateral.correction[link] - p.line.links[link].rest_correction())
+            rise * (f.problem.correction[link] - wires.line.links[link].rest_correction())
         };
         let others = f.contacts.active.iter().filter(|&&j| j != i);
         let pressed = others.map(|&j| {
             let other = &f.contacts.all[j];
-            p.residual(contact, other) * f.unilateral.force[j]
+            wires.residual_compliance(contact, other) * f.problem.force[j]
         });
-        yields.rise + yields.pulls().map(corrected).sum::<f64>() + pressed.sum::<f64>()
+        compliance.static_height
+            + compliance.links().map(corrected).sum::<f64>()
+            + pressed.sum::<f64>()
     }
 }

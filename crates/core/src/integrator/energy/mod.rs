@@ -1,9 +1,8 @@
-//! Ledger of energies of a run.
+//! Energy balance of a run.
 
 pub(crate) mod contact_energy;
-pub mod entries;
 pub mod explicit;
 pub(crate) mod explicit_contacts;
 pub(crate) mod explicit_links;
 pub mod implicit;
-pub(crate) mod ledgers;
+pub mod step_forces;

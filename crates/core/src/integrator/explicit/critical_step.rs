@@ -1,22 +1,24 @@
-//! Longest stable step: ω h < 2 for the fastest motion of what is explicit. Damping takes the velocity of
-//! the step before, which shortens it: what changes its sign in every step has the increment d = 2 y, so
-//! that 4 = ω² h² (1 + 2β/h) + 2 α h there.
+//! Longest stable step: ω h < 2 for the highest frequency of the explicit part.
+//!
+//! Damping reads the velocity of the previous step, which shortens it: a motion that changes its
+//! sign in every step has the increment d = 2 y, so 4 = ω² h² (1 + 2β/h) + 2 α h there.
 
 use crate::error::CoreError;
-use crate::integrator::explicit::simd::rows::place;
-use crate::integrator::explicit::stiff_groups::cluster::Member;
-use crate::integrator::explicit::{Explicit, Grid};
+use crate::integrator::explicit::simd::packed::row_and_lane;
+use crate::integrator::explicit::stiff_groups::stiff_group::Member;
+use crate::integrator::explicit::{ChainState, Explicit};
 
-/// Share of the limit that may be used: the rest is for contacts and links, which add no mass.
-const SHARE: f64 = 0.95;
-/// Rounds of the power iteration; the highest frequencies of a chain lie close together, so that the
-/// estimate is theirs long before the motion is.
+/// Usable share of the limit; the rest is a margin for contacts and links, which add no mass.
+const USABLE_SHARE: f64 = 0.95;
+/// Number of power iterations. The highest frequencies of a chain are close together, so the
+/// estimate converges long before the mode does.
 const ROUNDS: usize = 60;
-/// Halvings in the search for the longest step: to 1/4096 of it.
+/// Number of bisections in the search for the longest step: to 1/4096 of it.
 const HALVINGS: usize = 12;
 
 impl<const DIM: usize> Explicit<DIM> {
-    /// `with` is the same line with other steps: reaches, filter and damping depend on them.
+    /// Checks that the step is stable. `with` builds the same line for another step, on which axial
+    /// elements, filter and damping depend.
     ///
     /// # Errors
     /// [`CoreError::StepTooLong`].
@@ -24,10 +26,10 @@ impl<const DIM: usize> Explicit<DIM> {
         &self,
         with: impl Fn(f64) -> Result<Self, CoreError>,
     ) -> Result<(), CoreError> {
-        if self.is_short() {
+        if self.is_stable() {
             return Ok(());
         }
-        let fits = |h: f64| with(h).is_ok_and(|other| other.is_short());
+        let fits = |h: f64| with(h).is_ok_and(|other| other.is_stable());
         let (mut low, mut high) = (0.5 * self.h, self.h);
         while !fits(low) && low > f64::MIN_POSITIVE {
             (low, high) = (0.5 * low, low);
@@ -40,7 +42,7 @@ impl<const DIM: usize> Explicit<DIM> {
                 high = middle;
             }
         }
-        // Four figures, rounded down.
+        // Four digits, rounded down.
         let unit = 10_f64.powf(low.log10().floor() - 3.0);
         let longest = (low / unit).floor() * unit;
         Err(CoreError::StepTooLong {
@@ -49,88 +51,96 @@ impl<const DIM: usize> Explicit<DIM> {
         })
     }
 
-    fn is_short(&self) -> bool {
-        self.fastest() < 2.0 * SHARE
+    fn is_stable(&self) -> bool {
+        self.highest_frequency() < 2.0 * USABLE_SHARE
     }
 
-    /// Highest frequency of the explicit part times h, that which damping adds included.
-    fn fastest(&self) -> f64 {
-        let mut grid = self.still();
-        // Neighbours by turns, and no regular pattern.
+    /// Returns the highest frequency ω h of the explicit part by power iteration, with the effect
+    /// of damping.
+    fn highest_frequency(&self) -> f64 {
+        let mut chain = self.zero_state();
+        // Alternating neighbours, without a regular pattern.
         let mut y: Vec<[f64; DIM]> = vec![[0.0; DIM]; self.nodes.len()];
-        for (slot, _) in self.all() {
-            let ((row, lane), number) = (place(slot), self.along_strands(slot));
+        for (packed_index, _) in self.points_and_nodes() {
+            let ((row, simd_lane), number) = (
+                row_and_lane(packed_index),
+                self.number_along_stripes(packed_index),
+            );
             let sign = if number % 2 == 0 { 1.0 } else { -1.0 };
-            for (c, across) in self.across.iter().enumerate() {
-                let free = f64::from(u8::from(across[row].inverse[lane] > 0.0));
-                y[slot][c + 1] = free * sign * (1.0 + 0.1 * ((number * number) as f64).sin());
+            for (c, across) in self.transverse.iter().enumerate() {
+                let free = f64::from(u8::from(across[row].inverse[simd_lane] > 0.0));
+                y[packed_index][c + 1] =
+                    free * sign * (1.0 + 0.1 * ((number * number) as f64).sin());
             }
         }
-        for (m, x) in grid.x[0].iter_mut().enumerate() {
+        for (m, x) in chain.x[0].iter_mut().enumerate() {
             *x = if m % 2 == 0 { 1e-2 } else { -1e-2 };
         }
         let mut squared = 0.0;
         for _ in 0..ROUNDS {
-            self.shake(&y, &mut grid);
-            let before = size(y.iter().flatten().chain(&grid.x[0]));
-            for (slot, _) in self.all() {
-                for (c, rows) in grid.moving.iter().enumerate() {
-                    y[slot][c + 1] = self.acceleration(c, slot, rows);
+            self.set_alternating_motion(&y, &mut chain);
+            let before = size(y.iter().flatten().chain(&chain.x[0]));
+            for (packed_index, _) in self.points_and_nodes() {
+                for (c, rows) in chain.moving.iter().enumerate() {
+                    y[packed_index][c + 1] = self.acceleration(c, packed_index, rows);
                 }
             }
             let numbers = self.masters.inverse.iter().zip(&self.masters.damping);
-            let moving = grid.pull.iter().zip(&grid.x[1]).zip(numbers);
+            let moving = chain.master_force.iter().zip(&chain.x[1]).zip(numbers);
             let along = moving.map(|((f, d), (inverse, damping))| f * inverse - damping * d);
-            grid.x[0] = along.collect();
-            squared = size(y.iter().flatten().chain(&grid.x[0])) / before;
-            let all = y.iter_mut().flatten().chain(&mut grid.x[0]);
+            chain.x[0] = along.collect();
+            squared = size(y.iter().flatten().chain(&chain.x[0])) / before;
+            let all = y.iter_mut().flatten().chain(&mut chain.x[0]);
             all.for_each(|v| *v /= before * squared);
         }
         squared.sqrt()
     }
 
-    /// Number of a point in its block, one strand behind the other.
-    fn along_strands(&self, slot: usize) -> usize {
-        let (row, lane) = place(slot);
-        let mut blocks = self.own.iter().flat_map(|own| &own.blocks);
+    /// Returns the index of a point in its block, counted stripe after stripe.
+    fn number_along_stripes(&self, packed_index: usize) -> usize {
+        let (row, simd_lane) = row_and_lane(packed_index);
+        let mut blocks = self
+            .islands
+            .iter()
+            .flat_map(|island_model| &island_model.blocks);
         let block = blocks.find(|block| block.rows.contains(&row));
         block.map_or(0, |block| {
-            lane * block.plan.rows.len() + row - block.rows.start
+            simd_lane * block.plan.rows.len() + row - block.rows.start
         })
     }
 
-    /// Forces of wires whose points were as far on the other side a step ago.
-    fn shake(&self, y: &[[f64; DIM]], grid: &mut Grid) {
-        for (slot, node) in self.all() {
-            let ((row, lane), y) = (place(slot), &y[self.points[node]]);
-            for (c, rows) in grid.moving.iter_mut().enumerate() {
+    /// Sets a motion that was opposite one step ago, and finds its forces.
+    fn set_alternating_motion(&self, y: &[[f64; DIM]], chain: &mut ChainState) {
+        for (packed_index, node) in self.points_and_nodes() {
+            let ((row, simd_lane), y) = (row_and_lane(packed_index), &y[self.points[node]]);
+            for (c, rows) in chain.moving.iter_mut().enumerate() {
                 let (y, d) = (y[c + 1], 2.0 * y[c + 1]);
-                rows[row].d[lane] = d;
-                rows[row].s[lane] = y + self.damped[row].lag[lane] * d;
+                rows[row].d[simd_lane] = d;
+                rows[row].s[simd_lane] = y + self.damping[row].lag[simd_lane] * d;
             }
         }
-        let [x, d] = &mut grid.x;
+        let [x, d] = &mut chain.x;
         x.iter().zip(d).for_each(|(x, d)| *d = 2.0 * x);
-        for (island, own) in self.own.iter().enumerate() {
-            self.wire_forces(island, grid);
-            self.copy_forces(own, grid);
+        for (island, island_model) in self.islands.iter().enumerate() {
+            self.wire_forces(island, chain);
+            self.copy_ghost_forces(island_model, chain);
         }
-        self.hold_along(grid);
+        self.add_axial_stiff_forces(chain);
     }
 
-    /// Forces along the wire of links, struts and springs, which are explicit there: q = −K x − C d/h.
-    fn hold_along(&self, grid: &mut Grid) {
-        let [x, d] = &grid.x;
-        for cluster in &self.clusters {
-            let width = cluster.size / cluster.members.len();
-            for (i, member) in cluster.members.iter().enumerate() {
-                let of = |(j, other): (usize, &Member)| {
-                    let at = i * width * cluster.size + j * width;
-                    let (k, c) = (cluster.stiffness[at], cluster.damping[at]);
-                    k * other.along.read(x) + c / self.h * other.along.read(d)
+    /// Adds the axial forces of links, struts and springs, which are explicit: q = −K x − C d/h.
+    fn add_axial_stiff_forces(&self, chain: &mut ChainState) {
+        let [x, d] = &chain.x;
+        for stiff_group in &self.stiff_groups {
+            let width = stiff_group.size / stiff_group.members.len();
+            for (i, member) in stiff_group.members.iter().enumerate() {
+                let force_by = |(j, other): (usize, &Member)| {
+                    let entry = i * width * stiff_group.size + j * width;
+                    let (k, c) = (stiff_group.stiffness[entry], stiff_group.damping[entry]);
+                    k * other.axial_position.read(x) + c / self.h * other.axial_position.read(d)
                 };
-                let force: f64 = cluster.members.iter().enumerate().map(of).sum();
-                member.along.add(-force, &mut grid.pull);
+                let force: f64 = stiff_group.members.iter().enumerate().map(force_by).sum();
+                member.axial_position.add(-force, &mut chain.master_force);
             }
         }
     }

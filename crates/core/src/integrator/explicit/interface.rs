@@ -1,15 +1,16 @@
-//! Explicit steps behind the interface of integrators.
+//! Explicit steps as an integrator.
 
+use crate::constraint::wires::Wires;
 use crate::integrator::explicit::Explicit;
-use crate::integrator::prepared::WireModel;
-use crate::integrator::{Stepping, WireState};
-use crate::simulation::sleep::Island;
+use crate::integrator::state::{Stepping, WireState};
+use crate::linear::island::Island;
 
 impl<const DIM: usize> Explicit<DIM> {
-    /// As [`WireModel::predict`].
+    /// Predicts the increment without constraint forces: see
+    /// [`WireModel::predict`](crate::integrator::wire_model::WireModel::predict).
     pub(crate) fn predict<const D: usize>(
         &self,
-        p: &WireModel<DIM, D>,
+        p: &Wires<DIM, D>,
         state: &mut WireState<D>,
         load: impl FnOnce(&mut [[f64; D]]) -> bool,
     ) {
@@ -18,54 +19,55 @@ impl<const DIM: usize> Explicit<DIM> {
             delta,
             work,
             awake,
-            stepping: Stepping::Explicit(grid),
+            stepping: Stepping::Explicit(chain),
             ..
         } = state
         else {
             return;
         };
-        // Work is empty before and after, as most steps leave it.
+        // The vector is empty before and after, as in most steps.
         if load(work) {
-            // Forces of collectors are on a few nodes, those of wind on all.
+            // Pantographs put forces on a few nodes, wind on all of them.
             let loaded = work.iter_mut().enumerate();
             for (node, force) in loaded.filter(|(_, force)| **force != [0.0; D]) {
                 for c in 0..DIM {
-                    self.add_force(grid, self.points[node], c, force[c]);
+                    self.add_point_force(chain, self.points[node], c, force[c]);
                 }
                 *force = [0.0; D];
             }
         }
-        for &(link, correction) in &p.table.corrected {
+        for &(link, correction) in &p.table.rest_corrections {
             let is_in = |island: &Island| island.links.contains(&link);
             if p.awake(awake).any(is_in) {
                 for (node, c, force) in p.line.links[link].shares(correction) {
-                    self.add_force(grid, self.points[node], c, force);
+                    self.add_point_force(chain, self.points[node], c, force);
                 }
             }
         }
         for &island in &*awake {
-            self.settle_clusters(island, grid, (u, delta));
+            self.apply_stiff_forces(island, chain, (u, delta));
         }
-        self.show(grid, (u, delta));
+        self.gather_increments(chain, (u, delta));
     }
 
-    /// As [`WireModel::commit`].
+    /// Commits the step: see
+    /// [`WireModel::commit`](crate::integrator::wire_model::WireModel::commit).
     pub(crate) fn commit<const D: usize>(&self, state: &mut WireState<D>) {
         let WireState {
             u,
             v,
             delta,
             awake,
-            stepping: Stepping::Explicit(grid),
+            stepping: Stepping::Explicit(chain),
             ..
         } = state
         else {
             return;
         };
-        self.take(grid, awake, delta, (u, v));
+        self.commit_nodes(chain, awake, delta, (u, v));
         for &island in &*awake {
-            self.go(island, grid);
+            self.advance_island(island, chain);
         }
-        grid.steps += 1;
+        chain.steps += 1;
     }
 }

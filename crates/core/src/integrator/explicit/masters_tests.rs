@@ -1,17 +1,17 @@
 //! Motion along a straight wire, against the recurrence of one mode.
 //!
-//! With n equal reaches of L₀ between ends that are held, masters move as sin (πk/n), and with
+//! With n equal axial elements of L₀ between held ends, masters move as sin (πk/n), and with
 //! Λ = (4 EA h²/μ L₀²) sin² (π/2n)
 //!
 //!   d′ = (1 − αh) d − Λ (x + (β/h) d),   x′ = x + d′
 //!
-//! whose determinant is 1 − αh − Λβ/h: what x d′ − x′ d of a mode is multiplied by in every step.
+//! whose determinant is 1 − αh − Λβ/h: the factor of x d′ − x′ d of a mode in every step.
 
 use crate::common::Single;
 use crate::common::chain::{explicit, lumped};
-use crate::integrator::Integrator;
-use crate::integrator::explicit::{Explicit, Grid};
-use crate::integrator::prepared::WireModel;
+use crate::integrator::explicit::{ChainState, Explicit};
+use crate::integrator::wire_model::Integrator;
+use crate::integrator::wire_model::WireModel;
 use crate::structure::Rayleigh;
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
@@ -27,14 +27,17 @@ const WIRE: Single = Single {
     gravity: 0.0,
 };
 
-/// Masters from end to end, by the number that they have; all reaches must be alike.
+/// Returns the masters from end to end; all axial elements must be equal.
 fn in_order(steps: &Explicit<2>) -> Vec<usize> {
-    let stiffness = steps.reaches[0].stiffness;
-    for reach in &steps.reaches {
-        let off = (reach.stiffness / stiffness - 1.0).abs();
-        assert!(off < 1e-9, "reaches of {off} more");
+    let stiffness = steps.axial_elements[0].stiffness;
+    for axial_element in &steps.axial_elements {
+        let off = (axial_element.stiffness / stiffness - 1.0).abs();
+        assert!(off < 1e-9, "axial elements differ by {off}");
     }
-    let pairs = steps.reaches.iter().map(|reach| reach.masters);
+    let pairs = steps
+        .axial_elements
+        .iter()
+        .map(|axial_element| axial_element.masters);
     let next: BTreeMap<u32, u32> = pairs.map(|[a, b]| (a, b)).collect();
     let is_first = |master: &&u32| !next.values().any(|behind| behind == *master);
     let first = next.keys().find(is_first).copied();
@@ -43,18 +46,18 @@ fn in_order(steps: &Explicit<2>) -> Vec<usize> {
         .collect()
 }
 
-/// sin (πk/n) of n reaches.
-fn shape(k: usize, reaches: usize) -> f64 {
-    (PI * k as f64 / reaches as f64).sin()
+/// Returns sin (πk/n) for n axial elements.
+fn shape(k: usize, axial_elements: usize) -> f64 {
+    (PI * k as f64 / axial_elements as f64).sin()
 }
 
-/// Place and last increment of the mode.
-fn mode(grid: &Grid, masters: &[usize]) -> [f64; 2] {
+/// Returns the position and the last increment of the mode.
+fn mode(chain: &ChainState, masters: &[usize]) -> [f64; 2] {
     let shares = || masters.iter().enumerate();
     let last = masters.len() - 1;
-    [0, 1].map(|of: usize| {
+    [0, 1].map(|which: usize| {
         shares()
-            .map(|(k, &master)| shape(k, last) * grid.x[of][master])
+            .map(|(k, &master)| shape(k, last) * chain.x[which][master])
             .sum()
     })
 }
@@ -70,33 +73,33 @@ fn decays(damping: Rayleigh) {
         panic!("explicit steps");
     };
     let masters = in_order(steps);
-    let reaches = masters.len() - 1;
-    assert!(reaches >= 4, "{reaches} reaches");
+    let axial_elements = masters.len() - 1;
+    assert!(axial_elements >= 4, "{axial_elements} axial elements");
 
-    let rest = WIRE.length / (1.0 + WIRE.tension / WIRE.axial) / reaches as f64;
+    let rest = WIRE.length / (1.0 + WIRE.tension / WIRE.axial) / axial_elements as f64;
     let courant = WIRE.axial / WIRE.mass * (STEP / rest).powi(2);
-    let lambda = 4.0 * courant * (PI / (2.0 * reaches as f64)).sin().powi(2);
+    let lambda = 4.0 * courant * (PI / (2.0 * axial_elements as f64)).sin().powi(2);
     let expected = 1.0 - damping.alpha * STEP - lambda * damping.beta / STEP;
 
-    let mut grid = steps.still();
+    let mut chain = steps.zero_state();
     for (k, &master) in masters.iter().enumerate() {
-        grid.x[0][master] = 1e-3 * shape(k, reaches);
+        chain.x[0][master] = 1e-3 * shape(k, axial_elements);
     }
-    steps.wire_forces(0, &mut grid);
-    let mut states = vec![mode(&grid, &masters)];
+    steps.wire_forces(0, &mut chain);
+    let mut states = vec![mode(&chain, &masters)];
     for _ in 0..40 {
-        steps.go(0, &mut grid);
-        states.push(mode(&grid, &masters));
+        steps.advance_island(0, &mut chain);
+        states.push(mode(&chain, &masters));
     }
     let area = |pair: &[[f64; 2]]| pair[0][0] * pair[1][1] - pair[1][0] * pair[0][1];
     let areas: Vec<f64> = states.windows(2).map(area).collect();
     for pair in areas.windows(2) {
-        let found = pair[1] / pair[0];
-        assert!((found / expected - 1.0).abs() < 1e-9, "{found}, {expected}");
+        let ratio = pair[1] / pair[0];
+        assert!((ratio / expected - 1.0).abs() < 1e-9, "{ratio}, {expected}");
     }
 }
 
-/// With it all reaches of the wire are alike, s.
+/// Damping with which all axial elements of the wire are equal, s.
 const BETA: f64 = 2e-4;
 
 #[test]

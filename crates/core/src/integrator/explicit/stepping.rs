@@ -1,269 +1,324 @@
-//! A step, in the order of the pieces: clusters; then, with contacts known, the motion, and the forces of wires
-//! for the next one.
+//! Stages of an explicit step: stiff groups; then, with contact forces known, the motion, and the
+//! wire forces for the next step.
 
-use crate::integrator::explicit::simd::rows::{LANES, Moving, Wide, place};
-use crate::integrator::explicit::simd::sweep::{Stand, Sweep};
-use crate::integrator::explicit::stiff_groups::apply::Settle;
-use crate::integrator::explicit::{BETA, Block, Explicit, Grid, Own};
+use crate::integrator::explicit::simd::packed::{
+    SIMD_LANES, SimdVector, TransverseMotion, row_and_lane,
+};
+use crate::integrator::explicit::simd::sweep::{ChainSweep, WireForces};
+use crate::integrator::explicit::stiff_groups::apply::ApplyStiffForces;
+use crate::integrator::explicit::{BETA, ChainState, Explicit, IslandModel, StripedBlock};
 use crate::linalg::widest;
 
-/// Take what is of points beyond cuts from where they are at home.
+/// Copies rows' vectors from points into their ghosts.
 #[inline(always)]
-fn copy<const N: usize>(
-    copies: &[[u32; 2]],
-    grid: &mut Grid,
-    of: impl Fn(&mut Moving) -> [&mut Wide; N],
+fn copy_to_ghosts<const N: usize>(
+    ghosts: &[[u32; 2]],
+    chain: &mut ChainState,
+    vectors: impl Fn(&mut TransverseMotion) -> [&mut SimdVector; N],
 ) {
-    for rows in &mut grid.moving {
+    for rows in &mut chain.moving {
         let rows = &mut rows[..];
-        for both in copies {
-            let [(to, lane), (from, its)] = both.map(|slot| place(slot as usize));
-            let home = of(&mut rows[from]).map(|wide| wide[its]);
-            for (wide, home) in of(&mut rows[to]).into_iter().zip(home) {
-                wide[lane] = home;
+        for ghost_and_home in ghosts {
+            let [(to, simd_lane), (from, home_lane)] =
+                ghost_and_home.map(|packed_index| row_and_lane(packed_index as usize));
+            let home = vectors(&mut rows[from]).map(|wide| wide[home_lane]);
+            for (wide, home) in vectors(&mut rows[to]).into_iter().zip(home) {
+                wide[simd_lane] = home;
             }
         }
     }
 }
 
-/// h² times an acceleration, from w of the point and of two on both sides of it, and the numbers of the segments and points
-/// near it.
+/// Returns the filtered acceleration of a point times h², m, from w of its stencil and the weights
+/// of adjacent segments and points.
 #[inline(always)]
-pub(in crate::integrator::explicit) fn accelerated(
+pub(in crate::integrator::explicit) fn filtered_acceleration(
     w: [f64; 5],
     filter: [f64; 2],
     second: [f64; 3],
     inverse: f64,
 ) -> f64 {
-    let by: [f64; 4] = std::array::from_fn(|k| w[k + 1] - w[k]);
-    let turn: [f64; 3] = std::array::from_fn(|k| second[k] * (by[k + 1] - by[k]));
-    let left = filter[0] * by[1] - (turn[1] - turn[0]);
-    let right = filter[1] * by[2] - (turn[2] - turn[1]);
+    let difference: [f64; 4] = std::array::from_fn(|k| w[k + 1] - w[k]);
+    let second_difference: [f64; 3] =
+        std::array::from_fn(|k| second[k] * (difference[k + 1] - difference[k]));
+    let left = filter[0] * difference[1] - (second_difference[1] - second_difference[0]);
+    let right = filter[1] * difference[2] - (second_difference[2] - second_difference[1]);
     w[2] - inverse * (right - left)
 }
 
-impl Grid {
-    /// Room for the nodes that are read at some places: those of five elements each.
+impl ChainState {
+    /// Reserves space for the nodes read at a number of points: those of five elements each.
     pub(crate) fn reserve(&mut self, places: usize) {
-        self.near.reserve(10 * places);
+        self.requested.reserve(10 * places);
     }
 }
 
-/// Number of a step after all others: that of nodes whose motion every step finds.
+/// Step number after all others, for nodes whose motion is known in every step.
 const ALWAYS: u64 = u64::MAX;
 
 impl<const DIM: usize> Explicit<DIM> {
-    /// Number of the last step that finds the motion of each node, at the start: linked ones are found always.
-    fn linked_nodes(&self) -> Vec<u64> {
-        let mut found = vec![0; self.points.len()];
-        let linked = self.own.iter().flat_map(|own| &own.linked);
-        linked.for_each(|&node| found[node] = ALWAYS);
-        found
+    /// Returns the initial `known_until` of each node; nodes of stiff groups are always known.
+    fn initial_known_until(&self) -> Vec<u64> {
+        let mut known_until = vec![0; self.points.len()];
+        let stiff_nodes = self
+            .islands
+            .iter()
+            .flat_map(|island_model| &island_model.stiff_nodes);
+        stiff_nodes.for_each(|&node| known_until[node] = ALWAYS);
+        known_until
     }
 
-    /// Nothing moves.
-    pub(crate) fn still(&self) -> Grid {
+    /// Returns a state of zeros.
+    pub(crate) fn zero_state(&self) -> ChainState {
         let along = vec![0.0; self.masters.lag.len()];
-        Grid {
-            moving: vec![vec![Moving::default(); self.common.len()]; DIM - 1],
-            more: vec![Wide::default(); self.common.len()],
+        ChainState {
+            moving: vec![vec![TransverseMotion::default(); self.common.len()]; DIM - 1],
+            axial_force_jump: vec![SimdVector::default(); self.common.len()],
             x: [along.clone(), along.clone()],
             lagged: along.clone(),
-            pull: along,
-            thrust: vec![0.0; self.reaches.len() + 1],
-            near: Vec::new(),
-            watched: Vec::new(),
+            master_force: along,
+            axial_force: vec![0.0; self.axial_elements.len() + 1],
+            requested: Vec::new(),
+            always_requested: Vec::new(),
             steps: 0,
-            found: self.linked_nodes(),
-            sound: Wide::default(),
+            known_until: self.initial_known_until(),
+            finite_check: SimdVector::default(),
         }
     }
 
-    /// Nodes that are read in every step, beside those of links, struts and springs.
-    pub(crate) fn watch(&self, grid: &mut Grid, nodes: impl Iterator<Item = usize>) {
+    /// Requests nodes to be read in every step, in addition to those of stiff groups.
+    pub(crate) fn request_nodes_always(
+        &self,
+        chain: &mut ChainState,
+        nodes: impl Iterator<Item = usize>,
+    ) {
         let points = nodes.map(|node| self.points[node]);
-        grid.watched = points.filter(|&p| self.in_cluster[p].is_none()).collect();
-        grid.watched.sort_unstable();
-        grid.watched.dedup();
-        for &point in &grid.watched {
-            grid.found[self.nodes[point]] = ALWAYS;
+        chain.always_requested = points
+            .filter(|&p| self.in_stiff_group[p].is_none())
+            .collect();
+        chain.always_requested.sort_unstable();
+        chain.always_requested.dedup();
+        for &point in &chain.always_requested {
+            chain.known_until[self.nodes[point]] = ALWAYS;
         }
     }
 
-    /// Nodes that are read in the coming step.
-    pub(crate) fn look_at(&self, grid: &mut Grid, nodes: impl Iterator<Item = usize>) {
-        grid.near.clear();
+    /// Requests nodes to be read in the coming step.
+    pub(crate) fn request_nodes(&self, chain: &mut ChainState, nodes: impl Iterator<Item = usize>) {
+        chain.requested.clear();
         for node in nodes {
-            grid.near.push(self.points[node]);
-            grid.found[node] = grid.found[node].max(grid.steps + 1);
+            chain.requested.push(self.points[node]);
+            chain.known_until[node] = chain.known_until[node].max(chain.steps + 1);
         }
     }
 
-    /// Forces of wires on the points of an island where they are, and those along on the masters. Every step
-    /// leaves them.
-    pub(crate) fn wire_forces(&self, island: usize, grid: &mut Grid) {
-        let own = &self.own[island];
-        widest(Stand(Sweep { p: self, own, grid }));
-        self.lean(own, grid);
-        self.hand_over(own, grid);
+    /// Finds the forces of wires on the points and masters of an island at their present positions.
+    /// Every step leaves them.
+    pub(crate) fn wire_forces(&self, island: usize, chain: &mut ChainState) {
+        let island_model = &self.islands[island];
+        widest(WireForces(ChainSweep {
+            steps: self,
+            island: island_model,
+            chain,
+        }));
+        self.add_curve_forces(island_model, chain);
+        self.transfer_tied_forces(island_model, chain);
     }
 
-    /// Forces of links, struts and springs; and the increments of their nodes, with `u` before the step.
-    pub(in crate::integrator::explicit) fn settle_clusters<const D: usize>(
+    /// Adds the forces of links, struts and springs, and sets the increments of their nodes, with
+    /// `u` before the step, m.
+    pub(in crate::integrator::explicit) fn apply_stiff_forces<const D: usize>(
         &self,
         island: usize,
-        grid: &mut Grid,
+        chain: &mut ChainState,
         (u, delta): (&[[f64; D]], &mut [[f64; D]]),
     ) {
-        let own = &self.own[island];
-        copy(&own.read, grid, |row| [&mut row.w]);
-        widest(Settle {
-            own,
-            grid,
+        let island_model = &self.islands[island];
+        copy_to_ghosts(&island_model.read_ghosts, chain, |row| [&mut row.w]);
+        widest(ApplyStiffForces {
+            island: island_model,
+            chain,
             u,
             delta,
         });
     }
 
-    /// s of the points beyond cuts, as their strands have it; and d, as strands may be longer than others, which
-    /// moves what is in the same rows.
+    /// Copies s and d into the ghost points. d as well: stripes differ in length, and the rows of a
+    /// longer one move the ghosts of the others.
     #[inline(always)]
-    pub(in crate::integrator::explicit) fn copy_places(&self, own: &Block, grid: &mut Grid) {
-        copy(&own.copies, grid, |row| [&mut row.s, &mut row.d]);
+    pub(in crate::integrator::explicit) fn copy_ghost_positions(
+        &self,
+        island_model: &StripedBlock,
+        chain: &mut ChainState,
+    ) {
+        copy_to_ghosts(&island_model.ghosts, chain, |row| [&mut row.s, &mut row.d]);
     }
 
-    /// The same of w, of all blocks.
-    pub(in crate::integrator::explicit) fn copy_forces(&self, own: &Own, grid: &mut Grid) {
-        for block in &own.blocks {
-            copy(&block.copies, grid, |row| [&mut row.w]);
+    /// Copies accelerations w into the ghost points of all blocks.
+    pub(in crate::integrator::explicit) fn copy_ghost_forces(
+        &self,
+        island_model: &IslandModel,
+        chain: &mut ChainState,
+    ) {
+        for block in &island_model.blocks {
+            copy_to_ghosts(&block.ghosts, chain, |row| [&mut row.w]);
         }
     }
 
-    /// The point and the two on both sides of it, where they are at home.
+    /// Returns the point and its two neighbours on both sides, as points, not ghosts.
     #[inline(always)]
-    pub(in crate::integrator::explicit) fn around(&self, slot: usize) -> [usize; 5] {
-        std::array::from_fn(|k| self.home[slot + LANES * k - 2 * LANES])
+    pub(in crate::integrator::explicit) fn stencil(&self, packed_index: usize) -> [usize; 5] {
+        std::array::from_fn(|k| self.home[packed_index + SIMD_LANES * k - 2 * SIMD_LANES])
     }
 
-    /// Rises up to the points behind cuts, which are copies there.
+    /// Extends the rise to the ghosts of points behind seams.
     #[inline(always)]
-    pub(in crate::integrator::explicit) fn rise_to_tails(&self, own: &Block, grid: &mut Grid) {
-        for cut in &own.cuts {
-            let (row, lane) = place(cut.tail);
-            let mut rise = grid.moving[0][row - 1].w[lane];
-            for (across, rows) in self.across.iter().zip(&grid.moving) {
-                let by = rows[row].s[lane] - rows[row - 1].s[lane];
-                rise += across[row - 1].slope[lane] * by;
+    pub(in crate::integrator::explicit) fn rise_to_ghosts(
+        &self,
+        island_model: &StripedBlock,
+        chain: &mut ChainState,
+    ) {
+        for seam in &island_model.seams {
+            let (row, simd_lane) = row_and_lane(seam.ghost_behind);
+            let mut rise = chain.moving[0][row - 1].w[simd_lane];
+            for (direction, rows) in self.transverse.iter().zip(&chain.moving) {
+                let increment = rows[row].s[simd_lane] - rows[row - 1].s[simd_lane];
+                rise += direction[row - 1].slope[simd_lane] * increment;
             }
-            grid.moving[0][row].w[lane] = rise;
+            chain.moving[0][row].w[simd_lane] = rise;
         }
     }
 
-    /// h² times the acceleration of a point across, from w.
+    /// Returns the transverse acceleration of a point times h², m, from w.
     #[inline(always)]
     pub(in crate::integrator::explicit) fn acceleration(
         &self,
-        across: usize,
-        slot: usize,
-        rows: &[Moving],
+        direction: usize,
+        packed_index: usize,
+        rows: &[TransverseMotion],
     ) -> f64 {
-        let (row, lane) = place(slot);
-        let around = self.around(slot);
+        let (row, simd_lane) = row_and_lane(packed_index);
+        let around = self.stencil(packed_index);
         let w: [f64; 5] = std::array::from_fn(|k| {
-            let (row, lane) = place(around[k]);
-            rows[row].w[lane]
+            let (row, simd_lane) = row_and_lane(around[k]);
+            rows[row].w[simd_lane]
         });
-        let near = &self.common[row - 1..=row + 1];
-        let filter = std::array::from_fn(|k| near[k].filter[lane]);
-        let second = std::array::from_fn(|k| near[k].second[lane]);
-        accelerated(w, filter, second, self.across[across][row].inverse[lane])
+        let requested = &self.common[row - 1..=row + 1];
+        let filter = std::array::from_fn(|k| requested[k].filter[simd_lane]);
+        let second = std::array::from_fn(|k| requested[k].second[simd_lane]);
+        filtered_acceleration(
+            w,
+            filter,
+            second,
+            self.transverse[direction][row].inverse[simd_lane],
+        )
     }
 
-    /// Increments of the other nodes that are read, with `u` before the step.
-    pub(in crate::integrator::explicit) fn show<const D: usize>(
+    /// Sets the increments of requested nodes, with `u` before the step, m.
+    pub(in crate::integrator::explicit) fn gather_increments<const D: usize>(
         &self,
-        grid: &Grid,
+        chain: &ChainState,
         (u, delta): (&[[f64; D]], &mut [[f64; D]]),
     ) {
-        for &slot in grid.watched.iter().chain(&grid.near) {
-            let (node, new) = (self.nodes[slot], self.at(grid, slot));
+        for &packed_index in chain.always_requested.iter().chain(&chain.requested) {
+            let (node, new) = (
+                self.nodes[packed_index],
+                self.motion_at(chain, packed_index),
+            );
             for c in 0..DIM {
                 delta[node][c] = new[c][0] - u[node][c];
             }
         }
     }
 
-    /// Take the increments where others read them, and the velocities where contacts are.
-    pub(in crate::integrator::explicit) fn take<const D: usize>(
+    /// Commits the increments of stiff nodes, and displacements and velocities of requested ones.
+    pub(in crate::integrator::explicit) fn commit_nodes<const D: usize>(
         &self,
-        grid: &Grid,
+        chain: &ChainState,
         awake: &[usize],
         delta: &[[f64; D]],
         (u, v): (&mut [[f64; D]], &mut [[f64; D]]),
     ) {
-        // Loop by loop: an iterator over all of them is asked twice for each node.
+        // Nested loops: a flattened iterator would test both levels for each node.
         for &island in awake {
-            for &node in &self.own[island].linked {
+            for &node in &self.islands[island].stiff_nodes {
                 let (u, delta) = (&mut u[node], &delta[node]);
                 for c in 0..DIM {
                     u[c] += delta[c];
                 }
             }
         }
-        for &slot in grid.watched.iter().chain(&grid.near) {
-            let node = self.nodes[slot];
-            for (c, [place, speed]) in self.at(grid, slot).into_iter().enumerate() {
+        for &packed_index in chain.always_requested.iter().chain(&chain.requested) {
+            let node = self.nodes[packed_index];
+            for (c, [place, speed]) in self.motion_at(chain, packed_index).into_iter().enumerate() {
                 (u[node][c], v[node][c]) = (place, speed);
             }
         }
     }
 
-    /// Place and velocity of a point at the end of the step, component by component.
+    /// Returns position, m, and velocity, m/s, of a point at the end of the step, by component.
     #[inline(always)]
-    fn at(&self, grid: &Grid, slot: usize) -> [[f64; 2]; DIM] {
-        let (along, (row, lane)) = (&self.along[slot], place(slot));
-        let mut found = [[0.0; 2]; DIM];
-        found[0] = [
-            along.read(&grid.x[0]),
-            self.per_step * along.read(&grid.x[1]),
+    fn motion_at(&self, chain: &ChainState, packed_index: usize) -> [[f64; 2]; DIM] {
+        let (along, (row, simd_lane)) = (
+            &self.axial_positions[packed_index],
+            row_and_lane(packed_index),
+        );
+        let mut known_until = [[0.0; 2]; DIM];
+        known_until[0] = [
+            along.read(&chain.x[0]),
+            self.per_step * along.read(&chain.x[1]),
         ];
-        for (across, rows) in grid.moving.iter().enumerate() {
-            let a = self.acceleration(across, slot, rows);
-            let (s, d) = (rows[row].s[lane], rows[row].d[lane]);
-            let y = s - self.damped[row].lag[lane] * d;
-            found[across + 1] = [y + BETA * a, self.per_step * (d + 0.5 * a)];
+        for (direction, rows) in chain.moving.iter().enumerate() {
+            let a = self.acceleration(direction, packed_index, rows);
+            let (s, d) = (rows[row].s[simd_lane], rows[row].d[simd_lane]);
+            let y = s - self.damping[row].lag[simd_lane] * d;
+            known_until[direction + 1] = [y + BETA * a, self.per_step * (d + 0.5 * a)];
         }
-        found
+        known_until
     }
 
-    /// Take the step on one island, and find the forces of its wires for the next one.
-    pub(in crate::integrator::explicit) fn go(&self, island: usize, grid: &mut Grid) {
-        let own = &self.own[island];
-        self.take_along(own, grid);
-        self.copy_forces(own, grid);
-        widest(Sweep { p: self, own, grid });
-        self.lean(own, grid);
-        self.hand_over(own, grid);
+    /// Advances an island by one step, and finds the forces of its wires for the next one.
+    pub(in crate::integrator::explicit) fn advance_island(
+        &self,
+        island: usize,
+        chain: &mut ChainState,
+    ) {
+        let island_model = &self.islands[island];
+        self.accelerate_tied_ends(island_model, chain);
+        self.copy_ghost_forces(island_model, chain);
+        widest(ChainSweep {
+            steps: self,
+            island: island_model,
+            chain,
+        });
+        self.add_curve_forces(island_model, chain);
+        self.transfer_tied_forces(island_model, chain);
     }
 
-    /// Whether an island is at rest where it was without any force.
-    pub(crate) fn lies(&self, island: usize, grid: &Grid) -> bool {
-        let own = &self.own[island];
-        let rows = grid.moving.iter().flat_map(|all| &all[own.rows.clone()]);
-        let across = rows.flat_map(|row| row.s.iter().chain(row.d.iter()));
-        let along = grid.x.iter().flat_map(|list| &list[own.masters.clone()]);
-        across.chain(along).all(|v| *v == 0.0)
+    /// Returns true if an island is at rest in its static position.
+    pub(crate) fn is_at_rest(&self, island: usize, chain: &ChainState) -> bool {
+        let island_model = &self.islands[island];
+        let rows = chain
+            .moving
+            .iter()
+            .flat_map(|all| &all[island_model.rows.clone()]);
+        let direction = rows.flat_map(|row| row.s.iter().chain(row.d.iter()));
+        let along = chain
+            .x
+            .iter()
+            .flat_map(|list| &list[island_model.masters.clone()]);
+        direction.chain(along).all(|v| *v == 0.0)
     }
 
-    /// Put an island back to rest.
-    pub(crate) fn lay(&self, island: usize, grid: &mut Grid) {
-        let own = &self.own[island];
-        for rows in &mut grid.moving {
-            rows[own.rows.clone()].fill(Moving::default());
+    /// Resets an island to rest.
+    pub(crate) fn reset(&self, island: usize, chain: &mut ChainState) {
+        let island_model = &self.islands[island];
+        for rows in &mut chain.moving {
+            rows[island_model.rows.clone()].fill(TransverseMotion::default());
         }
-        grid.more[own.rows.clone()].fill(Wide::default());
-        for list in grid.x.iter_mut().chain([&mut grid.pull]) {
-            list[own.masters.clone()].fill(0.0);
+        chain.axial_force_jump[island_model.rows.clone()].fill(SimdVector::default());
+        for list in chain.x.iter_mut().chain([&mut chain.master_force]) {
+            list[island_model.masters.clone()].fill(0.0);
         }
     }
 }

@@ -1,5 +1,6 @@
-//! Records of a run.
+//! Recording of a run.
 
+pub(crate) mod energy_balance;
 pub mod record;
 pub(crate) mod recorder;
 pub(crate) mod subgrid_height;

@@ -1,15 +1,15 @@
-//! What a run leaves behind: flat arrays, one row per recorded instant.
+//! Record of a run: flat arrays, one row per recorded instant.
 //!
 //! All values of an instant belong to the time of balance tₙ₊₁₋α_f of the step, except energies,
 //! which belong to the end of the step.
 
 use crate::constraint::contacts::Contacts;
+use crate::energy_terms::EnergyTerms;
 use crate::error::CoreError;
-use crate::integrator::energy::implicit::EnergyTerms;
 use crate::simulation::recording::window::Near;
 use std::mem::{replace, take};
 
-/// What to record and how often.
+/// Selection of recorded quantities and their intervals.
 #[derive(Debug, Clone)]
 pub struct RecordPlan {
     /// Every how many steps contacts are recorded.
@@ -24,83 +24,143 @@ pub struct RecordPlan {
     pub points: Vec<f64>,
     /// Keep the energy ledger.
     pub ledger: bool,
-    /// Every how many steps explicit ones measure what wires dissipate: see [`balance`](crate::integrator::energy::explicit).
+    /// Every how many steps explicit ones measure what wires dissipate: see
+    /// [`balance`](crate::integrator::energy::explicit).
     pub ledger_every: usize,
-    /// Record links and nodes near the riders only; `None` for all of them.
+    /// Record links and nodes near the pantographs only; `None` for all of them.
     pub near: Option<Near>,
 }
 
-/// Time series and extremes of a run; rows are instants.
-#[derive(Debug, Clone, Default)]
-pub struct Record {
-    /// Times of the contact rows, s.
-    pub time: Vec<f64>,
-    /// Contacts: rider, strip and lane of each.
-    pub contacts: Vec<[usize; 3]>,
-    /// Contact force, N: one column per contact; so the next three.
-    pub force: Vec<f64>,
-    /// Gap, m; infinite where a contact has no wire in reach.
-    pub gap: Vec<f64>,
-    /// Height of the wire at the contact, m; NaN where the lane has none.
-    pub height: Vec<f64>,
-    /// Lateral position of the wire at the contact, m; zero when planar, NaN where the lane has none.
-    pub lateral: Vec<f64>,
-    /// Position along the track, m: one column per rider.
-    pub position: Vec<f64>,
-    /// Speed, m/s: one value per row.
-    pub speed: Vec<f64>,
-    /// Force of the actuator of each rider, N; zero without.
-    pub control: Vec<f64>,
-    /// Displacement of all masses of all riders since the start, m.
-    pub masses: Vec<f64>,
-    /// Times of the line rows, s.
-    pub line_time: Vec<f64>,
-    /// Tension of each link, or of those near the riders, N.
-    pub link_force: Vec<f64>,
-    /// Uplift of the watched nodes, or of those near the riders, m.
-    pub uplift: Vec<f64>,
-    /// Where near ones alone are recorded: place in their order of the first link of each row.
-    pub link_first: Vec<f64>,
-    /// The same of the nodes.
-    pub uplift_first: Vec<f64>,
-    /// Uplift of the watched points, m.
-    pub point_uplift: Vec<f64>,
-    /// Displacement of the watched points along the track, m.
-    pub point_along: Vec<f64>,
-    /// Number of slack links.
-    pub slack: Vec<f64>,
-    /// Energy entries.
-    pub energy: Vec<EnergyTerms>,
-    /// Smallest tension of each link over all steps, N.
-    pub link_min: Vec<f64>,
-    /// Largest tension of each link over all steps, N.
-    pub link_max: Vec<f64>,
-    /// Largest uplift of each watched node over all steps, m.
-    pub uplift_max: Vec<f64>,
-    /// Largest force of any stop of each rider over all steps, N.
-    pub stop_max: Vec<f64>,
-    /// Smallest and largest motion of each law of each rider over all steps, m or m/s.
-    pub law_ranges: Vec<f64>,
-    /// Largest number of slack links in any step.
-    pub slack_max: usize,
-    /// Exchanges of the complementarity solver, all steps.
-    pub pivots: usize,
-    /// Number of steps that took 0, 1, 2, … exchanges.
-    pub pivot_counts: Vec<usize>,
-    /// Largest number of exchanges in one step.
-    pub pivots_max: usize,
-    /// Steps in which the finite fallback rule was needed.
-    pub fallbacks: usize,
-    /// Largest residual of a complementarity problem.
-    pub lcp_residual: f64,
-    /// Steps done.
-    pub steps: usize,
-    /// Largest residual of the energy ledger where it was settled (line rows and the end), J.
-    pub energy_residual: f64,
-    /// Largest energy turned over, J: the scale of the residual.
-    pub energy_turnover: f64,
-    /// Largest energy that switching has taken or given, J.
-    pub energy_switching: f64,
+/// Defines a record by the one table of its channels: its fields, and all that goes through them.
+macro_rules! channels {
+    (
+        series { $($(#[$of_series:meta])+ $series:ident,)+ }
+        extremes { $($(#[$of_extreme:meta])+ $extreme:ident,)+ }
+        counts { $($(#[$of_count:meta])+ $count:ident,)+ }
+        largest { $($(#[$of_largest:meta])+ $largest:ident,)+ }
+    ) => {
+        /// Time series and extremes of a run; rows are instants.
+        #[derive(Debug, Clone, Default)]
+        pub struct Record {
+            /// Contacts: pantograph, strip and slideline of each.
+            pub contacts: Vec<[usize; 3]>,
+            /// Energies of each line row.
+            pub energy: Vec<EnergyTerms>,
+            /// Number of steps that took 0, 1, 2, … exchanges.
+            pub pivot_counts: Vec<usize>,
+            $($(#[$of_series])+ pub $series: Vec<f64>,)+
+            $($(#[$of_extreme])+ pub $extreme: Vec<f64>,)+
+            $($(#[$of_count])+ pub $count: usize,)+
+            $($(#[$of_largest])+ pub $largest: f64,)+
+        }
+
+        impl Record {
+            /// Names of the series, which grow with the run.
+            pub const SERIES: &[&str] = &[$(stringify!($series)),+];
+
+            /// All series of numbers; the energies are entries.
+            fn series_mut(&mut self) -> [&mut Vec<f64>; Record::SERIES.len()] {
+                [$(&mut self.$series),+]
+            }
+
+            /// Counts so far, by their names.
+            #[must_use]
+            pub fn counts(&self) -> Vec<(&'static str, usize)> {
+                vec![$((stringify!($count), self.$count)),+]
+            }
+
+            /// Largest numbers so far, by their names.
+            #[must_use]
+            pub fn largest(&self) -> Vec<(&'static str, f64)> {
+                vec![$((stringify!($largest), self.$largest)),+]
+            }
+
+            /// Series and extremes, by their names.
+            #[must_use]
+            pub fn into_arrays(self) -> Vec<(&'static str, Vec<f64>)> {
+                vec![
+                    $((stringify!($series), self.$series),)+
+                    $((stringify!($extreme), self.$extreme),)+
+                ]
+            }
+        }
+    };
+}
+
+channels! {
+    series {
+        /// Times of the contact rows, s.
+        time,
+        /// Contact force, N: one column per contact.
+        force,
+        /// Gap, m: one column per contact; infinite where it has no wire in reach.
+        gap,
+        /// Height of the wire, m: one column per contact; NaN where the slideline has none.
+        height,
+        /// Lateral position of the wire, m: one column per contact; zero when planar, NaN where the
+        /// slideline has none.
+        lateral,
+        /// Position along the track, m: one column per pantograph.
+        position,
+        /// Speed, m/s: one value per contact row.
+        speed,
+        /// Force of the actuator of each pantograph, N; zero without.
+        control,
+        /// Displacement of all masses of all pantographs since the start, m.
+        masses,
+        /// Times of the line rows, s.
+        line_time,
+        /// Tension of each link, or of those near the pantographs, N.
+        link_force,
+        /// Uplift of the watched nodes, or of those near the pantographs, m.
+        uplift,
+        /// Place in the order of links of the first one of each row, where near ones alone are
+        /// recorded.
+        link_first,
+        /// Place in the order of watched nodes of the first one of each row, where near ones alone
+        /// are recorded.
+        uplift_first,
+        /// Uplift of the watched points, m.
+        point_uplift,
+        /// Displacement of the watched points along the track, m.
+        point_along,
+        /// Number of slack links.
+        slack,
+    }
+    extremes {
+        /// Smallest tension of each link over all steps, N.
+        link_min,
+        /// Largest tension of each link over all steps, N.
+        link_max,
+        /// Largest uplift of each watched node over all steps, m.
+        uplift_max,
+        /// Largest force of any stop of each pantograph over all steps, N.
+        stop_max,
+        /// Smallest and largest motion of each piecewise force of each pantograph, m or m/s.
+        law_ranges,
+    }
+    counts {
+        /// Steps done.
+        steps,
+        /// Largest number of slack links in any step.
+        slack_max,
+        /// Exchanges of the complementarity solver, all steps.
+        pivots,
+        /// Largest number of exchanges in one step.
+        pivots_max,
+        /// Steps in which the finite fallback rule was needed.
+        fallbacks,
+    }
+    largest {
+        /// Residual of a complementarity problem.
+        lcp_residual,
+        /// Residual of the energy ledger where it was settled (line rows and the end), J.
+        energy_residual,
+        /// Energy turned over, J: the scale of the residual.
+        energy_turnover,
+        /// Energy that switching has taken or given, J.
+        energy_switching,
+    }
 }
 
 impl Record {
@@ -112,7 +172,7 @@ impl Record {
         riders: usize,
     ) -> Self {
         Self {
-            contacts: contacts.all.iter().map(|c| c.of).collect(),
+            contacts: contacts.all.iter().map(|c| c.indices).collect(),
             link_min: vec![f64::INFINITY; links],
             link_max: vec![f64::NEG_INFINITY; links],
             uplift_max: vec![f64::NEG_INFINITY; plan.nodes.len()],
@@ -121,8 +181,8 @@ impl Record {
         }
     }
 
-    /// Take the series away, so that those of later instants begin anew. Extremes and counts stay, and
-    /// the piece has them as they are so far.
+    /// Takes the series recorded so far, and leaves empty ones for later instants. Extremes and
+    /// counts stay, and the piece has a copy of them.
     pub(crate) fn take_series(&mut self) -> Self {
         let energy = take(&mut self.energy);
         let taken = self.series_mut().map(|own| {
@@ -145,30 +205,7 @@ impl Record {
         numbers + self.energy.len() * (size_of::<EnergyTerms>() / size_of::<f64>())
     }
 
-    /// All series of numbers; the energies are entries.
-    fn series_mut(&mut self) -> [&mut Vec<f64>; 17] {
-        [
-            &mut self.time,
-            &mut self.force,
-            &mut self.gap,
-            &mut self.height,
-            &mut self.lateral,
-            &mut self.position,
-            &mut self.speed,
-            &mut self.control,
-            &mut self.masses,
-            &mut self.line_time,
-            &mut self.link_force,
-            &mut self.uplift,
-            &mut self.link_first,
-            &mut self.uplift_first,
-            &mut self.point_uplift,
-            &mut self.point_along,
-            &mut self.slack,
-        ]
-    }
-
-    /// Whether the ledger, where one is kept, holds numbers: squares grow faster than motion.
+    /// Checks that the energy balance, if kept, is finite: squares grow faster than motion.
     pub(crate) fn check_energy(&self, step: usize) -> Result<(), CoreError> {
         let mut known = self.energy.iter().filter(|e| !e.is_unknown());
         if known.all(|e| e.residual().is_finite()) {

@@ -1,17 +1,17 @@
 //! Records of a run while it steps, and the extremes of all steps.
 
 use crate::constraint::contacts::Contact;
+use crate::energy_terms::EnergyTerms;
 use crate::error::CoreError;
-use crate::integrator::energy::entries::EnergyTerms;
-use crate::integrator::energy::ledgers::EnergyBalance;
 use crate::lcp::LcpStats;
 use crate::linalg::{Kernel, widest};
-use crate::pantograph::system::PantographState;
+use crate::pantograph::state::PantographState;
 use crate::simulation::inputs::Inputs;
 use crate::simulation::model::Model;
+use crate::simulation::motion::Motion;
+use crate::simulation::recording::energy_balance::EnergyBalance;
 use crate::simulation::recording::record::{Record, RecordPlan};
 use crate::simulation::recording::subgrid_height::{Probe, spots};
-use crate::simulation::state::Motion;
 use crate::slideline::Slideline;
 use crate::slideline::point::{Nodal, SlidelinePoint};
 use std::collections::BTreeMap;
@@ -25,7 +25,7 @@ pub(crate) struct Recorder<const DIM: usize, const D: usize> {
     last: usize,
     /// Places whose uplift is recorded.
     points: Vec<SlidelinePoint<DIM>>,
-    /// Watched nodes on lanes, where wires yield beyond the mesh.
+    /// Watched nodes on slidelines, where wires have compliance beyond the mesh.
     spots: BTreeMap<usize, Probe<DIM>>,
     /// For each island, the watched nodes of the plan on it, by their numbers in the plan.
     watched: Vec<Vec<usize>>,
@@ -51,8 +51,8 @@ fn points<const DIM: usize>(
 }
 
 impl<const DIM: usize, const D: usize> Recorder<DIM, D> {
-    /// Recorder with nothing recorded yet, for a run of `steps` steps; tells an explicit line what is
-    /// read in every step. Points are those of the line at rest.
+    /// Recorder with nothing recorded yet, for a run of `steps` steps; tells an explicit line what
+    /// is read in every step. Points are those of the line at rest.
     ///
     /// # Errors
     /// [`CoreError::Input`] for a point without wire.
@@ -62,20 +62,20 @@ impl<const DIM: usize, const D: usize> Recorder<DIM, D> {
         steps: usize,
         motion: &mut Motion<DIM, D>,
     ) -> Result<Self, CoreError> {
-        let line = model.line;
-        let points = points(&line.lanes, &plan.points)?;
+        let line = model.wires;
+        let points = points(&line.slidelines, &plan.points)?;
         let near = plan.near.iter().flat_map(|near| &near.nodes.of);
         let at_points = points.iter().flat_map(|place| &place.nodes);
         let read = plan.nodes.iter().chain(near).chain(at_points);
-        line.watch(&mut motion.line, read.copied());
+        line.track_nodes(&mut motion.wires, read.copied());
         let mut watched = vec![Vec::new(); line.islands.len()];
         for (k, &node) in plan.nodes.iter().enumerate() {
             watched[line.island_of(node)].push(k);
         }
-        let (links, riders) = (line.line.links.len(), model.riders.len());
+        let (links, riders) = (line.line.links.len(), model.pantographs.len());
         Ok(Self {
             last: steps - 1,
-            spots: spots(&line.lanes, plan),
+            spots: spots(&line.slidelines, plan),
             record: Record::empty(&motion.contacts, links, plan, riders),
             books: None,
             plan: plan.clone(),
@@ -84,14 +84,14 @@ impl<const DIM: usize, const D: usize> Recorder<DIM, D> {
         })
     }
 
-    /// Open the ledger at the start of the run, if one is kept.
+    /// Opens the ledger at the start of the run, if one is kept.
     pub(crate) fn open_books(&mut self, model: &Model<'_, DIM, D>, motion: &Motion<DIM, D>) {
         if self.plan.ledger {
             self.books = Some(EnergyBalance::open(model, motion, self.plan.ledger_every));
         }
     }
 
-    /// Record the step at its time of balance, then take it, booking its energies when a ledger is
+    /// Records the step at its time of balance, then take it, booking its energies when a ledger is
     /// kept.
     ///
     /// # Errors
@@ -110,7 +110,7 @@ impl<const DIM: usize, const D: usize> Recorder<DIM, D> {
         let is_row = step.is_multiple_of(self.plan.line_every);
         let is_due = is_row || step == self.last;
         let Some(books) = &mut self.books else {
-            motion.advance(model);
+            motion.commit(model);
             return motion.check_sound();
         };
         let settled = books.take(model, inputs, motion, is_due);
@@ -136,54 +136,54 @@ impl<const DIM: usize, const D: usize> Recorder<DIM, D> {
         r.pivot_counts[stats.pivots] += 1;
         r.fallbacks += usize::from(stats.fallback_used);
         r.lcp_residual = r.lcp_residual.max(stats.residual);
-        let slack = motion.unilateral.links.iter();
+        let slack = motion.problem.links.iter();
         let slack = slack
-            .filter(|&&i| motion.unilateral.correction[i] > 0.0)
+            .filter(|&&i| motion.problem.correction[i] > 0.0)
             .count();
         r.slack_max = r.slack_max.max(slack);
     }
 
-    /// Update the extremes of some links.
+    /// Updates the extremes of some links.
     fn watch_links(&mut self, motion: &Motion<DIM, D>, which: Range<usize>) {
         widest(Extremes {
-            tension: &motion.line.links.tension[which.clone()],
-            correction: &motion.unilateral.correction[which.clone()],
+            tension: &motion.wires.links.tension[which.clone()],
+            correction: &motion.problem.correction[which.clone()],
             min: &mut self.record.link_min[which.clone()],
             max: &mut self.record.link_max[which],
         });
     }
 
-    /// Update the extremes of links and watched nodes of an island.
+    /// Updates the extremes of links and watched nodes of an island.
     pub(crate) fn watch_island(
         &mut self,
         model: &Model<'_, DIM, D>,
         motion: &Motion<DIM, D>,
         island: usize,
     ) {
-        self.watch_links(motion, model.line.islands[island].links.clone());
+        self.watch_links(motion, model.wires.islands[island].links.clone());
         for &k in &self.watched[island] {
             let uplift = node_uplift(&self.spots, model, motion, self.plan.nodes[k]);
             self.record.uplift_max[k] = self.record.uplift_max[k].max(uplift);
         }
     }
 
-    /// Record the instant of balance and update the extremes.
+    /// Records the instant of balance and update the extremes.
     fn watch(
         &mut self,
         model: &Model<'_, DIM, D>,
         inputs: &Inputs<'_>,
         motion: &mut Motion<DIM, D>,
     ) {
-        let (c, step) = (&model.line.coefficients, motion.steps);
-        let time = (step as f64 + 1.0 - c.old) * model.line.h;
-        for k in 0..motion.line.awake.len() {
-            self.watch_island(model, motion, motion.line.awake[k]);
+        let (c, step) = (&model.wires.coefficients, motion.steps);
+        let time = (step as f64 + 1.0 - c.old) * model.wires.h;
+        for k in 0..motion.wires.awake.len() {
+            self.watch_island(model, motion, motion.wires.awake[k]);
         }
-        for (largest, rider) in self.record.stop_max.iter_mut().zip(&motion.riders) {
-            *largest = largest.max(rider.stop_force());
+        for (largest, rider) in self.record.stop_max.iter_mut().zip(&motion.pantographs) {
+            *largest = largest.max(rider.largest_stop_force());
         }
-        for rider in &mut motion.riders {
-            rider.watch_laws(c);
+        for rider in &mut motion.pantographs {
+            rider.record_ranges(c);
         }
         let position = inputs.positions[1];
         if step.is_multiple_of(self.plan.contact_every) {
@@ -200,7 +200,7 @@ impl<const DIM: usize, const D: usize> Recorder<DIM, D> {
         motion: &Motion<DIM, D>,
         (time, speed, position): (f64, f64, f64),
     ) {
-        let keep = model.line.coefficients.stiffness;
+        let keep = model.wires.coefficients.stiffness;
         let r = &mut self.record;
         r.time.push(time);
         r.speed.push(speed);
@@ -215,12 +215,12 @@ impl<const DIM: usize, const D: usize> Recorder<DIM, D> {
                     motion.wire_at(model, contact, 1)
                 };
             }
-            r.force.push(motion.unilateral.force[i]);
-            r.gap.push(motion.unilateral.gap[i]);
+            r.force.push(motion.problem.force[i]);
+            r.gap.push(motion.problem.gap[i]);
             r.height.push(height);
             r.lateral.push(lateral);
         }
-        for (j, rider) in motion.riders.iter().enumerate() {
+        for (j, rider) in motion.pantographs.iter().enumerate() {
             r.position.push(position - model.distances[j]);
             r.control.push(rider.actuator.force);
             for ((u, d), start) in rider.u.iter().zip(&rider.delta).zip(&motion.start_u[j]) {
@@ -261,25 +261,28 @@ impl<const DIM: usize, const D: usize> Recorder<DIM, D> {
                 .extend(near.nodes.row(first).iter().map(uplift));
         } else {
             if plan.links {
-                let links = 0..model.line.line.links.len();
+                let links = 0..model.wires.line.links.len();
                 record.link_force.extend(links.map(|link| tension(&link)));
             }
             record.uplift.extend(plan.nodes.iter().map(uplift));
         }
-        let ([u, delta], keep) = (motion.line.at_balance(), model.line.coefficients.stiffness);
+        let ([u, delta], keep) = (
+            motion.wires.at_balance(),
+            model.wires.coefficients.stiffness,
+        );
         for place in &*points {
             let moved = |c: usize| place.displacement(&u, c) + keep * place.displacement(&delta, c);
             let raised = motion.place_raised(model, place);
             record.point_uplift.push(moved(DIM - 1) + raised);
             record.point_along.push(moved(0));
         }
-        let corrections = motion.unilateral.correction.iter();
+        let corrections = motion.problem.correction.iter();
         let slack = corrections.filter(|r| **r > 0.0).count();
         record.slack.push(slack as f64);
     }
 
-    /// Smallest coordinate from which anything is recorded with the first rider at a position; `None`
-    /// where all of the line is, and where a ledger needs all of it.
+    /// Smallest coordinate from which anything is recorded with the first pantograph at a position;
+    /// `None` where all of the line is, and where a ledger needs all of it.
     pub(crate) fn first_recorded(&self, model: &Model<'_, DIM, D>, position: f64) -> Option<f64> {
         let near = self.plan.near.as_ref()?;
         let needs_all = self
@@ -290,12 +293,12 @@ impl<const DIM: usize, const D: usize> Recorder<DIM, D> {
         (!needs_all).then(|| near.first_recorded(from))
     }
 
-    /// Whether the motion of a place on one of these nodes is recorded.
+    /// Returns whether the motion of a point on one of these nodes is recorded.
     pub(crate) fn has_points(&self, nodes: &Range<usize>) -> bool {
         self.points.iter().any(|p| nodes.contains(&p.nodes[0]))
     }
 
-    /// Book an island that is about to be laid to rest.
+    /// Books an island that is about to be laid to rest.
     pub(crate) fn leave(
         &mut self,
         model: &Model<'_, DIM, D>,
@@ -307,10 +310,12 @@ impl<const DIM: usize, const D: usize> Recorder<DIM, D> {
         }
     }
 
-    /// Record how far the laws of the riders have been moved.
+    /// Records the ranges of the piecewise forces of the pantographs.
     pub(crate) fn read_laws(&mut self, motion: &Motion<DIM, D>) {
-        let riders = motion.riders.iter();
-        self.record.law_ranges = riders.flat_map(PantographState::law_ranges).collect();
+        let riders = motion.pantographs.iter();
+        self.record.law_ranges = riders
+            .flat_map(PantographState::coordinate_ranges)
+            .collect();
     }
 }
 
@@ -322,24 +327,24 @@ impl<const DIM: usize, const D: usize> Motion<DIM, D> {
         contact: &Contact<DIM>,
         c: usize,
     ) -> f64 {
-        let place = &contact.place;
+        let place = &contact.point;
         let rest = if c == DIM - 1 {
             place.height
         } else {
             place.lateral
         };
-        let [u, delta] = self.line.at_balance();
+        let [u, delta] = self.wires.at_balance();
         rest + place.displacement(&u, c)
-            + model.line.coefficients.stiffness * place.displacement(&delta, c)
+            + model.wires.coefficients.stiffness * place.displacement(&delta, c)
     }
 
     /// Tension of a link at the time of balance, N.
     #[inline(always)]
     fn tension(&self, link: usize) -> f64 {
-        if self.unilateral.correction[link] > 0.0 {
+        if self.problem.correction[link] > 0.0 {
             return 0.0;
         }
-        self.line.links.tension[link]
+        self.wires.links.tension[link]
     }
 }
 
@@ -350,7 +355,10 @@ fn node_uplift<const DIM: usize, const D: usize>(
     motion: &Motion<DIM, D>,
     node: usize,
 ) -> f64 {
-    let ([u, delta], keep) = (motion.line.at_balance(), model.line.coefficients.stiffness);
+    let ([u, delta], keep) = (
+        motion.wires.at_balance(),
+        model.wires.coefficients.stiffness,
+    );
     let moved = u.at(node)[DIM - 1] + keep * delta.at(node)[DIM - 1];
     let spot = spots.get(&node);
     moved + spot.map_or(0.0, |spot| motion.raised_since(model, spot))

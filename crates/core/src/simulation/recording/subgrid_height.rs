@@ -1,12 +1,13 @@
-//! Height of the real wire above that of the mesh during a run: see [`yields`](crate::slideline::residual_flexibility).
+//! Height of the real wire above that of the mesh during a run: see
+//! [local compliance](crate::slideline::local_compliance).
 
 use crate::constraint::contacts::Contact;
 use crate::simulation::model::Model;
+use crate::simulation::motion::Motion;
 use crate::simulation::recording::record::RecordPlan;
-use crate::simulation::state::Motion;
 use crate::slideline::Slideline;
+use crate::slideline::local_compliance::LocalCompliance;
 use crate::slideline::point::SlidelinePoint;
-use crate::slideline::residual_flexibility::LocalCompliance;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A place whose motion is watched.
@@ -18,19 +19,20 @@ pub(crate) struct Probe<const DIM: usize> {
 }
 
 impl<const DIM: usize> Probe<DIM> {
-    /// A place on one of the lanes; `None` where it yields as the mesh does.
+    /// A place on one of the slidelines; `None` where it yields as the mesh does.
     fn new(lanes: &[Slideline<DIM>], place: &SlidelinePoint<DIM>) -> Option<Self> {
-        let lane = lanes.iter().position(|lane| lane.holds(place))?;
+        let lane = lanes.iter().position(|lane| lane.contains(place))?;
         let is_rigid = lanes[lane].is_rigid();
         (!is_rigid).then(|| Self {
             lane,
             place: *place,
-            yields: lanes[lane].yield_at(place),
+            yields: lanes[lane].compliance_at(place),
         })
     }
 }
 
-/// Those of the watched nodes of a plan that lie on lanes; none without residual flexibility.
+/// Returns probes of the watched nodes of a plan that lie on slidelines; none without residual
+/// flexibility.
 pub(crate) fn spots<const DIM: usize>(
     lanes: &[Slideline<DIM>],
     plan: &RecordPlan,
@@ -40,7 +42,7 @@ pub(crate) fn spots<const DIM: usize>(
     }
     let near = plan.near.iter().flat_map(|near| &near.nodes.of);
     let watched: BTreeSet<usize> = plan.nodes.iter().chain(near).copied().collect();
-    let ends = lanes.iter().flat_map(Slideline::ends);
+    let ends = lanes.iter().flat_map(Slideline::node_points);
     let ends = ends.filter(|(node, _)| watched.contains(node));
     ends.filter_map(|(node, place)| Some((node, Probe::new(lanes, &place)?)))
         .collect()
@@ -54,13 +56,13 @@ impl<const DIM: usize, const D: usize> Motion<DIM, D> {
         yields: &LocalCompliance,
         share: f64,
     ) -> f64 {
-        let (motion, line) = (&self.line.links, model.line);
+        let (motion, line) = (&self.wires.links, model.wires);
         let by_link = |(link, rise): (usize, f64)| {
             let elongation = motion.elongation[link] + share * motion.delta[link];
             let slack = line.line.links[link].rest_correction();
-            line.eased(link, rise) * elongation - rise * slack
+            line.tension_relief(link, rise) * elongation - rise * slack
         };
-        yields.pulls().map(by_link).sum()
+        yields.links().map(by_link).sum()
     }
 
     /// Height above the mesh from links, corrections and contact forces, m; `residual` is R̃ from a
@@ -71,10 +73,10 @@ impl<const DIM: usize, const D: usize> Motion<DIM, D> {
         (yields, share): (&LocalCompliance, f64),
         residual: impl Fn(&Contact<DIM>) -> f64,
     ) -> f64 {
-        let corrections = &self.unilateral.correction;
-        let corrected = yields.pulls().map(|(link, rise)| rise * corrections[link]);
+        let corrections = &self.problem.correction;
+        let corrected = yields.links().map(|(link, rise)| rise * corrections[link]);
         let pressed = self.contacts.active.iter().map(|&j| {
-            let force = self.unilateral.force[j];
+            let force = self.problem.force[j];
             force * residual(&self.contacts.all[j])
         });
         self.raised_by_links(model, yields, share) + corrected.sum::<f64>() + pressed.sum::<f64>()
@@ -87,21 +89,22 @@ impl<const DIM: usize, const D: usize> Motion<DIM, D> {
         contact: &Contact<DIM>,
         share: f64,
     ) -> f64 {
-        let line = model.line;
-        if line.lanes[contact.of[2]].is_rigid() {
+        let line = model.wires;
+        if line.slidelines[contact.indices[2]].is_rigid() {
             return 0.0;
         }
-        let residual = |other: &Contact<DIM>| line.residual(contact, other);
-        contact.yields.rise + self.raised(model, (&contact.yields, share), residual)
+        let residual = |other: &Contact<DIM>| line.residual_compliance(contact, other);
+        contact.compliance.static_height
+            + self.raised(model, (&contact.compliance, share), residual)
     }
 
     /// Rise of a watched place beyond the mesh since the line was at rest, m.
     pub(crate) fn raised_since(&self, model: &Model<'_, DIM, D>, spot: &Probe<DIM>) -> f64 {
-        let line = model.line;
+        let line = model.wires;
         let residual = |other: &Contact<DIM>| {
-            let carried = line.carried(&spot.yields, &other.yields);
-            if other.of[2] == spot.lane {
-                line.lanes[spot.lane].between(&spot.place, &other.place) - carried
+            let carried = line.flexibility_through_links(&spot.yields, &other.compliance);
+            if other.indices[2] == spot.lane {
+                line.slidelines[spot.lane].residual_flexibility(&spot.place, &other.point) - carried
             } else {
                 -carried
             }
@@ -116,7 +119,7 @@ impl<const DIM: usize, const D: usize> Motion<DIM, D> {
         model: &Model<'_, DIM, D>,
         place: &SlidelinePoint<DIM>,
     ) -> f64 {
-        let spot = Probe::new(&model.line.lanes, place);
+        let spot = Probe::new(&model.wires.slidelines, place);
         spot.map_or(0.0, |spot| self.raised_since(model, &spot))
     }
 }

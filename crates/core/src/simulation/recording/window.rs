@@ -1,12 +1,12 @@
-//! Recording only what lies near the riders: a line may have thousands of links, of which a few
-//! dozen are moved at any time.
+//! Recording only what lies near the pantographs: a line may have thousands of links, of which a
+//! few dozen are moved at any time.
 
 use crate::error::CoreError;
 
-/// Links and nodes of which only those near the riders are recorded.
+/// Links and nodes of which only those near the pantographs are recorded.
 #[derive(Debug, Clone)]
 pub struct Near {
-    /// Distance behind the last rider at which a row begins, m.
+    /// Distance behind the last pantograph at which a row begins, m.
     pub behind: f64,
     /// Links in the order along the track.
     pub links: SortedStations,
@@ -21,7 +21,7 @@ pub struct SortedStations {
     pub of: Vec<usize>,
     /// Their coordinates, ascending, m.
     pub x: Vec<f64>,
-    /// How many of them a row holds.
+    /// Number of them in a row.
     pub count: usize,
 }
 
@@ -37,7 +37,7 @@ impl Near {
         })
     }
 
-    /// Where a row begins with the first rider at a position, m.
+    /// Where a row begins with the first pantograph at a position, m.
     pub(crate) fn from(&self, position: f64, distances: &[f64]) -> f64 {
         let last = distances.iter().fold(0.0_f64, |d, v| d.max(*v));
         position - last - self.behind
@@ -62,7 +62,7 @@ impl SortedStations {
         first.min(self.of.len() - self.count)
     }
 
-    /// What a row holds.
+    /// Returns the numbers of a row.
     pub(crate) fn row(&self, first: usize) -> &[usize] {
         &self.of[first..first + self.count]
     }

@@ -1,4 +1,4 @@
-"""What a line is made of: wires, droppers, messenger supports, steady arms."""
+"""Components of a line: wires, droppers, messenger supports, steady arms."""
 
 from math import pi
 from typing import Annotated, Literal
@@ -8,6 +8,7 @@ from pydantic import Field, model_validator
 from arcless.errors import ModelError
 from arcless.model.fields import extremes
 from arcless.model.fields.part import Part, Unit
+from arcless.model.fields.rule_errors import missing
 from arcless.model.line.parts.wire_ends import GRAVITY, USUAL_RATIO, Ends
 
 
@@ -27,7 +28,7 @@ COPPER_EXPANSION = 17e-6
 
 
 class TensionedWire(Part):
-    """What all wires of a line have in common."""
+    """Fields that all wires of a line have."""
 
     catalogue: str | None = Field(
         default=None, description="Wire of the shipped catalogue; it gives what is not given here."
@@ -82,11 +83,7 @@ class Wire(TensionedWire):
     @model_validator(mode="after")
     def _check_ends(self) -> "Wire":
         if self.ends == "spring" and self.end_stiffness is None:
-            raise ModelError(
-                "missing field",
-                expected=self._expected("end_stiffness"),
-                field=("end_stiffness",),
-            )
+            raise missing("end_stiffness", expected=self._expected("end_stiffness"))
         said = f"with ends: {self.ends}" if self.ends else "without ends"
         for name, kinds, what in (
             ("end_stiffness", ("spring",), "stiffness of a spring that is not there"),
@@ -137,7 +134,7 @@ class Wire(TensionedWire):
 class StitchWire(TensionedWire):
     """A stitch wire, between two clamps on the messenger wire at each inner support."""
 
-    length: Annotated[float, Unit("m", above=0, maximum=500)] = Field(
+    length: Annotated[float, Unit("m", minimum=extremes.LEAST_CLAMP_DISTANCE, maximum=500)] = Field(
         description="Distance between its clamps, half of it on each side of the support."
     )
     clamp_mass: Annotated[float, Unit("kg", minimum=0, maximum=extremes.MASS)] = Field(

@@ -72,7 +72,7 @@ class ContactWire(Wire):
 
 
 class ContactSupport(Part):
-    """What holds a contact wire without a messenger wire at each mast, or its bridle."""
+    """Support of a contact wire without a messenger wire at each mast, or of its bridle."""
 
     vertical_stiffness: Annotated[float, Unit("N/m", above=0, maximum=extremes.STIFFNESS)] = Field(
         description="Vertical stiffness."
@@ -91,7 +91,7 @@ class ContactSupport(Part):
 class Bridle(TensionedWire):
     """A bridle: hung in its middle at each inner support, its ends on the contact wire."""
 
-    length: Annotated[float, Unit("m", above=0, maximum=100)] = Field(
+    length: Annotated[float, Unit("m", minimum=extremes.LEAST_CLAMP_DISTANCE, maximum=100)] = Field(
         description="Distance between its clamps, half of it on each side of the support."
     )
     clamp_mass: Annotated[float, Unit("kg", minimum=0, maximum=extremes.MASS)] = Field(

@@ -1,4 +1,4 @@
-"""Where the wires of a line are at its supports, and what the line was designed for."""
+"""Positions of the wires of a line at its supports, and the space the line was designed for."""
 
 from typing import Annotated, Literal
 
@@ -47,7 +47,7 @@ ASSUMED_SUPPLY = "AC 25 kV"
 
 
 class DesignSpace(Part):
-    """What the line was designed for; used by the assessment only."""
+    """Uplift space and supply that the line was designed for; used by the assessment only."""
 
     uplift_space: Annotated[float, Unit("m", above=0, maximum=2)] | None = Field(
         default=None, description="Free space above the steady arm at rest."

@@ -1,4 +1,4 @@
-"""What sits on a wire at one place: point masses, and inserts such as section insulators."""
+"""Parts at one place on a wire: point masses, and inserts such as section insulators."""
 
 from typing import Annotated, Literal
 
@@ -12,7 +12,7 @@ MAX_PARTS = 10_000
 
 
 class _OnWire(Part):
-    """What has a name and a place on a wire."""
+    """Part with a name and a place on a wire."""
 
     name: str = Field(default="", description="What it is; for readers.")
     wire: OnWire = Field(default="contact_wire", description="Wire that it sits on.")

@@ -9,7 +9,7 @@ from arcless.model.fields.part import Part, Unit
 
 
 class MidpointAnchor(Part):
-    """What keeps the wires in place along the track when a device tensions them at either end."""
+    """Midpoint anchor: keeps the wires in place along the track when both ends are tensioned."""
 
     stiffness: Annotated[float, Unit("N/m", above=0, maximum=extremes.STIFFNESS)] = Field(
         description="Along the track, of what holds each wire there."

@@ -8,6 +8,7 @@ from pydantic import Field, model_validator
 from arcless.errors import ModelError
 from arcless.model.fields.list_checks import check_count
 from arcless.model.fields.part import Lengths, Part, Unit
+from arcless.model.fields.rule_errors import both_given
 from arcless.units import DECIMAL_POINT, WRONG_VALUE
 
 MAX_SPANS = 5000
@@ -41,11 +42,7 @@ class SpanDroppers(Part):
     @model_validator(mode="after")
     def _check_lists(self) -> "SpanDroppers":
         if self.presag is not None and self.lengths is not None:
-            raise ModelError(
-                "both presag and lengths given",
-                expected="presag (design) or lengths (as built)",
-                field=("lengths",),
-            )
+            raise both_given("presag", "lengths", expected="presag (design) or lengths (as built)")
         # Before they are counted: a decimal comma makes two positions of one.
         for index, (left, right) in enumerate(pairwise(self.positions), start=1):
             if right <= left:
@@ -86,7 +83,7 @@ class SpanType(Part):
 
     @property
     def holders(self) -> SpanDroppers:
-        """What the contact wire hangs on: hangers where there is an auxiliary wire."""
+        """Parts that the contact wire hangs on: hangers where there is an auxiliary wire."""
         return self.hangers or self.droppers
 
     @model_validator(mode="after")

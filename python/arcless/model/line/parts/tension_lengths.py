@@ -25,7 +25,7 @@ class TensionLength(Part):
 
 
 class Overlap(Part):
-    """What two tension lengths look like where both hang side by side; the same at all overlaps."""
+    """Overlap of two tension lengths that hang side by side; one geometry for all overlaps."""
 
     raise_: Annotated[
         tuple[Annotated[float, Unit("m", minimum=0, maximum=3)], ...],

@@ -89,7 +89,7 @@ class Curve(Part):
         return 1.0 if self.side == "left" else -1.0
 
     def turned(self, x: float) -> float:
-        """Angle in rad by which the track has turned at a position in m, positive for any side."""
+        """Return the angle in rad that the track has turned by at x in m, positive for any side."""
         along, length, ramp = x - self.from_, self.to - self.from_, self.transition
         along = min(max(along, 0.0), length)
         whole = (length - ramp) / self.radius
@@ -100,7 +100,7 @@ class Curve(Part):
         return (along - 0.5 * ramp) / self.radius
 
     def twist(self, x: float) -> float:
-        """Change of the cant per metre of track at a position in m."""
+        """Return the change of the cant per metre of track at a position in m."""
         if self.from_ <= x < self.from_ + self.transition:
             return self.cant / self.transition
         if self.to - self.transition <= x < self.to:
@@ -124,7 +124,7 @@ class Track(Part):
         return self
 
     def direction(self, x: float, height: float) -> float:
-        """Direction θ in rad of the pantograph's axis at a height in m, positive to the left."""
+        """Return the direction θ in rad of the axis at a height in m, positive to the left."""
         passed = bisect_right(self.curves, x, key=lambda curve: curve.from_)
         if not passed:
             return 0.0
@@ -139,17 +139,17 @@ class Track(Part):
         return list(accumulate(turns, initial=0.0))
 
     def bends(self, left: float, right: float) -> bool:
-        """Whether there is a curve somewhere between two positions in m."""
+        """Return whether there is a curve somewhere between two positions in m."""
         return any(curve.from_ < right and curve.to > left for curve in self.curves)
 
     def mean_direction(self, left: float, right: float, height: float) -> float:
-        """Mean of θ in rad between two positions in m."""
+        """Return the mean of θ in rad between two positions in m."""
         step = (right - left) / POINTS
         angles = (self.direction(left + (i + 0.5) * step, height) for i in range(POINTS))
         return sum(angles) / POINTS
 
     def offsets(self, left: float, right: float, height: float) -> list[float]:
-        """Lateral way in m of a wire from the straight line between two supports, along a span.
+        """Return the lateral distance in m of a wire from the straight line between two supports.
 
         y″ = −θ′ with y = 0 at both ends: y = θ̄ s − ∫ θ ds, s from the left one.
         """

@@ -1,4 +1,4 @@
-"""What holds the ends of a wire: anchors, weights on a pulley, devices of constant force, springs.
+"""Ends of a wire: anchors, weights on a pulley, devices of constant force, springs.
 
 A weight m on a pulley of ratio n pulls the wire by T = n m g, and goes n times as far as the end of
 the wire. Lagrange's equation for the way u of that end, with the kinetic energy ½ m (n u̇)²:

@@ -35,7 +35,7 @@ def shortest_distances(line: Line) -> dict[str, list[float]]:
 
 
 def _places(line: Line, span: SpanType) -> dict[str, list[float]]:
-    """Places in a span, from its left support, by wire."""
+    """Return the places in a span, from its left support, by wire."""
     ends = [0.0, span.length]
     clamps: list[float] = []
     if line.stitch_wire is not None:

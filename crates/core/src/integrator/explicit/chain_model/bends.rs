@@ -1,25 +1,25 @@
-//! Bends of a chain beside those of its wire: [`Geometry::bending`].
+//! Bends of a chain with the bending stiffness EI* fitted to the wire: [`Geometry::bending`].
 
 use crate::statics::assembly::{Geometry, Shape};
 use crate::structure::Bend;
 
-/// Largest ε: as good as no tension.
+/// Largest ε, which stands for no tension.
 const LARGEST: f64 = 1e6;
 
-/// What stands in the place of a bend.
-pub(in crate::integrator::explicit) struct Fit {
-    /// EI*, N·m².
+/// Bend with fitted stiffness.
+pub(in crate::integrator::explicit) struct FittedBend {
+    /// Fitted bending stiffness EI* = EI x coth x, N·m².
     pub bending: f64,
-    /// (EI* − EI)/T, m²: at most ℓ̄²/12, which it tends to without tension. EI* has the tension of the design,
-    /// so a wire that has lost it would have more than all numbers.
-    pub longer: f64,
-    /// ℓ̄, m.
+    /// Added length squared (EI* − EI)/T, m²: at most ℓ̄²/12, its limit without tension. EI* has
+    /// the tension of the design, so it would grow without bound for a wire that lost its tension.
+    pub added: f64,
+    /// Mean length ℓ̄ of both segments, m.
     pub length: f64,
-    /// ε = EI/(T ℓ̄²).
-    pub share: f64,
+    /// Ratio ε = EI/(T ℓ̄²).
+    pub ratio: f64,
 }
 
-impl Fit {
+impl FittedBend {
     pub fn new<const DIM: usize, const D: usize>(
         geometry: &Geometry<DIM, D>,
         shape: &Shape<D>,
@@ -31,7 +31,7 @@ impl Fit {
         let tension = (0.5 * (tension(0) + tension(1))).max(0.0);
         let length = 0.5 * (segments[0].rest_length + segments[1].rest_length);
         let bending = geometry.bending(bend);
-        let over = |stiffness: f64| {
+        let over_tension = |stiffness: f64| {
             if stiffness > 0.0 {
                 stiffness / tension
             } else {
@@ -40,9 +40,9 @@ impl Fit {
         };
         Self {
             bending,
-            longer: over(bending - bend.stiffness).min(length * length / 12.0),
+            added: over_tension(bending - bend.stiffness).min(length * length / 12.0),
             length,
-            share: (over(bend.stiffness) / (length * length)).min(LARGEST),
+            ratio: (over_tension(bend.stiffness) / (length * length)).min(LARGEST),
         }
     }
 }

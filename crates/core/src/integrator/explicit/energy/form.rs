@@ -1,114 +1,114 @@
-//! What the wires of an island store, and what they take in a step.
+//! Energy stored by the wires of an island, and energy lost in a step.
 
-use crate::integrator::explicit::energy::field::{Field, total};
-use crate::integrator::explicit::energy::filtered::{Filtered, energy};
-use crate::integrator::explicit::energy::joined::{FEW, Joined};
-use crate::integrator::explicit::energy::{Lost, Stored};
-use crate::integrator::explicit::simd::rows::LANES;
-use crate::integrator::explicit::stiff_groups::cluster::WIDEST;
-use crate::integrator::explicit::{Explicit, Grid};
+use crate::integrator::explicit::energy::filtered_mass::{FilteredMass, energy};
+use crate::integrator::explicit::energy::island_field::{IslandField, Workspace, total};
+use crate::integrator::explicit::energy::stiff::{FEW, StiffEnergy};
+use crate::integrator::explicit::energy::{StepLosses, StoredEnergy};
+use crate::integrator::explicit::simd::packed::SIMD_LANES;
+use crate::integrator::explicit::stiff_groups::stiff_group::WIDEST;
+use crate::integrator::explicit::{ChainState, Explicit};
 use std::ops::Range;
 
-/// A piece between two masters: their numbers on the island, its first and last point, N/m.
+/// Axial element with the numbers of its island: masters, first and last point, stiffness in N/m.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::integrator::explicit::energy) struct Piece {
+pub(in crate::integrator::explicit::energy) struct IslandElement {
     pub masters: [usize; 2],
     pub points: [usize; 2],
     pub stiffness: f64,
-    /// What it is shorter by for a motion of both ends to the side, in curves.
-    pub lean: f64,
+    /// Shortening per motion of both ends to the side, in curves, rad.
+    pub half_turn: f64,
 }
 
-/// Numbers of an island that stay, point by point along its wires.
+/// Constant numbers of an island, point by point along its wires.
 #[derive(Debug, Clone)]
-pub(in crate::integrator::explicit) struct Form {
-    /// Where the points lie: so many rows of a lane, one lane after the other.
-    pub(in crate::integrator::explicit::energy) lanes: Vec<(Range<usize>, usize)>,
+pub(in crate::integrator::explicit) struct EnergyForm {
+    /// Position of the points: ranges of packed rows, each with its SIMD lane.
+    pub(in crate::integrator::explicit::energy) stretches: Vec<(Range<usize>, usize)>,
     pub(in crate::integrator::explicit::energy) masters: Range<usize>,
-    /// 1/L of the segment behind each point; EI*/ℓ̄ of the point.
+    /// 1/L of the segment behind each point, 1/m; EI*/ℓ̄ of the point, N·m.
     pub(in crate::integrator::explicit::energy) per_length: Vec<f64>,
     pub(in crate::integrator::explicit::energy) bending: Vec<f64>,
     pub(in crate::integrator::explicit::energy) tension: [Vec<f64>; 2],
     pub(in crate::integrator::explicit::energy) slope: [Vec<f64>; 2],
-    /// m/h²; zero where held, and of guests.
+    /// Mass m/h², kg/s²; zero where held, and of tied ends.
     pub(in crate::integrator::explicit::energy) weight: [Vec<f64>; 2],
-    /// α h and β/h.
+    /// Damping α h and β/h.
     pub(in crate::integrator::explicit::energy) alpha: Vec<f64>,
     pub(in crate::integrator::explicit::energy) lag: Vec<f64>,
-    pub(in crate::integrator::explicit::energy) pieces: Vec<Piece>,
-    pub(in crate::integrator::explicit::energy) clusters: Vec<Joined>,
-    pub(in crate::integrator::explicit::energy) filtered: [Filtered; 2],
+    pub(in crate::integrator::explicit::energy) elements: Vec<IslandElement>,
+    pub(in crate::integrator::explicit::energy) stiff_groups: Vec<StiffEnergy>,
+    pub(in crate::integrator::explicit::energy) filtered: [FilteredMass; 2],
 }
 
-/// What moves of an island.
-#[derive(Debug, Clone)]
-pub(in crate::integrator::explicit::energy) struct Room {
-    /// Predictor and increment, increment before the step that is measured, and work space.
-    pub y: Field,
-    pub d: Field,
-    pub old: Field,
-    work: Field,
-}
-
-impl Form {
-    /// Room for what moves there.
-    pub(in crate::integrator::explicit::energy) fn room(&self, directions: usize) -> Room {
-        let still = Field::still(self.lag.len(), self.masters.len(), directions);
-        Room {
-            y: still.clone(),
-            d: still.clone(),
-            old: still.clone(),
-            work: still,
+impl EnergyForm {
+    /// Returns a workspace of zeros.
+    pub(in crate::integrator::explicit::energy) fn workspace(
+        &self,
+        directions: usize,
+    ) -> Workspace {
+        let zeros = IslandField::zeros(self.lag.len(), self.masters.len(), directions);
+        Workspace {
+            y: zeros.clone(),
+            d: zeros.clone(),
+            old: zeros.clone(),
+            work: zeros,
         }
     }
 
-    /// Read y and d.
+    /// Reads predictor y and increment d.
     #[inline(always)]
-    pub(in crate::integrator::explicit::energy) fn read(&self, grid: &Grid, room: &mut Room) {
-        for (c, rows) in grid.moving.iter().enumerate() {
-            let (mut y, mut d) = (&mut room.y.across[c][..], &mut room.d.across[c][..]);
+    pub(in crate::integrator::explicit::energy) fn read(
+        &self,
+        chain: &ChainState,
+        workspace: &mut Workspace,
+    ) {
+        for (c, rows) in chain.moving.iter().enumerate() {
+            let (mut y, mut d) = (
+                &mut workspace.y.transverse[c][..],
+                &mut workspace.d.transverse[c][..],
+            );
             let mut lag = &self.lag[..];
-            for (which, lane) in &self.lanes {
-                let (rows, lane) = (&rows[which.clone()], *lane % LANES);
+            for (which, simd_lane) in &self.stretches {
+                let (rows, simd_lane) = (&rows[which.clone()], *simd_lane % SIMD_LANES);
                 let (here_y, next_y) = y.split_at_mut(rows.len());
                 let (here_d, next_d) = d.split_at_mut(rows.len());
                 let (here_lag, next_lag) = lag.split_at(rows.len());
                 for (k, row) in rows.iter().enumerate() {
-                    here_d[k] = row.d[lane];
-                    here_y[k] = row.s[lane] - here_lag[k] * row.d[lane];
+                    here_d[k] = row.d[simd_lane];
+                    here_y[k] = row.s[simd_lane] - here_lag[k] * row.d[simd_lane];
                 }
                 (y, d, lag) = (next_y, next_d, next_lag);
             }
         }
-        let [x, d] = [0, 1].map(|k| &grid.x[k][self.masters.clone()]);
-        room.y.along.copy_from_slice(x);
-        room.d.along.copy_from_slice(d);
+        let [x, d] = [0, 1].map(|k| &chain.x[k][self.masters.clone()]);
+        workspace.y.axial.copy_from_slice(x);
+        workspace.d.axial.copy_from_slice(d);
     }
 
-    /// x·K_E z
+    /// Returns the bilinear form x·K_E z of the wires, J.
     #[inline(always)]
-    fn of_wires(&self, x: &Field, z: &Field) -> f64 {
+    fn form(&self, x: &IslandField, z: &IslandField) -> f64 {
         let mut sum = 0.0;
         for c in 0..2 {
-            let (x, z) = (&x.across[c][..], &z.across[c][..]);
+            let (x, z) = (&x.transverse[c][..], &z.transverse[c][..]);
             if x.is_empty() {
                 continue;
             }
             let pairs = [&self.tension[c][..], x, &x[1..], z, &z[1..]];
             sum += total(pairs, |[t, x0, x1, z0, z1]| t * (x1 - x0) * (z1 - z0));
             if x.len() > 2 {
-                sum += self.bent(x, z);
+                sum += self.bending_form(x, z);
             }
         }
-        for piece in &self.pieces {
-            sum += piece.stiffness * self.stretched(piece, x) * self.stretched(piece, z);
+        for element in &self.elements {
+            sum += element.stiffness * self.elongation(element, x) * self.elongation(element, z);
         }
         sum
     }
 
-    /// That of bending, in one direction across.
+    /// Returns the bilinear form of bending in one transverse direction, J.
     #[inline(always)]
-    fn bent(&self, x: &[f64], z: &[f64]) -> f64 {
+    fn bending_form(&self, x: &[f64], z: &[f64]) -> f64 {
         let (b, p) = (&self.bending[1..], &self.per_length[..]);
         let lists = [b, p, &p[1..], x, &x[1..], &x[2..], z, &z[1..], &z[2..]];
         total(lists, |[b, p0, p1, x0, x1, x2, z0, z1, z2]| {
@@ -120,81 +120,91 @@ impl Form {
         })
     }
 
-    /// What a piece is longer by.
+    /// Returns the elongation of an axial element, m.
     #[inline(always)]
-    fn stretched(&self, piece: &Piece, f: &Field) -> f64 {
-        let ([a, b], [from, to]) = (piece.masters, piece.points);
-        let mut by = f.along[b] - f.along[a];
-        if piece.lean != 0.0 {
-            by -= piece.lean * (f.across[0][from] + f.across[0][to]);
+    fn elongation(&self, element: &IslandElement, f: &IslandField) -> f64 {
+        let ([a, b], [from, to]) = (element.masters, element.points);
+        let mut elongation = f.axial[b] - f.axial[a];
+        if element.half_turn != 0.0 {
+            elongation -= element.half_turn * (f.transverse[0][from] + f.transverse[0][to]);
         }
-        for (slope, r) in self.slope.iter().zip(&f.across) {
+        for (slope, r) in self.slope.iter().zip(&f.transverse) {
             if let Some(r) = r.get(from..=to) {
                 let lists = [&slope[from..to], r, &r[1..]];
-                by += total(lists, |[slope, r0, r1]| slope * (r1 - r0));
+                elongation += total(lists, |[slope, r0, r1]| slope * (r1 - r0));
             }
         }
-        by
+        elongation
     }
 
-    /// From y and d.
+    /// Returns the stored energies, J, for y and d of the workspace.
     #[inline(always)]
     pub(in crate::integrator::explicit::energy) fn stored<const DIM: usize>(
         &self,
         steps: &Explicit<DIM>,
-        room: &mut Room,
-    ) -> Stored {
-        room.work.set(&room.y, &room.d, |y, d| y - d);
-        let mut elastic = 0.5 * self.of_wires(&room.y, &room.work);
-        for joined in &self.clusters {
-            elastic += match steps.clusters[joined.number].size {
-                ..=FEW => joined.stored::<DIM, FEW>(steps, room),
-                _ => joined.stored::<DIM, WIDEST>(steps, room),
+        workspace: &mut Workspace,
+    ) -> StoredEnergy {
+        workspace
+            .work
+            .combine(&workspace.y, &workspace.d, |y, d| y - d);
+        let mut elastic = 0.5 * self.form(&workspace.y, &workspace.work);
+        for stiff in &self.stiff_groups {
+            elastic += match steps.stiff_groups[stiff.number].size {
+                ..=FEW => stiff.stored::<DIM, FEW>(steps, workspace),
+                _ => stiff.stored::<DIM, WIDEST>(steps, workspace),
             };
         }
-        let mut kinetic = energy(&self.filtered, &self.weight, &room.d.across);
+        let mut kinetic = energy(&self.filtered, &self.weight, &workspace.d.transverse);
         let inverse = &steps.masters.inverse[self.masters.clone()];
-        for (d, inverse) in room.d.along.iter().zip(inverse).filter(|(_, i)| **i > 0.0) {
+        for (d, inverse) in workspace
+            .d
+            .axial
+            .iter()
+            .zip(inverse)
+            .filter(|(_, i)| **i > 0.0)
+        {
             kinetic += 0.5 * d * d / inverse;
         }
-        Stored { kinetic, elastic }
+        StoredEnergy { kinetic, elastic }
     }
 
-    /// From d and that before the step.
+    /// Returns the energy lost in a step, J, from the increments before and after it.
     #[inline(always)]
-    pub(in crate::integrator::explicit::energy) fn lost<const DIM: usize>(
+    pub(in crate::integrator::explicit::energy) fn losses<const DIM: usize>(
         &self,
         steps: &Explicit<DIM>,
-        room: &mut Room,
-    ) -> Lost {
-        let mut lost = Lost::default();
-        for joined in &self.clusters {
-            lost = lost.and(match steps.clusters[joined.number].size {
-                ..=FEW => joined.lost::<DIM, FEW>(steps, room),
-                _ => joined.lost::<DIM, WIDEST>(steps, room),
+        workspace: &mut Workspace,
+    ) -> StepLosses {
+        let mut losses = StepLosses::default();
+        for stiff in &self.stiff_groups {
+            losses = losses.plus(match steps.stiff_groups[stiff.number].size {
+                ..=FEW => stiff.losses::<DIM, FEW>(steps, workspace),
+                _ => stiff.losses::<DIM, WIDEST>(steps, workspace),
             });
         }
-        room.work.set(&room.d, &room.old, |d, old| 0.5 * (d + old));
-        let Room {
+        workspace
+            .work
+            .combine(&workspace.d, &workspace.old, |d, old| 0.5 * (d + old));
+        let Workspace {
             old, work: moved, ..
-        } = room;
+        } = workspace;
         for c in 0..DIM - 1 {
-            let (old, moved) = (&mut old.across[c][..], &moved.across[c][..]);
+            let (old, moved) = (&mut old.transverse[c][..], &moved.transverse[c][..]);
             let lists = [&self.weight[c][..], &self.alpha, old, moved];
-            lost.damped += total(lists, |[weight, alpha, d, z]| weight * alpha * d * z);
+            losses.damped += total(lists, |[weight, alpha, d, z]| weight * alpha * d * z);
             for (d, lag) in old.iter_mut().zip(&self.lag) {
                 *d *= lag;
             }
         }
         let masters = &steps.masters;
-        let along = old.along.iter_mut().zip(&moved.along);
-        for (m, (d, z)) in self.masters.clone().zip(along) {
+        let axial = old.axial.iter_mut().zip(&moved.axial);
+        for (m, (d, z)) in self.masters.clone().zip(axial) {
             if masters.inverse[m] > 0.0 {
-                lost.damped += masters.damping[m] / masters.inverse[m] * *d * *z;
+                losses.damped += masters.damping[m] / masters.inverse[m] * *d * *z;
             }
             *d *= masters.lag[m];
         }
-        lost.damped += self.of_wires(old, moved);
-        lost
+        losses.damped += self.form(old, moved);
+        losses
     }
 }

@@ -1,7 +1,7 @@
-//! Energy of a line that is stepped explicitly, and what its steps take of it.
+//! Energy of a line that is stepped explicitly, and its losses in a step.
 //!
-//! The steps (module documentation of [`explicit`](super)) are, with d = yₙ₊₁ − yₙ the last increment of the predictor and
-//! Δz = h vₙ₊₁ = ½ (yₙ₊₂ − yₙ) what multiplies their balance,
+//! The steps (module documentation of [`explicit`](super)) are, with d = yₙ₊₁ − yₙ the last
+//! increment of the predictor and Δz = h vₙ₊₁ = ½ (yₙ₊₂ − yₙ) the multiplier of their balance,
 //!
 //!   M* aₙ₊₁ + C_I ṽ + K_I ũ + K_E (yₙ₊₁ + B d) + (α/h) M d = f,     h² aₙ₊₁ = yₙ₊₂ − 2 yₙ₊₁ + yₙ
 //!
@@ -16,136 +16,149 @@
 //!   E = ½ (d/h)ᵀM*(d/h) + ½ yₙ₊₁ᵀK_E yₙ + ½ zᵀK_I z
 //!   ΔE = Δz·f − (B d)ᵀK_E Δz − (α/h) dᵀM Δz − ṽᵀC_I Δz − S
 //!
-//! (central differences: Krenk, Comput. Methods Appl. Mech. Eng. 195 (2006) 6110; the split: Hughes & Liu,
-//! J. Appl. Mech. 45 (1978) 371; both from memory, the sums above are derived here.) E is positive for ω h < 2, as
-//! yₙ₊₁ᵀK yₙ = zᵀK z − ¼ dᵀK d.
+//! (central differences: Krenk, Comput. Methods Appl. Mech. Eng. 195 (2006) 6110; the split: Hughes
+//! & Liu, J. Appl. Mech. 45 (1978) 371; both from memory, the sums above are derived here.) E is
+//! positive for ω h < 2, as yₙ₊₁ᵀK yₙ = zᵀK z − ¼ dᵀK d.
 //!
-//! Along the wire clusters read the predictor, ũ_x = y_x and h ṽ_x = d_x; across h ṽ = Δz. So their K_xx has the form of K_E,
-//! and what couples along with across leaves S = −¼ (h² a_x)ᵀK_xr Δz_r, which the scheme takes or gives.
+//! Along the wire stiff groups read the predictor, ũ_x = y_x and h ṽ_x = d_x; across h ṽ = Δz. So
+//! their K_xx has the form of K_E, and the coupling of along with across leaves S = −¼ (h²
+//! a_x)ᵀK_xr Δz_r, which the scheme takes or gives.
 //!
-//! Nothing here uses forces of the steps: forms go along the wires, from point to point, and know no strands but
-//! for where each point lies.
+//! Nothing here uses forces of the steps: the forms follow the wires, from point to point, and
+//! depend on stripes only in where each point is stored.
 
-pub(crate) mod field;
-pub(crate) mod filtered;
+pub(crate) mod filtered_mass;
 pub(crate) mod form;
-pub(crate) mod halves;
-pub(crate) mod joined;
+pub(crate) mod half_step;
+pub(crate) mod island_field;
+pub(crate) mod stiff;
 pub(crate) mod tables;
 
-use crate::integrator::explicit::{Explicit, Grid};
+use crate::integrator::explicit::{ChainState, Explicit};
 use crate::linalg::{Kernel, widest};
-use form::Room;
+use island_field::Workspace;
 
-pub(in crate::integrator::explicit) use form::Form;
+pub(in crate::integrator::explicit) use form::EnergyForm;
 
-/// What the line has stored, J.
+/// Energy stored by the line, J.
 #[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Stored {
+pub(crate) struct StoredEnergy {
     pub kinetic: f64,
     pub elastic: f64,
 }
 
-impl Stored {
+impl StoredEnergy {
     pub fn all(self) -> f64 {
         self.kinetic + self.elastic
     }
 }
 
-/// What a step takes, J.
+/// Energy lost in a step, J.
 #[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Lost {
-    /// By all dampers, those of links and springs included.
+pub(crate) struct StepLosses {
+    /// Dissipation by all dampers, those of links and springs included, J.
     pub damped: f64,
-    /// S, by the scheme.
+    /// Loss S by the scheme, J.
     pub scheme: f64,
 }
 
 /// Energies of all islands.
 #[derive(Debug, Clone)]
-pub(crate) struct Forms {
-    rooms: Vec<Room>,
+pub(crate) struct IslandEnergies {
+    workspaces: Vec<Workspace>,
 }
 
-impl Forms {
+impl IslandEnergies {
     pub fn new<const DIM: usize>(steps: &Explicit<DIM>) -> Self {
-        let rooms = steps.forms().iter().map(|form| form.room(DIM - 1));
+        let workspaces = steps
+            .energy_forms()
+            .iter()
+            .map(|form| form.workspace(DIM - 1));
         Self {
-            rooms: rooms.collect(),
+            workspaces: workspaces.collect(),
         }
     }
 
-    /// Read what moves on an island after a step: what follows is of that.
-    pub fn read<const DIM: usize>(&mut self, steps: &Explicit<DIM>, island: usize, grid: &Grid) {
-        self.work(steps, island, Work::Read(grid));
+    /// Reads the motion of an island after a step; the energies below refer to it.
+    pub fn read<const DIM: usize>(
+        &mut self,
+        steps: &Explicit<DIM>,
+        island: usize,
+        chain: &ChainState,
+    ) {
+        self.work(steps, island, Work::Read(chain));
     }
 
-    /// What an island has stored half a step after the last one.
-    pub fn stored<const DIM: usize>(&mut self, steps: &Explicit<DIM>, island: usize) -> Stored {
-        let mut found = Stored::default();
-        self.work(steps, island, Work::Store(&mut found));
-        found
+    /// Returns the energy stored by an island half a step after the last one, J.
+    pub fn stored<const DIM: usize>(
+        &mut self,
+        steps: &Explicit<DIM>,
+        island: usize,
+    ) -> StoredEnergy {
+        let mut result = StoredEnergy::default();
+        self.work(steps, island, Work::Store(&mut result));
+        result
     }
 
-    /// Keep the increments before a step.
+    /// Keeps the increments before a step.
     pub fn remember(&mut self, island: usize) {
-        let room = &mut self.rooms[island];
-        std::mem::swap(&mut room.old, &mut room.d);
+        let workspace = &mut self.workspaces[island];
+        std::mem::swap(&mut workspace.old, &mut workspace.d);
     }
 
-    /// What the step since has taken.
-    pub fn lost<const DIM: usize>(&mut self, steps: &Explicit<DIM>, island: usize) -> Lost {
-        let mut found = Lost::default();
-        self.work(steps, island, Work::Lose(&mut found));
-        found
+    /// Returns the energy lost in the step since [`Self::remember`], J.
+    pub fn losses<const DIM: usize>(&mut self, steps: &Explicit<DIM>, island: usize) -> StepLosses {
+        let mut result = StepLosses::default();
+        self.work(steps, island, Work::Lose(&mut result));
+        result
     }
 
     fn work<const DIM: usize>(&mut self, steps: &Explicit<DIM>, island: usize, work: Work<'_>) {
-        widest(On {
+        widest(IslandWork {
             steps,
-            form: &steps.forms()[island],
-            room: &mut self.rooms[island],
+            form: &steps.energy_forms()[island],
+            workspace: &mut self.workspaces[island],
             work,
         });
     }
 }
 
 impl<const DIM: usize> Explicit<DIM> {
-    /// What energies are formed with, made when somebody asks for them first.
-    fn forms(&self) -> &[Form] {
-        let new = || (0..self.own.len()).map(|island| Form::new(self, island));
+    /// Returns the constants of the energy forms, built at the first request.
+    fn energy_forms(&self) -> &[EnergyForm] {
+        let new = || (0..self.islands.len()).map(|island| EnergyForm::new(self, island));
         self.forms.get_or_init(|| new().collect())
     }
 }
 
-/// Something to do with the numbers of an island.
+/// Operation on the numbers of an island.
 enum Work<'a> {
-    Read(&'a Grid),
-    Store(&'a mut Stored),
-    Lose(&'a mut Lost),
+    Read(&'a ChainState),
+    Store(&'a mut StoredEnergy),
+    Lose(&'a mut StepLosses),
 }
 
-struct On<'a, const DIM: usize> {
+struct IslandWork<'a, const DIM: usize> {
     steps: &'a Explicit<DIM>,
-    form: &'a Form,
-    room: &'a mut Room,
+    form: &'a EnergyForm,
+    workspace: &'a mut Workspace,
     work: Work<'a>,
 }
 
-impl<const DIM: usize> Kernel for On<'_, DIM> {
+impl<const DIM: usize> Kernel for IslandWork<'_, DIM> {
     #[inline(always)]
     fn run(self) {
         match self.work {
-            Work::Read(grid) => self.form.read(grid, self.room),
-            Work::Store(found) => *found = self.form.stored(self.steps, self.room),
-            Work::Lose(found) => *found = self.form.lost(self.steps, self.room),
+            Work::Read(chain) => self.form.read(chain, self.workspace),
+            Work::Store(result) => *result = self.form.stored(self.steps, self.workspace),
+            Work::Lose(result) => *result = self.form.losses(self.steps, self.workspace),
         }
     }
 }
 
-impl Lost {
+impl StepLosses {
     #[inline(always)]
-    pub fn and(self, other: Self) -> Self {
+    pub fn plus(self, other: Self) -> Self {
         Self {
             damped: self.damped + other.damped,
             scheme: self.scheme + other.scheme,

@@ -1,11 +1,11 @@
-//! Points side by side in the lanes of the processor.
+//! SIMD layout of the points, and the kernels that step them.
 
-pub(crate) mod deal;
+pub(crate) mod axial_forces;
 pub(crate) mod kernels;
-pub(crate) mod plan;
-pub(crate) mod rows;
+pub(crate) mod pack;
+pub(crate) mod packed;
 #[cfg(test)]
-mod rows_tests;
-pub(crate) mod strands;
-pub(crate) mod stretch;
+mod packed_tests;
+pub(crate) mod plan;
+pub(crate) mod stripes;
 pub(crate) mod sweep;

@@ -1,201 +1,253 @@
-//! The sweep over the points of an island that takes a step and finds the forces for the next one, block by block
-//! and stage by stage: see [`plan`](crate::integrator::explicit::simd::plan).
+//! Sweep over the points of an island that takes a step and finds the forces for the next one,
+//! block by block and stage by stage: see [`plan`](crate::integrator::explicit::simd::plan).
 
-use crate::integrator::explicit::simd::kernels::{Fixed, Forces, Motion, Rise};
-use crate::integrator::explicit::simd::rows::{HALO, LANES, Moving, Wide, each};
-use crate::integrator::explicit::{Block, Explicit, Grid, Own};
+use crate::integrator::explicit::simd::kernels::{
+    MotionKernel, PackedCoefficients, RiseSum, WireForceKernel,
+};
+use crate::integrator::explicit::simd::packed::{
+    HALO, SIMD_LANES, SimdVector, TransverseMotion, per_lane,
+};
+use crate::integrator::explicit::{ChainState, Explicit, IslandModel, StripedBlock};
 use crate::linalg::Kernel;
 use std::ops::Range;
 
-/// Take a step, and find the forces for the next one.
-pub(in crate::integrator::explicit) struct Sweep<'a, const DIM: usize> {
-    pub p: &'a Explicit<DIM>,
-    pub own: &'a Own,
-    pub grid: &'a mut Grid,
+/// Kernel that takes a step, and finds the forces for the next one.
+pub(in crate::integrator::explicit) struct ChainSweep<'a, const DIM: usize> {
+    pub steps: &'a Explicit<DIM>,
+    pub island: &'a IslandModel,
+    pub chain: &'a mut ChainState,
 }
 
-/// Find the forces where the points are.
-pub(in crate::integrator::explicit) struct Stand<'a, const DIM: usize>(pub Sweep<'a, DIM>);
+/// Kernel that finds the forces at the present positions.
+pub(in crate::integrator::explicit) struct WireForces<'a, const DIM: usize>(
+    pub ChainSweep<'a, DIM>,
+);
 
-/// A block and what moves there.
-struct On<'a, const DIM: usize> {
-    p: &'a Explicit<DIM>,
-    own: &'a Block,
-    grid: &'a mut Grid,
+/// Block, and the state of the chain model.
+struct BlockSweep<'a, const DIM: usize> {
+    steps: &'a Explicit<DIM>,
+    block: &'a StripedBlock,
+    chain: &'a mut ChainState,
 }
 
-impl<const DIM: usize> Kernel for Sweep<'_, DIM> {
+impl<const DIM: usize> Kernel for ChainSweep<'_, DIM> {
     #[inline(always)]
     fn run(self) {
-        let Self { p, own, grid } = self;
-        p.slide(own, grid);
-        p.release(own, grid);
-        for own in &own.blocks {
-            let on = On { p, own, grid };
-            match own.is_even {
-                true => on.step::<true>(),
-                false => on.step::<false>(),
+        let Self {
+            steps,
+            island,
+            chain,
+        } = self;
+        steps.advance_masters(island, chain);
+        steps.clear_master_forces(island, chain);
+        for block in &island.blocks {
+            let sweep = BlockSweep {
+                steps,
+                block,
+                chain,
+            };
+            match block.is_uniform {
+                true => sweep.step::<true>(),
+                false => sweep.step::<false>(),
             }
         }
     }
 }
 
-impl<const DIM: usize> Kernel for Stand<'_, DIM> {
+impl<const DIM: usize> Kernel for WireForces<'_, DIM> {
     #[inline(always)]
     fn run(self) {
-        let Sweep { p, own, grid } = self.0;
-        p.release(own, grid);
-        for own in &own.blocks {
-            On { p, own, grid }.stand();
+        let ChainSweep {
+            steps,
+            island,
+            chain,
+        } = self.0;
+        steps.clear_master_forces(island, chain);
+        for block in &island.blocks {
+            BlockSweep {
+                steps,
+                block,
+                chain,
+            }
+            .find_forces();
         }
     }
 }
 
-impl<'a, const DIM: usize> On<'a, DIM> {
-    /// Take a step; blocks that are `EVEN` have the same damping everywhere.
+impl<'a, const DIM: usize> BlockSweep<'a, DIM> {
+    /// Takes a step; blocks that are `UNIFORM` have the same damping everywhere.
     #[inline(always)]
-    fn step<const EVEN: bool>(mut self) {
-        let (own, plan) = (self.own, &self.own.plan);
+    fn step<const UNIFORM: bool>(mut self) {
+        let (block, plan) = (self.block, &self.block.plan);
         let mut motions = [self.motion(0); 2];
         if DIM == 3 {
             motions[1] = self.motion(1);
         }
         let (mut forces, mut forced) = (None, plan.first - 1);
-        let (mut moved, mut stretched) = (HALO, own.reaches.start);
+        let (mut moved, mut stretched) = (HALO, block.axial_elements.start);
         for stage in &plan.stages {
-            self.move_rows::<EVEN>(&mut motions, moved..stage.moved);
-            self.stretch(stretched..stage.stretched);
+            self.move_rows::<UNIFORM>(&mut motions, moved..stage.moved);
+            self.add_axial_forces(stretched..stage.stretched);
             (moved, stretched) = (stage.moved, stage.stretched);
             if stage.forced > plan.first {
                 if forces.is_none() {
                     forces = Some(self.forces());
                 }
                 if let Some(all) = &mut forces {
-                    self.force_rows::<EVEN>(all, forced..stage.forced);
+                    self.force_rows::<UNIFORM>(all, forced..stage.forced);
                 }
                 forced = stage.forced;
             }
         }
         for motion in &motions[..DIM - 1] {
-            motion.tell(&mut self.grid.sound);
+            motion.check_finite(&mut self.chain.finite_check);
         }
-        self.p.copy_places(own, self.grid);
-        self.p.rise_to_tails(own, self.grid);
-        self.finish::<EVEN>(forces, forced);
+        self.steps.copy_ghost_positions(block, self.chain);
+        self.steps.rise_to_ghosts(block, self.chain);
+        self.finish::<UNIFORM>(forces, forced);
     }
 
     #[inline(always)]
-    fn stand(mut self) {
-        let (own, plan) = (self.own, &self.own.plan);
-        self.p.copy_places(own, self.grid);
+    fn find_forces(mut self) {
+        let (block, plan) = (self.block, &self.block.plan);
+        self.steps.copy_ghost_positions(block, self.chain);
         self.measure();
-        self.p.rise_to_tails(own, self.grid);
-        self.stretch(own.reaches.start..plan.within);
+        self.steps.rise_to_ghosts(block, self.chain);
+        self.add_axial_forces(block.axial_elements.start..plan.within);
         self.finish::<false>(None, plan.first - 1);
     }
 
-    /// Straight ones pay nothing for curves.
+    /// Adds axial forces; straight elements pay nothing for curves.
     #[inline(always)]
-    fn stretch(&mut self, reaches: Range<usize>) {
-        match self.own.leaning.is_empty() {
-            true => self.p.stretch::<false>(reaches, self.grid),
-            false => self.p.stretch::<true>(reaches, self.grid),
+    fn add_axial_forces(&mut self, axial_elements: Range<usize>) {
+        match self.block.curved.is_empty() {
+            true => self
+                .steps
+                .add_axial_forces::<false>(axial_elements, self.chain),
+            false => self
+                .steps
+                .add_axial_forces::<true>(axial_elements, self.chain),
         }
     }
 
-    /// What stays of the rows of a direction across.
+    /// Returns the constant coefficients of a transverse direction.
     #[inline(always)]
-    fn fixed(&self, across: usize) -> Fixed<'a> {
-        let (p, which) = (self.p, self.own.rows.clone());
-        Fixed {
-            common: &p.common[which.clone()],
-            damped: &p.damped[which.clone()],
-            across: &p.across[across][which],
+    fn fixed(&self, across: usize) -> PackedCoefficients<'a> {
+        let (steps, which) = (self.steps, self.block.rows.clone());
+        PackedCoefficients {
+            common: &steps.common[which.clone()],
+            damping: &steps.damping[which.clone()],
+            across: &steps.transverse[across][which],
         }
     }
 
-    /// What moves there.
+    /// Returns the moving rows of a transverse direction.
     #[inline(always)]
-    fn rows(&mut self, across: usize) -> &mut [Moving] {
-        &mut self.grid.moving[across][self.own.rows.clone()]
+    fn rows(&mut self, across: usize) -> &mut [TransverseMotion] {
+        &mut self.chain.moving[across][self.block.rows.clone()]
     }
 
     #[inline(always)]
-    fn motion(&mut self, across: usize) -> Motion {
-        Motion::before(HALO, self.fixed(across).common, self.rows(across))
+    fn motion(&mut self, across: usize) -> MotionKernel {
+        MotionKernel::before(HALO, self.fixed(across).common, self.rows(across))
     }
 
     #[inline(always)]
-    fn move_rows<const EVEN: bool>(&mut self, motions: &mut [Motion; 2], which: Range<usize>) {
+    fn move_rows<const UNIFORM: bool>(
+        &mut self,
+        motions: &mut [MotionKernel; 2],
+        which: Range<usize>,
+    ) {
         let fixed = self.fixed(0);
-        motions[0].go::<EVEN>(which.clone(), fixed, self.rows(0), None);
+        motions[0].advance::<UNIFORM>(which.clone(), fixed, self.rows(0), None);
         if DIM == 3 {
-            let (fixed, own) = (self.fixed(1), &self.own.rows);
-            if let [first, second] = &mut self.grid.moving[..] {
-                let (first, second) = (&mut first[own.clone()], &mut second[own.clone()]);
-                motions[1].go::<EVEN>(which, fixed, second, Some(first));
+            let (fixed, block_rows) = (self.fixed(1), &self.block.rows);
+            if let [first, second] = &mut self.chain.moving[..] {
+                let (first, second) = (
+                    &mut first[block_rows.clone()],
+                    &mut second[block_rows.clone()],
+                );
+                motions[1].advance::<UNIFORM>(which, fixed, second, Some(first));
             }
         }
     }
 
-    /// The rise of the wire up to each point, from where they are.
+    /// Finds the rise of the wire up to each point, from the positions.
     #[inline(always)]
     fn measure(&mut self) {
         for c in 0..DIM - 1 {
             let fixed = self.fixed(c);
-            let mut rise = Rise::begin();
-            for k in self.own.plan.rows.clone() {
-                let more = rise.go_on(&fixed.across[k - 1], self.rows(c)[k].s);
+            let mut rise = RiseSum::new();
+            for k in self.block.plan.rows.clone() {
+                let up_to_row = rise.add_row(&fixed.across[k - 1], self.rows(c)[k].s);
                 let first = &mut self.rows(0)[k].w;
-                *first = each(|l| if c == 0 { more[l] } else { first[l] + more[l] });
+                *first = per_lane(|l| {
+                    if c == 0 {
+                        up_to_row[l]
+                    } else {
+                        first[l] + up_to_row[l]
+                    }
+                });
             }
         }
     }
 
-    /// Before the row before the first one that does not wait.
+    /// Starts the forces before the first row that does not wait.
     #[inline(always)]
-    fn forces(&mut self) -> [Forces; 2] {
-        let plan = &self.own.plan;
-        let mut thrust = Wide::default();
-        for l in 0..LANES {
-            thrust[l] = self.grid.thrust[plan.thrusts[l]];
+    fn forces(&mut self) -> [WireForceKernel; 2] {
+        let plan = &self.block.plan;
+        let mut axial_force = SimdVector::default();
+        for l in 0..SIMD_LANES {
+            axial_force[l] = self.chain.axial_force[plan.axial_forces[l]];
         }
-        self.before(plan.first - 1, thrust)
+        self.forces_before(plan.first - 1, axial_force)
     }
 
-    /// Before a row. Closures would not be compiled for wide lanes.
+    /// Starts the forces before a row. Closures would not be compiled for wide vectors.
     #[inline(always)]
-    fn before(&mut self, row: usize, thrust: Wide) -> [Forces; 2] {
-        let mut all = [Forces::before(row, self.fixed(0), self.rows(0), thrust); 2];
+    fn forces_before(&mut self, row: usize, axial_force: SimdVector) -> [WireForceKernel; 2] {
+        let mut all = [WireForceKernel::before(row, self.fixed(0), self.rows(0), axial_force); 2];
         if DIM == 3 {
-            all[1] = Forces::before(row, self.fixed(1), self.rows(1), thrust);
+            all[1] = WireForceKernel::before(row, self.fixed(1), self.rows(1), axial_force);
         }
         all
     }
 
     #[inline(always)]
-    fn force_rows<const EVEN: bool>(&mut self, forces: &mut [Forces; 2], which: Range<usize>) {
+    fn force_rows<const UNIFORM: bool>(
+        &mut self,
+        forces: &mut [WireForceKernel; 2],
+        which: Range<usize>,
+    ) {
         for c in 0..DIM - 1 {
-            let (fixed, own) = (self.fixed(c), &self.own.rows);
-            let Grid { moving, more, .. } = &mut *self.grid;
-            let (more, rows) = (&more[own.clone()], &mut moving[c][own.clone()]);
-            forces[c].go::<EVEN>(which.clone(), fixed, more, rows);
+            let (fixed, block_rows) = (self.fixed(c), &self.block.rows);
+            let ChainState {
+                moving,
+                axial_force_jump,
+                ..
+            } = &mut *self.chain;
+            let (axial_force_jump, rows) = (
+                &axial_force_jump[block_rows.clone()],
+                &mut moving[c][block_rows.clone()],
+            );
+            forces[c].advance::<UNIFORM>(which.clone(), fixed, axial_force_jump, rows);
         }
     }
 
-    /// Forces of the other rows: the last ones, and those that wait.
+    /// Finds the forces of the remaining rows: the last ones, and those that wait.
     #[inline(always)]
-    fn finish<const EVEN: bool>(&mut self, begun: Option<[Forces; 2]>, forced: usize) {
-        let plan = &self.own.plan;
-        self.p.stretch_over_cuts(self.own, self.grid);
+    fn finish<const UNIFORM: bool>(&mut self, begun: Option<[WireForceKernel; 2]>, forced: usize) {
+        let plan = &self.block.plan;
+        self.steps
+            .add_axial_forces_over_seams(self.block, self.chain);
         if plan.first < plan.rows.end {
             let mut forces = match begun {
                 Some(forces) => forces,
                 None => self.forces(),
             };
-            self.force_rows::<EVEN>(&mut forces, forced..plan.rows.end);
+            self.force_rows::<UNIFORM>(&mut forces, forced..plan.rows.end);
         }
-        let mut early = self.before(HALO - 1, Wide::default());
-        self.force_rows::<EVEN>(&mut early, HALO - 1..plan.first);
+        let mut early = self.forces_before(HALO - 1, SimdVector::default());
+        self.force_rows::<UNIFORM>(&mut early, HALO - 1..plan.first);
     }
 }

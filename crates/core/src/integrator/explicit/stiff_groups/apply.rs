@@ -1,161 +1,172 @@
-//! Forces of links, struts and springs, group by group.
+//! Forces of links, struts and springs, batch by batch.
 
-use crate::integrator::explicit::simd::rows::{LANES, Moving, lanes};
-use crate::integrator::explicit::stiff_groups::batches::{Group, Pairs, Points};
-use crate::integrator::explicit::stiff_groups::cluster::WIDEST;
-use crate::integrator::explicit::{BETA, Grid, Own};
+use crate::integrator::explicit::simd::packed::{SIMD_LANES, TransverseMotion, simd_array};
+use crate::integrator::explicit::stiff_groups::batches::{BatchPoints, PairBatch, StiffBatch};
+use crate::integrator::explicit::stiff_groups::stiff_group::WIDEST;
+use crate::integrator::explicit::{BETA, ChainState, IslandModel};
 use crate::linalg::Kernel;
 
-/// Adds the forces of the clusters of an island to the grid, and sets the increments of their nodes from
-/// `u` before the step. Nodes of chains have no slopes: `D` directions.
-pub(in crate::integrator::explicit) struct Settle<'a, const D: usize> {
-    pub own: &'a Own,
-    pub grid: &'a mut Grid,
+/// Kernel that adds the forces of the stiff groups of an island to the chain state, and sets the
+/// increments of their nodes from `u` before the step. Nodes of chains have no slopes: `D`
+/// directions.
+pub(in crate::integrator::explicit) struct ApplyStiffForces<'a, const D: usize> {
+    pub island: &'a IslandModel,
+    pub chain: &'a mut ChainState,
     pub u: &'a [[f64; D]],
     pub delta: &'a mut [[f64; D]],
 }
 
-impl<const D: usize> Kernel for Settle<'_, D> {
+impl<const D: usize> Kernel for ApplyStiffForces<'_, D> {
     #[inline(always)]
     fn run(self) {
-        let Grid {
-            moving, x, pull, ..
-        } = self.grid;
+        let ChainState {
+            moving,
+            x,
+            master_force,
+            ..
+        } = self.chain;
         let mut directions = moving.iter_mut();
         let mut direction = || directions.next().map_or(&mut [][..], |rows| &mut rows[..]);
-        let mut on = On {
+        let mut forces = StiffForces {
             moving: [direction(), direction()],
             x: [&x[0], &x[1]],
-            pull,
+            master_force,
             u: self.u,
             delta: self.delta,
         };
-        for pairs in &self.own.groups.rows {
-            on.pairs::<LANES, true>(pairs);
+        for pairs in &self.island.batches.packed_pairs {
+            forces.pairs::<SIMD_LANES, true>(pairs);
         }
-        for pairs in &self.own.groups.pairs {
-            on.pairs::<LANES, false>(pairs);
+        for pairs in &self.island.batches.pairs {
+            forces.pairs::<SIMD_LANES, false>(pairs);
         }
-        for group in &self.own.groups.wide {
-            on.group(group);
+        for batch in &self.island.batches.wide {
+            forces.batch(batch);
         }
-        for group in &self.own.groups.single {
-            on.group(group);
+        for batch in &self.island.batches.single {
+            forces.batch(batch);
         }
     }
 }
 
-/// What clusters read and write. Slices: a list that is written to might be another one for all the compiler
-/// knows, and be looked up anew.
-struct On<'a, const D: usize> {
-    moving: [&'a mut [Moving]; 2],
+/// Data that stiff groups read and write. Slices, not `Vec`s: without them the compiler must assume
+/// aliasing and reload the pointers in the loop.
+struct StiffForces<'a, const D: usize> {
+    moving: [&'a mut [TransverseMotion]; 2],
     x: [&'a [f64]; 2],
-    pull: &'a mut [f64],
+    master_force: &'a mut [f64],
     u: &'a [[f64; D]],
     delta: &'a mut [[f64; D]],
 }
 
-impl<const D: usize> On<'_, D> {
-    /// Pairs: what is between two points pulls at both. In a `ROW` they are read and written side by side.
+impl<const D: usize> StiffForces<'_, D> {
+    /// Applies pairs, whose forces act on both points. `PACKED` ones are read and written as
+    /// vectors.
     #[inline(always)]
-    fn pairs<const L: usize, const ROW: bool>(&mut self, pairs: &Pairs<L>) {
+    fn pairs<const L: usize, const PACKED: bool>(&mut self, pairs: &PairBatch<L>) {
         let [first, second] = &pairs.points;
-        let (mut at, mut force) = ([[[0.0; L]; D]; 2], [[0.0; L]; D]);
+        let (mut position, mut force) = ([[[0.0; L]; D]; 2], [[0.0; L]; D]);
         let mut columns = pairs.columns.chunks_exact(2 * D);
         for c in 0..D {
             let ((a, before), (b, behind)) = (
-                self.free::<L, ROW>(first, c),
-                self.free::<L, ROW>(second, c),
+                self.predict::<L, PACKED>(first, c),
+                self.predict::<L, PACKED>(second, c),
             );
-            (at[0][c], at[1][c]) = (a, b);
-            let (u, v): ([f64; L], [f64; L]) =
-                (lanes(|l| b[l] - a[l]), lanes(|l| behind[l] - before[l]));
+            (position[0][c], position[1][c]) = (a, b);
+            let (u, v): ([f64; L], [f64; L]) = (
+                simd_array(|l| b[l] - a[l]),
+                simd_array(|l| behind[l] - before[l]),
+            );
             let Some(column) = columns.next() else {
                 return;
             };
-            let (of_place, of_speed) = column.split_at(D);
+            let (position_columns, velocity_columns) = column.split_at(D);
             for i in 0..D {
-                force[i] = lanes(|l| {
-                    let of_speed = of_speed[i][l].mul_add(v[l], force[i][l]);
-                    of_place[i][l].mul_add(u[l], of_speed)
+                force[i] = simd_array(|l| {
+                    let velocity_columns = velocity_columns[i][l].mul_add(v[l], force[i][l]);
+                    position_columns[i][l].mul_add(u[l], velocity_columns)
                 });
             }
         }
-        self.put::<L, ROW>(second, &mut at[1], &force);
+        self.add_to_point::<L, PACKED>(second, &mut position[1], &force);
         for f in &mut force {
-            *f = lanes(|l| -f[l]);
+            *f = simd_array(|l| -f[l]);
         }
-        self.put::<L, ROW>(first, &mut at[0], &force);
+        self.add_to_point::<L, PACKED>(first, &mut position[0], &force);
     }
 
-    /// Place and h times velocity of points at the end of the step, without the forces of their clusters.
+    /// Returns position and h times velocity of points at the end of the step, m, without the
+    /// forces of their groups.
     #[inline(always)]
-    fn free<const L: usize, const ROW: bool>(
+    fn predict<const L: usize, const PACKED: bool>(
         &self,
-        point: &Points<L>,
+        point: &BatchPoints<L>,
         component: usize,
     ) -> ([f64; L], [f64; L]) {
         match component.checked_sub(1) {
-            None => self.along::<L, ROW>(point),
-            Some(across) => ahead::<L, ROW>(point, across, self.moving[across]),
+            None => self.axial_motion::<L, PACKED>(point),
+            Some(across) => predict_transverse::<L, PACKED>(point, across, self.moving[across]),
         }
     }
 
-    /// With its number of points known to the compiler for those that are many.
+    /// Applies a batch, with the number of points known to the compiler for common sizes.
     #[inline(always)]
-    fn group<const L: usize>(&mut self, group: &Group<L>) {
-        let points = &group.points[..];
-        if let Ok(points) = <&[Points<L>; 1]>::try_from(points) {
-            self.settle::<L, D>(points, &group.columns);
-        } else if let Ok(points) = <&[Points<L>; 2]>::try_from(points) {
-            self.settle::<L, 6>(points, &group.columns);
+    fn batch<const L: usize>(&mut self, batch: &StiffBatch<L>) {
+        let points = &batch.points[..];
+        if let Ok(points) = <&[BatchPoints<L>; 1]>::try_from(points) {
+            self.apply_batch::<L, D>(points, &batch.columns);
+        } else if let Ok(points) = <&[BatchPoints<L>; 2]>::try_from(points) {
+            self.apply_batch::<L, 6>(points, &batch.columns);
         } else {
-            self.settle::<L, WIDEST>(points, &group.columns);
+            self.apply_batch::<L, WIDEST>(points, &batch.columns);
         }
     }
 
-    /// Clusters of no more than `N` components.
+    /// Applies groups of at most `N` components.
     #[inline(always)]
-    fn settle<const L: usize, const N: usize>(
+    fn apply_batch<const L: usize, const N: usize>(
         &mut self,
-        points: &[Points<L>],
+        points: &[BatchPoints<L>],
         columns: &[[f64; L]],
     ) {
         let size = points.len() * D;
-        let (mut at, mut force) = ([[0.0; L]; N], [[0.0; L]; N]);
+        let (mut position, mut force) = ([[0.0; L]; N], [[0.0; L]; N]);
         let mut columns = columns.chunks_exact(2 * size);
         for (k, point) in points.iter().enumerate() {
             for c in 0..D {
-                let (u, v) = self.free::<L, false>(point, c);
-                at[k * D + c] = u;
+                let (u, v) = self.predict::<L, false>(point, c);
+                position[k * D + c] = u;
                 let Some(column) = columns.next() else {
                     return;
                 };
-                let (of_place, of_speed) = column.split_at(size);
+                let (position_columns, velocity_columns) = column.split_at(size);
                 for i in 0..size {
                     for l in 0..L {
-                        let of_speed = of_speed[i][l].mul_add(v[l], force[i][l]);
-                        force[i][l] = of_place[i][l].mul_add(u[l], of_speed);
+                        let velocity_columns = velocity_columns[i][l].mul_add(v[l], force[i][l]);
+                        force[i][l] = position_columns[i][l].mul_add(u[l], velocity_columns);
                     }
                 }
             }
         }
         for (k, point) in points.iter().enumerate() {
-            self.put::<L, false>(point, &mut at[k * D..][..D], &force[k * D..][..D]);
+            self.add_to_point::<L, false>(point, &mut position[k * D..][..D], &force[k * D..][..D]);
         }
     }
 
-    /// Place and increment along the wire.
+    /// Returns position and increment along the track, m.
     #[inline(always)]
-    fn along<const L: usize, const ROW: bool>(&self, point: &Points<L>) -> ([f64; L], [f64; L]) {
+    fn axial_motion<const L: usize, const PACKED: bool>(
+        &self,
+        point: &BatchPoints<L>,
+    ) -> ([f64; L], [f64; L]) {
         let [x, d] = self.x;
         let x = &x[..d.len()];
         let (mut from, mut to) = ([[0.0; L]; 2], [[0.0; L]; 2]);
-        if ROW {
-            let [a, b] = point.masters.map(|of| of[0] as usize);
+        if PACKED {
+            let [a, b] = point.masters.map(|masters| masters[0] as usize);
             let read = |list: &[f64], first: usize| -> [f64; L] {
                 let list = &list[first..][..L];
-                lanes(|l| list[l])
+                simd_array(|l| list[l])
             };
             (from, to) = ([read(x, a), read(d, a)], [read(x, b), read(d, b)]);
         } else {
@@ -166,45 +177,47 @@ impl<const D: usize> On<'_, D> {
             }
         }
         let share = &point.share;
-        let between = |k: usize| lanes(|l| share[l].mul_add(to[k][l] - from[k][l], from[k][l]));
+        let between =
+            |k: usize| simd_array(|l| share[l].mul_add(to[k][l] - from[k][l], from[k][l]));
         (between(0), between(1))
     }
 
-    /// Take the forces on a point, and its increments.
+    /// Adds the forces on a point, and sets its increments.
     #[inline(always)]
-    fn put<const L: usize, const ROW: bool>(
+    fn add_to_point<const L: usize, const PACKED: bool>(
         &mut self,
-        point: &Points<L>,
-        at: &mut [[f64; L]],
+        point: &BatchPoints<L>,
+        position: &mut [[f64; L]],
         force: &[[f64; L]],
     ) {
-        let second: [f64; L] = lanes(|l| point.share[l] * force[0][l]);
-        let first: [f64; L] = lanes(|l| (1.0 - point.share[l]) * force[0][l]);
-        if ROW {
-            for (of, force) in point.masters.iter().zip([first, second]) {
-                let pull = &mut self.pull[of[0] as usize..][..L];
-                (0..L).for_each(|l| pull[l] += force[l]);
+        let second: [f64; L] = simd_array(|l| point.share[l] * force[0][l]);
+        let first: [f64; L] = simd_array(|l| (1.0 - point.share[l]) * force[0][l]);
+        if PACKED {
+            for (masters, force) in point.masters.iter().zip([first, second]) {
+                let master_force = &mut self.master_force[masters[0] as usize..][..L];
+                (0..L).for_each(|l| master_force[l] += force[l]);
             }
         } else {
             for l in 0..L {
-                self.pull[point.masters[0][l] as usize] += first[l];
-                self.pull[point.masters[1][l] as usize] += second[l];
+                self.master_force[point.masters[0][l] as usize] += first[l];
+                self.master_force[point.masters[1][l] as usize] += second[l];
             }
         }
         for c in 1..D {
-            let (force, at) = (&force[c], &mut at[c]);
+            let (force, position) = (&force[c], &mut position[c]);
             let (inverse, response) = (&point.inverse[c - 1], &point.response[c - 1]);
-            let moved: [f64; L] = lanes(|l| inverse[l] * force[l]);
-            *at = lanes(|l| at[l] + BETA * response[l] * force[l]);
+            let moved: [f64; L] = simd_array(|l| inverse[l] * force[l]);
+            *position = simd_array(|l| position[l] + BETA * response[l] * force[l]);
             let rows = &mut *self.moving[c - 1];
-            if ROW {
+            if PACKED {
                 let w = &mut rows[point.row[0] as usize].w;
                 for l in 0..L {
-                    w[l % LANES] += moved[l];
+                    w[l % SIMD_LANES] += moved[l];
                 }
             } else {
                 for l in 0..L {
-                    rows[point.row[l] as usize].w[point.lane[l] as usize % LANES] += moved[l];
+                    rows[point.row[l] as usize].w[point.simd_lane[l] as usize % SIMD_LANES] +=
+                        moved[l];
                 }
             }
         }
@@ -212,37 +225,40 @@ impl<const D: usize> On<'_, D> {
             let node = point.node[l] as usize;
             let (u, delta) = (&self.u[node], &mut self.delta[node]);
             for c in 0..D {
-                delta[c] = at[c][l] - u[c];
+                delta[c] = position[c][l] - u[c];
             }
         }
     }
 }
 
-/// What moves at points, and w of the two points on both sides.
-struct Beside<const L: usize> {
+/// Motion of points, and w of their stencils.
+struct Stencil<const L: usize> {
     s: [f64; L],
     d: [f64; L],
     w: [[f64; L]; 5],
 }
 
-impl<const L: usize> Beside<L> {
+impl<const L: usize> Stencil<L> {
     #[inline(always)]
-    fn of<const ROW: bool>(point: &Points<L>, rows: &[Moving]) -> Self {
+    fn read<const PACKED: bool>(point: &BatchPoints<L>, rows: &[TransverseMotion]) -> Self {
         let (mut s, mut d, mut w) = ([0.0; L], [0.0; L], [[0.0; L]; 5]);
-        if ROW {
+        if PACKED {
             let near = &rows[point.row[0] as usize - 2..][..5];
-            s = lanes(|l| near[2].s[l % LANES]);
-            d = lanes(|l| near[2].d[l % LANES]);
+            s = simd_array(|l| near[2].s[l % SIMD_LANES]);
+            d = simd_array(|l| near[2].d[l % SIMD_LANES]);
             for k in 0..5 {
-                w[k] = lanes(|l| near[k].w[l % LANES]);
+                w[k] = simd_array(|l| near[k].w[l % SIMD_LANES]);
             }
         } else {
             for l in 0..L {
-                let (row, lane) = (point.row[l] as usize, point.lane[l] as usize % LANES);
+                let (row, simd_lane) = (
+                    point.row[l] as usize,
+                    point.simd_lane[l] as usize % SIMD_LANES,
+                );
                 let near = &rows[row - 2..][..5];
-                (s[l], d[l]) = (near[2].s[lane], near[2].d[lane]);
+                (s[l], d[l]) = (near[2].s[simd_lane], near[2].d[simd_lane]);
                 for k in 0..5 {
-                    w[k][l] = near[k].w[lane];
+                    w[k][l] = near[k].w[simd_lane];
                 }
             }
         }
@@ -250,16 +266,17 @@ impl<const L: usize> Beside<L> {
     }
 }
 
-/// Place and h times velocity across at the end of the step, without the forces of the cluster.
+/// Returns transverse position and h times velocity at the end of the step, m, without the forces
+/// of the group.
 #[inline(always)]
-fn ahead<const L: usize, const ROW: bool>(
-    point: &Points<L>,
+fn predict_transverse<const L: usize, const PACKED: bool>(
+    point: &BatchPoints<L>,
     across: usize,
-    rows: &[Moving],
+    rows: &[TransverseMotion],
 ) -> ([f64; L], [f64; L]) {
-    let Beside { s, d, w } = Beside::of::<ROW>(point, rows);
+    let Stencil { s, d, w } = Stencil::read::<PACKED>(point, rows);
     let ([before, behind], [r0, r1, r2]) = (&point.filter[across], &point.second[across]);
-    let a: [f64; L] = lanes(|l| {
+    let a: [f64; L] = simd_array(|l| {
         let (b0, b1) = (w[1][l] - w[0][l], w[2][l] - w[1][l]);
         let (b2, b3) = (w[3][l] - w[2][l], w[4][l] - w[3][l]);
         let (t0, t1, t2) = (r0[l] * (b1 - b0), r1[l] * (b2 - b1), r2[l] * (b3 - b2));
@@ -267,9 +284,9 @@ fn ahead<const L: usize, const ROW: bool>(
         let right = behind[l].mul_add(b2, t1 - t2);
         w[2][l] - (right - left)
     });
-    let y: [f64; L] = lanes(|l| d[l].mul_add(-point.lag[l], s[l]));
+    let y: [f64; L] = simd_array(|l| d[l].mul_add(-point.lag[l], s[l]));
     (
-        lanes(|l| a[l].mul_add(BETA, y[l])),
-        lanes(|l| a[l].mul_add(0.5, d[l])),
+        simd_array(|l| a[l].mul_add(BETA, y[l])),
+        simd_array(|l| a[l].mul_add(0.5, d[l])),
     )
 }

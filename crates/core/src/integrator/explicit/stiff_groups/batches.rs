@@ -1,91 +1,94 @@
-//! Clusters of equally many points side by side in the lanes.
+//! Batches of stiff groups of equal size, one to a SIMD lane.
 
-use crate::integrator::explicit::simd::rows::{LANES, place};
-use crate::integrator::explicit::stiff_groups::cluster::{Cluster, Member};
+use crate::integrator::explicit::simd::packed::{SIMD_LANES, row_and_lane};
+use crate::integrator::explicit::stiff_groups::stiff_group::{Member, StiffGroup};
 use std::collections::BTreeMap;
 
-/// A point of each cluster of a group.
+/// One point of each stiff group of a batch.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::integrator::explicit) struct Points<const L: usize> {
+pub(in crate::integrator::explicit) struct BatchPoints<const L: usize> {
     pub row: [u32; L],
-    pub lane: [u32; L],
+    pub simd_lane: [u32; L],
     pub node: [u32; L],
     pub masters: [[u32; L]; 2],
     /// Share of the second master.
     pub share: [f64; L],
     pub lag: [f64; L],
-    /// q/m of the segments before and behind, for each direction across.
+    /// Filter weights q/m of the segments before and behind, by transverse direction.
     pub filter: [[[f64; L]; 2]; 2],
-    /// r/m of the points before and behind and of its own, in their order.
+    /// Second filter weights r/m of the preceding point, the point itself and the next one.
     pub second: [[[f64; L]; 3]; 2],
-    /// h²/m and P across, s²/kg.
+    /// Inverse mass h²/m and response P across, s²/kg.
     pub inverse: [[f64; L]; 2],
     pub response: [[f64; L]; 2],
 }
 
-/// Clusters whose numbers lie side by side.
+/// Stiff groups whose numbers are stored side by side.
 #[derive(Debug, Clone)]
-pub(in crate::integrator::explicit) struct Group<const L: usize> {
-    pub points: Vec<Points<L>>,
-    /// −W K and −W C/h, column by column: of each the numbers for u°, then those for h v°.
+pub(in crate::integrator::explicit) struct StiffBatch<const L: usize> {
+    pub points: Vec<BatchPoints<L>>,
+    /// Matrices −W K and −W C/h by column: numbers for u°, then for h v°, N/m.
     pub columns: Vec<[f64; L]>,
 }
 
-/// The same of pairs, with matrices for the differences.
+/// Pairs whose numbers are stored side by side, with matrices for differences.
 #[derive(Debug, Clone)]
-pub(in crate::integrator::explicit) struct Pairs<const L: usize> {
-    pub points: [Points<L>; 2],
+pub(in crate::integrator::explicit) struct PairBatch<const L: usize> {
+    pub points: [BatchPoints<L>; 2],
     pub columns: Vec<[f64; L]>,
 }
 
-/// All clusters of an island.
+/// All stiff groups of an island.
 #[derive(Debug, Clone, Default)]
-pub(in crate::integrator::explicit) struct Groups {
-    /// Those whose points fill rows, each in the lane of its number, with masters one behind the other.
-    pub rows: Vec<Pairs<LANES>>,
-    pub pairs: Vec<Pairs<LANES>>,
-    pub wide: Vec<Group<LANES>>,
-    pub single: Vec<Group<1>>,
+pub(in crate::integrator::explicit) struct StiffBatches {
+    /// Pairs whose points fill packed rows, in ascending SIMD lanes, with consecutive masters.
+    pub packed_pairs: Vec<PairBatch<SIMD_LANES>>,
+    pub pairs: Vec<PairBatch<SIMD_LANES>>,
+    pub wide: Vec<StiffBatch<SIMD_LANES>>,
+    pub single: Vec<StiffBatch<1>>,
 }
 
-impl Groups {
-    pub fn new(clusters: &[Cluster]) -> Self {
-        let pairs = clusters.iter().filter(|c| c.pair.is_some());
-        let (rows, others) = rows(pairs.collect());
-        let (pairs, over) = others.as_chunks::<LANES>();
-        let mut by_size = BTreeMap::<usize, Vec<&Cluster>>::new();
-        let others = clusters.iter().filter(|c| c.pair.is_none());
-        for cluster in others.chain(over.iter().copied()) {
-            by_size.entry(cluster.size).or_default().push(cluster);
+impl StiffBatches {
+    pub fn new(stiff_groups: &[StiffGroup]) -> Self {
+        let pairs = stiff_groups.iter().filter(|c| c.pair.is_some());
+        let (packed_pairs, others) = packed_pairs(pairs.collect());
+        let (pairs, over) = others.as_chunks::<SIMD_LANES>();
+        let mut by_size = BTreeMap::<usize, Vec<&StiffGroup>>::new();
+        let others = stiff_groups.iter().filter(|c| c.pair.is_none());
+        for stiff_group in others.chain(over.iter().copied()) {
+            by_size
+                .entry(stiff_group.size)
+                .or_default()
+                .push(stiff_group);
         }
         let mut new = Self {
-            rows: rows.iter().filter_map(Pairs::new).collect(),
-            pairs: pairs.iter().filter_map(Pairs::new).collect(),
+            packed_pairs: packed_pairs.iter().filter_map(PairBatch::new).collect(),
+            pairs: pairs.iter().filter_map(PairBatch::new).collect(),
             ..Self::default()
         };
         for alike in by_size.values() {
-            let (wide, rest) = alike.as_chunks::<LANES>();
-            new.wide.extend(wide.iter().map(Group::new));
+            let (wide, rest) = alike.as_chunks::<SIMD_LANES>();
+            new.wide.extend(wide.iter().map(StiffBatch::new));
             new.single
-                .extend(rest.iter().map(|one| Group::new(&[*one])));
+                .extend(rest.iter().map(|one| StiffBatch::new(&[*one])));
         }
         new
     }
 }
 
-/// Four and four pairs that fill rows, and the others.
-fn rows(mut all: Vec<&Cluster>) -> (Vec<[&Cluster; LANES]>, Vec<&Cluster>) {
-    let slots = |c: &Cluster| [0, 1].map(|k| place(c.members[k].point));
+/// Returns the pairs that fill packed rows, four by four, and the others.
+fn packed_pairs(mut all: Vec<&StiffGroup>) -> (Vec<[&StiffGroup; SIMD_LANES]>, Vec<&StiffGroup>) {
+    let packed_indices = |c: &StiffGroup| [0, 1].map(|k| row_and_lane(c.members[k].point));
     all.sort_by_cached_key(|c| {
-        let [(first, lane), (second, its)] = slots(c);
-        [first, second, lane, its]
+        let [(first, simd_lane), (second, second_lane)] = packed_indices(c);
+        [first, second, simd_lane, second_lane]
     });
-    let (mut found, mut others) = (Vec::new(), Vec::new());
+    let (mut packed, mut others) = (Vec::new(), Vec::new());
     let mut left = &all[..];
     while let Some((first, behind)) = left.split_first() {
         left = match left.split_first_chunk() {
-            Some((four, behind)) if fill_rows(four) => {
-                found.push(*four);
+            Some((four, behind)) if are_packed(four) => {
+                packed.push(*four);
                 behind
             }
             _ => {
@@ -94,31 +97,35 @@ fn rows(mut all: Vec<&Cluster>) -> (Vec<[&Cluster; LANES]>, Vec<&Cluster>) {
             }
         };
     }
-    (found, others)
+    (packed, others)
 }
 
-/// Whether points lie in one row, each in the lane of its number, and their masters one behind the other.
-fn fill_rows(pairs: &[&Cluster; LANES]) -> bool {
+/// Returns true if points share a row, in ascending SIMD lanes, and their masters are consecutive.
+fn are_packed(pairs: &[&StiffGroup; SIMD_LANES]) -> bool {
     (0..2).all(|k| {
         let members = pairs.map(|c| &c.members[k]);
-        let (row, masters) = (place(members[0].point).0, members[0].along.masters);
-        let is_next = |(lane, m): (usize, &&Member)| {
-            place(m.point) == (row, lane) && m.along.masters == masters.map(|master| master + lane)
+        let (row, masters) = (
+            row_and_lane(members[0].point).0,
+            members[0].axial_position.masters,
+        );
+        let is_next = |(simd_lane, m): (usize, &&Member)| {
+            row_and_lane(m.point) == (row, simd_lane)
+                && m.axial_position.masters == masters.map(|master| master + simd_lane)
         };
         members.iter().enumerate().all(is_next)
     })
 }
 
-impl<const L: usize> Points<L> {
-    /// Point `k` of each cluster.
-    fn new(clusters: &[&Cluster; L], k: usize) -> Self {
-        let members = clusters.map(|c| &c.members[k]);
+impl<const L: usize> BatchPoints<L> {
+    /// Collects point `k` of each stiff group.
+    fn new(stiff_groups: &[&StiffGroup; L], k: usize) -> Self {
+        let members = stiff_groups.map(|c| &c.members[k]);
         Self {
-            row: members.map(|m| place(m.point).0 as u32),
-            lane: members.map(|m| place(m.point).1 as u32),
+            row: members.map(|m| row_and_lane(m.point).0 as u32),
+            simd_lane: members.map(|m| row_and_lane(m.point).1 as u32),
             node: members.map(|m| m.node as u32),
-            masters: [0, 1].map(|end| members.map(|m| m.along.masters[end] as u32)),
-            share: members.map(|m| m.along.share),
+            masters: [0, 1].map(|end| members.map(|m| m.axial_position.masters[end] as u32)),
+            share: members.map(|m| m.axial_position.share),
             lag: members.map(|m| m.lag),
             filter: [0, 1]
                 .map(|c| [0, 1].map(|side| members.map(|m| m.inverse[c] * m.filter[side]))),
@@ -129,37 +136,42 @@ impl<const L: usize> Points<L> {
     }
 }
 
-/// Columns of matrices side by side: of each the numbers for places, then those for speeds.
+/// Returns the columns of matrices side by side: numbers for positions, then for velocities.
 fn columns<const L: usize>(size: usize, matrices: [[&[f64]; 2]; L]) -> Vec<[f64; L]> {
-    let of = |j: usize, kind: usize| {
+    let column = |j: usize, kind: usize| {
         (0..size).map(move |i| matrices.map(|both| both[kind][i * size + j]))
     };
-    (0..size).flat_map(|j| of(j, 0).chain(of(j, 1))).collect()
+    (0..size)
+        .flat_map(|j| column(j, 0).chain(column(j, 1)))
+        .collect()
 }
 
-impl<const L: usize> Group<L> {
-    /// From clusters with as many points each.
-    fn new(clusters: &[&Cluster; L]) -> Self {
-        let points = 0..clusters[0].members.len();
-        let matrices = clusters.map(|c| [&c.of_place[..], &c.of_speed[..]]);
+impl<const L: usize> StiffBatch<L> {
+    /// Collects stiff groups of the same number of points.
+    fn new(stiff_groups: &[&StiffGroup; L]) -> Self {
+        let points = 0..stiff_groups[0].members.len();
+        let matrices = stiff_groups.map(|c| [&c.position_columns[..], &c.velocity_columns[..]]);
         Self {
-            points: points.map(|k| Points::new(clusters, k)).collect(),
-            columns: columns(clusters[0].size, matrices),
+            points: points.map(|k| BatchPoints::new(stiff_groups, k)).collect(),
+            columns: columns(stiff_groups[0].size, matrices),
         }
     }
 }
 
-impl<const L: usize> Pairs<L> {
-    /// None unless all are pairs.
-    fn new(clusters: &[&Cluster; L]) -> Option<Self> {
+impl<const L: usize> PairBatch<L> {
+    /// Collects pairs; `None` unless all are.
+    fn new(stiff_groups: &[&StiffGroup; L]) -> Option<Self> {
         let mut matrices = [[&[][..]; 2]; L];
         let mut size = 0;
-        for (of, cluster) in matrices.iter_mut().zip(clusters) {
-            let pair = cluster.pair.as_ref()?;
-            (size, *of) = (pair.size, [&pair.of_place[..], &pair.of_speed[..]]);
+        for (of, stiff_group) in matrices.iter_mut().zip(stiff_groups) {
+            let pair = stiff_group.pair.as_ref()?;
+            (size, *of) = (
+                pair.size,
+                [&pair.position_columns[..], &pair.velocity_columns[..]],
+            );
         }
         Some(Self {
-            points: [0, 1].map(|k| Points::new(clusters, k)),
+            points: [0, 1].map(|k| BatchPoints::new(stiff_groups, k)),
             columns: columns(size, matrices),
         })
     }

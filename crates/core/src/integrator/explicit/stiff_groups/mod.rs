@@ -1,7 +1,7 @@
-//! Groups of points that stiff links, struts and springs join: implicit.
+//! Stiff groups: points that links, struts and springs couple, treated implicitly.
 
 pub(crate) mod apply;
 pub(crate) mod batches;
-pub(crate) mod cluster;
-pub(crate) mod clusters;
+pub(crate) mod grouping;
+pub(crate) mod stiff_group;
 pub(crate) mod ties;

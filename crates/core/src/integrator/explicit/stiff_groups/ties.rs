@@ -1,85 +1,101 @@
-//! Ends of wires at a point of another: they go with it, and what pulls at them pulls at it.
+//! Tied ends: ends of wires at a point of another wire, which they follow and transfer their forces
+//! to.
 
-use crate::integrator::explicit::simd::rows::{LANES, Moving, Wide, place};
-use crate::integrator::explicit::stepping::accelerated;
-use crate::integrator::explicit::{Explicit, Grid, Own};
+use crate::integrator::explicit::simd::packed::{
+    SIMD_LANES, SimdVector, TransverseMotion, row_and_lane,
+};
+use crate::integrator::explicit::stepping::filtered_acceleration;
+use crate::integrator::explicit::{ChainState, Explicit, IslandModel};
 
-/// Row and lane.
+/// Packed position: row and SIMD lane.
 #[derive(Debug, Clone, Copy)]
-struct Seat {
+struct PackedPosition {
     row: u32,
-    lane: u32,
+    simd_lane: u32,
 }
 
-impl Seat {
-    fn of(slot: usize) -> Self {
-        let (row, lane) = place(slot);
-        let (row, lane) = (row as u32, lane as u32);
-        Self { row, lane }
+impl PackedPosition {
+    fn of(packed_index: usize) -> Self {
+        let (row, simd_lane) = row_and_lane(packed_index);
+        let (row, simd_lane) = (row as u32, simd_lane as u32);
+        Self { row, simd_lane }
     }
 
     #[inline(always)]
-    fn read(self, rows: &[Moving]) -> f64 {
-        rows[self.row as usize].w[self.lane as usize % LANES]
+    fn read(self, rows: &[TransverseMotion]) -> f64 {
+        rows[self.row as usize].w[self.simd_lane as usize % SIMD_LANES]
     }
 
     #[inline(always)]
-    fn w(self, rows: &mut [Moving]) -> &mut f64 {
-        let w: &mut Wide = &mut rows[self.row as usize].w;
-        &mut w[self.lane as usize % LANES]
+    fn w(self, rows: &mut [TransverseMotion]) -> &mut f64 {
+        let w: &mut SimdVector = &mut rows[self.row as usize].w;
+        &mut w[self.simd_lane as usize % SIMD_LANES]
     }
 }
 
-/// What a step needs of an end and of the point that it goes with, found once.
+/// Tied end, with the data of the point it is tied to.
 #[derive(Debug, Clone)]
-pub(in crate::integrator::explicit) struct Guest {
-    own: Seat,
-    /// Its owner, and the two points on both sides of that.
-    around: [Seat; 5],
-    /// Of the segments before and behind the owner, and of the points beside it and itself, kg/s².
+pub(in crate::integrator::explicit) struct TiedEnd {
+    island: PackedPosition,
+    /// Stencil of the tie's master point: the point and its two neighbours on both sides.
+    stencil: [PackedPosition; 5],
+    /// Filter weights of the segments at the master point, and of its neighbours and itself, kg/s².
     filter: [f64; 2],
     second: [f64; 3],
-    /// h²/m of the owner in each direction across, s²/kg.
+    /// Inverse mass h²/m of the master point in each transverse direction, s²/kg.
     inverse: [f64; 2],
 }
 
-impl Guest {
-    pub fn new<const DIM: usize>(steps: &Explicit<DIM>, guest: usize, owner: usize) -> Self {
-        let (row, lane) = place(owner);
+impl TiedEnd {
+    pub fn new<const DIM: usize>(steps: &Explicit<DIM>, tied: usize, tie_master: usize) -> Self {
+        let (row, simd_lane) = row_and_lane(tie_master);
         let near = &steps.common[row - 1..=row + 1];
-        let across = |c: usize| steps.across.get(c).map_or(0.0, |r| r[row].inverse[lane]);
+        let across = |c: usize| {
+            steps
+                .transverse
+                .get(c)
+                .map_or(0.0, |r| r[row].inverse[simd_lane])
+        };
         Self {
-            own: Seat::of(guest),
-            around: steps.around(owner).map(Seat::of),
-            filter: [0, 1].map(|k| near[k].filter[lane]),
-            second: [0, 1, 2].map(|k| near[k].second[lane]),
+            island: PackedPosition::of(tied),
+            stencil: steps.stencil(tie_master).map(PackedPosition::of),
+            filter: [0, 1].map(|k| near[k].filter[simd_lane]),
+            second: [0, 1, 2].map(|k| near[k].second[simd_lane]),
             inverse: [0, 1].map(across),
         }
     }
 }
 
 impl<const DIM: usize> Explicit<DIM> {
-    /// Ends get h² times the acceleration of what they go with: they have no mass, and nothing that filters.
+    /// Accelerates tied ends like their master points; they have no mass and no filter.
     #[inline(always)]
-    pub(in crate::integrator::explicit) fn take_along(&self, own: &Own, grid: &mut Grid) {
-        for (across, rows) in grid.moving.iter_mut().enumerate() {
+    pub(in crate::integrator::explicit) fn accelerate_tied_ends(
+        &self,
+        island: &IslandModel,
+        chain: &mut ChainState,
+    ) {
+        for (across, rows) in chain.moving.iter_mut().enumerate() {
             let rows = &mut rows[..];
-            for guest in &own.guests {
-                let w: [f64; 5] = std::array::from_fn(|k| guest.around[k].read(rows));
-                let inverse = guest.inverse[across];
-                *guest.own.w(rows) = accelerated(w, guest.filter, guest.second, inverse);
+            for tied in &island.tied_ends {
+                let w: [f64; 5] = std::array::from_fn(|k| tied.stencil[k].read(rows));
+                let inverse = tied.inverse[across];
+                *tied.island.w(rows) = filtered_acceleration(w, tied.filter, tied.second, inverse);
             }
         }
     }
 
-    /// What pulls at ends pulls at what they go with.
+    /// Transfers the forces on tied ends to their master points.
     #[inline(always)]
-    pub(in crate::integrator::explicit) fn hand_over(&self, own: &Own, grid: &mut Grid) {
-        for (across, rows) in grid.moving.iter_mut().enumerate() {
+    pub(in crate::integrator::explicit) fn transfer_tied_forces(
+        &self,
+        island: &IslandModel,
+        chain: &mut ChainState,
+    ) {
+        for (across, rows) in chain.moving.iter_mut().enumerate() {
             let rows = &mut rows[..];
-            for guest in &own.guests {
-                let felt = std::mem::take(guest.own.w(rows));
-                *guest.around[2].w(rows) += guest.inverse[across] * felt;
+            for tied in &island.tied_ends {
+                let force = std::mem::take(tied.island.w(rows));
+                *tied.stencil[2].w(rows) += tied.inverse[across] * force;
             }
         }
     }

@@ -1,0 +1,178 @@
+//! Line that is ready for steps, and runs on it.
+
+use crate::error::convert;
+use crate::pantographs::{PantographData, pantograph};
+use crate::records::{PlanData, arrays, numbers};
+use arcless_core::CoreError;
+use arcless_core::checkpoint::Checkpoint;
+use arcless_core::integrator::wire_model;
+use arcless_core::linear::loads::Load;
+use arcless_core::pantograph::actuator::Sample;
+use arcless_core::pantograph::model::Pantograph;
+use arcless_core::simulation::inputs::Trajectory;
+use arcless_core::simulation::recording::record::Record;
+use arcless_core::simulation::run::{Callbacks, Part};
+use numpy::{PyArrayLike1, PyArrayMethods};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// Line ready for steps in two or three dimensions.
+pub enum Any {
+    /// Along and up, Hermite elements.
+    Planar(Arc<wire_model::WireModel<2, 4>>),
+    /// Along, across and up, Hermite elements.
+    Spatial(Arc<wire_model::WireModel<3, 6>>),
+    /// Along and up, chains of point masses.
+    PlanarChain(Arc<wire_model::WireModel<2, 2>>),
+    /// Along, across and up, chains of point masses.
+    SpatialChain(Arc<wire_model::WireModel<3, 3>>),
+}
+
+/// Call a method of whichever variant is there.
+macro_rules! either {
+    ($any:expr, $p:ident => $body:expr) => {
+        match $any {
+            Any::Planar($p) => $body,
+            Any::Spatial($p) => $body,
+            Any::PlanarChain($p) => $body,
+            Any::SpatialChain($p) => $body,
+        }
+    };
+}
+
+/// A line whose step matrix is factorised; it serves any number of runs.
+#[pyclass(frozen)]
+pub struct WireModel(pub Any);
+
+/// Forces on the line: node, component and force for the size 1 of each part of the pattern; its
+/// size at every instant.
+#[derive(FromPyObject)]
+struct LoadData {
+    pattern: Vec<(usize, usize, f64)>,
+    sizes: Vec<f64>,
+}
+
+/// The answer of a controller to a sample, N.
+fn answer(controller: Option<&Py<PyAny>>, sample: &Sample) -> PyResult<f64> {
+    Python::attach(|py| {
+        let Some(controller) = controller else {
+            return Ok(0.0);
+        };
+        let answer = controller.call1(
+            py,
+            (
+                sample.number,
+                sample.time,
+                sample.position,
+                sample.speed,
+                sample.force,
+                sample.displacements.clone(),
+                sample.velocities.clone(),
+            ),
+        );
+        answer?.extract::<f64>(py)
+    })
+}
+
+#[pymethods]
+impl WireModel {
+    /// Run along `positions` (m) with `speeds` (m/s), given at every step and one more.
+    ///
+    /// `observe(step)` is
+    /// called now and then and returns whether to go on. With `take` (numbers, function) the series are
+    /// handed to the function whenever they hold that many numbers; what is returned has the rest of them. `state` is the one to go on from (steps done,
+    /// numbers by name) or None, `until` the number of steps to stop after or None; the state there
+    /// is part of what is returned.
+    #[pyo3(signature = (*, pantographs, distances, positions, speeds, friction, loads, plan, observe, state=None, until=None, take=None))]
+    fn run<'py>(
+        &self,
+        py: Python<'py>,
+        pantographs: Vec<PantographData>,
+        distances: Vec<f64>,
+        positions: PyArrayLike1<'_, f64>,
+        speeds: PyArrayLike1<'_, f64>,
+        friction: f64,
+        loads: Vec<LoadData>,
+        plan: PlanData,
+        observe: &Bound<'py, PyAny>,
+        state: Option<(usize, BTreeMap<String, Vec<f64>>)>,
+        until: Option<usize>,
+        take: Option<(usize, Py<PyAny>)>,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let (pantographs, controllers): (Vec<Pantograph>, Vec<Option<Py<PyAny>>>) =
+            pantographs.into_iter().map(pantograph).unzip();
+        let travel = Trajectory {
+            positions: positions.to_vec()?,
+            speeds: speeds.to_vec()?,
+            distances,
+            friction,
+            loads: loads
+                .into_iter()
+                .map(|LoadData { pattern, sizes }| Load { pattern, sizes })
+                .collect(),
+        };
+        let plan = plan.into();
+        let state = state.map(|(step, numbers)| Checkpoint { step, numbers });
+        let observer = observe.clone().unbind();
+        let (mut raised, mut failed, mut lost) = (None::<PyErr>, None::<PyErr>, None::<PyErr>);
+        let outcome = py.detach(|| {
+            let mut go_on = |step: usize| {
+                Python::attach(|py| {
+                    let answer = py
+                        .check_signals()
+                        .and_then(|()| observer.call1(py, (step,)))
+                        .and_then(|answer| answer.extract::<bool>(py));
+                    answer.unwrap_or_else(|error| {
+                        raised = Some(error);
+                        false
+                    })
+                })
+            };
+            let mut ask = |which: usize, sample: &Sample| {
+                answer(controllers[which].as_ref(), sample).map_err(|error| {
+                    let reason = error.to_string();
+                    failed = Some(error);
+                    reason
+                })
+            };
+            let part = Part {
+                from: state.as_ref(),
+                until,
+            };
+            let mut hand_on = |piece: Record| {
+                let Some((_, taker)) = &take else {
+                    return true;
+                };
+                Python::attach(|py| {
+                    let taken = arrays(py, piece).and_then(|piece| taker.call1(py, (piece,)));
+                    taken.map_err(|error| lost = Some(error)).is_ok()
+                })
+            };
+            let enough = take.as_ref().map(|(numbers, _)| *numbers);
+            let callers = Callbacks {
+                observe: &mut go_on,
+                ask: &mut ask,
+                take: enough.map(|numbers| (numbers, &mut hand_on as _)),
+            };
+            either!(&self.0, p => p.run_pieces(&pantographs, &travel, &plan, part, callers))
+        });
+        match (outcome, raised.or(failed).or(lost)) {
+            (Err(CoreError::Cancelled { .. } | CoreError::Control { .. }), Some(error)) => {
+                Err(error)
+            }
+            (Err(error), _) => Err(convert(py, &error)),
+            (Ok((record, state)), _) => {
+                let out = arrays(py, record)?;
+                out.set_item("state", (state.step, numbers(py, &state)?))?;
+                Ok(out)
+            }
+        }
+    }
+
+    /// Sizes that explain the cost of a step: nodes, blocks of the factor, numbers in the columns.
+    fn cost(&self) -> (usize, usize, usize) {
+        either!(&self.0, p => (p.line.nodes(), p.fill(), p.columns.stored()))
+    }
+}

@@ -1,0 +1,153 @@
+//! Pantographs as they come from Python, by the names of their fields: see
+//! `arcless.simulate.setup.core_data`.
+
+use arcless_core::pantograph::actuator::Actuator;
+use arcless_core::pantograph::breakpoint::ForceKind;
+use arcless_core::pantograph::bump_stop::BumpStop;
+use arcless_core::pantograph::excitation::{BaseMotion, Excitation, ForceHistory};
+use arcless_core::pantograph::model::Pantograph;
+use arcless_core::pantograph::piecewise_force::PiecewiseForce;
+use arcless_core::pantograph::strip::Strip;
+use pyo3::prelude::*;
+
+#[derive(FromPyObject)]
+pub struct PantographData {
+    mass: Vec<f64>,
+    damping: Vec<f64>,
+    stiffness: Vec<f64>,
+    strips: Vec<StripData>,
+    preload: Vec<f64>,
+    lift: Vec<f64>,
+    start_force: f64,
+    given: ExcitationData,
+    stops: Vec<BumpStopData>,
+    laws: Vec<PiecewiseForceData>,
+    actuator: Option<ActuatorData>,
+}
+
+#[derive(FromPyObject)]
+struct StripData {
+    offset: f64,
+    half_width: f64,
+    knots: Vec<f64>,
+    vectors: Vec<Vec<f64>>,
+}
+
+#[derive(FromPyObject)]
+struct ExcitationData {
+    forces: Vec<ForceHistoryData>,
+    ground: Option<BaseMotionData>,
+}
+
+#[derive(FromPyObject)]
+struct ForceHistoryData {
+    direction: Vec<f64>,
+    values: Vec<f64>,
+}
+
+#[derive(FromPyObject)]
+struct BaseMotionData {
+    carried: Vec<f64>,
+    displacement: Vec<f64>,
+    rate: Vec<f64>,
+}
+
+#[derive(FromPyObject)]
+struct BumpStopData {
+    direction: Vec<f64>,
+    gap: f64,
+    stiffness: f64,
+}
+
+#[derive(FromPyObject)]
+struct PiecewiseForceData {
+    direction: Vec<f64>,
+    is_damper: bool,
+    points: Vec<[f64; 2]>,
+}
+
+#[derive(FromPyObject)]
+struct ActuatorData {
+    direction: Vec<f64>,
+    every: usize,
+    delay: usize,
+    controller: Option<Py<PyAny>>,
+}
+
+impl From<StripData> for Strip {
+    fn from(data: StripData) -> Self {
+        Self {
+            offset: data.offset,
+            half_width: data.half_width,
+            knots: data.knots,
+            vectors: data.vectors,
+        }
+    }
+}
+
+impl From<ExcitationData> for Excitation {
+    fn from(data: ExcitationData) -> Self {
+        let forces = data.forces.into_iter().map(|force| ForceHistory {
+            direction: force.direction,
+            values: force.values,
+        });
+        Self {
+            forces: forces.collect(),
+            base: data.ground.map(|ground| BaseMotion {
+                influence: ground.carried,
+                displacement: ground.displacement,
+                rate: ground.rate,
+            }),
+        }
+    }
+}
+
+impl From<BumpStopData> for BumpStop {
+    fn from(data: BumpStopData) -> Self {
+        Self {
+            direction: data.direction,
+            gap: data.gap,
+            stiffness: data.stiffness,
+        }
+    }
+}
+
+impl From<PiecewiseForceData> for PiecewiseForce {
+    fn from(data: PiecewiseForceData) -> Self {
+        Self {
+            direction: data.direction,
+            kind: if data.is_damper {
+                ForceKind::Damper
+            } else {
+                ForceKind::Spring
+            },
+            points: data.points,
+        }
+    }
+}
+
+/// Pantograph of the core, and who is asked for the force of its actuator.
+pub fn pantograph(data: PantographData) -> (Pantograph, Option<Py<PyAny>>) {
+    let (actuator, asked) = data.actuator.map_or((None, None), |own| {
+        let actuator = Actuator {
+            direction: own.direction,
+            every: own.every,
+            delay: own.delay,
+        };
+        (Some(actuator), own.controller)
+    });
+    let pantograph = Pantograph {
+        mass: data.mass,
+        damping: data.damping,
+        stiffness: data.stiffness,
+        strips: data.strips.into_iter().map(Strip::from).collect(),
+        preload: data.preload,
+        lift: data.lift,
+        start_force: data.start_force,
+        excitation: data.given.into(),
+        stops: data.stops.into_iter().map(BumpStop::from).collect(),
+        piecewise_forces: data.laws.into_iter().map(PiecewiseForce::from).collect(),
+        actuator,
+    };
+    (pantograph, asked)
+}

@@ -1,0 +1,169 @@
+"""Data that the core reads by the names of their fields. SI units."""
+
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+Numbers = Sequence[float]
+
+
+class StripData(NamedTuple):
+    """A collector strip and where a wire touches it."""
+
+    offset: float
+    """Behind the reference point of the pantograph, m."""
+    half_width: float
+    """Half of its length, m."""
+    knots: Numbers
+    """Lateral places, ascending, m."""
+    vectors: Sequence[Numbers]
+    """For each of the knots, the height there for a unit of each coordinate."""
+
+
+class ForceHistory(NamedTuple):
+    """A force given over time."""
+
+    direction: Numbers
+    """Share of each coordinate."""
+    values: Numbers
+    """N at the start and after each step."""
+
+
+class BaseMotion(NamedTuple):
+    """Motion of the roof that a pantograph stands on, at the start and after each step."""
+
+    carried: Numbers
+    """Displacement of each coordinate that goes with a unit of it."""
+    displacement: Numbers
+    """In m."""
+    rate: Numbers
+    """In m/s."""
+
+
+class Excitation(NamedTuple):
+    """Forces and motion of the base of a pantograph, given over time."""
+
+    forces: Sequence[ForceHistory] = ()
+    ground: BaseMotion | None = None
+
+
+class BumpStopData(NamedTuple):
+    """A stop between two masses."""
+
+    direction: Numbers
+    """Motion that opens it."""
+    gap: float
+    """In m."""
+    stiffness: float
+    """In N/m; infinite when it is rigid."""
+
+
+class PiecewiseForceData(NamedTuple):
+    """A spring or damper with a table."""
+
+    direction: Numbers
+    """Motion that it looks at."""
+    is_damper: bool
+    points: Sequence[tuple[float, float]]
+    """Elongation in m, or its rate in m/s, and force in N."""
+
+
+class ActuatorData(NamedTuple):
+    """A force decided on during the run."""
+
+    direction: Numbers
+    """Share of each coordinate."""
+    every: int
+    """Steps from sample to sample."""
+    delay: int
+    """Steps from a sample to its force."""
+    controller: Any = None
+    """Controller that is asked; None where every step brings its force."""
+
+
+class PantographData(NamedTuple):
+    """A pantograph: matrices by rows, and what acts on its coordinates."""
+
+    mass: Numbers
+    damping: Numbers
+    stiffness: Numbers
+    strips: Sequence[StripData]
+    preload: Numbers
+    """Share of the static force on each coordinate."""
+    lift: Numbers
+    """Aerodynamic coefficients, N·s²/m²."""
+    start_force: float
+    """Contact force at the start, N."""
+    given: Excitation = Excitation()
+    stops: Sequence[BumpStopData] = ()
+    laws: Sequence[PiecewiseForceData] = ()
+    actuator: ActuatorData | None = None
+
+
+class LoadData(NamedTuple):
+    """Forces on the line that keep their pattern."""
+
+    pattern: Sequence[tuple[int, int, float]]
+    """Node, component and force in N for the size 1."""
+    sizes: Numbers
+    """At the start and after each step."""
+
+
+class Stations(NamedTuple):
+    """Parts of a line in the order along the track, of which a row of the record holds some."""
+
+    of: Sequence[int]
+    """Their numbers."""
+    x: Numbers
+    """Their coordinates, ascending, m."""
+    in_row: int
+    """Number of them in a row."""
+
+
+class RecordingWindow(NamedTuple):
+    """Droppers and supports of which only those near the pantographs are recorded."""
+
+    behind: float
+    """Distance behind the last pantograph at which a row begins, m."""
+    links: Stations
+    nodes: Stations
+
+
+class RecordPlan(NamedTuple):
+    """Series that a run records, and how often."""
+
+    contact_every: int
+    """Steps from one row of the contacts to the next."""
+    line_every: int
+    """Steps from one row of the line to the next."""
+    links: bool
+    """True when the forces of droppers are recorded."""
+    nodes: Sequence[int]
+    """Nodes whose uplift is recorded."""
+    points: Numbers
+    """Coordinates along the track at which the uplift of the contact wire is recorded, m."""
+    ledger: bool
+    """True when the energy balance is kept."""
+    ledger_every: int
+    """Steps between two in which explicit ones measure what wires dissipate."""
+    near: RecordingWindow | None = None
+    """None for the whole line."""
+
+
+class CollectorData(NamedTuple):
+    """A collector that presses with a force given from outside."""
+
+    behind: float
+    """Distance behind the position, m."""
+    half_width: float
+    """In m."""
+
+
+class SessionStart(NamedTuple):
+    """State of motion in which a session begins."""
+
+    position: float
+    """In m."""
+    speed: float
+    """In m/s."""
+    friction: float
+    """Coefficient between strip and wire."""
