@@ -50,6 +50,7 @@ class Job:
     reads: bool = False  # opening a file to read it is an operation too
     rows: int = 0  # or when the journal of a study, named next, has so many rows
     file: str = ""
+    size: int = 0  # or when the files below the folder hold so many bytes
 
 
 @dataclass(frozen=True)
@@ -141,9 +142,11 @@ def wait(child: int, job: Job) -> int:
     """Stop the child at its moment, if it has one; return its exit code."""
     ended = os.pidfd_open(child)
     try:
-        if job.moment_s or job.rows:
+        if job.moment_s or job.rows or job.size:
             if job.rows:
                 wait_for_rows(ended, Path(job.folder) / job.file, job.rows)
+            elif job.size:
+                wait_for_size(ended, Path(job.folder), job.size)
             else:
                 select.select([ended], [], [], job.moment_s)
             os.kill(child, SIGNALS[job.how])
@@ -159,6 +162,21 @@ def wait_for_rows(ended: int, journal: Path, count: int) -> None:
     while not select.select([ended], [], [], 0.002)[0]:
         if rows_in(journal) >= count:
             return
+
+
+def wait_for_size(ended: int, folder: Path, size: int) -> None:
+    """Wait until the files below a folder hold so many bytes, or the process has ended."""
+    while not select.select([ended], [], [], 0.002)[0]:
+        if sum(size_of(path) for path in folder.rglob("*")) >= size:
+            return
+
+
+def size_of(path: Path) -> int:
+    """Return the bytes of a file, none where it has just been renamed or removed."""
+    try:
+        return path.stat().st_size if path.is_file() else 0
+    except FileNotFoundError:
+        return 0
 
 
 def main() -> None:
