@@ -94,7 +94,9 @@ impl<const DIM: usize, const D: usize> UpdatedGeometry<DIM, D> {
         self.matrix.blocks.copy_from_slice(&self.constant.blocks);
         let factor = wires.line.stiffness_factor(c.damping, c.stiffness);
         geometry.add_moving_tangent(shape, LinkLaw::Linear, factor, &mut self.matrix);
-        wires.line.add_dampers(c.damping, &mut self.matrix);
+        wires
+            .line
+            .add_damping_rest_matrix(c.damping, &mut self.matrix);
         self.matrix.hold(&self.held);
         implicit
             .factor

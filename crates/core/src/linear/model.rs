@@ -124,7 +124,7 @@ pub struct LinearModel<const DIM: usize, const D: usize> {
     /// Links.
     pub links: Vec<LinearLink<DIM>>,
     /// Dampers to ground: node, component, N·s/m.
-    pub dampers: Vec<(usize, usize, f64)>,
+    pub ground_dampers: Vec<(usize, usize, f64)>,
     /// True when nothing moves along the track.
     pub across_only: bool,
 }
@@ -173,7 +173,7 @@ impl<const DIM: usize, const D: usize> LinearModel<DIM, D> {
             free: free_components(geometry),
             across_only: s.across_only,
             damping_rest: damping_rest(geometry, &shape, common.beta, &mut geometry.empty_matrix()),
-            dampers: s
+            ground_dampers: s
                 .springs
                 .iter()
                 .map(|p| (p.node, p.component, p.viscosity))
@@ -238,7 +238,7 @@ impl<const DIM: usize, const D: usize> LinearModel<DIM, D> {
         for (a, k) in a.blocks.iter_mut().flatten().flatten().zip(stiffness) {
             *a += factor * k;
         }
-        self.add_dampers(d, a);
+        self.add_damping_rest_matrix(d, a);
         a.keep_free(&self.free);
     }
 
@@ -249,7 +249,7 @@ impl<const DIM: usize, const D: usize> LinearModel<DIM, D> {
     }
 
     /// Adds d (C − α M − β K), the damping that is not common to all parts.
-    pub fn add_dampers(&self, d: f64, a: &mut SymmetricBlocks<D>) {
+    pub fn add_damping_rest_matrix(&self, d: f64, a: &mut SymmetricBlocks<D>) {
         for (i, j, block) in &self.damping_rest {
             let mut scaled = *block;
             scaled.iter_mut().flatten().for_each(|v| *v *= d);

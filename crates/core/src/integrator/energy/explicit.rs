@@ -46,7 +46,7 @@ pub(crate) struct ContactState {
 
 /// Damper to ground: node, component, N·s/m, and h v of the node, m.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Damper {
+pub(crate) struct GroundDamper {
     pub node: usize,
     pub component: usize,
     pub viscosity: f64,
@@ -66,7 +66,7 @@ pub struct ExplicitBalance<const DIM: usize, const D: usize> {
     pub(crate) increment: Vec<[f64; D]>,
     pub(crate) pantographs: Vec<HalfStepEnergy>,
     pub(crate) contact_states: Vec<ContactState>,
-    pub(crate) dampers: Vec<Damper>,
+    pub(crate) ground_dampers: Vec<GroundDamper>,
     /// Energies at the start: line, contacts, pantographs, piecewise forces, J.
     pub(crate) start: [f64; 4],
     pub(crate) slack: f64,
@@ -110,7 +110,7 @@ impl<const DIM: usize, const D: usize> ExplicitBalance<DIM, D> {
             z: state.u.clone(),
             increment: vec![[0.0; D]; state.u.len()],
             pantographs: halves.collect(),
-            dampers: Self::dampers(wires),
+            ground_dampers: Self::ground_dampers(wires),
             contact_states: vec![ContactState::default(); contacts.all.len()],
             start: [0.0; 4],
             slack: 0.0,
@@ -177,7 +177,7 @@ impl<const DIM: usize, const D: usize> ExplicitBalance<DIM, D> {
         self.add_contacts(wires, (steps, chain), f);
         self.add_links(wires, (steps, chain), f.problem);
         self.contact_and_link_switching += self.terms.switching - before;
-        self.add_dampers(wires.h, (steps, chain), state);
+        self.add_ground_dampers(wires.h, (steps, chain), state);
         if !f.loads.is_empty() {
             for node in f.loads.nodes() {
                 self.update_node(steps, chain, node);
@@ -290,8 +290,8 @@ impl<const DIM: usize, const D: usize> ExplicitBalance<DIM, D> {
         (steps, chain): (&Explicit<DIM>, &ChainState),
         island: usize,
     ) {
-        let on_island = |damper: &&mut Damper| wires.island_of(damper.node) == island;
-        self.dampers
+        let on_island = |damper: &&mut GroundDamper| wires.island_of(damper.node) == island;
+        self.ground_dampers
             .iter_mut()
             .filter(on_island)
             .for_each(|d| d.rate = 0.0);
@@ -343,7 +343,10 @@ impl<const DIM: usize, const D: usize> ExplicitBalance<DIM, D> {
             &mut self.min_dissipation,
             &mut self.contact_and_link_switching,
         ];
-        let rates = self.dampers.iter_mut().map(|damper| &mut damper.rate);
+        let rates = self
+            .ground_dampers
+            .iter_mut()
+            .map(|damper| &mut damper.rate);
         let lists = self.start.iter_mut().chain(&mut self.last_balance);
         lists.chain(sums).chain(pressed).chain(rates)
     }

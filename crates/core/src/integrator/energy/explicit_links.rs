@@ -1,7 +1,7 @@
 //! Links and dampers in the [`balance`](crate::integrator::energy::explicit) of explicit steps.
 
 use crate::constraint::problem::ConstraintProblem;
-use crate::integrator::energy::explicit::{Damper, ExplicitBalance};
+use crate::integrator::energy::explicit::{ExplicitBalance, GroundDamper};
 use crate::integrator::explicit::{ChainState, Explicit};
 use crate::integrator::state::WireState;
 use crate::integrator::wire_model::WireModel;
@@ -10,9 +10,13 @@ use crate::linear::model::LinearLink;
 
 impl<const DIM: usize, const D: usize> ExplicitBalance<DIM, D> {
     /// Returns the dampers of a line at rest; springs without damping are left out.
-    pub(crate) fn dampers(wires: &WireModel<DIM, D>) -> Vec<Damper> {
-        let dampers = wires.line.dampers.iter().filter(|damper| damper.2 != 0.0);
-        let at_rest = dampers.map(|&(node, component, viscosity)| Damper {
+    pub(crate) fn ground_dampers(wires: &WireModel<DIM, D>) -> Vec<GroundDamper> {
+        let dampers = wires
+            .line
+            .ground_dampers
+            .iter()
+            .filter(|damper| damper.2 != 0.0);
+        let at_rest = dampers.map(|&(node, component, viscosity)| GroundDamper {
             node,
             component,
             viscosity,
@@ -73,13 +77,13 @@ impl<const DIM: usize, const D: usize> ExplicitBalance<DIM, D> {
 
     /// Adds the dissipation of dampers to ground. Across the wire nodes step by the trapezoidal
     /// rule, so h v follows from their increments.
-    pub(crate) fn add_dampers(
+    pub(crate) fn add_ground_dampers(
         &mut self,
         h: f64,
         (steps, chain): (&Explicit<DIM>, &ChainState),
         state: &WireState<D>,
     ) {
-        for damper in &mut self.dampers {
+        for damper in &mut self.ground_dampers {
             let delta = state.delta[damper.node][damper.component];
             let (seen, moved) = if damper.component == 0 {
                 (delta, steps.half_step_motion(chain, damper.node)[0][1])

@@ -225,7 +225,7 @@ impl<const D: usize> ImplicitBalance<D> {
         pantographs: &[PantographState],
         f: &StepForces<'_, DIM>,
     ) {
-        self.separate_dampers(wires, state);
+        self.separate_ground_dampers(wires, state);
         self.add_links(wires, state, f.problem);
         self.add_pantographs(pantographs);
         ContactEnergies {
@@ -254,12 +254,12 @@ impl<const D: usize> ImplicitBalance<D> {
     }
 
     /// Separates the dissipation of dampers to ground from that of the line.
-    fn separate_dampers<const DIM: usize>(
+    fn separate_ground_dampers<const DIM: usize>(
         &mut self,
         wires: &WireModel<DIM, D>,
         state: &WireState<D>,
     ) {
-        for &(node, component, viscosity) in &wires.line.dampers {
+        for &(node, component, viscosity) in &wires.line.ground_dampers {
             let lost = viscosity * self.rate[node][component] * state.delta[node][component];
             self.terms.dissipated_springs += lost;
             self.terms.dissipated_line -= lost;
