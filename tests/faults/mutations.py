@@ -145,7 +145,7 @@ CONSERVED = [
              "A.wires.resume(&mut B.wires);", "", (PARTS,)),
     Mutation("forces on their way to an actuator forgotten between two parts", "archive_pantograph",
              'archive_pending_forces(&mut A, B, &name("waiting"))?;', "", (PARTS,)),
-    Mutation("dampers to ground booked twice", "separate_dampers",
+    Mutation("dampers to ground booked twice", "separate_ground_dampers",
              "A.dissipated_line -= B;", "",
              ("conservation/test_energy.py::test_the_ledger_closes",)),
     Mutation("damping of a dropper times its elongation, not its rate", "PredictTensions::run",
