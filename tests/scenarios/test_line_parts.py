@@ -6,12 +6,25 @@ import numpy as np
 import pytest
 
 import arcless
+from arcless.mesh.division.systems import wire_systems
+from arcless.mesh.division.wires import stations
 from arcless.model import load
+from arcless.model.line.places.wire_places import SAME_PLACE, shortest_distances
 from arcless.simulate import StaticsResult
-from tests.support.line_types import compound_data, scenario_data, stitched_data
-from tests.support.simple_lines import rail_data, trolley_data
+from tests.support.line_types import STITCH, compound_data, scenario_data, stitched_data
+from tests.support.overlaps import overlap_data
+from tests.support.simple_lines import bridle_data, rail_data, trolley_data
 
 GRAVITY = 9.81
+MASS = {"name": "feeder clamp", "wire": "contact_wire", "position": 131.3, "mass": 3.0}
+INSERT = {
+    "name": "section insulator",
+    "position": 150.0,
+    "length": 1.6,
+    "mass": 12.0,
+    "axial_stiffness": 2e7,
+    "bending_stiffness": 3e3,
+}
 
 
 def at_rest(line: dict[str, Any], **changes: Any) -> StaticsResult:
@@ -92,3 +105,36 @@ def test_a_pantograph_runs_below_an_anchored_line(data: Any) -> None:
     result = arcless.run(load(scenario_data(data(**HELD), speed=20.0)))
     # The masses of the pantograph move freely: the mean is the static force but for the base.
     assert result.dataset["contact_force"].values.mean() == pytest.approx(120.0, rel=0.05)
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        compound_data(point_masses=[MASS], inserts=[INSERT]),
+        stitched_data(),
+        overlap_data(stitch_wire=STITCH),
+        rail_data(),
+        bridle_data(),
+    ],
+    ids=["compound", "stitched", "overlap of stitched", "rail", "bridle"],
+)
+def test_nodes_stand_where_the_element_length_expects_them(line: dict[str, Any]) -> None:
+    """Compare the shortest distance of places that the mesh makes nodes of with that of the model.
+
+    The model knows it before there is a mesh; the element length and the step depend on it. A
+    contact wire that supports hold has nodes beside them that nothing is attached to: trolley
+    wires are not compared.
+    """
+    known = load(scenario_data(line)).line
+    expected = shortest_distances(known)
+    found: dict[str, list[float]] = {}
+    for system in wire_systems(known, {}):
+        places = stations(known, system)
+        above = ("messenger wire", "auxiliary wire", "stitch wire", "bridle")
+        for wire in (*system.contact_wires, *above):
+            key = "contact_wire" if wire in system.contact_wires else wire.replace(" ", "_")
+            steps = np.diff(places.along(wire))
+            found.setdefault(key, []).extend(steps[steps > SAME_PLACE])
+    for key, gaps in expected.items():
+        # Both are rounded to 1 µm.
+        assert min(gaps) == pytest.approx(min(found[key]), abs=2e-6), key

@@ -25,6 +25,8 @@ _FLOAT = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?|[+-]?\.(inf|Inf|INF)
 _ESCAPED_HALF = re.compile(r"(?<!\\)((?:\\\\)*)\\(u|U0000)([dD][89a-fA-F][0-9a-fA-F]{2})")
 _PRIVATE = re.compile(r"[\ue000-\uf8ff]|\\(?:u|U0000)([eEfF][0-9a-fA-F]{3})")
 _PLACEHOLDERS = range(0xE000, 0xF900)
+# libyaml has a limit of its own since 0.2.6, 1 000 brackets, and reads ahead to it.
+_LIBYAML_TOO_DEEP = "exceeded maximum nesting depth"
 
 
 class Position(NamedTuple):
@@ -104,6 +106,8 @@ def _events(text: str, label: str) -> Iterator[Any]:
         mark = error.problem_mark or error.context_mark
         where = label if mark is None else f"{label}:{mark.line + 1}"
         problem = error.problem or error.context or "syntax error"
+        if problem == _LIBYAML_TOO_DEEP:
+            raise _too_deep(where) from None
         hint = "check indentation, colons, brackets and quotes near this line"
         if mark is not None and text[mark.index : mark.index + 1] == "\t":
             hint = "indent with blanks; there is a tab"
@@ -119,6 +123,11 @@ def _events(text: str, label: str) -> Iterator[Any]:
         ) from None
     except ValueError:  # PyYAML's own parser: an escape of no character, as \U00110000
         raise ModelError("not valid YAML: invalid Unicode escape code", where=label) from None
+
+
+def _too_deep(where: str) -> ModelError:
+    got, expected = "deeper nesting", f"at most {MAX_DEPTH} levels"
+    return ModelError("not a model file", where=where, got=got, expected=expected)
 
 
 class _Composer:
@@ -149,7 +158,7 @@ class _Composer:
         if event.tag is not None:
             raise self._refused(event, f"the tag {show(str(event.tag))}", "plain YAML without tags")
         if depth > MAX_DEPTH:
-            raise self._refused(event, "deeper nesting", f"at most {MAX_DEPTH} levels")
+            raise _too_deep(f"{self._label}:{event.start_mark.line + 1}")
         self._add(event, 1)
         anchor = event.anchor
         if anchor is not None:

@@ -48,7 +48,8 @@ BOMB = "a: &a [x, x, x, x, x, x, x, x, x]\n" + "\n".join(
         (b'a: 1\nb: "\\ud83d"', "x.yaml:2: not a model file: got half of a character"),
         (b'{"\\ude00": 1}', "x.yaml:1: not a model file: got half of a character"),
         (BOMB.encode(), f"more than {MAX_NODES} values, aliases written out"),
-        (b"a: " + b"[" * 5_000, "deeper nesting"),
+        (b"a: " + b"[" * 500, "x.yaml:1: not a model file: got deeper nesting"),
+        (b"a:\n " + b"[" * 5_000, "x.yaml:2: not a model file: got deeper nesting"),
         (b"a: " + b"{b: " * 5_000, "deeper nesting"),
     ],
 )
