@@ -31,6 +31,8 @@ def main() -> int:
     took = f"{bits.total(found.values())} digests of {len(found)} cases"
     took += f" in {time.perf_counter() - began:.0f} s"
     if asked.renew:
+        if asked.only:  # the other cases stay as they are kept
+            found = json.loads(asked.file.read_text())["digests"] | found
         bits.write(found, asked.renew, asked.file)
         print(f"{took} kept in {asked.file}")
         return 0
@@ -38,16 +40,16 @@ def main() -> int:
     if (reason := bits.elsewhere(kept)) is not None:
         print(f"not compared: {reason}")
         return 0
-    others = {
-        name: different
+    pairs = {
+        name: (kept["digests"].get(name, {}), found.get(name, {}))
         for name in sorted(kept["digests"].keys() | found.keys())
         if asked.only in name
-        and (different := bits.differences(kept["digests"].get(name, {}), found.get(name, {})))
     }
+    others = {name: bits.described(*pair) for name, pair in pairs.items() if pair[0] != pair[1]}
+    count = sum(len(bits.differences(*pair)) for pair in pairs.values())
     for name, different in others.items():
-        shown = ", ".join(different[:8]) + (" …" if len(different) > 8 else "")
-        print(f"{name}: {len(different)} differ: {shown}")
-    print(f"{took}; {sum(map(len, others.values()))} differ")
+        print(f"{name}: {different}")
+    print(f"{took}; {count} differ")
     return int(bool(others))
 
 

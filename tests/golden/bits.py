@@ -13,6 +13,8 @@ import scipy
 from tests.golden.cases import Case, cases
 
 KEPT = Path(__file__).with_name("bits.json")
+# Digest of the input that is kept with a result.
+SCENARIO = "@scenario"
 # Features of processors for which the core or NumPy have code of their own.
 FEATURES = ("SSE41", "AVX2", "FMA3", "AVX512F", "AVX512_SKX", "AVX512_ICL", "NEON", "ASIMD")
 
@@ -67,6 +69,24 @@ def write(found: dict[str, dict[str, str]], reason: str, to: Path = KEPT) -> Non
 def differences(before: dict[str, str], now: dict[str, str]) -> list[str]:
     """Names whose digests are not the same, or that are in one of both only."""
     return sorted(name for name in before.keys() | now.keys() if before.get(name) != now.get(name))
+
+
+def described(before: dict[str, str], now: dict[str, str]) -> str:
+    """Say what differs: numbers, inputs alone, or entries that only one of both has."""
+    changed = [name for name in differences(before, now) if name in before and name in now]
+    said = {
+        "changed": changed,
+        "new": sorted(now.keys() - before.keys()),
+        "gone": sorted(before.keys() - now.keys()),
+    }
+    text = "; ".join(
+        f"{len(names)} {kind}: {', '.join(names[:8])}{' …' if len(names) > 8 else ''}"
+        for kind, names in said.items()
+        if names
+    )
+    if changed and all(name.split()[-1] == SCENARIO for name in changed):
+        text += " (the scenario kept with the result, no number)"
+    return text
 
 
 def elsewhere(kept: dict[str, Any]) -> str | None:

@@ -34,8 +34,9 @@ def test_bits_are_those_kept(name: str, case: Case) -> None:
     kept = bits.read()
     if (reason := bits.elsewhere(kept)) is not None:
         pytest.skip(reason)
-    different = bits.differences(kept["digests"][name], bits.digests(case))
-    assert not different, f"kept anew with `python -m tests.golden --renew REASON`? {different}"
+    before, now = kept["digests"][name], bits.digests(case)
+    told = f"{bits.described(before, now)}; if meant: `python -m tests.golden --renew REASON`"
+    assert not bits.differences(before, now), told
 
 
 def test_a_changed_bit_is_noticed() -> None:
@@ -43,6 +44,17 @@ def test_a_changed_bit_is_noticed() -> None:
     after = bits.digests(lambda: {"force": [1.0, 2.0 + 2**-51], "name": "a"})
     assert bits.differences(before, after) == ["force"]
     assert bits.differences(before, {"force": before["force"]}) == ["name"]
+
+
+def test_what_differs_is_said() -> None:
+    before = {"force": "a", "0 @scenario": "b", "old": "c"}
+    now = {"force": "a", "0 @scenario": "x", "gap": "d"}
+    said = bits.described(before, now)
+    assert said == (
+        "1 changed: 0 @scenario; 1 new: gap; 1 gone: old"
+        " (the scenario kept with the result, no number)"
+    )
+    assert bits.described(before, before | {"force": "x"}) == "1 changed: force"
 
 
 def test_a_refusal_has_a_digest() -> None:
