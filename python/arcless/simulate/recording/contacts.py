@@ -13,6 +13,14 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 
+# Reduction of the values of several contacts to that of their pantograph, by series of the core.
+REDUCTIONS = {
+    "force": "sum",
+    "gap": "smallest",
+    "height": "of the chosen",
+    "lateral": "of the chosen",
+}
+
 
 def total_force(raw: dict[str, Any], pantographs: int) -> Floats:
     """Return the contact force (time, pantograph) in N."""
@@ -25,28 +33,35 @@ def total_force(raw: dict[str, Any], pantographs: int) -> Floats:
 def channels(raw: dict[str, Any], pantographs: int) -> dict[str, Floats]:
     """Return the contact variables of the result; single contacts only where one has several."""
     riders = _riders(raw)
-    each = {name: _columns(raw, name) for name in ("force", "gap", "height", "lateral")}
+    each = {name: _columns(raw, name) for name in REDUCTIONS}
     if len(riders) == pantographs:
         return {f"contact_{name}": values for name, values in each.items()}
-    rows = np.arange(len(each["force"]))
-    out = {"contact_force": total_force(raw, pantographs)}
-    read: dict[str, list[Floats]] = {"gap": [], "height": [], "lateral": []}
-    for j in range(pantographs):
-        own = {name: values[:, riders == j] for name, values in each.items()}
-        # A contact that has no wire in reach has an infinite gap, and is never the one.
-        chosen = np.where(
-            (own["force"] > 0.0).any(axis=1),
-            np.argmax(own["force"], axis=1),
-            np.argmin(own["gap"], axis=1),
-        )
-        read["gap"].append(own["gap"].min(axis=1))
-        for name in ("height", "lateral"):
-            read[name].append(own[name][rows, chosen])
-    out |= {f"contact_{name}": np.column_stack(columns) for name, columns in read.items()}
+    own = [
+        _reduced({name: values[:, riders == j] for name, values in each.items()})
+        for j in range(pantographs)
+    ]
+    out = {f"contact_{name}": np.column_stack([one[name] for one in own]) for name in REDUCTIONS}
     out["wire_contact_force"] = each["force"]
     out["wire_contact_gap"] = np.where(np.isinf(each["gap"]), np.nan, each["gap"])
     out["wire_contact_lateral"] = each["lateral"]
     return out
+
+
+def _reduced(own: dict[str, Floats]) -> dict[str, Floats]:
+    """Return one column for the contacts of a pantograph, by `REDUCTIONS`."""
+    rows = np.arange(len(own["force"]))
+    # A contact that has no wire in reach has an infinite gap, and is never the chosen one.
+    chosen = np.where(
+        (own["force"] > 0.0).any(axis=1),
+        np.argmax(own["force"], axis=1),
+        np.argmin(own["gap"], axis=1),
+    )
+    reduce = {
+        "sum": lambda values: values.sum(axis=1),
+        "smallest": lambda values: values.min(axis=1),
+        "of the chosen": lambda values: values[rows, chosen],
+    }
+    return {name: reduce[REDUCTIONS[name]](values) for name, values in own.items()}
 
 
 def label(numbers: Sequence[int], pantographs: Sequence[str]) -> str:

@@ -7,12 +7,12 @@ import numpy as np
 
 from arcless import _core
 from arcless.dataset.schema import VARIABLES
-from arcless.simulate.recording import record
+from arcless.simulate.recording import contacts, record
 from arcless.simulate.runs.job import Job
 from tests.support.small import laid_out, small
 
 # Series that become variables together with others, or labels of dimensions.
-COMBINED = {"time", "line_time", "force", "gap", "height", "lateral", "masses"}
+COMBINED = {"time", "line_time", "masses", *contacts.REDUCTIONS}
 # Extremes that attributes and warnings tell of.
 TOLD = {"stop_max", "law_ranges"}
 ENERGY = "energy_"
