@@ -101,6 +101,9 @@ def main() -> int:
         if part.page in given.pages if given.pages else given.all or not part.slow:
             by_page.setdefault(part.page, []).append(number)
     if unknown := set(given.pages) - set(by_page):
+        whole = sorted(unknown & set(whole_pages()))
+        if whole:
+            asked.error(f"{', '.join(whole)}: made as a whole; give no PAGE to write all of these")
         asked.error(f"nothing is generated in {', '.join(sorted(unknown))}")
     work = partial(renewed, check=given.check)
     # Each page in a process of its own, which keeps the runs that its tables share.

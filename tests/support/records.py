@@ -107,6 +107,7 @@ def _take_fault(topic: Topic, faults: list[Fault], found: NoticedFault) -> None:
 def compare_rows(file: Path, test: str, rows: list[Measurement]) -> None:
     """Fail if a test measures something else than what its record says."""
     known = {row.what: row for row in load(*place(file)).rows if row.test == test}
+    assert known or not rows, f"no record of {test} yet: run this file with --publish"
     assert {row.what for row in rows} == set(known), f"not as recorded: {AGAIN}"
     for row in rows:
         _compare(row, known[row.what])

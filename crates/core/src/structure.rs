@@ -184,7 +184,7 @@ pub struct PointMass {
     pub alpha: f64,
 }
 
-/// Residual flexibility of the wires at point forces; see [`crate::flexibility`].
+/// Residual flexibility of the wires at point forces; see [`crate::residual_flexibility`].
 #[derive(Debug, Clone, Default)]
 pub struct ResidualFlexibility {
     /// Stiffness of each link alone, N/m; that in the list of links contains R at both ends.

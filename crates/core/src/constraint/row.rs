@@ -6,7 +6,7 @@
 //! | row                  | x                   | y             | J         | s  | divisor |
 //! | -------------------- | ------------------- | ------------- | --------- | -- | ------- |
 //! | contact of a strip   | contact force λ     | gap d + λ/k_c | Cᵀ, −eᵀ   | +1 | a       |
-//! | link (dropper, arm)  | correction r        | tension T     | κ Gᵀ      | −1 | κ       |
+//! | link (dropper)       | correction r        | tension T     | κ Gᵀ      | −1 | κ       |
 //! | bump stop, hardening | its force σ         | s + σ/Δ       | dᵀ        | +1 | c       |
 //! | softening breakpoint | the force σ missing | s + σ/Δ       | dᵀ        | −1 | c       |
 //!

@@ -1,5 +1,5 @@
 //! Local compliance of the wire of a slideline beyond the mesh, element by element: see
-//! [`crate::flexibility`].
+//! [`crate::residual_flexibility`].
 //!
 //! With R_d = R(x, x_d) for the clamp of link d, positive where its tension raises the wire, k its
 //! stiffness with R at both ends, and T_d − c ė = T₀ + k (e − R_d λ) + r its tension without

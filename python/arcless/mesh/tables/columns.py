@@ -69,7 +69,8 @@ COLUMNS: dict[str, np.dtype[Any]] = {
         ("bending_stiffness", _NUMBER),  # EI, N·m²
         ("beta", _NUMBER),
     ),
-    # Droppers and hangers, from the upper node to the lower one.
+    # Droppers and hangers, from the upper node to the lower one. Other rows may stand among them:
+    # droppers are found by `DropperPlace.link`, never by the order of rows.
     "links": _table(
         ("nodes", _INDEX, (2,)),
         ("rest_length", _NUMBER),  # m; a first guess where it is adjusted
