@@ -46,9 +46,10 @@ mod structure_check;
 
 pub use error::CoreError;
 
-// Unit tests use the lines of the integration tests, which name this library.
+// The tests are compiled with the library, and name it as its users do: a program of their own
+// would compile the generic code of the core a second time.
 #[cfg(test)]
 extern crate self as arcless_core;
 #[cfg(test)]
-#[path = "../tests/common/mod.rs"]
-mod common;
+#[path = "../tests/all.rs"]
+mod tests;

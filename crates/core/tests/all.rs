@@ -1,8 +1,8 @@
-//! All tests of the core in one program: in parts, each would compile its generic code anew.
+//! Tests of the core, by subject.
 
 mod alteration;
 mod border;
-mod common;
+pub(crate) mod common;
 mod contact;
 mod contacts;
 mod control;

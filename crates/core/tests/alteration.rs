@@ -1,6 +1,6 @@
 //! Changes after the design, against closed forms of a single wire, for both models of wires.
 
-use crate::common;
+use crate::tests::common;
 
 use arcless_core::CoreError;
 use arcless_core::statics::assembly::LinkLaw;

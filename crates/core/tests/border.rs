@@ -1,6 +1,6 @@
 //! What the fuzzer found at the border of the core, each written down as arrays.
 
-use crate::common;
+use crate::tests::common;
 
 use arcless_core::CoreError;
 use arcless_core::integrator::wire_model::WireModel;

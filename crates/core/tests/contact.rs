@@ -1,6 +1,6 @@
 //! Moving contacts against closed forms, and what a unilateral contact must never do.
 
-use crate::common;
+use crate::tests::common;
 
 use arcless_core::energy_terms::EnergyTerms;
 use arcless_core::linear::static_response::StaticSolver;

@@ -1,6 +1,6 @@
 //! Several contacts of one rider: on several wires, and with several strips.
 
-use crate::common;
+use crate::tests::common;
 
 use arcless_core::CoreError;
 use arcless_core::integrator::wire_model::WireModel;

@@ -1,6 +1,6 @@
 //! Actuators: when a force is asked for, when it acts, and where its work is booked.
 
-use crate::common;
+use crate::tests::common;
 
 use arcless_core::CoreError;
 use arcless_core::pantograph::actuator::{Actuator, Sample};

@@ -1,6 +1,6 @@
 //! Lines on a track that turns: tangents, and explicit steps against those of a matrix.
 
-use crate::common;
+use crate::tests::common;
 
 use arcless_core::scheme::Scheme;
 use arcless_core::statics::Geometry;

@@ -1,6 +1,6 @@
 //! Natural frequencies of wires against closed forms.
 
-use crate::common;
+use crate::tests::common;
 
 use arcless_core::linalg::dense::tridiagonal_eigenvalues;
 use arcless_core::linear::model::LinearModel;

@@ -1,7 +1,7 @@
 //! The same answer by another way: rerun, thinned record, moved origin, mirrored line, the third
 //! dimension, dense matrices.
 
-use crate::common;
+use crate::tests::common;
 
 use arcless_core::constraint::columns::ComplianceColumns;
 use arcless_core::integrator::wire_model::WireModel;

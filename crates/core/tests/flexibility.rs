@@ -1,6 +1,6 @@
 //! Residual flexibility: wires yield under point forces as they should, whatever the mesh.
 
-use crate::common;
+use crate::tests::common;
 
 use arcless_core::integrator::wire_model::WireModel;
 use arcless_core::linear::static_response::StaticSolver;

@@ -1,8 +1,8 @@
 //! Replay of the inputs that the fuzzer kept, `fuzz/corpus`, one line each: those that reach what no
 //! other one reaches. `make fuzz` looks for more; what it found is written down in `border.rs`.
 
-use crate::hostile::border::{self, Reached};
-use crate::hostile::lcp;
+use crate::tests::hostile::border::{self, Reached};
+use crate::tests::hostile::lcp;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 

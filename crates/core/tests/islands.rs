@@ -1,7 +1,7 @@
 //! Two tension lengths, of which only those that are touched are stepped.
 
-use crate::common::{everything, simple_line, three_masses};
-use crate::resume::{bits, compare, part, sums};
+use crate::tests::common::{everything, simple_line, three_masses};
+use crate::tests::resume::{bits, compare, part, sums};
 
 use arcless_core::checkpoint::Checkpoint;
 use arcless_core::integrator::wire_model::WireModel;

@@ -1,6 +1,6 @@
 //! Lanes: wires one behind the other.
 
-use crate::common;
+use crate::tests::common;
 
 use arcless_core::slideline::Slideline;
 use arcless_core::statics::Geometry;

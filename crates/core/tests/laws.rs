@@ -1,6 +1,6 @@
 //! Springs, dampers and dry friction given by tables, in whole runs.
 
-use crate::common;
+use crate::tests::common;
 
 use arcless_core::CoreError;
 use arcless_core::pantograph::breakpoint::ForceKind;

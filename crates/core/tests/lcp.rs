@@ -3,7 +3,7 @@
 #[path = "lcp_hard/mod.rs"]
 mod lcp_hard;
 
-use crate::lcp_oracle;
+use crate::tests::lcp_oracle;
 use arcless_core::lcp::{FailureReason, LcpFailure, LcpSolver, LcpStats, RESIDUAL_MAX, residual};
 use lcp_oracle::{Problem, enumeration, generate, lemke};
 use proptest::prelude::*;

@@ -1,6 +1,6 @@
 //! The energy ledger: what enters a run is stored, dissipated or lost, to rounding.
 
-use crate::common;
+use crate::tests::common;
 
 use arcless_core::energy_terms::EnergyTerms;
 use arcless_core::scheme::Scheme;

@@ -1,6 +1,6 @@
 //! A line stepped from outside: the same steps as a run, nothing allocated, failures that leave it whole.
 
-use crate::common;
+use crate::tests::common;
 
 use allocation_counter::measure;
 use arcless_core::CoreError;

@@ -1,6 +1,6 @@
 //! Forces given on the line over time: closed forms of a taut string, the ledger, no trace of zero.
 
-use crate::common;
+use crate::tests::common;
 
 use arcless_core::CoreError;
 use arcless_core::linear::loads::Load;

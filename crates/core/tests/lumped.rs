@@ -1,7 +1,7 @@
 //! Wires as chains of point masses: against closed forms of the chain and of the continuous wire,
 //! and against Hermite elements on a whole line.
 
-use crate::common;
+use crate::tests::common;
 
 use arcless_core::CoreError;
 use arcless_core::integrator::wire_model::WireModel;

@@ -1,8 +1,8 @@
 //! Correction of the period error: waves on a string, and a mass that stays positive.
 
-use crate::common::Single;
-use crate::common::chain::settled;
-use crate::common::lanes::STRING;
+use crate::tests::common::Single;
+use crate::tests::common::chain::settled;
+use crate::tests::common::lanes::STRING;
 use arcless_core::integrator::state::WireState;
 use arcless_core::integrator::wire_model::WireModel;
 use arcless_core::linear::model::LinearModel;

@@ -1,7 +1,7 @@
 //! Series handed on in pieces, and rows that hold only what is near.
 
-use crate::common::{everything, prepare, simple_line, three_masses};
-use crate::resume::{bits, way};
+use crate::tests::common::{everything, prepare, simple_line, three_masses};
+use crate::tests::resume::{bits, way};
 
 use arcless_core::CoreError;
 use arcless_core::integrator::wire_model::WireModel;

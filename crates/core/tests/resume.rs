@@ -1,6 +1,6 @@
 //! Parts of a run one after the other are the whole run, bit for bit.
 
-use crate::common;
+use crate::tests::common;
 
 use arcless_core::CoreError;
 use arcless_core::checkpoint::Checkpoint;

@@ -1,6 +1,6 @@
 //! Riders on moving ground, under given forces, and against their stops.
 
-use crate::common;
+use crate::tests::common;
 
 use arcless_core::pantograph::bump_stop::BumpStop;
 use arcless_core::pantograph::excitation::{BaseMotion, Excitation, ExcitationNow, ForceHistory};

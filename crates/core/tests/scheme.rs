@@ -1,6 +1,6 @@
 //! Time-stepping schemes on one oscillator: exact steps, order, damping, stability.
 
-use crate::common;
+use crate::tests::common;
 
 use arcless_core::CoreError;
 use arcless_core::pantograph::excitation::Excitation;

@@ -1,6 +1,6 @@
 //! Static equilibrium against closed forms, and the round trip between its two questions.
 
-use crate::common;
+use crate::tests::common;
 
 use arcless_core::CoreError;
 use arcless_core::element::hermite;

@@ -1,6 +1,6 @@
 //! One step: a run is nothing but steps, and a copy of a state goes on as the original does.
 
-use crate::common;
+use crate::tests::common;
 
 use arcless_core::integrator::wire_model::WireModel;
 use arcless_core::linear::loads::Loads;

@@ -1,6 +1,6 @@
 //! Beams without tension: they carry by bending alone, and the design leaves no axial force in them.
 
-use crate::common;
+use crate::tests::common;
 
 use arcless_core::CoreError;
 use arcless_core::statics::Geometry;

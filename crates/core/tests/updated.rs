@@ -1,7 +1,7 @@
 //! Updated kinematics: small motion, rest, large forces, and what they refuse. Each step is held
 //! against the published one in `tests/verification/references/test_literal_step.py`.
 
-use crate::common;
+use crate::tests::common;
 
 use arcless_core::CoreError;
 use arcless_core::integrator::wire_model::WireModel;

@@ -2,11 +2,11 @@
 
 use super::islands::two_lengths;
 use super::{Chain, explicit};
-use crate::common::chain::lumped;
-use crate::common::space::staggered;
-use crate::common::{everything, run, simple_line_of, three_masses, travel};
-use crate::islands::{near, way};
-use crate::resume::{compare, part};
+use crate::tests::common::chain::lumped;
+use crate::tests::common::space::staggered;
+use crate::tests::common::{everything, run, simple_line_of, three_masses, travel};
+use crate::tests::islands::{near, way};
+use crate::tests::resume::{compare, part};
 use arcless_core::CoreError;
 use arcless_core::energy_terms::EnergyTerms;
 use arcless_core::integrator::wire_model::WireModel;
@@ -40,7 +40,7 @@ fn hard<const DIM: usize, const D: usize>(h: f64, plan: &RecordPlan) -> Record {
 }
 
 fn explicit_rigid(chain: &Chain) -> WireModel<2, 2> {
-    crate::common::chain::explicit(chain, H, f64::INFINITY).expect("short steps")
+    crate::tests::common::chain::explicit(chain, H, f64::INFINITY).expect("short steps")
 }
 
 fn last(r: &Record) -> EnergyTerms {

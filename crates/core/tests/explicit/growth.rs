@@ -6,7 +6,7 @@
 //! sign in every step has (4 C² (1 + 2β/h) + 2 α h) f(4) = 4.
 
 use super::{Chain, prepare, seen_wire};
-use crate::common::Single;
+use crate::tests::common::Single;
 use arcless_core::CoreError;
 use arcless_core::slideline::point::Nodal;
 use arcless_core::structure::Rayleigh;

@@ -2,8 +2,8 @@
 //! springs, dampers; as implicit steps have them. (Arms are in lines in space.)
 
 use super::{Chain, every, explicit, implicit, pass, plan, way};
-use crate::common::chain::lumped;
-use crate::common::{Single, difference, peak};
+use crate::tests::common::chain::lumped;
+use crate::tests::common::{Single, difference, peak};
 use arcless_core::linear::loads::Load;
 use arcless_core::structure::{Link, Rayleigh, Segment, Spring, SpringMode};
 use std::f64::consts::PI;

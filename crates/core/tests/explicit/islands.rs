@@ -1,9 +1,9 @@
 //! Two tension lengths of chains: what sleeps, and parts of a run, as with implicit steps.
 
 use super::{Chain, explicit};
-use crate::common::chain::lumped;
-use crate::common::simple_line_of;
-use crate::islands::{
+use crate::tests::common::chain::lumped;
+use crate::tests::common::simple_line_of;
+use crate::tests::islands::{
     SHIFT, is_laid_to_rest, parts_are_the_whole, put_behind, sleeps_as_if_awake,
     untouched_is_at_rest,
 };

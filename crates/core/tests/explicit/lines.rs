@@ -1,9 +1,9 @@
 //! A rider under a line with links: the forces of implicit steps of the same chain and curves, as elements shrink.
 
 use super::{Chain, every, explicit, fitted, pass, plan, way};
-use crate::common::chain::lumped;
-use crate::common::simple_line_of;
-use crate::common::space::staggered;
+use crate::tests::common::chain::lumped;
+use crate::tests::common::simple_line_of;
+use crate::tests::common::space::staggered;
 use arcless_core::simulation::recording::record::Record;
 use arcless_core::structure::{Spring, SpringMode};
 

@@ -1,9 +1,9 @@
 //! A loop with explicit steps: the steps of a run.
 
 use super::{explicit, plan, way};
-use crate::common::chain::lumped;
-use crate::common::space::staggered;
-use crate::common::{SPAN, difference, peak, simple_line_of, three_masses};
+use crate::tests::common::chain::lumped;
+use crate::tests::common::space::staggered;
+use crate::tests::common::{SPAN, difference, peak, simple_line_of, three_masses};
 use allocation_counter::measure;
 use arcless_core::integrator::wire_model::WireModel;
 use arcless_core::session::{Collector, Session, SessionStart};

@@ -11,8 +11,8 @@ mod rest;
 mod rounded;
 mod waves;
 
-use crate::common::chain::{self, lumped, settled, yielding};
-use crate::common::{Single, steady, three_masses};
+use crate::tests::common::chain::{self, lumped, settled, yielding};
+use crate::tests::common::{Single, steady, three_masses};
 use arcless_core::CoreError;
 use arcless_core::integrator::wire_model::WireModel;
 use arcless_core::linear::model::LinearModel;

@@ -1,8 +1,8 @@
 //! What explicit steps cannot do is refused.
 
 use super::{Chain, WIRE, prepare, seen_wire};
-use crate::common::chain::settled;
-use crate::common::simple_line;
+use crate::tests::common::chain::settled;
+use crate::tests::common::simple_line;
 use arcless_core::CoreError;
 use arcless_core::integrator::wire_model::WireModel;
 use arcless_core::linear::model::LinearModel;

@@ -1,9 +1,9 @@
 //! At rest under a rider, and the sag that it takes away, as the implicit line has them.
 
 use super::{Chain, WIRE, explicit, fitted, pass, plan, seen_wire, way};
-use crate::common::chain::lumped;
-use crate::common::space::{in_space, staggered};
-use crate::common::{Single, difference, peak, simple_line_of};
+use crate::tests::common::chain::lumped;
+use crate::tests::common::space::{in_space, staggered};
+use crate::tests::common::{Single, difference, peak, simple_line_of};
 
 const STEP: f64 = 1e-3;
 const FORCE: f64 = 90.0;

@@ -15,8 +15,8 @@
 //! has the difference beside it: residual flexibility, negative at points.
 
 use super::{Chain, WIRE, angular, explicit, pass, plan, seen, stiffer, way};
-use crate::common::chain::lumped;
-use crate::common::{Single, peak};
+use crate::tests::common::chain::lumped;
+use crate::tests::common::{Single, peak};
 use arcless_core::integrator::wire_model::WireModel;
 use arcless_core::linear::static_response::StaticSolver;
 use arcless_core::session::{Collector, Session, SessionStart};

@@ -17,7 +17,7 @@
 //! more than 1/30 is taken. c₄ − b ε* is left, and c₃ − a ε* − b where that is more.
 
 use super::{explicit, seen_wire, stiffer};
-use crate::common::{Single, orders};
+use crate::tests::common::{Single, orders};
 use arcless_core::slideline::point::Nodal;
 use std::f64::consts::PI;
 

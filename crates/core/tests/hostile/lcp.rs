@@ -1,7 +1,7 @@
 //! Complementarity problems of any numbers, and P-matrices made on purpose.
 
+use super::super::lcp_oracle::{Problem, lemke};
 use super::feed::Feed;
-use crate::lcp_oracle::{Problem, lemke};
 use arcless_core::lcp::{FailureReason, LcpSolver, RESIDUAL_MAX, residual};
 
 /// What became of a problem.

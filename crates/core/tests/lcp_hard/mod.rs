@@ -1,7 +1,7 @@
 //! Published hard problems, and problems on which the energy criterion alone never ends.
 
 use super::{conditions_hold, difference, solve, try_solve};
-use crate::lcp_oracle::{Problem, enumeration, generate};
+use crate::tests::lcp_oracle::{Problem, enumeration, generate};
 use arcless_core::lcp::{FailureReason, PIVOTS_BASE, PIVOTS_PER_ROW};
 
 /// K. G. Murty, "Computational complexity of complementary pivot methods", Mathematical Programming

@@ -7,12 +7,12 @@
 //!
 //! whose determinant is 1 − αh − Λβ/h: the factor of x d′ − x′ d of a mode in every step.
 
-use crate::common::Single;
-use crate::common::chain::{explicit, lumped};
 use crate::integrator::explicit::{ChainState, Explicit};
 use crate::integrator::wire_model::Integrator;
 use crate::integrator::wire_model::WireModel;
 use crate::structure::Rayleigh;
+use crate::tests::common::Single;
+use crate::tests::common::chain::{explicit, lumped};
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 

@@ -1,14 +1,14 @@
 //! Packed reads and writes against the same steps one by one: not a bit may differ.
 
-use crate::common::chain::{explicit, lumped};
-use crate::common::space::staggered;
-use crate::common::{everything, run, simple_line_of, steady, three_masses};
 use crate::integrator::explicit::Explicit;
 use crate::integrator::explicit::simd::packed::SIMD_LANES;
 use crate::integrator::wire_model::Integrator;
 use crate::integrator::wire_model::WireModel;
 use crate::simulation::recording::record::{Record, RecordPlan};
 use crate::structure::Structure;
+use crate::tests::common::chain::{explicit, lumped};
+use crate::tests::common::space::staggered;
+use crate::tests::common::{everything, run, simple_line_of, steady, three_masses};
 
 const STEP: f64 = 1e-3;
 const SPANS: usize = 8;
