@@ -9,7 +9,7 @@ from arcless.model.line.parts.spans import SpanType
 # Nearer to one another two places are one, in m.
 SAME_PLACE = 1e-3
 
-# Whether a wire is anchored at the left and at the right end of a span.
+# Anchors of a wire at the left and at the right end of a span.
 Ends = tuple[bool, bool]
 
 
