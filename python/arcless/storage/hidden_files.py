@@ -21,30 +21,42 @@ _PATIENCE_S = 10.0
 
 
 class Claim:
-    """A name for a hidden file or folder that belongs to this process until it is closed.
+    """A name for a hidden file or folder that belongs to this process while it is taken.
 
-    Raises
-    ------
-    OSError
-        Nothing can be written there.
+    Nothing is made before `take`.
     """
 
     def __init__(self, path: Path) -> None:
-        while True:
-            self._lock = Lock(path.with_name(path.name + _LOCK))
-            try:
+        self._path = path.with_name(path.name + _LOCK)
+        self._lock: Lock | None = None
+
+    def take(self) -> None:
+        """Take the name; where that is interrupted, nothing of it stays.
+
+        Raises
+        ------
+        OSError
+            Nothing can be written there.
+        """
+        try:
+            while True:
+                self._lock = Lock(self._path)
                 with suppress(OSError):  # a file system without locks: nobody sweeps there
                     self._lock.take(_PATIENCE_S)
-            except BaseException:
-                self.close()
-                raise
-            if self._lock.path.exists():
-                return
-            self._lock.close()  # a sweeper saw it before it was taken, and removed it
+                if self._path.exists():
+                    return
+                self._lock.close()  # a sweeper saw it before it was taken, and removed it
+        except BaseException:
+            self.close()
+            raise
 
     def close(self) -> None:
         """Give the name back; what has it is gone, or goes with the next sweep."""
-        _remove_file(self._lock)
+        if self._lock is not None:
+            _remove_file(self._lock)
+        else:  # interrupted when the file stood there, and nothing knew it
+            with suppress(OSError):
+                self._path.unlink(missing_ok=True)
 
 
 def new_name() -> str:
@@ -57,6 +69,7 @@ def claimed(path: Path) -> Iterator[None]:
     """Claim the name of a hidden file while it is written."""
     claim = Claim(path)
     try:
+        claim.take()
         yield
     finally:
         claim.close()
@@ -66,11 +79,14 @@ def create_folder(path: Path) -> Claim:
     """Create a hidden folder, which belongs to this process until the claim is closed."""
     claim = Claim(path)
     try:
+        claim.take()
         path.mkdir(mode=0o700)
+        return claim
     except BaseException:
+        with suppress(OSError):
+            path.rmdir()
         claim.close()
         raise
-    return claim
 
 
 def sweep(folder: Path) -> None:
