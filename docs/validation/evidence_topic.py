@@ -23,7 +23,8 @@ the source named; B, C, C\\*: second hand or from memory, hence unverified.""",
 GOAL = "of its goal"
 HEAD = """Written by the tests (`make evidence`). *Used* is the part of the tolerance that the value
 uses up. Values marked † are measured by `make evidence` only, all others in every `make test`,
-which compares them with this page.
+which compares them with this page. Of the faults of a section `make test` tries the first that has
+no †, `make evidence` all.
 """
 
 

@@ -47,6 +47,7 @@ def test_from_each_operation_beside_an_older_run(stop: Stop, place: Place) -> No
     assert full_from_each_operation(stop, place, "older", FEW) > 3
 
 
+@pytest.mark.evidence
 def test_from_each_operation_of_a_first_run(stop: Stop, place: Place) -> None:
     assert full_from_each_operation(stop, place, "fresh", FEW) > 3
 

@@ -57,6 +57,7 @@ def interrupt_everywhere(stop: Stop, place: Place, kind: str, words: list[str]) 
     raise AssertionError("it never comes to an end")
 
 
+@pytest.mark.evidence
 def test_at_every_operation_beside_an_older_run(stop: Stop, place: Place) -> None:
     assert interrupt_everywhere(stop, place, "older", FEW) > 8
 

@@ -31,6 +31,7 @@ def kill_everywhere(stop: Stop, place: Place, kind: str, words: list[str]) -> li
         assert all(path.startswith("out/.arcless-unfinished-") for path in hidden), hidden
 
 
+@pytest.mark.evidence
 def test_at_every_operation_of_a_first_run(stop: Stop, place: Place) -> None:
     told = kill_everywhere(stop, place, "fresh", FEW)
     assert len(told) > 8
@@ -65,6 +66,7 @@ def kill_at_random(stop: Stop, place: Place, count: int, words: list[str], longe
     return killed
 
 
+@pytest.mark.evidence
 def test_at_random_moments(stop: Stop, place: Place) -> None:
     assert kill_at_random(stop, place, 12, FEW, longest_s=0.5) > 0
 

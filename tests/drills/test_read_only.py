@@ -112,7 +112,7 @@ def test_what_it_holds_can_be_read(
     assert check_whole(folder / "out") == OLD
 
 
-@pytest.mark.parametrize("state", ["at rest", "killed"])
+@pytest.mark.parametrize("state", [pytest.param("at rest", marks=pytest.mark.evidence), "killed"])
 def test_a_study_can_be_looked_at(
     powerless: Callable[..., subprocess.CompletedProcess[str]], tmp_path: Path, state: str
 ) -> None:

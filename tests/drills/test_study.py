@@ -68,7 +68,11 @@ def go_on(stop: Stop, folder: Path, expected: list[dict[str, Any]]) -> None:
     assert leftovers(folder) == []
 
 
-@pytest.mark.parametrize("there", [1, 5, 12])
+SLOW = pytest.mark.evidence
+ALSO = [pytest.param(how, marks=SLOW) for how in ("full", "interrupt")]
+
+
+@pytest.mark.parametrize("there", [pytest.param(1, marks=SLOW), 5, pytest.param(12, marks=SLOW)])
 def test_killed_between_rows(
     stop: Stop, tmp_path: Path, expected: list[dict[str, Any]], there: int
 ) -> None:
@@ -81,6 +85,7 @@ def test_killed_between_rows(
     go_on(stop, folder, expected)
 
 
+@pytest.mark.evidence
 def test_killed_again_and_again(stop: Stop, tmp_path: Path, expected: list[dict[str, Any]]) -> None:
     folder, word = placed(tmp_path / "one", **LONG), "run"
     for there in (3, 6, 9, 12):
@@ -120,7 +125,7 @@ def check_end(end: End, how: str) -> None:
         assert end.code == KILLED
 
 
-@pytest.mark.parametrize("how", ["kill", "full", "interrupt"])
+@pytest.mark.parametrize("how", ["kill", *ALSO])
 def test_at_some_operations(stop: Stop, tmp_path: Path, how: str) -> None:
     assert everywhere(stop, tmp_path, how, 13) > 20
 
@@ -131,7 +136,7 @@ def test_at_every_operation(stop: Stop, tmp_path: Path, how: str) -> None:
     assert everywhere(stop, tmp_path, how, 1) > 20
 
 
-@pytest.mark.parametrize("there", [1, 8])
+@pytest.mark.parametrize("there", [1, pytest.param(8, marks=SLOW)])
 def test_interrupted(
     stop: Stop, tmp_path: Path, expected: list[dict[str, Any]], there: int
 ) -> None:

@@ -93,6 +93,7 @@ def test_the_scheduler_is_killed(
     assert rows(out / "table.parquet") == expected
 
 
+@pytest.mark.evidence
 def test_all_workers_are_killed_and_another_one_comes(
     cluster: Cluster,
     tmp_path: Path,
@@ -156,6 +157,7 @@ def control(_input):
 """
 
 
+@pytest.mark.evidence
 def test_a_variant_that_kills_its_worker_is_a_row(tmp_path: Path) -> None:
     (tmp_path / "deadly.py").write_text(DEADLY)
     deadly = {"sample_time": "4 ms", "function": f"{tmp_path / 'deadly.py'}:control"}
@@ -177,6 +179,7 @@ def test_a_variant_that_kills_its_worker_is_a_row(tmp_path: Path) -> None:
     assert found[2]["error"] == "every worker that computed it died"
 
 
+@pytest.mark.evidence
 def test_a_terminal_interrupts_worker_processes_too(tmp_path: Path) -> None:
     file = written(tmp_path, variables={**VARIABLES, "force": FORCES},
                    set={**QUICK, "solver.time_step": "0.5 ms"})  # fmt: skip

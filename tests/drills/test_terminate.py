@@ -40,7 +40,8 @@ def check_stopped(end: End, folder: Path, kind: str, how: str) -> bool:
     return False
 
 
-@pytest.mark.parametrize("how", ["terminate", pytest.param("hang up", marks=pytest.mark.evidence)])
+@pytest.mark.evidence
+@pytest.mark.parametrize("how", ["terminate", "hang up"])
 def test_at_every_operation_beside_an_older_run(stop: Stop, place: Place, how: str) -> None:
     for stopped in range(100):
         folder = place("older")

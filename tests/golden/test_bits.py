@@ -13,8 +13,6 @@ from tests.golden.cases import IN_SPACE, PLANAR, Case, cases
 # One of each kind of steps and of callers: some seconds. The others take minutes.
 QUICK = {
     f"run {IN_SPACE}",
-    f"run {PLANAR}, hht",
-    f"run {PLANAR}, updated, lumped",
     f"run {PLANAR}, two pantographs",
     "stopped and resumed",
     "session, forces given",

@@ -49,6 +49,7 @@ def test_own_line(capsys: pytest.CaptureFixture[str]) -> None:
     assert "span 6 dropper 6" in capsys.readouterr().out
 
 
+@pytest.mark.evidence
 def test_tension_coupling(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     figure = tmp_path / "figure.svg"
     found = load("tension_coupling").main([10e3, 20e3], str(figure))
@@ -69,6 +70,7 @@ def test_controlled(capsys: pytest.CaptureFixture[str]) -> None:
     assert len(capsys.readouterr().out.splitlines()) == 6
 
 
+@pytest.mark.evidence
 def test_bench_in_the_loop(capsys: pytest.CaptureFixture[str]) -> None:
     found = load("bench_in_the_loop").main()
     # Two programs in a loop, one step apart, and one model. The step of delay makes σ larger in

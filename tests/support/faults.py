@@ -31,7 +31,8 @@ class Fault:
     """One thing broken and a check that must notice it: a line of FAULTS in a verification file.
 
     `broken` is one context manager or several, entered in this order. Arguments of the check are
-    `given`; those that are not are fixtures. A slow fault is left to `make evidence`.
+    `given`; those that are not are fixtures. `make test` tries the first fault of a table that is
+    not slow, `make evidence` all of them.
     """
 
     def __init__(

@@ -183,6 +183,7 @@ def test_energies_of_the_pantograph(evidence: Any) -> None:
     )
 
 
+@pytest.mark.evidence
 def test_a_whole_shipped_run(evidence: Any) -> None:
     force = {"pantographs.0.mean_force": None, "pantographs.0.static_force": 172.0}
     result = arcless.run(arcless.load("en50318-ac-simple-320-planar").with_(**TRAPEZOIDAL | force))

@@ -16,6 +16,7 @@ from typing import Any
 from unittest.mock import patch
 
 import numpy as np
+import pytest
 
 import arcless
 from arcless.assess.signals.filter import low_pass
@@ -65,6 +66,7 @@ def force(*distances: float) -> np.ndarray:
     return np.asarray(raw["force"].reshape(-1, len(distances))[:, -1])
 
 
+@pytest.mark.evidence
 def test_trailing(evidence: Evidence) -> None:
     alone, trailing = force(0.0), force(0.0, APART)
     first_span = int(55 / (TRAVEL.speeds[0] * TRAVEL.time_step))
@@ -93,6 +95,5 @@ def test_trailing(evidence: Evidence) -> None:
 
 
 FAULTS = [
-    Fault("110 m apart, not 6 km", patch.multiple(__name__, APART=110.0), test_trailing,
-          slow=True),
+    Fault("110 m apart, not 6 km", patch.multiple(__name__, APART=110.0), test_trailing, slow=True),
 ]  # fmt: skip

@@ -91,7 +91,9 @@ def literal(force: float) -> tuple[Floats, Floats]:
     return np.array(forces), np.array(gaps)
 
 
-@pytest.mark.parametrize(("force", "opens"), [(150.0, False), (20.0, True)])
+@pytest.mark.parametrize(
+    ("force", "opens"), [pytest.param(150.0, False, marks=pytest.mark.evidence), (20.0, True)]
+)
 def test_every_step(evidence: Evidence, force: float, opens: bool) -> None:
     forces, gaps = run(force)
     exact, exact_gaps = literal(force)
