@@ -56,6 +56,16 @@ class Group:
     sources: dict[str, str]
     left_out: int = 0
 
+    @property
+    def given(self) -> list[Row]:
+        """Values that somebody gave."""
+        return [row for row in self.rows if not row.is_default]
+
+    @property
+    def defaults(self) -> list[Row]:
+        """Values that nobody gave."""
+        return [row for row in self.rows if row.is_default]
+
 
 def groups(scenario: Scenario) -> list[Group]:
     """Return one group for the scenario, its line and each different pantograph."""

@@ -1,103 +1,174 @@
 """Figures and texts → one HTML text that loads nothing."""
 
-import html
 import json
-from collections.abc import Mapping
+from base64 import b64encode
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from functools import cache
+from hashlib import sha256
 from importlib.metadata import version
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from arcless.report.drawing.bokeh_objects import Model, document
+from arcless.figures.description import Figure
+from arcless.figures.description.tokens import css, tokens
+from arcless.report.drawing.bokeh_figure import Drawing, Entry
+from arcless.report.drawing.bokeh_objects import Document, Model, document
 
 if TYPE_CHECKING:
     from jinja2 import Environment
 
 # Bokeh's script, and the further ones of tables.
 _SCRIPTS, _TABLES = ("bokeh",), ("bokeh-widgets", "bokeh-tables")
+_HERE = Path(__file__).parent / "pages"
 
 
 def import_ahead() -> None:
     """Load the libraries of a run's page, which can be done during the run."""
-    _templates().get_template("page.html")
+    _templates().get_template("run.html")
     _library(_SCRIPTS)
 
 
 @cache
 def _templates() -> "Environment":
-    """Return the templates of this folder; one that was compiled is kept."""
+    """Return the templates; one that was compiled is kept."""
     from jinja2 import Environment, FileSystemLoader
 
-    return Environment(
+    made = Environment(
         autoescape=True,
         trim_blocks=True,
         lstrip_blocks=True,
-        loader=FileSystemLoader(Path(__file__).parent),
+        loader=FileSystemLoader(_HERE),
     )
+    made.globals["tokens_css"] = css
+    return made
+
+
+@dataclass(frozen=True)
+class Script:
+    """A script of a page, and the hash by which the page's policy of content allows it."""
+
+    text: str
+    hash: str
 
 
 @cache
-def _library(names: tuple[str, ...]) -> str:
-    """Return scripts of Bokeh, for the head of a page; Bokeh itself is not imported."""
+def _library(names: tuple[str, ...]) -> tuple[Script, ...]:
+    """Return the scripts of a page: Bokeh's, which is not imported, then the page's own."""
     found = find_spec("bokeh")
     assert found is not None and found.origin is not None
     folder = Path(found.origin).parent / "server" / "static" / "js"
     texts = [(folder / f"{name}.min.js").read_text("utf-8") for name in names]
-    texts.append('Bokeh.set_log_level("warn");')
-    return "".join(f"<script>\n{text}\n</script>\n" for text in texts)
+    texts.append((_HERE / "page.js").read_text("utf-8"))
+    return tuple(_script(f"\n{text}\n") for text in texts)
+
+
+def _script(text: str) -> Script:
+    return Script(text, b64encode(sha256(text.encode()).digest()).decode("ascii"))
+
+
+@dataclass(frozen=True)
+class Shown:
+    """A figure as a template shows it.
+
+    Attributes
+    ----------
+    figure
+        Its description: title, caption, alternative text.
+    place
+        Name of the element that the script draws in.
+    legend
+        Entries, each with the names of what it shows and hides.
+    """
+
+    figure: Figure
+    place: str
+    legend: list[tuple[Entry, str]]
+
+
+Figures = Mapping[str, "Figure | Sequence[Figure] | None"]
 
 
 def render(
-    template: str, figures: Mapping[str, Model | None], *, widgets: bool = False, **texts: Any
+    template: str,
+    figures: Figures,
+    *,
+    objects: Mapping[str, Model] | None = None,
+    drawing: Drawing | None = None,
+    track: Mapping[str, Any] | None = None,
+    **texts: Any,
 ) -> str:
-    """Fill a template of this folder.
+    """Fill a template of the folder `pages`.
 
     Parameters
     ----------
     template
-        File name of the template; it finds the figures in `figure`.
+        File name of the template; it finds the figures in `figure`, each as a list of `Shown`.
     figures
-        Figures by their place on the page; None where there is none.
-    widgets
-        Whether there are tables among the figures.
+        Figures by their place on the page, one or several; None where there is none.
+    objects
+        Other objects of the script, such as tables, by their place; the template finds the
+        element of each in `object`.
+    drawing
+        Columns that figures and other objects share; new ones without.
+    track
+        Names of places along the axis of group ``track``, told where the cross hair stands.
     **texts
         What else the template shows; escaped there.
     """
     from markupsafe import Markup
 
-    drawn = {name: fig for name, fig in figures.items() if fig is not None}
-    objects, roots = document(drawn.values())
+    drawing, objects = drawing or Drawing(), objects or {}
+    wanted = {name: _listed(found) for name, found in figures.items()}
+    drawn = {name: [drawing.draw(one) for one in found] for name, found in wanted.items()}
+    plots = [one.plot for found in drawn.values() for one in found]
+    written = document([*plots, *objects.values()])
+    data = _data(written, drawing, track or {})
+    scripts = _library((*_SCRIPTS, *_TABLES) if objects else _SCRIPTS)
     filled = _templates().get_template(template)
     return filled.render(
-        library=Markup(_library((*_SCRIPTS, *_TABLES) if widgets else _SCRIPTS)),
-        script=Markup(_script(objects, roots) if drawn else ""),
+        scripts=[Markup(f"<script>{script.text}</script>") for script in scripts],
+        policy=" ".join(f"'sha256-{script.hash}'" for script in scripts),
+        data=Markup(data),
         figure={
-            name: Markup(f'<div id="{_place(root)}" style="display: contents;"></div>')
-            for name, root in zip(drawn, roots, strict=True)
+            name: [_shown(one, written) for one in found] for name, found in drawn.items() if found
         },
+        object={name: _place(written.name_of(made)) for name, made in objects.items()},
         **texts,
     )
 
 
+def _listed(found: "Figure | Sequence[Figure] | None") -> list[Figure]:
+    if found is None:
+        return []
+    return [found] if isinstance(found, Figure) else list(found)
+
+
+def _shown(one: Any, written: Document) -> Shown:
+    legend = [
+        (entry, " ".join(written.name_of(made) for made in entry.drawn)) for entry in one.legend
+    ]
+    return Shown(one.figure, _place(written.name_of(one.plot)), legend)
+
+
 def _place(root: str) -> str:
-    return f"figure-{root}"
+    return f"plot-{root}"
 
 
-def _script(objects: list[Any], roots: list[str]) -> str:
-    """Return the script that draws, at the end of a page.
-
-    The objects are text between quotes, in which the script undoes what is escaped: no name in it
-    ends the text or the page's own script.
-    """
-    page = {"page": {"version": version("bokeh"), "roots": objects}}
-    text = html.escape(json.dumps(page, allow_nan=False, separators=(",", ":")), quote=False)
-    text = text.replace("'", "&#x27;").replace("\\", "\\\\")
-    places = {root: _place(root) for root in roots}
-    items = [{"docid": "page", "roots": places, "root_ids": roots}]
-    return f"""<script>
-Bokeh.safely(() => {{
-const docs_json = '{text}';
-Bokeh.embed.embed_items(docs_json, {json.dumps(items)});
-}});
-</script>"""
+def _data(written: Document, drawing: Drawing, track: Mapping[str, Any]) -> str:
+    """Return what the page's script reads, as JSON in which nothing ends an element of HTML."""
+    groups = {
+        group: {name: written.name_of(made) for name, made in parts.items()}
+        for group, parts in drawing.groups().items()
+    }
+    page = {
+        "objects": {"version": version("bokeh"), "roots": written.roots},
+        "places": {name: _place(name) for name in written.names},
+        "colours": written.colours,
+        "schemes": {scheme: tokens()[scheme] for scheme in ("light", "dark")},
+        "groups": groups,
+        "track": track,
+    }
+    text = json.dumps(page, allow_nan=False, separators=(",", ":"), ensure_ascii=False)
+    return text.replace("<", "\\u003c").replace("\u2028", "\\u2028").replace("\u2029", "\\u2029")

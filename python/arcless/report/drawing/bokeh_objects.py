@@ -14,6 +14,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from arcless.figures.description.tokens import colour
+
 # Types that the script has arrays for; others are written as lists.
 _ARRAYS = frozenset(map(np.dtype, ("float32", "float64", "int32")))
 # Measured: the next levels take longer than they save in a page.
@@ -62,19 +64,72 @@ class Value:
     value: Any
 
 
-def columns(data: Mapping[str, Any]) -> Model:
-    """Return columns of equal length, as figures and tables draw from."""
-    return Model("ColumnDataSource", data=dict(data))
+@dataclass(frozen=True)
+class Token:
+    """Colour by its meaning: written as it is in light pages, and listed for the others."""
+
+    name: str
 
 
-def document(roots: Iterable[Model]) -> tuple[list[Any], list[str]]:
-    """Return the document that the script draws, ready for JSON, and a name for each root."""
-    known: dict[int, str] = {}
+class Columns(Model):
+    """Columns of equal length, as figures and tables draw from."""
+
+    __slots__ = ("_known",)
+
+    def __init__(self, data: Mapping[str, Any] | None = None) -> None:
+        super().__init__("ColumnDataSource", data=dict(data or {}))
+        # The values are kept with their names, so that no others have the same identity.
+        self._known: dict[int, tuple[str, Any]] = {}
+
+    def name_of(self, values: Any) -> str:
+        """Return the name of the column with these values, which is added where there is none."""
+        if id(values) not in self._known:
+            name = f"c{len(self._known)}"
+            self.data[name] = values
+            self._known[id(values)] = name, values
+        return self._known[id(values)][0]
+
+
+@dataclass(frozen=True)
+class Document:
+    """What the script draws, ready for JSON.
+
+    Attributes
+    ----------
+    roots
+        The objects, with all that belongs to them.
+    names
+        Name of each root.
+    colours
+        Token → names of objects and attributes that have its colour.
+    """
+
+    roots: list[Any]
+    names: list[str]
+    colours: dict[str, list[list[str]]]
+    known: "_Known"
+
+    def name_of(self, model: Model) -> str:
+        """Return the name of an object that was written."""
+        return self.known.names[id(model)]
+
+
+class _Known:
+    """Names of the objects that were written, and where tokens are."""
+
+    def __init__(self) -> None:
+        self.names: dict[int, str] = {}
+        self.colours: dict[str, list[list[str]]] = {}
+
+
+def document(roots: Iterable[Model]) -> Document:
+    """Return the document of some objects."""
+    known = _Known()
     written = [_written(root, known) for root in roots]
-    return written, [one["id"] for one in written]
+    return Document(written, [one["id"] for one in written], known.colours, known)
 
 
-def _written(value: Any, known: dict[int, str]) -> Any:
+def _written(value: Any, known: _Known) -> Any:
     """Return a value as JSON has it; an object that was written is a reference from then on."""
     found = value
     match value:
@@ -97,16 +152,22 @@ def _written(value: Any, known: dict[int, str]) -> Any:
             found = {"type": "field", "field": name}
             if transform is not None:
                 found["transform"] = _written(transform, known)
+        case Token(name):
+            found = colour(name)
         case Value(same):
             found = {"type": "value", "value": same}
     return found
 
 
-def _object(model: Model, known: dict[int, str]) -> dict[str, Any]:
-    if id(model) in known:
-        return {"id": known[id(model)]}
-    name = known[id(model)] = f"p{len(known) + 1}"
-    attributes = {key: _written(value, known) for key, value in vars(model).items()}
+def _object(model: Model, known: _Known) -> dict[str, Any]:
+    if id(model) in known.names:
+        return {"id": known.names[id(model)]}
+    name = known.names[id(model)] = f"p{len(known.names) + 1}"
+    attributes = {}
+    for key, value in vars(model).items():
+        if isinstance(value, Token):
+            known.colours.setdefault(value.name, []).append([name, key])
+        attributes[key] = _written(value, known)
     return {"type": "object", "name": model.kind, "id": name, "attributes": attributes}
 
 

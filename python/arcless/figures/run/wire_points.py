@@ -3,9 +3,9 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from arcless.report.drawing.thinning import envelope, every
-from arcless.report.figures.run_data import RunData
-from arcless.report.figures.track_axis import MARKS
+from arcless.figures.description.thinning import envelope, every
+from arcless.figures.run.run_data import RunData
+from arcless.figures.run.track import MARKS
 
 Floats = NDArray[np.float64]
 

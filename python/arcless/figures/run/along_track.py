@@ -1,0 +1,261 @@
+"""Figures along the track: contact force, loss of contact, height of the contact point."""
+
+import numpy as np
+
+from arcless.assess.signals.filter import low_pass, sample_rate_Hz
+from arcless.figures.description import Axis, Curve, Figure, Layer, Points, Rules, Texts
+from arcless.figures.description.tokens import of_pantograph, of_series
+from arcless.figures.run.run_data import Floats, RunData
+from arcless.figures.run.track import (
+    along,
+    filtered,
+    place_name,
+    span_at,
+    span_numbers,
+    supports,
+    titled,
+    unfiltered,
+)
+from arcless.figures.run.wire_points import wire_points
+
+FORCE = "contact force"
+# Spans of the first figure on either side of that with the worst place, and its extra height.
+BESIDE, HEADROOM = 1, 0.16
+LEAD_HEIGHT, TALL = 330, 320
+WIRE_POINTS = 3000
+# A limit this far above what was reached is not drawn: it would flatten the curves.
+FAR_LIMIT = 1.6
+
+
+def lead(run: RunData) -> list[Figure]:
+    """Return the first figure: the force in the spans around the worst place, with its limits."""
+    window = _worst_window(run)
+    shown = [(run.position[:, i] >= window[0]) & (run.position[:, i] <= window[1])
+             for i in range(len(run.pantographs))]  # fmt: skip
+    low, high = _force_range(run, shown)
+    top = high + HEADROOM * (high - low)
+    found = []
+    for i, numbers in enumerate(run.assessment.pantographs):
+        begin, end = run.assessment.section_m
+        peaks, alt = _peaks(run, i, window)
+        x = Axis("position along the track", "m", window[0], window[1])
+        found.append(
+            Figure(
+                f"lead-{i + 1}",
+                titled(run, "Contact force around the worst place", i),
+                x,
+                Axis(FORCE, "N", low, top),
+                [
+                    *supports(run),
+                    *_unfiltered(run, i),
+                    *_statistics(run, i, limit_up_to=high),
+                    filtered(run, i, run.record.bands.total[:, i], "contact force N 0.0",
+                             name=_filtered_name(run), width=2.2),
+                    *span_numbers(run, *window, top),
+                    *peaks,
+                ],
+                caption=f"Mean and F_m ± 3σ are those of the section assessed, {begin:.0f} to"
+                f" {end:.0f} m. All of it is in the figure of the force along the track.",
+                alt=f"Contact force of {numbers.name} from {window[0]:.0f} to {window[1]:.0f} m."
+                f" {alt} Mean {numbers.mean_force_N:.1f} N, standard deviation"
+                f" {numbers.std_force_N:.1f} N in the section assessed.",
+                height=LEAD_HEIGHT,
+            )
+        )  # fmt: skip
+    return found
+
+
+def extremes(run: RunData, pantograph: int) -> tuple[tuple[float, float], tuple[float, float]]:
+    """Return position in m and filtered force in N of the maximum and minimum in the section."""
+    inside = np.flatnonzero(run.record.inside[:, pantograph])
+    force = run.record.bands.total[inside, pantograph]
+    rows = inside[[int(force.argmax()), int(force.argmin())]]
+    (top, bottom) = (
+        (float(run.position[row, pantograph]), float(run.record.bands.total[row, pantograph]))
+        for row in rows
+    )
+    return top, bottom
+
+
+def worst(run: RunData) -> tuple[int, str, float, float]:
+    """Return the place furthest from the mean in standard deviations, of all pantographs.
+
+    Number of the pantograph from 0, ``"maximum"`` or ``"minimum"``, position in m, force in N.
+    """
+    found = []
+    for i, numbers in enumerate(run.assessment.pantographs):
+        scale = max(numbers.std_force_N, 1e-9)
+        for kind, (x, force) in zip(("maximum", "minimum"), extremes(run, i), strict=True):
+            found.append((abs(force - numbers.mean_force_N) / scale, (i, kind, x, force)))
+    return max(found)[1]
+
+
+def force(run: RunData) -> list[Figure]:
+    """Return the contact force of the whole run, a figure for each pantograph."""
+    everywhere = [np.ones(run.time.size, dtype=bool)] * len(run.pantographs)
+    low, high = _force_range(run, everywhere)
+    found = []
+    for i, numbers in enumerate(run.assessment.pantographs):
+        curve = filtered(run, i, run.record.bands.total[:, i], "contact force N 0.0",
+                         name=_filtered_name(run))  # fmt: skip
+        layers = [*_unfiltered(run, i), *_statistics(run, i, limit_up_to=high), curve]
+        found.append(
+            along(
+                run, f"force-{i + 1}", titled(run, "Contact force", i),
+                Axis(FORCE, "N", low, high), layers, height=TALL,
+                caption=f"Filtered: after the {run.assessment.low_pass_Hz:g} Hz low-pass."
+                " The section assessed is shaded.",
+                alt=f"Contact force of {numbers.name} along the track, between"
+                f" {numbers.min_force_N:.1f} and {numbers.max_force_N:.1f} N in the section"
+                " assessed after the low-pass.",
+            )
+        )  # fmt: skip
+    return found
+
+
+def shares(run: RunData) -> list[Figure]:
+    """Return the filtered force of each contact, where a pantograph has several."""
+    if not run.has("wire_contact_force"):
+        return []
+    limit = run.assessment.low_pass_Hz
+    names = [str(name) for name in run.values("contact")]
+    forces = low_pass(run.values("wire_contact_force"), sample_rate_Hz(run.time), limit)
+    ends = _padded(float(forces.min()), float(forces.max()))
+    found = []
+    for i, name in enumerate(names):
+        curve = filtered(run, _owner(run, name), forces[:, i], "contact force N 0.0",
+                         colour=of_series(i), name=name)  # fmt: skip
+        found.append(
+            along(
+                run, f"share-{i + 1}", f"Contact force of {name}", Axis(FORCE, "N", *ends), [curve],
+                caption=f"After the {limit:g} Hz low-pass. All contacts have the same scale.",
+                alt=f"Contact force of {name}, from {forces[:, i].min():.1f} to"
+                f" {forces[:, i].max():.1f} N.",
+            )
+        )  # fmt: skip
+    return found
+
+
+def gap(run: RunData) -> list[Figure]:
+    """Return the gap between strip and wire where contact is lost, or could be without a trace."""
+    values = 1e3 * run.values("contact_gap")
+    if not (run.rigid_contact or np.any(run.record.force <= 0.0)):
+        return []
+    top = 1.1 * float(values.max(initial=0.0)) or 1.0
+    return [
+        along(
+            run, f"gap-{i + 1}", titled(run, "Gap between contact strip and contact wire", i),
+            Axis("gap", "mm", 0.0, top),
+            [unfiltered(run, i, values[:, i], colour=of_pantograph(i), name="gap", width=1.3)],
+            alt=f"Gap of {name}, at most {values[:, i].max(initial=0.0):.2f} mm.",
+        )
+        for i, name in enumerate(run.pantographs)
+    ]  # fmt: skip
+
+
+def height(run: RunData) -> list[Figure]:
+    """Return the height of the contact point over the height of the wire at rest."""
+    rest: list[Layer] = []
+    if run.has("contact_wire_node_x", "contact_wire_node_z"):
+        x, z = wire_points(run, "contact_wire", "z", WIRE_POINTS)
+        rest = [Curve(x, z, colour="rest", name="contact wire at rest", width=1.2)]
+    heights = run.dataset["contact_height"].values
+    lowest, highest = float(np.nanmin(heights)), float(np.nanmax(heights))
+    if rest:
+        seen = (x >= run.position.min()) & (x <= run.position.max())
+        lowest = min(lowest, float(np.nanmin(z[seen], initial=lowest)))
+        highest = max(highest, float(np.nanmax(z[seen], initial=highest)))
+    axis = Axis("height above rail", "m", *_padded(lowest, highest), form="0.00")
+    found = []
+    for i, name in enumerate(run.pantographs):
+        curve = filtered(run, i, heights[:, i], "height m 0.000", name="contact point")
+        found.append(
+            along(
+                run, f"height-{i + 1}", titled(run, "Height of the contact point", i), axis,
+                [*rest, curve],
+                alt=f"Height of the contact point of {name}, from {heights[:, i].min():.3f} to"
+                f" {heights[:, i].max():.3f} m above rail.",
+            )
+        )  # fmt: skip
+    return found
+
+
+
+def _filtered_name(run: RunData) -> str:
+    return f"filtered, 0–{run.assessment.low_pass_Hz:g} Hz"
+
+
+def _padded(low: float, high: float) -> tuple[float, float]:
+    margin = 0.06 * (high - low) or 0.5
+    return low - margin, high + margin
+
+
+def _unfiltered(run: RunData, pantograph: int) -> list[Layer]:
+    return [unfiltered(run, pantograph, run.record.force[:, pantograph], name="unfiltered")]
+
+
+def _statistics(run: RunData, pantograph: int, *, limit_up_to: float) -> list[Layer]:
+    """Return mean, mean ± 3σ, and the limits of the latter two."""
+    numbers = run.assessment.pantographs[pantograph]
+    layers: list[Layer] = [
+        Rules(axis="y", at=np.array([numbers.mean_force_N]), colour="mean", name="mean F_m",
+              width=1.2),
+        Rules(axis="y", at=np.array([numbers.statistical_min_N, numbers.statistical_max_N]),
+              colour="spread", name="F_m ± 3σ", dash="dashed", width=1.2),
+    ]  # fmt: skip
+    for name, title in (("statistical_max", "F_m + 3σ"), ("statistical_min", "F_m − 3σ")):
+        limit = run.limit(name, pantograph)
+        if limit is not None and limit <= limit_up_to:
+            layers.append(
+                Rules(axis="y", at=np.array([limit]), colour="limit", dash="dashed", width=1.6,
+                      name=f"limit of {title}: {limit:g} N")
+            )  # fmt: skip
+    return layers
+
+
+def _force_range(run: RunData, shown: list[Floats]) -> tuple[float, float]:
+    """Return the ends of the force axis: what is shown, mean ± 3σ, and limits that are near."""
+    force = [run.record.force[rows, i] for i, rows in enumerate(shown)]
+    numbers = run.assessment.pantographs
+    low = min(0.0, *(p.statistical_min_N for p in numbers), *(float(f.min()) for f in force))
+    high = max(*(p.statistical_max_N for p in numbers), *(float(f.max()) for f in force))
+    limits = [run.limit("statistical_max", i) for i in range(len(numbers))]
+    high = max([high, *(one for one in limits if one is not None and one <= FAR_LIMIT * high)])
+    margin = 0.04 * (high - low)
+    return (low - margin if low < 0.0 else low), high + margin
+
+
+def _worst_window(run: RunData) -> tuple[float, float]:
+    """Return the ends of the spans around the worst place; of a line without spans, of the run."""
+    _, _, x, _ = worst(run)
+    number = span_at(run, x)
+    if number is None:
+        return float(run.position.min()), float(run.position.max())
+    first, last = max(0, number - 1 - BESIDE), min(run.supports.size - 1, number + BESIDE)
+    return float(run.supports[first]), float(run.supports[last])
+
+
+def _peaks(run: RunData, pantograph: int, window: tuple[float, float]) -> tuple[list[Layer], str]:
+    """Return marks at the maximum and minimum of the section inside a window, and where they are."""
+    layers: list[Layer] = []
+    words = []
+    for kind, (x, value) in zip(("maximum", "minimum"), extremes(run, pantograph), strict=True):
+        words.append(f"The {kind} of the section is {value:.1f} N at {place_name(run, x)}.")
+        if window[0] <= x <= window[1]:
+            up = kind == "maximum"
+            at, text = (np.array([x]), np.array([value])), f"{kind} {value:.0f} N"
+            layers.append(Points(*at, colour="highlight", size=8.0))
+            offset = np.array([value + (1 if up else -1) * 0.02 * max(abs(value), 100.0)])
+            third = (window[1] - window[0]) / 3.0
+            align = "left" if x < window[0] + third else "right" if x > window[1] - third else "center"
+            layers.append(
+                Texts(at[0], offset, [text], colour="highlight", size=12.0, align=align,
+                      baseline="bottom" if up else "top")
+            )  # fmt: skip
+    return layers, " ".join(words)
+
+
+def _owner(run: RunData, contact: str) -> int:
+    """Return the number of the pantograph that a contact is named after."""
+    owners = [i for i, name in enumerate(run.pantographs) if contact.startswith(f"{name} strip ")]
+    return max(owners, key=lambda i: len(run.pantographs[i]))

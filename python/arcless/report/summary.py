@@ -1,0 +1,197 @@
+"""First screen of a run's page: what was run, the verdict, the criteria as bars with their limits."""
+
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from itertools import pairwise
+from typing import Any
+
+from arcless.assess import (
+    MET,
+    TOO_CLOSE,
+    Assessment,
+    Criterion,
+    allowance,
+    uncertainty_of,
+    verdict_of,
+)
+from arcless.figures.run.along_track import worst
+from arcless.figures.run.run_data import RunData
+from arcless.figures.run.track import place_name
+from arcless.model import Scenario
+
+SIGNS = {"<=": "≤", ">=": "≥", ">": ">"}
+# Part of a bar behind its limit, its length in the drawing, and the least that is drawn.
+BEHIND, LENGTH, LEAST = 0.25, 1000.0, 4.0
+# Decimals at which numbers that differ are taken to be as good as equal.
+MOST_DECIMALS = 4
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """The headline: a class for its colour, a sign, a sentence, and the criteria behind it."""
+
+    state: str
+    sign: str
+    text: str
+    items: list[str]
+
+
+@dataclass(frozen=True)
+class Bar:
+    """A value against its limit, from 0 to `LENGTH`: parts beyond, the value, ±, the limit."""
+
+    beyond: list[tuple[float, float]]
+    begin: float
+    width: float
+    sure: tuple[float, float] | None
+    bound: float
+
+
+@dataclass(frozen=True)
+class Bullet:
+    """A criterion on the first screen, as text, and as a bar where it has value and limit."""
+
+    title: str
+    pantograph: str
+    value: str
+    unit: str
+    limit: str
+    verdict: str
+    state: str
+    words: str
+    bar: Bar | None
+
+
+def number(value: float | None, decimals: int = 1) -> str:
+    """Return a number with a real minus sign, a dash when there is none."""
+    if value is None:
+        return "–"
+    return f"{value:.{decimals}f}".replace("-", "−")
+
+
+def identity(scenario: Scenario, assessment: Assessment, facts: Mapping[str, Any]) -> list[tuple[str, str]]:
+    """Return what was run, as label and text."""
+    names = [placement.model.name for placement in scenario.pantographs]
+    places = [placement.distance for placement in scenario.pantographs]
+    gaps = [behind - front for front, behind in pairwise(places)]
+    supply = assessment.supply
+    if scenario.line.design.supply is None:
+        supply += " (assumed)"
+    text = ", ".join(dict.fromkeys(names))
+    if len(names) > 1:
+        text = f"{len(names)} × {text}, {', '.join(f'{one:g} m' for one in gaps)} apart"
+    return [
+        ("Line", scenario.line.name),
+        ("Pantograph" if len(names) == 1 else "Pantographs", text),
+        ("Speed", f"{3.6 * assessment.speed_m_s:.4g} km/h"),
+        ("Supply", supply),
+        ("Computed", str(facts.get("created", "–"))[:16].replace("T", " ")),
+        ("Arcless", str(facts.get("arcless_version", "–"))),
+    ]
+
+
+def verdict(assessment: Assessment) -> Verdict:
+    """Return the verdict over all criteria."""
+    judged = [c for c in assessment.criteria if c.passed is not None]
+    beyond = [c for c in judged if not c.passed]
+    missed = [c for c in beyond if c.fails]
+    close = [c for c in assessment.criteria if verdict_of(asdict(c)) == TOO_CLOSE]
+    unsure = len(beyond) - len(missed)
+    open_count = len(assessment.criteria) - len(judged) - len(close)
+    rest = f"; {len(close)} too close to tell" if close else ""
+    rest += f"; {unsure} beyond a limit that is not verified" if unsure else ""
+    rest += f"; {open_count} not judged" if open_count else ""
+    items = [_item(c) for c in (*beyond, *close)]
+    if missed:
+        text = f"Not met: {len(missed)} of {len(judged)} criteria{rest}"
+        return Verdict("missed", "✘", text, items)
+    if not judged:
+        return Verdict("open", "≈", f"No criterion could be judged{rest}", items)
+    met = len(judged) - unsure
+    text = f"Met: {'all ' if not unsure else ''}{met} criteria judged{rest}"
+    if unsure:
+        text = f"Met: {met} of {len(judged)} criteria judged{rest}"
+    return Verdict("open" if close or unsure else "met", "≈" if close or unsure else "✔", text, items)
+
+
+def worst_place(run: RunData) -> str:
+    """Return the place with the largest deviation from the mean, in words."""
+    pantograph, kind, x, force = worst(run)
+    of = f" of {run.pantographs[pantograph]}" if len(run.pantographs) > 1 else ""
+    return f"{kind} contact force{of}, {number(force, 0)} N, at {place_name(run, x)}."
+
+
+def bullets(assessment: Assessment) -> list[Bullet]:
+    """Return the criteria as bars, in the order of the table."""
+    means = {p.name: p.mean_force_N for p in assessment.pantographs}
+    return [_bullet(one, means.get(one.pantograph or "", 0.0)) for one in assessment.criteria]
+
+
+def decimals_of(criterion: Criterion) -> int:
+    """Return the decimals of a criterion's numbers: so many that value and limit are told apart."""
+    least = {"%": 2, "1": 3, "mm": 0}.get(criterion.unit, 1)
+    value, limit = criterion.value, criterion.limit
+    if value is None or limit is None or value == limit:
+        return least
+    for decimals in range(least, MOST_DECIMALS):
+        if f"{value:.{decimals}f}" != f"{limit:.{decimals}f}":
+            return decimals
+    return MOST_DECIMALS
+
+
+def _item(criterion: Criterion) -> str:
+    decimals = decimals_of(criterion)
+    of = f", {criterion.pantograph}" if criterion.pantograph else ""
+    unit = "" if criterion.unit == "1" else f" {criterion.unit}"
+    words = verdict_of(asdict(criterion))
+    return (
+        f"{criterion.title}{of}: {number(criterion.value, decimals)}{unit},"
+        f" limit {number(criterion.limit, decimals)}{unit} ({words}, mark {criterion.mark})"
+    )
+
+
+def _bullet(criterion: Criterion, mean_force_N: float) -> Bullet:
+    data, decimals = asdict(criterion), decimals_of(criterion)
+    unit = criterion.unit.replace("1", "")
+    uncertainty = uncertainty_of(criterion.certainty)
+    value = number(criterion.value, decimals)
+    if uncertainty is not None:
+        value += f" ± {number(uncertainty, decimals)}"
+    limit = "no limit given"
+    if criterion.limit is not None:
+        limit = f"limit {SIGNS[criterion.relation]} {number(criterion.limit, decimals)}"
+        limit += f"{allowance(data)} {unit}".rstrip()
+    words = verdict_of(data)
+    state = "met" if words == MET else "not-met" if criterion.fails else "open"
+    return Bullet(
+        criterion.title, criterion.pantograph or "", value, unit, limit, words, state,
+        f"{value} {unit}, {limit}: {words}", _bar(criterion, uncertainty, mean_force_N),
+    )  # fmt: skip
+
+
+def _bar(
+    criterion: Criterion, uncertainty: float | None, mean_force_N: float  # noqa: N803
+) -> Bar | None:
+    """Return a value against its limit; None where either is missing.
+
+    The bar begins at zero, or below it and a lower limit by a part of what the value is compared
+    with: for a force the mean.
+    """
+    value, limit = criterion.value, criterion.limit
+    if value is None or limit is None:
+        return None
+    upper = criterion.relation == "<="
+    scale = mean_force_N if criterion.unit == "N" and not upper else 0.0
+    size = max(abs(limit), abs(value), abs(scale), 1e-12)
+    low = min(0.0, value, limit) - (0.0 if upper else BEHIND * size)
+    high = max(value, limit, scale) + (BEHIND * size if upper else 0.0)
+
+    def place(number: float) -> float:
+        return round(LENGTH * min(max((number - low) / (high - low), 0.0), 1.0), 1)
+
+    bound, end = place(limit), place(value)
+    beyond = [(bound, round(LENGTH - bound, 1))] if upper else [(0.0, bound)]
+    sure = None
+    if uncertainty is not None:
+        sure = (place(value - uncertainty), place(value + uncertainty))
+    return Bar(beyond, 0.0, max(end, LEAST), sure, bound)  # a value of 0 is seen too
