@@ -1,5 +1,4 @@
 """Dataset → Assessment: the numbers an engineer signs, and the verdict on each."""
-# ruff: noqa: N815 - the names carry their units
 
 import json
 import math

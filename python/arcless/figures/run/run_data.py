@@ -17,10 +17,10 @@ if TYPE_CHECKING:
 Floats = NDArray[np.float64]
 
 # Samples of a filtered channel in a period of the low-pass: straight pieces between them leave out
-# 1 - cos(π/20) = 1.2 % of a wave at that frequency. Long runs have fewer, never below the second,
+# 1 - cos(π/16) = 1.9 % of a wave at that frequency. Long runs have fewer, never below the second,
 # which the sampling theorem allows.
-SAMPLES_A_PERIOD, LEAST_A_PERIOD = 20.0, 2.5
-MOST_SAMPLES = 12000
+SAMPLES_A_PERIOD, LEAST_A_PERIOD = 16.0, 2.5
+MOST_SAMPLES = 7000
 
 
 @dataclass(frozen=True)

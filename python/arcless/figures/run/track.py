@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from arcless.figures.description import Axis, Curve, Figure, Layer, Rules, Strip, Texts, Tip
 from arcless.figures.description.thinning import envelope, every
@@ -70,14 +71,40 @@ def filtered(run: RunData, pantograph: int, values: Floats, word: str, **look: A
     """
     found = run.sampled[pantograph]
     name, unit, form = word.rsplit(" ", 2)
-    tips = (Tip(name, "y", unit, form), Tip("position", "x", "m"), Tip("time", found.t, "s", "0.000"))
+    tips = (
+        Tip(name, "y", unit, form),
+        Tip("position", "x", "m"),
+        Tip("time", found.t, "s", "0.000"),
+    )
     look = {"colour": of_pantograph(pantograph), "width": 1.6, "tips": tips, **look}
     return Curve(found.x, values[found.rows], **look)
 
 
-def unfiltered(run: RunData, pantograph: int, values: Floats, **look: Any) -> Curve:
-    """Return an unfiltered channel of a pantograph, of which every peak is kept."""
-    kept = envelope(values, max(200, RAW_POINTS // len(run.pantographs)))
+def unfiltered(
+    run: RunData,
+    pantograph: int,
+    values: Floats,
+    *,
+    shown: NDArray[np.bool_] | None = None,
+    **look: Any,
+) -> Curve:
+    """Return an unfiltered channel of a pantograph, of which every peak is kept.
+
+    Parameters
+    ----------
+    run
+        The run.
+    pantograph
+        Number of the pantograph, from 0.
+    values
+        The whole channel, in the unit that is shown.
+    shown
+        Samples that are drawn; all of them without.
+    **look
+        Others of the curve.
+    """
+    rows = np.arange(values.size) if shown is None else np.flatnonzero(shown)
+    kept = rows[envelope(values[rows], max(200, RAW_POINTS // len(run.pantographs)))]
     look = {"colour": "raw", "width": 0.9, **look}
     return Curve(run.position[kept, pantograph], values[kept], **look)
 
@@ -130,6 +157,8 @@ def span_numbers(run: RunData, low: float, high: float, y: float) -> list[Layer]
     return [Texts(np.array(x), np.full(len(x), y), list(texts), colour="soft", baseline="top")]
 
 
-def along(run: RunData, key: str, title: str, y: Axis, layers: Sequence[Layer], **more: Any) -> Figure:
+def along(
+    run: RunData, key: str, title: str, y: Axis, layers: Sequence[Layer], **more: Any
+) -> Figure:
     """Return a figure along the track; supports and the section assessed lie below its layers."""
     return Figure(key, title, axis(run), y, [*ground(run), *layers], **more)
