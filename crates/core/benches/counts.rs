@@ -127,7 +127,8 @@ fn solutions<const DIM: usize, const D: usize>(p: &WireModel<DIM, D>) -> [usize;
     [SOLUTIONS, D * x.len()]
 }
 
-/// A problem as of a step: a contact that is closed, and slack links, weakly coupled and skew to it.
+/// Complementarity problem like that of a step: a closed contact, and slack links whose weak
+/// coupling to it is skew-symmetric.
 fn problems(n: usize) -> [usize; 2] {
     let entry = |i: usize, j: usize| match (i, j) {
         _ if i == j => 1.0 + 0.1 * i as f64,

@@ -1,4 +1,4 @@
-//! What the fuzzer found at the border of the core, each written down as arrays.
+//! Findings of the fuzzer at the border of the core, each written out as arrays.
 
 use crate::tests::common;
 
@@ -23,7 +23,7 @@ fn is_refused<T>(found: Result<T, CoreError>, array: &str) -> bool {
     matches!(found, Err(CoreError::Input { array: given, .. }) if given == array)
 }
 
-/// It was read beyond the end of the displacements.
+/// Finding: a read beyond the end of the displacements.
 #[test]
 fn a_watched_node_beyond_the_last_one_is_refused() {
     let p = prepare(STRING.structure(2), |_| (), scheme(), 1e-3, 5e4);
@@ -152,8 +152,8 @@ fn a_run_that_ends_beyond_all_numbers_is_an_error() {
     let p = prepare(STRING.structure(2), |_| (), scheme(), 1e-3, 5e4);
     let way = travel(24.0, 24.2, 10.0, 1e-3);
     let steps = way.positions.len();
-    // The energy of the second is a product beyond all numbers, of which no balance can be said to close; its motion is
-    // not.
+    // With the second force the energy, a product, overflows, and no balance can be checked; the
+    // motion itself stays finite.
     for (pull, ends) in [(-1e3, true), (-1e200, false)] {
         let mut values = vec![pull; steps];
         values[0] = 0.0;

@@ -23,8 +23,8 @@ fn column(values: &[f64], first: usize, count: usize) -> Vec<f64> {
     values.iter().skip(first).step_by(count).copied().collect()
 }
 
-/// Rigid head that rises by z and tilts by φ about the track, on a spring against the tilt; its strip
-/// is straight, z + y φ.
+/// Rigid head that rises by z and tilts by φ about the track, with a spring against the tilt; its
+/// strip is straight: z + y φ.
 fn tilting(force: f64, half_width: f64, tilt_stiffness: f64) -> Pantograph {
     Pantograph {
         mass: vec![8.0, 0.0, 0.0, 1.0],
@@ -42,8 +42,8 @@ fn tilting(force: f64, half_width: f64, tilt_stiffness: f64) -> Pantograph {
     }
 }
 
-/// Two wires, each with half of everything, are one wire. The contact of each takes half of the force
-/// at the same depth when it is half as stiff.
+/// Two wires with half of every property each equal one wire. Each contact, half as stiff, carries
+/// half of the force at the same depth.
 #[test]
 fn two_equal_wires_are_one_of_twice_everything() {
     let double = Single {
@@ -125,8 +125,8 @@ fn force_goes_over_from_one_wire_to_the_next() {
     assert!(r.height[1].is_nan() && r.height[2 * last].is_nan());
 }
 
-/// Where a wire begins below the strip it is put on top of it at once, and where one ends under load
-/// the energy of its contact goes: switching, and the ledger closes. Measured 1e-13 to 4e-12.
+/// A wire that begins below the strip is lifted onto it at once, and one that ends under load loses
+/// the energy of its contact: both are switching, and the ledger closes. Measured: 1e-13 to 4e-12.
 #[test]
 fn ledger_closes_where_contacts_appear_and_go() {
     let below = [At::level(0.0, 0.0), At::level(40.0, -0.002)];
@@ -167,9 +167,9 @@ fn a_wire_sliding_over_a_tilted_strip_does_work() {
     let end = r.energy.last().expect("recorded");
     assert!(r.gap.iter().all(|&g| g == 0.0));
     assert!(r.energy_residual < 1e-11 * r.energy_turnover);
-    // Moment F y tilts the head by F y/k = 25 mm/m at y = 0.2 m: the strip rises by y F y/k = 5 mm under
-    // the wire between the middle and there, F · 5 mm = 0.5 J. What a step mistakes by taking y at its
-    // start is 1e-3 of it per metre across.
+    // Moment F y tilts the head by F y/k = 25 mm/m at y = 0.2 m: the strip rises under the wire by
+    // y F y/k = 5 mm between the middle and there, F · 5 mm = 0.5 J. A step that takes y at its
+    // start errs by 1e-3 of this per metre across.
     assert!(end.work_traction.abs() > 0.05, "{end:?}");
     assert!(
         end.switching.abs() < 1e-2 * end.work_traction.abs(),
@@ -177,7 +177,8 @@ fn a_wire_sliding_over_a_tilted_strip_does_work() {
     );
 }
 
-/// Head at rest under two wires at y₁, y₂ of equal height and compliance: z + y φ = W λ, k φ = −Σ y λ.
+/// Head at rest under two wires at y₁, y₂ of equal height and compliance W: z + y φ = W λ,
+/// k φ = −Σ y λ.
 #[test]
 fn a_tilting_head_shares_its_force_by_leverage() {
     let at = |y: f64| At {
@@ -244,7 +245,7 @@ fn two_strips_share_half_and_half() {
     way.positions.fill(30.0);
     way.speeds.fill(0.0);
     let r = run(&p, &[rider], &way, &everything());
-    // As for any rider that stands still.
+    // Tolerance as for any pantograph that stands still.
     assert!(r.force.iter().all(|f| (f - 70.0).abs() < 1e-6));
 }
 

@@ -60,7 +60,8 @@ fn a_force_acts_from_its_delay_on_until_the_next_one() {
     }
 }
 
-/// A constant force that is answered is the same force given, for a scheme that reads it at the end.
+/// A controller's force, constant within a step, equals a prescribed force, for a scheme that reads
+/// it at the end of the step.
 #[test]
 fn an_answered_force_is_a_given_force() {
     let scheme = Scheme::newmark(0.3025, 0.6);

@@ -1,4 +1,4 @@
-//! The same answer by another way: rerun, thinned record, moved origin, mirrored line, the third
+//! Equal results obtained in another way: rerun, thinned record, moved origin, mirrored line, third
 //! dimension, dense matrices.
 
 use crate::tests::common;
@@ -59,7 +59,7 @@ fn rerun_gives_the_same_bits() {
     );
 }
 
-/// What is recorded has no influence on what happens, the ledger included.
+/// A thinned record without the ledger holds the values of a full one: recording changes nothing.
 #[test]
 fn thinned_record_holds_the_same_values() {
     let p = common::prepared(SPANS, scheme(), STEP, CONTACT);
@@ -110,8 +110,9 @@ fn first_of_two(distance: f64, anchored: bool) -> f64 {
 }
 
 /// Transverse waves need longer than the run, 600 m at 128 m/s, and the static uplift decays from
-/// span to span. Along the track the wires are stiff and run freely through the supports: the second
-/// rider changes their tension everywhere, until something anchors them in between.
+/// span to span. Along the track the wires are stiff and run freely through the supports: the
+/// second pantograph changes their tension everywhere, unless something anchors them between the
+/// two.
 #[test]
 fn rider_far_from_the_other_is_alone() {
     // With an anchor between them only what decays from span to span is left; without one the

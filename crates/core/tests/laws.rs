@@ -98,8 +98,8 @@ fn a_straight_table_is_the_linear_spring_or_damper() {
     assert!(listed.energy_residual < 1e-11 * listed.energy_turnover);
 }
 
-/// The same stop once as stop, once as a table whose steepest piece is the stop closed: there the
-/// run is made of softening, here of hardening.
+/// A stop gives the run of a table whose steepest piece is the closed stop: the table is computed
+/// with softening pieces, the stop with a hardening one.
 #[test]
 fn a_stop_is_the_table_of_a_stop() {
     let (gap, stiffness) = (0.004, 2e5);
@@ -205,7 +205,7 @@ fn the_balance_closes_with_tables_and_friction() {
                 contact,
             );
             let relative = r.energy_residual / r.energy_turnover;
-            // As for the ledger without them: rounding of some thousand steps.
+            // Tolerance as for the ledger without laws: rounding of some thousand steps.
             assert!(relative < 1e-11, "{:?} {contact}: {relative:e}", scheme());
             assert!(
                 r.law_ranges[0] < -0.01 && r.law_ranges[1] > 0.01,

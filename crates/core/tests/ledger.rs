@@ -177,7 +177,7 @@ fn nothing_is_lost_while_nothing_opens() {
             last(&r).switching.abs() / r.energy_turnover
         })
         .collect();
-    // What is left at the finest step goes on falling with h², as the next check says.
+    // Loss at the finest step; it falls further with h², as the next check says.
     assert!(lost[2] < 1e-4, "{lost:?}");
     // Theory says 2; one tenth for the terms of higher order.
     assert!(common::orders(&lost).iter().all(|&p| p > 1.9), "{lost:?}");

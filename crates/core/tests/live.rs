@@ -1,4 +1,5 @@
-//! A line stepped from outside: the same steps as a run, nothing allocated, failures that leave it whole.
+//! Line stepped from outside: the steps of a run, no allocation, and an intact state after a
+//! failure.
 
 use crate::tests::common;
 
@@ -130,9 +131,9 @@ fn simulated_riders_step_as_in_a_run() {
     is_the_run(&yielding(Scheme::generalised_alpha(0.9)));
 }
 
-/// The contact forces of a run, given, move the wire as they did in the run. With Newmark's scheme a
-/// run records the end of each step. Rounding: the run adds contact forces as prepared columns. (Without
-/// friction, which a run takes from the force of the step before.)
+/// Contact forces of a run, prescribed, move the wire as they did in the run. With Newmark's scheme
+/// a run records the end of each step. Rounding: the run adds contact forces as prepared columns.
+/// (Without friction, which a run takes from the force of the step before.)
 #[test]
 fn given_forces_of_a_run_move_the_wire_as_the_run() {
     move_as_the_run(&planar(Scheme::newmark(0.3025, 0.6)));
@@ -158,8 +159,8 @@ fn move_as_the_run(p: &Arc<WireModel<2, 4>>) {
     );
 }
 
-/// The rate dz/dt of the place that moves along adds up to the height. The trapezoidal rule misses it by
-/// what happens within single steps: links go slack, the force moves on by 8 cm (by 2 cm where kinks are
+/// The integral of the rate dz/dt at the moving contact is the height. The trapezoidal rule misses
+/// changes within single steps: links go slack, the force moves on by 8 cm (by 2 cm where kinks are
 /// rounded over 9 cm).
 #[test]
 fn the_rate_is_the_derivative_of_the_height() {

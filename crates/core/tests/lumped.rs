@@ -22,8 +22,8 @@ const SPEED: f64 = 320.0 / 3.6;
 const STEP: f64 = 1e-3;
 const CONTACT: f64 = 50e3;
 
-/// Differences in place of derivatives leave O(ℓ²). On the line it shows for segments shorter than the
-/// √(EI/T) = 0.09 m over which bending rounds a kink.
+/// Order of the error of differences for derivatives, O(ℓ²). On the line it is reached by segments
+/// shorter than the √(EI/T) = 0.09 m over which bending rounds a kink.
 const ORDER: f64 = 2.0;
 
 fn scheme() -> Scheme {

@@ -121,8 +121,8 @@ pub fn compare<const DIM: usize, const D: usize>(
     end
 }
 
-/// A rider with everything that keeps a memory: stops, tables, an actuator with a long delay, moving
-/// ground, given force.
+/// Pantograph with every part that has a memory: stops, tables, an actuator with a long delay,
+/// moving ground, prescribed force.
 fn full(instants: usize) -> Pantograph {
     let mut rider = three_masses(70.0);
     let wave = |amplitude: f64, rate: f64| -> Vec<f64> {

@@ -153,13 +153,15 @@ fn a_mass_dropped_on_a_stop_compresses_it_as_its_energy_says_and_comes_back() {
     let lowest = r.masses.iter().fold(0.0_f64, |m, u| m.min(*u));
     // ½ k p² = F (gap + p)
     let depth = (PULL + (PULL * PULL + 2.0 * stiffness * PULL * GAP).sqrt()) / stiffness;
-    // The stop is met within a step of 0.7 m/s · 0.2 ms = 0.14 mm; what that leaves is second order.
+    // The mass meets the stop within a step of 0.7 m/s · 0.2 ms = 0.14 mm; the error is of second
+    // order.
     assert!(
         (-lowest - GAP - depth).abs() < 2e-3 * depth,
         "{lowest} {depth}"
     );
     assert!((r.stop_max[0] - stiffness * depth).abs() < 2e-3 * stiffness * depth);
-    // It falls, bounces, and is back at the wire with no velocity; t = 2 (√(2 gap/a) + contact).
+    // The mass falls, bounces, and is back at the wire without velocity; t =
+    // 2 (√(2 gap/a) + contact).
     let back = r.masses[r.masses.len() / 6..]
         .iter()
         .fold(-1.0_f64, |m, u| m.max(*u));
@@ -184,7 +186,7 @@ fn a_damped_mass_comes_to_rest_on_its_stop() {
 fn a_rigid_stop_takes_the_whole_impact() {
     let r = dropped(f64::INFINITY, 0.0, Scheme::newmark(1.0, 1.0));
     let rest = r.masses[r.masses.len() - 1];
-    // A condition on position: exact but for rounding.
+    // Condition on position: exact to rounding.
     assert!((rest + GAP).abs() < 1e-12, "{rest}");
     let e = r.energy.last().expect("a record");
     // The work of the fall is lost: in the impact, or in the scheme that quietens it.
@@ -248,7 +250,7 @@ fn the_balance_closes_with_moving_ground_given_forces_and_stops() {
                 let r = shaken(scheme, contact, stiffness);
                 assert!(r.stop_max[0] > 20.0, "the stops are hit: {:?}", r.stop_max);
                 let relative = r.energy_residual / r.energy_turnover;
-                // As for the ledger without them: rounding of some thousand steps.
+                // Tolerance as for the ledger without stops: rounding of some thousand steps.
                 assert!(
                     relative < 1e-11,
                     "{scheme:?} {contact} {stiffness}: {relative:e}"

@@ -1,4 +1,4 @@
-//! One step: a run is nothing but steps, and a copy of a state goes on as the original does.
+//! Single steps: a run consists of them, and a copy of a state continues as the original does.
 
 use crate::tests::common;
 

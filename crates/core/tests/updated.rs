@@ -118,8 +118,8 @@ fn wire() -> (Structure, Vec<usize>) {
     (lumped(&structure), path)
 }
 
-/// What linearisation leaves out grows with the square of the motion: halving the static force, and
-/// with it the motion, quarters the difference of the contact forces.
+/// The error of linearisation grows with the square of the motion: half of the static force, and
+/// with it of the motion, leaves a quarter of the difference of the contact forces.
 #[test]
 fn small_motion_is_linearised_motion() {
     let mut line = simple_line_of(2, [1.45, 2.9]);

@@ -1,4 +1,5 @@
-//! The energy ledger of explicit steps: it closes to rounding, whatever opens, slackens or slides, and notices what is off.
+//! Energy ledger of explicit steps: it closes to rounding with lift-off, slack links and friction,
+//! and a wrong entry is noticed.
 
 use super::islands::two_lengths;
 use super::{Chain, explicit};
@@ -79,7 +80,8 @@ fn measured_steps_close_as_all_steps_do() {
         .partition(|(_, e)| !e.kinetic.is_nan());
     assert!(known.iter().all(|(k, _)| k % 50 == 0) && rest.iter().all(|(k, _)| k % 50 > 0));
     for (k, e) in known {
-        // What wires dissipate between measured steps is what the balance leaves: rounding of both.
+        // Dissipation of wires between measured steps is the remainder of the balance: rounding of
+        // both.
         let apart = e.dissipated_line + e.dissipated_scheme
             - all.energy[k].dissipated_line
             - all.energy[k].dissipated_scheme;
@@ -127,7 +129,8 @@ fn every_entry_is_needed_for_the_balance() {
     }
 }
 
-/// What it has is gone with it, and no later balance misses it; parts are the whole with all of that.
+/// The energy of a length laid to rest leaves with it, and later balances close without it; a run
+/// in parts equals the whole run.
 #[test]
 fn a_length_laid_to_rest_leaves_the_ledger() {
     let p = two_lengths();

@@ -1,4 +1,4 @@
-//! Runs over a prepared line, in one piece or stopped and gone on with from a spoilt state.
+//! Runs over a prepared line, in one piece or stopped and resumed from a spoilt state.
 
 use super::feed::Feed;
 use super::finite::check;
