@@ -95,7 +95,7 @@ fn moving_force_and_its_reflection_follow_the_exact_series() {
 }
 
 #[test]
-fn standing_riders_stay_as_they_started() {
+fn standing_pantographs_stay_as_they_started() {
     for contact in [50e3, f64::INFINITY] {
         let scheme = Scheme::generalised_alpha(0.9);
         let p = common::prepare(common::simple_line(4), |_| (), scheme, 1e-3, contact);
@@ -137,7 +137,7 @@ fn very_stiff_contact_is_the_rigid_one() {
         .iter()
         .map(|&k| difference(&on_line(150.0, 60.0, k, 0.0).force, &rigid.force))
         .collect();
-    // The stiffness of rider and wire in one step (A ≈ 4 m/h² = 1e7 N/m) over 1e9 N/m: below 1e-2.
+    // Stiffness of pantograph and wire in one step (A ≈ 4 m/h² = 1e7 N/m) over 1e9 N/m: below 1e-2.
     assert!(gaps[2] < 2e-3, "{gaps:?}");
     assert!(gaps[1] > 5.0 * gaps[2], "{gaps:?}");
     assert!(difference(&on_line(150.0, 60.0, 50e3, 0.0).force, &rigid.force) > 1e-2);

@@ -1,4 +1,4 @@
-//! Several contacts of one rider: on several wires, and with several strips.
+//! Several contacts of one pantograph: on several wires, and with several strips.
 
 use crate::tests::common;
 
@@ -87,9 +87,9 @@ fn overlap() -> WireModel<3, 6> {
     lined(strings(&STRING, &[falls, comes]), scheme(), CONTACT)
 }
 
-fn slow_run(p: &WireModel<3, 6>, riders: &[Pantograph], to: f64) -> Record {
+fn slow_run(p: &WireModel<3, 6>, pantographs: &[Pantograph], to: f64) -> Record {
     let way = travel(20.0, to, 5.0, 1e-3);
-    run(p, riders, &way, &everything())
+    run(p, pantographs, &way, &everything())
 }
 
 #[test]
@@ -216,18 +216,18 @@ fn a_tilting_head_shares_its_force_by_leverage() {
     assert!((r.force[0] - force).abs() < 1e-6 && r.force[1] == 0.0 && r.gap[1] > 0.0);
 }
 
-/// Where a strip stands is where its rider does, less the offset: the same run to the bit.
+/// Where a strip stands is where its pantograph does, less the offset: the same run to the bit.
 #[test]
-fn a_strip_behind_its_rider_is_a_rider_behind() {
+fn a_strip_behind_its_pantograph_is_a_pantograph_behind() {
     let p = lined(strings(&STRING, &[At::level(0.0, 0.0)]), scheme(), CONTACT);
     let mut behind = three_masses(120.0);
     behind.strips[0].offset = 3.7;
     let mut way = travel(15.0, 50.0, 60.0, 1e-3);
     let strip = run(&p, &[behind], &way, &everything());
     way.distances = vec![3.7];
-    let rider = run(&p, &[three_masses(120.0)], &way, &everything());
-    assert!(strip.force == rider.force && strip.height == rider.height);
-    assert!(strip.position != rider.position);
+    let pantograph = run(&p, &[three_masses(120.0)], &way, &everything());
+    assert!(strip.force == pantograph.force && strip.height == pantograph.height);
+    assert!(strip.position != pantograph.position);
 }
 
 /// Two strips of a rigid head on a level wire, at the same distance from its middle: half each, and
@@ -235,16 +235,16 @@ fn a_strip_behind_its_rider_is_a_rider_behind() {
 #[test]
 fn two_strips_share_half_and_half() {
     let p = lined(strings(&STRING, &[At::level(0.0, 0.0)]), scheme(), CONTACT);
-    let mut rider = free_mass(10.0, 140.0);
+    let mut pantograph = free_mass(10.0, 140.0);
     let strip = |offset: f64| Strip {
         offset,
         ..Strip::plain(vec![1.0])
     };
-    rider.strips = vec![strip(-0.3), strip(0.3)];
+    pantograph.strips = vec![strip(-0.3), strip(0.3)];
     let mut way = travel(30.0, 31.0, 10.0, 1e-3);
     way.positions.fill(30.0);
     way.speeds.fill(0.0);
-    let r = run(&p, &[rider], &way, &everything());
+    let r = run(&p, &[pantograph], &way, &everything());
     // Tolerance as for any pantograph that stands still.
     assert!(r.force.iter().all(|f| (f - 70.0).abs() < 1e-6));
 }
@@ -257,7 +257,7 @@ fn a_wire_out_of_reach_is_named() {
     };
     let p = lined(strings(&STRING, &[crossing]), scheme(), CONTACT);
     let way = travel(30.0, 58.0, 10.0, 1e-3);
-    let go = |rider: Pantograph| p.run(&[rider], &way, &everything(), &mut |_| true);
+    let go = |pantograph: Pantograph| p.run(&[pantograph], &way, &everything(), &mut |_| true);
     match go(tilting(100.0, 0.2, 800.0)) {
         Err(CoreError::OutOfReach {
             pantograph: 0,

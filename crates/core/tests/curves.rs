@@ -88,17 +88,17 @@ fn explicit_steps_in_a_curve_follow_those_of_a_matrix() {
         ledger: false,
         ..common::everything()
     };
-    let rider = three_masses(150.0);
+    let pantograph = three_masses(150.0);
     let steps = explicit::<3, 3>(&(chain.clone(), vec![path.clone()]), STEP, CONTACT);
     let fast = run(
         &steps.expect("short steps"),
-        std::slice::from_ref(&rider),
+        std::slice::from_ref(&pantograph),
         &travel,
         &plan,
     );
     let scheme = Scheme::generalised_alpha(0.9);
     let solved = prepare_any::<3, 3>((yielding(&chain), path), |_| (), scheme, STEP, CONTACT);
-    let slow = run(&solved, &[rider], &travel, &plan);
+    let slow = run(&solved, &[pantograph], &travel, &plan);
     // Steps with a matrix see polygons, whose corners change forces of single steps, not heights.
     // These were 3 mm apart before ends of reaches were drawn to the inside of the curve.
     let count = fast.height.len().min(slow.height.len());

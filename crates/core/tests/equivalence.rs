@@ -90,8 +90,8 @@ fn thinned_record_holds_the_same_values() {
     );
 }
 
-/// Forces of the first of two riders on 16 spans, and of the same rider alone. With `anchored` both
-/// wires are held along the track at a support between them.
+/// Difference of the force of the first of two pantographs on 16 spans from its force alone. With
+/// `anchored` both wires are held along the track at a support between the two.
 fn first_of_two(distance: f64, anchored: bool) -> f64 {
     let (mut s, path) = common::simple_line(16);
     if anchored {
@@ -114,7 +114,7 @@ fn first_of_two(distance: f64, anchored: bool) -> f64 {
 /// second pantograph changes their tension everywhere, unless something anchors them between the
 /// two.
 #[test]
-fn rider_far_from_the_other_is_alone() {
+fn pantograph_far_from_the_other_is_alone() {
     // With an anchor between them only what decays from span to span is left; without one the
     // tension changes everywhere, by some per cent of the force.
     let (anchored, free, near) = (
@@ -124,7 +124,7 @@ fn rider_far_from_the_other_is_alone() {
     );
     assert!(anchored < 1e-4, "{anchored:e}");
     assert!(free < 0.03, "{free:e}");
-    assert!(near > 1e-2, "the partner: near riders feel each other");
+    assert!(near > 1e-2, "the partner: near pantographs feel each other");
 }
 
 fn shifted(mut s: Structure, by: f64) -> Structure {

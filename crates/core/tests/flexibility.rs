@@ -145,7 +145,7 @@ fn pair_of_strips(force: f64) -> Pantograph {
 #[test]
 fn what_stands_stays() {
     let p = prepared(simple_line_of(3, [1.45, 2.9]), true);
-    for (rider, position) in [
+    for (pantograph, position) in [
         (three_masses(300.0), 71.3),
         (three_masses(300.0), 77.1),
         (pair_of_strips(300.0), 76.5),
@@ -153,7 +153,7 @@ fn what_stands_stays() {
         let mut way = travel(0.0, 1.0, 1.0, H);
         way.positions.fill(position);
         way.speeds.fill(0.0);
-        let r = run(&p, &[rider], &way, &everything());
+        let r = run(&p, &[pantograph], &way, &everything());
         assert!(r.slack[0] > 0.0, "a link is slack");
         let columns = r.contacts.len();
         let moved = r.force.iter().enumerate();
@@ -179,8 +179,8 @@ fn the_ledger_closes() {
         let p: WireModel<2, 4> = common::yielding(line, loose, scheme, H, contact);
         let mut way = travel(110.0, 270.0, 320.0 / 3.6, H);
         (way.distances, way.friction) = (vec![0.0, 50.0], 0.2);
-        let riders = [pair_of_strips(200.0), three_masses(60.0)];
-        let r = run(&p, &riders, &way, &everything());
+        let pantographs = [pair_of_strips(200.0), three_masses(60.0)];
+        let r = run(&p, &pantographs, &way, &everything());
         assert!(r.slack_max > 0 && r.gap.iter().any(|g| *g > 0.0));
         let share = r.energy_residual / r.energy_turnover;
         // Rounding, as in `ledger.rs`.

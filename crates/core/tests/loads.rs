@@ -115,7 +115,7 @@ fn a_sudden_force_overshoots_by_two() {
     );
 }
 
-/// A gusty run on a line with slack droppers and two riders.
+/// A gusty run on a line with slack droppers and two pantographs.
 fn gusty(scheme: Scheme, size: f64) -> Record {
     let (structure, path) = common::simple_line(6);
     let geometry = Geometry::<2, 4>::new(structure.clone()).expect("a valid structure");

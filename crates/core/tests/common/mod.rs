@@ -387,11 +387,11 @@ pub fn everything() -> RecordPlan {
 
 pub fn run<const DIM: usize, const D: usize>(
     p: &WireModel<DIM, D>,
-    riders: &[Pantograph],
+    pantographs: &[Pantograph],
     travel: &Trajectory,
     plan: &RecordPlan,
 ) -> Record {
-    p.run(riders, travel, plan, &mut |_| true)
+    p.run(pantographs, travel, plan, &mut |_| true)
         .expect("the run completes")
 }
 

@@ -83,7 +83,7 @@ fn stitched(elements: usize) -> Chain {
 }
 
 /// Motion of the stitch, of what is linked and of the spring under a pulse that is a long wave,
-/// and force of a rider that stands aside. What is apart is the dispersion of lumped masses.
+/// and force of a pantograph that stands aside. What is apart is the dispersion of lumped masses.
 #[test]
 fn points_of_several_wires_move_as_in_implicit_steps() {
     let errors = [120, 240].map(|elements| {

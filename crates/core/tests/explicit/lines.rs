@@ -45,7 +45,7 @@ fn shrinks(errors: &[f64]) {
 }
 
 #[test]
-fn a_moving_rider_feels_the_line_of_implicit_steps() {
+fn a_moving_pantograph_feels_the_line_of_implicit_steps() {
     let errors = [1.0, 0.5, 0.25].map(|longest| {
         let (structure, path) = simple_line_of(4, [longest; 2]);
         let chain = (lumped(&structure), vec![path]);

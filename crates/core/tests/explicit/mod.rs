@@ -142,8 +142,9 @@ pub fn pass<const DIM: usize, const D: usize>(
     travel: &Trajectory,
     plan: &RecordPlan,
 ) -> Record {
-    let riders = [three_masses(force)];
-    p.run(&riders, travel, plan, &mut |_| true).expect("a run")
+    let pantographs = [three_masses(force)];
+    p.run(&pantographs, travel, plan, &mut |_| true)
+        .expect("a run")
 }
 
 /// Every n-th value, the n-th first: the ends of long steps among short ones.

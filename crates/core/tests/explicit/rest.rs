@@ -1,4 +1,4 @@
-//! At rest under a rider, and the sag that it takes away, as the implicit line has them.
+//! At rest under a pantograph, and the sag that it takes away, as the implicit line has them.
 
 use super::{Chain, WIRE, explicit, fitted, pass, plan, seen_wire, way};
 use crate::tests::common::chain::lumped;
@@ -60,7 +60,7 @@ fn stands<const DIM: usize, const D: usize>(chain: &Chain, h: f64, at: f64, clos
 /// Estimate of the terms that explicit steps neglect in the plane: bending along the wire,
 /// EI/L² = 780 N compared with EA = 15 MN, 5e-5, times the square of slopes of 0.04 at most: 8e-8.
 #[test]
-fn a_rider_stands_on_a_sagging_wire() {
+fn a_pantograph_stands_on_a_sagging_wire() {
     // The force shows the difference of 46 mm of lift through 50 kN/m on 90 N: 26 times as large.
     let close = Close {
         force: 2.6e-6,
@@ -74,7 +74,7 @@ fn a_rider_stands_on_a_sagging_wire() {
 /// the forces that turn a segment: 3e-4 of T where both are largest. A tenth is allowed on the
 /// line.
 #[test]
-fn a_rider_stands_on_a_line_in_space() {
+fn a_pantograph_stands_on_a_line_in_space() {
     let close = Close {
         force: 3e-4,
         line: 3e-5,
@@ -86,7 +86,7 @@ fn a_rider_stands_on_a_line_in_space() {
 /// points a strand has two to five. Ten times the estimate above, for segments up to ten times as
 /// long, which turn by more; without H in one of the strands the error would be a percent.
 #[test]
-fn a_rider_stands_on_a_wire_of_few_points() {
+fn a_pantograph_stands_on_a_wire_of_few_points() {
     let close = Close {
         force: 2.6e-5,
         line: 1e-6,

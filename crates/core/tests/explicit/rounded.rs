@@ -328,7 +328,7 @@ fn ripple(p: &WireModel<2, 2>, h: f64) -> f64 {
 /// for elements of half a metre. A curve lacks 0.4 of that, and R, a value at rest, supplies half
 /// of it. The rest remains, with the waves that points send as the force goes from one to the next.
 #[test]
-fn a_rider_at_speed_feels_elements_less() {
+fn a_pantograph_at_speed_feels_elements_less() {
     let of = [0.5, 0.25].map(|length| {
         let wire = Single {
             length: 140.0,
