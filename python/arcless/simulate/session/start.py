@@ -70,14 +70,14 @@ def start(scenario: Scenario, *, simulated: bool) -> Start:
     placements = scenario.pantographs
     names = [placement.name for placement in placements]
     if simulated:
-        ridden = [_pantograph(placement, speed) for placement in placements]
+        simulated_data = [_pantograph(placement, speed) for placement in placements]
         distances = [placement.distance for placement in placements]
         with stepping(found.mesh, placements):
             core = _core.Session.with_pantographs(
-                line=model, pantographs=ridden, distances=distances, start=begin
+                line=model, pantographs=simulated_data, distances=distances, start=begin
             )
         inputs = names
-        owners = [rider for rider, _, _ in core.contacts()]
+        owners = [pantograph for pantograph, _, _ in core.contacts()]
     else:
         core, inputs, owners = _given(model, found.mesh, placements, begin)
     first = np.searchsorted(owners, np.arange(len(placements)))

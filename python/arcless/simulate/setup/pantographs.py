@@ -1,4 +1,4 @@
-"""Pantograph → rider of the core: matrices, where forces act, what is given over time."""
+"""Pantograph of the model → data of the core: matrices, where forces act, excitation over time."""
 
 from collections.abc import Sequence
 from math import inf
