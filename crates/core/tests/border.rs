@@ -50,7 +50,7 @@ fn a_delay_without_end_is_refused() {
         });
         let (mut go_on, mut ask) = (|_: usize| true, |_: usize, _: &_| Ok(50.0));
         let found = p.run_controlled(&[pantograph], &way, &everything(), &mut go_on, &mut ask);
-        assert_eq!(is_refused(found, "riders"), refused);
+        assert_eq!(is_refused(found, "pantographs"), refused);
     }
 }
 

@@ -338,7 +338,7 @@ fn what_a_loop_cannot_do_is_refused() {
         assert!(matches!(
             refused,
             Err(CoreError::Input {
-                array: "riders",
+                array: "pantographs",
                 ..
             })
         ));
