@@ -123,7 +123,7 @@ def pantograph(
         preload=list(strip),
         lift=[0.0] * len(strip),
         start_force=force,
-        given=Excitation(forces),
+        excitation=Excitation(forces),
     )
 
 

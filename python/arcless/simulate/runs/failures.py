@@ -20,7 +20,7 @@ from arcless.mesh import Mesh
 from arcless.model import Scenario
 from arcless.model.pantograph.placement import PantographPlacement
 from arcless.simulate.recording.contacts import label
-from arcless.simulate.setup.stops_and_friction import laws
+from arcless.simulate.setup.stops_and_friction import piecewise_forces
 
 # A run starts in statics, and with updated kinematics the tangent is factorised in every step.
 STATIC = ("equilibrium", "singular", "unstable")
@@ -169,7 +169,7 @@ def _beyond_table(
     placements: Sequence[PantographPlacement], details: dict[str, Any]
 ) -> EquilibriumError:
     number = details["pantograph"]
-    law = laws(placements[number].model)[details["table"]]
+    law = piecewise_forces(placements[number].model)[details["table"]]
     return EquilibriumError(
         f"a table of pantograph {placements[number].name} ends before the static force is reached",
         where=f"pantographs.{number}.model.{law.field}.elongation",
