@@ -252,7 +252,7 @@ pub(crate) fn check(
         })
     };
     if pantographs.is_empty() || trajectory.distances.len() != pantographs.len() {
-        return refuse("riders", "none, or not one distance for each");
+        return refuse("pantographs", "none, or not one distance for each");
     }
     if trajectory.positions.len() < 2 || trajectory.speeds.len() != trajectory.positions.len() {
         return refuse("positions", "fewer than two, or not one speed for each");

@@ -169,14 +169,14 @@ impl Record {
         contacts: &Contacts<DIM>,
         links: usize,
         plan: &RecordPlan,
-        riders: usize,
+        pantographs: usize,
     ) -> Self {
         Self {
             contacts: contacts.all.iter().map(|c| c.indices).collect(),
             link_min: vec![f64::INFINITY; links],
             link_max: vec![f64::NEG_INFINITY; links],
             uplift_max: vec![f64::NEG_INFINITY; plan.nodes.len()],
-            stop_max: vec![0.0; riders],
+            stop_max: vec![0.0; pantographs],
             ..Self::default()
         }
     }
