@@ -46,7 +46,7 @@ _NAMES = {
 _PACKAGES = (*_NAMES, "assess", "lcp", "report", "study", "validate")
 _HOME = {name: module for module, names in _NAMES.items() for name in names}
 
-__all__ = sorted([*_HOME, *_PACKAGES, "__version__"])
+__all__ = sorted([*_HOME, *_PACKAGES, "__version__"])  # noqa: PLE0605 - a list, but not literal
 
 
 def __getattr__(name: str) -> Any:

@@ -1,4 +1,5 @@
 """Dataset → Assessment: the numbers an engineer signs, and the verdict on each."""
+# ruff: noqa: N815 - the names carry their units
 
 import json
 import math

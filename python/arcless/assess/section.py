@@ -1,4 +1,5 @@
 """Part of a record inside the analysis section."""
+# ruff: noqa: N815 - the names carry their units
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING

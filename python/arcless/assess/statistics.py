@@ -1,4 +1,5 @@
 """Indicators of one pantograph over the analysis section."""
+# ruff: noqa: N815 - the names carry their units
 
 from dataclasses import dataclass
 from typing import Any

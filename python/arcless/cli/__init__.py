@@ -18,7 +18,7 @@ def main() -> None:
 
         app(prog_name="arcless")
     except KeyboardInterrupt:  # while the commands themselves are still being imported
-        print(interrupts.word(), file=sys.stderr)
+        print(interrupts.word(), file=sys.stderr)  # noqa: T201 - the console is not there yet
         sys.exit(interrupts.exit_code(1))
     finally:
         interrupts.ignore()

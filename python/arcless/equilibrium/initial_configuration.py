@@ -21,8 +21,8 @@ class InitialConfiguration:
     scenario: Scenario
     equilibrium: equilibrium.Equilibrium
     elasticity_x_m: list[float]
-    elasticity_m_per_N: list[float]
-    natural_frequencies_Hz: list[float]
+    elasticity_m_per_N: list[float]  # noqa: N815 - the unit is part of the name
+    natural_frequencies_Hz: list[float]  # noqa: N815
 
     @classmethod
     def of(cls, scenario: Scenario, progress: Progress | None = None) -> Self:

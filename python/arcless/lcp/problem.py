@@ -112,7 +112,7 @@ def _arrays(H: ArrayLike, w: ArrayLike) -> tuple[Array, Array]:
     matrix, vector = numbers("H", H), numbers("w", w)
     if vector.ndim != 1:
         raise LcpInputError("w", got=f"shape {vector.shape}", expected="one dimension")
-    if matrix.ndim != 2 or matrix.shape[0] != matrix.shape[1]:
+    if matrix.ndim != 2 or matrix.shape[0] != matrix.shape[1]:  # noqa: PLR2004 - a matrix
         raise LcpInputError("H", got=f"shape {matrix.shape}", expected="a square matrix")
     if matrix.shape[0] != vector.size:
         raise LcpInputError(

@@ -314,7 +314,7 @@ def _inverse(A: Array) -> Array:
 
 def _mass(given: ArrayLike) -> Array:
     M = numbers("mass", given)
-    if M.ndim != 2 or M.shape[0] != M.shape[1] or M.size == 0:
+    if M.ndim != 2 or M.shape[0] != M.shape[1] or M.size == 0:  # noqa: PLR2004 - a matrix
         raise LcpInputError("mass", got=f"shape {M.shape}", expected="a square matrix")
     least = float(np.linalg.eigvalsh(finite("mass", M))[0])
     if least < MASS_MIN * float(np.abs(M).max()):

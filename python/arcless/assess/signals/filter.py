@@ -21,7 +21,7 @@ UNIFORM_STEP_TOLERANCE = 1e-6
 EXTENSION_PERIODS = 3.0
 
 
-def sample_rate_Hz(time: NDArray[np.float64]) -> float:
+def sample_rate_Hz(time: NDArray[np.float64]) -> float:  # noqa: N802 - the unit is part of the name
     """Return the recording rate of equally spaced times.
 
     Parameters

@@ -59,7 +59,7 @@ class OutputFolder:
         self._refuse_folders()
         try:
             for folder in reversed([self.path, *self.path.parents]):
-                if not os.path.exists(folder):
+                if not os.path.exists(folder):  # noqa: PTH110 - `Path.exists` fails on long names
                     self._made.append(folder)
                     folder.mkdir(exist_ok=True)
             hidden_files.sweep(self.path)
@@ -120,7 +120,7 @@ class OutputFolder:
     def _refuse_folders(self) -> None:
         """Refuse folders where files are to be: their content is not ours to move or to remove."""
         for name in self._files:
-            if os.path.isdir(self.path / name):
+            if os.path.isdir(self.path / name):  # noqa: PTH112 - `Path.is_dir` fails on long names
                 raise OutputError(
                     "the file cannot be written",
                     where=str(self.path / name),

@@ -66,7 +66,7 @@ def _is_number(value: object) -> bool:
 
 
 def _is_section(value: object) -> bool:
-    return isinstance(value, list) and len(value) == 2 and all(map(_is_number, value))
+    return isinstance(value, list) and len(value) == 2 and all(map(_is_number, value))  # noqa: PLR2004
 
 
 def _is_counts(value: object) -> bool:

@@ -77,7 +77,7 @@ class ResonanceSpeed:
     speed: Band
     formula: str
     source: str
-    frequency_Hz: float | None = None
+    frequency_Hz: float | None = None  # noqa: N815 - the unit is part of the name
     length_m: float | None = None
     order: float | None = None
     about: str = ""

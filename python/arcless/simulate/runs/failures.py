@@ -221,7 +221,7 @@ def _replay(text: str) -> str:
 
 def _save(text: str) -> Path:
     """Write a file that outlives the run into the folder for temporary files."""
-    file = tempfile.NamedTemporaryFile(
+    file = tempfile.NamedTemporaryFile(  # noqa: SIM115 - closed below, where it may fail
         "w", prefix="arcless-lcp-", suffix=".json", delete=False, encoding="utf-8"
     )
     try:

@@ -40,7 +40,7 @@ class ControlInput:
     time_s: float
     position_m: float
     speed_m_s: float
-    contact_force_N: float
+    contact_force_N: float  # noqa: N815 - the unit is spelt as in every result
     displacements_m: tuple[float, ...]
     velocities_m_s: tuple[float, ...]
     sample_number: int

@@ -43,7 +43,7 @@ class SobolIndices(Sample):
         """Return blocks times points of a block."""
         return self.count * self.block(variables)
 
-    def points(self, count: int, variables: int, seed: int) -> "NDArray[np.float64]":
+    def points(self, count: int, variables: int, seed: int) -> "NDArray[np.float64]":  # noqa: ARG002
         """Return the blocks, one after the other."""
         import numpy as np
 
@@ -89,7 +89,7 @@ class Morris(Sample):
         """Return trajectories times points of one."""
         return self.count * self.block(variables)
 
-    def points(self, count: int, variables: int, seed: int) -> "NDArray[np.float64]":
+    def points(self, count: int, variables: int, seed: int) -> "NDArray[np.float64]":  # noqa: ARG002
         """Return the trajectories, one after the other."""
         import numpy as np
 
@@ -99,7 +99,7 @@ class Morris(Sample):
         points = np.empty((self.count, variables + 1, variables))
         for path, (start, side, order) in zip(points, draws, strict=True):
             low = np.floor(half * start)
-            up = side < 0.5
+            up = side < 0.5  # noqa: PLR2004 - both ways are equally likely
             level = np.where(up, low, low + half)
             path[0] = level
             for step, column in enumerate(np.argsort(order, kind="stable"), start=1):

@@ -17,7 +17,7 @@ class Grid(Part):
 
     kind: Literal["grid"] = Field(description="Every combination.")
 
-    def plan(self, axes: Sequence[Axis], seed: int) -> Plan:
+    def plan(self, axes: Sequence[Axis], seed: int) -> Plan:  # noqa: ARG002 - same for all designs
         """Count the combinations."""
         levels = [_levels(axis, "a grid") for axis in axes]
         count = checked(prod(len(values) for values in levels))
@@ -37,7 +37,7 @@ class Listed(Part):
 
     kind: Literal["list"] = Field(description="Values side by side.")
 
-    def plan(self, axes: Sequence[Axis], seed: int) -> Plan:
+    def plan(self, axes: Sequence[Axis], seed: int) -> Plan:  # noqa: ARG002 - same for all designs
         """Count the rows of the list."""
         levels = [_levels(axis, "a list") for axis in axes]
         count = checked(len(levels[0]))

@@ -36,7 +36,7 @@ class Sample(Part):
 
         return Plan(count, values)
 
-    def total(self, variables: int) -> int:
+    def total(self, variables: int) -> int:  # noqa: ARG002 - of some designs it depends on them
         """Return how many variants there are."""
         return self.count
 
