@@ -32,7 +32,7 @@ CASES: tuple[tuple[str, str, dict[str, Any]], ...] = (
     ("two pantographs, planar", "ac-simple-320-two-pantographs", {}),
     ("planar with a matrix", "en50318-ac-simple-320-planar", SOLVED),
     (
-        "the same with energy ledger",
+        "the same with energy balance",
         "en50318-ac-simple-320-planar",
         {**SOLVED, "output.energy": "always"},
     ),

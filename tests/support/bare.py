@@ -44,7 +44,7 @@ class Asked:
     loads
         Patterns (node, component, N) with a size at each instant.
     ledger
-        Whether the energy ledger is kept.
+        Whether the energy balance is kept.
     updated
         Whether coordinates and stiffness are updated in each step.
     friction

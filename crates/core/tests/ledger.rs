@@ -1,4 +1,4 @@
-//! The energy ledger: what enters a run is stored, dissipated or lost, to rounding.
+//! The energy balance: what enters a run is stored, dissipated or lost, to rounding.
 
 use crate::tests::common;
 

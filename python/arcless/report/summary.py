@@ -1,7 +1,7 @@
 """First screen of a run's page: identity, verdict, criteria as bars with their limits."""
 
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from itertools import pairwise
 from typing import Any
 
@@ -116,7 +116,8 @@ def verdict(assessment: Assessment) -> Verdict:
     count, total = len(groups[word]), len(assessment.criteria)
     share = f"all {total}" if count == total else f"{count} of {total}"
     rest = [f"{len(groups[other])} {other}" for other in _STATES if other != word and groups[other]]
-    items = [_item(one) for one in assessment.criteria
+    alone = len(assessment.pantographs) == 1
+    items = [_item(replace(one, pantograph=None) if alone else one) for one in assessment.criteria
              if verdict_of(asdict(one)) not in (MET, NOT_JUDGED)]  # fmt: skip
     return Verdict(state, sign, f"{title}: {share} criteria", "; ".join(rest), items)
 
@@ -131,7 +132,12 @@ def worst_place(run: RunData) -> str:
 def bullets(assessment: Assessment) -> list[Bullet]:
     """Return the criteria as bars, in the order of the table."""
     means = {p.name: p.mean_force_N for p in assessment.pantographs}
-    return [_bullet(one, means.get(one.pantograph or "", 0.0)) for one in assessment.criteria]
+    alone = len(means) == 1
+    return [
+        _bullet(replace(one, pantograph=None) if alone else one,
+                means.get(one.pantograph or "", 0.0))
+        for one in assessment.criteria
+    ]  # fmt: skip
 
 
 def decimals_of(criterion: Criterion) -> int:

@@ -271,7 +271,7 @@ pub(crate) fn check(
             .check_instants(trajectory.positions.len())?;
     }
     if plan.ledger && !has_energy_balance {
-        return refuse("plan", "an energy ledger with updated kinematics");
+        return refuse("plan", "an energy balance with updated kinematics");
     }
     if plan.contact_every == 0 || plan.line_every == 0 || plan.ledger_every == 0 {
         return refuse("plan", "a recording interval of zero steps");

@@ -14,6 +14,7 @@ from arcless.figures.run.track import (
     span_at,
     span_numbers,
     supports,
+    thinned,
     titled,
     unfiltered,
 )
@@ -38,8 +39,9 @@ def lead(run: RunData) -> list[Figure]:
     low, high = _force_range(run, shown)
     top = high + HEADROOM * (high - low)
     found = []
-    for i, numbers in enumerate(run.assessment.pantographs):
-        begin, end = run.assessment.section_m
+    first = worst(run)[0]
+    for i in sorted(range(len(run.pantographs)), key=lambda i: i != first):
+        numbers, (begin, end) = run.assessment.pantographs[i], run.assessment.section_m
         peaks, alt = _peaks(run, i, window)
         x = Axis("position along the track", "m", window[0], window[1])
         found.append(
@@ -107,7 +109,7 @@ def force(run: RunData) -> list[Figure]:
                 run, f"force-{i + 1}", titled(run, "Contact force", i),
                 Axis(FORCE, "N", low, high), layers, height=TALL,
                 caption=f"Filtered: after the {run.assessment.low_pass_Hz:g} Hz low-pass."
-                " The section assessed is shaded.",
+                f" The section assessed is shaded.{thinned(run)}",
                 alt=f"Contact force of {numbers.name} along the track, between"
                 f" {numbers.min_force_N:.1f} and {numbers.max_force_N:.1f} N in the section"
                 " assessed after the low-pass.",

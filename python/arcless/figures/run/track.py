@@ -15,6 +15,8 @@ GROUP = "track"
 LABEL = "position along the track"
 # Points in the file of an unfiltered channel, shared by the pantographs.
 RAW_POINTS = 6000
+# Points of filtered channels of runs that are too long for all samples.
+EXTREMES = 8000
 # Most supports or droppers that are marked.
 MARKS = 1000
 # A dropper further away than this part of a span does not name a place.
@@ -69,15 +71,21 @@ def filtered(run: RunData, pantograph: int, values: Floats, word: str, **look: A
     **look
         Others of the curve.
     """
-    found = run.sampled[pantograph]
     name, unit, form = word.rsplit(" ", 2)
-    tips = (
-        Tip(name, "y", unit, form),
-        Tip("position", "x", "m"),
-        Tip("time", found.t, "s", "0.000"),
-    )
-    look = {"colour": of_pantograph(pantograph), "width": 1.6, "tips": tips, **look}
-    return Curve(found.x, values[found.rows], **look)
+    tips = [Tip(name, "y", unit, form), Tip("position", "x", "m")]
+    if run.sampled is None:
+        rows = envelope(values, EXTREMES // len(run.pantographs))
+        x = run.position[rows, pantograph]
+    else:
+        rows, x = run.sampled[pantograph].rows, run.sampled[pantograph].x
+        tips.append(Tip("time", run.sampled[pantograph].t, "s", "0.000"))
+    look = {"colour": of_pantograph(pantograph), "width": 1.6, "tips": tuple(tips), **look}
+    return Curve(x, values[rows], **look)
+
+
+def thinned(run: RunData) -> str:
+    """Return a sentence where filtered channels are too long to draw all samples."""
+    return "" if run.sampled is not None else " Of this long run the extremes are drawn."
 
 
 def unfiltered(
