@@ -129,7 +129,7 @@ def dropper_table(found: InitialConfiguration) -> dict[str, Any]:
               "length between clamps, m", "unstretched length, m", "force, N"]  # fmt: skip
     cells = [
         [
-            str(one["span"]), one["name"].removeprefix(f"span {one['span']} "),
+            str(one["span"]), one["name"].replace(f"span {one['span']} ", "", 1),
             *([] if simple else [one["from"], one["to"]]), number(one["x_m"], 2),
             number(one["length_m"], 4), number(one["unstretched_length_m"], 4),
             number(one["force_N"], 1),

@@ -1,115 +1,298 @@
-"""The figures of the founding paper, F(t) and d(t) at its speeds, and the verdicts: one page."""
+"""Reference cases as one page: values in their ranges, the paper's conclusions, recorded evidence."""
 
-from collections.abc import Mapping, Sequence
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass
+from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any
 
-import numpy as np
-
-from arcless.report.drawing.bokeh_objects import Model
-from arcless.report.drawing.figure import Figure
-from arcless.report.drawing.style import (
-    GREY,
-    add_hover,
-    add_legend,
-    add_section,
-    colour,
-    figure,
-    single,
+from arcless.assess import decides
+from arcless.figures.description import Figure
+from arcless.figures.run import RunData
+from arcless.figures.validation import (
+    Compared,
+    force_intervals,
+    force_over_time,
+    gap_over_time,
+    overview,
+    state_of,
 )
-from arcless.report.figures.run_data import RunData
+from arcless.model import MARKS as MEANINGS
 from arcless.report.reported_run import ReportedRun
-from arcless.report.tables import number
+from arcless.report.summary import Verdict, number
+from arcless.report.tables import pair
 from arcless.report.template import render
 from arcless.storage.whole_files import write_bytes
 
+# Length of a bar in the drawing, and parts of it below and above the range.
+LENGTH, BEYOND = 1000.0, 0.25
 GAPS_ABOVE = 300 / 3.6  # m/s: the paper shows gaps at 340 and 360 km/h only
 
 
-def write(
-    results: Sequence[ReportedRun],
-    path: Path,
-    *,
-    verdicts: Sequence[Mapping[str, Any]],
-    source: str,
-) -> None:
-    """Write the figures and the verdicts: one HTML file that opens without a network.
+@dataclass(frozen=True)
+class Case:
+    """A case with published ranges: title, where they are from, values."""
 
-    Parameters
+    title: str
+    source: str
+    rows: Sequence[Compared]
+
+
+@dataclass(frozen=True)
+class Conclusion:
+    """A statement of the founding paper.
+
+    Attributes
     ----------
-    results
-        The runs, by increasing speed.
-    path
-        The file to write; its folder must exist.
-    verdicts
-        The conclusions: ``title``, ``holds``, ``checked``, ``assumption``, and ``rows`` with
-        ``quantity``, ``note``, ``value``, ``digits``, ``unit``, ``limit``, ``mark``, ``verdict``.
+    title
+        The statement.
+    shows
+        Figures that show it: ``"force"``, ``"interval"`` or ``"gap"``.
+    checked, assumption
+        How it was checked, and what had to be assumed.
+    rows
+        The values that were checked; all must be inside.
+    """
+
+    title: str
+    shows: str
+    checked: str
+    assumption: str
+    rows: Sequence[Compared]
+
+    @property
+    def holds(self) -> bool:
+        """True where all values are inside."""
+        return all(state_of(row.verdict) == "met" for row in self.rows)
+
+
+@dataclass(frozen=True)
+class Evidence:
+    """A topic of the recorded evidence; `used` is the largest used part of a tolerance."""
+
+    group: str
+    title: str
+    version: str
+    values: int
+    inside: int
+    used: float | None
+    faults: int
+
+
+@dataclass(frozen=True)
+class Subject:
+    """All that a page of reference cases shows.
+
+    Attributes
+    ----------
+    suite
+        Name of the suite.
+    certainty
+        From how many starts each case was run; None for once.
+    cases, conclusions, evidence
+        Parts of the page; an empty one is left out.
+    runs
+        Runs of the paper's example, by increasing speed.
     source
         Where the conclusions are from.
+    """
+
+    suite: str
+    certainty: int | None
+    cases: Sequence[Case]
+    conclusions: Sequence[Conclusion]
+    runs: Sequence[ReportedRun]
+    source: str
+    evidence: Sequence[Evidence]
+
+    @property
+    def rows(self) -> list[Compared]:
+        """All comparisons."""
+        return [row for part in (*self.cases, *self.conclusions) for row in part.rows]
+
+
+@dataclass(frozen=True)
+class RangeBar:
+    """A value in its range, from 0 to `LENGTH`: the band, the value, ± (None where not known)."""
+
+    band: tuple[float, float]
+    value: float
+    sure: tuple[float, float] | None
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A comparison as text, and as a bar where it has a value and a range."""
+
+    quantity: str
+    value: str
+    unit: str
+    limit: str
+    mark: str
+    verdict: str
+    state: str
+    note: str
+    words: str
+    bar: RangeBar | None
+
+
+def write(subject: Subject, path: Path) -> None:
+    """Write the page: one HTML file that opens without a network.
 
     Raises
     ------
     OutputError
         The file cannot be written; nothing half-written stays behind.
     """
-    scenes = [RunData(result.latest, result.assessment) for result in results]
-    fast = [scene for scene in scenes if scene.assessment.speed_m_s > GAPS_ABOVE]
-    drawn = {f"force {place}": force(scene) for place, scene in enumerate(scenes)}
-    drawn |= {f"gap {place}": gap(scene) for place, scene in enumerate(fast)}
-    text = render(
-        "published.html",
+    write_bytes(path, html(subject, path.name).encode())
+
+
+def html(subject: Subject, name: str = "report.html") -> str:
+    """Return the page as one HTML text; `name` is that of its file."""
+    drawn = _figures(subject)
+    used = {row.mark for row in subject.rows}
+    contents = [("summary", "Summary")]
+    contents += [("ranges", "Published ranges")] if subject.cases else []
+    contents += [("paper", "Founding paper")] if subject.conclusions else []
+    contents += [("evidence", "Recorded evidence")] if subject.evidence else []
+    once = "" if subject.certainty or not subject.cases else " --once"
+    starts = "once" if subject.certainty is None else f"from {subject.certainty} starts"
+    return render(
+        "validation.html",
         drawn,
-        forces=len(scenes),
-        gaps=len(fast),
-        verdicts=[_cells(item) for item in verdicts],
-        held=sum(bool(item["holds"]) for item in verdicts),
-        command=f"arcless validate seed --report {path.name}",
-        source=source,
-        facts=results[0].metadata,
+        suite=subject.suite,
+        identity=_identity(subject, starts),
+        verdict=verdict(subject.rows),
+        parts=_parts(subject),
+        cases=[(one, _count(one.rows), [entry(row) for row in one.rows]) for one in subject.cases],
+        conclusions=[(one, [entry(row) for row in one.rows]) for one in subject.conclusions],
+        evidence=_evidence(subject.evidence),
+        evidence_values=sum(one.values for one in subject.evidence),
+        versions=" and ".join(sorted({one.version for one in subject.evidence})),
+        source=subject.source,
+        marks={mark: meaning for mark, meaning in MEANINGS.items() if mark in used},
+        contents=contents,
+        command=f"arcless validate {subject.suite}{once} --report {name}",
+        certain=subject.certainty is not None,
     )
-    write_bytes(path, text.encode())
 
 
-def _cells(verdict: Mapping[str, Any]) -> dict[str, Any]:
-    """Return a conclusion with the numbers of its rows as text."""
-    rows = [{**row, "value": number(row["value"], row["digits"])} for row in verdict["rows"]]
-    return {**verdict, "rows": rows}
+def verdict(rows: Sequence[Compared]) -> Verdict:
+    """Return the headline over all values whose range decides."""
+    counted = [row for row in rows if decides(row.mark)]
+    outside = [row for row in counted if state_of(row.verdict) == "not_met"]
+    close = [row for row in counted if state_of(row.verdict) == "open"]
+    other = len(rows) - len(counted)
+    inside = len(counted) - len(outside) - len(close)
+    words = f"{inside} of {len(counted)} values are inside the ranges that count"
+    words += f"; {len(outside)} outside" if outside else ""
+    words += f"; {len(close)} too close to tell" if close else ""
+    items = [_item(row) for row in (*outside, *close)]
+    if other:
+        held = sum(state_of(row.verdict) == "met" for row in rows if not decides(row.mark))
+        items.append(
+            f"{held} of {other} values are inside ranges that are remembered, unverified; these"
+            " decide nothing."
+        )
+    if outside:
+        return Verdict("missed", "✘", words, items)
+    return Verdict("open" if close else "met", "≈" if close else "✔", words, items)
 
 
-def force(scene: RunData) -> Figure:
-    """Draw the unfiltered contact force over time."""
-    values = scene.record.force[:, 0]
-    seen = values[scene.record.inside[:, 0]]
-    title = f"F(t) at {_speed(scene)}: {seen.min():.0f} to {seen.max():.0f} N in the section"
-    return _over_time(scene, title, ("contact force", "N"), values, "0.0")
+def entry(row: Compared) -> Entry:
+    """Return a comparison as a page shows it."""
+    value = _shown(row)
+    remembered = "" if decides(row.mark) else ", remembered, unverified"
+    words = f"{row.quantity}: {value} {row.unit}, range {row.limit} {row.unit}{remembered}: {row.verdict}"
+    return Entry(
+        row.quantity, value, row.unit, row.limit, row.mark, row.verdict,
+        state_of(row.verdict).replace("_", "-"), row.note, words, _bar(row),
+    )  # fmt: skip
 
 
-def gap(scene: RunData) -> Figure:
-    """Draw the gap between strip and wire over time."""
-    values = 1e3 * scene.dataset["contact_gap"].values[:, 0]
-    seen = values[scene.record.inside[:, 0]]
-    title = f"d(t) at {_speed(scene)}: at most {seen.max():.2f} mm in the section"
-    return _over_time(scene, title, ("gap", "mm"), values, "0.000")
+def _shown(row: Compared) -> str:
+    if row.value is not None and row.digits < 0:
+        return f"{row.value:.2g}"
+    return pair(row.value, row.uncertainty, max(row.digits, 0))
 
 
-def _speed(scene: RunData) -> str:
-    return f"{3.6 * scene.assessment.speed_m_s:.0f} km/h"
+def _item(row: Compared) -> str:
+    unit = f" {row.unit}" if row.unit else ""
+    return (
+        f"{row.case}, {row.quantity}: {_shown(row)}{unit}, range {row.limit}{unit} ({row.verdict},"
+        f" mark {row.mark})"
+    )
 
 
-def _over_time(scene: RunData, title: str, axis: tuple[str, str], values: Any, form: str) -> Figure:
-    time, x = scene.values("time"), scene.dataset["position"].values[:, 0]
-    name, unit = axis
-    fig = figure(title, "time, s", f"{name}, {unit}", height=270)
-    begin, end = np.interp(scene.assessment.section_m, x, time)
-    add_section(fig, begin, end)
-    data = {"t": single(time), "y": single(values), "x": single(x)}
-    line = fig.draw("Line", data, "t", "y", color=colour(0), line_width=1.1)
-    joints = scene.values("dropper_x")
-    passed = np.interp(joints[(joints >= x[0]) & (joints <= x[-1])], x, time)
-    feet = {"x": single(passed), "y": np.zeros_like(passed)}
-    ticks = fig.draw("Scatter", feet, marker="dash", angle=np.pi / 2, size=9, color=GREY)
-    fig.y_range = Model("Range1d", start=0.0, end=1.08 * float(values.max()) or 1.0)
-    tips = [("time", "@t{0.0000} s"), ("position", "@x{0.00} m"), (name, f"@y{{{form}}} {unit}")]
-    add_hover(fig, [line], tips, mode="vline")
-    add_legend(fig, [(name, [line]), ("hanger joint", [ticks])])
-    return fig
+def _bar(row: Compared) -> RangeBar | None:
+    """Return a value in a range with two bounds; a range of one number is a line in the middle."""
+    if row.value is None or row.low is None or row.high is None:
+        return None
+    sure = row.uncertainty or 0.0
+    width = row.high - row.low or 2.0 * (abs(row.value - row.low) or sure or 1.0)
+    low = min(row.low - BEYOND * width, row.value - sure)
+    high = max(row.high + BEYOND * width, row.value + sure)
+
+    def place(value: float) -> float:
+        return round(LENGTH * (value - low) / (high - low), 1)
+
+    ends = None
+    if row.uncertainty is not None:
+        ends = (place(row.value - sure), place(row.value + sure))
+    return RangeBar((place(row.low), place(row.high) - place(row.low)), place(row.value), ends)
+
+
+def _count(rows: Sequence[Compared]) -> dict[str, int]:
+    """Return how many values there are in each state."""
+    states = Counter(state_of(row.verdict) for row in rows)
+    return {"values": len(rows), **{name: states[name] for name in ("met", "not_met", "open")}}
+
+
+def _parts(subject: Subject) -> list[tuple[str, str, dict[str, int], bool]]:
+    """Return a line for each case and conclusion: address, title, counts, whether it decides."""
+    cases = [
+        (f"case-{place}", one.title, _count(one.rows), any(decides(row.mark) for row in one.rows))
+        for place, one in enumerate(subject.cases, start=1)
+    ]
+    return cases + [
+        (f"conclusion-{place}", f"Founding paper: {one.title}", _count(one.rows), True)
+        for place, one in enumerate(subject.conclusions, start=1)
+    ]
+
+
+def _figures(subject: Subject) -> dict[str, Sequence[Figure]]:
+    whole = overview(subject.rows, [decides(row.mark) for row in subject.rows])
+    runs = [RunData(run.latest, run.assessment) for run in subject.runs]
+    fast = [run for run in runs if run.assessment.speed_m_s > GAPS_ABOVE]
+    return {
+        "overview": [] if whole is None else [whole],
+        "force": [force_over_time(run) for run in runs],
+        "interval": [force_intervals(runs)] if runs else [],
+        "gap": [gap_over_time(run) for run in fast],
+    }
+
+
+def _identity(subject: Subject, starts: str) -> list[tuple[str, str]]:
+    from arcless import __version__
+
+    return [
+        ("Suite", subject.suite),
+        *([("Cases", f"{len(subject.cases)}, each run {starts}")] if subject.cases else []),
+        ("Computed", f"{datetime.now(UTC):%Y-%m-%d %H:%M}"),
+        ("Arcless", __version__),
+    ]
+
+
+def _evidence(topics: Sequence[Evidence]) -> list[tuple[str, list[tuple[Evidence, str]]]]:
+    """Return the topics by group, each with the used part of its tolerances in percent."""
+    return [
+        (
+            group,
+            [
+                (one, "–" if one.used is None else number(100 * one.used, 0))
+                for one in topics
+                if one.group == group
+            ],
+        )
+        for group in dict.fromkeys(one.group for one in topics)
+    ]

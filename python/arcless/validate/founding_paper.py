@@ -4,7 +4,6 @@ The text of the paper that we have gives conclusions and captions, no curves: on
 can be checked, in the words in which this project states them.
 """
 
-import dataclasses
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
@@ -15,7 +14,7 @@ from arcless.validate.reference import INSIDE, VERIFIED, Range
 from arcless.validate.rows import Progress, Row, part
 
 if TYPE_CHECKING:
-    from pathlib import Path
+    from arcless.results import Result
 
 SCENARIOS = ("praks-180", "praks-250", "praks-340", "praks-360")
 FAST = 300 / 3.6  # m/s: the paper has gaps at 340 and 360 km/h, contact at 180 and 250 km/h
@@ -76,42 +75,20 @@ def held(rows_: Sequence[Row]) -> dict[str, bool]:
     }
 
 
-def run(progress: Progress | None = None, report: "Path | None" = None) -> list[Row]:
-    """Run the worked example at its four speeds and check the conclusions.
+def runs(progress: Progress | None = None) -> "list[Result]":
+    """Run the worked example at its four speeds.
 
     Parameters
     ----------
     progress : callable, optional
         Called with the done fraction and what is being done.
-    report : Path, optional
-        A file for the paper's figures and the verdicts, HTML.
     """
     from arcless.simulate import run as simulate
 
     count = len(SCENARIOS)
-    results = [
+    return [
         simulate(load(name), progress=part(progress, index / count, (index + 1) / count))
         for index, name in enumerate(SCENARIOS)
-    ]
-    found = rows([observe(result) for result in results])
-    if report is not None:
-        from arcless.report import published_page
-
-        published_page.write(results, report, verdicts=verdicts(found), source=SOURCE)
-    return found
-
-
-def verdicts(rows_: Sequence[Row]) -> list[dict[str, object]]:
-    """Return the conclusions with verdict, what was checked, assumption and rows, to print."""
-    return [
-        {
-            "title": conclusion,
-            "holds": holds,
-            "checked": CONCLUSIONS[conclusion][0],
-            "assumption": CONCLUSIONS[conclusion][1],
-            "rows": [dataclasses.asdict(row) for row in rows_ if row.case == conclusion],
-        }
-        for conclusion, holds in held(rows_).items()
     ]
 
 
@@ -124,11 +101,11 @@ def _joint_rows(seen: Observation) -> list[Row]:
     changes = seen.changes
     count = len(changes.joints)
     ratio = Range(
-        "joint_change_ratio", f"{seen.kmh}: change at joints over elsewhere, lowest of {count}",
+        "joint_change_ratio", f"{seen.kmh}: change at joints over change elsewhere, lowest of {count} joints",
         "", 1.0, None, VERIFIED, strict=True,
     )  # fmt: skip
     rms = Range(
-        "joint_change_rms_ratio", f"{seen.kmh}: the same, root mean square", "", FASTER, None,
+        "joint_change_rms_ratio", f"{seen.kmh}: change at joints over change elsewhere, root mean square", "", FASTER, None,
         VERIFIED,
     )  # fmt: skip
     sizes = f"{changes.near:.1f} N at joints, {changes.elsewhere:.1f} N elsewhere, over {PIECE} m"
@@ -153,7 +130,7 @@ def _places(changes: JointChanges) -> str:
 
 def _interval_row(seen: Observation, below: float) -> Row:
     allowed = Range(
-        "force_interval_N", f"{seen.kmh}: width of the interval", "N", below, None, VERIFIED,
+        "force_interval_N", f"{seen.kmh}: width of the interval of the contact force", "N", below, None, VERIFIED,
         strict=True,
     )  # fmt: skip
     return _row(INTERVAL, allowed, seen.width, f"{seen.low:.1f} to {seen.high:.1f} N")
@@ -163,13 +140,13 @@ def _gap_row(seen: Observation) -> Row:
     lost = f"contact lost during {seen.loss:.2f} % of the time"
     if seen.speed > FAST:
         allowed = Range(
-            "max_gap_mm", f"{seen.kmh}: largest gap", "mm", SMALLEST_GAP, None, VERIFIED,
+            "max_gap_mm", f"{seen.kmh}: maximum gap", "mm", SMALLEST_GAP, None, VERIFIED,
             strict=True, digits=3,
         )  # fmt: skip
         places = ", ".join(f"{x:.2f}" for x in seen.gaps_at)
         return _row(GAPS, allowed, seen.gap, f"at {places} m; {lost}" if places else lost)
     allowed = Range(
-        "unfiltered_min_force_N", f"{seen.kmh}: lowest force", "N", 0.0, None, VERIFIED,
+        "unfiltered_min_force_N", f"{seen.kmh}: minimum contact force", "N", 0.0, None, VERIFIED,
         strict=True,
     )  # fmt: skip
     return _row(GAPS, allowed, seen.low, lost)

@@ -37,7 +37,7 @@ def support_forces(line: LineData) -> list[Figure]:
     rows = _known(line, found, key)
     if not rows:
         return []
-    layers = _stems(rows, key, "messenger_wire", "support", _texts(rows))
+    layers = _stems(rows, key, "messenger_wire", "vertical force", _texts(rows))
     title = f"Vertical force of the {HELD[key]} on supports at rest"
     return [_figure(line, "support-forces", title, "vertical force", rows, key, layers)]
 

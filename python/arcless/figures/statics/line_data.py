@@ -21,6 +21,8 @@ BESIDE = 1
 # Distance in m of the places at which the elasticity is computed: droppers are some metres apart.
 # Half of it changes no extreme by 0.3 %, and takes twice the time.
 SPACING = 1.0
+# A span has at least so many of them, which matters to rails on supports some metres apart.
+PLACES = 24
 # A place this near to a support, in m, is at it.
 AT_SUPPORT = 1e-6
 
@@ -92,7 +94,7 @@ class LineData:
             if (left, right) == middle:
                 pieces.append(np.array(self.found.elasticity_x_m))
             else:
-                count = max(2, int(np.ceil((right - left) / SPACING)))
+                count = max(PLACES, int(np.ceil((right - left) / SPACING)))
                 pieces.append(np.linspace(left, right, count + 1))
         x = np.concatenate([*(piece[:-1] for piece in pieces), pieces[-1][-1:]])
         return x, self.found.equilibrium.elasticity(x)

@@ -18,6 +18,8 @@ from arcless.mesh import PLANAR
 SIDE, PLAN = 340, 250
 # Part of the range of heights, and of the largest lateral position, that is left free around them.
 MARGIN, BESIDE_WIRES = 0.08, 0.25
+# Smallest range of heights that fills the figure, and the one below which millimetres are told, in m.
+LEAST, FINE = 0.02, 0.4
 # Lines of more spans have their numbers alone, which do not cover one another.
 NAMED_SPANS = 20
 # Names of wires, where they are not those of the fields of a line.
@@ -28,9 +30,10 @@ def side_view(line: LineData) -> list[Figure]:
     """Return the line from the side; heights are drawn larger than lengths."""
     heights = line.points[line.inside(line.points[:, ALONG]), UP]
     low, high = float(heights.min()), float(heights.max())
-    margin = MARGIN * max(high - low, 0.1)
+    margin = MARGIN * max(high - low, LEAST)
     top = high + 2.0 * margin
-    y = Axis("height above rail", "m", low - margin, top, form="0.0")
+    form = "0.0" if high - low > FINE else "0.000"
+    y = Axis("height above rail", "m", low - margin, top, form=form)
     sag = 1e3 * line.found.contact_wire_sag_m
     count = len(line.found.droppers)
     layers = [*_layers(line, UP), *_span_numbers(line, top)]

@@ -118,15 +118,31 @@
         if (view) { view.invalidate_layout?.(); view.compute_layout?.(); view.repaint?.(); }
       }
     };
+    // Bokeh clears its canvas once the page has the size of paper, and paints it too late: what is
+    // printed is a copy.
+    const copies = [];
+    const copy = () => {
+      for (const plot of plots) {
+        const view = view_of(plot), place = document.getElementById(data.places[plot.id]);
+        if (!view || !place) continue;
+        const drawn = view.export("png").canvas, made = document.createElement("canvas");
+        [made.width, made.height, made.className] = [drawn.width, drawn.height, "printed"];
+        made.getContext("2d").drawImage(drawn, 0, 0);
+        place.after(made);
+        copies.push(made);
+      }
+    };
     const opened = [];
     addEventListener("beforeprint", () => {
       for (const part of $("details:not([open])")) if (!part.hasAttribute("data-screen")) { part.open = true; opened.push(part); }
       paint("light");
       root.classList.add("printing");
       lay_out();
+      copy();
     });
     addEventListener("afterprint", () => {
       while (opened.length) opened.pop().open = false;
+      while (copies.length) copies.pop().remove();
       root.classList.remove("printing");
       paint(scheme());
       lay_out();
