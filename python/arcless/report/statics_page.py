@@ -1,7 +1,8 @@
-"""The line at rest as one page: views, elasticity, forces, and the tables of droppers and supports."""
+"""The line at rest as one page: views, elasticity, forces, tables of droppers and supports."""
 
 from collections.abc import Mapping, Sequence
 from datetime import UTC, datetime
+from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
@@ -54,7 +55,7 @@ def html(found: InitialConfiguration, *, resonance: Mapping[str, Any] | None = N
     """Return the page of an initial configuration; see `write`."""
     line = LineData(found)
     drawn = figures(line)
-    texts = {
+    texts: dict[str, Any] = {
         "droppers": dropper_table(found),
         "supports": support_table(line),
         "clamped": clamped_tables(found),
@@ -82,20 +83,18 @@ def html(found: InitialConfiguration, *, resonance: Mapping[str, Any] | None = N
 
 def identity(found: InitialConfiguration) -> list[tuple[str, str]]:
     """Return what the page is about, as label and text."""
-    from arcless import __version__
-
     places = found.equilibrium.support_places()
     weather = "as designed" if found.as_built is None else "as built"
     return [
         ("Scenario", found.scenario.name),
         ("Line", f"{len(places) - 1} spans, {places[-1] - places[0]:.0f} m, {weather}"),
         ("Computed", _now()),
-        ("Arcless", __version__),
+        ("Arcless", version("arcless")),
     ]
 
 
 def main_numbers(found: InitialConfiguration) -> list[tuple[str, str, str]]:
-    """Return the numbers of the first screen: label, value, unit; they are those of the terminal."""
+    """Return the main numbers, those of the terminal: label, value, unit."""
     elasticity = 1e3 * np.array(found.elasticity_m_per_N)
     span = f"span {found.middle_span}"
     rows = [(f"sag of the contact wire in {span}", number(1e3 * found.contact_wire_sag_m, 1), "mm")]
@@ -105,7 +104,11 @@ def main_numbers(found: InitialConfiguration) -> list[tuple[str, str, str]]:
     low, high = (number(end, 3) for end in (elasticity.min(), elasticity.max()))
     rows.append((f"elasticity in {span}, lowest to highest", f"{low} – {high}", "mm/N"))
     rows.append(
-        (f"non-uniformity of elasticity in {span}", number(100 * found.elasticity_nonuniformity), "%")
+        (
+            f"non-uniformity of elasticity in {span}",
+            number(100 * found.elasticity_nonuniformity),
+            "%",
+        )
     )
     if found.wave_speed is not None:
         rows.append(("wave speed of the contact wire", number(3.6 * found.wave_speed, 0), "km/h"))
@@ -147,12 +150,13 @@ def support_table(line: LineData) -> dict[str, Any]:
         {**one, "stagger_m": stagger}
         for one, stagger in zip(line.found.supports, staggers, strict=True)
     ]
-    shown = [
-        one for one in _SUPPORT_COLUMNS if any(row.get(one[0]) is not None for row in rows)
-    ]
+    shown = [one for one in _SUPPORT_COLUMNS if any(row.get(one[0]) is not None for row in rows)]
     titles = ["support", "position, m", *(title for _, title, _ in shown)]
     cells = [
-        [row["name"], number(row["x_m"], 2), *(number(row.get(key), digits) for key, _, digits in shown)]
+        [
+            row["name"], number(row["x_m"], 2),
+            *(number(row.get(key), digits) for key, _, digits in shown),
+        ]
         for row in rows
     ]  # fmt: skip
     return {"titles": titles, "rows": cells, "texts": 1}
@@ -165,14 +169,17 @@ def clamped_tables(found: InitialConfiguration) -> list[tuple[str, dict[str, Any
         ("stitch-wires", "Stitch wires", "lowest point, m", "lowest_m"),
         ("bridles", "Bridles", "height of the hanging point, m", "hangs_at_m"),
     ):
-        rows: Sequence[Mapping[str, Any]] = found.stitch_wires if of == "lowest_m" else found.bridles
+        rows: Sequence[Mapping[str, Any]] = (
+            found.stitch_wires if of == "lowest_m" else found.bridles
+        )
         if not rows:
             continue
         titles = ["support", "from, m", "to, m", title, "unstretched length, m", "tension, N"]
         cells = [
             [
-                one["support"], number(one["from_m"], 2), number(one["to_m"], 2), number(one[of], 4),
-                number(one["unstretched_length_m"], 4), number(one["tension_N"], 1),
+                one["support"], number(one["from_m"], 2), number(one["to_m"], 2),
+                number(one[of], 4), number(one["unstretched_length_m"], 4),
+                number(one["tension_N"], 1),
             ]
             for one in rows
         ]  # fmt: skip

@@ -1,9 +1,10 @@
-"""Reference cases as one page: values in their ranges, the paper's conclusions, recorded evidence."""
+"""Reference cases as one page: values in ranges, the paper's conclusions, recorded evidence."""
 
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime
+from importlib.metadata import version
 from pathlib import Path
 
 from arcless.assess import decides
@@ -18,97 +19,15 @@ from arcless.figures.validation import (
     state_of,
 )
 from arcless.model import MARKS as MEANINGS
-from arcless.report.reported_run import ReportedRun
-from arcless.report.summary import Verdict, number
+from arcless.report.summary import MOST_DECIMALS, Verdict, number
 from arcless.report.tables import pair
 from arcless.report.template import render
+from arcless.report.validation_subject import Evidence, Subject
 from arcless.storage.whole_files import write_bytes
 
 # Length of a bar in the drawing, and parts of it below and above the range.
 LENGTH, BEYOND = 1000.0, 0.25
 GAPS_ABOVE = 300 / 3.6  # m/s: the paper shows gaps at 340 and 360 km/h only
-
-
-@dataclass(frozen=True)
-class Case:
-    """A case with published ranges: title, where they are from, values."""
-
-    title: str
-    source: str
-    rows: Sequence[Compared]
-
-
-@dataclass(frozen=True)
-class Conclusion:
-    """A statement of the founding paper.
-
-    Attributes
-    ----------
-    title
-        The statement.
-    shows
-        Figures that show it: ``"force"``, ``"interval"`` or ``"gap"``.
-    checked, assumption
-        How it was checked, and what had to be assumed.
-    rows
-        The values that were checked; all must be inside.
-    """
-
-    title: str
-    shows: str
-    checked: str
-    assumption: str
-    rows: Sequence[Compared]
-
-    @property
-    def holds(self) -> bool:
-        """True where all values are inside."""
-        return all(state_of(row.verdict) == "met" for row in self.rows)
-
-
-@dataclass(frozen=True)
-class Evidence:
-    """A topic of the recorded evidence; `used` is the largest used part of a tolerance."""
-
-    group: str
-    title: str
-    version: str
-    values: int
-    inside: int
-    used: float | None
-    faults: int
-
-
-@dataclass(frozen=True)
-class Subject:
-    """All that a page of reference cases shows.
-
-    Attributes
-    ----------
-    suite
-        Name of the suite.
-    certainty
-        From how many starts each case was run; None for once.
-    cases, conclusions, evidence
-        Parts of the page; an empty one is left out.
-    runs
-        Runs of the paper's example, by increasing speed.
-    source
-        Where the conclusions are from.
-    """
-
-    suite: str
-    certainty: int | None
-    cases: Sequence[Case]
-    conclusions: Sequence[Conclusion]
-    runs: Sequence[ReportedRun]
-    source: str
-    evidence: Sequence[Evidence]
-
-    @property
-    def rows(self) -> list[Compared]:
-        """All comparisons."""
-        return [row for part in (*self.cases, *self.conclusions) for row in part.rows]
 
 
 @dataclass(frozen=True)
@@ -167,7 +86,7 @@ def html(subject: Subject, name: str = "report.html") -> str:
         cases=[(one, _count(one.rows), [entry(row) for row in one.rows]) for one in subject.cases],
         conclusions=[(one, [entry(row) for row in one.rows]) for one in subject.conclusions],
         evidence=_evidence(subject.evidence),
-        evidence_values=sum(one.values for one in subject.evidence),
+        evidence_words=_evidence_words(subject.evidence),
         versions=" and ".join(sorted({one.version for one in subject.evidence})),
         source=subject.source,
         marks={mark: meaning for mark, meaning in MEANINGS.items() if mark in used},
@@ -203,17 +122,23 @@ def entry(row: Compared) -> Entry:
     """Return a comparison as a page shows it."""
     value = _shown(row)
     remembered = "" if decides(row.mark) else ", remembered, unverified"
-    words = f"{row.quantity}: {value} {row.unit}, range {row.limit} {row.unit}{remembered}: {row.verdict}"
+    allowed = f"range {row.limit} {row.unit}{remembered}"
+    words = f"{row.quantity}: {value} {row.unit}, {allowed}: {row.verdict}"
     return Entry(
-        row.quantity, value, row.unit, row.limit, row.mark, row.verdict,
+        row.quantity, value, row.unit, row.limit.replace("-", "−"), row.mark, row.verdict,
         state_of(row.verdict).replace("_", "-"), row.note, words, _bar(row),
     )  # fmt: skip
 
 
 def _shown(row: Compared) -> str:
-    if row.value is not None and row.digits < 0:
-        return f"{row.value:.2g}"
-    return pair(row.value, row.uncertainty, max(row.digits, 0))
+    """Return a value with ±, to so many decimals that it is told apart from a bound near it."""
+    value, decimals = row.value, row.digits
+    bounds = [bound for bound in (row.low, row.high) if bound is not None and bound != value]
+    while decimals < MOST_DECIMALS and value is not None:
+        if all(f"{value:.{decimals}f}" != f"{bound:.{decimals}f}" for bound in bounds):
+            break
+        decimals += 1
+    return pair(value, row.uncertainty, decimals)
 
 
 def _item(row: Compared) -> str:
@@ -255,7 +180,7 @@ def _parts(subject: Subject) -> list[tuple[str, str, dict[str, int], bool]]:
         for place, one in enumerate(subject.cases, start=1)
     ]
     return cases + [
-        (f"conclusion-{place}", f"Founding paper: {one.title}", _count(one.rows), True)
+        (f"conclusion-{place}", f"Founding paper, {one.heading}", _count(one.rows), True)
         for place, one in enumerate(subject.conclusions, start=1)
     ]
 
@@ -273,14 +198,23 @@ def _figures(subject: Subject) -> dict[str, Sequence[Figure]]:
 
 
 def _identity(subject: Subject, starts: str) -> list[tuple[str, str]]:
-    from arcless import __version__
-
     return [
         ("Suite", subject.suite),
         *([("Cases", f"{len(subject.cases)}, each run {starts}")] if subject.cases else []),
         ("Computed", f"{datetime.now(UTC):%Y-%m-%d %H:%M}"),
-        ("Arcless", __version__),
+        ("Arcless", version("arcless")),
     ]
+
+
+def _evidence_words(topics: Sequence[Evidence]) -> str:
+    """Return how many values there are, and how many of them are where."""
+    values, inside, unverified = (
+        sum(getattr(one, name) for one in topics) for name in ("values", "inside", "unverified")
+    )
+    outside = values - inside - unverified
+    words = f"{values} values: {inside} inside"
+    words += f", {outside} outside" if outside else ""
+    return words + (f", {unverified} outside of unverified ranges" if unverified else "")
 
 
 def _evidence(topics: Sequence[Evidence]) -> list[tuple[str, list[tuple[Evidence, str]]]]:

@@ -44,6 +44,7 @@ def run(
         One row for each published range, and for each part of a conclusion.
     """
     from arcless.validate import founding_paper
+    from arcless.validate.observation import observe
 
     if which not in SUITES:
         raise ModelError("reference cases", got=f"`{which}`", expected=" or ".join(SUITES))
@@ -56,7 +57,7 @@ def run(
         rows += _published(share, certainty)
     if which != "en50318":
         runs = founding_paper.runs(part(progress, LONG_PART if which == "all" else 0.0, 1.0))
-        rows += founding_paper.rows([founding_paper.observe(run) for run in runs])
+        rows += founding_paper.rows([observe(run) for run in runs])
     if report is not None:
         from arcless.validate import report as page
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from arcless.model import load
 from arcless.validate.hanger_joints import PIECE, JointChanges
-from arcless.validate.observation import SMALLEST_GAP, Observation, observe
+from arcless.validate.observation import SMALLEST_GAP, Observation
 from arcless.validate.reference import INSIDE, VERIFIED, Range
 from arcless.validate.rows import Progress, Row, part
 
@@ -100,13 +100,13 @@ def _row(conclusion: str, allowed: Range, value: float, note: str) -> Row:
 def _joint_rows(seen: Observation) -> list[Row]:
     changes = seen.changes
     count = len(changes.joints)
+    what = f"{seen.kmh}: change at joints over change elsewhere"
     ratio = Range(
-        "joint_change_ratio", f"{seen.kmh}: change at joints over change elsewhere, lowest of {count} joints",
-        "", 1.0, None, VERIFIED, strict=True,
+        "joint_change_ratio", f"{what}, lowest of {count} joints", "", 1.0, None, VERIFIED,
+        strict=True,
     )  # fmt: skip
     rms = Range(
-        "joint_change_rms_ratio", f"{seen.kmh}: change at joints over change elsewhere, root mean square", "", FASTER, None,
-        VERIFIED,
+        "joint_change_rms_ratio", f"{what}, root mean square", "", FASTER, None, VERIFIED,
     )  # fmt: skip
     sizes = f"{changes.near:.1f} N at joints, {changes.elsewhere:.1f} N elsewhere, over {PIECE} m"
     return [
@@ -130,8 +130,8 @@ def _places(changes: JointChanges) -> str:
 
 def _interval_row(seen: Observation, below: float) -> Row:
     allowed = Range(
-        "force_interval_N", f"{seen.kmh}: width of the interval of the contact force", "N", below, None, VERIFIED,
-        strict=True,
+        "force_interval_N", f"{seen.kmh}: width of the interval of the contact force", "N", below,
+        None, VERIFIED, strict=True,
     )  # fmt: skip
     return _row(INTERVAL, allowed, seen.width, f"{seen.low:.1f} to {seen.high:.1f} N")
 

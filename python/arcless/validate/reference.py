@@ -89,7 +89,9 @@ class Case:
 
 
 def _ranges(mark: str, bounds: dict[str, tuple[float, float]]) -> tuple[Range, ...]:
-    return tuple(Range(key, label_of(key), QUANTITIES[key].unit, *bounds[key], mark) for key in bounds)
+    return tuple(
+        Range(key, label_of(key), QUANTITIES[key].unit, *bounds[key], mark) for key in bounds
+    )
 
 
 _EN_50318_2002 = (

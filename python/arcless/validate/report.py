@@ -5,12 +5,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from arcless.validate import founding_paper
-from arcless.validate.evidence import GROUPS, recorded
+from arcless.validate.evidence import GROUPS, UNVERIFIED, recorded
 from arcless.validate.reference import CASES, DROPPERS
 from arcless.validate.rows import Row
 
 if TYPE_CHECKING:
-    from arcless.report.validation_page import Case, Conclusion, Evidence
+    from arcless.report.validation_subject import Case, Conclusion, Evidence
     from arcless.results import Result
 
 # Conclusion → figures that show it.
@@ -45,8 +45,9 @@ def write(
         The file cannot be written; nothing half-written stays behind.
     """
     from arcless.report import validation_page
+    from arcless.report.validation_subject import Subject
 
-    subject = validation_page.Subject(
+    subject = Subject(
         suite=which,
         certainty=certainty,
         cases=cases(rows),
@@ -60,16 +61,16 @@ def write(
 
 def cases(rows: Sequence[Row]) -> "list[Case]":
     """Return the cases with published ranges that have rows, with their sources."""
-    from arcless.report.validation_page import Case
+    from arcless.report.validation_subject import Case
 
-    found = [(one.title, one.source) for one in (DROPPERS, *CASES)]
+    found = [(DROPPERS.title, DROPPERS.source), *((one.title, one.source) for one in CASES)]
     made = [Case(title, source, _of(rows, title)) for title, source in found]
     return [one for one in made if one.rows]
 
 
 def conclusions(rows: Sequence[Row]) -> "list[Conclusion]":
     """Return the conclusions of the founding paper that have rows."""
-    from arcless.report.validation_page import Conclusion
+    from arcless.report.validation_subject import Conclusion
 
     made = [
         Conclusion(title, SHOWN_BY[title], checked, assumption, _of(rows, title))
@@ -80,12 +81,13 @@ def conclusions(rows: Sequence[Row]) -> "list[Conclusion]":
 
 def evidence() -> "list[Evidence]":
     """Return the recorded evidence, a line for each topic."""
-    from arcless.report.validation_page import Evidence
+    from arcless.report.validation_subject import Evidence
 
     return [
         Evidence(
             GROUPS[topic.group], topic.title, topic.version, len(topic.rows), topic.inside,
-            topic.most_used, len(topic.faults),
+            sum(row.verdict == UNVERIFIED for row in topic.rows), topic.most_used,
+            len(topic.faults),
         )
         for topic in recorded()
     ]  # fmt: skip

@@ -38,7 +38,7 @@ PlotOption = Annotated[
     typer.Option(
         "--plot",
         metavar="FILE.html",
-        help="Draw the line at rest from the side and from above, with its elasticity.",
+        help="Write the line at rest as a page: views, elasticity, forces, dropper table.",
         show_default=False,
     ),
 ]

@@ -3,7 +3,7 @@
 import numpy as np
 
 from arcless.figures.description import Axis, Curve, Figure, Layer, Points, Segments, Strip, Tip
-from arcless.figures.statics.line_data import AT_SUPPORT, LineData
+from arcless.figures.statics.line_data import AT_SUPPORT, Floats, LineData
 
 LABEL = "elasticity"
 # Of the range, what is left free above the highest value.
@@ -20,7 +20,9 @@ def along_track(line: LineData) -> list[Figure]:
     )  # fmt: skip
     left, right = line.found.equilibrium.middle_span()
     number = line.found.middle_span
-    middle = Strip(axis="x", low=left, high=right, colour="section", alpha=0.06, name=f"span {number}")
+    middle = Strip(
+        axis="x", low=left, high=right, colour="section", alpha=0.06, name=f"span {number}"
+    )
     uneven = f"non-uniformity {100 * line.found.elasticity_nonuniformity:.1f} % in span {number}"
     return [
         line.along(
@@ -41,8 +43,9 @@ def by_span(line: LineData) -> list[Figure]:
     low, high = 1e3 * _ranges(line)
     uneven = 100 * (high - low) / (high + low)
     tips = (
-        Tip("span", [f"{number:.0f}" for number in numbers], form=""), Tip("lowest", low, "mm/N", "0.000"),
-        Tip("highest", high, "mm/N", "0.000"), Tip("non-uniformity", uneven, "%"),
+        Tip("span", [f"{number:.0f}" for number in numbers], form=""),
+        Tip("lowest", low, "mm/N", "0.000"), Tip("highest", high, "mm/N", "0.000"),
+        Tip("non-uniformity", uneven, "%"),
     )  # fmt: skip
     layers: list[Layer] = [
         Strip(axis="x", low=number - 0.5, high=number + 0.5, colour="pantograph_2", alpha=0.08,
@@ -67,8 +70,8 @@ def by_span(line: LineData) -> list[Figure]:
     ]  # fmt: skip
 
 
-def _ranges(line: LineData) -> np.ndarray:
-    """Return the lowest and highest elasticity of each span in m/N, without the ends of the line."""
+def _ranges(line: LineData) -> Floats:
+    """Return the lowest and highest elasticity of each span in m/N, without the line's ends."""
     x, values = line.elasticity
     found = []
     for _, left, right in line.spans:

@@ -1,6 +1,7 @@
 """Forces in the line at rest: droppers, supports, steady arms."""
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -11,6 +12,27 @@ from arcless.figures.statics.line_data import LineData
 
 Rows = Sequence[dict[str, Any]]
 LOW = 210
+
+
+@dataclass(frozen=True)
+class Forces:
+    """Forces of one figure.
+
+    Attributes
+    ----------
+    key, title, label
+        Of the figure, and of its axis.
+    rows
+        Parts of the line, each with ``name`` and ``x_m``.
+    of
+        Key of the force in N in a row.
+    """
+
+    key: str
+    title: str
+    label: str
+    rows: Rows
+    of: str
 
 
 def dropper_forces(line: LineData) -> list[Figure]:
@@ -26,8 +48,8 @@ def dropper_forces(line: LineData) -> list[Figure]:
         tips = (_texts(own), _numbers("length between clamps", own, "length_m", "m", "0.000"))
         colour = "dropper" if len(wires) == 1 else of_series(index)
         layers += _stems(own, "force_N", colour, name, *tips)
-    return [_figure(line, "dropper-forces", "Dropper forces at rest", "dropper force", rows, "force_N",
-                    layers)]  # fmt: skip
+    found = Forces("dropper-forces", "Dropper forces at rest", "dropper force", rows, "force_N")
+    return [_figure(line, found, layers)]
 
 
 def support_forces(line: LineData) -> list[Figure]:
@@ -39,7 +61,7 @@ def support_forces(line: LineData) -> list[Figure]:
         return []
     layers = _stems(rows, key, "messenger_wire", "vertical force", _texts(rows))
     title = f"Vertical force of the {HELD[key]} on supports at rest"
-    return [_figure(line, "support-forces", title, "vertical force", rows, key, layers)]
+    return [_figure(line, Forces("support-forces", title, "vertical force", rows, key), layers)]
 
 
 def steady_arm_forces(line: LineData) -> list[Figure]:
@@ -49,7 +71,7 @@ def steady_arm_forces(line: LineData) -> list[Figure]:
         return []
     layers = _stems(rows, ARM, "arm", "steady arm", _texts(rows))
     title = "Steady-arm forces at rest, tension positive"
-    return [_figure(line, "steady-arm-forces", title, "force", rows, ARM, layers)]
+    return [_figure(line, Forces("steady-arm-forces", title, "force", rows, ARM), layers)]
 
 
 HELD = {"messenger_force_N": "messenger wire", "contact_support_force_N": "contact wire"}
@@ -79,16 +101,14 @@ def _numbers(label: str, rows: Rows, key: str, unit: str, form: str) -> Tip:
     return Tip(label, [one[key] for one in rows], unit, form)
 
 
-def _figure(
-    line: LineData, key: str, title: str, label: str, rows: Rows, of: str, layers: Sequence[Layer]
-) -> Figure:
-    values = np.array([one[of] for one in rows])
+def _figure(line: LineData, found: Forces, layers: Sequence[Layer]) -> Figure:
+    values = np.array([one[found.of] for one in found.rows])
     low, high = min(0.0, float(values.min())), max(0.0, float(values.max()))
     margin = 0.08 * (high - low) or 1.0
-    y = Axis(label, "N", low - margin if low < 0.0 else 0.0, high + margin)
-    largest = rows[int(np.abs(values).argmax())]
+    y = Axis(found.label, "N", low - margin if low < 0.0 else 0.0, high + margin)
+    largest = found.rows[int(np.abs(values).argmax())]
     return line.along(
-        key, title, y, layers, height=LOW,
-        alt=f"{title}: {len(rows)} values from {values.min():.1f} to {values.max():.1f} N; the"
-        f" largest is at {largest['name']}, {largest['x_m']:.1f} m.",
+        found.key, found.title, y, layers, height=LOW,
+        alt=f"{found.title}: {len(values)} values from {values.min():.1f} to {values.max():.1f} N;"
+        f" the largest is at {largest['name']}, {largest['x_m']:.1f} m.",
     )  # fmt: skip

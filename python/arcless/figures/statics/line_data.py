@@ -126,6 +126,8 @@ class LineData:
         at = self.supports[self.inside(self.supports)]
         return Rules(axis="x", at=at, colour="support", name="support", dash="dotted")
 
-    def along(self, key: str, title: str, y: Axis, layers: Sequence[Layer], **more: str | int) -> Figure:
+    def along(
+        self, key: str, title: str, y: Axis, layers: Sequence[Layer], **more: str | int
+    ) -> Figure:
         """Return a figure along the track; supports lie below its layers."""
         return Figure(key, title, self.axis, y, [self.support_rules(), *layers], **more)  # type: ignore[arg-type]

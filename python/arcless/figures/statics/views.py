@@ -18,7 +18,7 @@ from arcless.mesh import PLANAR
 SIDE, PLAN = 340, 250
 # Part of the range of heights, and of the largest lateral position, that is left free around them.
 MARGIN, BESIDE_WIRES = 0.08, 0.25
-# Smallest range of heights that fills the figure, and the one below which millimetres are told, in m.
+# Smallest range of heights that fills the figure, and the one below which the axis has mm. In m.
 LEAST, FINE = 0.02, 0.4
 # Lines of more spans have their numbers alone, which do not cover one another.
 NAMED_SPANS = 20

@@ -1,10 +1,21 @@
 """Figures of the founding paper's example: F(t) and d(t) at its speeds, and the force intervals."""
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 
-from arcless.figures.description import Axis, Curve, Figure, Layer, Points, Segments, Strip, Texts, Tip
+from arcless.figures.description import (
+    Axis,
+    Curve,
+    Figure,
+    Layer,
+    Points,
+    Segments,
+    Strip,
+    Texts,
+    Tip,
+)
 from arcless.figures.run import RunData
 from arcless.figures.run.run_data import Floats
 from arcless.figures.run.track import place_name
@@ -13,12 +24,21 @@ LOW = 210
 HEADROOM = 1.08
 
 
+class Channel(NamedTuple):
+    """A channel over time: key of its figures, name, unit, decimals under the pointer."""
+
+    key: str
+    name: str
+    unit: str
+    form: str
+
+
 def force_over_time(run: RunData) -> Figure:
     """Return the unfiltered contact force over time, F(t), with the hanger joints."""
     values = run.record.force[:, 0]
     inside = values[run.record.inside[:, 0]]
     title = f"F(t) at {_speed(run)}: {inside.min():.1f} to {inside.max():.1f} N"
-    return _over_time(run, "force", title, "contact force", "N", values, "0.0")
+    return _over_time(run, Channel("force", "contact force", "N", "0.0"), title, values)
 
 
 def gap_over_time(run: RunData) -> Figure:
@@ -26,7 +46,7 @@ def gap_over_time(run: RunData) -> Figure:
     values = 1e3 * run.dataset["contact_gap"].values[:, 0]
     most = float(values[run.record.inside[:, 0]].max())
     title = f"d(t) at {_speed(run)}: " + (f"at most {most:.2f} mm" if most > 0.0 else "no gap")
-    return _over_time(run, "gap", title, "gap", "mm", values, "0.000")
+    return _over_time(run, Channel("gap", "gap", "mm", "0.000"), title, values)
 
 
 def force_intervals(runs: Sequence[RunData]) -> Figure:
@@ -63,14 +83,17 @@ def _speed(run: RunData) -> str:
     return f"{3.6 * run.assessment.speed_m_s:.0f} km/h"
 
 
-def _over_time(
-    run: RunData, key: str, title: str, name: str, unit: str, values: Floats, form: str
-) -> Figure:
+def _over_time(run: RunData, channel: Channel, title: str, values: Floats) -> Figure:
     time, x = run.time, run.position[:, 0]
     begin, end = (float(one) for one in np.interp(run.assessment.section_m, x, time))
     joints = run.values("dropper_x")
     passed = np.interp(joints[(joints >= x[0]) & (joints <= x[-1])], x, time)
-    tips = (Tip(name, "y", unit, form), Tip("time", "x", "s", "0.000"), Tip("position", x, "m", "0.00"))
+    name = channel.name
+    tips = (
+        Tip(name, "y", channel.unit, channel.form),
+        Tip("time", "x", "s", "0.000"),
+        Tip("position", x, "m", "0.00"),
+    )
     layers: list[Layer] = [
         Strip(axis="x", low=begin, high=end, colour="section", alpha=0.06, name="section assessed"),
         Points(passed, np.zeros_like(passed), colour="dropper", shape="tick", size=10.0,
@@ -78,9 +101,10 @@ def _over_time(
         Curve(time, values, colour="pantograph_1", width=1.1, name=name, tips=tips),
     ]  # fmt: skip
     top = int(np.argmax(np.where(run.record.inside[:, 0], values, -np.inf)))
+    low, high = min(0.0, float(values.min())), HEADROOM * float(values.max()) or 1.0
+    where = place_name(run, float(x[top]))
     return Figure(
-        f"{key}-{_speed(run).split()[0]}", title, Axis("time", "s", float(time[0]), float(time[-1])),
-        Axis(name, unit, min(0.0, float(values.min())), HEADROOM * float(values.max()) or 1.0), layers,
-        alt=f"{title} in the section assessed; the maximum is at {place_name(run, float(x[top]))}.",
-        height=LOW,
+        f"{channel.key}-{_speed(run).split()[0]}", title,
+        Axis("time", "s", float(time[0]), float(time[-1])), Axis(name, channel.unit, low, high),
+        layers, alt=f"{title} in the section assessed; the maximum is at {where}.", height=LOW,
     )  # fmt: skip

@@ -63,10 +63,10 @@ def overview(rows: Sequence[Compared], decides: Sequence[bool]) -> Figure | None
     outside = [row for row, _, _ in kept if state_of(row.verdict) == "not_met"]
     return Figure(
         "values-in-range", "Values in their published ranges",
-        Axis("place in the range, 0 at its lower bound, 1 at its upper bound", "", LOW - 0.05, HIGH + 0.05),
+        Axis("place in the range", "", LOW - 0.05, HIGH + 0.05),
         Axis("", "", -0.6, len(cases) - 0.4, categories=tuple(cases)), layers,
-        caption="Circles count. Diamonds are values in ranges that are remembered, unverified; they"
-        " decide nothing.",
+        caption="0 is the lower bound, 1 the upper one. Circles count. Diamonds belong to ranges"
+        " that are remembered, unverified; they decide nothing.",
         alt=f"{len(kept)} values of {len(cases)} cases in their ranges; {len(outside)} are outside"
         " of a range that counts.",
         height=FRAME + ROW * len(cases),
@@ -99,7 +99,9 @@ def _marks(kept: Sequence[tuple[Compared, float, bool]], cases: list[str]) -> li
             tips = (
                 Tip("", [row.case for row in found], form=""),
                 Tip("", [f"{row.quantity}: {_value(row)}" for row in found], form=""),
-                Tip("range", [f"{row.limit} {row.unit} (mark {row.mark})" for row in found], form=""),
+                Tip(
+                    "range", [f"{row.limit} {row.unit} (mark {row.mark})" for row in found], form=""
+                ),
                 Tip("verdict", [row.verdict for row in found], form=""),
             )
             layers.append(
