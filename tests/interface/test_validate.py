@@ -177,7 +177,7 @@ def test_the_conclusions_hold_and_are_reported(arcless: Arcless, tmp_path: Path)
     ):
         assert words in done.stdout, words
     page = text_in((tmp_path / "praks.html").read_text("utf-8"))
-    assert "16 of 16 values are inside the ranges that count" in page
+    assert "16 of 16 values are inside the verified ranges" in page
     assert page.count("holds") == 3
     for key in ("force-180", "force-250", "force-340", "force-360", "force-intervals", "gap-360"):
         assert f'id="figure-{key}"' in (tmp_path / "praks.html").read_text("utf-8"), key
@@ -193,7 +193,7 @@ def test_the_page_of_all_suites_counts_what_the_terminal_counts(
     assert done.exit_code == 3
     page = text_in((tmp_path / "all.html").read_text("utf-8"))
     # 9 dropper lengths, 16 values of EN 50318:2002, one conclusion; 36 of AC simple.
-    assert "25 of 26 values are inside the ranges that count; 1 outside" in page
+    assert "25 of 26 values are inside the verified ranges; 1 outside" in page
     assert "25 of 26 values are inside the verified ranges" in done.stdout
     assert "standard deviation σ: 31.2 N, range 26 … 31 N (outside, mark A)" in page
     assert "35 of 36 values are inside ranges that are remembered, unverified" in page
@@ -208,7 +208,7 @@ def test_a_page_of_published_ranges_alone(
     done = arcless("validate", "en50318", "--report", "ranges.html")
     assert done.exit_code == 0, done.stdout
     page = text_in((tmp_path / "ranges.html").read_text("utf-8"))
-    assert "25 of 25 values are inside the ranges that count" in page
+    assert "25 of 25 values are inside the verified ranges" in page
     assert "Founding paper" not in page
     assert "Recorded evidence" not in page
 

@@ -103,7 +103,7 @@ def verdict(rows: Sequence[Compared]) -> Verdict:
     close = [row for row in counted if state_of(row.verdict) == "open"]
     other = len(rows) - len(counted)
     inside = len(counted) - len(outside) - len(close)
-    words = f"{inside} of {len(counted)} values are inside the ranges that count"
+    words = f"{inside} of {len(counted)} values are inside the verified ranges"
     words += f"; {len(outside)} outside" if outside else ""
     words += f"; {len(close)} too close to tell" if close else ""
     items = [_item(row) for row in (*outside, *close)]

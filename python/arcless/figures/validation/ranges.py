@@ -65,10 +65,10 @@ def overview(rows: Sequence[Compared], decides: Sequence[bool]) -> Figure | None
         "values-in-range", "Values in their published ranges",
         Axis("place in the range", "", LOW - 0.05, HIGH + 0.05),
         Axis("", "", -0.6, len(cases) - 0.4, categories=tuple(cases)), layers,
-        caption="0 is the lower bound, 1 the upper one. Circles count. Diamonds belong to ranges"
-        " that are remembered, unverified; they decide nothing.",
+        caption="0 is the lower bound, 1 the upper one. Circles: verified ranges. Diamonds:"
+        " ranges that are remembered, unverified; they decide nothing.",
         alt=f"{len(kept)} values of {len(cases)} cases in their ranges; {len(outside)} are outside"
-        " of a range that counts.",
+        " of a verified range.",
         height=FRAME + ROW * len(cases),
     )  # fmt: skip
 

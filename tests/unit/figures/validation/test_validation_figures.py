@@ -48,7 +48,7 @@ def test_the_overview_has_a_row_for_each_case_and_a_colour_for_each_verdict() ->
     }  # fmt: skip
     (whiskers,) = (layer for layer in figure.layers if isinstance(layer, Segments))
     assert np.array([whiskers.x0, whiskers.x1]).ravel() == pytest.approx([0.4, 0.6])
-    assert "1 are outside of a range that counts" in figure.alt
+    assert "1 are outside of a verified range" in figure.alt
 
 
 def test_no_overview_of_ranges_with_one_bound() -> None:
