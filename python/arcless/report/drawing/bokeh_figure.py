@@ -88,6 +88,10 @@ class Drawing:
         """Return the columns of a selection; figures and a table draw from the same."""
         return self._selections.setdefault(selection, Columns())
 
+    def selections(self) -> dict[str, Columns]:
+        """Return the columns of each selection."""
+        return self._selections
+
     def groups(self) -> dict[str, dict[str, Model]]:
         """Return the range and the cross hair of each group of axes."""
         return {
