@@ -1,6 +1,5 @@
 """Pages read again with Bokeh's own classes, which know each object and attribute."""
 
-import html
 import json
 from typing import Any
 
@@ -34,11 +33,16 @@ def _check_names(written: Any) -> None:
             _check_names(item)
 
 
+def data_in(page: str) -> dict[str, Any]:
+    """Return what the script of a page reads."""
+    start = page.index('id="data">') + len('id="data">')
+    found: dict[str, Any] = json.loads(page[start : page.index("</script>", start)])
+    return found
+
+
 def document_in(page: str) -> Any:
     """Return the document that the script of a page draws."""
-    start = page.rindex("const docs_json = '") + len("const docs_json = '")
-    text = page[start : page.index("'", start)].replace("\\\\", "\\")
-    return document_of(json.loads(html.unescape(text))["page"]["roots"])
+    return document_of(data_in(page)["objects"]["roots"])
 
 
 def mistakes_of(document: Any) -> list[Any]:

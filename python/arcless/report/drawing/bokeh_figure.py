@@ -74,7 +74,7 @@ class Drawing:
 
     def selections(self) -> dict[str, Columns]:
         """Return the columns of each selection."""
-        return self._selections
+        return self._sources.selections
 
     def groups(self) -> dict[str, dict[str, Model]]:
         """Return the range and the cross hair of each group of axes."""

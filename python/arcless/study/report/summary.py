@@ -6,10 +6,10 @@ from itertools import pairwise
 
 import numpy as np
 
-from arcless.assess import MET, NOT_JUDGED, NOT_MET, TOO_CLOSE, decides
+from arcless.assess import MET, NOT_JUDGED, NOT_MET, NOT_MET_UNVERIFIED, TOO_CLOSE, decides
 from arcless.report.summary import LENGTH, SIGNS, Verdict
 from arcless.study.report import tables
-from arcless.study.report.data.judged import CODES, VERDICTS, Judged, Verdicts
+from arcless.study.report.data.judged import VERDICTS, Judged, Verdicts
 from arcless.study.report.data.numbers import digits
 from arcless.study.report.data.record import Column, Record
 from arcless.study.report.figures.canvas import Canvas, extremes, span_of
@@ -82,26 +82,25 @@ def state(record: Record) -> tuple[bool, str]:
 def headline(record: Record, verdicts: Verdicts) -> Verdict:
     """Return the verdict over all variants, with the state of the study below it."""
     whole, words = state(record)
-    judged = [one for one in verdicts.items if decides(one.mark)]
+    judged = [one for one in verdicts.items if one.decides]
     if not record.done:
-        return Verdict("missed" if not record.status.missing else "open", "≈", words, [])
+        return Verdict("open" if record.status.missing else "missed", "≈", words, "", [])
     if not judged and not verdicts.whole:
-        none = "No verdict: no output is a quantity that a criterion with a deciding limit judges"
-        hint = "An output `passed` would say which variants meet all criteria"
-        return Verdict("open", "≈", none, [f"{words}.", f"{hint}."])
+        text = "No verdict: no output is judged by a limit that decides"
+        hint = "The output `passed` says which variants meet all criteria that decide."
+        return Verdict("open", "≈", text, "", [f"{words}.", hint])
     count = Counter(VERDICTS[int(code)] for code in verdicts.codes)
     met, done = count[MET], len(record.done)
-    criteria = _criteria(judged, verdicts)
-    who = "All" if met == done else "None" if not met else f"{met}"
-    text = f"{who} of {done} variants {'meet' if met != 1 else 'meets'} {criteria}"
-    text = text.replace("All of", "All").replace(f"None of {done} variants meet", f"None of {done} variants meets")
-    close = [f"{count[TOO_CLOSE]} are too close to a limit to tell."] if count[TOO_CLOSE] else []
-    close += [f"{count[NOT_JUDGED]} have no verdict."] if count[NOT_JUDGED] else []
-    items = [*_worst(judged, done), *close, f"{words}."]
+    who = f"All {done} variants meet" if met == done else f"{met} of {done} variants meet"
+    who = f"No variant of {done} meets" if not met else who
+    unsure = [f"{count[TOO_CLOSE]} too close to tell"] if count[TOO_CLOSE] else []
+    unsure += [f"{count[NOT_JUDGED]} without a verdict"] if count[NOT_JUDGED] else []
+    items = [*_worst(judged, done), f"{words}."]
     if verdicts.unknown:
         items.append(f"Not known from the outputs: {'; '.join(verdicts.unknown)}.")
-    kind = "met" if met == done and whole else "missed" if not met and count[NOT_MET] else "open"
-    return Verdict(kind, {"met": "✔", "missed": "✘"}.get(kind, "≈"), text, items)
+    kind = "met" if met == done and whole else "missed" if count[NOT_MET] == done else "open"
+    sign = {"met": "✔", "missed": "✘"}.get(kind, "≈")
+    return Verdict(kind, sign, f"{who} {_criteria(judged, verdicts)}", "; ".join(unsure), items)
 
 
 def _criteria(judged: list[Judged], verdicts: Verdicts) -> str:
@@ -124,7 +123,9 @@ def _worst(judged: list[Judged], done: int) -> list[str]:
 
 def ranges(canvas: Canvas) -> list[Range]:
     """Return the main outputs with their ranges."""
-    return [_range(canvas, output) for output in canvas.outputs[:MOST_OUTPUTS]]
+    told = [one.output for one in canvas.verdicts.items if not one.relation]
+    shown = [out for out in canvas.outputs if out not in told and out.name != "passed"]
+    return [_range(canvas, output) for output in shown[:MOST_OUTPUTS]]
 
 
 def _range(canvas: Canvas, output: Column) -> Range:
@@ -136,16 +137,15 @@ def _range(canvas: Canvas, output: Column) -> Range:
     ]
     known = output.values[np.isfinite(output.values)]
     low, high = float(known.min()), float(known.max())
-    limit, verdict, kind, bound = "", "", "open", None
+    limit, verdict, kind, bound = "", "", "plain", None
     if judged is not None:
         limits = judged.limits[np.isfinite(judged.limits)]
         limit = f"limit {SIGNS[judged.relation]} {span_of(limits, judged.unit)}"
         met = judged.count(MET)
-        verdict = f"met by {met} of {len(known)}"
-        if met < len(known):
-            sure = "" if decides(judged.mark) else " (unverified)"
-            verdict += sure
         kind = "met" if met == len(known) else "not-met" if judged.count(NOT_MET) else "open"
+        missed = judged.count(NOT_MET, NOT_MET_UNVERIFIED)
+        verdict = f"not met by {missed} of {len(known)}" if missed else f"met by {met} of {len(known)}"
+        verdict += "" if judged.decides else " (unverified)"
         bound = float(limits.min() if judged.relation == "<=" else limits.max())
     points = [low, high, *([] if bound is None else [bound])]
     begin = min(0.0, *points) if min(points) > -max(map(abs, points)) * 0.5 else min(points)
@@ -164,11 +164,10 @@ def criterion_rows(verdicts: Verdicts, done: int) -> list[dict[str, str]]:
     for one in verdicts.items:
         limits = one.limits[np.isfinite(one.limits)]
         limit = f"{SIGNS[one.relation]} {span_of(limits, one.unit)}" if one.relation else ""
-        missed = int(np.isin(one.codes, [CODES[v] for v in VERDICTS if v.startswith(NOT_MET)]).sum())
+        missed, unsure = one.count(NOT_MET), one.count(NOT_MET_UNVERIFIED)
         counts = {
             "met": one.count(MET), "close": one.count(TOO_CLOSE), "none": one.count(NOT_JUDGED)
         }  # fmt: skip
-        decided = decides(one.mark)
         rows.append(
             {
                 "title": one.heading,
@@ -177,11 +176,20 @@ def criterion_rows(verdicts: Verdicts, done: int) -> list[dict[str, str]]:
                 "limit": limit,
                 "how": one.how,
                 "missed": str(missed),
+                "unsure": str(unsure),
                 **{name: str(count) for name, count in counts.items()},
-                "state": "met" if counts["met"] == done else "missed" if missed and decided else "open",
-                "mark": one.mark,
+                "state": "missed" if missed else "open",
+                "mark": ", ".join(one.marks),
                 "source": one.source,
-                "decides": "" if decided else "decides nothing",
+                "decides": _decides(one),
             }
         )
     return rows
+
+
+def _decides(one: Judged) -> str:
+    """Return which marks of a criterion decide nothing, in words; empty where all do."""
+    if not one.decides:
+        return "decides nothing"
+    unsure = [mark for mark in one.marks if not decides(mark)]
+    return f"{', '.join(unsure)} decides nothing" if unsure else ""

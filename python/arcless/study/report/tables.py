@@ -57,7 +57,8 @@ def output_rows(record: Record) -> list[dict[str, Any]]:
         if known.size:
             spread = float(known.std(ddof=1)) if known.size > 1 else float("nan")
             middle = float(np.median(known))
-            numbers = [float(known.mean()), spread, float(known.min()), middle, float(known.max())]
+            low, high = float(known.min()), float(known.max())
+            numbers = [low, middle, float(known.mean()), high, spread]
         cells = [digits(value) for value in numbers]
         rows.append({"column": out, "count": known.size, "cells": cells})
     return rows

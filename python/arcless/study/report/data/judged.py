@@ -44,8 +44,10 @@ class Judged:
         Places in `VERDICTS`.
     unit
         Of value and limit.
-    mark, source
-        Of the limit.
+    sure
+        Whether the limit of a variant decides.
+    marks, source
+        Of the limits.
     how
         Where the limit is from, in words.
     owners
@@ -60,10 +62,16 @@ class Judged:
     limits: Floats
     codes: Codes
     unit: str
-    mark: str
+    sure: NDArray[np.bool_]
+    marks: tuple[str, ...]
     source: str
     how: str
     owners: tuple[int, ...]
+
+    @property
+    def decides(self) -> bool:
+        """True where the limit of any variant decides."""
+        return bool(self.sure.any())
 
     @property
     def heading(self) -> str:
@@ -100,7 +108,7 @@ class Verdicts:
     def of(self, output: Column) -> list[Judged]:
         """Return the criteria of an output that have limits, those that decide first."""
         found = [one for one in self.items if one.output is output and one.relation]
-        return sorted(found, key=lambda one: not decides(one.mark))
+        return sorted(found, key=lambda one: not one.decides)
 
 
 def judge(record: Record) -> Verdicts:
@@ -159,8 +167,9 @@ def _limited(
         if (place := _mean_of(record, column)) is not None
     }
     limits, codes = np.full(len(scenes), np.nan), np.zeros(len(scenes), dtype=np.int8)
-    last: tuple[Rule, str] | None = None
-    targets = False
+    sure = np.zeros(len(scenes), dtype=bool)
+    rules: dict[str, Rule] = {}
+    marks: dict[str, None] = {}
     for row, scene in enumerate(scenes):
         rule = None if scene is None else _rule(name, scene.facts)
         if rule is None or scene is None:
@@ -169,20 +178,21 @@ def _limited(
         for place in owners:
             known, slack = _mean(scene, means.get(place), place, row)
             ends += _limit(rule, scene.facts, record, place, known, slack, "/" in text)
-            targets |= slack > 0.0 and rule.limit.of == _MEAN
         if ends:
             mark = mark_of(rule, scene.facts, _known(record, owners[0], None))
             limits[row] = 0.5 * (min(ends) + max(ends))
             codes[row] = _code(float(output.values[row]), ends, rule, mark)
-            last = rule, mark
-    if last is None:
+            sure[row] = decides(mark)
+            share, measured = "/" in text, all(place in means for place in owners)
+            rules[_how(rule, share=share, measured=measured)], marks[mark] = rule, None
+    if not rules:
         return []
-    rule, mark = last
-    how = _how(rule, targets=targets, share="/" in text)
+    rule = next(iter(rules.values()))
+    sources = "; ".join(dict.fromkeys(one.source for one in rules.values()))
     unit = output.unit or ("" if "/" in text else rule.unit)
     return [
-        Judged(name, rule.title, output, rule.relation, output.values, limits, codes, unit, mark,
-               rule.source, how, owners)
+        Judged(name, rule.title, output, rule.relation, output.values, limits, codes, unit, sure,
+               tuple(marks), sources, "; ".join(rules), owners)
     ]  # fmt: skip
 
 
@@ -242,13 +252,13 @@ def _told(record: Record, output: Column, name: str, scenes: Sequence[Scene | No
         for place in owners
         if scene is not None and (found := _rule(name, scene.facts)) is not None
     }
-    unsure = sorted(mark for mark in marks if not decides(mark))
-    mark = (unsure or sorted(marks) or [rule.mark])[0]
+    unsure = any(not decides(mark) for mark in marks)
     codes = _codes_of(output, record, output.name)
     if unsure:
         codes = np.where(codes == CODES[NOT_MET], CODES[NOT_MET_UNVERIFIED], codes).astype(np.int8)
     return Judged(name, rule.title, output, "", output.values, np.full(len(codes), np.nan), codes,
-                  "", mark, rule.source, "the verdict is an output", owners)  # fmt: skip
+                  "", np.full(len(codes), not unsure), tuple(sorted(marks)), rule.source,
+                  "the verdict is an output", owners)  # fmt: skip
 
 
 def _codes_of(output: Column, record: Record, name: str) -> Codes:
@@ -276,18 +286,18 @@ def _wave_speed(scenes: Sequence[Scene | None]) -> list[Judged]:
         [_code(v, [rule.limit.constant], rule, rule.mark) for v in values], dtype=np.int8
     )
     return [
-        Judged(rule.name, rule.title, None, rule.relation, values, limits, codes, "", rule.mark,
-               rule.source, "value and limit from the scenario", ())
+        Judged(rule.name, rule.title, None, rule.relation, values, limits, codes, "",
+               np.full(values.shape, decides(rule.mark)), (rule.mark,), rule.source,
+               "value and limit from the scenario", ())
     ]  # fmt: skip
 
 
 def _overall(items: Sequence[Judged], count: int) -> Codes:
     """Return the verdict on each variant: one that is not met decides, then one too close."""
     codes = np.full(count, CODES[NOT_JUDGED], dtype=np.int8)
-    deciding = [one.codes for one in items if decides(one.mark)]
     for verdict in (MET, TOO_CLOSE, NOT_MET):
-        for each in deciding:
-            codes[each == CODES[verdict]] = CODES[verdict]
+        for one in items:
+            codes[one.sure & (one.codes == CODES[verdict])] = CODES[verdict]
     return codes
 
 
@@ -311,7 +321,8 @@ def _unknown(
                 places = found.setdefault(rule.title, [])
                 places += [of] if of not in places else []
     return tuple(
-        title + (f" ({', '.join(places)})" if any(places) else "") for title, places in found.items()
+        title if not any(places) or len(places) == len(names) else f"{title} ({', '.join(places)})"
+        for title, places in found.items()
     )
 
 
@@ -335,11 +346,12 @@ def _mean_of(record: Record, column: Column) -> int | None:
     return owner if isinstance(owner, int) else None
 
 
-def _how(rule: Rule, *, targets: bool, share: bool) -> str:
+def _how(rule: Rule, *, share: bool, measured: bool) -> str:
+    """Return where a limit is from, in words."""
     if share:
         return "limit from the rules"
     if rule.limit.of == _MEAN:
-        mean = "mean force that the scenario asks for" if targets else "mean force of the variant"
+        mean = "mean force of the variant" if measured else "mean force that the scenario asks for"
         return f"{rule.limit.factor:g} × the {mean}"
     if rule.limit.per_speed_squared:
         return f"{rule.limit.per_speed_squared:g} v² + {rule.limit.constant:g}, v in km/h"

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from arcless.assess import MET, NOT_JUDGED, NOT_MET, NOT_MET_UNVERIFIED, TOO_CLOSE, decides
+from arcless.assess import MET, NOT_JUDGED, NOT_MET, NOT_MET_UNVERIFIED, TOO_CLOSE
 from arcless.figures.description import Area, Axis, Curve, Layer, Points, Rules, Tip
 from arcless.figures.description.thinning import every
 from arcless.study.report.data.judged import CODES, Judged, Verdicts
@@ -28,8 +28,8 @@ _SAME_LIMIT = 5e-3
 # Verdict → token of its colour, shape.
 _LOOKS: dict[str, tuple[str, Any]] = {
     MET: ("met", "circle"),
-    NOT_MET: ("not_met", "cross"),
-    NOT_MET_UNVERIFIED: ("open", "cross"),
+    NOT_MET: ("not_met", "triangle"),
+    NOT_MET_UNVERIFIED: ("open", "down"),
     TOO_CLOSE: ("open", "diamond"),
     NOT_JUDGED: ("soft", "circle"),
 }
@@ -56,6 +56,7 @@ class Canvas:
         self.record, self.verdicts = record, verdicts
         self.outputs = [out for out in record.outputs if np.isfinite(out.values).any()]
         self.varied = [one for one in record.variables if one.varies and not one.is_drawn]
+        self.swept = is_path(record.variables)
         self.drawn = self._drawn()
         self._kept: dict[int, Floats] = {}
 
@@ -155,10 +156,38 @@ class Canvas:
         layers: list[Layer] = []
         words = []
         for one in self.verdicts.of(output):
-            found, text = _limit(x, one)
+            found, text = self._limit(x, one)
             layers += found
             words.append(text)
         return layers, words
+
+    def _limit(self, x: Column, judged: Judged) -> tuple[list[Layer], str]:
+        """Return the limit of one criterion over a variable, and a sentence about it."""
+        known = np.isfinite(judged.limits) & np.isfinite(x.values)
+        limits, places = judged.limits[known], x.values[known]
+        marks = ", ".join(judged.marks)
+        name = f"limit, {judged.title}"
+        name += "" if judged.decides else f" (mark {marks}, decides nothing)"
+        look: dict[str, Any] = {"colour": "limit", "name": name}
+        line = {**look, "width": 1.6, "dash": "solid" if judged.decides else "dotted"}
+        text = (
+            f"Limit of {judged.heading}: {RELATIONS[judged.relation]}"
+            f" {span_of(limits, judged.unit)} ({judged.how}; mark {marks})."
+        )
+        size = max(float(np.abs(limits).max()), 1e-12)
+        if np.ptp(limits) <= _SAME_LIMIT * size:
+            return [Rules(axis="y", at=limits[:1], **line)], text
+        levels, owners = np.unique(places, return_inverse=True)
+        low, high = np.full(levels.size, np.inf), np.full(levels.size, -np.inf)
+        np.minimum.at(low, owners, limits)
+        np.maximum.at(high, owners, limits)
+        repeats = x.words is None and levels.size < places.size
+        single = np.max(high - low) <= _SAME_LIMIT * size
+        if single and (repeats or self.swept or (x.words is None and _is_smooth(low, size))):
+            return [Curve(levels, 0.5 * (low + high), **line)], text
+        if repeats:
+            return [Area(levels, low, high, alpha=0.16, **look)], f"{text} It differs by variant."
+        return [], f"{text} It differs by variant, and is not drawn."
 
 
 def extremes(output: Column) -> tuple[int | None, int | None]:
@@ -177,27 +206,16 @@ def span_of(values: Floats, unit: str, shown: Callable[[float], str] = digits) -
     return (low if low == high else f"{low} to {high}") + (f" {unit}" if unit else "")
 
 
-def _limit(x: Column, judged: Judged) -> tuple[list[Layer], str]:
-    """Return the limit of one criterion over a variable, and a sentence about it."""
-    known = np.isfinite(judged.limits) & np.isfinite(x.values)
-    limits, places = judged.limits[known], x.values[known]
-    sure = decides(judged.mark)
-    name = f"limit, {judged.title}" + ("" if sure else f" (mark {judged.mark}, decides nothing)")
-    look: dict[str, Any] = {"colour": "limit", "name": name}
-    line = {**look, "width": 1.6, "dash": "solid" if sure else "dotted"}
-    text = (
-        f"Limit of {judged.heading}: {RELATIONS[judged.relation]}"
-        f" {span_of(limits, judged.unit)} ({judged.how}, mark {judged.mark})."
+def is_path(variables: list[Column]) -> bool:
+    """Return whether all variables rise from variant to variant: a sweep, drawn as a line."""
+    varied = [variable for variable in variables if variable.varies]
+    return bool(varied) and all(
+        variable.words is None and bool((np.diff(variable.values) > 0.0).all())
+        for variable in varied
     )
-    size = max(float(np.abs(limits).max()), 1e-12)
-    if np.ptp(limits) <= _SAME_LIMIT * size:
-        return [Rules(axis="y", at=limits[:1], **line)], text
-    levels, owners = np.unique(places, return_inverse=True)
-    low, high = np.full(levels.size, np.inf), np.full(levels.size, -np.inf)
-    np.minimum.at(low, owners, limits)
-    np.maximum.at(high, owners, limits)
-    if x.words is None and np.max(high - low) <= _SAME_LIMIT * size:
-        return [Curve(levels, 0.5 * (low + high), **line)], text
-    if x.words is None and levels.size < places.size:
-        return [Area(levels, low, high, alpha=0.16, **look)], f"{text} It differs by variant."
-    return [], f"{text} It differs by variant, and is not drawn."
+
+
+def _is_smooth(values: Floats, size: float) -> bool:
+    """Return whether each value lies where its neighbours let expect it: a function of the place."""
+    between = 0.5 * (values[:-2] + values[2:])
+    return bool(values.size > 2 and np.max(np.abs(values[1:-1] - between)) <= _SAME_LIMIT * size)  # noqa: PLR2004

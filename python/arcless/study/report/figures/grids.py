@@ -31,9 +31,9 @@ from arcless.study.report.figures.speeds import FIELD, SpeedMarks
 
 # Curves that are told apart in one figure; cells along an axis that have a sign, and a number.
 MOST_CURVES = 8
-_MOST_SIGNS, _MOST_NUMBERS = 40, 12
+_MOST_SIGNS, _MOST_NUMBERS, _MOST_NAMES = 40, 12, 24
 _SHAPES: tuple[Any, ...] = ("circle", "triangle", "diamond", "down")
-_CURVES_HEIGHT, _CELL, _LEAST, _MOST = 360, 50, 220, 640
+_CURVES_HEIGHT, _CELL, _LOW_CELL, _LEAST, _MOST = 360, 50, 22, 240, 680
 # Part of the order of colours from which on dark text is read better than light text.
 _BRIGHT = 0.62
 
@@ -58,8 +58,8 @@ class Factor:
     def axis(self) -> Axis:
         """The axis of a map: cells of equal size, named by their values."""
         names = [name.removesuffix(f" {self.column.unit}") for name in self.names]
-        shown = set(every(len(names), 24).tolist())
-        names = [name if place in shown else "" for place, name in enumerate(names)]
+        step = -(-len(names) // _MOST_NAMES)
+        names = ["" if place % step else name for place, name in enumerate(names)]
         unit = self.column.unit
         return Axis(self.column.heading, unit, -0.5, len(names) - 0.5, categories=tuple(names))
 
@@ -168,9 +168,14 @@ class Grids:
             caption=f"{about}Cells are of equal size, whatever the distance of the values.{signs}{limit}",
             alt=f"{range_words(output)}, as a map over {along.column.heading} and"
             f" {other.column.heading}. {verdict_words(judged)}".rstrip(),
-            height=min(max(_CELL * rows + 70, _LEAST), _MOST),
+            height=self._height(rows, columns),
             scale=Scale(output.heading, output.unit, low, high if high > low else low + 1.0),
         )  # fmt: skip
+
+    @staticmethod
+    def _height(rows: int, columns: int) -> int:
+        cell = _CELL if max(rows, columns) <= _MOST_NUMBERS else _LOW_CELL
+        return min(max(cell * rows + 70, _LEAST), _MOST)
 
     def _cells(self, values: Any) -> Floats:
         """Return values of the variants by row and column of the map; NaN for none."""
@@ -180,6 +185,12 @@ class Grids:
 
     def _contour(self, judged: Judged) -> list[Layer]:
         """Return the line along which value and limit are equal."""
+        fields = {axis.name: axis.levels or () for axis in self.canvas.record.study.axes}
+        if any(
+            isinstance(level, str)
+            for one in (self.along, self.other) for level in fields[one.column.name]
+        ):  # fmt: skip
+            return []  # words have no order
         found = contour(self._cells(judged.values - judged.limits))
         if not found.size:
             return []
@@ -197,8 +208,8 @@ class Grids:
         rows, columns = values.shape
         numbered = columns <= _MOST_NUMBERS and rows <= _MOST_NUMBERS
         signed = max(rows, columns) <= _MOST_SIGNS
-        raised = 0.16 if numbered and judged is not None else 0.0
-        layers: list[Layer] = [self._handles(size=19.0 if judged is not None and signed else 6.0,
+        raised = 0.18 if numbered else 0.0
+        layers: list[Layer] = [self._handles(size=19.0 if judged is not None and signed else 4.0,
                                              raised=raised)]  # fmt: skip
         if judged is not None and signed:
             codes = np.full(values.shape, CODES[NOT_JUDGED])
@@ -211,7 +222,7 @@ class Grids:
                               colour=token_of(verdict), name=_legend(verdict, x.size))
                     )  # fmt: skip
         if numbered:
-            layers += _numbers(values, ends, raised - (0.38 if judged is not None else 0.0))
+            layers += _numbers(values, ends, raised - 0.4)
         return layers
 
     def _handles(self, size: float, raised: float) -> Points:

@@ -46,7 +46,9 @@ class Scatters:
 
     def pairs(self) -> list[tuple[Column, list[Figure]]]:
         """Return, for each output, figures of two variables each, coloured by the output."""
-        found = []
+        found: list[tuple[Column, list[Figure]]] = []
+        if self.canvas.swept:
+            return found  # all variables rise together
         for output in [out for out in self.canvas.outputs if out.varies][:PAIRED_OUTPUTS]:
             chosen = self._strongest(output, PAIRED_VARIABLES)
             figures = [self._pair(one, other, output) for one, other in _two_of(chosen)]
@@ -68,12 +70,10 @@ class Scatters:
         ]  # fmt: skip
 
     def _strongest(self, output: Column, most: int) -> list[Column]:
-        """Return the variables that explain most of an output, in the order of the file."""
+        """Return the variables that explain most of an output; of a sample the strongest first."""
         varied = self.canvas.varied
-        if len(varied) <= most:
-            return varied
-        strongest = sorted(varied, key=lambda one: -_share(one, output))[:most]
-        return [one for one in varied if one in strongest]
+        ordered = sorted(varied, key=lambda one: -_share(one, output))[:most]
+        return ordered if self._sampled else [one for one in varied if one in ordered]
 
     def _effect(self, variable: Column, output: Column) -> Figure:
         canvas = self.canvas
@@ -81,11 +81,10 @@ class Scatters:
         limits, words = canvas.limits(variable, output)
         axis = canvas.output_axis(output)
         layers: list[Layer] = [*limits]
-        swept = is_path(canvas.record.variables)
         marked = self.speeds is not None and variable is self.speeds.column
         if marked and self.speeds is not None:
             layers += self.speeds.layers(axis)
-        if swept:
+        if canvas.swept:
             layers.append(Curve(variable.values, output.values, colour="series_1", width=1.6))
         elif self._sampled:
             layers += _means(variable, output)
@@ -114,15 +113,6 @@ class Scatters:
             height=HEIGHT,
             scale=Scale(output.heading, output.unit, float(known.min()), float(known.max())),
         )  # fmt: skip
-
-
-def is_path(variables: list[Column]) -> bool:
-    """Return whether all variables rise from variant to variant: a sweep, drawn as a line."""
-    varied = [variable for variable in variables if variable.varies]
-    return bool(varied) and all(
-        variable.words is None and bool((np.diff(variable.values) > 0.0).all())
-        for variable in varied
-    )
 
 
 def verdict_words(judged: Judged | None) -> str:

@@ -107,7 +107,9 @@ def marks(record: Record) -> SpeedMarks | None:
         found = resonance_speeds(record.study.base)
     except ArclessError as error:
         found = ResonanceSpeeds((), (f"no resonance speeds: {error}",))
-    return SpeedMarks(column, _numbered(column, found), (*found.notes, *_varied(record.study)))
+    spaced = any(axis.field.endswith(".distance") for axis in record.study.axes)
+    numbered = _numbered(column, found, spaced=spaced)
+    return SpeedMarks(column, numbered, (*found.notes, *_varied(record.study)))
 
 
 def speed_column(record: Record) -> Column | None:
@@ -131,23 +133,31 @@ def rows_of(places: list[float], width: float) -> list[int]:
 
 
 def _numbered(
-    column: Column, found: "ResonanceSpeeds"
+    column: Column, found: "ResonanceSpeeds", *, spaced: bool
 ) -> tuple[tuple[int | None, "ResonanceSpeed"], ...]:
     low, high = (column.scale * float(end(column.values)) for end in (np.nanmin, np.nanmax))
     numbers = iter(range(1, len(found.speeds) + 1))
     return tuple(
-        (next(numbers) if low <= one.speed.middle <= high else None, one) for one in found.speeds
+        (next(numbers) if low <= one.speed.middle <= high else None, one)
+        for one in found.speeds
+        if not (spaced and one.kind.startswith("spacing"))
     )
 
 
 def _varied(study: Study) -> list[str]:
     """Say which other variables the speeds would follow."""
+    spaced = [axis.name for axis in study.axes if axis.field.endswith(".distance")]
+    notes = [
+        f"speeds that follow from the distance of pantographs are left out, as {name} is varied"
+        for name in spaced
+    ]
     others = [
         axis.name
         for axis in study.axes
         if axis.field.startswith(("line", "as_built", "contact", "pantographs"))
         and not axis.field.endswith(_FORCES)
+        and axis.name not in spaced
     ]
     if not others:
-        return []
-    return [f"of the scenario with its own values of {', '.join(others)}, not those varied"]
+        return notes
+    return [*notes, f"of the scenario with its own values of {', '.join(others)}, not those varied"]
