@@ -2,7 +2,8 @@
 
 A key of a pantograph (`mean_force_N`) is that of the leading one; `P2.mean_force_N` is that of the
 second one, by number or by name; `worst.std_force_N` is that of the pantograph where it is worst.
-`criteria.NAME` is 1 where a criterion is met, 0 where not, and nothing where it is too close to tell.
+`criteria.NAME` is 1 where a criterion is met, 0 where not, and nothing where it is too close
+to tell.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -91,7 +92,7 @@ def _is_close(item: Criterion) -> bool:
 
 
 def owner_of_key(key: str, scenario: Scenario) -> int | str | None:
-    """Return the pantograph that a key is of, from 0, or `WORST`; None for a key of the whole run."""
+    """Return the pantograph that a key is of, from 0, or `WORST`; None for one of the run."""
     prefix, _, name = key.rpartition(".")
     if name not in _PANTOGRAPH:
         return None

@@ -94,7 +94,7 @@ def _page(record: Record) -> str:
         drawing=drawing,
         verdict=summary.headline(record, verdicts),
         ranges=summary.ranges(canvas),
-        criteria=summary.criterion_rows(verdicts, len(record.done)),
+        criteria=summary.criterion_rows(verdicts),
         unknown=verdicts.unknown,
         variants=variants.table(canvas, drawing),
         lead=next((name for row in rows for name in row.names), ""),
@@ -126,7 +126,9 @@ def _figures(canvas: Canvas, speeds: SpeedMarks | None) -> tuple[dict[str, Any],
     figures: dict[str, Any] = {}
     found: list[Section] = []
 
-    def add(key: str, title: str, text: str, groups: list[tuple[Column | None, list[Figure]]]) -> None:
+    def add(
+        key: str, title: str, text: str, groups: list[tuple[Column | None, list[Figure]]]
+    ) -> None:
         names = []
         for output, made in groups:
             name = f"{key} {'' if output is None else canvas.key(output)}"
@@ -138,7 +140,12 @@ def _figures(canvas: Canvas, speeds: SpeedMarks | None) -> tuple[dict[str, Any],
     if two is not None:
         grids = Grids(canvas, *two, speeds)
         shown = canvas.outputs[:MOST_OUTPUTS]
-        add("grids", "Outputs over both variables", GRIDS, [(out, grids.figures(out)) for out in shown])
+        add(
+            "grids",
+            "Outputs over both variables",
+            GRIDS,
+            [(out, grids.figures(out)) for out in shown],
+        )
     else:
         add("effects", "Outputs over variables", _effects_text(canvas), [*scatters.effects()])
         add("pairs", "Two variables at a time", _pairs_text(canvas), [*scatters.pairs()])
@@ -147,24 +154,37 @@ def _figures(canvas: Canvas, speeds: SpeedMarks | None) -> tuple[dict[str, Any],
     return figures, found
 
 
-SELECTS = "Drag a box to select variants, or click one: they stay selected in all figures and in the table; a click on empty ground takes it back."
+SELECTS = (
+    "Drag a box to select variants, or click one: they stay selected in all figures and in the"
+    " table; a click on empty ground takes it back."
+)
 GRIDS = f"The map has a cell for each variant. {SELECTS}"
 
 
 def _effects_text(canvas: Canvas) -> str:
     parts = ["A mark is a variant; of a sweep they are joined."]
     if isinstance(canvas.record.study.design, Sample):
-        parts.append("Diamonds: means of the variants at each value, or of tenths of the variants, with their standard error.")
+        parts.append(
+            "The line with bars has the means of the variants at each value, or of tenths of the"
+            " variants, with their standard error."
+        )
     parts.append(SELECTS)
     if len(canvas.varied) > MOST_VARIABLES:
-        parts.append(f"Of {len(canvas.varied)} variables the {MOST_VARIABLES} are drawn that explain most of an output's variance, each by itself.")
+        parts.append(
+            f"Of {len(canvas.varied)} variables the {MOST_VARIABLES} are drawn that explain most of"
+            " an output's variance, each by itself."
+        )
     if len(canvas.outputs) > MOST_OUTPUTS:
         parts.append(f"The first {MOST_OUTPUTS} outputs are drawn.")
     return " ".join(parts)
 
 
 def _pairs_text(canvas: Canvas) -> str:
-    most = f"; the {PAIRED_VARIABLES} variables that explain most of it" if len(canvas.varied) > PAIRED_VARIABLES else ""
+    most = (
+        f"; the {PAIRED_VARIABLES} variables that explain most of it"
+        if len(canvas.varied) > PAIRED_VARIABLES
+        else ""
+    )
     return f"Coloured by an output{most}. Where marks fall on each other, the last one is seen."
 
 

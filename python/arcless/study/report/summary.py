@@ -10,7 +10,6 @@ from arcless.assess import MET, NOT_JUDGED, NOT_MET, NOT_MET_UNVERIFIED, TOO_CLO
 from arcless.report.summary import LENGTH, SIGNS, Verdict
 from arcless.study.report import tables
 from arcless.study.report.data.judged import VERDICTS, Judged, Verdicts
-from arcless.study.report.data.numbers import digits
 from arcless.study.report.data.record import Column, Record
 from arcless.study.report.figures.canvas import Canvas, extremes, span_of
 
@@ -37,7 +36,9 @@ class Range:
     @property
     def words(self) -> str:
         """The range and the verdict in a sentence, for those who do not see the bar."""
-        return ", ".join(part for part in (f"{self.value} {self.unit}", self.limit, self.verdict) if part)
+        return ", ".join(
+            part for part in (f"{self.value} {self.unit}", self.limit, self.verdict) if part
+        )
 
 
 def identity(record: Record) -> list[tuple[str, str]]:
@@ -50,14 +51,16 @@ def identity(record: Record) -> list[tuple[str, str]]:
         varied = any(axis.field.endswith(".distance") for axis in study.axes)
         heads = f"{len(names)} × {heads}"
         heads += ", distance varied" if varied else f", {', '.join(gaps)} m apart"
-    total = f"{record.status.total:,}".replace(",", " ")
+    design = tables.design_text(study)
+    if " variants" not in design:  # an optimisation says how many
+        design += f"; {record.status.total:,} variants".replace(",", " ")
     begun = str(record.state.get("begun", "–")).replace("T", " ")[:16]
     return [
         ("Scenario", study.scenario.name),
         ("Line", base.line.name),
         ("Pantograph" if len(names) == 1 else "Pantographs", heads),
         ("Varied", ", ".join(axis.name for axis in study.axes)),
-        ("Design", f"{tables.design_text(study)}; {total} variants"),
+        ("Design", design),
         ("Begun", begun),
         ("Arcless", ", ".join(record.status.versions) or "–"),
     ]
@@ -91,8 +94,8 @@ def headline(record: Record, verdicts: Verdicts) -> Verdict:
         return Verdict("open", "≈", text, "", [f"{words}.", hint])
     count = Counter(VERDICTS[int(code)] for code in verdicts.codes)
     met, done = count[MET], len(record.done)
-    who = f"All {done} variants meet" if met == done else f"{met} of {done} variants meet"
-    who = f"No variant of {done} meets" if not met else who
+    those = f"{done} variants" + ("" if done == record.status.total else " with values")
+    who = f"All {those} meet" if met == done else f"{met} of {those} {_meet(met)}"
     unsure = [f"{count[TOO_CLOSE]} too close to tell"] if count[TOO_CLOSE] else []
     unsure += [f"{count[NOT_JUDGED]} without a verdict"] if count[NOT_JUDGED] else []
     items = [*_worst(judged, done), f"{words}."]
@@ -101,6 +104,10 @@ def headline(record: Record, verdicts: Verdicts) -> Verdict:
     kind = "met" if met == done and whole else "missed" if count[NOT_MET] == done else "open"
     sign = {"met": "✔", "missed": "✘"}.get(kind, "≈")
     return Verdict(kind, sign, f"{who} {_criteria(judged, verdicts)}", "; ".join(unsure), items)
+
+
+def _meet(count: int) -> str:
+    return "meets" if count == 1 else "meet"
 
 
 def _criteria(judged: list[Judged], verdicts: Verdicts) -> str:
@@ -144,7 +151,9 @@ def _range(canvas: Canvas, output: Column) -> Range:
         met = judged.count(MET)
         kind = "met" if met == len(known) else "not-met" if judged.count(NOT_MET) else "open"
         missed = judged.count(NOT_MET, NOT_MET_UNVERIFIED)
-        verdict = f"not met by {missed} of {len(known)}" if missed else f"met by {met} of {len(known)}"
+        verdict = (
+            f"not met by {missed} of {len(known)}" if missed else f"met by {met} of {len(known)}"
+        )
         verdict += "" if judged.decides else " (unverified)"
         bound = float(limits.min() if judged.relation == "<=" else limits.max())
     points = [low, high, *([] if bound is None else [bound])]
@@ -154,11 +163,11 @@ def _range(canvas: Canvas, output: Column) -> Range:
     about = "" if output.about in (output.title, output.name) else output.about
     return Range(
         output.heading, about, span_of(known, ""), output.unit, limit, verdict, kind, ends,
-        (places[0], max(round(places[1] - places[0], 1), _LEAST), None if bound is None else places[2]),
+        (places[0], max(round(places[1] - places[0], 1), _LEAST), dict(enumerate(places)).get(2)),
     )  # fmt: skip
 
 
-def criterion_rows(verdicts: Verdicts, done: int) -> list[dict[str, str]]:
+def criterion_rows(verdicts: Verdicts) -> list[dict[str, str]]:
     """Return the criteria that the rows tell about, as text."""
     rows = []
     for one in verdicts.items:

@@ -7,22 +7,22 @@ criterion that is an output; and the speed over the wave speed, which the scenar
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from arcless.assess import MET, NOT_JUDGED, NOT_MET, NOT_MET_UNVERIFIED, TOO_CLOSE, RULES, decides
+from arcless.assess import MET, NOT_JUDGED, NOT_MET, NOT_MET_UNVERIFIED, RULES, TOO_CLOSE, decides
 from arcless.assess.criteria import RELATIONS
-from arcless.assess.rules import Facts, Rule, mark_of
+from arcless.assess.rules import Rule, mark_of
 from arcless.study.definition.quantities import WORST, owner_of_key
+from arcless.study.report.data.limits import Limits, judges, known_of, rule_of
 from arcless.study.report.data.record import Column, Floats, Record
-from arcless.study.report.data.scenes import TARGET_MET_N, Scene, Scenes
+from arcless.study.report.data.scenes import Scene, Scenes
 
 VERDICTS = (NOT_JUDGED, MET, NOT_MET, NOT_MET_UNVERIFIED, TOO_CLOSE)
 CODES = {verdict: code for code, verdict in enumerate(VERDICTS)}
 Codes = NDArray[np.int8]
-_UPLIFT, _WAVE, _MEAN = "max_uplift_at_support_mm", "wave_speed_use", "mean_force_N"
+_WAVE = "wave_speed_use"
 _RULES: Mapping[str, Rule] = {rule.name: rule for rule in reversed(RULES)}
 
 
@@ -121,9 +121,11 @@ def judge(record: Record) -> Verdicts:
     items = [*_outputs(record, found), *_wave_speed(found)]
     passed = _column_of(record, "passed")
     if passed is not None:
-        codes = _codes_of(passed, record, "passed")
+        codes = _codes_of(passed, record)
         return Verdicts(tuple(items), codes, whole=True)
-    return Verdicts(tuple(items), _overall(items, len(found)), False, _unknown(items, found, record))
+    return Verdicts(
+        tuple(items), _overall(items, len(found)), False, _unknown(items, found, record)
+    )
 
 
 def _outputs(record: Record, scenes: Sequence[Scene | None]) -> Iterable[Judged]:
@@ -135,7 +137,7 @@ def _outputs(record: Record, scenes: Sequence[Scene | None]) -> Iterable[Judged]
             continue
         prefix, quantity = _split(text)
         if expression.names == {text}:
-            names = {rule.name for rule in RULES if _judges(rule, quantity)}
+            names = {rule.name for rule in RULES if judges(rule, quantity)}
             for name in sorted(names, key=list(_RULES)[::-1].index):
                 yield from _limited(record, output, name, text, scenes)
         for rule in RULES:
@@ -150,86 +152,35 @@ def _split(text: str) -> tuple[str, str]:
     return prefix + dot, quantity
 
 
-def _judges(rule: Rule, quantity: str) -> bool:
-    return rule.quantity == quantity or (rule.name == "uplift_space" and quantity == _UPLIFT)
-
-
 def _limited(
     record: Record, output: Column, name: str, text: str, scenes: Sequence[Scene | None]
 ) -> list[Judged]:
     """Return an output against the limits of one criterion; nothing where it has no limit."""
-    count = len(record.study.base.pantographs)
+    count, share = len(record.study.base.pantographs), "/" in text
     owner = owner_of_key(text.partition("/")[0], record.study.base)
     owners = tuple(range(count)) if owner == WORST else (int(owner or 0),)
-    means = {
-        place: column
-        for column in record.outputs
-        if (place := _mean_of(record, column)) is not None
-    }
+    given = Limits(record, owners, share=share)
     limits, codes = np.full(len(scenes), np.nan), np.zeros(len(scenes), dtype=np.int8)
     sure = np.zeros(len(scenes), dtype=bool)
     rules: dict[str, Rule] = {}
     marks: dict[str, None] = {}
     for row, scene in enumerate(scenes):
-        rule = None if scene is None else _rule(name, scene.facts)
-        if rule is None or scene is None:
+        rule = None if scene is None else rule_of(name, scene.facts)
+        if rule is None or scene is None or not (ends := given.ends(rule, scene, row)):
             continue
-        ends = []
-        for place in owners:
-            known, slack = _mean(scene, means.get(place), place, row)
-            ends += _limit(rule, scene.facts, record, place, known, slack, "/" in text)
-        if ends:
-            mark = mark_of(rule, scene.facts, _known(record, owners[0], None))
-            limits[row] = 0.5 * (min(ends) + max(ends))
-            codes[row] = _code(float(output.values[row]), ends, rule, mark)
-            sure[row] = decides(mark)
-            share, measured = "/" in text, all(place in means for place in owners)
-            rules[_how(rule, share=share, measured=measured)], marks[mark] = rule, None
+        mark = given.mark(rule, scene.facts)
+        limits[row], sure[row] = 0.5 * (min(ends) + max(ends)), decides(mark)
+        codes[row] = _code(float(output.values[row]), ends, rule, mark)
+        rules[given.words(rule)], marks[mark] = rule, None
     if not rules:
         return []
     rule = next(iter(rules.values()))
     sources = "; ".join(dict.fromkeys(one.source for one in rules.values()))
-    unit = output.unit or ("" if "/" in text else rule.unit)
+    unit = output.unit or ("" if share else rule.unit)
     return [
         Judged(name, rule.title, output, rule.relation, output.values, limits, codes, unit, sure,
                tuple(marks), sources, "; ".join(rules), owners)
     ]  # fmt: skip
-
-
-def _limit(
-    rule: Rule, facts: Facts, record: Record, place: int, mean: float | None, slack: float,
-    share: bool,  # noqa: FBT001 - as the caller found it
-) -> list[float]:
-    """Return the ends of the range in which the limit for a pantograph lies; none if unknown."""
-    if share:
-        return [rule.limit.factor]
-    found = rule.limit.value(facts, _known(record, place, mean))
-    if found is None:
-        return []
-    if rule.name == "uplift_space":
-        found /= 1.5 if facts.uplift_limited else 2.0
-    wide = rule.limit.factor * slack if rule.limit.of == _MEAN else 0.0
-    return [found - wide, found + wide]
-
-
-@dataclass(frozen=True)
-class _Known:
-    """The little of a pantograph's assessment that limits are computed from."""
-
-    name: str
-    mean_force_N: float | None  # noqa: N815 - a quantity of the assessment
-
-
-def _known(record: Record, place: int, mean: float | None) -> Any:
-    return _Known(record.study.base.pantographs[place].name, mean)
-
-
-def _mean(scene: Scene, column: Column | None, place: int, row: int) -> tuple[float | None, float]:
-    """Return the mean force of a pantograph in N, and how far it may be from that."""
-    if column is not None and np.isfinite(column.values[row]):
-        return float(column.values[row]), 0.0
-    target = scene.targets[place] if place < len(scene.targets) else None
-    return target, TARGET_MET_N
 
 
 def _code(value: float, ends: Sequence[float], rule: Rule, mark: str) -> int:
@@ -247,13 +198,13 @@ def _told(record: Record, output: Column, name: str, scenes: Sequence[Scene | No
     rule = _RULES[name]
     owners = tuple(range(len(record.study.base.pantographs)))
     marks = {
-        mark_of(found, scene.facts, _known(record, place, None))
+        mark_of(found, scene.facts, known_of(record, place))
         for scene in scenes
         for place in owners
-        if scene is not None and (found := _rule(name, scene.facts)) is not None
+        if scene is not None and (found := rule_of(name, scene.facts)) is not None
     }
     unsure = any(not decides(mark) for mark in marks)
-    codes = _codes_of(output, record, output.name)
+    codes = _codes_of(output, record)
     if unsure:
         codes = np.where(codes == CODES[NOT_MET], CODES[NOT_MET_UNVERIFIED], codes).astype(np.int8)
     return Judged(name, rule.title, output, "", output.values, np.full(len(codes), np.nan), codes,
@@ -261,7 +212,7 @@ def _told(record: Record, output: Column, name: str, scenes: Sequence[Scene | No
                   "the verdict is an output", owners)  # fmt: skip
 
 
-def _codes_of(output: Column, record: Record, name: str) -> Codes:
+def _codes_of(output: Column, record: Record) -> Codes:
     """Return the verdicts that an output of 1, 0 or nothing stands for."""
     codes = np.full(len(output.values), CODES[NOT_JUDGED], dtype=np.int8)
     codes[output.values == 1.0] = CODES[MET]
@@ -312,7 +263,7 @@ def _unknown(
     for one in facts.values():
         for rule in {rule.name: rule for rule in reversed(RULES) if rule.applies(one)}.values():
             for place in (0,) if rule.whole_run else range(len(names)):
-                known = _known(record, place, 1.0)
+                known = known_of(record, place, 1.0)
                 if (rule.name, place) in told or not decides(mark_of(rule, one, known)):
                     continue
                 if rule.limit.value(one, known) is None:
@@ -326,35 +277,8 @@ def _unknown(
     )
 
 
-def _rule(name: str, facts: Facts) -> Rule | None:
-    return next((rule for rule in RULES if rule.name == name and rule.applies(facts)), None)
-
-
 def _column_of(record: Record, key: str) -> Column | None:
     for output in record.outputs:
         if record.study.expressions[output.name].text.strip() == key:
             return output
     return None
-
-
-def _mean_of(record: Record, column: Column) -> int | None:
-    """Return the pantograph whose mean force an output is."""
-    text = record.study.expressions[column.name].text.strip()
-    if text.rpartition(".")[2] != _MEAN:
-        return None
-    owner = owner_of_key(text, record.study.base)
-    return owner if isinstance(owner, int) else None
-
-
-def _how(rule: Rule, *, share: bool, measured: bool) -> str:
-    """Return where a limit is from, in words."""
-    if share:
-        return "limit from the rules"
-    if rule.limit.of == _MEAN:
-        mean = "mean force of the variant" if measured else "mean force that the scenario asks for"
-        return f"{rule.limit.factor:g} × the {mean}"
-    if rule.limit.per_speed_squared:
-        return f"{rule.limit.per_speed_squared:g} v² + {rule.limit.constant:g}, v in km/h"
-    if rule.limit.of is not None:
-        return "limit from the scenario"
-    return "limit from the rules"

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from arcless.study.analysis.findings import Findings, of
 from arcless.assess.quantities import QUANTITIES, label_of
+from arcless.study.analysis.findings import Findings, of
 from arcless.study.definition.quantities import WORST, is_number, owner_of_key
 from arcless.study.definition.study import Study
 from arcless.study.folder import table

@@ -1,4 +1,4 @@
-"""Facts that the criteria of each variant are judged by, from the study's scenario and its values."""
+"""Facts that the criteria of each variant are judged by, from the scenario and its values."""
 
 import re
 from dataclasses import dataclass

@@ -2,13 +2,14 @@
 
 from collections.abc import Callable
 from functools import cached_property
+from textwrap import fill
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from arcless.assess import MET, NOT_JUDGED, NOT_MET, NOT_MET_UNVERIFIED, TOO_CLOSE
-from arcless.figures.description import Area, Axis, Curve, Layer, Points, Rules, Tip
+from arcless.figures.description import Area, Axis, Curve, Layer, Points, Rules, Scale, Tip
 from arcless.figures.description.thinning import every
 from arcless.study.report.data.judged import CODES, Judged, Verdicts
 from arcless.study.report.data.numbers import digits, form
@@ -23,6 +24,8 @@ _FEW_POINTS = 200
 _MOST_TIPS = 14
 # Parts of the range beyond the first and last value of an axis; names along an axis.
 _MARGIN, _MOST_NAMES = 0.06, 40
+# Letters that fit along an axis.
+_LETTERS = 34
 # Relative difference of limits that one line stands for: not seen in a figure.
 _SAME_LIMIT = 5e-3
 # Verdict → token of its colour, shape.
@@ -93,11 +96,21 @@ class Canvas:
             if len(names) > _MOST_NAMES:
                 shown = set(every(len(names), _MOST_NAMES).tolist())
                 names = [name if i in shown else "" for i, name in enumerate(names)]
-            return Axis(column.heading, "", *ends, categories=tuple(names), group=group)
+            return Axis(
+                fill(column.heading, _LETTERS), "", *ends, categories=tuple(names), group=group
+            )
         known = np.append(column.values[np.isfinite(column.values)], include)
         low, high = float(known.min()), float(known.max())
         margin = _MARGIN * (high - low) or 0.05 * abs(high) or 1.0
-        return Axis(column.heading, column.unit, low - margin, high + margin, group=group)
+        label = fill(column.heading, _LETTERS)
+        return Axis(label, column.unit, low - margin, high + margin, group=group)
+
+    def scale(self, output: Column) -> Scale:
+        """Return the scale of colours of an output."""
+        known = output.values[np.isfinite(output.values)]
+        low, high = float(known.min()), float(known.max())
+        label = fill(output.heading, _LETTERS)
+        return Scale(label, output.unit, low, high if high > low else low + 1.0)
 
     def output_axis(self, output: Column) -> Axis:
         """Return the axis of an output, with its limits in it where they are not far away."""
@@ -216,6 +229,6 @@ def is_path(variables: list[Column]) -> bool:
 
 
 def _is_smooth(values: Floats, size: float) -> bool:
-    """Return whether each value lies where its neighbours let expect it: a function of the place."""
+    """Return whether each value lies between its neighbours: a function of the place."""
     between = 0.5 * (values[:-2] + values[2:])
     return bool(values.size > 2 and np.max(np.abs(values[1:-1] - between)) <= _SAME_LIMIT * size)  # noqa: PLR2004

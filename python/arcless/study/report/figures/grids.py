@@ -8,13 +8,13 @@ from numpy.typing import NDArray
 
 from arcless.assess import MET, NOT_JUDGED
 from arcless.figures.description import (
+    Area,
     Axis,
     Curve,
     Figure,
     Layer,
     Map,
     Points,
-    Scale,
     Segments,
     Texts,
 )
@@ -40,7 +40,7 @@ _BRIGHT = 0.62
 
 @dataclass(frozen=True)
 class Factor:
-    """A variable on the grid: its values that were computed, and the place of each variant's."""
+    """A variable on the grid: its values, and the place of each variant's value among them."""
 
     column: Column
     levels: Floats
@@ -64,10 +64,12 @@ class Factor:
         return Axis(self.column.heading, unit, -0.5, len(names) - 0.5, categories=tuple(names))
 
 
-def factor(column: Column) -> Factor:
-    """Return a variable as a factor."""
-    levels, places = np.unique(column.values, return_inverse=True)
-    return Factor(column, levels, places)
+def factor(column: Column, given: tuple[Any, ...]) -> Factor:
+    """Return a variable as a factor of all its values in SI, also those that have no outcome."""
+    if column.words is not None:
+        return Factor(column, np.arange(len(column.words), dtype=float), column.values.astype(int))
+    levels = np.unique(np.array(given, dtype=float) / column.scale)
+    return Factor(column, levels, np.searchsorted(levels, column.values))
 
 
 def factors(canvas: Canvas) -> tuple[Factor, Factor] | None:
@@ -79,8 +81,9 @@ def factors(canvas: Canvas) -> tuple[Factor, Factor] | None:
     if not isinstance(study.design, Grid) or len(varied) != 2:  # noqa: PLR2004 - two factors
         return None
     fields = {axis.name: axis.field for axis in study.axes}
+    levels = {axis.name: axis.levels or () for axis in study.axes}
     found = sorted(
-        map(factor, varied),
+        (factor(one, levels[one.name]) for one in varied),
         key=lambda one: (
             one.column.words is None, fields[one.column.name] == FIELD, one.levels.size
         ),
@@ -116,6 +119,11 @@ class Grids:
         canvas, x, other = self.canvas, self.along.column, self.other
         axis = canvas.output_axis(output)
         layers, words = canvas.limits(x, output)
+        of_curves = any(isinstance(layer, Area) for layer in layers)
+        layers = [layer for layer in layers if not isinstance(layer, Area)]
+        judged = canvas.main(output) if of_curves else None
+        if judged is not None:
+            words.append("Dotted: the limit of each curve.")
         marked = self.speeds is not None and x is self.speeds.column
         if marked and self.speeds is not None:
             layers = [*self.speeds.layers(axis), *layers]
@@ -127,6 +135,9 @@ class Grids:
             rows = np.flatnonzero(other.places == level)
             rows = rows[np.argsort(x.values[rows], kind="stable")]
             look: dict[str, Any] = {"colour": of_series(place), "name": name}
+            if judged is not None:
+                limit = judged.limits[rows]
+                pieces.append(Curve(x.values[rows], limit, dash="dotted", width=1.4, **look))
             pieces += [
                 Curve(x.values[rows], output.values[rows], width=1.8, **look),
                 canvas.points(x, output, chosen=drawn == level, alpha=1.0,
@@ -152,12 +163,10 @@ class Grids:
         rows, columns = values.shape
         known = values[np.isfinite(values)]
         low, high = float(known.min()), float(known.max())
-        layers: list[Layer] = [
-            Map((-0.5, columns - 0.5), (-0.5, rows - 0.5), values, name="")
-        ]
+        layers: list[Layer] = [Map((-0.5, columns - 0.5), (-0.5, rows - 0.5), values, name="")]
         if judged is not None:
             layers += self._contour(judged)
-        layers += self._signs(output, judged, values, (low, high))
+        layers += self._signs(judged, values, (low, high))
         signs = "" if judged is None else f" The sign says whether {judged.title} is met."
         limit = "" if judged is None else f" {self.canvas.limits(along.column, output)[1][0]}"
         about = "" if output.about in (output.title, output.name) else f"{sentence(output.about)} "
@@ -165,11 +174,12 @@ class Grids:
             f"{canvas.key(output)}-map",
             f"{output.heading} by {along.column.heading} and {other.column.heading}",
             along.axis, other.axis, layers,
-            caption=f"{about}Cells are of equal size, whatever the distance of the values.{signs}{limit}",
+            caption=f"{about}Cells are of equal size, whatever the distance of the values."
+            f"{signs}{limit}",
             alt=f"{range_words(output)}, as a map over {along.column.heading} and"
             f" {other.column.heading}. {verdict_words(judged)}".rstrip(),
             height=self._height(rows, columns),
-            scale=Scale(output.heading, output.unit, low, high if high > low else low + 1.0),
+            scale=canvas.scale(output),
         )  # fmt: skip
 
     @staticmethod
@@ -202,7 +212,7 @@ class Grids:
         ]  # fmt: skip
 
     def _signs(
-        self, output: Column, judged: Judged | None, values: Floats, ends: tuple[float, float]
+        self, judged: Judged | None, values: Floats, ends: tuple[float, float]
     ) -> list[Layer]:
         """Return the sign of the verdict and the number of each cell, as far as there is room."""
         rows, columns = values.shape

@@ -22,7 +22,7 @@ def shares(key: str, output: str, values: dict[str, Any]) -> Figure:
         middle = np.array([one[index] for one in values.values()], dtype=float)
         half = np.array([one[interval] or 0.0 for one in values.values()], dtype=float)
         y = rows + _APART * (0.5 - place)
-        look = {"colour": of_series(place), "name": f"{title}, with 95 % interval"}
+        look: dict[str, Any] = {"colour": of_series(place), "name": f"{title}, with 95 % interval"}
         tips = (
             Tip("", names, form=""), Tip(title, middle, form="0.000"),
             Tip("from", middle - half, form="0.000"), Tip("to", middle + half, form="0.000"),

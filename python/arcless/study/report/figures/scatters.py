@@ -1,11 +1,13 @@
 """Figures of a study: outputs over variables, two variables at a time, outputs over each other.
 
-All draw from one source of columns: variants selected in one of them are so in all, and in the table.
+All draw from one source of columns: variants selected in one are so in all, and in the table.
 """
+
+from typing import Any
 
 import numpy as np
 
-from arcless.figures.description import Curve, Figure, Layer, Points, Scale, Segments, Tip
+from arcless.figures.description import Curve, Figure, Layer, Points, Segments, Tip
 from arcless.study.designs.samples import Sample
 from arcless.study.report.data.effects import effect
 from arcless.study.report.data.judged import VERDICTS, Judged
@@ -64,7 +66,8 @@ class Scatters:
                 f"front-{place}", f"{other.heading} against {one.heading}",
                 self.canvas.axis(one), self.canvas.axis(other),
                 [self.canvas.points(one, other, colour="series_1")],
-                alt=f"{range_words(other)} against {range_words(one)}, a point for each variant.", height=HEIGHT,
+                alt=f"{range_words(other)} against {range_words(one)}, a point for each variant.",
+                height=HEIGHT,
             )
             for place, (one, other) in enumerate(_two_of(chosen))
         ]  # fmt: skip
@@ -91,28 +94,31 @@ class Scatters:
         layers += canvas.by_verdict(variable, output, judged)
         about = [] if output.about in (output.title, output.name) else [sentence(output.about)]
         return Figure(
-            f"{canvas.key(output)}-over-{canvas.key(variable)}", f"{output.heading} over {variable.heading}",
+            f"{canvas.key(output)}-over-{canvas.key(variable)}",
+            f"{output.heading} over {variable.heading}",
             canvas.axis(variable), axis, layers,
             caption=" ".join([*about, *words]),
-            alt=f"{range_words(output)}, over {variable.heading} from"
-            f" {span_of(variable.values, variable.unit) if variable.words is None else 'its values'}."
-            f" {verdict_words(judged)}".rstrip(),
+            alt=f"{range_words(output)}, over {_range_of(variable)}. {verdict_words(judged)}".rstrip(),
             height=HEIGHT + 60 if marked else HEIGHT,
         )  # fmt: skip
 
     def _pair(self, one: Column, other: Column, output: Column) -> Figure:
-        known, key = output.values[np.isfinite(output.values)], self.canvas.key
-        points = self.canvas.points(
-            one, other, values=self.canvas.of(output), alpha=0.9, size=8.0
-        )
+        key = self.canvas.key
+        points = self.canvas.points(one, other, values=self.canvas.of(output), alpha=0.9, size=8.0)
         return Figure(
             f"{key(output)}-by-{key(one)}-and-{key(other)}",
             f"{output.heading} by colour",
             self.canvas.axis(one), self.canvas.axis(other), [points],
             alt=f"{range_words(output)}, by colour over {one.heading} and {other.heading}.",
             height=HEIGHT,
-            scale=Scale(output.heading, output.unit, float(known.min()), float(known.max())),
+            scale=self.canvas.scale(output),
         )  # fmt: skip
+
+
+def _range_of(variable: Column) -> str:
+    if variable.words is not None:
+        return f"{len(variable.words)} values of {variable.heading}"
+    return range_words(variable)
 
 
 def verdict_words(judged: Judged | None) -> str:
@@ -129,7 +135,7 @@ def _means(variable: Column, output: Column) -> list[Layer]:
     if found is None:
         return []
     name = "mean of the variants ± standard error"
-    look = {"colour": "series_2", "name": name}
+    look: dict[str, Any] = {"colour": "series_2", "name": name}
     error = np.nan_to_num(found.error)
     layers: list[Layer] = [
         Segments(found.x, found.mean - error, found.x, found.mean + error, width=2.0, **look)
@@ -156,4 +162,5 @@ def range_words(output: Column) -> str:
 
 
 def sentence(text: str) -> str:
+    """Return a text as a sentence."""
     return text[:1].upper() + text[1:] + ("" if text.endswith((".", "!", "?")) else ".")
