@@ -72,6 +72,10 @@ class Drawing:
         """Return the columns of a selection; figures and a table draw from the same."""
         return self._sources.of_selection(selection)
 
+    def selections(self) -> dict[str, Columns]:
+        """Return the columns of each selection."""
+        return self._sources.selections
+
     def groups(self) -> dict[str, dict[str, Model]]:
         """Return the range and the cross hair of each group of axes."""
         return {

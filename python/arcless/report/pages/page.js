@@ -110,6 +110,39 @@
       tell();
     }
 
+    // ---- tables of variants: sorted by a title, selected together with the figures ------------
+    for (const table of $("table[data-selection]")) {
+      const source = model(table.dataset.selection);
+      const body = table.tBodies[0], rows = [...body.rows], said = $("p.chosen")[0];
+      const place = new Map(rows.map((row, index) => [row, index]));
+      const show = () => {
+        const chosen = new Set(source.selected.indices);
+        rows.forEach((row, index) => row.classList.toggle("chosen", chosen.has(index)));
+        if (said) said.textContent = chosen.size ? `${chosen.size} of ${rows.length} selected` : "";
+        const first = body.querySelector(".chosen"), box = table.closest(".tall");
+        if (first && box) box.scrollTop = first.offsetTop - table.tHead.offsetHeight;
+      };
+      source.selected.properties.indices.change.connect(show);
+      body.addEventListener("click", (event) => {
+        const index = place.get(event.target.closest("tr"));
+        if (index === undefined) return;
+        const chosen = source.selected.indices;
+        source.selected.indices = chosen.includes(index) ? chosen.filter((one) => one !== index) : [...chosen, index];
+      });
+      for (const button of $("[data-sort]", table)) {
+        button.addEventListener("click", () => {
+          const title = button.closest("th"), values = source.data[button.dataset.sort];
+          const sign = title.getAttribute("aria-sort") === "ascending" ? -1 : 1;
+          for (const one of $("th", table)) one.removeAttribute("aria-sort");
+          title.setAttribute("aria-sort", sign > 0 ? "ascending" : "descending");
+          const key = (row) => values[place.get(row)];
+          const none = (value) => Number(Number.isNaN(value));  // the last ones either way
+          body.append(...[...rows].sort((a, b) =>
+            none(key(a)) - none(key(b)) || sign * (key(a) - key(b)) || place.get(a) - place.get(b)));
+        });
+      }
+    }
+
     // ---- print -----------------------------------------------------------------------------
     // Figures are laid out for paper, light, and copied as drawings, while the browser waits:
     // what Bokeh draws itself would be emptied when the browser changes its size, and not redrawn.
