@@ -73,7 +73,7 @@ def add_bar(axes: Axes, scale: Scale, scheme: Scheme) -> None:
     bar = figure.colorbar(mappable(scale, scheme), ax=axes, pad=0.015, fraction=0.05, aspect=28)
     bar.set_label(scale.title, size=LABEL_PT, color=colour("ink", scheme), parse_math=False)
     bar.ax.tick_params(labelsize=TICK_PT, labelcolor=colour("soft", scheme), length=0)
-    bar.outline.set_visible(False)  # type: ignore[operator]
+    bar.outline.set_visible(False)
 
 
 def ends(axis: Axis, layers: list[Layer], which: str) -> tuple[float, float]:

@@ -36,8 +36,8 @@ def write(figure: Figure, path: Path, scheme: Scheme, width_mm: float) -> None:
     title, about, unsaid = _TOLD[form]
     words = figure.alt or figure.title
     written = BytesIO()
+    told = {title: figure.title, about: words, **unsaid}
     with settings():
-        told = {title: figure.title, about: words, **unsaid}
         sheet.savefig(written, format=form, dpi=_DPI, metadata=told)
     content = written.getvalue()
     write_bytes(path, _described(content, words) if form == "svg" else content)

@@ -26,9 +26,10 @@ SHAPES = {"circle": "o", "tick": "|", "triangle": "^", "down": "v", "diamond": "
 _LINED = ("tick", "cross")
 _DASHES = {"dashed": (7.0, 4.0), "dotted": (2.0, 3.0)}
 _BASELINES = {"top": "top", "middle": "center", "bottom": "bottom"}
-# Order of drawing: strips below the grid at 0.5, rules above it, then the other layers in turn.
+# Order of drawing: strips below the grid, which is at 0.5, rules above it, other layers in turn.
 _STRIPS, _RULES, _FIRST, _STEP = 0.4, 1.0, 2.0, 0.01
-_OVER_MAPS = 3.0
+_MAPS, _OVER_MAPS = 0.2, 3.0
+_PATCH = 0.7  # opacity of the paper below a text
 
 
 def add(axes: Axes, layers: list[Layer], scheme: Scheme, colours: ScalarMappable | None) -> None:
@@ -72,42 +73,54 @@ def _add(
         case Rules():
             _rules(axes, layer, ink, look)
         case Curve():
-            axes.plot(layer.x, layer.y, color=ink, linewidth=LINE * layer.width,
-                      linestyle=dash(layer.dash), **look)  # fmt: skip
+            look |= {"linewidth": LINE * layer.width, "linestyle": dash(layer.dash)}
+            axes.plot(layer.x, layer.y, color=ink, **look)
         case Area():
-            axes.fill_between(
-                layer.x, layer.low, layer.high, facecolor=ink, edgecolor="none", **look
-            )
+            look |= {"facecolor": ink, "edgecolor": "none"}
+            axes.fill_between(layer.x, layer.low, layer.high, **look)
         case Points(values=None):
             axes.plot(layer.x, layer.y, **mark(layer, ink), **look)
-        case Points():
-            assert colours is not None, "points with values need the figure's scale"
-            edge = {"linewidths": LINE if layer.shape in _LINED else 0.0}
-            axes.scatter(layer.x, layer.y, (MARK * layer.size) ** 2, layer.values, SHAPES[layer.shape],
-                         colours.cmap, colours.norm, **edge, **look)  # fmt: skip
+        case Points() | Map():
+            assert colours is not None, "colours of values need the figure's scale"
+            look |= {"cmap": colours.cmap, "norm": colours.norm}
+            (_points if isinstance(layer, Points) else _map)(axes, layer, look)
         case Segments():
             ends = np.stack([layer.x0, layer.y0, layer.x1, layer.y1], axis=1).reshape(-1, 2, 2)
-            axes.add_collection(LineCollection(list(ends), colors=ink, linewidths=LINE * layer.width,
-                                               **look), autolim=False)  # fmt: skip
+            look |= {"colors": ink, "linewidths": LINE * layer.width}
+            axes.add_collection(LineCollection(list(ends), **look), autolim=False)
         case Bars():
             _bars(axes, layer, ink, look)
-        case Map():
-            assert colours is not None, "a map needs the figure's scale"
-            axes.imshow(np.ma.masked_invalid(layer.values), colours.cmap, colours.norm, aspect="auto",
-                        interpolation="nearest", origin="lower", extent=(*layer.x, *layer.y),
-                        **{**look, "zorder": 0.2})  # fmt: skip
         case Texts():
-            for x, y, text in zip(layer.x, layer.y, layer.texts, strict=True):
-                axes.text(x, y, text, color=ink, size=TEXT * layer.size, ha=layer.align,
-                          va=_BASELINES[layer.baseline], parse_math=False, clip_on=True,
-                          **look)  # fmt: skip
+            _texts(axes, layer, ink, look)
+
+
+def _points(axes: Axes, layer: Any, look: dict[str, Any]) -> None:
+    """Draw points whose colours tell values."""
+    edge = LINE if layer.shape in _LINED else 0.0
+    look |= {"c": layer.values, "s": (MARK * layer.size) ** 2, "marker": SHAPES[layer.shape]}
+    axes.scatter(layer.x, layer.y, linewidths=edge, **look)
+
+
+def _map(axes: Axes, layer: Any, look: dict[str, Any]) -> None:
+    look |= {"zorder": _MAPS, "aspect": "auto", "interpolation": "nearest", "origin": "lower"}
+    axes.imshow(np.ma.masked_invalid(layer.values), extent=(*layer.x, *layer.y), **look)
+
+
+def _texts(axes: Axes, layer: Texts, ink: str, look: dict[str, Any]) -> None:
+    """Draw texts on a patch of paper, which keeps lines below from striking them through."""
+    patch = {"facecolor": axes.get_facecolor(), "edgecolor": "none", "alpha": _PATCH, "pad": 0.0}
+    look |= {"color": ink, "size": TEXT * layer.size, "bbox": patch, "clip_on": True}
+    look |= {"ha": layer.align, "va": _BASELINES[layer.baseline]}
+    for x, y, text in zip(layer.x, layer.y, layer.texts, strict=True):
+        axes.text(x, y, text, parse_math=False, **look)
 
 
 def _rules(axes: Axes, layer: Rules, ink: str, look: dict[str, Any]) -> None:
-    lines, across = (axes.vlines, axes.get_xaxis_transform()) if layer.axis == "x" else (
-        axes.hlines, axes.get_yaxis_transform())  # fmt: skip
-    lines(layer.at, 0.0, 1.0, transform=across, colors=ink, linewidths=LINE * layer.width,
-          linestyles=[dash(layer.dash)], **look)  # fmt: skip
+    look |= {"colors": ink, "linewidths": LINE * layer.width, "linestyles": [dash(layer.dash)]}
+    if layer.axis == "x":
+        axes.vlines(layer.at, 0.0, 1.0, transform=axes.get_xaxis_transform(), **look)
+    else:
+        axes.hlines(layer.at, 0.0, 1.0, transform=axes.get_yaxis_transform(), **look)
 
 
 def _bars(axes: Axes, layer: Bars, ink: str, look: dict[str, Any]) -> None:

@@ -14,8 +14,6 @@ from arcless.figures.paper.axes import shown
 from arcless.figures.paper.layers import dash, mark
 from arcless.figures.paper.settings import LINE, TICK_PT
 
-_FEWEST_FOR_COLUMNS = 2
-
 
 def entries(figure: Figure) -> dict[str, Layer]:
     """Return name and layer of each entry, as in a page: the layer on top stands first."""
@@ -52,6 +50,7 @@ def _made(axes: Axes, signs: list[tuple[str, Artist]], columns: int, scheme: Sch
     )  # fmt: skip
     for text in made.get_texts():
         text.set_parse_math(False)
+    made.set_in_layout(False)  # the title, which stands above it, has its room
     return made
 
 
