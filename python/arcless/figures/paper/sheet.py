@@ -19,7 +19,7 @@ _INCH_MM, _POINTS = 25.4, 72.0
 # Pixels of a page in an inch; axes are not higher than this part of the sheet's width.
 _PX, _MOST_HEIGHT = 96.0, 0.72
 # Between title, legend, axes and caption, and around all of them, in points.
-_GAP, _EDGE = 3.0, 4.0
+_GAP, _EDGE = 4.0, 4.0
 _LINE = 1.25  # height of a line of text over the size of its font
 _SHOWN_DPI = 144
 
