@@ -67,7 +67,7 @@ def mappable(scale: Scale, scheme: Scheme) -> ScalarMappable:
 
 
 def add_bar(axes: Axes, scale: Scale, scheme: Scheme) -> None:
-    """Draw the scale of colours beside axes."""
+    """Draw the scale of colours to the right of axes."""
     figure = axes.get_figure(root=False)
     assert figure is not None
     bar = figure.colorbar(mappable(scale, scheme), ax=axes, pad=0.015, fraction=0.05, aspect=28)

@@ -14,6 +14,8 @@ from arcless.figures.paper.axes import shown
 from arcless.figures.paper.layers import dash, mark
 from arcless.figures.paper.settings import LINE, TICK_PT
 
+_LEAST_PT = 0.9  # width of a line in a legend: a thin one would not be seen there
+
 
 def entries(figure: Figure) -> dict[str, Layer]:
     """Return name and layer of each entry, as in a page: the layer on top stands first."""
@@ -65,16 +67,17 @@ def _by_rows(signs: list[Any], columns: int) -> list[Any]:
 def _sign(layer: Layer, scheme: Scheme) -> Artist:
     """Return the sign of a layer: a line, a mark, or a patch."""
     ink = colour(layer.colour, scheme)
-    look: dict[str, Any] = {"alpha": layer.alpha}
+    look: dict[str, Any] = {"alpha": layer.alpha, "color": ink}
+    if isinstance(layer, Curve | Rules | Segments):
+        look["linewidth"] = max(LINE * layer.width, _LEAST_PT)
     match layer:
         case Curve() | Rules():
-            return Line2D([], [], color=ink, linewidth=LINE * layer.width,
-                          linestyle=dash(layer.dash), **look)  # fmt: skip
+            return Line2D([], [], linestyle=dash(layer.dash), **look)
         case Segments():
-            return Line2D([], [], color=ink, linewidth=LINE * layer.width, **look)
+            return Line2D([], [], **look)
         case Points():
-            return Line2D([], [], **mark(layer, ink), **look)
+            return Line2D([], [], **{**mark(layer, ink), **look})
         case Texts():
-            return Line2D([], [], color=ink, marker="o", markersize=4.0, linestyle="none", **look)
+            return Line2D([], [], marker="o", markersize=4.0, linestyle="none", **look)
         case _:
-            return Patch(facecolor=ink, edgecolor="none", **look)
+            return Patch(linewidth=0.0, **look)
