@@ -32,7 +32,7 @@ CASES: tuple[tuple[str, str, dict[str, Any]], ...] = (
     ("two pantographs, planar", "ac-simple-320-two-pantographs", {}),
     ("planar with a matrix", "en50318-ac-simple-320-planar", SOLVED),
     (
-        "the same with energy ledger",
+        "the same with energy balance",
         "en50318-ac-simple-320-planar",
         {**SOLVED, "output.energy": "always"},
     ),
@@ -64,10 +64,17 @@ class Stepping:
         """Find the equilibrium, factorise."""
         found = equilibrium.find(scenario)
         travel = trajectory.motion(scenario)
-        given = pantographs.given_motions(scenario, travel)
+        excitations = pantographs.excitations(scenario, travel)
         nobody = Controllers(scenario)
         job = Job(
-            scenario, found, prepare(found, scenario), travel, given, [], nobody, lambda _step: True
+            scenario,
+            found,
+            prepare(found, scenario),
+            travel,
+            excitations,
+            [],
+            nobody,
+            lambda _step: True,
         )
         return cls(job, [placed.start_force or 0.0 for placed in scenario.pantographs])
 

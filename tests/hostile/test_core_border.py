@@ -195,9 +195,11 @@ def model() -> _core.WireModel:
 PANTOGRAPH = PantographData(
     mass=[10.0], damping=[0.0], stiffness=[0.0],
     strips=[StripData(0.0, 0.5, [0.0], [[1.0]])], preload=[1.0], lift=[0.0], start_force=100.0,
-    given=Excitation([ForceHistory([1.0], [0.0] * 3)], BaseMotion([1.0], [0.0] * 3, [0.0] * 3)),
+    excitation=Excitation(
+        [ForceHistory([1.0], [0.0] * 3)], BaseMotion([1.0], [0.0] * 3, [0.0] * 3)
+    ),
     stops=[BumpStopData([1.0], 1.0, 1e5)],
-    laws=[PiecewiseForceData([1.0], True, [(-1.0, -1.0), (1.0, 1.0)])],
+    piecewise_forces=[PiecewiseForceData([1.0], True, [(-1.0, -1.0), (1.0, 1.0)])],
     actuator=ActuatorData([1.0], 1, 0),
 )  # fmt: skip
 PLAN = RecordPlan(

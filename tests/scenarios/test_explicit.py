@@ -105,7 +105,7 @@ def test_the_ledger_changes_no_bit_and_is_kept_by_default(short: Short) -> None:
     assert len(settled) > 2 and (np.diff(settled) == 72).all()
     assert np.isfinite(results["always"].dataset["energy_elastic"].values).all()
     notes = results["never"].assessment.notes
-    assert "no energy ledger was kept; `output.energy: always` keeps one" in notes
+    assert "no energy balance was kept; `output.energy: always` keeps one" in notes
 
 
 def test_a_batch_keeps_the_ledger_of_explicit_steps(short: Short) -> None:

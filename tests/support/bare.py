@@ -1,4 +1,4 @@
-"""Smallest models that a run is made of: a wall, an oscillator, riders by their matrices."""
+"""Smallest models that a run is made of: a wall, an oscillator, pantographs by their matrices."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -36,7 +36,7 @@ class Asked:
     scheme, h
         Scheme, and step in s.
     positions
-        Of the first rider at the start and after each step, m; see `stand`.
+        Of the first pantograph at the start and after each step, m; see `stand`.
     contact_stiffness
         In N/m.
     nodes, points
@@ -44,7 +44,7 @@ class Asked:
     loads
         Patterns (node, component, N) with a size at each instant.
     ledger
-        Whether the energy ledger is kept.
+        Whether the energy balance is kept.
     updated
         Whether coordinates and stiffness are updated in each step.
     friction
@@ -68,8 +68,10 @@ def stand(x: float, steps: int) -> Floats:
     return np.full(steps + 1, x)
 
 
-def run(mesh: Mesh, rider: PantographData, asked: Asked, *, design: bool = False) -> dict[str, Any]:
-    """Return what the core records of a run with one rider, every step of it."""
+def run(
+    mesh: Mesh, pantograph: PantographData, asked: Asked, *, design: bool = False
+) -> dict[str, Any]:
+    """Return what the core records of a run with one pantograph, every step of it."""
     core = at_rest(mesh, design=design).core
     solver = Solver.model_validate({"scheme": asked.scheme.settings})
     scheme = trajectory.scheme_numbers(solver.scheme)
@@ -90,7 +92,7 @@ def run(mesh: Mesh, rider: PantographData, asked: Asked, *, design: bool = False
         ledger_every=1,
     )
     return model.run(
-        pantographs=[rider],
+        pantographs=[pantograph],
         distances=[0.0],
         positions=asked.positions,
         speeds=np.gradient(asked.positions, asked.h),
@@ -110,7 +112,7 @@ def pantograph(
     force: float = 0.0,
     given: Sequence[tuple[Sequence[float], Floats]] = (),
 ) -> PantographData:
-    """Return a rider whose preload acts where its strip is; `given` are forces over time."""
+    """Return a pantograph whose preload acts where its strip is; `given` are forces over time."""
     rows = [np.asarray(m, dtype=np.float64).ravel().tolist() for m in (mass, damping, stiffness)]
     forces = [ForceHistory(direction, values.tolist()) for direction, values in given]
     return PantographData(
@@ -121,7 +123,7 @@ def pantograph(
         preload=list(strip),
         lift=[0.0] * len(strip),
         start_force=force,
-        given=Excitation(forces),
+        excitation=Excitation(forces),
     )
 
 

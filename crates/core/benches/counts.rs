@@ -38,10 +38,10 @@ fn main() {
     // `cargo bench` names no case.
     let case = std::env::args().skip(1).find(|word| !word.starts_with('-'));
     let done = match case.as_deref() {
-        Some("step-planar") => steps(riders(&planar())),
-        Some("step-spatial") => steps(riders(&spatial())),
-        Some("step-explicit-planar") => steps(riders(&explicit::<2, 2>())),
-        Some("step-explicit-spatial") => steps(riders(&explicit::<3, 3>())),
+        Some("step-planar") => steps(pantographs(&planar())),
+        Some("step-spatial") => steps(pantographs(&spatial())),
+        Some("step-explicit-planar") => steps(pantographs(&explicit::<2, 2>())),
+        Some("step-explicit-spatial") => steps(pantographs(&explicit::<3, 3>())),
         Some("step-forces-given") => steps(forces(&planar())),
         Some("solve-planar") => solutions(&planar()),
         Some("solve-spatial") => solutions(&spatial()),
@@ -88,9 +88,9 @@ fn begin() -> SessionStart {
     }
 }
 
-fn riders<const DIM: usize, const D: usize>(p: &Arc<WireModel<DIM, D>>) -> Session<DIM, D> {
-    let rider = common::three_masses(170.0);
-    Session::with_pantographs(p.clone(), vec![rider], vec![0.0], begin()).expect("it stands")
+fn pantographs<const DIM: usize, const D: usize>(p: &Arc<WireModel<DIM, D>>) -> Session<DIM, D> {
+    let pantograph = common::three_masses(170.0);
+    Session::with_pantographs(p.clone(), vec![pantograph], vec![0.0], begin()).expect("it stands")
 }
 
 fn forces<const DIM: usize, const D: usize>(p: &Arc<WireModel<DIM, D>>) -> Session<DIM, D> {
@@ -102,7 +102,7 @@ fn forces<const DIM: usize, const D: usize>(p: &Arc<WireModel<DIM, D>>) -> Sessi
 }
 
 fn steps<const DIM: usize, const D: usize>(mut live: Session<DIM, D>) -> [usize; 2] {
-    // A rider without actuator takes no force; a force that is given swings about its mean.
+    // A pantograph without actuator takes no force; a force that is given swings about its mean.
     let size = if live.outputs().contacts.is_empty() {
         1.0
     } else {
@@ -127,7 +127,8 @@ fn solutions<const DIM: usize, const D: usize>(p: &WireModel<DIM, D>) -> [usize;
     [SOLUTIONS, D * x.len()]
 }
 
-/// A problem as of a step: a contact that is closed, and slack links, weakly coupled and skew to it.
+/// Complementarity problem like that of a step: a closed contact, and slack links whose weak
+/// coupling to it is skew-symmetric.
 fn problems(n: usize) -> [usize; 2] {
     let entry = |i: usize, j: usize| match (i, j) {
         _ if i == j => 1.0 + 0.1 * i as f64,

@@ -45,7 +45,7 @@ fn unchanged(s: &Structure) -> Alteration {
     }
 }
 
-/// What a wire shows after a change: horizontal force at its first end in N, position of its middle
+/// State of a wire after a change: horizontal force at its first end in N, position of its middle
 /// and of its last node in m.
 struct Seen {
     force: f64,
@@ -68,7 +68,7 @@ fn seen<const DIM: usize, const D: usize>(s: Structure, change: &Alteration) -> 
     }
 }
 
-/// The same wire as Hermite elements and as a chain.
+/// State after a change: of a wire of Hermite elements, and of a chain of the same wire.
 fn both(wire: &Single, released: bool, change: impl Fn(&mut Alteration)) -> [Seen; 2] {
     let mut s = wire.structure(2).0;
     s.ends[0].released = released;
@@ -109,8 +109,8 @@ fn fixed_ends_follow_the_change_of_state_equation() {
             change.mass.fill(WIRE.mass + ice);
         });
         for at in found {
-            // The equation leaves out terms of the strain, 2e-3, and of the slope squared, 2e-3 with
-            // ice; Green's strain makes EA stiffer by 3 strains.
+            // Neglected in the equation: terms of the strain, 2e-3, and of the square of the slope,
+            // 2e-3 with ice; Green's strain raises EA by three strains.
             assert!(
                 (at.force / tension - 1.0).abs() < 5e-3,
                 "{} {tension}",
@@ -137,7 +137,8 @@ fn an_end_under_constant_force_travels_and_keeps_the_tension() {
     let strain = EXPANSION * 40.0;
     let [free, free_chain] = both(&straight, true, |c| c.length_factor.fill(1.0 + strain));
     for at in [free, free_chain] {
-        // A straight wire under unchanged force only grows: exact but for rounding, EA ε x/L in N.
+        // A straight wire under constant force only lengthens: exact to rounding. A relative
+        // rounding ε of x changes the force by EA ε x/L, N.
         assert!((at.end - WIRE.length * (1.0 + strain)).abs() < 1e-9);
         assert!((at.force - WIRE.tension).abs() < 1e-3);
     }
@@ -163,7 +164,7 @@ fn ends_are_freed_under_another_force_and_held_where_they_were() {
         let sag = |t: f64| (weight / t).powi(2) / 24.0;
         let strain = (tension - WIRE.tension) / WIRE.axial - sag(tension) + sag(WIRE.tension);
         for at in found {
-            // What the device pulls with, to the settling of the statics.
+            // Force of the tensioning device, to the tolerance of the statics.
             assert!((at.force / tension - 1.0).abs() < 1e-9, "{}", at.force);
             let way = at.end - WIRE.length;
             // Green's strain, 1.4e-3, makes EA stiffer by three times that.
@@ -198,13 +199,14 @@ fn a_side_load_blows_the_wire_off_by_a_parabola() {
     };
     let parabola = |force: f64| force * WIRE.length.powi(2) / (8.0 * WIRE.tension);
     for at in blown(true) {
-        // Loads count per metre of the wire before it is stretched by 1.4e-3; slopes squared: 1.2e-3.
+        // Loads act per metre of the unstretched wire, which is stretched by 1.4e-3; squares of
+        // slopes: 1.2e-3.
         assert!(
             (at.middle[1] / parabola(across) - 1.0).abs() < 4e-3,
             "{:?}",
             at.middle
         );
-        // As above.
+        // Tolerance as above.
         let weight = WIRE.mass * GRAVITY - up;
         assert!((-at.middle[2] / parabola(weight) - 1.0).abs() < 4e-3);
     }
@@ -220,7 +222,8 @@ fn a_side_load_blows_the_wire_off_by_a_parabola() {
 
 #[test]
 fn a_worn_stretch_yields_more() {
-    // Half of the elements lose a fifth of EA: series springs, the end travels by ½ (1/0.8 − 1) T L/EA.
+    // Half of the elements lose a fifth of EA. Springs in series: the end travels by
+    // ½ (1/0.8 − 1) T L/EA.
     let straight = Single {
         gravity: 0.0,
         ..WIRE

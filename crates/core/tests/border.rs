@@ -1,4 +1,4 @@
-//! What the fuzzer found at the border of the core, each written down as arrays.
+//! Findings of the fuzzer at the border of the core, each written out as arrays.
 
 use crate::tests::common;
 
@@ -23,7 +23,7 @@ fn is_refused<T>(found: Result<T, CoreError>, array: &str) -> bool {
     matches!(found, Err(CoreError::Input { array: given, .. }) if given == array)
 }
 
-/// It was read beyond the end of the displacements.
+/// Finding: a read beyond the end of the displacements.
 #[test]
 fn a_watched_node_beyond_the_last_one_is_refused() {
     let p = prepare(STRING.structure(2), |_| (), scheme(), 1e-3, 5e4);
@@ -42,15 +42,15 @@ fn a_delay_without_end_is_refused() {
     let p = prepare(STRING.structure(2), |_| (), scheme(), 1e-3, 5e4);
     let way = travel(24.0, 24.2, 10.0, 1e-3);
     for (delay, refused) in [(1000, false), (usize::MAX, true)] {
-        let mut rider = free_mass(5.0, 100.0);
-        rider.actuator = Some(Actuator {
+        let mut pantograph = free_mass(5.0, 100.0);
+        pantograph.actuator = Some(Actuator {
             direction: vec![1.0],
             every: 2,
             delay,
         });
         let (mut go_on, mut ask) = (|_: usize| true, |_: usize, _: &_| Ok(50.0));
-        let found = p.run_controlled(&[rider], &way, &everything(), &mut go_on, &mut ask);
-        assert_eq!(is_refused(found, "riders"), refused);
+        let found = p.run_controlled(&[pantograph], &way, &everything(), &mut go_on, &mut ask);
+        assert_eq!(is_refused(found, "pantographs"), refused);
     }
 }
 
@@ -152,17 +152,17 @@ fn a_run_that_ends_beyond_all_numbers_is_an_error() {
     let p = prepare(STRING.structure(2), |_| (), scheme(), 1e-3, 5e4);
     let way = travel(24.0, 24.2, 10.0, 1e-3);
     let steps = way.positions.len();
-    // The energy of the second is a product beyond all numbers, of which no balance can be said to close; its motion is
-    // not.
+    // With the second force the energy, a product, overflows, and no balance can be checked; the
+    // motion itself stays finite.
     for (pull, ends) in [(-1e3, true), (-1e200, false)] {
         let mut values = vec![pull; steps];
         values[0] = 0.0;
-        let mut rider = free_mass(5.0, 100.0);
-        rider.excitation.forces.push(ForceHistory {
+        let mut pantograph = free_mass(5.0, 100.0);
+        pantograph.excitation.forces.push(ForceHistory {
             direction: vec![1.0],
             values,
         });
-        let found = p.run(&[rider], &way, &everything(), &mut |_| true);
+        let found = p.run(&[pantograph], &way, &everything(), &mut |_| true);
         match found {
             Ok(record) => assert!(ends && record.masses.iter().all(|u| u.is_finite())),
             Err(error) => {

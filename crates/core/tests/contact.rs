@@ -24,9 +24,9 @@ const STRING: Single = Single {
 const FEATHER: f64 = 1e-6;
 const FORCE: f64 = 100.0;
 
-/// Displacement at `x` of a taut string of length `l` at rest at t = 0, under a force that enters at
-/// one end with speed `v`. Source: Fryba, Vibration of Solids and Structures under Moving Loads,
-/// section 1.2, with bending and damping left out. Terms decay as 1/n²; 2000 leave 1e-7.
+/// Displacement at `x` of a taut string, at rest at t = 0, under a force that enters at one end
+/// with speed `v`. Source: Fryba, Vibration of Solids and Structures under Moving Loads, section
+/// 1.2, with bending and damping left out. Terms decay as 1/n²; 2000 leave 1e-7.
 fn series(s: &Single, v: f64, x: f64, t: f64) -> f64 {
     // Mass per metre of the stretched string.
     let mass = s.mass / (1.0 + s.stretch());
@@ -67,8 +67,8 @@ fn crossing_error(s: &Single, exact: &Single, speed: f64, h: f64) -> (f64, f64) 
     (difference(&r.point_uplift, &known), mean / peak(&known))
 }
 
-/// At 320 km/h the front reaches the far end after 0.47 s, the force after 0.67 s: the reflected wave
-/// meets the force on the way and crosses the points again.
+/// At 320 km/h the wave front reaches the far end after 0.47 s, the force after 0.67 s: the
+/// reflected wave meets the force on its way and passes the points again.
 #[test]
 fn moving_force_and_its_reflection_follow_the_exact_series() {
     let speed = 320.0 / 3.6;
@@ -83,8 +83,8 @@ fn moving_force_and_its_reflection_follow_the_exact_series() {
         let s = Single { elements, ..STRING };
         crossing_error(&s, &s, speed, h)
     });
-    // A scheme of second order smears the kink at the front over a width of h^(2/3), which is also the
-    // order of the largest error (Brenner, Thomee & Wahlbin 1975).
+    // A scheme of second order smears the kink at the front over a width of order h^(2/3), which is
+    // also the order of the largest error (Brenner, Thomee & Wahlbin 1975).
     let orders = common::orders(&errors.map(|e| e.0));
     assert!(orders.iter().all(|&p| p > 0.6), "{errors:?}");
     assert!(errors[2].0 < 8e-3 && errors[2].1 < 3e-4, "{errors:?}");
@@ -95,7 +95,7 @@ fn moving_force_and_its_reflection_follow_the_exact_series() {
 }
 
 #[test]
-fn standing_riders_stay_as_they_started() {
+fn standing_pantographs_stay_as_they_started() {
     for contact in [50e3, f64::INFINITY] {
         let scheme = Scheme::generalised_alpha(0.9);
         let p = common::prepare(common::simple_line(4), |_| (), scheme, 1e-3, contact);
@@ -137,7 +137,7 @@ fn very_stiff_contact_is_the_rigid_one() {
         .iter()
         .map(|&k| difference(&on_line(150.0, 60.0, k, 0.0).force, &rigid.force))
         .collect();
-    // The stiffness of rider and wire in one step (A ≈ 4 m/h² = 1e7 N/m) over 1e9 N/m: below 1e-2.
+    // Stiffness of pantograph and wire in one step (A ≈ 4 m/h² = 1e7 N/m) over 1e9 N/m: below 1e-2.
     assert!(gaps[2] < 2e-3, "{gaps:?}");
     assert!(gaps[1] > 5.0 * gaps[2], "{gaps:?}");
     assert!(difference(&on_line(150.0, 60.0, 50e3, 0.0).force, &rigid.force) > 1e-2);
@@ -165,8 +165,8 @@ fn contact_opens_and_closes_without_overlap_or_pull() {
     assert!(firm.gap.iter().all(|&g| g == 0.0) && firm.force.iter().all(|&f| f > 0.0));
 }
 
-/// Run of a light head that is thrown off the wire of an undamped line, after which the train stands
-/// still: mechanical energy from then on, and how often the head touches down.
+/// Run of a light head thrown off the wire of an undamped line, after which the train stands still:
+/// mechanical energy from then on in J, and number of touchdowns.
 fn thrown_head(contact: f64, radius: f64) -> (Vec<f64>, usize) {
     let (mut structure, path) = common::simple_line(4);
     structure
@@ -197,7 +197,7 @@ fn thrown_head(contact: f64, radius: f64) -> (Vec<f64>, usize) {
     (total, landings.count())
 }
 
-/// Largest growth of the energy from one step to the next, and the last value, as parts of the first.
+/// Largest growth of the energy in one step, and its last value, both relative to the first.
 fn growth(total: &[f64]) -> (f64, f64) {
     let largest = total.windows(2).map(|w| w[1] - w[0]).fold(0.0, f64::max);
     (largest / total[0], total[total.len() - 1] / total[0])
@@ -216,7 +216,7 @@ fn bouncing_head_gains_no_energy() {
         assert!(largest < 1e-3 && end < 1.0, "{radius}: {largest:e} {end}");
     }
     let (total, landings) = thrown_head(f64::INFINITY, 0.0);
-    // As above, for a rigid contact.
+    // Tolerance as above, for a rigid contact.
     let (largest, end) = growth(&total);
     assert!(landings > 3 && largest < 1e-3 && end < 1.0);
 }

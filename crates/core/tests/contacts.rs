@@ -1,4 +1,4 @@
-//! Several contacts of one rider: on several wires, and with several strips.
+//! Several contacts of one pantograph: on several wires, and with several strips.
 
 use crate::tests::common;
 
@@ -23,8 +23,8 @@ fn column(values: &[f64], first: usize, count: usize) -> Vec<f64> {
     values.iter().skip(first).step_by(count).copied().collect()
 }
 
-/// Rigid head that rises by z and tilts by φ about the track, on a spring against the tilt; its strip
-/// is straight, z + y φ.
+/// Rigid head that rises by z and tilts by φ about the track, with a spring against the tilt; its
+/// strip is straight: z + y φ.
 fn tilting(force: f64, half_width: f64, tilt_stiffness: f64) -> Pantograph {
     Pantograph {
         mass: vec![8.0, 0.0, 0.0, 1.0],
@@ -42,8 +42,8 @@ fn tilting(force: f64, half_width: f64, tilt_stiffness: f64) -> Pantograph {
     }
 }
 
-/// Two wires, each with half of everything, are one wire. The contact of each takes half of the force
-/// at the same depth when it is half as stiff.
+/// Two wires with half of every property each equal one wire. Each contact, half as stiff, carries
+/// half of the force at the same depth.
 #[test]
 fn two_equal_wires_are_one_of_twice_everything() {
     let double = Single {
@@ -87,9 +87,9 @@ fn overlap() -> WireModel<3, 6> {
     lined(strings(&STRING, &[falls, comes]), scheme(), CONTACT)
 }
 
-fn slow_run(p: &WireModel<3, 6>, riders: &[Pantograph], to: f64) -> Record {
+fn slow_run(p: &WireModel<3, 6>, pantographs: &[Pantograph], to: f64) -> Record {
     let way = travel(20.0, to, 5.0, 1e-3);
-    run(p, riders, &way, &everything())
+    run(p, pantographs, &way, &everything())
 }
 
 #[test]
@@ -125,8 +125,8 @@ fn force_goes_over_from_one_wire_to_the_next() {
     assert!(r.height[1].is_nan() && r.height[2 * last].is_nan());
 }
 
-/// Where a wire begins below the strip it is put on top of it at once, and where one ends under load
-/// the energy of its contact goes: switching, and the ledger closes. Measured 1e-13 to 4e-12.
+/// A wire that begins below the strip is lifted onto it at once, and one that ends under load loses
+/// the energy of its contact: both are switching, and the ledger closes. Measured: 1e-13 to 4e-12.
 #[test]
 fn ledger_closes_where_contacts_appear_and_go() {
     let below = [At::level(0.0, 0.0), At::level(40.0, -0.002)];
@@ -167,9 +167,9 @@ fn a_wire_sliding_over_a_tilted_strip_does_work() {
     let end = r.energy.last().expect("recorded");
     assert!(r.gap.iter().all(|&g| g == 0.0));
     assert!(r.energy_residual < 1e-11 * r.energy_turnover);
-    // Moment F y tilts the head by F y/k = 25 mm/m at y = 0.2 m: the strip rises by y F y/k = 5 mm under
-    // the wire between the middle and there, F · 5 mm = 0.5 J. What a step mistakes by taking y at its
-    // start is 1e-3 of it per metre across.
+    // Moment F y tilts the head by F y/k = 25 mm/m at y = 0.2 m: the strip rises under the wire by
+    // y F y/k = 5 mm between the middle and there, F · 5 mm = 0.5 J. A step that takes y at its
+    // start errs by 1e-3 of this per metre across.
     assert!(end.work_traction.abs() > 0.05, "{end:?}");
     assert!(
         end.switching.abs() < 1e-2 * end.work_traction.abs(),
@@ -177,7 +177,8 @@ fn a_wire_sliding_over_a_tilted_strip_does_work() {
     );
 }
 
-/// Head at rest under two wires at y₁, y₂ of equal height and compliance: z + y φ = W λ, k φ = −Σ y λ.
+/// Head at rest under two wires at y₁, y₂ of equal height and compliance W: z + y φ = W λ,
+/// k φ = −Σ y λ.
 #[test]
 fn a_tilting_head_shares_its_force_by_leverage() {
     let at = |y: f64| At {
@@ -215,18 +216,18 @@ fn a_tilting_head_shares_its_force_by_leverage() {
     assert!((r.force[0] - force).abs() < 1e-6 && r.force[1] == 0.0 && r.gap[1] > 0.0);
 }
 
-/// Where a strip stands is where its rider does, less the offset: the same run to the bit.
+/// Where a strip stands is where its pantograph does, less the offset: the same run to the bit.
 #[test]
-fn a_strip_behind_its_rider_is_a_rider_behind() {
+fn a_strip_behind_its_pantograph_is_a_pantograph_behind() {
     let p = lined(strings(&STRING, &[At::level(0.0, 0.0)]), scheme(), CONTACT);
     let mut behind = three_masses(120.0);
     behind.strips[0].offset = 3.7;
     let mut way = travel(15.0, 50.0, 60.0, 1e-3);
     let strip = run(&p, &[behind], &way, &everything());
     way.distances = vec![3.7];
-    let rider = run(&p, &[three_masses(120.0)], &way, &everything());
-    assert!(strip.force == rider.force && strip.height == rider.height);
-    assert!(strip.position != rider.position);
+    let pantograph = run(&p, &[three_masses(120.0)], &way, &everything());
+    assert!(strip.force == pantograph.force && strip.height == pantograph.height);
+    assert!(strip.position != pantograph.position);
 }
 
 /// Two strips of a rigid head on a level wire, at the same distance from its middle: half each, and
@@ -234,17 +235,17 @@ fn a_strip_behind_its_rider_is_a_rider_behind() {
 #[test]
 fn two_strips_share_half_and_half() {
     let p = lined(strings(&STRING, &[At::level(0.0, 0.0)]), scheme(), CONTACT);
-    let mut rider = free_mass(10.0, 140.0);
+    let mut pantograph = free_mass(10.0, 140.0);
     let strip = |offset: f64| Strip {
         offset,
         ..Strip::plain(vec![1.0])
     };
-    rider.strips = vec![strip(-0.3), strip(0.3)];
+    pantograph.strips = vec![strip(-0.3), strip(0.3)];
     let mut way = travel(30.0, 31.0, 10.0, 1e-3);
     way.positions.fill(30.0);
     way.speeds.fill(0.0);
-    let r = run(&p, &[rider], &way, &everything());
-    // As for any rider that stands still.
+    let r = run(&p, &[pantograph], &way, &everything());
+    // Tolerance as for any pantograph that stands still.
     assert!(r.force.iter().all(|f| (f - 70.0).abs() < 1e-6));
 }
 
@@ -256,7 +257,7 @@ fn a_wire_out_of_reach_is_named() {
     };
     let p = lined(strings(&STRING, &[crossing]), scheme(), CONTACT);
     let way = travel(30.0, 58.0, 10.0, 1e-3);
-    let go = |rider: Pantograph| p.run(&[rider], &way, &everything(), &mut |_| true);
+    let go = |pantograph: Pantograph| p.run(&[pantograph], &way, &everything(), &mut |_| true);
     match go(tilting(100.0, 0.2, 800.0)) {
         Err(CoreError::OutOfReach {
             pantograph: 0,

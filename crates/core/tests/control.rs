@@ -11,24 +11,24 @@ use arcless_core::simulation::recording::record::Record;
 use common::{difference, everything, three_masses, travel};
 
 fn controlled(
-    rider: Pantograph,
+    pantograph: Pantograph,
     scheme: Scheme,
     ask: &mut dyn FnMut(usize, &Sample) -> Result<f64, String>,
 ) -> Result<Record, CoreError> {
     let p = common::prepare(common::simple_line(4), |_| (), scheme, 1e-3, 50e3);
     let way = travel(70.0, 120.0, 70.0, 1e-3);
-    p.run_controlled(&[rider], &way, &everything(), &mut |_| true, ask)
+    p.run_controlled(&[pantograph], &way, &everything(), &mut |_| true, ask)
 }
 
 fn with_actuator(every: usize, delay: usize) -> Pantograph {
-    let mut rider = three_masses(90.0);
+    let mut pantograph = three_masses(90.0);
     let direction = vec![1.0, 0.0, 0.0];
-    rider.actuator = Some(Actuator {
+    pantograph.actuator = Some(Actuator {
         direction,
         every,
         delay,
     });
-    rider
+    pantograph
 }
 
 #[test]
@@ -60,22 +60,23 @@ fn a_force_acts_from_its_delay_on_until_the_next_one() {
     }
 }
 
-/// A constant force that is answered is the same force given, for a scheme that reads it at the end.
+/// A controller's force, constant within a step, equals a prescribed force, for a scheme that reads
+/// it at the end of the step.
 #[test]
 fn an_answered_force_is_a_given_force() {
     let scheme = Scheme::newmark(0.3025, 0.6);
     let force = |time: f64| 20.0 * (9.0 * time).sin();
     let answered =
         controlled(with_actuator(1, 0), scheme, &mut |_, s| Ok(force(s.time))).expect("it runs");
-    let mut rider = three_masses(90.0);
+    let mut pantograph = three_masses(90.0);
     let count = travel(70.0, 120.0, 70.0, 1e-3).positions.len();
     // Newmark's balance is at the end of the step, where the answer of its start is held.
     let values = (0..count).map(|i| force(i.saturating_sub(1) as f64 * 1e-3));
-    rider.excitation.forces.push(ForceHistory {
+    pantograph.excitation.forces.push(ForceHistory {
         direction: vec![1.0, 0.0, 0.0],
         values: values.collect(),
     });
-    let given = controlled(rider, scheme, &mut |_, _| Err("nobody".into())).expect("it runs");
+    let given = controlled(pantograph, scheme, &mut |_, _| Err("nobody".into())).expect("it runs");
     // Rounding, which slack links let grow.
     assert!(difference(&answered.force, &given.force) < 1e-9);
     let work = |r: &Record, own: bool| {

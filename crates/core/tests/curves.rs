@@ -73,7 +73,8 @@ fn off<const D: usize>(s: Structure) -> f64 {
 #[test]
 fn tangents_in_curves_are_the_gradients_of_the_forces() {
     let (s, _) = curved([1.45, 2.9]);
-    // Of EA/L, 1e7 N/m: rounding of forces of EA over h, 1e-3, and the weight of droppers, whose length moves.
+    // Tolerance in N/m, of EA/L = 1e7 N/m: rounding of forces of EA over h, 1e-3, and the weight of
+    // droppers, whose length changes.
     let (cubic, chain) = (off::<6>(s.clone()), off::<3>(lumped(&s)));
     assert!(cubic < 50.0 && chain < 50.0, "{cubic} {chain}");
 }
@@ -87,19 +88,19 @@ fn explicit_steps_in_a_curve_follow_those_of_a_matrix() {
         ledger: false,
         ..common::everything()
     };
-    let rider = three_masses(150.0);
+    let pantograph = three_masses(150.0);
     let steps = explicit::<3, 3>(&(chain.clone(), vec![path.clone()]), STEP, CONTACT);
     let fast = run(
         &steps.expect("short steps"),
-        std::slice::from_ref(&rider),
+        std::slice::from_ref(&pantograph),
         &travel,
         &plan,
     );
     let scheme = Scheme::generalised_alpha(0.9);
     let solved = prepare_any::<3, 3>((yielding(&chain), path), |_| (), scheme, STEP, CONTACT);
-    let slow = run(&solved, &[rider], &travel, &plan);
-    // The matrix meets polygons, so the forces of single steps are apart by their corners; heights are not: with the
-    // ends of reaches not drawn to the inside they were 3 mm apart.
+    let slow = run(&solved, &[pantograph], &travel, &plan);
+    // Steps with a matrix see polygons, whose corners change forces of single steps, not heights.
+    // These were 3 mm apart before ends of reaches were drawn to the inside of the curve.
     let count = fast.height.len().min(slow.height.len());
     let apart: Vec<f64> = (0..count)
         .map(|k| fast.height[k] - slow.height[k])

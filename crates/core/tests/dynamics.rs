@@ -44,7 +44,8 @@ fn frequencies_of_a_beam_under_tension() {
         ..WIRE
     };
     let found = frequencies(&s, 20);
-    // Published to four digits for the unstretched wire, which the stretch of 0.15 % changes by half.
+    // Published with four digits for the unstretched wire; its stretch of 0.15 % changes
+    // frequencies by half of that.
     for (n, published) in [
         (1, 1.161),
         (2, 2.321),
@@ -57,8 +58,8 @@ fn frequencies_of_a_beam_under_tension() {
     }
     for n in 1..=20 {
         let relative = found[n - 1] / exact(&s, n) - 1.0;
-        // Rayleigh quotients come from above; order h⁴ of the bending part, 2e-4 at a half wave of 1.9
-        // elements.
+        // Rayleigh quotients are upper bounds; order h⁴ of the bending part, 2e-4 at a half wave of
+        // 1.9 elements.
         let size = 2.5e-4 * (n as f64 / 20.0).powi(4) + 1e-9;
         assert!((-1e-11..size).contains(&relative), "{n}: {relative:e}");
         let fault = Single {
@@ -105,13 +106,13 @@ fn equal_frequencies_are_all_found() {
         let plane = frequencies(&s, 4);
         assert_eq!(found.len(), count);
         for (k, f) in found.iter().enumerate() {
-            // What the values may still move by in the last steps, and rounding of EA/T.
+            // Remaining change of the values in the last iterations, and rounding of EA/T.
             assert!((f / plane[k / 2] - 1.0).abs() < 1e-9, "{count}: {found:?}");
         }
     }
 }
 
-/// As many as the structure has, and no more: an invariant space ends the process.
+/// A structure has no more frequencies than modes: an invariant space ends the iteration.
 #[test]
 fn a_structure_of_few_modes_has_few_frequencies() {
     let s = Single {

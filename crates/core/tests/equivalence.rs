@@ -1,4 +1,4 @@
-//! The same answer by another way: rerun, thinned record, moved origin, mirrored line, the third
+//! Equal results obtained in another way: rerun, thinned record, moved origin, mirrored line, third
 //! dimension, dense matrices.
 
 use crate::tests::common;
@@ -59,7 +59,7 @@ fn rerun_gives_the_same_bits() {
     );
 }
 
-/// What is recorded has no influence on what happens, the ledger included.
+/// A thinned record without the ledger holds the values of a full one: recording changes nothing.
 #[test]
 fn thinned_record_holds_the_same_values() {
     let p = common::prepared(SPANS, scheme(), STEP, CONTACT);
@@ -90,8 +90,8 @@ fn thinned_record_holds_the_same_values() {
     );
 }
 
-/// Forces of the first of two riders on 16 spans, and of the same rider alone. With `anchored` both
-/// wires are held along the track at a support between them.
+/// Difference of the force of the first of two pantographs on 16 spans from its force alone. With
+/// `anchored` both wires are held along the track at a support between the two.
 fn first_of_two(distance: f64, anchored: bool) -> f64 {
     let (mut s, path) = common::simple_line(16);
     if anchored {
@@ -110,10 +110,11 @@ fn first_of_two(distance: f64, anchored: bool) -> f64 {
 }
 
 /// Transverse waves need longer than the run, 600 m at 128 m/s, and the static uplift decays from
-/// span to span. Along the track the wires are stiff and run freely through the supports: the second
-/// rider changes their tension everywhere, until something anchors them in between.
+/// span to span. Along the track the wires are stiff and run freely through the supports: the
+/// second pantograph changes their tension everywhere, unless something anchors them between the
+/// two.
 #[test]
-fn rider_far_from_the_other_is_alone() {
+fn pantograph_far_from_the_other_is_alone() {
     // With an anchor between them only what decays from span to span is left; without one the
     // tension changes everywhere, by some per cent of the force.
     let (anchored, free, near) = (
@@ -123,7 +124,7 @@ fn rider_far_from_the_other_is_alone() {
     );
     assert!(anchored < 1e-4, "{anchored:e}");
     assert!(free < 0.03, "{free:e}");
-    assert!(near > 1e-2, "the partner: near riders feel each other");
+    assert!(near > 1e-2, "the partner: near pantographs feel each other");
 }
 
 fn shifted(mut s: Structure, by: f64) -> Structure {

@@ -82,7 +82,8 @@ fn a_wire_yields_as_a_tensioned_beam_also_between_nodes() {
     );
 }
 
-/// A whole line, droppers and supports too: long elements yield as short ones do, which need no correction.
+/// Elasticity of a whole line with droppers and supports: long elements yield as short ones, which
+/// need no correction.
 #[test]
 fn elasticity_hardly_depends_on_the_mesh() {
     let x: Vec<f64> = (0..110).map(|i| 1.5 * SPAN + 0.5 * f64::from(i)).collect();
@@ -140,11 +141,11 @@ fn pair_of_strips(force: f64) -> Pantograph {
     }
 }
 
-/// What stands in equilibrium does not move, with slack links beside it: start and step agree.
+/// Pantographs in equilibrium near slack links do not move: start and steps agree.
 #[test]
 fn what_stands_stays() {
     let p = prepared(simple_line_of(3, [1.45, 2.9]), true);
-    for (rider, position) in [
+    for (pantograph, position) in [
         (three_masses(300.0), 71.3),
         (three_masses(300.0), 77.1),
         (pair_of_strips(300.0), 76.5),
@@ -152,7 +153,7 @@ fn what_stands_stays() {
         let mut way = travel(0.0, 1.0, 1.0, H);
         way.positions.fill(position);
         way.speeds.fill(0.0);
-        let r = run(&p, &[rider], &way, &everything());
+        let r = run(&p, &[pantograph], &way, &everything());
         assert!(r.slack[0] > 0.0, "a link is slack");
         let columns = r.contacts.len();
         let moved = r.force.iter().enumerate();
@@ -164,8 +165,8 @@ fn what_stands_stays() {
     }
 }
 
-/// What enters is stored, dissipated or lost: links slacken, strips part and meet. As the former ledger,
-/// to rounding (measured below 1e-12).
+/// Energy supplied is stored, dissipated or lost while links slacken and strips part and meet.
+/// Closed to rounding (measured below 1e-12), as the ledger without residual flexibility.
 #[test]
 fn the_ledger_closes() {
     for (scheme, contact) in [
@@ -178,8 +179,8 @@ fn the_ledger_closes() {
         let p: WireModel<2, 4> = common::yielding(line, loose, scheme, H, contact);
         let mut way = travel(110.0, 270.0, 320.0 / 3.6, H);
         (way.distances, way.friction) = (vec![0.0, 50.0], 0.2);
-        let riders = [pair_of_strips(200.0), three_masses(60.0)];
-        let r = run(&p, &riders, &way, &everything());
+        let pantographs = [pair_of_strips(200.0), three_masses(60.0)];
+        let r = run(&p, &pantographs, &way, &everything());
         assert!(r.slack_max > 0 && r.gap.iter().any(|g| *g > 0.0));
         let share = r.energy_residual / r.energy_turnover;
         // Rounding, as in `ledger.rs`.
@@ -187,8 +188,8 @@ fn the_ledger_closes() {
     }
 }
 
-/// Where nothing opens, no energy is lost by switching: the contact moves on a wire that yields here more
-/// and there less, and that is traction.
+/// Without lift-off, switching loses no energy: work at a contact that moves along a wire of
+/// varying flexibility is traction.
 #[test]
 fn a_contact_that_moves_loses_nothing() {
     let p: WireModel<2, 4> = common::yielding(
@@ -240,8 +241,8 @@ fn a_force_that_moves_meets_no_elements() {
     };
     let fine = heights(400, true);
     let (with, without) = (heights(24, true), heights(24, false));
-    // Missing: 0.03 ℓ/T · 100 N = 0.34 mm between nodes, twice that as the force moves on; what R leaves is
-    // inertia within the element, a tenth of it.
+    // Error without R: 0.03 ℓ/T · 100 N = 0.34 mm between nodes, twice that as the force moves on;
+    // with R: inertia within the element, a tenth of it.
     let apart = |found: &[f64]| difference(found, &fine) * peak(&fine);
     let (with, without) = (apart(&with), apart(&without));
     assert!(with < 1e-4 && without > 5e-4, "{with:e} {without:e}");

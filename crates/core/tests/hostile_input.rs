@@ -1,5 +1,6 @@
-//! Replay of the inputs that the fuzzer kept, `fuzz/corpus`, one line each: those that reach what no
-//! other one reaches. `make fuzz` looks for more; what it found is written down in `border.rs`.
+//! Replay of the inputs that the fuzzer kept, `fuzz/corpus`, one line each: those that reach code
+//! that no other input reaches. `make fuzz` looks for more; its findings are written out in
+//! `border.rs`.
 
 use crate::tests::hostile::border::{self, Reached};
 use crate::tests::hostile::lcp;

@@ -120,8 +120,8 @@ fn run<const DIM: usize, const D: usize>(
     travel: &Trajectory,
     plan: &RecordPlan,
 ) -> (Vec<Vec<u64>>, Vec<Vec<u64>>, Checkpoint) {
-    let riders = [three_masses(90.0)];
-    let (record, state) = part(p, &riders, (travel, plan), Part::default()).expect("a run");
+    let pantographs = [three_masses(90.0)];
+    let (record, state) = part(p, &pantographs, (travel, plan), Part::default()).expect("a run");
     (bits(&record), sums(&record), state)
 }
 
@@ -157,7 +157,7 @@ pub fn untouched_is_at_rest<const DIM: usize, const D: usize>(p: &WireModel<DIM,
     assert!(untouched.iter().all(|v| *v == 0.0));
 }
 
-/// Only a few links and nodes behind the rider.
+/// Only a few links and nodes behind the pantograph.
 pub fn near<const DIM: usize, const D: usize>(p: &WireModel<DIM, D>) -> Near {
     let links = &p.line.links;
     let x = |i: usize| p.line.shape[links[i].nodes[0]][0];
@@ -194,10 +194,10 @@ pub fn is_laid_to_rest<const DIM: usize, const D: usize>(p: &WireModel<DIM, D>) 
     };
     // The first one ends at 165 m.
     let travel = way(2300);
-    let riders = [three_masses(90.0)];
-    let go = |plan| part(p, &riders, (&travel, plan), Part::default()).expect("a run");
+    let pantographs = [three_masses(90.0)];
+    let go = |plan| part(p, &pantographs, (&travel, plan), Part::default()).expect("a run");
     let ((all, _), (cut, state)) = (go(&whole), go(&some));
-    assert_eq!(bits(&all)[..9], bits(&cut)[..9], "contacts and riders");
+    assert_eq!(bits(&all)[..9], bits(&cut)[..9], "contacts and pantographs");
     // Extremes are those of the time in which it was awake.
     let pairs = all.link_min.iter().zip(&cut.link_min);
     assert!(pairs.clone().all(|(all, cut)| all <= cut));
@@ -220,9 +220,9 @@ pub fn parts_are_the_whole<const DIM: usize, const D: usize>(p: &WireModel<DIM, 
         near: Some(near(p)),
         ..plan(p)
     };
-    let riders = [three_masses(90.0)];
+    let pantographs = [three_masses(90.0)];
     for plan in [&plan(p), &some] {
         // Before, in and behind the overlap, and where the first one sleeps again.
-        compare(p, &riders, (&way(2300), plan), &[300, 800, 1290, 2100]);
+        compare(p, &pantographs, (&way(2300), plan), &[300, 800, 1290, 2100]);
     }
 }

@@ -41,16 +41,16 @@ fn friction(direction: &[f64], force: f64, speed: f64) -> PiecewiseForce {
 fn shaken(change: impl FnOnce(&mut Pantograph), scheme: Scheme, contact: f64) -> Record {
     let p = common::prepare(common::simple_line(5), |_| (), scheme, 1e-3, contact);
     let way = travel(70.0, 200.0, 70.0, 1e-3);
-    let mut rider = three_masses(90.0);
+    let mut pantograph = three_masses(90.0);
     let t: Vec<f64> = (0..way.positions.len()).map(|i| i as f64 * 1e-3).collect();
     let omega = 2.0 * PI * 1.7;
-    rider.excitation.base = Some(BaseMotion {
+    pantograph.excitation.base = Some(BaseMotion {
         influence: vec![1.0; 3],
         displacement: t.iter().map(|t| 0.03 * (omega * t).sin()).collect(),
         rate: t.iter().map(|t| 0.03 * omega * (omega * t).cos()).collect(),
     });
-    change(&mut rider);
-    run(&p, &[rider], &way, &everything())
+    change(&mut pantograph);
+    run(&p, &[pantograph], &way, &everything())
 }
 
 const SCHEMES: [fn() -> Scheme; 5] = [
@@ -68,14 +68,14 @@ const SAME_RUN: f64 = 1e-6;
 fn a_straight_table_is_the_linear_spring_or_damper() {
     let plain = shaken(|_| (), trapezoidal(), 50e3);
     let listed = shaken(
-        |rider| {
+        |pantograph| {
             // The spring and damper between the first two masses, from the matrices into tables.
             let joint = [-1.0, 1.0, 0.0];
-            let (k, c) = (-rider.stiffness[1], -rider.damping[1]);
+            let (k, c) = (-pantograph.stiffness[1], -pantograph.damping[1]);
             for i in [0, 1] {
                 for j in [0, 1] {
-                    rider.stiffness[3 * i + j] -= k * joint[i] * joint[j];
-                    rider.damping[3 * i + j] -= c * joint[i] * joint[j];
+                    pantograph.stiffness[3 * i + j] -= k * joint[i] * joint[j];
+                    pantograph.damping[3 * i + j] -= c * joint[i] * joint[j];
                 }
             }
             let line = |slope: f64| {
@@ -85,7 +85,7 @@ fn a_straight_table_is_the_linear_spring_or_damper() {
                     [0.5, 0.5 * slope],
                 ]
             };
-            rider.piecewise_forces = vec![
+            pantograph.piecewise_forces = vec![
                 law(&joint, ForceKind::Spring, &line(k)),
                 law(&joint, ForceKind::Damper, &line(c)),
             ];
@@ -98,8 +98,8 @@ fn a_straight_table_is_the_linear_spring_or_damper() {
     assert!(listed.energy_residual < 1e-11 * listed.energy_turnover);
 }
 
-/// The same stop once as stop, once as a table whose steepest piece is the stop closed: there the
-/// run is made of softening, here of hardening.
+/// A stop gives the run of a table whose steepest piece is the closed stop: the table is computed
+/// with softening pieces, the stop with a hardening one.
 #[test]
 fn a_stop_is_the_table_of_a_stop() {
     let (gap, stiffness) = (0.004, 2e5);
@@ -107,8 +107,8 @@ fn a_stop_is_the_table_of_a_stop() {
     for (sign, (contact, scheme)) in [(1.0, (50e3, trapezoidal())), (-1.0, rigid)] {
         let joint = [0.0, -sign, sign];
         let stopped = shaken(
-            |rider| {
-                rider.stops.push(BumpStop {
+            |pantograph| {
+                pantograph.stops.push(BumpStop {
                     direction: joint.to_vec(),
                     gap,
                     stiffness,
@@ -119,12 +119,12 @@ fn a_stop_is_the_table_of_a_stop() {
         );
         assert!(stopped.stop_max[0] > 50.0, "{:?}", stopped.stop_max);
         let listed = shaken(
-            |rider| {
+            |pantograph| {
                 // The elongation of the joint at the start: all of the static force compresses it.
-                let start = sign * -90.0 / -rider.stiffness[5];
+                let start = sign * -90.0 / -pantograph.stiffness[5];
                 let closed = start - gap;
                 let points = [[closed - 1.0, -stiffness], [closed, 0.0], [1.0, 0.0]];
-                rider.piecewise_forces = vec![law(&joint, ForceKind::Spring, &points)];
+                pantograph.piecewise_forces = vec![law(&joint, ForceKind::Spring, &points)];
             },
             scheme,
             contact,
@@ -144,7 +144,9 @@ fn tables_add_up() {
         [[-0.5, 0.0], [-0.0045, 0.0], [0.5, 5045.0]],
     ];
     let several = shaken(
-        |rider| rider.piecewise_forces = parts.map(|p| law(&joint, ForceKind::Spring, &p)).to_vec(),
+        |pantograph| {
+            pantograph.piecewise_forces = parts.map(|p| law(&joint, ForceKind::Spring, &p)).to_vec()
+        },
         trapezoidal(),
         50e3,
     );
@@ -161,7 +163,7 @@ fn tables_add_up() {
     };
     let sum = [-0.5, -0.007, -0.0055, -0.0045, 0.5].map(|x| [x, force(x)]);
     let one = shaken(
-        |rider| rider.piecewise_forces = vec![law(&joint, ForceKind::Spring, &sum)],
+        |pantograph| pantograph.piecewise_forces = vec![law(&joint, ForceKind::Spring, &sum)],
         trapezoidal(),
         50e3,
     );
@@ -177,7 +179,7 @@ fn the_balance_closes_with_tables_and_friction() {
     for scheme in SCHEMES {
         for contact in [50e3, f64::INFINITY] {
             let r = shaken(
-                |rider| {
+                |pantograph| {
                     let joint = [0.0, -1.0, 1.0];
                     let base = [1.0, 0.0, 0.0];
                     let spring = [
@@ -194,7 +196,7 @@ fn the_balance_closes_with_tables_and_friction() {
                         [0.05, 40.0],
                         [1.0, 50.0],
                     ];
-                    rider.piecewise_forces = vec![
+                    pantograph.piecewise_forces = vec![
                         friction(&base, 12.0, 1e-3),
                         law(&joint, ForceKind::Spring, &spring),
                         law(&joint, ForceKind::Damper, &damper),
@@ -205,7 +207,7 @@ fn the_balance_closes_with_tables_and_friction() {
                 contact,
             );
             let relative = r.energy_residual / r.energy_turnover;
-            // As for the ledger without them: rounding of some thousand steps.
+            // Tolerance as for the ledger without laws: rounding of some thousand steps.
             assert!(relative < 1e-11, "{:?} {contact}: {relative:e}", scheme());
             assert!(
                 r.law_ranges[0] < -0.01 && r.law_ranges[1] > 0.01,
@@ -225,26 +227,27 @@ const SPRING: f64 = 2000.0;
 const FRICTION: f64 = 10.0;
 const PULL: f64 = 200.0;
 
-/// A mass on a spring, on which a force falls that then stays: it swings about −F/k. It shares the
-/// rider with a mass at the wire and nothing else. Its displacement at each step is returned too.
+/// Run of a mass on a spring under a force that is suddenly applied and stays: it swings about
+/// −F/k. The pantograph has another mass, at the wire, and nothing else. The displacement of the
+/// swinging mass at each step, m, is returned too.
 fn swinging(scheme: Scheme, h: f64, speed: f64, pull: f64, end: f64) -> (Record, Vec<f64>) {
     let p = common::prepare(common::simple_line(4), |_| (), scheme, h, 50e3);
     let way = travel(100.0, 100.0 + end, 1.0, h);
-    let mut rider = free_mass(MASS, 0.0);
-    rider.mass = vec![1.0, 0.0, 0.0, MASS];
-    rider.damping = vec![0.0; 4];
-    rider.stiffness = vec![0.0, 0.0, 0.0, SPRING];
-    rider.strips = vec![Strip::plain(vec![1.0, 0.0])];
-    (rider.preload, rider.lift) = (vec![1.0, 0.0], vec![0.0; 2]);
-    rider
+    let mut pantograph = free_mass(MASS, 0.0);
+    pantograph.mass = vec![1.0, 0.0, 0.0, MASS];
+    pantograph.damping = vec![0.0; 4];
+    pantograph.stiffness = vec![0.0, 0.0, 0.0, SPRING];
+    pantograph.strips = vec![Strip::plain(vec![1.0, 0.0])];
+    (pantograph.preload, pantograph.lift) = (vec![1.0, 0.0], vec![0.0; 2]);
+    pantograph
         .piecewise_forces
         .push(friction(&[0.0, 1.0], FRICTION, speed));
     let pulls = |x: &f64| if *x > 100.0 { pull } else { 0.0 };
-    rider.excitation.forces.push(ForceHistory {
+    pantograph.excitation.forces.push(ForceHistory {
         direction: vec![0.0, -1.0],
         values: way.positions.iter().map(pulls).collect(),
     });
-    let r = run(&p, &[rider], &way, &everything());
+    let r = run(&p, &[pantograph], &way, &everything());
     let x = r.masses.iter().skip(1).step_by(2).copied().collect();
     (r, x)
 }
@@ -325,11 +328,11 @@ fn the_dead_band_is_one_of_creep() {
 }
 
 fn start_of(laws: Vec<PiecewiseForce>, force: f64) -> Result<(Vec<f64>, f64), CoreError> {
-    let mut rider = three_masses(force);
+    let mut pantograph = three_masses(force);
     // The joints above the first mass are those of the laws alone.
-    rider.stiffness = vec![160.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
-    rider.piecewise_forces = laws;
-    equilibrium::under_one_contact(&rider, force, 0.25, 0.0)
+    pantograph.stiffness = vec![160.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+    pantograph.piecewise_forces = laws;
+    equilibrium::under_one_contact(&pantograph, force, 0.25, 0.0)
 }
 
 #[test]
@@ -403,14 +406,14 @@ fn wrong_tables_are_refused() {
         vec![[0.0, 0.0], [1.0, -1.0]],
         vec![[0.0, 0.0], [1.0, f64::NAN]],
     ] {
-        let mut rider = three_masses(90.0);
-        rider.piecewise_forces = vec![law(&[1.0, 0.0, 0.0], ForceKind::Spring, &points)];
-        assert!(rider.check().is_err(), "{points:?}");
-        rider.piecewise_forces = vec![law(
+        let mut pantograph = three_masses(90.0);
+        pantograph.piecewise_forces = vec![law(&[1.0, 0.0, 0.0], ForceKind::Spring, &points)];
+        assert!(pantograph.check().is_err(), "{points:?}");
+        pantograph.piecewise_forces = vec![law(
             &[1.0, 0.0],
             ForceKind::Spring,
             &[[0.0, 0.0], [1.0, 1.0]],
         )];
-        assert!(rider.check().is_err(), "direction");
+        assert!(pantograph.check().is_err(), "direction");
     }
 }

@@ -55,19 +55,19 @@ proptest! {
         prop_assert!(difference(&x, &x_all) < 1e-10 && difference(&y, &y_all) < 1e-10);
     }
 
-    // As above; 1e-8 because the entries of x and y span the four decades of the two units.
+    // Tolerance 1e-8, because the entries of x and y span the four decades of the two units.
     #[test]
     fn skew_coupled_agrees_with_enumeration(n in 2_usize..=9, seed in 0_u64..1 << 40) {
         let p = generate::skew_coupled(n, seed);
         let (x, y, _) = solve(&p);
         let (x_all, y_all) = enumeration::solve(&p);
         prop_assert!(conditions_hold(&p, &x, &y));
-        // Not symmetric, so nothing bounds the condition number; 1e-8 still tells two solutions apart.
+        // Asymmetric, so nothing bounds the condition number; 1e-8 still tells two solutions apart.
         prop_assert!(difference(&x, &x_all) < 1e-8 && difference(&y, &y_all) < 1e-8);
     }
 
-    // Condition number 1e9: x keeps seven digits, the minimum of the energy about twice as many; of rare seeds, whose
-    // energy is beyond 1e8, six (1.2e-6 for n = 8, seed 927686499521).
+    // Condition number 1e9: x keeps seven digits, the minimum of the energy about twice as many;
+    // for rare seeds, with an energy above 1e8, six (1.2e-6 for n = 8, seed 927686499521).
     #[test]
     fn near_singular_finds_the_least_energy(n in 2_usize..=9, seed in 0_u64..1 << 40) {
         let p = generate::near_singular(n, seed);
@@ -96,7 +96,7 @@ proptest! {
         let (x, _, stats) = solve(&p);
         let walk = enumeration::energy_walk(&p, 200);
         prop_assert_eq!(stats.pivots, walk.len() - 1);
-        // As above, with condition numbers of some hundreds.
+        // Tolerance as above, for condition numbers of some hundreds.
         let last = enumeration::candidate(&p, walk[walk.len() - 1]).expect("regular block");
         prop_assert!(difference(&x, &last.0) < 1e-10);
     }
@@ -108,7 +108,7 @@ proptest! {
             for set in 0..1_usize << p.n() {
                 let warm: Vec<bool> = (0..p.n()).map(|k| set >> k & 1 == 1).collect();
                 let (x_warm, y_warm, stats) = try_solve(&p, &warm).expect("a solution");
-                // As above, for the class without a bound on its condition numbers.
+                // Tolerance as above, for the class without a bound on its condition numbers.
                 prop_assert!(difference(&x_warm, &x) < 1e-8 && difference(&y_warm, &y) < 1e-8);
                 prop_assert_eq!(stats.warm_pivots, set.count_ones() as usize);
             }

@@ -1,4 +1,4 @@
-//! The energy ledger: what enters a run is stored, dissipated or lost, to rounding.
+//! The energy balance: what enters a run is stored, dissipated or lost, to rounding.
 
 use crate::tests::common;
 
@@ -32,8 +32,8 @@ fn hard_run(scheme: Scheme, contact: f64) -> Record {
     let mut way = travel(110.0, 270.0, SPEED, STEP);
     way.distances = vec![0.0, 50.0];
     way.friction = 0.2;
-    let riders = [three_masses(200.0), three_masses(60.0)];
-    run(&p, &riders, &way, &everything())
+    let pantographs = [three_masses(200.0), three_masses(60.0)];
+    run(&p, &pantographs, &way, &everything())
 }
 
 /// One light pantograph at low speed: nothing opens, nothing goes slack.
@@ -59,7 +59,7 @@ fn dissipation(e: &EnergyTerms) -> [f64; 4] {
 }
 
 #[test]
-fn balances_with_slack_links_lift_off_friction_and_two_riders() {
+fn balances_with_slack_links_lift_off_friction_and_two_pantographs() {
     let members = [
         Scheme::generalised_alpha(1.0),
         Scheme::generalised_alpha(0.9),
@@ -100,11 +100,11 @@ fn every_entry_is_needed_for_the_balance() {
         ("kinetic", e.kinetic),
         ("elastic", e.elastic),
         ("contact", e.contact),
-        ("riders", e.pantographs),
+        ("pantographs", e.pantographs),
         ("dissipated_line", e.dissipated_line),
         ("dissipated_links", e.dissipated_links),
         ("dissipated_springs", e.dissipated_springs),
-        ("dissipated_riders", e.dissipated_pantographs),
+        ("dissipated_pantographs", e.dissipated_pantographs),
         ("dissipated_scheme", e.dissipated_scheme),
         ("switching", e.switching),
         ("work_uplift", e.work_uplift),
@@ -177,7 +177,7 @@ fn nothing_is_lost_while_nothing_opens() {
             last(&r).switching.abs() / r.energy_turnover
         })
         .collect();
-    // What is left at the finest step goes on falling with h², as the next check says.
+    // Loss at the finest step; it falls further with h², as the next check says.
     assert!(lost[2] < 1e-4, "{lost:?}");
     // Theory says 2; one tenth for the terms of higher order.
     assert!(common::orders(&lost).iter().all(|&p| p > 1.9), "{lost:?}");
@@ -189,12 +189,12 @@ fn entries_agree_with_what_was_recorded() {
     let force = 60.0;
     let scheme = Scheme::newmark(0.25, 0.5);
     let p = common::prepare(common::simple_line(4), |_| (), scheme, STEP, CONTACT);
-    let mut rider = three_masses(force);
+    let mut pantograph = three_masses(force);
     // Without the base spring the preload is the start force.
-    rider.stiffness[0] -= 160.0;
+    pantograph.stiffness[0] -= 160.0;
     let r = run(
         &p,
-        &[rider],
+        &[pantograph],
         &travel(75.0, 145.0, 30.0, STEP),
         &everything(),
     );

@@ -1,4 +1,5 @@
-//! A line stepped from outside: the same steps as a run, nothing allocated, failures that leave it whole.
+//! Line stepped from outside: the steps of a run, no allocation, and an intact state after a
+//! failure.
 
 use crate::tests::common;
 
@@ -54,13 +55,13 @@ fn pushed(step: usize) -> f64 {
 }
 
 fn driven() -> Pantograph {
-    let mut rider = three_masses(250.0);
-    rider.actuator = Some(Actuator {
+    let mut pantograph = three_masses(250.0);
+    pantograph.actuator = Some(Actuator {
         direction: vec![1.0, 0.0, 0.0],
         every: 1,
         delay: 0,
     });
-    rider
+    pantograph
 }
 
 fn pair() -> (Vec<Pantograph>, Vec<f64>) {
@@ -72,19 +73,21 @@ fn run<const DIM: usize, const D: usize>(
     steps: usize,
     friction: f64,
 ) -> Record {
-    let (riders, distances) = pair();
+    let (pantographs, distances) = pair();
     let mut way = travel(START, position(steps) + 1e-6, SPEED, H);
     (way.distances, way.friction) = (distances, friction);
     let ask = &mut |_: usize, s: &Sample| Ok(pushed(s.number));
-    let done = p.run_controlled(&riders, &way, &everything(), &mut |_| true, ask);
+    let done = p.run_controlled(&pantographs, &way, &everything(), &mut |_| true, ask);
     let record = done.expect("it runs");
     assert!(record.slack_max > 0, "links go slack");
     record
 }
 
-fn with_riders<const DIM: usize, const D: usize>(p: &Arc<WireModel<DIM, D>>) -> Session<DIM, D> {
-    let (riders, distances) = pair();
-    Session::with_pantographs(p.clone(), riders, distances, begin()).expect("it stands")
+fn with_pantographs<const DIM: usize, const D: usize>(
+    p: &Arc<WireModel<DIM, D>>,
+) -> Session<DIM, D> {
+    let (pantographs, distances) = pair();
+    Session::with_pantographs(p.clone(), pantographs, distances, begin()).expect("it stands")
 }
 
 fn with_forces<const DIM: usize, const D: usize>(p: &Arc<WireModel<DIM, D>>) -> Session<DIM, D> {
@@ -106,10 +109,10 @@ fn with_friction<const DIM: usize, const D: usize>(
     Session::with_forces(p.clone(), collectors.into(), &[250.0; 2], begin).expect("it stands")
 }
 
-/// Steps with simulated riders are those of a run, bit for bit.
+/// Steps with simulated pantographs are those of a run, bit for bit.
 fn is_the_run<const DIM: usize, const D: usize>(p: &Arc<WireModel<DIM, D>>) {
     let record = run(p, 700, 0.1);
-    let mut live = with_riders(p);
+    let mut live = with_pantographs(p);
     for step in 0..700 {
         let force = pushed(step);
         live.step(&[force, force], position(step + 1), SPEED)
@@ -124,15 +127,15 @@ fn is_the_run<const DIM: usize, const D: usize>(p: &Arc<WireModel<DIM, D>>) {
 }
 
 #[test]
-fn simulated_riders_step_as_in_a_run() {
+fn simulated_pantographs_step_as_in_a_run() {
     is_the_run(&planar(Scheme::generalised_alpha(0.9)));
     is_the_run(&spatial());
     is_the_run(&yielding(Scheme::generalised_alpha(0.9)));
 }
 
-/// The contact forces of a run, given, move the wire as they did in the run. With Newmark's scheme a
-/// run records the end of each step. Rounding: the run adds contact forces as prepared columns. (Without
-/// friction, which a run takes from the force of the step before.)
+/// Contact forces of a run, prescribed, move the wire as they did in the run. With Newmark's scheme
+/// a run records the end of each step. Rounding: the run adds contact forces as prepared columns.
+/// (Without friction, which a run takes from the force of the step before.)
 #[test]
 fn given_forces_of_a_run_move_the_wire_as_the_run() {
     move_as_the_run(&planar(Scheme::newmark(0.3025, 0.6)));
@@ -158,8 +161,8 @@ fn move_as_the_run(p: &Arc<WireModel<2, 4>>) {
     );
 }
 
-/// The rate dz/dt of the place that moves along adds up to the height. The trapezoidal rule misses it by
-/// what happens within single steps: links go slack, the force moves on by 8 cm (by 2 cm where kinks are
+/// The integral of the rate dz/dt at the moving contact is the height. The trapezoidal rule misses
+/// changes within single steps: links go slack, the force moves on by 8 cm (by 2 cm where kinks are
 /// rounded over 9 cm).
 #[test]
 fn the_rate_is_the_derivative_of_the_height() {
@@ -204,14 +207,14 @@ fn allocations<const DIM: usize, const D: usize>(mut live: Session<DIM, D>, most
 #[test]
 fn a_step_allocates_nothing() {
     let p = planar(Scheme::generalised_alpha(0.9));
-    // Forces that lift many links at once, and riders that lose contact.
+    // Forces that lift many links at once, and pantographs that lose contact.
     assert_eq!(allocations(with_forces(&p), 900.0), 0);
-    assert_eq!(allocations(with_riders(&p), -400.0), 0);
+    assert_eq!(allocations(with_pantographs(&p), -400.0), 0);
     assert_eq!(allocations(with_forces(&spatial()), 900.0), 0);
-    assert_eq!(allocations(with_riders(&spatial()), -400.0), 0);
+    assert_eq!(allocations(with_pantographs(&spatial()), -400.0), 0);
     let p = yielding(Scheme::generalised_alpha(0.9));
     assert_eq!(allocations(with_forces(&p), 900.0), 0);
-    assert_eq!(allocations(with_riders(&p), -400.0), 0);
+    assert_eq!(allocations(with_pantographs(&p), -400.0), 0);
     let counted = measure(|| drop(black_box(vec![1.0; 3])));
     assert_eq!(counted.count_total, 1, "allocations are noticed");
 }
@@ -253,7 +256,7 @@ fn go_on_after_failures<const DIM: usize, const D: usize>(
 fn a_loop_goes_on_after_a_failure() {
     let p = planar(Scheme::generalised_alpha(0.9));
     go_on_after_failures(with_forces(&p), with_forces(&p));
-    go_on_after_failures(with_riders(&p), with_riders(&p));
+    go_on_after_failures(with_pantographs(&p), with_pantographs(&p));
 }
 
 fn repeats<const DIM: usize, const D: usize>(mut live: Session<DIM, D>) {
@@ -287,11 +290,11 @@ fn repeats<const DIM: usize, const D: usize>(mut live: Session<DIM, D>) {
 fn a_state_put_back_repeats_what_followed() {
     let p = planar(Scheme::generalised_alpha(0.9));
     repeats(with_forces(&p));
-    repeats(with_riders(&p));
-    repeats(with_riders(&spatial()));
+    repeats(with_pantographs(&p));
+    repeats(with_pantographs(&spatial()));
     let p = yielding(Scheme::generalised_alpha(0.9));
     repeats(with_forces(&p));
-    repeats(with_riders(&p));
+    repeats(with_pantographs(&p));
 }
 
 #[test]
@@ -330,12 +333,12 @@ fn what_a_loop_cannot_do_is_refused() {
         direction: vec![0.0; 3],
         values: vec![0.0; 9],
     });
-    for rider in [late, given] {
-        let refused = Session::with_pantographs(p.clone(), vec![rider], vec![0.0], begin());
+    for pantograph in [late, given] {
+        let refused = Session::with_pantographs(p.clone(), vec![pantograph], vec![0.0], begin());
         assert!(matches!(
             refused,
             Err(CoreError::Input {
-                array: "riders",
+                array: "pantographs",
                 ..
             })
         ));

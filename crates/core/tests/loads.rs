@@ -115,7 +115,7 @@ fn a_sudden_force_overshoots_by_two() {
     );
 }
 
-/// A gusty run on a line with slack droppers and two riders.
+/// A gusty run on a line with slack droppers and two pantographs.
 fn gusty(scheme: Scheme, size: f64) -> Record {
     let (structure, path) = common::simple_line(6);
     let geometry = Geometry::<2, 4>::new(structure.clone()).expect("a valid structure");
@@ -150,7 +150,7 @@ fn the_ledger_books_the_work_of_given_forces() {
     ] {
         let r = gusty(scheme, 5.0);
         let relative = r.energy_residual / r.energy_turnover;
-        // As in the test of the ledger: rounding of thousands of steps.
+        // Tolerance as in the test of the ledger: rounding of thousands of steps.
         assert!(relative < 1e-11, "{scheme:?}: {relative:e}");
         let work = r.energy.last().expect("energies").work_loads.abs();
         assert!(work > 1e-3 * r.energy_turnover, "the work matters: {work}");

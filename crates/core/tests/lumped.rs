@@ -22,8 +22,8 @@ const SPEED: f64 = 320.0 / 3.6;
 const STEP: f64 = 1e-3;
 const CONTACT: f64 = 50e3;
 
-/// Differences in place of derivatives leave O(ℓ²). On the line it shows for segments shorter than the
-/// √(EI/T) = 0.09 m over which bending rounds a kink.
+/// Order of the error of differences for derivatives, O(ℓ²). On the line it is reached by segments
+/// shorter than the √(EI/T) = 0.09 m over which bending rounds a kink.
 const ORDER: f64 = 2.0;
 
 fn scheme() -> Scheme {
@@ -291,7 +291,7 @@ fn arms_carry_the_stagger_of_a_chain() {
 const BALANCE: f64 = 1e-11;
 
 #[test]
-fn energy_balances_with_slack_links_friction_and_two_riders() {
+fn energy_balances_with_slack_links_friction_and_two_pantographs() {
     for contact in [CONTACT, f64::INFINITY] {
         for scheme in [
             Scheme::generalised_alpha(1.0),
@@ -304,8 +304,8 @@ fn energy_balances_with_slack_links_friction_and_two_riders() {
             let mut way = travel(110.0, 270.0, SPEED, STEP);
             way.distances = vec![0.0, 50.0];
             way.friction = 0.2;
-            let riders = [three_masses(200.0), three_masses(60.0)];
-            let r = run(&p, &riders, &way, &everything());
+            let pantographs = [three_masses(200.0), three_masses(60.0)];
+            let r = run(&p, &pantographs, &way, &everything());
             assert!(r.slack_max > 5, "droppers go slack");
             assert!(r.gap.iter().any(|g| *g > 0.0), "contact is lost");
             let relative = r.energy_residual / r.energy_turnover;

@@ -40,7 +40,7 @@ fn turned(line: LinearModel<2, 4>, lanes: Vec<Slideline<2>>, scheme: Scheme, wav
         nodes.map(|(i, s)| u.at(i)[1] * s[1]).sum::<f64>()
     };
     let mut state = p.at_rest(shape.clone());
-    // As the wire is stretched, it has the mass of its unstretched length, m/(1 + ε) each metre.
+    // Mass per metre of the stretched wire: that of its unstretched length, m/(1 + ε).
     let speed = (STRING.tension * (1.0 + STRING.stretch()) / STRING.mass).sqrt();
     let exact = waves * PI / length * speed * H;
     // About a radian, so that faint waves from node to node do not count.
@@ -51,7 +51,8 @@ fn turned(line: LinearModel<2, 4>, lanes: Vec<Slideline<2>>, scheme: Scheme, wav
         p.commit(&mut state);
         values.push(at(&state));
     }
-    // A root −1 of the trapezoidal rule, which the start without acceleration wakes, drops out of this.
+    // Mean without the root −1 of the trapezoidal rule, which the start without acceleration
+    // excites.
     let smooth = |n: usize| 0.25 * (values[n - 1] + 2.0 * values[n] + values[n + 1]);
     // u₂ = 2 ρ cos Ω u₁ − ρ² u₀ and the same one step on, for ρ and Ω.
     let u = [0, 1, 2, 3].map(|k| smooth(200 + k * stride));
@@ -81,8 +82,8 @@ fn waves_on_a_string_keep_their_period() {
     }
 }
 
-/// The odd motion of an element that tension resists most, e = x − b x³ about its middle, keeps a quarter of
-/// its mass where the correction is cut, and more in longer elements.
+/// The odd motion of an element that tension resists most, e = x − b x³ about its middle, keeps a
+/// quarter of its mass where the correction is cut, and more in longer elements.
 #[test]
 fn a_quarter_of_the_mass_is_left_in_the_worst_motion() {
     let scheme = Scheme::generalised_alpha(0.9);
@@ -104,7 +105,7 @@ fn a_quarter_of_the_mass_is_left_in_the_worst_motion() {
         let whole = plain.mass.quadratic(&motion);
         let corrected = plain.with_correct_period(&geometry, &scheme, H);
         let share = corrected.mass.quadratic(&motion) / whole;
-        // Exact but for rounding where it is cut; 2 c h² κ T/(m ℓ²) to two digits elsewhere.
+        // Exact to rounding where the correction is cut; 2 c h² κ T/(m ℓ²) to two digits elsewhere.
         assert!(
             (share - left).abs() < if left == 0.25 { 1e-12 } else { 0.01 },
             "{share}"

@@ -30,8 +30,8 @@ fn run(
         ask: &mut nobody,
         take: Some((enough, take)),
     };
-    let (riders, travel) = ([three_masses(90.0)], way(STEPS, vec![0.0]));
-    let done = p.run_pieces(&riders, &travel, plan, Part::default(), callers);
+    let (pantographs, travel) = ([three_masses(90.0)], way(STEPS, vec![0.0]));
+    let done = p.run_pieces(&pantographs, &travel, plan, Part::default(), callers);
     done.map(|(record, _)| record)
 }
 

@@ -27,12 +27,12 @@ type Answer<'a> = &'a mut dyn FnMut(usize, &Sample) -> Result<f64, String>;
 
 pub fn part<const DIM: usize, const D: usize>(
     p: &WireModel<DIM, D>,
-    riders: &[Pantograph],
+    pantographs: &[Pantograph],
     (travel, plan): (&Trajectory, &RecordPlan),
     part: Part<'_>,
 ) -> Result<(Record, Checkpoint), CoreError> {
     let ask: Answer<'_> = &mut |_, s| Ok(0.3 * (70.0 - s.force) + s.number as f64);
-    p.run_part(riders, travel, plan, part, &mut |_| true, ask)
+    p.run_part(pantographs, travel, plan, part, &mut |_| true, ask)
 }
 
 /// All numbers of a record, as bits.
@@ -88,11 +88,11 @@ pub fn sums(r: &Record) -> Vec<Vec<u64>> {
 /// through their numbers alone.
 pub fn compare<const DIM: usize, const D: usize>(
     p: &WireModel<DIM, D>,
-    riders: &[Pantograph],
+    pantographs: &[Pantograph],
     way: (&Trajectory, &RecordPlan),
     stops: &[usize],
 ) -> Checkpoint {
-    let (whole, end) = part(p, riders, way, Part::default()).expect("the whole run");
+    let (whole, end) = part(p, pantographs, way, Part::default()).expect("the whole run");
     assert!(whole.force.iter().any(|f| *f > 0.0), "it touches");
     let mut from: Option<Checkpoint> = None;
     let mut joined: Vec<Vec<u64>> = Vec::new();
@@ -102,7 +102,7 @@ pub fn compare<const DIM: usize, const D: usize>(
             from: from.as_ref(),
             until,
         };
-        let (record, state) = part(p, riders, way, this).expect("a part");
+        let (record, state) = part(p, pantographs, way, this).expect("a part");
         let new = bits(&record);
         joined.resize(new.len(), Vec::new());
         joined
@@ -121,40 +121,40 @@ pub fn compare<const DIM: usize, const D: usize>(
     end
 }
 
-/// A rider with everything that keeps a memory: stops, tables, an actuator with a long delay, moving
-/// ground, given force.
+/// Pantograph with every part that has a memory: stops, tables, an actuator with a long delay,
+/// moving ground, prescribed force.
 fn full(instants: usize) -> Pantograph {
-    let mut rider = three_masses(70.0);
+    let mut pantograph = three_masses(70.0);
     let wave = |amplitude: f64, rate: f64| -> Vec<f64> {
         let at = |i: usize| amplitude * (rate * i as f64).sin();
         (0..instants).map(at).collect()
     };
     let first = vec![1.0, 0.0, 0.0];
-    rider.excitation.forces.push(ForceHistory {
+    pantograph.excitation.forces.push(ForceHistory {
         direction: first.clone(),
         values: wave(40.0, 0.02),
     });
-    rider.excitation.base = Some(BaseMotion {
+    pantograph.excitation.base = Some(BaseMotion {
         influence: vec![1.0; 3],
         displacement: wave(2e-3, 0.03),
         rate: wave(6e-2, 0.03),
     });
-    rider.stops.push(BumpStop {
+    pantograph.stops.push(BumpStop {
         direction: vec![0.0, -1.0, 1.0],
         gap: 2e-4,
         stiffness: 1e5,
     });
-    rider.piecewise_forces.push(PiecewiseForce {
+    pantograph.piecewise_forces.push(PiecewiseForce {
         direction: vec![0.0, -1.0, 1.0],
         kind: ForceKind::Damper,
         points: vec![[-0.5, -60.0], [-0.02, -4.0], [0.02, 1.0], [0.5, 13.0]],
     });
-    rider.actuator = Some(Actuator {
+    pantograph.actuator = Some(Actuator {
         direction: first,
         every: 3,
         delay: 17,
     });
-    rider
+    pantograph
 }
 
 pub fn way(instants: usize, distances: Vec<f64>) -> Trajectory {
@@ -175,7 +175,7 @@ const SCHEMES: [fn() -> Scheme; 3] = [
 ];
 
 #[test]
-fn riders_with_all_their_parts_go_on() {
+fn pantographs_with_all_their_parts_go_on() {
     let instants = 700;
     let mut travel = way(instants, vec![0.0, 12.0]);
     travel.loads.push(Load {
@@ -184,14 +184,14 @@ fn riders_with_all_their_parts_go_on() {
     });
     let mut second = three_masses(120.0);
     second.stops = full(instants).stops;
-    let riders = [full(instants), second];
+    let pantographs = [full(instants), second];
     let mut plan = everything();
     (plan.contact_every, plan.line_every) = (2, 7);
     (plan.nodes, plan.points) = (vec![30, 41], vec![90.0]);
     for scheme in SCHEMES {
         for contact in [50e3, f64::INFINITY] {
             let p = common::prepare(simple_line(4), |_| (), scheme(), 1e-3, contact);
-            let end = compare(&p, &riders, (&travel, &plan), &[1, 2, 250, 333]);
+            let end = compare(&p, &pantographs, (&travel, &plan), &[1, 2, 250, 333]);
             // Asked for in steps 684 to 696, due in 701 and later: step and force of each.
             assert_eq!(end.numbers["rider_0_waiting"].len(), 10);
             assert!(end.numbers["stop_max"].iter().any(|f| *f > 0.0));
@@ -217,8 +217,8 @@ fn strips_on_several_lanes_in_space_go_on() {
         Scheme::generalised_alpha(0.9),
         5e4,
     );
-    let mut rider = three_masses(60.0);
-    rider.strips = vec![Strip {
+    let mut pantograph = three_masses(60.0);
+    pantograph.strips = vec![Strip {
         offset: 0.0,
         half_width: 0.4,
         knots: vec![-0.3, 0.0, 0.3],
@@ -230,7 +230,7 @@ fn strips_on_several_lanes_in_space_go_on() {
     }];
     let mut travel = way(400, vec![0.0]);
     travel.positions.iter_mut().for_each(|x| *x -= 60.0);
-    let end = compare(&p, &[rider], (&travel, &everything()), &[3, 190, 260]);
+    let end = compare(&p, &[pantograph], (&travel, &everything()), &[3, 190, 260]);
     assert_eq!(end.numbers["contact_meets"], [1.0, 1.0]);
 }
 
@@ -275,18 +275,18 @@ fn updated_kinematics_go_on() {
 #[test]
 fn a_state_of_another_run_is_refused() {
     let p = common::prepare(simple_line(3), |_| (), Scheme::hht(0.1), 1e-3, 5e4);
-    let (travel, plan, riders) = (way(60, vec![0.0]), everything(), [three_masses(90.0)]);
+    let (travel, plan, pantographs) = (way(60, vec![0.0]), everything(), [three_masses(90.0)]);
     let stop = Part {
         from: None,
         until: Some(30),
     };
-    let (_, good) = part(&p, &riders, (&travel, &plan), stop).expect("a part");
+    let (_, good) = part(&p, &pantographs, (&travel, &plan), stop).expect("a part");
     let told = |state: &Checkpoint, plan: &RecordPlan| {
         let from = Part {
             from: Some(state),
             until: None,
         };
-        match part(&p, &riders, (&travel, plan), from) {
+        match part(&p, &pantographs, (&travel, plan), from) {
             Err(CoreError::Input { array, reason }) => format!("{array}: {reason}"),
             other => panic!("{other:?}"),
         }

@@ -10,7 +10,7 @@ use arcless_core::pantograph::strip::Strip;
 use arcless_core::scheme::{AlphaScheme, Scheme};
 use std::f64::consts::TAU;
 
-/// Oscillator of one hertz with ratio of damping ζ: a rider that touches nothing.
+/// Oscillator of one hertz with ratio of damping ζ: a pantograph that touches nothing.
 fn oscillator(zeta: f64) -> Pantograph {
     let omega = TAU;
     Pantograph {
@@ -29,9 +29,9 @@ fn oscillator(zeta: f64) -> Pantograph {
 }
 
 /// Oscillator released at 1 from rest, with the acceleration that balances it.
-fn released(rider: Pantograph, scheme: Scheme, h: f64) -> PantographState {
+fn released(pantograph: Pantograph, scheme: Scheme, h: f64) -> PantographState {
     let c = scheme.coefficients(h);
-    let mut state = PantographState::new(rider, &c, 0.0, 0.0).expect("an equilibrium");
+    let mut state = PantographState::new(pantograph, &c, 0.0, 0.0).expect("an equilibrium");
     state.u[0] = 1.0;
     state.a[0] = -state.model.stiffness[0] / state.model.mass[0];
     state

@@ -42,8 +42,8 @@ fn stretch(tension: f64, axial: f64) -> f64 {
 
 /// Elastic catenary: horizontal force H, weight w per unstretched metre, unstretched length S.
 /// Span ∫ λ H/T ds and sag ∫ λ |V|/T ds over one half, V = w s, T² = H² + V².
-/// Source: Irvine, Cable Structures (1981), section 1.3, for our law of the wire. Simpson's rule with
-/// 2000 intervals on a smooth integrand is exact to rounding.
+/// Source: Irvine, Cable Structures (1981), section 1.3, for the material law of this program.
+/// Simpson's rule with 2000 intervals on a smooth integrand is exact to rounding.
 fn catenary(h: f64, w: f64, s: f64, axial: f64) -> (f64, f64) {
     let n = 2000;
     let step = 0.5 * s / f64::from(n);
@@ -126,7 +126,7 @@ fn hanging_wire_is_the_elastic_catenary() {
     }
 }
 
-/// Sag w L²/8H for a taut wire. Source: reference-data.md, section 6; the next terms are the stretch
+/// Sag w L²/8H of a taut wire. Source: reference-data.md, section 6; the next terms are the stretch
 /// −T/EA (the weight is spread over a longer wire) and +(wL/H)²/48 of the catenary.
 #[test]
 fn taut_wire_hangs_in_a_parabola() {
@@ -340,7 +340,7 @@ fn tension_at_a_released_end_is_exact() {
     for perturbed in [false, true] {
         let mut g = g.clone();
         if perturbed {
-            // What the tension must not depend on: a changed dropper.
+            // A changed dropper, of which the tension must be independent.
             g.structure.links[12].rest_length += 0.01;
         }
         let shape = g

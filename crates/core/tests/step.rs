@@ -1,4 +1,4 @@
-//! One step: a run is nothing but steps, and a copy of a state goes on as the original does.
+//! Single steps: a run consists of them, and a copy of a state continues as the original does.
 
 use crate::tests::common;
 
@@ -17,10 +17,10 @@ const SPEED: f64 = 80.0;
 const START: f64 = 1.3 * SPAN;
 const STEPS: usize = 300;
 
-fn model<'a>(line: &'a WireModel<2, 4>, riders: &'a [Pantograph]) -> Model<'a, 2, 4> {
+fn model<'a>(line: &'a WireModel<2, 4>, pantographs: &'a [Pantograph]) -> Model<'a, 2, 4> {
     Model {
         wires: line,
-        pantographs: riders,
+        pantographs,
         distances: &[0.0],
         friction: 0.1,
     }
@@ -41,8 +41,8 @@ fn inputs(number: usize, old: f64) -> Inputs<'static> {
 #[test]
 fn steps_one_by_one_are_a_run_and_a_copy_goes_on_alike() {
     let line = prepared(5, Scheme::generalised_alpha(1.0), H, 50e3);
-    let riders = [three_masses(250.0)];
-    let model = model(&line, &riders);
+    let pantographs = [three_masses(250.0)];
+    let model = model(&line, &pantographs);
     let old = line.coefficients.old;
     let mut state = State::in_equilibrium(&model, (START, SPEED), true).expect("it stands");
     let mut forces = Vec::new();
@@ -52,7 +52,7 @@ fn steps_one_by_one_are_a_run_and_a_copy_goes_on_alike() {
     }
     let mut way = steady(START, SPEED, H, STEPS);
     way.friction = 0.1;
-    let record = line.run(&riders, &way, &everything(), &mut |_| true);
+    let record = line.run(&pantographs, &way, &everything(), &mut |_| true);
     let record = record.expect("it runs");
     assert_eq!(forces, record.force);
 

@@ -1,4 +1,4 @@
-//! Beams without tension: they carry by bending alone, and the design leaves no axial force in them.
+//! Beams without tension: they carry by bending alone, and the design leaves no axial force.
 
 use crate::tests::common;
 

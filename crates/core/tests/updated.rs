@@ -73,12 +73,12 @@ fn linearised<const DIM: usize, const D: usize>(
 
 fn run<const DIM: usize, const D: usize>(
     p: &WireModel<DIM, D>,
-    rider: &Pantograph,
+    pantograph: &Pantograph,
     travel: &Trajectory,
     points: Vec<f64>,
 ) -> Record {
     p.run(
-        std::slice::from_ref(rider),
+        std::slice::from_ref(pantograph),
         travel,
         &plan(points),
         &mut |_| true,
@@ -118,8 +118,8 @@ fn wire() -> (Structure, Vec<usize>) {
     (lumped(&structure), path)
 }
 
-/// What linearisation leaves out grows with the square of the motion: halving the static force, and
-/// with it the motion, quarters the difference of the contact forces.
+/// The error of linearisation grows with the square of the motion: half of the static force, and
+/// with it of the motion, leaves a quarter of the difference of the contact forces.
 #[test]
 fn small_motion_is_linearised_motion() {
     let mut line = simple_line_of(2, [1.45, 2.9]);
@@ -129,10 +129,10 @@ fn small_motion_is_linearised_motion() {
     let new = updated::<2, 4>(&line, scheme, h, CONTACT);
     let way = travel(40.0, 40.0, h, 300);
     let apart = |force: f64| {
-        let rider = three_masses(force);
+        let pantograph = three_masses(force);
         let (a, b) = (
-            run(&old, &rider, &way, Vec::new()),
-            run(&new, &rider, &way, Vec::new()),
+            run(&old, &pantograph, &way, Vec::new()),
+            run(&new, &pantograph, &way, Vec::new()),
         );
         let pairs = a.force.iter().zip(&b.force);
         pairs.map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt()

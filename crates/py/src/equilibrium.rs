@@ -49,11 +49,12 @@ pub struct Equilibrium(Any);
 
 #[pymethods]
 impl Equilibrium {
-    /// Find it; with `design`, unknown lengths are found first. Without Hermite elements in the
-    /// table `wires`, the wires are the chains in `segments` and `bends`. With `residual_flexibility`,
-    /// what cubic elements yield too little under droppers, supports and contacts is added there;
-    /// with `fitted_bends`, points of chains yield as those of their wires do; with `across_only`,
-    /// nothing that is asked of it later moves along the track.
+    /// Find the equilibrium; with `design`, unknown lengths are found first. Without Hermite
+    /// elements in the table `wires`, the wires are the chains in `segments` and `bends`. With
+    /// `residual_flexibility`, the compliance that cubic elements lack under droppers, supports and
+    /// contacts is added there; with `fitted_bends`, points of chains yield as those of their wires
+    /// do; with `across_only`, the linear model moves across the track alone, at the tensions of
+    /// rest.
     #[new]
     #[pyo3(signature = (*, dimension, positions, slopes, parts, gravity, design, residual_flexibility = false, fitted_bends = false, across_only = false))]
     fn new(
@@ -83,8 +84,8 @@ impl Equilibrium {
     }
 
     /// Equilibrium of the same structure after changes: factors on lengths and stiffnesses, new
-    /// masses, loads along the wires, offsets of link lengths and of where springs and struts stand,
-    /// what free ends are under, links taken away.
+    /// masses, loads along the wires, offsets of link lengths and of the rest positions of springs
+    /// and struts, forces at free ends, links removed.
     fn altered(&self, py: Python<'_>, changes: &Bound<'_, PyDict>) -> PyResult<Self> {
         let change = structure::alteration(changes)?;
         let found = py.detach(|| match &self.0 {
@@ -112,8 +113,8 @@ impl Equilibrium {
         either!(&self.0, s => s.arrays(py))
     }
 
-    /// Elasticity in m/N at coordinates `x`, for a force in N on the wires of `lanes`: wire elements
-    /// in the order of the track, one list for each lane.
+    /// Elasticity in m/N at coordinates `x` in m, for a force in N on the wires of `lanes`: wire
+    /// elements in the order of the track, one list for each lane.
     fn elasticity(
         &self,
         py: Python<'_>,
@@ -138,8 +139,9 @@ impl Equilibrium {
         found.map_err(|e| raised.unwrap_or_else(|| convert(py, &e)))
     }
 
-    /// Modes that a vertical force of 1 N at coordinate `x` moves, shared alike by the wires of `lanes`:
-    /// square of the start vector's length, diagonal and off-diagonal of Lanczos' matrix of 1/ω².
+    /// Modes that a vertical force of 1 N at coordinate `x` in m excites, shared equally by the
+    /// wires of `lanes`: square of the start vector's length, diagonal and off-diagonal of the
+    /// Lanczos matrix of 1/ω².
     fn modes_moved(
         &self,
         py: Python<'_>,
@@ -152,9 +154,10 @@ impl Equilibrium {
         Ok((found.squared_length, found.diagonal, found.off))
     }
 
-    /// Factorise for stepping: wire elements of each lane in the order of the track, scheme as name and parameters, step in s, contact stiffness in N/m
-    /// (infinite when rigid), updated or linearised kinematics, and whether the mass of the wires is
-    /// corrected for the period error of the scheme.
+    /// Factorise for stepping: wire elements of each lane in the order of the track, scheme as name
+    /// and parameters, step in s, contact stiffness in N/m (infinite when rigid), updated or
+    /// linearised kinematics, and whether the mass of the wires is corrected for the period error
+    /// of the scheme.
     #[pyo3(signature = (*, lanes, scheme, step, contact_stiffness, updated, period_correction = false))]
     fn prepare(
         &self,
@@ -202,7 +205,7 @@ fn read_scheme(name: &str, parameters: &[f64]) -> PyResult<Scheme> {
         ("hht", &[alpha]) => Ok(Scheme::hht(alpha)),
         ("newmark", &[beta, gamma]) => Ok(Scheme::newmark(beta, gamma)),
         ("trapezoidal", &[]) => Ok(Scheme::generalised_alpha(1.0)),
-        // What they are beside the explicit part.
+        // Scheme of the parts that are not stepped explicitly.
         (EXPLICIT, &[]) => Ok(Scheme::newmark(0.25, 0.5)),
         ("backward-difference", &[]) => Ok(Scheme::BackwardDifference),
         _ => Err(PyValueError::new_err(format!(

@@ -67,7 +67,7 @@ fn details<'py>(
             displacement,
             end,
         } => {
-            d.set_item("rider", pantograph)?;
+            d.set_item("pantograph", pantograph)?;
             d.set_item("table", table)?;
             d.set_item("place", displacement)?;
             d.set_item("end", end)?;
@@ -80,7 +80,7 @@ fn details<'py>(
             position,
             reason,
         } => {
-            d.set_item("rider", pantograph)?;
+            d.set_item("pantograph", pantograph)?;
             d.set_item("step", step)?;
             d.set_item("time", time)?;
             d.set_item("position", position)?;
@@ -137,7 +137,7 @@ fn details<'py>(
             position,
             step,
         } => {
-            d.set_item("rider", pantograph)?;
+            d.set_item("pantograph", pantograph)?;
             d.set_item("position", position)?;
             d.set_item("step", step)?;
             "off_wire"
@@ -149,7 +149,7 @@ fn details<'py>(
             half_width,
             step,
         } => {
-            d.set_item("rider", pantograph)?;
+            d.set_item("pantograph", pantograph)?;
             d.set_item("position", position)?;
             d.set_item("lateral", lateral)?;
             d.set_item("half_width", half_width)?;

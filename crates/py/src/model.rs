@@ -78,13 +78,13 @@ fn answer(controller: Option<&Py<PyAny>>, sample: &Sample) -> PyResult<f64> {
 
 #[pymethods]
 impl WireModel {
-    /// Run along `positions` (m) with `speeds` (m/s), given at every step and one more.
+    /// Run along `positions` (m) with `speeds` (m/s), one for every step and one more.
     ///
-    /// `observe(step)` is
-    /// called now and then and returns whether to go on. With `take` (numbers, function) the series are
-    /// handed to the function whenever they hold that many numbers; what is returned has the rest of them. `state` is the one to go on from (steps done,
+    /// `observe(step)` is called at intervals and returns whether to continue. With `take`
+    /// (numbers, function) the function receives the series whenever they hold that many numbers,
+    /// and the returned record has the rest. `state` is the state to resume from (steps done,
     /// numbers by name) or None, `until` the number of steps to stop after or None; the state there
-    /// is part of what is returned.
+    /// is part of the returned record.
     #[pyo3(signature = (*, pantographs, distances, positions, speeds, friction, loads, plan, observe, state=None, until=None, take=None))]
     fn run<'py>(
         &self,

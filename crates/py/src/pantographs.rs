@@ -19,9 +19,9 @@ pub struct PantographData {
     preload: Vec<f64>,
     lift: Vec<f64>,
     start_force: f64,
-    given: ExcitationData,
+    excitation: ExcitationData,
     stops: Vec<BumpStopData>,
-    laws: Vec<PiecewiseForceData>,
+    piecewise_forces: Vec<PiecewiseForceData>,
     actuator: Option<ActuatorData>,
 }
 
@@ -36,7 +36,7 @@ struct StripData {
 #[derive(FromPyObject)]
 struct ExcitationData {
     forces: Vec<ForceHistoryData>,
-    ground: Option<BaseMotionData>,
+    base: Option<BaseMotionData>,
 }
 
 #[derive(FromPyObject)]
@@ -47,7 +47,7 @@ struct ForceHistoryData {
 
 #[derive(FromPyObject)]
 struct BaseMotionData {
-    carried: Vec<f64>,
+    influence: Vec<f64>,
     displacement: Vec<f64>,
     rate: Vec<f64>,
 }
@@ -93,10 +93,10 @@ impl From<ExcitationData> for Excitation {
         });
         Self {
             forces: forces.collect(),
-            base: data.ground.map(|ground| BaseMotion {
-                influence: ground.carried,
-                displacement: ground.displacement,
-                rate: ground.rate,
+            base: data.base.map(|base| BaseMotion {
+                influence: base.influence,
+                displacement: base.displacement,
+                rate: base.rate,
             }),
         }
     }
@@ -144,9 +144,13 @@ pub fn pantograph(data: PantographData) -> (Pantograph, Option<Py<PyAny>>) {
         preload: data.preload,
         lift: data.lift,
         start_force: data.start_force,
-        excitation: data.given.into(),
+        excitation: data.excitation.into(),
         stops: data.stops.into_iter().map(BumpStop::from).collect(),
-        piecewise_forces: data.laws.into_iter().map(PiecewiseForce::from).collect(),
+        piecewise_forces: data
+            .piecewise_forces
+            .into_iter()
+            .map(PiecewiseForce::from)
+            .collect(),
         actuator,
     };
     (pantograph, asked)

@@ -1,4 +1,4 @@
-//! What a run records: the plan that comes from Python, and the arrays that go there.
+//! Record of a run: the plan that comes from Python, and the arrays returned to it.
 
 use arcless_core::checkpoint::Checkpoint;
 use arcless_core::energy_terms::EnergyTerms;

@@ -102,7 +102,8 @@ impl Session {
         found.map(Self).map_err(|e| convert(py, &e))
     }
 
-    /// Pantographs simulated, at `distances` (m) behind the first; nobody is asked for their actuators.
+    /// Session with simulated pantographs at `distances` (m) behind the first; their actuators take
+    /// no answer from a controller.
     #[staticmethod]
     #[pyo3(signature = (*, line, pantographs, distances, start))]
     fn with_pantographs(
@@ -149,8 +150,9 @@ impl Session {
         self.read(out)
     }
 
-    /// Write what the last step has left: force in N, height, lateral place in m, rate of the height in
-    /// m/s, each for all contacts; displacement in m and velocity in m/s of all coordinates of pantographs.
+    /// Write the result of the last step: force in N, height and lateral position in m, rate of the
+    /// height in m/s, each for all contacts; displacement in m and velocity in m/s of all
+    /// coordinates of pantographs.
     fn read(&self, mut out: PyReadwriteArray1<'_, f64>) -> PyResult<()> {
         let reading = either!(&self.0, session => session.outputs());
         let r = reading;
@@ -204,7 +206,7 @@ impl Session {
         Ok((state.step, numbers(py, &state)?))
     }
 
-    /// Go on from a state.
+    /// Restore a state.
     fn put_back(
         &mut self,
         py: Python<'_>,

@@ -203,7 +203,7 @@ fn wires(parts: &Bound<'_, PyDict>) -> PyResult<Vec<Wire>> {
     )
 }
 
-/// Sets the angle by which the track turns along each element, rad; none are given on a straight one.
+/// Set the angle by which the track turns along each element, rad; without angles it is straight.
 fn turn(s: &mut Structure, turns: &[f64]) -> PyResult<()> {
     let elements = s.wires.len() + s.segments.len();
     if !turns.is_empty() && turns.len() != elements {

@@ -201,7 +201,7 @@ def _absences(line: Mapping[str, Any], scenario: Mapping[str, Any]) -> list[str]
 
 def _absent(name: str) -> str:
     if name == "energy_residual_relative":
-        return "no energy ledger was kept; `output.energy: always` keeps one"
+        return "no energy balance was kept; `output.energy: always` keeps one"
     return f"{name} is not in the record"
 
 

@@ -57,7 +57,7 @@ WEAR: Mapping[str, Quantity] = {
 OF_LINE: Mapping[str, Quantity] = {
     "max_uplift_at_support_mm": Quantity("maximum uplift at a support", "mm", 1),
     "min_dropper_force_N": Quantity("minimum dropper force", "N", 1),
-    "slack_droppers_max": Quantity("maximum number of slack droppers at once", "", 0),
+    "slack_droppers_max": Quantity("maximum number of slack droppers", "", 0),
 }
 # Of the computation.
 OF_COMPUTATION: Mapping[str, Quantity] = {

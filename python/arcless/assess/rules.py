@@ -50,9 +50,9 @@ class Facts:
     supply_given: bool = True
     """False where the line names no supply, and one was assumed."""
     wave_speed_use: float | None = None
-    """Highest speed over the wave speed of the contact wire."""
+    """Maximum speed over the wave speed of the contact wire."""
     uplift_mm: float | None = None
-    """Highest uplift at a support inside the section."""
+    """Maximum uplift at a support inside the section."""
     uplift_space_mm: float | None = None
     uplift_limited: bool = False
     heads: Mapping[str, "HeadLimit"] = field(default_factory=dict)
@@ -175,7 +175,7 @@ RULES: tuple[Rule, ...] = (
     *(
         Rule(
             name="mean_force" if relation == "<=" else "mean_force_lower",
-            title=f"mean force F_m, {'upper' if relation == '<=' else 'lower'} law",
+            title=f"mean contact force F_m, {'upper' if relation == '<=' else 'lower'} limit",
             unit="N",
             quantity="mean_force_N",
             relation=relation,  # type: ignore[arg-type]
@@ -230,7 +230,7 @@ RULES: tuple[Rule, ...] = (
     *(
         Rule(
             name="contact_loss",
-            title="arcing NQ: losses of contact of more than 5 ms",
+            title="percentage of arcing NQ, losses above 5 ms",
             unit="%",
             quantity="NQ_percent",
             relation="<=",
@@ -245,7 +245,7 @@ RULES: tuple[Rule, ...] = (
     ),
     Rule(
         name="uplift_space",
-        title="space that the uplift at supports asks for, 2·S0",
+        title="space required for the uplift at supports, 2·S0",
         unit="mm",
         quantity="uplift_to_provide_mm",
         relation="<=",
@@ -257,7 +257,7 @@ RULES: tuple[Rule, ...] = (
     ),
     Rule(
         name="lateral_position",
-        title="lateral position of the contact wire on the collector head",
+        title="lateral position of the contact wire on the head",
         unit="mm",
         quantity="max_lateral_position_mm",
         relation="<=",
@@ -269,7 +269,7 @@ RULES: tuple[Rule, ...] = (
     ),
     Rule(
         name="wave_speed_use",
-        title="highest speed over wave speed of the contact wire",
+        title="maximum speed over wave speed of the contact wire",
         unit="1",
         quantity="wave_speed_use",
         relation="<=",

@@ -68,7 +68,7 @@ _LINE = ("line_time",)
 
 
 def _energy(long_name: str) -> Variable:
-    """Return an entry of the energy ledger: NaN in rows at which it was not settled."""
+    """Return an entry of the energy balance: NaN in rows at which it was not settled."""
     return Variable(_LINE, "J", long_name, absent=True)
 
 
@@ -183,15 +183,15 @@ VARIABLES: dict[str, Variable] = {
     "energy_work_traction": _energy("work that moves the contact along the wire"),
     "energy_work_friction": _energy("work of the friction along the wire"),
     "energy_work_wind": _energy("work of the gusts on the wires"),
-    "energy_residual": _energy("what the energy ledger does not account for"),
+    "energy_residual": _energy("what the energy balance does not account for"),
     "dropper_force_min": Variable(
-        ("dropper",), "N", "lowest dropper force, every step", channel="link_min"
+        ("dropper",), "N", "minimum dropper force, every step", channel="link_min"
     ),
     "dropper_force_max": Variable(
-        ("dropper",), "N", "highest dropper force, every step", channel="link_max"
+        ("dropper",), "N", "maximum dropper force, every step", channel="link_max"
     ),
     "support_uplift_max": Variable(
-        ("support",), "m", "highest contact-wire uplift, every step", channel="uplift_max"
+        ("support",), "m", "maximum uplift of the contact wire, every step", channel="uplift_max"
     ),
     "dropper_order": Variable(
         ("dropper",), "1", "droppers along the track: index of each, from 0", integer=True
@@ -293,14 +293,14 @@ ATTRIBUTES: dict[str, Attribute] = {
     "setup_time_s": Attribute("number", "wall time of everything before the loop"),
     "real_time_factor": Attribute("number", "simulated time over wall time", required=True),
     "energy_residual_relative": Attribute("number", "largest ledger residual, relative"),
-    "slack_droppers_max": Attribute("integer", "most droppers slack at once, every step"),
+    "slack_droppers_max": Attribute("integer", "maximum number of slack droppers, every step"),
     "lcp_pivots_total": Attribute("integer", "pivots of the complementarity solver, all steps"),
     "lcp_pivots_max": Attribute("integer", "most pivots in one step"),
     "lcp_pivots_mean": Attribute("number", "pivots per step, mean of all steps"),
     "lcp_pivots_per_step": Attribute("json", "number of steps that took 0, 1, 2, … pivots"),
     "static_force_found": Attribute("json", "static force of each pantograph in N"),
     "stop_force_max": Attribute(
-        "json", "highest force on a bump stop of each pantograph that has any, in N"
+        "json", "maximum force on a bump stop of each pantograph that has any, in N"
     ),
     "controllers": Attribute(
         "json", "controllers given from Python, by the name of their pantograph"

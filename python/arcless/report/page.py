@@ -32,6 +32,8 @@ _SECTIONS: tuple[tuple[str, str, tuple[str | tuple[str, ...], ...]], ...] = (
     ("head", "Collector head", ("lateral", "wear_pattern")),
     ("rest", "Line at rest", ("side_view", "plan_view", "elasticity")),
 )  # fmt: skip
+# Figures over the whole track: of several pantographs one below the other, at the page's width.
+_STACKED = ("force", "shares", "gap", "height", "spectrogram", "lateral")
 
 
 def write(
@@ -76,7 +78,11 @@ def html(
 
 def _track(run: RunData) -> dict[str, Any]:
     """Return the section and the supports in m, for buttons and the cross hair."""
-    supports = run.supports if run.supports.size <= MARKS else run.supports[every(run.supports.size, MARKS)]
+    supports = (
+        run.supports
+        if run.supports.size <= MARKS
+        else run.supports[every(run.supports.size, MARKS)]
+    )
     return {
         "section": [float(end) for end in run.assessment.section_m],
         "supports": [round(float(x), 2) for x in supports],
@@ -109,6 +115,7 @@ def _texts(
         "bullets": summary.bullets(assessment),
         "contents": contents,
         "sections": sections,
+        "stacked": _STACKED,
         "computation": tables.computation(run, facts),
         "indicators": tables.indicator_rows(assessment),
         "line_numbers": tables.line_rows(run),

@@ -1,12 +1,15 @@
-"""First screen of a run's page: what was run, the verdict, the criteria as bars with their limits."""
+"""First screen of a run's page: identity, verdict, criteria as bars with their limits."""
 
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from itertools import pairwise
 from typing import Any
 
 from arcless.assess import (
     MET,
+    NOT_JUDGED,
+    NOT_MET,
+    NOT_MET_UNVERIFIED,
     TOO_CLOSE,
     Assessment,
     Criterion,
@@ -26,13 +29,24 @@ BEHIND, LENGTH, LEAST = 0.25, 1000.0, 4.0
 MOST_DECIMALS = 4
 
 
+# Verdict on a criterion → class, sign and headline of a page on which it is the least favourable.
+_STATES = {
+    NOT_MET: ("missed", "✘", "Not met"),
+    NOT_MET_UNVERIFIED: ("open", "≈", "Beyond a limit that is not verified"),
+    TOO_CLOSE: ("open", "≈", "Too close to tell"),
+    MET: ("met", "✔", "Met"),
+    NOT_JUDGED: ("open", "≈", "Not judged"),
+}
+
+
 @dataclass(frozen=True)
 class Verdict:
-    """The headline: a class for its colour, a sign, a sentence, and the criteria behind it."""
+    """Headline: class for its colour, sign, sentence, the other verdicts, criteria behind it."""
 
     state: str
     sign: str
     text: str
+    rest: str
     items: list[str]
 
 
@@ -69,7 +83,9 @@ def number(value: float | None, decimals: int = 1) -> str:
     return f"{value:.{decimals}f}".replace("-", "−")
 
 
-def identity(scenario: Scenario, assessment: Assessment, facts: Mapping[str, Any]) -> list[tuple[str, str]]:
+def identity(
+    scenario: Scenario, assessment: Assessment, facts: Mapping[str, Any]
+) -> list[tuple[str, str]]:
     """Return what was run, as label and text."""
     names = [placement.model.name for placement in scenario.pantographs]
     places = [placement.distance for placement in scenario.pantographs]
@@ -91,27 +107,19 @@ def identity(scenario: Scenario, assessment: Assessment, facts: Mapping[str, Any
 
 
 def verdict(assessment: Assessment) -> Verdict:
-    """Return the verdict over all criteria."""
-    judged = [c for c in assessment.criteria if c.passed is not None]
-    beyond = [c for c in judged if not c.passed]
-    missed = [c for c in beyond if c.fails]
-    close = [c for c in assessment.criteria if verdict_of(asdict(c)) == TOO_CLOSE]
-    unsure = len(beyond) - len(missed)
-    open_count = len(assessment.criteria) - len(judged) - len(close)
-    rest = f"; {len(close)} too close to tell" if close else ""
-    rest += f"; {unsure} beyond a limit that is not verified" if unsure else ""
-    rest += f"; {open_count} not judged" if open_count else ""
-    items = [_item(c) for c in (*beyond, *close)]
-    if missed:
-        text = f"Not met: {len(missed)} of {len(judged)} criteria{rest}"
-        return Verdict("missed", "✘", text, items)
-    if not judged:
-        return Verdict("open", "≈", f"No criterion could be judged{rest}", items)
-    met = len(judged) - unsure
-    text = f"Met: {'all ' if not unsure else ''}{met} criteria judged{rest}"
-    if unsure:
-        text = f"Met: {met} of {len(judged)} criteria judged{rest}"
-    return Verdict("open" if close or unsure else "met", "≈" if close or unsure else "✔", text, items)
+    """Return the verdict over all criteria: the least favourable one, then how many have which."""
+    groups: dict[str, list[Criterion]] = {word: [] for word in _STATES}
+    for one in assessment.criteria:
+        groups[verdict_of(asdict(one))].append(one)
+    word = next((word for word in _STATES if groups[word]), NOT_JUDGED)
+    state, sign, title = _STATES[word]
+    count, total = len(groups[word]), len(assessment.criteria)
+    share = f"all {total}" if count == total else f"{count} of {total}"
+    rest = [f"{len(groups[other])} {other}" for other in _STATES if other != word and groups[other]]
+    alone = len(assessment.pantographs) == 1
+    items = [_item(replace(one, pantograph=None) if alone else one) for one in assessment.criteria
+             if verdict_of(asdict(one)) not in (MET, NOT_JUDGED)]  # fmt: skip
+    return Verdict(state, sign, f"{title}: {share} criteria", "; ".join(rest), items)
 
 
 def worst_place(run: RunData) -> str:
@@ -124,7 +132,12 @@ def worst_place(run: RunData) -> str:
 def bullets(assessment: Assessment) -> list[Bullet]:
     """Return the criteria as bars, in the order of the table."""
     means = {p.name: p.mean_force_N for p in assessment.pantographs}
-    return [_bullet(one, means.get(one.pantograph or "", 0.0)) for one in assessment.criteria]
+    alone = len(means) == 1
+    return [
+        _bullet(replace(one, pantograph=None) if alone else one,
+                means.get(one.pantograph or "", 0.0))
+        for one in assessment.criteria
+    ]  # fmt: skip
 
 
 def decimals_of(criterion: Criterion) -> int:
@@ -170,7 +183,9 @@ def _bullet(criterion: Criterion, mean_force_N: float) -> Bullet:
 
 
 def _bar(
-    criterion: Criterion, uncertainty: float | None, mean_force_N: float  # noqa: N803
+    criterion: Criterion,
+    uncertainty: float | None,
+    mean_force_N: float,
 ) -> Bar | None:
     """Return a value against its limit; None where either is missing.
 

@@ -34,6 +34,7 @@ def import_ahead() -> None:
 def _templates() -> "Environment":
     """Return the templates; one that was compiled is kept."""
     from jinja2 import Environment, FileSystemLoader
+    from markupsafe import Markup
 
     made = Environment(
         autoescape=True,
@@ -41,7 +42,7 @@ def _templates() -> "Environment":
         lstrip_blocks=True,
         loader=FileSystemLoader(_HERE),
     )
-    made.globals["tokens_css"] = css
+    made.globals["tokens_css"] = lambda: Markup(css())
     return made
 
 

@@ -169,7 +169,7 @@ def _gap_row(seen: Observation) -> Row:
         places = ", ".join(f"{x:.2f}" for x in seen.gaps_at)
         return _row(GAPS, allowed, seen.gap, f"at {places} m; {lost}" if places else lost)
     allowed = Range(
-        "unfiltered_min_force_N", f"{seen.kmh}: lowest force", "N", 0.0, None, VERIFIED,
+        "unfiltered_min_force_N", f"{seen.kmh}: minimum contact force", "N", 0.0, None, VERIFIED,
         strict=True,
     )  # fmt: skip
     return _row(GAPS, allowed, seen.low, lost)

@@ -141,7 +141,7 @@ def test_impulse_and_energy(evidence: Any) -> None:
         reason="momentum is balanced in each step: rounding of 1e-16 in 1200 steps",
     )
     evidence.below(
-        "residual of the energy ledger, as a part of m V²/2, worst of three members",
+        "residual of the energy balance, as a part of m V²/2, worst of three members",
         max(residuals) / (0.5 * MASS * SPEED**2),
         5e-12,
         unit="1",

@@ -57,7 +57,7 @@ def on_line(scheme: Member, omega: float, zeta: float) -> Floats:
     return np.asarray(bare.run(line, head, asked)["uplift"])
 
 
-def on_rider(scheme: Member, omega: float, zeta: float) -> Floats:
+def on_pantograph(scheme: Member, omega: float, zeta: float) -> Floats:
     """Motion of a coordinate that is not joined to the one that carries the strip."""
     matrices = [np.diag([MASS * value, other]) for value, other in (
         (1.0, 1.0), (2.0 * zeta * omega, 0.0), (omega**2, 0.0)
@@ -90,7 +90,7 @@ def added_damping(scheme: Member, product: float) -> float:
 @pytest.mark.parametrize("scheme", schemes.ALL, ids=lambda scheme: scheme.label)
 def test_frequency_and_damping(evidence: Any, scheme: Member) -> None:
     worst = 0.0
-    for motion in (on_line, on_rider):
+    for motion in (on_line, on_pantograph):
         for product in PRODUCTS:
             for zeta in RATIOS:
                 omega = product / H

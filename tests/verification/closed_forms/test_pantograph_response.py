@@ -79,12 +79,12 @@ def below_waves(t: Floats) -> list[Complex]:
 
 def on_roof(t: Floats) -> list[Complex]:
     """Contact force for the height of the roof, N/m."""
-    ground = BaseMotion(
-        carried=[1.0, 1.0],
+    base = BaseMotion(
+        influence=[1.0, 1.0],
         displacement=(2e-3 * waves(t)).tolist(),
         rate=(2e-3 * multisine.rates(OMEGA, t)).tolist(),
     )
-    found = asked(bare.wall(), 400.0, np.zeros(len(t)), Excitation([], ground))
+    found = asked(bare.wall(), 400.0, np.zeros(len(t)), Excitation([], base))
     assert found["force"].min() > 0.0, "it touches"
     height = coefficients(2e-3 * waves(t), t)
     return [coefficients(found["force"], found["time"]) / height]
@@ -167,8 +167,9 @@ def test_response(evidence: Any, kind: str) -> None:
 def still(arguments: dict[str, Any]) -> None:
     """Take the rate of the roof, which dampers feel."""
     (head,) = arguments["pantographs"]
-    ground = head.given.ground._replace(rate=[0.0 * value for value in head.given.ground.rate])
-    arguments["pantographs"] = [head._replace(given=head.given._replace(ground=ground))]
+    excitation = head.excitation
+    base = excitation.base._replace(rate=[0.0 * value for value in excitation.base.rate])
+    arguments["pantographs"] = [head._replace(excitation=excitation._replace(base=base))]
 
 
 def turned(arguments: dict[str, Any]) -> None:

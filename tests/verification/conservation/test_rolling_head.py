@@ -1,4 +1,4 @@
-"""Head that rolls: the energy ledger closes while the wire slides from side to side
+"""Head that rolls: the energy balance closes while the wire slides from side to side
 
 A collector head with two strips that can roll. The wire of a staggered line sweeps over the strips,
 so the direction e(y) in which the contact force acts on the head changes in every step, and with it

@@ -12,7 +12,7 @@ exact in binary numbers, so the same bits must come out.
 
 All arrays of a line of four spans in space (`tests/support/small.py`: 225 elements, struts,
 springs, masses, droppers that go slack) and of a pantograph are scaled, the design is
-calculated and the run taken, 1309 steps with the energy ledger.
+calculated and the run taken, 1309 steps with the energy balance.
 
 Two places know of units, neither of which touches runs in SI by more than rounding. Newton's
 method for the line at rest ends when the largest of all forces in N and couples in N m is

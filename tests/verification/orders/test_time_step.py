@@ -64,12 +64,12 @@ def error(scheme: Member, h: float) -> float:
     on_line = bare.run(line, bare.free_mass(1.0, 10.0, np.zeros(steps + 1)), asked)
     matrices = (np.diag(pair) for pair in ([MASS, 1.0], [DAMPING, 0.0], [STIFFNESS, 0.0]))
     head = bare.pantograph(*matrices, strip=[0.0, 1.0], force=10.0, given=[([1.0, 0.0], acting)])
-    on_rider = bare.run(bare.wall(), head, bare.Asked(scheme, h, bare.stand(0.0, steps)))
-    moved = on_rider["masses"].reshape(-1, 2)[:, 0]
+    on_pantograph = bare.run(bare.wall(), head, bare.Asked(scheme, h, bare.stand(0.0, steps)))
+    moved = on_pantograph["masses"].reshape(-1, 2)[:, 0]
     return float(
         max(
             np.abs(on_line["uplift"] - exact(on_line["line_time"])).max(),
-            np.abs(moved - exact(on_rider["time"])).max(),
+            np.abs(moved - exact(on_pantograph["time"])).max(),
         )
     )
 

@@ -71,9 +71,9 @@ def mesh() -> Mesh:
 def run(force: float) -> tuple[Floats, Floats]:
     """Contact forces and gaps of a run."""
     p = pantograph(force)
-    rider = bare.pantograph(p.mass, p.damping, p.stiffness, strip=p.strip.tolist(), force=force)
+    head = bare.pantograph(p.mass, p.damping, p.stiffness, strip=p.strip.tolist(), force=force)
     asked = bare.Asked(schemes.PUBLISHED, TAU, POSITIONS, updated=True, friction=FRICTION)
-    found = bare.run(mesh(), rider, asked)
+    found = bare.run(mesh(), head, asked)
     assert sum(found["pivot_counts"]) == STEPS, "one problem in each step"
     return np.asarray(found["force"]), np.asarray(found["gap"])
 

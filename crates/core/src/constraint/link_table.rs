@@ -1,6 +1,6 @@
 //! Properties of links, list by list, for loops over all links of an island in every step.
 
-use crate::linear::model::LinearLink;
+use crate::linear::link::LinearLink;
 use crate::scheme::Coefficients;
 use std::ops::Range;
 

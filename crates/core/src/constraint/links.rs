@@ -6,7 +6,7 @@
 
 use crate::constraint::link_table::LinkTable;
 use crate::linalg::{Kernel, widest};
-use crate::linear::model::LinearLink;
+use crate::linear::link::LinearLink;
 use crate::scheme::Coefficients;
 use std::ops::Range;
 

@@ -15,94 +15,13 @@
 //! stiffness T/ℓ of their equilibrium: that is the limit of linearised kinematics.
 
 use crate::linalg::{Block, MassMatrix, SymmetricBlocks};
+use crate::linear::damping_rest::damping_rest;
 use crate::linear::island::{Island, Lists};
+use crate::linear::link::LinearLink;
 use crate::linear::masses;
-use crate::slideline::point::Nodal;
 use crate::statics::assembly::{Geometry, LinkLaw, Shape};
-use crate::structure::{Link, Rayleigh};
+use crate::structure::Rayleigh;
 use std::ops::Range;
-
-/// Link about equilibrium: elongation e = n·(u₂ − u₁).
-#[derive(Debug, Clone, Copy)]
-pub struct LinearLink<const DIM: usize> {
-    /// Upper and lower node.
-    pub nodes: [usize; 2],
-    /// Unit vector n from the upper to the lower node.
-    pub direction: [f64; DIM],
-    /// Stiffness, N/m.
-    pub stiffness: f64,
-    /// Damping along the link, with its proportional part, N·s/m.
-    pub viscosity: f64,
-    /// Tension k (ℓ − ℓ₀) at equilibrium, N; negative when it is slack at equilibrium.
-    pub rest_tension: f64,
-    /// True for a link that carries tension only.
-    pub unilateral: bool,
-}
-
-impl<const DIM: usize> LinearLink<DIM> {
-    fn new<const D: usize>(link: &Link, shape: &Shape<D>) -> Self {
-        let state = Geometry::<DIM, D>::link_state(shape, link);
-        Self {
-            nodes: link.nodes,
-            direction: state.direction,
-            stiffness: link.stiffness,
-            viscosity: link.viscosity + link.damping.beta * link.stiffness,
-            rest_tension: state.linear_tension,
-            unilateral: link.unilateral,
-        }
-    }
-
-    /// Returns the correction r₀ that acts at equilibrium, N: positive for a link that is slack
-    /// there.
-    #[must_use]
-    pub fn rest_correction(&self) -> f64 {
-        if self.unilateral {
-            (-self.rest_tension).max(0.0)
-        } else {
-            0.0
-        }
-    }
-
-    /// Returns the elongation e = gᵀx in a displacement field x, m.
-    #[inline(always)]
-    #[must_use]
-    pub fn elongation<const D: usize>(&self, x: &(impl Nodal<D> + ?Sized)) -> f64 {
-        let [a, b] = self.nodes.map(|node| x.at(node));
-        let mut e = 0.0;
-        for c in 0..DIM {
-            e += self.direction[c] * (b[c] - a[c]);
-        }
-        e
-    }
-
-    /// Returns g, node by node: the forces of a unit tension.
-    #[must_use]
-    pub fn unit_pull<const D: usize>(&self) -> [(usize, [f64; D]); 2] {
-        let [a, b] = self.nodes;
-        let (mut upper, mut lower) = ([0.0; D], [0.0; D]);
-        for c in 0..DIM {
-            upper[c] = -self.direction[c];
-            lower[c] = self.direction[c];
-        }
-        [(a, upper), (b, lower)]
-    }
-
-    /// Returns `factor` · g, entry by entry: node, component, force.
-    pub(crate) fn shares(&self, factor: f64) -> impl Iterator<Item = (usize, usize, f64)> {
-        let ([a, b], n) = (self.nodes, self.direction);
-        let ends = [(a, -factor), (b, factor)].into_iter();
-        ends.flat_map(move |(node, force)| (0..DIM).map(move |c| (node, c, force * n[c])))
-    }
-
-    /// Adds `factor` · g to `f`.
-    pub fn add_to<const D: usize>(&self, factor: f64, f: &mut [[f64; D]]) {
-        let [a, b] = self.nodes;
-        for c in 0..DIM {
-            f[a][c] -= factor * self.direction[c];
-            f[b][c] += factor * self.direction[c];
-        }
-    }
-}
 
 /// Matrices and links of the linearised structure.
 #[derive(Debug, Clone)]
@@ -248,15 +167,6 @@ impl<const DIM: usize, const D: usize> LinearModel<DIM, D> {
         k + d * self.common.beta
     }
 
-    /// Adds d (C − α M − β K), the damping that is not common to all parts.
-    pub fn add_damping_rest_matrix(&self, d: f64, a: &mut SymmetricBlocks<D>) {
-        for (i, j, block) in &self.damping_rest {
-            let mut scaled = *block;
-            scaled.iter_mut().flatten().for_each(|v| *v *= d);
-            a.add(*i, *j, &scaled);
-        }
-    }
-
     /// Adds the corrections r₀ of links that are slack at rest, N.
     pub fn add_rest_corrections(&self, links: Range<usize>, f: &mut [[f64; D]]) {
         for link in &self.links[links] {
@@ -292,38 +202,6 @@ impl<const DIM: usize, const D: usize> LinearModel<DIM, D> {
         }
         k.keep_free(&self.free);
         k
-    }
-
-    /// Adds (C − α M − β K) x to `y` on one island: the damping that is not common to all parts.
-    /// `work` is scratch space.
-    #[inline(always)]
-    pub fn add_damping_rest(
-        &self,
-        island: &Island,
-        x: &[[f64; D]],
-        y: &mut [[f64; D]],
-        work: &mut [[f64; D]],
-    ) {
-        if let Some(rest) = &self.mass_damping_rest {
-            rest.product_at(island.nodes.clone(), x, work);
-            let nodes = y[island.nodes.clone()].iter_mut();
-            for (y, w) in nodes.zip(&work[island.nodes.clone()]) {
-                for c in 0..D {
-                    y[c] += w[c];
-                }
-            }
-        }
-        for (i, j, block) in &self.damping_rest[island.damping.clone()] {
-            let (xi, xj) = (x[*i], x[*j]);
-            crate::linalg::block::add_product(&mut y[*i], block, &xj);
-            if i != j {
-                for a in 0..D {
-                    for b in 0..D {
-                        y[*j][b] += block[a][b] * xi[a];
-                    }
-                }
-            }
-        }
     }
 
     /// Returns the fixed components: node, component; by nodes.
@@ -375,7 +253,7 @@ fn free_components<const DIM: usize, const D: usize>(
 
 /// Subtracts the axial part of the tangents of all wires, times a factor that depends on their
 /// damping.
-fn subtract_stretching<const DIM: usize, const D: usize>(
+pub(super) fn subtract_stretching<const DIM: usize, const D: usize>(
     geometry: &Geometry<DIM, D>,
     shape: &Shape<D>,
     factor: impl Fn(Rayleigh) -> f64,
@@ -387,48 +265,4 @@ fn subtract_stretching<const DIM: usize, const D: usize>(
     for segment in &geometry.structure.segments {
         Geometry::<DIM, D>::add_segment_stretching(k, shape, segment, -factor(segment.damping));
     }
-}
-
-/// Returns the blocks of Σ (β − β₀) K over the parts whose β differs, plus all dampers.
-fn damping_rest<const DIM: usize, const D: usize>(
-    geometry: &Geometry<DIM, D>,
-    shape: &Shape<D>,
-    common: f64,
-    c: &mut SymmetricBlocks<D>,
-) -> Vec<(usize, usize, Block<D>)> {
-    let s = &geometry.structure;
-    c.clear();
-    for wire in s.wires.iter().filter(|w| w.damping.beta != common) {
-        Geometry::<DIM, D>::add_wire(c, shape, wire, wire.damping.beta - common);
-    }
-    for segment in s.segments.iter().filter(|k| k.damping.beta != common) {
-        let difference = segment.damping.beta - common;
-        Geometry::<DIM, D>::add_segment(c, shape, segment, difference);
-    }
-    if s.across_only {
-        subtract_stretching(geometry, shape, |damping| damping.beta - common, c);
-    }
-    for bend in s.bends.iter().filter(|b| b.beta != common) {
-        geometry.add_bend(c, bend, bend.beta - common);
-    }
-    for link in &s.links {
-        let damping = Geometry::<DIM, D>::link_damping(shape, link, link.damping.beta - common);
-        Geometry::<DIM, D>::add_between(c, link.nodes, &damping);
-    }
-    for strut in s.struts.iter().filter(|_| common != 0.0) {
-        Geometry::<DIM, D>::add_strut(c, shape, strut, -common);
-    }
-    for spring in &s.springs {
-        let value = spring.viscosity - common * spring.stiffness;
-        Geometry::<DIM, D>::add_spring(c, spring, value);
-    }
-    let mut rest = Vec::new();
-    for i in 0..c.rows() {
-        for k in c.row_start[i]..c.row_start[i + 1] {
-            if c.blocks[k].iter().flatten().any(|&v| v != 0.0) {
-                rest.push((i, c.columns[k], c.blocks[k]));
-            }
-        }
-    }
-    rest
 }

@@ -202,5 +202,8 @@ fn solve(
 }
 
 fn unbalanced() -> CoreError {
-    CoreError::invalid("riders", "the preload cannot balance the contact force")
+    CoreError::invalid(
+        "pantographs",
+        "the preload cannot balance the contact force",
+    )
 }

@@ -66,7 +66,7 @@ impl Excitation {
             return Ok(());
         }
         let reason = "not one given value for each instant of the travel";
-        Err(CoreError::invalid("riders", reason))
+        Err(CoreError::invalid("pantographs", reason))
     }
 
     /// Reads the excitation of a step; `old` is the weight of its start in the balance.

@@ -74,7 +74,7 @@ impl Pantograph {
             && self.actuator.iter().all(|a| a.is_valid(n));
         if n == 0 || !sized || !finite || !parts || !self.start_force.is_finite() {
             let reason = "sizes disagree or a number is not finite";
-            return Err(CoreError::invalid("riders", reason));
+            return Err(CoreError::invalid("pantographs", reason));
         }
         strip::check(&self.strips, n)
     }

@@ -265,7 +265,7 @@ pub(crate) fn check_steps(
         return Ok(());
     }
     let reason = "a table that softens, hardens and softens again needs a shorter step";
-    Err(CoreError::invalid("laws", reason))
+    Err(CoreError::invalid("piecewise_forces", reason))
 }
 
 #[cfg(test)]

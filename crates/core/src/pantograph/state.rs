@@ -72,8 +72,9 @@ impl PantographState {
                     + c.stiffness * model.stiffness[i]
             })
             .collect();
-        let inverse = dense::inverse(&a, n)
-            .ok_or_else(|| CoreError::invalid("riders", "a mass without inertia or stiffness"))?;
+        let inverse = dense::inverse(&a, n).ok_or_else(|| {
+            CoreError::invalid("pantographs", "a mass without inertia or stiffness")
+        })?;
         let zero = vec![0.0; n];
         let excitation =
             ExcitationState::new(&model.excitation, &model.stiffness, &model.damping, n);

@@ -80,5 +80,5 @@ pub(crate) fn check(strips: &[Strip], n: usize) -> Result<(), CoreError> {
         return Ok(());
     }
     let reason = "no strip, or one whose sizes disagree or whose knots do not ascend";
-    Err(CoreError::invalid("riders", reason))
+    Err(CoreError::invalid("pantographs", reason))
 }

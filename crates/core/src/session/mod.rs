@@ -156,7 +156,7 @@ impl<const DIM: usize, const D: usize> Session<DIM, D> {
 
     fn check_inputs(&self, forces: &[f64], position: f64, speed: f64) -> Result<(), CoreError> {
         if forces.len() != self.inputs() {
-            let reason = "not one for each collector or rider";
+            let reason = "not one for each collector or pantograph";
             return Err(CoreError::invalid("forces", reason));
         }
         if !forces.iter().all(|force| force.is_finite()) {
@@ -170,7 +170,7 @@ impl<const DIM: usize, const D: usize> Session<DIM, D> {
         };
         let mut pairs = self.model.pantographs.iter().zip(forces);
         if pairs.any(without_actuator) {
-            let reason = "a force for a rider without actuator";
+            let reason = "a force for a pantograph without actuator";
             return Err(CoreError::invalid("forces", reason));
         }
         Ok(())

@@ -105,17 +105,17 @@ impl<const DIM: usize, const D: usize> Session<DIM, D> {
         check(&line, &start)?;
         if pantographs.is_empty() || distances.len() != pantographs.len() {
             let reason = "none, or not one distance for each";
-            return Err(CoreError::invalid("riders", reason));
+            return Err(CoreError::invalid("pantographs", reason));
         }
         let is_excited =
             |p: &Pantograph| !p.excitation.forces.is_empty() || p.excitation.base.is_some();
         if pantographs.iter().any(is_excited) {
             let reason = "what is given for a whole run";
-            return Err(CoreError::invalid("riders", reason));
+            return Err(CoreError::invalid("pantographs", reason));
         }
         if !pantographs.iter().flat_map(|p| &p.actuator).all(is_direct) {
             let reason = "an actuator that is not asked in every step";
-            return Err(CoreError::invalid("riders", reason));
+            return Err(CoreError::invalid("pantographs", reason));
         }
         let coordinates = pantographs.iter().map(Pantograph::size).sum();
         let model = OwnedModel {

@@ -65,7 +65,7 @@ fn slope(h: &[f64], a: &[f64], closed: &[usize]) -> Option<f64> {
 
 pub(crate) fn cannot_share() -> CoreError {
     CoreError::Input {
-        array: "riders",
+        array: "pantographs",
         reason: "contacts at rest cannot share the force".into(),
     }
 }

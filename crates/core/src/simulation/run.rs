@@ -252,7 +252,7 @@ pub(crate) fn check(
         })
     };
     if pantographs.is_empty() || trajectory.distances.len() != pantographs.len() {
-        return refuse("riders", "none, or not one distance for each");
+        return refuse("pantographs", "none, or not one distance for each");
     }
     if trajectory.positions.len() < 2 || trajectory.speeds.len() != trajectory.positions.len() {
         return refuse("positions", "fewer than two, or not one speed for each");
@@ -271,7 +271,7 @@ pub(crate) fn check(
             .check_instants(trajectory.positions.len())?;
     }
     if plan.ledger && !has_energy_balance {
-        return refuse("plan", "an energy ledger with updated kinematics");
+        return refuse("plan", "an energy balance with updated kinematics");
     }
     if plan.contact_every == 0 || plan.line_every == 0 || plan.ledger_every == 0 {
         return refuse("plan", "a recording interval of zero steps");

@@ -1,4 +1,4 @@
-//! The same wires as chains of point masses.
+//! Chains of point masses made from wires of Hermite elements.
 
 use arcless_core::CoreError;
 use arcless_core::integrator::wire_model::WireModel;
@@ -34,7 +34,8 @@ pub fn lumped(s: &Structure) -> Structure {
     t
 }
 
-/// Design calculation and service equilibrium; chains with fitted bends have their residual flexibility.
+/// Geometry and shape in service, after the design calculation; chains with fitted bends have
+/// residual flexibility.
 pub fn settled<const DIM: usize, const D: usize>(s: Structure) -> (Geometry<DIM, D>, Shape<D>) {
     let mut geometry = Geometry::<DIM, D>::new(s).expect("a valid structure");
     if geometry.structure.fitted_bends {
@@ -47,7 +48,7 @@ pub fn settled<const DIM: usize, const D: usize>(s: Structure) -> (Geometry<DIM,
     (geometry, shape)
 }
 
-/// The same chain with points that yield as those of the wire do.
+/// Copy of a chain with fitted bends: its points yield as those of the wire do.
 pub fn yielding(chain: &Structure) -> Structure {
     Structure {
         fitted_bends: true,

@@ -72,7 +72,7 @@ pub fn simple_line(spans: usize) -> (Structure, Vec<usize>) {
     simple_line_of(spans, [1.45, 2.9])
 }
 
-/// The same with given longest elements of contact and messenger wire, m.
+/// Line of `simple_line` with given longest elements of contact and messenger wire, m.
 pub fn simple_line_of(spans: usize, [longest, above]: [f64; 2]) -> (Structure, Vec<usize>) {
     let (contact, messenger) = (stations(spans, longest), stations(spans, above));
     let mut nodes: Vec<(f64, bool)> = messenger.iter().map(|&x| (x, false)).collect();
@@ -217,7 +217,7 @@ pub fn prepare(
     prepare_any(line, change, scheme, h, contact)
 }
 
-/// The same in any dimension and with any wire model.
+/// Model of a line as of `prepare`, in any dimension and with any wire model.
 pub fn prepare_any<const DIM: usize, const D: usize>(
     (structure, path): (Structure, Vec<usize>),
     change: impl FnOnce(&mut Structure),
@@ -242,7 +242,7 @@ pub fn prepare_any<const DIM: usize, const D: usize>(
     .expect("regular")
 }
 
-/// The same with residual flexibility.
+/// Model of a line as of `prepare_any`, with residual flexibility.
 pub fn yielding<const DIM: usize, const D: usize>(
     (structure, path): (Structure, Vec<usize>),
     change: impl FnOnce(&mut Structure),
@@ -336,7 +336,8 @@ impl Single {
     }
 }
 
-/// Rider of one mass that nothing holds: its contact force is the preload but for its inertia.
+/// Pantograph of one unsupported mass: its contact force differs from the preload by its inertia
+/// alone.
 pub fn free_mass(mass: f64, force: f64) -> Pantograph {
     Pantograph {
         mass: vec![mass],
@@ -359,7 +360,7 @@ pub fn travel(start: f64, end: f64, speed: f64, h: f64) -> Trajectory {
     steady(start, speed, h, steps)
 }
 
-/// The same for a number of steps.
+/// Travel at constant speed for a number of steps.
 pub fn steady(start: f64, speed: f64, h: f64, steps: usize) -> Trajectory {
     Trajectory {
         positions: (0..=steps).map(|i| start + speed * h * i as f64).collect(),
@@ -386,11 +387,11 @@ pub fn everything() -> RecordPlan {
 
 pub fn run<const DIM: usize, const D: usize>(
     p: &WireModel<DIM, D>,
-    riders: &[Pantograph],
+    pantographs: &[Pantograph],
     travel: &Trajectory,
     plan: &RecordPlan,
 ) -> Record {
-    p.run(riders, travel, plan, &mut |_| true)
+    p.run(pantographs, travel, plan, &mut |_| true)
         .expect("the run completes")
 }
 

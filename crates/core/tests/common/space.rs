@@ -29,7 +29,8 @@ fn at_support(number: usize, spans: usize, most: f64) -> f64 {
     }
 }
 
-/// In space, the contact wire (its nodes stand at height 0) held to the side by arms at the supports.
+/// Line in space whose contact wire (nodes at height 0) is staggered by ±`most`, m, by arms at the
+/// supports.
 pub fn staggered(s: &Structure, spans: usize, most: f64) -> Structure {
     let mut t = in_space(s);
     for p in t.positions.iter_mut().filter(|p| p[2] == 0.0) {

@@ -1,4 +1,5 @@
-//! The energy ledger of explicit steps: it closes to rounding, whatever opens, slackens or slides, and notices what is off.
+//! Energy ledger of explicit steps: it closes to rounding with lift-off, slack links and friction,
+//! and a wrong entry is noticed.
 
 use super::islands::two_lengths;
 use super::{Chain, explicit};
@@ -49,7 +50,7 @@ fn last(r: &Record) -> EnergyTerms {
 }
 
 #[test]
-fn balances_with_slack_links_lift_off_friction_and_two_riders() {
+fn balances_with_slack_links_lift_off_friction_and_two_pantographs() {
     for r in [
         hard::<2, 2>(H, &everything()),
         hard::<3, 3>(H, &everything()),
@@ -79,7 +80,8 @@ fn measured_steps_close_as_all_steps_do() {
         .partition(|(_, e)| !e.kinetic.is_nan());
     assert!(known.iter().all(|(k, _)| k % 50 == 0) && rest.iter().all(|(k, _)| k % 50 > 0));
     for (k, e) in known {
-        // What wires dissipate between measured steps is what the balance leaves: rounding of both.
+        // Dissipation of wires between measured steps is the remainder of the balance: rounding of
+        // both.
         let apart = e.dissipated_line + e.dissipated_scheme
             - all.energy[k].dissipated_line
             - all.energy[k].dissipated_scheme;
@@ -111,11 +113,11 @@ fn every_entry_is_needed_for_the_balance() {
         ("kinetic", e.kinetic),
         ("elastic", e.elastic),
         ("contact", e.contact),
-        ("riders", e.pantographs),
+        ("pantographs", e.pantographs),
         ("dissipated_line", e.dissipated_line),
         ("dissipated_links", e.dissipated_links),
         ("dissipated_springs", e.dissipated_springs),
-        ("dissipated_riders", e.dissipated_pantographs),
+        ("dissipated_pantographs", e.dissipated_pantographs),
         ("switching", e.switching),
         ("work_uplift", e.work_uplift),
         ("work_traction", e.work_traction),
@@ -127,11 +129,12 @@ fn every_entry_is_needed_for_the_balance() {
     }
 }
 
-/// What it has is gone with it, and no later balance misses it; parts are the whole with all of that.
+/// The energy of a length laid to rest leaves with it, and later balances close without it; a run
+/// in parts equals the whole run.
 #[test]
 fn a_length_laid_to_rest_leaves_the_ledger() {
     let p = two_lengths();
-    let riders = [three_masses(90.0)];
+    let pantographs = [three_masses(90.0)];
     for ledger_every in [1, 50] {
         let plan = RecordPlan {
             nodes: vec![3, 11, p.line.nodes() - 5],
@@ -140,13 +143,13 @@ fn a_length_laid_to_rest_leaves_the_ledger() {
             ..everything()
         };
         let way = way(2300);
-        let (r, _) = part(&p, &riders, (&way, &plan), Part::default()).expect("a run");
+        let (r, _) = part(&p, &pantographs, (&way, &plan), Part::default()).expect("a run");
         assert!(
             last(&r).dissipated_scheme > 0.01,
             "something is laid to rest"
         );
         assert!(r.energy_residual < 50.0 * BALANCE * r.energy_turnover);
-        compare(&p, &riders, (&way, &plan), &[300, 800, 2100]);
+        compare(&p, &pantographs, (&way, &plan), &[300, 800, 2100]);
     }
 }
 

@@ -1,8 +1,11 @@
 //! The longest step, by the closed form of a uniform string.
 //!
-//! A wave with q = 4 sin²(kℓ/2) has ω² h² = C² q f(q), f(q) = 1 + (1 − C²) q/12 + (1 − C²)(4 − C²) q²/360,
-//! C = c h/ℓ (see `waves`). That grows with q, which is below 4: ω h < 2 C √f(4), which is 2 for C = 1. With a
-//! damping β of stiffness, of the velocity of the step before, and α of mass, the shortest wave that changes its
+//! A wave with q = 4 sin²(kℓ/2) has ω² h² = C² q f(q), C = c h/ℓ (see `waves`), with
+//!
+//!   f(q) = 1 + (1 − C²) q/12 + (1 − C²)(4 − C²) q²/360
+//!
+//! It grows with q, which is below 4: ω h < 2 C √f(4), which is 2 for C = 1. With a damping β of
+//! stiffness, of the velocity of the step before, and α of mass, the shortest wave that changes its
 //! sign in every step has (4 C² (1 + 2β/h) + 2 α h) f(4) = 4.
 
 use super::{Chain, prepare, seen_wire};
@@ -79,8 +82,9 @@ fn named(chain: &Chain, h: f64) -> f64 {
     longest
 }
 
-/// Of ω h = 2, 0.95 may be used; a step is named with four figures, rounded down. The shortest wave of
-/// 80 elements falls short of q = 4 by (π/80)²/4 = 4e-4, and the search for it by as much.
+/// Of the limit ω h = 2, 0.95 may be used; a step is given with four figures, rounded down. The
+/// shortest wave of 80 elements has q below 4 by (π/80)²/4 = 4e-4 of it, and the search for it errs
+/// by as much.
 #[test]
 fn a_step_that_is_too_long_names_the_longest() {
     for damping in DAMPINGS {

@@ -1,5 +1,5 @@
-//! What couples wires at single points: ends of one at inner nodes of another, links of three points,
-//! springs, dampers; as implicit steps have them. (Arms are in lines in space.)
+//! Couplings of wires at single points, as in implicit steps: ends of one wire at inner nodes of
+//! another, links of three points, springs, dampers. (Arms are in lines in space.)
 
 use super::{Chain, every, explicit, implicit, pass, plan, way};
 use crate::tests::common::chain::lumped;
@@ -83,7 +83,7 @@ fn stitched(elements: usize) -> Chain {
 }
 
 /// Motion of the stitch, of what is linked and of the spring under a pulse that is a long wave,
-/// and force of a rider that stands aside. What is apart is the dispersion of lumped masses.
+/// and force of a pantograph that stands aside. What is apart is the dispersion of lumped masses.
 #[test]
 fn points_of_several_wires_move_as_in_implicit_steps() {
     let errors = [120, 240].map(|elements| {
@@ -135,10 +135,10 @@ fn points_of_several_wires_move_as_in_implicit_steps() {
     });
     for (k, (coarse, fine)) in errors[0].iter().zip(&errors[1]).enumerate() {
         assert!(*fine < 0.7 * coarse, "{k}: it does not fade, {errors:?}");
-        // Estimate: lumped masses delay waves of 3 m, kℓ = 0.5, by (kℓ)²/24 = 1 %, over some radians
-        // some hundredths of a force; displacements hold less of such waves.
-        // At the spring of 20 kN/m, where bends that are not fitted let the points of 0.25 m yield 0.9 µm/N too much, up
-        // to 1.7 %.
+        // Estimate: lumped masses delay waves of 3 m, kℓ = 0.5, by (kℓ)²/24 = 1 %, which over some
+        // radians is some hundredths of a force; displacements hold less of such waves.
+        // Up to 1.7 % at the spring of 20 kN/m: without fitted bends, points 0.25 m apart yield
+        // 0.9 µm/N too much.
         let most = match k {
             0 => 0.03,
             4 => 0.017,

@@ -1,4 +1,5 @@
-//! A rider under a line with links: the forces of implicit steps of the same chain and curves, as elements shrink.
+//! Pantograph under a line with links: its forces approach those of implicit steps of the same
+//! chain and curves as elements shrink.
 
 use super::{Chain, every, explicit, fitted, pass, plan, way};
 use crate::tests::common::chain::lumped;
@@ -36,14 +37,15 @@ fn apart<const DIM: usize, const D: usize>(chain: &Chain, h: f64) -> (f64, [Reco
     (found, [ours, fine])
 }
 
-/// The implicit chain delays waves by (kℓ)²/24, the explicit one does not; points and curves of both are the same.
-/// Second order is 0.25, once waves are long for all elements; the partner, a lasting difference, gives 1.
+/// Check of the order: the implicit chain delays waves by (kℓ)²/24, the explicit one does not;
+/// points and curves are the same in both. Second order is a factor 0.25 once waves are long for
+/// all elements; the partner, a lasting difference, gives 1.
 fn shrinks(errors: &[f64]) {
     assert!(errors.windows(2).all(|e| e[1] < 0.5 * e[0]), "{errors:?}");
 }
 
 #[test]
-fn a_moving_rider_feels_the_line_of_implicit_steps() {
+fn a_moving_pantograph_feels_the_line_of_implicit_steps() {
     let errors = [1.0, 0.5, 0.25].map(|longest| {
         let (structure, path) = simple_line_of(4, [longest; 2]);
         let chain = (lumped(&structure), vec![path]);
@@ -68,7 +70,8 @@ fn so_it_does_in_space() {
     shrinks(&errors);
 }
 
-/// Supports that hold the wire along the track by springs: it moves along between them, and not through them.
+/// Springs along the track at the supports: the wire moves along the track between them, not at
+/// them.
 #[test]
 fn springs_along_the_wire_act_where_they_are() {
     let found = [1.0, 1e6].map(|stiffness| {
@@ -89,6 +92,7 @@ fn springs_along_the_wire_act_where_they_are() {
         structure.springs.extend(along);
         apart::<2, 2>(&(lumped(&structure), vec![path]), 1e-3).0
     });
-    // With springs at masters of their own the steps are as near as without; spread over two masters several times as far.
+    // Springs at masters of their own leave the error as it is without springs; spread over two
+    // masters, they make it several times as large.
     assert!(found[1] < 1.2 * found[0], "{found:?}");
 }

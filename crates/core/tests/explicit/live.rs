@@ -43,16 +43,18 @@ fn begin() -> SessionStart {
 fn run<const DIM: usize, const D: usize>(p: &WireModel<DIM, D>) -> Record {
     let mut travel = way(START, SPEED, H, H * STEPS as f64);
     travel.distances = BEHIND.to_vec();
-    let riders = [FORCE; 2].map(three_masses);
-    let record = p.run(&riders, &travel, &plan(Vec::new()), &mut |_| true);
+    let pantographs = [FORCE; 2].map(three_masses);
+    let record = p.run(&pantographs, &travel, &plan(Vec::new()), &mut |_| true);
     let record = record.expect("it runs");
     assert!(record.slack_max > 0, "links go slack");
     record
 }
 
-fn with_riders<const DIM: usize, const D: usize>(p: &Arc<WireModel<DIM, D>>) -> Session<DIM, D> {
-    let riders = [FORCE; 2].map(three_masses).to_vec();
-    Session::with_pantographs(p.clone(), riders, BEHIND.to_vec(), begin()).expect("it stands")
+fn with_pantographs<const DIM: usize, const D: usize>(
+    p: &Arc<WireModel<DIM, D>>,
+) -> Session<DIM, D> {
+    let pantographs = [FORCE; 2].map(three_masses).to_vec();
+    Session::with_pantographs(p.clone(), pantographs, BEHIND.to_vec(), begin()).expect("it stands")
 }
 
 fn with_forces<const DIM: usize, const D: usize>(p: &Arc<WireModel<DIM, D>>) -> Session<DIM, D> {
@@ -63,9 +65,9 @@ fn with_forces<const DIM: usize, const D: usize>(p: &Arc<WireModel<DIM, D>>) -> 
     Session::with_forces(p.clone(), collectors.to_vec(), &[FORCE; 2], begin()).expect("it stands")
 }
 
-fn riders_step_as_in_a_run<const DIM: usize, const D: usize>(p: &Arc<WireModel<DIM, D>>) {
+fn pantographs_step_as_in_a_run<const DIM: usize, const D: usize>(p: &Arc<WireModel<DIM, D>>) {
     let record = run(p);
-    let mut live = with_riders(p);
+    let mut live = with_pantographs(p);
     for step in 0..STEPS {
         live.step(&[0.0; 2], position(step + 1), SPEED)
             .expect("a step");
@@ -78,9 +80,9 @@ fn riders_step_as_in_a_run<const DIM: usize, const D: usize>(p: &Arc<WireModel<D
 }
 
 #[test]
-fn simulated_riders_step_as_in_a_run() {
-    riders_step_as_in_a_run(&planar());
-    riders_step_as_in_a_run(&spatial());
+fn simulated_pantographs_step_as_in_a_run() {
+    pantographs_step_as_in_a_run(&planar());
+    pantographs_step_as_in_a_run(&spatial());
 }
 
 /// Rounding: a run adds contact forces behind the answers of links, a loop before them.
@@ -120,7 +122,7 @@ fn allocations<const DIM: usize, const D: usize>(mut live: Session<DIM, D>, forc
 
 #[test]
 fn a_step_allocates_nothing() {
-    assert_eq!(allocations(with_riders(&planar()), 0.0), 0);
+    assert_eq!(allocations(with_pantographs(&planar()), 0.0), 0);
     assert_eq!(allocations(with_forces(&planar()), 400.0), 0);
     assert_eq!(allocations(with_forces(&spatial()), 400.0), 0);
 }
@@ -128,7 +130,7 @@ fn a_step_allocates_nothing() {
 #[test]
 fn a_state_put_back_repeats_what_followed() {
     let p = planar();
-    for (mut live, force) in [(with_riders(&p), 0.0), (with_forces(&p), 300.0)] {
+    for (mut live, force) in [(with_pantographs(&p), 0.0), (with_forces(&p), 300.0)] {
         let go = |live: &mut Session<2, 2>| {
             let mut seen = Vec::new();
             for step in live.steps()..live.steps() + 200 {

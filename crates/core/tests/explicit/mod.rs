@@ -51,7 +51,7 @@ pub fn explicit<const DIM: usize, const D: usize>(chain: &Chain, h: f64) -> Wire
     prepare(chain, h).expect("short steps")
 }
 
-/// The same chain with the trapezoidal rule, its bends and chords between its points.
+/// Model of the chain for the trapezoidal rule, with its own bends, and chords between its points.
 pub fn implicit<const DIM: usize, const D: usize>(
     (structure, lanes): &Chain,
     h: f64,
@@ -59,7 +59,7 @@ pub fn implicit<const DIM: usize, const D: usize>(
     solved(structure.clone(), lanes, h, |_, _, lanes| lanes)
 }
 
-/// The same with points that yield as those of the wire do.
+/// Model as of `implicit`, with points that yield as those of the wire do.
 pub fn angular<const DIM: usize, const D: usize>(
     (structure, lanes): &Chain,
     h: f64,
@@ -67,7 +67,7 @@ pub fn angular<const DIM: usize, const D: usize>(
     solved(yielding(structure), lanes, h, |_, _, lanes| lanes)
 }
 
-/// The same with curves between points: all that explicit steps have.
+/// Model as of `angular`, with curves between points: all that explicit steps have.
 pub fn fitted<const DIM: usize, const D: usize>(
     (structure, lanes): &Chain,
     h: f64,
@@ -142,8 +142,9 @@ pub fn pass<const DIM: usize, const D: usize>(
     travel: &Trajectory,
     plan: &RecordPlan,
 ) -> Record {
-    let riders = [three_masses(force)];
-    p.run(&riders, travel, plan, &mut |_| true).expect("a run")
+    let pantographs = [three_masses(force)];
+    p.run(&pantographs, travel, plan, &mut |_| true)
+        .expect("a run")
 }
 
 /// Every n-th value, the n-th first: the ends of long steps among short ones.

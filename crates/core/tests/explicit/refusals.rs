@@ -1,4 +1,4 @@
-//! What explicit steps cannot do is refused.
+//! Refusal of lines that explicit steps cannot compute.
 
 use super::{Chain, WIRE, prepare, seen_wire};
 use crate::tests::common::chain::settled;

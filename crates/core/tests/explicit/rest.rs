@@ -1,4 +1,4 @@
-//! At rest under a rider, and the sag that it takes away, as the implicit line has them.
+//! At rest under a pantograph, and the sag that it takes away, as the implicit line has them.
 
 use super::{Chain, WIRE, explicit, fitted, pass, plan, seen_wire, way};
 use crate::tests::common::chain::lumped;
@@ -24,14 +24,15 @@ fn whole() -> Chain {
     (lumped(&staggered(&structure, 3, 0.2)), vec![path])
 }
 
-/// What may be apart, for the force or for the largest value: forces of both at rest, and the line.
+/// Relative tolerances: `force` of the drift of force and uplifts at rest, `line` of the difference
+/// between the values of explicit and implicit steps.
 struct Close {
     force: f64,
     line: f64,
 }
 
-/// Nothing moves, and what hangs there hangs as with implicit steps of the same bends and curves: heights and forces
-/// of the start.
+/// Check that nothing moves, and that uplifts, heights and link forces agree with implicit steps of
+/// the same bends and curves.
 fn stands<const DIM: usize, const D: usize>(chain: &Chain, h: f64, at: f64, close: &Close) {
     let every = if chain.0.segments.len() > 50 { 7 } else { 2 };
     let [ours, theirs] = [explicit::<DIM, D>(chain, h), fitted::<DIM, D>(chain, h)].map(|p| {
@@ -56,10 +57,10 @@ fn stands<const DIM: usize, const D: usize>(chain: &Chain, h: f64, at: f64, clos
     assert!(apart.iter().all(|d| *d < close.line), "{apart:?}");
 }
 
-/// Estimate of what explicit steps leave out in the plane: bending along the wire, EI/L² = 780 N beside
-/// EA = 15 MN, 5e-5, through the square of slopes of 0.04 at most: 8e-8.
+/// Estimate of the terms that explicit steps neglect in the plane: bending along the wire,
+/// EI/L² = 780 N compared with EA = 15 MN, 5e-5, times the square of slopes of 0.04 at most: 8e-8.
 #[test]
-fn a_rider_stands_on_a_sagging_wire() {
+fn a_pantograph_stands_on_a_sagging_wire() {
     // The force shows the difference of 46 mm of lift through 50 kN/m on 90 N: 26 times as large.
     let close = Close {
         force: 2.6e-6,
@@ -69,10 +70,11 @@ fn a_rider_stands_on_a_sagging_wire() {
     stands::<3, 3>(&spatial(), STEP, 20.3, &close);
 }
 
-/// Across and up are coupled by the product of their slopes, 0.007 and 0.04 at most, which is left out of
-/// what turns a segment: 3e-4 of T where both are largest. A tenth of it is allowed on the line.
+/// Across and up are coupled by the product of their slopes, 0.007 and 0.04 at most, neglected in
+/// the forces that turn a segment: 3e-4 of T where both are largest. A tenth is allowed on the
+/// line.
 #[test]
-fn a_rider_stands_on_a_line_in_space() {
+fn a_pantograph_stands_on_a_line_in_space() {
     let close = Close {
         force: 3e-4,
         line: 3e-5,
@@ -80,11 +82,11 @@ fn a_rider_stands_on_a_line_in_space() {
     stands::<3, 3>(&whole(), STEP, 70.3, &close);
 }
 
-/// A reach that goes through several strands: in steps of 20 ms tension runs along all of a wire, and of some
-/// points a strand has two to five. Ten times the estimate above, for segments up to ten times as long, which
-/// turn by more; without H in one of the strands it would be a percent.
+/// Reach through several strands: in steps of 20 ms tension acts along all of a wire, and with few
+/// points a strand has two to five. Ten times the estimate above, for segments up to ten times as
+/// long, which turn by more; without H in one of the strands the error would be a percent.
 #[test]
-fn a_rider_stands_on_a_wire_of_few_points() {
+fn a_pantograph_stands_on_a_wire_of_few_points() {
     let close = Close {
         force: 2.6e-5,
         line: 1e-6,

@@ -1,18 +1,21 @@
 //! Contacts on the curve between the points of a chain, against closed forms of the wire.
 //!
-//! T w″ − EI w⁗ = −F δ, with λ² = EI/T: far from its ends, a distance L apart, a force F at y raises a wire at x by
+//! T w″ − EI w⁗ = −F δ, with λ² = EI/T: far from the ends of a wire, a distance L apart, a force F
+//! at y raises the wire at x by
 //!
-//!   F G(x, y) = F (x̲ (L − x̄)/L − λ e^{−|x−y|/λ}/2)/T,   x̲ the smaller and x̄ the larger of x and y,
+//!   F G(x, y) = F (x̲ (L − x̄)/L − λ e^{−|x−y|/λ}/2)/T
 //!
-//! which has the corner of a string, κ g(s) = (F/T) (|s| + λ e^{−|s|/λ})/2, rounded over λ.
+//! with x̲ the smaller and x̄ the larger of x and y: the corner of a string,
+//! κ g(s) = (F/T) (|s| + λ e^{−|s|/λ})/2, rounded over λ.
 //!
-//! Points of the chain do not quite yield like that. With K = 4 sin² (kℓ/2) and ε* = EI x coth x/(Tℓ²) its response is
-//! 1/(K + ε* K²) = 1/K − 1/(K + 1/ε*), for points n elements away
+//! Points of the chain yield in a slightly different way. With K = 4 sin² (kℓ/2) and
+//! ε* = EI x coth x/(Tℓ²) the response of the chain is 1/(K + ε* K²) = 1/K − 1/(K + 1/ε*), for
+//! points n elements away
 //!
 //!   (ℓ/T) (c − |n|/2 − e^{−μ|n|}/(2 sinh μ)),   4 sinh² (μ/2) = 1/ε*
 //!
-//! So its corner is rounded by ℓ/(2 sinh μ) in the place of λ/2, and what is attached to a point, or meets the curve,
-//! has the difference beside it: residual flexibility, negative at points.
+//! Its corner is rounded by ℓ/(2 sinh μ) instead of λ/2. The difference is residual flexibility,
+//! negative at points: parts attached to a point and contacts on the curve have it in addition.
 
 use super::{Chain, WIRE, angular, explicit, pass, plan, seen, stiffer, way};
 use crate::tests::common::chain::lumped;
@@ -54,7 +57,8 @@ fn of_chain(length: f64, s: f64) -> f64 {
     0.5 * (s.abs() + length / mu.sinh() * (-mu * s.abs() / length).exp())
 }
 
-/// EI counts per unstretched length, and λ is measured by it: share T/EA of it, twice for the chain's corner.
+/// Effect of the stretch, m: EI counts per unstretched length, which changes λ by a share T/EA, and
+/// the corner of the chain by twice that.
 fn stretched() -> f64 {
     3.0 * WIRE.tension / WIRE.axial * radius()
 }
@@ -157,7 +161,8 @@ fn jump(lane: &Slideline<2>, node: usize, u: &[[f64; 2]]) -> f64 {
 fn slopes_do_not_jump() {
     let zigzag = |n: usize| [0.0, if n.is_multiple_of(2) { 0.4 } else { -0.3 }];
     let u: Vec<[f64; 2]> = (0..UNEVEN.len()).map(zigzag).collect();
-    // Rounding 1e-16 over the step, and the third derivative, 1/ℓ³ of 0.2 m, times the square of the step.
+    // Rounding, 1e-16 over the step, and the third derivative, 1/ℓ³ of 0.2 m, times the square of
+    // the step.
     let rounding = 1e-7;
     let [chords, free] = both(|_| 0.0, &[]);
     let [_, held] = both(|_| 0.0, &[4]);
@@ -168,8 +173,9 @@ fn slopes_do_not_jump() {
     }
 }
 
-/// What a curve misses of a corner g as it keeps height and slope of the cubic at the next point, a away, of which the
-/// one behind is b away: the slope is (b/(a + b)) (λ/2a) short of g′, and the cubic has 4a/27 of it in between.
+/// Height error of a curve at a corner g, m: it keeps height and slope of the cubic at the next
+/// point, a away; the point behind is b away. The slope is (b/(a + b)) (λ/2a) short of g′, and the
+/// cubic has 4a/27 of that in between.
 fn kept() -> f64 {
     0.5 * radius() * 4.0 / 27.0
 }
@@ -186,12 +192,13 @@ fn a_point_that_is_held_has_a_rounded_corner() {
         let height = |x: f64| SIZE * corner(x - at);
         let [[chords, free], [_, held]] = [both(points, &[]), both(points, &[node])];
         let found = off(&held, near(), height) / SIZE;
-        // Where the elements beside it end the wire is not yet the chain's.
+        // Difference of wire and chain at the ends of the adjacent elements.
         let apart = [node - 1, node + 1].map(|k| UNEVEN[k] - at);
         let next = apart.map(|s| (corner(s) - of_chain(mean, s)).abs());
         let most = kept() + next[0].max(next[1]);
         assert!(found < most, "{node}: {found} {most}");
-        // At the point itself it is met, but for the tension that unstretched lengths make of it: T/EA.
+        // Height at the point itself: exact except for the tension that follows from unstretched
+        // lengths, T/EA.
         let met = off(&held, std::iter::once(at), height) / SIZE;
         assert!(met < stretched(), "{node}: {met}");
         // The corner of the cubic is rounded over elements, and not over λ.
@@ -244,7 +251,8 @@ fn so_it_does_beside_a_spring() {
         yields(x, x) - yields(x, at).powi(2) / held
     };
     let found = wrong(&explicit(&chain, 5e-4), exact);
-    // Twice what the curve misses of G(x, y): of the slope that it keeps, and of the height at the next point.
+    // Twice the error of the curve in G(x, y): of the slope that it keeps, and of the height at the
+    // next point.
     let most = 2.0 * (kept() + of_chain(length, length) - corner(length));
     assert!(found < most, "{found} {most}");
     let chords = wrong(&angular(&chain, 5e-4), exact);
@@ -271,7 +279,8 @@ fn heights(p: WireModel<2, 2>, [first, second]: [f64; 2], forces: [f64; 2]) -> V
 fn strips_feel_one_another() {
     let (length, forces) = (1.0, [90.0, 60.0]);
     let chain = straight(length);
-    // On one element, on two with a point between them, on two that do not touch; the first ahead and behind.
+    // Strips on one element, on two with a point between them, on two that do not touch; the first
+    // ahead and behind.
     for x in [[30.7, 30.2], [30.3, 29.8], [30.9, 28.3], [30.2, 30.7]] {
         let exact = x.map(|at| {
             let by = |k: usize| forces[k] / WIRE.tension * yields(at, x[k]);
@@ -285,7 +294,8 @@ fn strips_feel_one_another() {
         let most = stretched() * (forces[0] + forces[1]) / WIRE.tension;
         let found = wrong(explicit(&chain, 1e-3));
         assert!(found < most, "{x:?}: {found:e} {most:e}");
-        // The partner misses (g(ℓ) − g(0))/2 of its own force and as much of the other where they are near.
+        // The partner misses (g(ℓ) − g(0))/2 of its own force and, where the strips are near, as
+        // much of the other.
         let chords = wrong(angular(&chain, 1e-3));
         assert!(chords > 5.0 * most, "{x:?}: {chords:e} {most:e}");
     }
@@ -295,11 +305,12 @@ const SPEED: f64 = 89.0;
 const FORCE: f64 = 200.0;
 const PER_ELEMENT: usize = 4;
 
-/// A rider at 0.7 of the speed of waves, for two thirds of a second: contact force by the part of the element it is on.
+/// Contact force of a pantograph at 0.7 of the wave speed, over two thirds of a second, N: mean for
+/// each part of an element.
 fn by_part(p: &WireModel<2, 2>, h: f64) -> [f64; PER_ELEMENT] {
     let travel = way(40.1, SPEED, h, 60.0 / SPEED);
     let force = pass(p, FORCE, &travel, &plan(Vec::new())).force;
-    // What is left of the start is slow, and gone half-way.
+    // The transient of the start is slow, and gone after half of the run.
     let late = &force[force.len() / 2 / PER_ELEMENT * PER_ELEMENT..];
     let (whole, _) = late.as_chunks::<PER_ELEMENT>();
     let mean = |k: usize| whole.iter().map(|part| part[k]).sum::<f64>() / whole.len() as f64;
@@ -312,12 +323,12 @@ fn ripple(p: &WireModel<2, 2>, h: f64) -> f64 {
     high - low
 }
 
-/// Chord by chord a force goes over a corner at every point, and between points the chain lacks (g(ℓ) − g(0))/2T, which
-/// the motion makes 1/(1 − v²/c²) = 1.9 times as large: a ripple of v/ℓ = 178 Hz for elements of half a metre. A curve
-/// lacks 0.4 of that, and R, at rest, has half of it. What is left is that, and the waves that points send as the force
-/// goes from one to the next.
+/// On chords a force passes a corner at every point, and between points the chain lacks
+/// (g(ℓ) − g(0))/2T, which the motion multiplies by 1/(1 − v²/c²) = 1.9: a ripple of v/ℓ = 178 Hz
+/// for elements of half a metre. A curve lacks 0.4 of that, and R, a value at rest, supplies half
+/// of it. The rest remains, with the waves that points send as the force goes from one to the next.
 #[test]
-fn a_rider_at_speed_feels_elements_less() {
+fn a_pantograph_at_speed_feels_elements_less() {
     let of = [0.5, 0.25].map(|length| {
         let wire = Single {
             length: 140.0,
@@ -333,6 +344,7 @@ fn a_rider_at_speed_feels_elements_less() {
         assert!(chords > 2.0 * found, "{length}: {found} {chords}");
         found
     });
-    // Half as much for a string, which has no length but ℓ; less, as a corner rounded over λ is the more a cubic.
+    // Half as much for a string, which has no length except ℓ; less here: in shorter elements a
+    // corner rounded over λ is closer to a cubic.
     assert!(of[0] > 2.0 * of[1], "{of:?}");
 }

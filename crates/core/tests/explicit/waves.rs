@@ -1,20 +1,23 @@
 //! Standing waves against the closed forms of the chain and of the wire.
 //!
-//! A string: with q = 4 sin² (κ/2), κ = kℓ and C = c h/ℓ, steps of central differences keep its speed when
-//! 4 sin² (Cκ/2) is what they make of q. Gauss's cos 2Cz = F(C, −C; ½; sin² z) with z = κ/2 gives
+//! String: with q = 4 sin² (κ/2), κ = kℓ and C = c h/ℓ, steps of central differences keep its wave
+//! speed when they turn q into 4 sin² (Cκ/2). Gauss's cos 2Cz = F(C, −C; ½; sin² z) with z = κ/2
+//! gives
 //!
 //!   4 sin² (Cκ/2) = C² q (1 + (1 − C²)/12 q (1 + (4 − C²)/30 q (1 + (9 − C²)/56 q (1 + …))))
 //!
-//! each share ((n² − C²)/((2n + 1)(2n + 2))) of the one before. The filter is the first two; the third is left.
+//! with term n equal to (n² − C²)/((2n + 1)(2n + 2)) q times the one before. The filter has the
+//! first two; the third is left.
 //!
-//! A stiff wire: with ε = EI/(Tℓ²) its Ω = (ωh)² is C² (κ² + ε κ⁴), and steps need 4 sin² (√Ω/2) =
-//! Ω − Ω²/12 + Ω³/360 − Ω⁴/20160 + …, with κ² = q + q²/12 + q³/90 + q⁴/560 + …; per C² that is Σ cₙ qⁿ,
+//! Stiff wire: with ε = EI/(Tℓ²) its Ω = (ωh)² is C² (κ² + ε κ⁴), and steps need 4 sin² (√Ω/2)
+//! = Ω − Ω²/12 + Ω³/360 − Ω⁴/20160 + …, with κ² = q + q²/12 + q³/90 + q⁴/560 + …; divided by C²
+//! that is Σ cₙ qⁿ,
 //!
 //!   c₁ = 1,   c₂ = (1 − C²)/12 + ε,   c₃ = 1/90 + ε/6 − (C²/12)(1/6 + 2ε) + C⁴/360
 //!   c₄ = 1/560 + 7ε/240 − (C²/12)(7/240 + ε/2 + ε²) + (C⁴/360)(1/4 + 3ε) − C⁶/20160
 //!
-//! Of the chain with bends of ε* they get (q + ε* q²)(1 + a q + b q²): a = c₂ − ε*, b = c₃ − a ε*, of which no
-//! more than 1/30 is taken. c₄ − b ε* is left, and c₃ − a ε* − b where that is more.
+//! The chain with bends of ε* has (q + ε* q²)(1 + a q + b q²): a = c₂ − ε*, b = c₃ − a ε* within 0
+//! and 1/30. The terms left are c₄ − b ε*, and c₃ − a ε* − b where b is limited.
 
 use super::{explicit, seen_wire, stiffer};
 use crate::tests::common::{Single, orders};
@@ -88,11 +91,11 @@ fn series(courant: f64, wire: f64) -> [f64; 3] {
     [1.0 / 12.0 + wire - once, third, fourth]
 }
 
-/// What the filter is, and what it leaves.
+/// Coefficients a and b of the filter, and the terms that it leaves.
 struct Filter {
     a: f64,
     b: f64,
-    /// Of q³ and of q⁴.
+    /// Coefficients of q³ and q⁴ that are left.
     left: [f64; 2],
 }
 
@@ -117,8 +120,8 @@ fn shares(s: &Single, h: f64) -> [f64; 3] {
     [(speed(s) * h / l).powi(2), wire, wire + more]
 }
 
-/// The same in closed form. The force is (T/ℓ) q + (EI*/L³) q² per displacement, the filter multiplies it by
-/// 1 + a q + b q², and 4 sin² (θ/2) = ω² h².
+/// Angle θ per step in closed form. The force is (T/ℓ) q + (EI*/L³) q² per displacement, the filter
+/// multiplies it by 1 + a q + b q², and 4 sin² (θ/2) = ω² h².
 fn of_the_steps(s: &Single, n: usize, h: f64) -> f64 {
     let l = s.length / s.elements as f64;
     let rest = l / stretch(s);
@@ -147,7 +150,8 @@ fn uncorrected(s: &Single, n: usize, h: f64) -> f64 {
 
 #[test]
 fn each_wave_turns_by_the_angle_of_the_closed_form() {
-    // The bending stiffness of a wire; one that is a tenth of the force of the shortest waves; one with the largest b.
+    // Bending stiffness, N m²: none; of a wire; with a tenth of the force of the shortest waves;
+    // with the largest b.
     for (bending, most) in [(0.0, 0.85), (195.0, 0.75), (550.0, 0.65), (2e3, 0.3)] {
         let s = Single { bending, ..WIRE };
         for share in [0.3, most] {
@@ -165,8 +169,9 @@ fn each_wave_turns_by_the_angle_of_the_closed_form() {
     }
 }
 
-/// Points lie in strands side by side, of which short wires fill some only, or with a point each. What is wrong at an
-/// end comes to the middle within a few steps; λ/ℓ is 0.1 for the longest segments and 1.3 for the shortest.
+/// Points lie in strands side by side; short wires fill some of them only, or give one point to
+/// each. An error at an end reaches the middle within a few steps; λ/ℓ is 0.1 for the longest
+/// segments and 1.3 for the shortest.
 #[test]
 fn so_it_does_with_any_number_of_points() {
     for bending in [0.0, 2e5] {
@@ -187,8 +192,8 @@ fn so_it_does_with_any_number_of_points() {
     }
 }
 
-/// What is left of a wave is of sixth order in element and step together: (1 − C²)(4 − C²)(9 − C²) κ⁶/20160 of ω²,
-/// half of that of ω.
+/// The remaining error of a wave is of sixth order in element and step together:
+/// (1 − C²)(4 − C²)(9 − C²) κ⁶/20160 of ω², half of that of ω.
 #[test]
 fn waves_of_tension_keep_their_speed_to_sixth_order() {
     for share in [0.3, 0.8] {
@@ -200,8 +205,8 @@ fn waves_of_tension_keep_their_speed_to_sixth_order() {
             let error = 1.0 - angle(&s, n, h, stride) / exact;
             let product: f64 = [1.0, 4.0, 9.0].map(|n| n - share * share).iter().product();
             let slower = 0.5 * product / 20_160.0 * turn.powi(6);
-            // Of the next order: q⁴ falls short of κ⁸ by κ²/3 of it, (16 − C²)/90 q comes from the next term,
-            // and sin² (θ/2) tells of θ with C²κ²/6 less.
+            // Terms of the next order: q⁴ is κ²/3 less than κ⁸, the next term adds (16 − C²)/90 q,
+            // and θ² has C²κ²/6 more of the error than 4 sin² (θ/2).
             let next = 7.0 / 45.0 * (1.0 - share * share) * turn * turn;
             assert!(
                 (error / slower - 1.0 + next).abs() < 0.1 * next,
@@ -211,7 +216,8 @@ fn waves_of_tension_keep_their_speed_to_sixth_order() {
             assert!(error < 0.02 * lumped, "the partner: without the filter");
             error
         });
-        // 6 but for that next term, at the coarsest 0.08, of which the next mesh has a quarter.
+        // Order 6 except for that next term, 0.08 on the coarsest mesh and a quarter of it on the
+        // next.
         let found = orders(&errors);
         assert!(
             found.iter().all(|p| (p - 6.0).abs() < 0.1),

@@ -9,20 +9,20 @@ use arcless_core::linear::static_response::StaticSolver;
 use arcless_core::slideline::Slideline;
 use arcless_core::statics::{Alteration, Geometry, Shape};
 
-/// How far an input came.
+/// Last stage that an input reached.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Reached {
-    /// The structure was refused, or is not at rest anywhere.
+    /// Structure refused, or without an equilibrium.
     Nothing,
-    /// It is at rest.
+    /// Equilibrium found.
     Equilibrium,
-    /// The matrices of the steps are there.
+    /// Matrices of the steps prepared.
     Prepared,
-    /// A run was done to its end.
+    /// Run completed.
     Run,
 }
 
-/// What became of an input: components of space, whether wires are chains, how far it came.
+/// Outcome of an input: components of space, whether wires are chains, last stage reached.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Outcome {
     pub dim: usize,
@@ -123,7 +123,7 @@ fn altered<const DIM: usize, const D: usize>(
         removed: (0..feed.below(3)).collect(),
         ..Alteration::default()
     };
-    // The same number again: what the corpus says further on keeps its place.
+    // One number for all offsets: the bytes of the corpus that follow keep their meaning.
     let offset = change.link_offset.first().copied().unwrap_or(0.0);
     change.spring_offset = vec![offset; s.springs.len()];
     change.strut_offset = vec![offset; s.struts.len()];

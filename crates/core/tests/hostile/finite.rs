@@ -1,4 +1,4 @@
-//! What may come back over the border: errors with a text, and finite numbers.
+//! Values that the core may return: errors with a text, and finite numbers.
 
 use arcless_core::CoreError;
 use arcless_core::simulation::recording::record::Record;
@@ -16,7 +16,7 @@ pub fn assert_finite(what: &str, values: impl IntoIterator<Item = f64>) {
     }
 }
 
-/// What a record says holds no NaN but where there is no wire, and nothing infinite but gaps there.
+/// Check that a record holds NaN only where there is no wire, and infinite gaps only there.
 pub fn check(r: &Record) {
     for (at, height) in r.height.iter().enumerate() {
         let absent = height.is_nan();

@@ -4,7 +4,7 @@ use super::super::lcp_oracle::{Problem, lemke};
 use super::feed::Feed;
 use arcless_core::lcp::{FailureReason, LcpSolver, RESIDUAL_MAX, residual};
 
-/// What became of a problem.
+/// Outcome of a problem.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Outcome {
     /// The arrays do not belong together or are not finite.

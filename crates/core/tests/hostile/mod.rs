@@ -12,6 +12,6 @@ pub mod feed;
 pub mod finite;
 pub mod lcp;
 pub mod motion;
-pub mod riders;
+pub mod pantographs;
 pub mod stepping;
 pub mod structure;

@@ -19,8 +19,8 @@ pub fn scheme(feed: &mut Feed<'_>) -> Scheme {
     }
 }
 
-/// Motion of riders over a line of the given number of nodes.
-pub fn travel(feed: &mut Feed<'_>, riders: usize, nodes: usize) -> Trajectory {
+/// Motion of pantographs over a line of the given number of nodes.
+pub fn travel(feed: &mut Feed<'_>, pantographs: usize, nodes: usize) -> Trajectory {
     let instants = 2 + feed.below(MOST_INSTANTS - 1);
     let (start, speed) = (feed.number(4.0), feed.number(50.0));
     let mut travel = Trajectory {
@@ -28,7 +28,7 @@ pub fn travel(feed: &mut Feed<'_>, riders: usize, nodes: usize) -> Trajectory {
             .map(|i| start + 1e-3 * speed * i as f64)
             .collect(),
         speeds: vec![speed; instants],
-        distances: (0..riders).map(|j| -3.0 * j as f64).collect(),
+        distances: (0..pantographs).map(|j| -3.0 * j as f64).collect(),
         friction: 0.0,
         loads: Vec::new(),
     };

@@ -1,8 +1,8 @@
-//! Runs over a prepared line, in one piece or stopped and gone on with from a spoilt state.
+//! Runs over a prepared line, in one piece or stopped and resumed from a spoilt state.
 
 use super::feed::Feed;
 use super::finite::check;
-use super::{motion, riders};
+use super::{motion, pantographs};
 use arcless_core::CoreError;
 use arcless_core::checkpoint::Checkpoint;
 use arcless_core::integrator::wire_model::WireModel;
@@ -16,12 +16,14 @@ pub fn run<const DIM: usize, const D: usize>(
     let (count, nodes) = (1 + feed.below(2), p.line.nodes());
     let mut travel = motion::travel(feed, count, nodes);
     let instants = travel.positions.len();
-    let mut found: Vec<Pantograph> = (0..count).map(|_| riders::rider(feed, instants)).collect();
+    let mut found: Vec<Pantograph> = (0..count)
+        .map(|_| pantographs::pantograph(feed, instants))
+        .collect();
     let plan = motion::plan(feed, nodes);
     for _ in 0..feed.below(4) {
         match feed.below(3) {
             0 => motion::spoil(feed, &mut travel),
-            _ => riders::spoil(feed, &mut found[0]),
+            _ => pantographs::spoil(feed, &mut found[0]),
         }
     }
     let answer = feed.number(20.0);

@@ -31,9 +31,9 @@ fn murty_problem_takes_all_active_sets_or_reports_the_bound() {
     );
 }
 
-/// Y. Fathi, "Computational complexity of LCPs associated with positive definite symmetric matrices",
-/// Mathematical Programming 17 (1979) 335–344: L Lᵀ of Murty's matrix, again 2ⁿ − 1 pivots for the
-/// least-index rule and for Lemke's method. The energy criterion sees the solution at once.
+/// Y. Fathi, "Computational complexity of LCPs associated with positive definite symmetric
+/// matrices", Mathematical Programming 17 (1979) 335–344: L Lᵀ of Murty's matrix, again 2ⁿ − 1
+/// pivots for the least-index rule and for Lemke's method. The energy criterion needs one pivot.
 #[test]
 fn fathi_problem_is_easy_for_the_energy_criterion() {
     for n in [4, 12, 40] {
@@ -69,7 +69,8 @@ fn fallback_solves_a_p_matrix_on_which_the_energy_criterion_cycles() {
 /// problems with n = 10, random changes of `G` in `H = G Gᵀ + 10⁻³` and of `w` were kept when the
 /// number of pivots did not fall, until a set came back, after 3·10⁵ trials. Four rows that stay
 /// active throughout that cycle were eliminated; the six that were left were changed at random to
-/// widen the least difference between first and second energy (now 2 %) and rounded to whole numbers.
+/// widen the least difference between first and second energy (now 2 %), and rounded to whole
+/// numbers.
 #[test]
 fn fallback_solves_a_definite_problem_on_which_the_energy_criterion_cycles() {
     let p = Problem::new(
@@ -101,8 +102,9 @@ fn fallback_solves_a_definite_problem_on_which_the_energy_criterion_cycles() {
     }
 }
 
-/// Saved failures. Condition number 10¹³: the table wears out, and without forming it anew the active
-/// set comes out wrong (residual up to 2·10⁻²) or a pivot negative. Found by running 40 000 seeds.
+/// Saved failures at condition number 10¹³: rounding accumulates in the table, and unless it is
+/// formed again the active set is wrong (residual up to 2·10⁻²) or a pivot negative. Found with
+/// 40 000 seeds.
 #[test]
 fn worn_table_is_renewed() {
     for (n, seed) in [

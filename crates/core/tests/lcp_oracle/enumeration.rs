@@ -33,7 +33,8 @@ pub fn solve(p: &Problem) -> (Vec<f64>, Vec<f64>) {
 
 /// Active sets that the plain energy criterion visits from the empty set, at most `limit` of them.
 ///
-/// Pivot of row `k` in the table of set `A`: `H_kk − H_kA H_AA⁻¹ H_Ak` outside, `(H_AA⁻¹)_kk` inside.
+/// Pivot of row `k` in the table of set `A`: `H_kk − H_kA H_AA⁻¹ H_Ak` outside of `A`,
+/// `(H_AA⁻¹)_kk` inside.
 pub fn energy_walk(p: &Problem, limit: usize) -> Vec<usize> {
     let mut walk = vec![0];
     while walk.len() < limit {
@@ -52,7 +53,7 @@ pub fn energy_walk(p: &Problem, limit: usize) -> Vec<usize> {
     walk
 }
 
-/// As a ratio of principal minors: `det H_{A∪k} / det H_A`, or its counterpart inside `A`.
+/// Pivot as a ratio of principal minors: `det H_{A∪k} / det H_A`, or its counterpart inside `A`.
 fn pivot(p: &Problem, set: usize, k: usize) -> f64 {
     minor(p, set ^ 1 << k) / minor(p, set)
 }

@@ -18,44 +18,20 @@ from arcless.assess import (
     uncertainty_of,
     verdict_of,
 )
+from arcless.assess.quantities import (
+    OF_COMPUTATION,
+    OF_LINE,
+    OF_PANTOGRAPH,
+    QUANTITIES,
+    WEAR,
+    label_of,
+)
 
 if TYPE_CHECKING:
     from arcless.validate import Row, Topic
 
-# key of the assessment, label, unit, digits after the point
-_STATISTICS = (
-    ("mean_force_N", "mean force", "N", 1),
-    ("std_force_N", "standard deviation σ", "N", 1),
-    ("std_force_0_5Hz_N", "σ, 0–5 Hz", "N", 1),
-    ("std_force_5_20Hz_N", "σ, 5–20 Hz", "N", 1),
-    ("statistical_max_N", "statistical maximum Fm + 3σ", "N", 1),
-    ("statistical_min_N", "statistical minimum Fm − 3σ", "N", 1),
-    ("max_force_N", "maximum force", "N", 1),
-    ("min_force_N", "minimum force", "N", 1),
-    ("unfiltered_max_force_N", "maximum force, unfiltered", "N", 1),
-    ("unfiltered_min_force_N", "minimum force, unfiltered", "N", 1),
-    ("NQ_percent", "arcing NQ, losses above 5 ms", "%", 2),
-    ("contact_loss_percent", "loss of contact, all losses", "%", 2),
-    ("longest_loss_s", "longest loss of contact", "s", 3),
-    ("max_gap_mm", "largest gap", "mm", 1),
-    ("contact_point_range_mm", "range of contact-point height", "mm", 1),
-    ("max_lateral_position_mm", "largest lateral position of the wire", "mm", 0),
-)
-_WEAR = (
-    ("wear_mechanical_mm3_km", "wear by friction", "mm³/km", 3),
-    ("wear_joule_mm3_km", "wear by the current through the contact", "mm³/km", 3),
-    ("wear_arc_mm3_km", "wear by arcs", "mm³/km", 3),
-    ("wear_total_mm3_km", "wear in sum", "mm³/km", 3),
-)
-_RUN = (
-    ("max_uplift_at_support_mm", "maximum uplift at a support", "mm", 1),
-    ("min_dropper_force_N", "minimum dropper force", "N", 1),
-    ("slack_droppers_max", "most droppers slack at once", "", 0),
-    ("energy_residual_relative", "energy ledger, relative residual", "", -1),
-    ("steps", "time steps", "", 0),
-    ("wall_time_s", "wall time of the time steps", "s", 2),
-    ("real_time_factor", "simulated over wall time", "", 1),
-)
+# Numbers of the whole run, by their keys in the assessment.
+_RUN = [*OF_LINE, *(key for key in OF_COMPUTATION if key != "setup_time_s")]
 _STYLES = {
     "inside": "green",
     "outside": "bold red",
@@ -96,12 +72,19 @@ def statistics(assessment: dict[str, Any], published: "Sequence[Row]" = ()) -> T
     title = f"{assessment['scenario']} at {assessment['speed_m_s'] * 3.6:.0f} km/h"
     made = table(title, "quantity", "unit", *names, *extra, numbers=names)
     pantographs = assessment["pantographs"]
-    wear = _WEAR if _WEAR[0][0] in pantographs[0] else ()
-    columns = _columns(((_STATISTICS + wear, pantographs), (_RUN, [assessment])), len(names))
-    for keys in (_STATISTICS + wear, _RUN):
-        for key, label, unit, _ in keys:
+    worn = next(iter(WEAR)) in pantographs[0]
+    of_each = [*OF_PANTOGRAPH, *(WEAR if worn else ())]
+    columns = _columns(((of_each, pantographs), (_RUN, [assessment])), len(names))
+    for keys in (of_each, _RUN):
+        for key in keys:
             values = [column[key] for column in columns]
-            made.add_row(label, unit, *values, *_published(ranges.get(key), bool(ranges)))
+            label = label_of(
+                key,
+                low_pass_Hz=assessment["low_pass_Hz"],
+                band_split_Hz=assessment["band_split_Hz"],
+            )
+            shown = _published(ranges.get(key), bool(ranges))
+            made.add_row(label, QUANTITIES[key].unit, *values, *shown)
         made.add_section()
     return made
 
@@ -114,7 +97,8 @@ def _columns(groups: Any, count: int) -> list[dict[str, str]]:
         for keys, sources in groups:
             source = sources[index] if index < len(sources) else None
             sure = {} if source is None else source.get("certainty") or {}
-            for key, _, _, digits in keys:
+            for key in keys:
+                digits = QUANTITIES[key].decimals
                 value = "" if source is None else number(source.get(key), digits)
                 numbers[key] = value, _digits(uncertainty_of(sure.get(key)), digits)
         columns.append(aligned(numbers))

@@ -1,4 +1,4 @@
-"""What a figure is made of: axes, layers, scales of colour, and the tokens of the design."""
+"""Parts of a figure: axes, layers, scales of colour, and the tokens of the design."""
 
 from arcless.figures.description.figure import Axis, Figure, Scale
 from arcless.figures.description.layers import (

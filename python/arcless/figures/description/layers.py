@@ -1,7 +1,7 @@
 """Layers of a figure: curves, areas, points, pieces, bars, strips, rules, maps and texts.
 
-Colours are tokens (`tokens.colour`): what a thing is decides how it looks, in light, dark and print.
-A layer with a name stands in the legend; layers of one name are one entry.
+Colours are tokens (`tokens.colour`): the meaning of a thing decides how it looks, in light, dark
+and print. A layer with a name stands in the legend; layers of one name are one entry.
 """
 
 from dataclasses import dataclass
@@ -38,7 +38,7 @@ class Tip:
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Look:
-    """What all layers have.
+    """Look of a layer, which all have.
 
     Attributes
     ----------

@@ -1,11 +1,12 @@
 """Figures along the track: contact force, loss of contact, height of the contact point."""
 
 import numpy as np
+from numpy.typing import NDArray
 
 from arcless.assess.signals.filter import low_pass, sample_rate_Hz
 from arcless.figures.description import Axis, Curve, Figure, Layer, Points, Rules, Texts
 from arcless.figures.description.tokens import of_pantograph, of_series
-from arcless.figures.run.run_data import Floats, RunData
+from arcless.figures.run.run_data import RunData
 from arcless.figures.run.track import (
     along,
     filtered,
@@ -13,10 +14,13 @@ from arcless.figures.run.track import (
     span_at,
     span_numbers,
     supports,
+    thinned,
     titled,
     unfiltered,
 )
 from arcless.figures.run.wire_points import wire_points
+
+Bools = NDArray[np.bool_]
 
 FORCE = "contact force"
 # Spans of the first figure on either side of that with the worst place, and its extra height.
@@ -35,8 +39,9 @@ def lead(run: RunData) -> list[Figure]:
     low, high = _force_range(run, shown)
     top = high + HEADROOM * (high - low)
     found = []
-    for i, numbers in enumerate(run.assessment.pantographs):
-        begin, end = run.assessment.section_m
+    first = worst(run)[0]
+    for i in sorted(range(len(run.pantographs)), key=lambda i: i != first):
+        numbers, (begin, end) = run.assessment.pantographs[i], run.assessment.section_m
         peaks, alt = _peaks(run, i, window)
         x = Axis("position along the track", "m", window[0], window[1])
         found.append(
@@ -47,7 +52,7 @@ def lead(run: RunData) -> list[Figure]:
                 Axis(FORCE, "N", low, top),
                 [
                     *supports(run),
-                    *_unfiltered(run, i),
+                    *_unfiltered(run, i, shown[i]),
                     *_statistics(run, i, limit_up_to=high),
                     filtered(run, i, run.record.bands.total[:, i], "contact force N 0.0",
                              name=_filtered_name(run), width=2.2),
@@ -104,7 +109,7 @@ def force(run: RunData) -> list[Figure]:
                 run, f"force-{i + 1}", titled(run, "Contact force", i),
                 Axis(FORCE, "N", low, high), layers, height=TALL,
                 caption=f"Filtered: after the {run.assessment.low_pass_Hz:g} Hz low-pass."
-                " The section assessed is shaded.",
+                f" The section assessed is shaded.{thinned(run)}",
                 alt=f"Contact force of {numbers.name} along the track, between"
                 f" {numbers.min_force_N:.1f} and {numbers.max_force_N:.1f} N in the section"
                 " assessed after the low-pass.",
@@ -142,6 +147,7 @@ def gap(run: RunData) -> list[Figure]:
     if not (run.rigid_contact or np.any(run.record.force <= 0.0)):
         return []
     top = 1.1 * float(values.max(initial=0.0)) or 1.0
+    lost = run.rigid_contact | np.any(run.record.force <= 0.0, axis=0)
     return [
         along(
             run, f"gap-{i + 1}", titled(run, "Gap between contact strip and contact wire", i),
@@ -150,6 +156,7 @@ def gap(run: RunData) -> list[Figure]:
             alt=f"Gap of {name}, at most {values[:, i].max(initial=0.0):.2f} mm.",
         )
         for i, name in enumerate(run.pantographs)
+        if lost[i]
     ]  # fmt: skip
 
 
@@ -180,7 +187,6 @@ def height(run: RunData) -> list[Figure]:
     return found
 
 
-
 def _filtered_name(run: RunData) -> str:
     return f"filtered, 0–{run.assessment.low_pass_Hz:g} Hz"
 
@@ -190,8 +196,9 @@ def _padded(low: float, high: float) -> tuple[float, float]:
     return low - margin, high + margin
 
 
-def _unfiltered(run: RunData, pantograph: int) -> list[Layer]:
-    return [unfiltered(run, pantograph, run.record.force[:, pantograph], name="unfiltered")]
+def _unfiltered(run: RunData, pantograph: int, shown: Bools | None = None) -> list[Layer]:
+    force = run.record.force[:, pantograph]
+    return [unfiltered(run, pantograph, force, shown=shown, name="unfiltered")]
 
 
 def _statistics(run: RunData, pantograph: int, *, limit_up_to: float) -> list[Layer]:
@@ -213,7 +220,7 @@ def _statistics(run: RunData, pantograph: int, *, limit_up_to: float) -> list[La
     return layers
 
 
-def _force_range(run: RunData, shown: list[Floats]) -> tuple[float, float]:
+def _force_range(run: RunData, shown: list[Bools]) -> tuple[float, float]:
     """Return the ends of the force axis: what is shown, mean ± 3σ, and limits that are near."""
     force = [run.record.force[rows, i] for i, rows in enumerate(shown)]
     numbers = run.assessment.pantographs
@@ -236,7 +243,7 @@ def _worst_window(run: RunData) -> tuple[float, float]:
 
 
 def _peaks(run: RunData, pantograph: int, window: tuple[float, float]) -> tuple[list[Layer], str]:
-    """Return marks at the maximum and minimum of the section inside a window, and where they are."""
+    """Return marks at the extremes of the section inside a window, and their places in words."""
     layers: list[Layer] = []
     words = []
     for kind, (x, value) in zip(("maximum", "minimum"), extremes(run, pantograph), strict=True):
@@ -247,10 +254,13 @@ def _peaks(run: RunData, pantograph: int, window: tuple[float, float]) -> tuple[
             layers.append(Points(*at, colour="highlight", size=8.0))
             offset = np.array([value + (1 if up else -1) * 0.02 * max(abs(value), 100.0)])
             third = (window[1] - window[0]) / 3.0
-            align = "left" if x < window[0] + third else "right" if x > window[1] - third else "center"
             layers.append(
-                Texts(at[0], offset, [text], colour="highlight", size=12.0, align=align,
-                      baseline="bottom" if up else "top")
+                Texts(
+                    at[0], offset, [text], colour="highlight", size=12.0,
+                    align="left" if x < window[0] + third
+                    else "right" if x > window[1] - third else "center",
+                    baseline="bottom" if up else "top",
+                )
             )  # fmt: skip
     return layers, " ".join(words)
 

@@ -128,7 +128,8 @@ def spectrogram(run: RunData) -> list[Figure]:
                    tips=(Tip("density", "x", "dB"),))  # fmt: skip
         found.append(
             Figure(
-                f"spectrogram-{i + 1}", titled(run, "Spectrogram of the unfiltered contact force", i),
+                f"spectrogram-{i + 1}",
+                titled(run, "Spectrogram of the unfiltered contact force", i),
                 track_axis(run), Axis("frequency", "Hz", *heights), [grid, *ground(run)[1:]],
                 caption=f"Power spectral density in windows of {WINDOW_S:g} s, which blur"
                 f" {WINDOW_S * run.assessment.speed_m_s:.0f} m along the track.",
@@ -155,7 +156,9 @@ def _passing(run: RunData) -> list[Layer]:
         at = at[at <= HIGHEST_HZ]
         if at.size:
             text = f"{name} passing, {passing:.2f} Hz" + (" and multiples" if at.size > 1 else "")
-            layers.append(Rules(axis="x", at=at, colour=colour, dash="dotted", width=1.4, name=text))
+            layers.append(
+                Rules(axis="x", at=at, colour=colour, dash="dotted", width=1.4, name=text)
+            )
     return layers
 
 
@@ -164,4 +167,3 @@ def _bands(run: RunData) -> list[Layer]:
     at = np.array([a.band_split_Hz, a.low_pass_Hz])
     name = f"bands: {at[0]:g} and {at[1]:g} Hz"
     return [Rules(axis="x", at=at, colour="spread", dash="dashed", name=name)]
-

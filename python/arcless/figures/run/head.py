@@ -91,7 +91,10 @@ def _wires(run: RunData, pantograph: int) -> list[tuple[str, Floats, Floats]]:
     if run.has("wire_contact_lateral", "wire_contact_force"):
         prefix = f"{run.pantographs[pantograph]} strip "
         names = [str(name) for name in run.values("contact")]
-        lateral_mm, force = 1e3 * run.values("wire_contact_lateral"), run.values("wire_contact_force")
+        lateral_mm, force = (
+            1e3 * run.values("wire_contact_lateral"),
+            run.values("wire_contact_force"),
+        )
         return [
             (name.removeprefix(f"{run.pantographs[pantograph]} "), lateral_mm[:, k], force[:, k])
             for k, name in enumerate(names)
@@ -123,5 +126,3 @@ def _limits(run: RunData, pantograph: int, axis: str) -> list[Layer]:
 
 def _percent(values: Floats) -> Floats:
     return 100.0 * values / max(float(values.sum()), 1e-12)
-
-

@@ -33,7 +33,7 @@ def side_view(run: RunData) -> list[Figure]:
         )
         layers.append(Segments(x, top, x, foot, colour="dropper", name="dropper"))
     y = Axis("height above rail", "m")
-    return _view(run, "side-view", "Line at rest, side view", "z", y, layers, SIDE)
+    return _view(run, "side-view", "side view", y, "z", more=layers, height=SIDE)
 
 
 def plan_view(run: RunData) -> list[Figure]:
@@ -42,7 +42,7 @@ def plan_view(run: RunData) -> list[Figure]:
     if not any(side.size and np.ptp(side) > 0.0 for side in sides):
         return []
     y = Axis("across the track", "m")
-    return _view(run, "plan-view", "Line at rest, from above", "y", y, [], PLAN)
+    return _view(run, "plan-view", "from above", y, "y", more=[], height=PLAN)
 
 
 def elasticity(run: RunData) -> list[Figure]:
@@ -69,8 +69,9 @@ def elasticity(run: RunData) -> list[Figure]:
 
 
 def _view(
-    run: RunData, key: str, title: str, across: str, y: Axis, more: Sequence[Layer], height: int
+    run: RunData, key: str, view: str, y: Axis, across: str, *, more: Sequence[Layer], height: int
 ) -> list[Figure]:
+    """Return a view of the line: heights, or distances across, of the nodes of the wires."""
     if not run.has(f"contact_wire_node_{across}", "contact_wire_node_x"):
         return []
     wires: list[Layer] = []
@@ -81,5 +82,5 @@ def _view(
         tips = (Tip(label, "y", "m", "0.000"), Tip("position", "x", "m"))
         width = 2.0 if wire == "contact_wire" else 1.3
         wires.append(Curve(x, values, colour=wire, name=label, width=width, tips=tips))
-    layers = [*supports(run), *more, *wires]
+    layers, title = [*supports(run), *more, *wires], f"Line at rest, {view}"
     return [Figure(key, title, axis(run), y, layers, height=height, alt=f"{title}.")]

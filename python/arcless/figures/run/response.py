@@ -56,10 +56,10 @@ def uplift(run: RunData) -> list[Figure]:
         )  # fmt: skip
     inside = run.inside(x)
     found = f"{peak[inside].max():.1f} mm" if inside.size else "not known"
+    y = Axis("maximum uplift", "mm", min(0.0, float(peak.min(initial=0.0))), 1.12 * top or 1.0)
     return [
         along(
-            run, "uplift", UPLIFT, Axis("maximum uplift", "mm", min(0.0, float(peak.min(initial=0.0))),
-                                        1.12 * top or 1.0), layers,
+            run, "uplift", UPLIFT, y, layers,
             alt=f"Maximum uplift at each support; in the section assessed at most {found}.",
         )
     ]  # fmt: skip
@@ -204,9 +204,7 @@ def _pantographs(run: RunData) -> list[Layer]:
     return [Rules(axis="x", at=at, colour="ink", dash="dotted", width=1.2, name=name)]
 
 
-def _passage(
-    run: RunData, place: Place, index: int, *, thin: bool = True
-) -> tuple[Floats, Floats]:
+def _passage(run: RunData, place: Place, index: int, *, thin: bool = True) -> tuple[Floats, Floats]:
     """Return distance of the first pantograph beyond a place in m, and the recorded values."""
     rows, values = passage(run.dataset, place, index)
     beyond = run.line_position[rows] - run.values(f"{place}_x")[index]

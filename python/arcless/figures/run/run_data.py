@@ -17,10 +17,11 @@ if TYPE_CHECKING:
 Floats = NDArray[np.float64]
 
 # Samples of a filtered channel in a period of the low-pass: straight pieces between them leave out
-# 1 - cos(π/20) = 1.2 % of a wave at that frequency. Long runs have fewer, never below the second,
-# which the sampling theorem allows.
-SAMPLES_A_PERIOD, LEAST_A_PERIOD = 20.0, 2.5
-MOST_SAMPLES = 12000
+# 1 - cos(π/16) = 1.9 % of a wave at that frequency. Long runs have fewer, down to the second, which
+# the sampling theorem allows; where even these are too many for a file, only extremes are drawn.
+SAMPLES_A_PERIOD, LEAST_A_PERIOD = 16.0, 2.5
+# Samples of all pantographs together: usual, and most.
+USUAL_SAMPLES, MOST_SAMPLES = 14_000, 36_000
 
 
 @dataclass(frozen=True)
@@ -93,12 +94,20 @@ class RunData:
         return front
 
     @cached_property
-    def sampled(self) -> list[Sampled]:
-        """Samples of each pantograph, enough for channels that the low-pass has filtered."""
+    def sampled(self) -> list[Sampled] | None:
+        """Samples of each pantograph, enough for channels that the low-pass has filtered.
+
+        None for a run so long that they are too many for a file.
+        """
         per_period = self.record.rate_Hz / self.assessment.low_pass_Hz
         count = self.time.size
-        stride = max(per_period / SAMPLES_A_PERIOD, count / MOST_SAMPLES)
+        usual, most = (
+            whole // max(2, len(self.pantographs)) for whole in (USUAL_SAMPLES, MOST_SAMPLES)
+        )
+        stride = max(per_period / SAMPLES_A_PERIOD, count / usual)
         rows = np.arange(0, count, max(1, int(min(stride, per_period / LEAST_A_PERIOD))))
+        if rows.size > 2 * most:
+            return None
         return [
             Sampled(rows, self.position[rows, i], self.time[rows])
             for i in range(len(self.pantographs))

@@ -65,7 +65,7 @@ def by_span(run: RunData) -> list[Figure]:
     numbers = np.array([number for number, _, _ in chosen], dtype=float)
     limits = [run.limit("standard_deviation", i) for i in range(len(run.pantographs))]
     known = [limit for limit in limits if limit is not None]
-    top = 1.08 * max(max(map(max, deviations)), *known, 1e-9)
+    top = 1.08 * max(*(value for each in deviations for value in each), *known, 1e-9)
     found = []
     for i, assessed in enumerate(run.assessment.pantographs):
         high = np.array(deviations[i])
@@ -122,9 +122,7 @@ def _deviation(x: Floats, force: Floats, left: float, right: float) -> float:
     return float(force[(x >= left) & (x < right)].std())
 
 
-def _droppers(
-    run: RunData, chosen: list[tuple[int, float, float]], equal: bool
-) -> list[Layer]:
+def _droppers(run: RunData, chosen: list[tuple[int, float, float]], equal: bool) -> list[Layer]:
     """Return the droppers of the middle span, where all spans have theirs at the same places."""
     if not (equal and run.has_droppers):
         return []
@@ -136,4 +134,3 @@ def _droppers(
     ):
         return []
     return [Rules(axis="x", at=first, colour="dropper", name="dropper", dash="dotted")]
-

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from arcless.figures.description import Axis, Curve, Figure, Layer, Rules, Strip, Texts, Tip
 from arcless.figures.description.thinning import envelope, every
@@ -14,6 +15,8 @@ GROUP = "track"
 LABEL = "position along the track"
 # Points in the file of an unfiltered channel, shared by the pantographs.
 RAW_POINTS = 6000
+# Points of filtered channels of runs that are too long for all samples.
+EXTREMES = 8000
 # Most supports or droppers that are marked.
 MARKS = 1000
 # A dropper further away than this part of a span does not name a place.
@@ -68,16 +71,48 @@ def filtered(run: RunData, pantograph: int, values: Floats, word: str, **look: A
     **look
         Others of the curve.
     """
-    found = run.sampled[pantograph]
     name, unit, form = word.rsplit(" ", 2)
-    tips = (Tip(name, "y", unit, form), Tip("position", "x", "m"), Tip("time", found.t, "s", "0.000"))
-    look = {"colour": of_pantograph(pantograph), "width": 1.6, "tips": tips, **look}
-    return Curve(found.x, values[found.rows], **look)
+    tips = [Tip(name, "y", unit, form), Tip("position", "x", "m")]
+    if run.sampled is None:
+        rows = envelope(values, EXTREMES // len(run.pantographs))
+        x = run.position[rows, pantograph]
+    else:
+        rows, x = run.sampled[pantograph].rows, run.sampled[pantograph].x
+        tips.append(Tip("time", run.sampled[pantograph].t, "s", "0.000"))
+    look = {"colour": of_pantograph(pantograph), "width": 1.6, "tips": tuple(tips), **look}
+    return Curve(x, values[rows], **look)
 
 
-def unfiltered(run: RunData, pantograph: int, values: Floats, **look: Any) -> Curve:
-    """Return an unfiltered channel of a pantograph, of which every peak is kept."""
-    kept = envelope(values, max(200, RAW_POINTS // len(run.pantographs)))
+def thinned(run: RunData) -> str:
+    """Return a sentence where filtered channels are too long to draw all samples."""
+    return "" if run.sampled is not None else " Of this long run the extremes are drawn."
+
+
+def unfiltered(
+    run: RunData,
+    pantograph: int,
+    values: Floats,
+    *,
+    shown: NDArray[np.bool_] | None = None,
+    **look: Any,
+) -> Curve:
+    """Return an unfiltered channel of a pantograph, of which every peak is kept.
+
+    Parameters
+    ----------
+    run
+        The run.
+    pantograph
+        Number of the pantograph, from 0.
+    values
+        The whole channel, in the unit that is shown.
+    shown
+        Samples that are drawn; all of them without.
+    **look
+        Others of the curve.
+    """
+    rows = np.arange(values.size) if shown is None else np.flatnonzero(shown)
+    kept = rows[envelope(values[rows], max(200, RAW_POINTS // len(run.pantographs)))]
     look = {"colour": "raw", "width": 0.9, **look}
     return Curve(run.position[kept, pantograph], values[kept], **look)
 
@@ -130,6 +165,8 @@ def span_numbers(run: RunData, low: float, high: float, y: float) -> list[Layer]
     return [Texts(np.array(x), np.full(len(x), y), list(texts), colour="soft", baseline="top")]
 
 
-def along(run: RunData, key: str, title: str, y: Axis, layers: Sequence[Layer], **more: Any) -> Figure:
+def along(
+    run: RunData, key: str, title: str, y: Axis, layers: Sequence[Layer], **more: Any
+) -> Figure:
     """Return a figure along the track; supports and the section assessed lie below its layers."""
     return Figure(key, title, axis(run), y, [*ground(run), *layers], **more)

@@ -82,7 +82,7 @@ def _check_energy(scenario: ScenarioData) -> None:
         return
     if scenario.solver.kinematics == "updated":
         raise ModelError(
-            "no energy ledger with updated kinematics",
+            "no energy balance with updated kinematics",
             got="always",
             expected="auto or never, or solver.kinematics linearised",
             hint="stiffness that is formed anew in each step belongs to no stored energy",

@@ -92,7 +92,7 @@ class Columns(Model):
 
 @dataclass(frozen=True)
 class Document:
-    """What the script draws, ready for JSON.
+    """Objects that the script draws, ready for JSON.
 
     Attributes
     ----------

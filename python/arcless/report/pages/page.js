@@ -95,23 +95,42 @@
     }
 
     // ---- print -----------------------------------------------------------------------------
-    // The width of paper, laid out and painted before the browser takes the page.
+    // Figures are laid out for paper, light, and copied as drawings, while the browser waits:
+    // what Bokeh draws itself would be emptied when the browser changes its size, and not redrawn.
     const lay_out = () => {
       for (const plot of plots) {
         const view = view_of(plot);
-        if (view) { view.invalidate_layout?.(); view.compute_layout?.(); view.repaint?.(); }
+        if (view) { view.invalidate_layout(); view.repaint(); }
       }
     };
     const opened = [];
+    const copies = [];
     addEventListener("beforeprint", () => {
-      for (const part of $("details:not([open])")) if (!part.hasAttribute("data-screen")) { part.open = true; opened.push(part); }
+      if (copies.length) return;
+      for (const part of $("details:not([open])")) {
+        if (!part.hasAttribute("data-screen")) { part.open = true; opened.push(part); }
+      }
       paint("light");
       root.classList.add("printing");
       lay_out();
+      for (const plot of plots) {
+        const view = view_of(plot);
+        if (!view) continue;
+        const has_image = plot.renderers.some((one) => one.glyph?.type === "Image");
+        const copy = view.export(has_image ? "png" : "svg", true).canvas;
+        const width = view.bbox.width, height = view.bbox.height;
+        if (!has_image) copy.setAttribute("viewBox", `0 0 ${width} ${height}`);
+        copy.setAttribute("class", "paper");
+        const place = document.getElementById(data.places[plot.id]);
+        place.after(copy);
+        copies.push(copy);
+      }
+      root.classList.add("copied");
     });
     addEventListener("afterprint", () => {
+      while (copies.length) copies.pop().remove();
       while (opened.length) opened.pop().open = false;
-      root.classList.remove("printing");
+      root.classList.remove("printing", "copied");
       paint(scheme());
       lay_out();
     });

@@ -24,20 +24,20 @@ REDUCTIONS = {
 
 def total_force(raw: dict[str, Any], pantographs: int) -> Floats:
     """Return the contact force (time, pantograph) in N."""
-    force, riders = _columns(raw, "force"), _riders(raw)
-    if len(riders) == pantographs:
+    force, owners = _columns(raw, "force"), _owners(raw)
+    if len(owners) == pantographs:
         return force
-    return np.column_stack([force[:, riders == j].sum(axis=1) for j in range(pantographs)])
+    return np.column_stack([force[:, owners == j].sum(axis=1) for j in range(pantographs)])
 
 
 def channels(raw: dict[str, Any], pantographs: int) -> dict[str, Floats]:
     """Return the contact variables of the result; single contacts only where one has several."""
-    riders = _riders(raw)
+    owners = _owners(raw)
     each = {name: _columns(raw, name) for name in REDUCTIONS}
-    if len(riders) == pantographs:
+    if len(owners) == pantographs:
         return {f"contact_{name}": values for name, values in each.items()}
     own = [
-        _reduced({name: values[:, riders == j] for name, values in each.items()})
+        _reduced({name: values[:, owners == j] for name, values in each.items()})
         for j in range(pantographs)
     ]
     out = {f"contact_{name}": np.column_stack([one[name] for one in own]) for name in REDUCTIONS}
@@ -66,8 +66,8 @@ def _reduced(own: dict[str, Floats]) -> dict[str, Floats]:
 
 def label(numbers: Sequence[int], pantographs: Sequence[str]) -> str:
     """Name a contact, given pantograph, strip and lane from 0: P1 strip 1 wire 2."""
-    rider, strip, lane = numbers
-    return f"{pantographs[rider]} strip {strip + 1} wire {lane + 1}"
+    pantograph, strip, lane = numbers
+    return f"{pantographs[pantograph]} strip {strip + 1} wire {lane + 1}"
 
 
 def labels(raw: dict[str, Any], pantographs: Sequence[str]) -> list[str]:
@@ -81,5 +81,6 @@ def _columns(raw: dict[str, Any], name: str) -> Floats:
     return np.asarray(raw[name]).reshape(-1, len(raw["contacts"]))
 
 
-def _riders(raw: dict[str, Any]) -> NDArray[np.int64]:
-    return np.array([rider for rider, _, _ in raw["contacts"]], dtype=np.int64)
+def _owners(raw: dict[str, Any]) -> NDArray[np.int64]:
+    """Return the number of the pantograph of each contact."""
+    return np.array([pantograph for pantograph, _, _ in raw["contacts"]], dtype=np.int64)

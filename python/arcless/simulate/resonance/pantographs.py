@@ -50,7 +50,11 @@ class PantographMode:
 
 def why_no_modes(pantograph: Pantograph) -> str | None:
     """Return why a pantograph has no natural frequencies of its own; None where it has."""
-    tables = [law.field for law in stops_and_friction.laws(pantograph) if not law.data.is_damper]
+    tables = [
+        law.field
+        for law in stops_and_friction.piecewise_forces(pantograph)
+        if not law.data.is_damper
+    ]
     if tables:
         return f"{tables[0]} is no constant: it has no natural frequency for all amplitudes"
     return None

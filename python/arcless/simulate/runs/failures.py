@@ -20,7 +20,7 @@ from arcless.mesh import Mesh
 from arcless.model import Scenario
 from arcless.model.pantograph.placement import PantographPlacement
 from arcless.simulate.recording.contacts import label
-from arcless.simulate.setup.stops_and_friction import laws
+from arcless.simulate.setup.stops_and_friction import piecewise_forces
 
 # A run starts in statics, and with updated kinematics the tangent is factorised in every step.
 STATIC = ("equilibrium", "singular", "unstable")
@@ -99,7 +99,7 @@ def stepping(mesh: Mesh, placements: Sequence[PantographPlacement]) -> Iterator[
 def translated(
     mesh: Mesh, pantographs: Sequence[str], kind: str, message: str, details: dict[str, Any]
 ) -> ArclessError:
-    """Return the error of a step in words; riders have the given names."""
+    """Return the error of a step in words; `pantographs` are their names."""
     if kind == "lcp":
         return _unsolved(mesh, pantographs, details)
     if kind in ("off_wire", "out_of_reach"):
@@ -117,12 +117,12 @@ def _beside_the_wire(
 ) -> ContactError:
     if kind == "off_wire":
         return ContactError(
-            f"pantograph {pantographs[details['rider']]} left the wire",
+            f"pantograph {pantographs[details['pantograph']]} left the wire",
             where=f"step {details['step']}",
             got=f"{details['position']:.2f} m",
             hint="shorten travel, or lengthen the line",
         )
-    name = pantographs[details["rider"]]
+    name = pantographs[details["pantograph"]]
     return ContactError(
         f"the contact wire leaves the collector of pantograph {name} sideways",
         where=f"{details['position']:.2f} m, step {details['step']}",
@@ -168,8 +168,8 @@ def _of_step(kind: str, details: dict[str, Any]) -> ContactError:
 def _beyond_table(
     placements: Sequence[PantographPlacement], details: dict[str, Any]
 ) -> EquilibriumError:
-    number = details["rider"]
-    law = laws(placements[number].model)[details["table"]]
+    number = details["pantograph"]
+    law = piecewise_forces(placements[number].model)[details["table"]]
     return EquilibriumError(
         f"a table of pantograph {placements[number].name} ends before the static force is reached",
         where=f"pantographs.{number}.model.{law.field}.elongation",
@@ -204,9 +204,9 @@ def _unsolved(mesh: Mesh, pantographs: Sequence[str], details: dict[str, Any]) -
 
 def _contacts(numbers: Sequence[Sequence[int]], pantographs: Sequence[str]) -> list[str]:
     """Name the contacts of a step; strip and wire only where a pantograph has several."""
-    riders = [rider for rider, _, _ in numbers]
-    if len(set(riders)) == len(riders):
-        return [f"pantograph {pantographs[rider]}" for rider in riders]
+    owners = [pantograph for pantograph, _, _ in numbers]
+    if len(set(owners)) == len(owners):
+        return [f"pantograph {pantographs[owner]}" for owner in owners]
     return [f"pantograph {label(each, pantographs)}" for each in numbers]
 
 

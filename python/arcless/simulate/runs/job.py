@@ -38,9 +38,9 @@ class Job:
 
     Attributes
     ----------
-    scenario, found, model, travel, given, loads, controllers
-        The scenario, its equilibrium, the factorised line, the travel, what is given over time for
-        each pantograph, and for the line, who decides on forces.
+    scenario, found, model, travel, excitations, loads, controllers
+        The scenario, its equilibrium, the factorised line, the travel, forces and base motion over
+        time of each pantograph, loads over time of the line, controllers of actuators.
     observe
         Called with the number of steps done; tells whether to continue.
     copy
@@ -52,7 +52,7 @@ class Job:
     found: equilibrium.Equilibrium
     model: _core.WireModel
     travel: trajectory.Motion
-    given: list[Excitation]
+    excitations: list[Excitation]
     loads: list[LoadData]
     controllers: Controllers
     observe: Callable[[int], bool]
@@ -81,16 +81,16 @@ class Job:
         numbers = {} if state is None else dict(state.numbers)
         if state is not None:
             self.controllers.put_back(actuators, numbers)
-        ridden = [
-            pantographs.data(p.model, force + p.model.lift_at(speed), given, actuator)
-            for p, force, given, actuator in zip(
-                placements, forces, self.given, actuators, strict=True
+        pantograph_data = [
+            pantographs.data(p.model, force + p.model.lift_at(speed), excitation, actuator)
+            for p, force, excitation, actuator in zip(
+                placements, forces, self.excitations, actuators, strict=True
             )
         ]
         began = time.perf_counter()
         with stepping(mesh, placements):
             raw = self.model.run(
-                pantographs=ridden,
+                pantographs=pantograph_data,
                 distances=[p.distance for p in placements],
                 positions=self.travel.positions,
                 speeds=self.travel.speeds,
@@ -172,12 +172,12 @@ def lay_out(
     """
     line = line or ready_line(scenario, tell)
     travel = trajectory.motion(scenario)
-    given = pantographs.given_motions(scenario, travel)
+    excitations = pantographs.excitations(scenario, travel)
     loads = gust_loads.line_loads(line.found, scenario, travel)
     observe = observer(travel.steps, doing, tell, cancel)
     copy = partial(_coarse_copy, scenario, controllers, tell, cancel, line)
     found, model = line.found, line.model
-    return Job(scenario, found, model, travel, given, loads, controllers, observe, copy)
+    return Job(scenario, found, model, travel, excitations, loads, controllers, observe, copy)
 
 
 def _coarse_copy(

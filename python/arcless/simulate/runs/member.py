@@ -23,7 +23,7 @@ CHANNELS = ("contact_force", "contact_gap", "contact_height")
 def records_all(job: Job, keep: Keep) -> bool:
     """Return whether the runs of a member record more than an assessment reads.
 
-    An energy ledger that books every step is settled where the line is recorded: its residual is
+    An energy balance that books every step is settled where the line is recorded: its residual is
     that of a whole record.
     """
     is_settled_in_rows = keeps_ledger(job.scenario) and measured_every(job.scenario) == 1

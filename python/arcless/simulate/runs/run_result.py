@@ -164,5 +164,5 @@ def attributes_of(
 
 
 def _relative(residual: float, turnover: float) -> float | None:
-    """Return the residual of the energy ledger over the energy turned over; None without one."""
+    """Return the residual of the energy balance over the energy turned over; None without one."""
     return residual / turnover if turnover > 0.0 else None

@@ -70,16 +70,16 @@ def start(scenario: Scenario, *, simulated: bool) -> Start:
     placements = scenario.pantographs
     names = [placement.name for placement in placements]
     if simulated:
-        ridden = [_pantograph(placement, speed) for placement in placements]
+        pantograph_data = [_pantograph(placement, speed) for placement in placements]
         distances = [placement.distance for placement in placements]
         with stepping(found.mesh, placements):
             core = _core.Session.with_pantographs(
-                line=model, pantographs=ridden, distances=distances, start=begin
+                line=model, pantographs=pantograph_data, distances=distances, start=begin
             )
         inputs = names
-        owners = [rider for rider, _, _ in core.contacts()]
+        owners = [pantograph for pantograph, _, _ in core.contacts()]
     else:
-        core, inputs, owners = _given(model, found.mesh, placements, begin)
+        core, inputs, owners = _with_given_forces(model, found.mesh, placements, begin)
     first = np.searchsorted(owners, np.arange(len(placements)))
     digest = hashlib.sha256()
     for name in sorted(found.arrays):
@@ -106,12 +106,12 @@ def _pantograph(placement: PantographPlacement, speed: float) -> PantographData:
     pantograph = placement.model
     force = (placement.start_force or 0.0) + pantograph.lift_at(speed)
     mass = placement.controller.mass if placement.controller else None
-    # Every step brings its force; nobody is asked for one.
+    # Every step brings its force; no controller is asked for one.
     actuator = ActuatorData(acts_on(placement, mass), every=1, delay=0)
     return pantographs.data(pantograph, force, actuator=actuator)
 
 
-def _given(
+def _with_given_forces(
     model: _core.WireModel,
     mesh: Mesh,
     placements: tuple[PantographPlacement, ...],

@@ -29,10 +29,10 @@ class ForceHistory(NamedTuple):
 
 
 class BaseMotion(NamedTuple):
-    """Motion of the roof that a pantograph stands on, at the start and after each step."""
+    """Motion of the base of a pantograph, the roof, at the start and after each step."""
 
-    carried: Numbers
-    """Displacement of each coordinate that goes with a unit of it."""
+    influence: Numbers
+    """Displacement of each coordinate for a unit displacement of the base that strains nothing."""
     displacement: Numbers
     """In m."""
     rate: Numbers
@@ -43,7 +43,7 @@ class Excitation(NamedTuple):
     """Forces and motion of the base of a pantograph, given over time."""
 
     forces: Sequence[ForceHistory] = ()
-    ground: BaseMotion | None = None
+    base: BaseMotion | None = None
 
 
 class BumpStopData(NamedTuple):
@@ -93,9 +93,9 @@ class PantographData(NamedTuple):
     """Aerodynamic coefficients, N·s²/m²."""
     start_force: float
     """Contact force at the start, N."""
-    given: Excitation = Excitation()
+    excitation: Excitation = Excitation()
     stops: Sequence[BumpStopData] = ()
-    laws: Sequence[PiecewiseForceData] = ()
+    piecewise_forces: Sequence[PiecewiseForceData] = ()
     actuator: ActuatorData | None = None
 
 

@@ -1,4 +1,4 @@
-"""Pantograph → rider of the core: matrices, where forces act, what is given over time."""
+"""Pantograph of the model → data of the core: matrices, where forces act, excitation over time."""
 
 from collections.abc import Sequence
 from math import inf
@@ -30,7 +30,7 @@ NOTHING = Excitation()
 def data(
     pantograph: Pantograph,
     start_force: float,
-    given: Excitation = NOTHING,
+    excitation: Excitation = NOTHING,
     actuator: ActuatorData | None = None,
 ) -> PantographData:
     """Return a pantograph as the core takes it.
@@ -41,8 +41,8 @@ def data(
         A chain of masses, or matrices.
     start_force
         Contact force at the start in N.
-    given
-        What is given over time, see `given_motion`.
+    excitation
+        Forces and motion of the base over time, see `excitations`.
     actuator
         A force decided on during the run.
     """
@@ -65,9 +65,9 @@ def data(
         preload=preload,
         lift=lift,
         start_force=start_force,
-        given=given,
+        excitation=excitation,
         stops=stops_and_friction.stops(pantograph),
-        laws=[law.data for law in stops_and_friction.laws(pantograph)],
+        piecewise_forces=[law.data for law in stops_and_friction.piecewise_forces(pantograph)],
         actuator=actuator,
     )
 
@@ -99,12 +99,12 @@ def _chain(pantograph: Pantograph) -> tuple[list[Floats], list[float], list[Stri
     return matrices, (lift + head.lift).tolist(), head.strips
 
 
-def given_motions(scenario: Scenario, travel: Motion) -> list[Excitation]:
+def excitations(scenario: Scenario, travel: Motion) -> list[Excitation]:
     """Return lift tables and roof motion of each pantograph, at the start and after each step."""
-    return [_given(placement, travel) for placement in scenario.pantographs]
+    return [_excitation(placement, travel) for placement in scenario.pantographs]
 
 
-def _given(placement: PantographPlacement, travel: Motion) -> Excitation:
+def _excitation(placement: PantographPlacement, travel: Motion) -> Excitation:
     pantograph = placement.model
     tables = [
         (unit_vector(pantograph.size, i), part.lift)
@@ -120,10 +120,10 @@ def _given(placement: PantographPlacement, travel: Motion) -> Excitation:
     if placement.roof_motion is None:
         return Excitation(forces)
     height, rate = roof(placement.roof_motion, travel, placement.distance)
-    ground = BaseMotion(
-        carried=list(pantograph.raised), displacement=height.tolist(), rate=rate.tolist()
+    base = BaseMotion(
+        influence=list(pantograph.raised), displacement=height.tolist(), rate=rate.tolist()
     )
-    return Excitation(forces, ground)
+    return Excitation(forces, base)
 
 
 def roof(motion: RoofMotion, travel: Motion, distance: float) -> tuple[Floats, Floats]:

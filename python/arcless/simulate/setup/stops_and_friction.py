@@ -75,7 +75,7 @@ def stops(pantograph: Pantograph) -> list[BumpStopData]:
     return found
 
 
-def laws(pantograph: Pantograph) -> list[PiecewiseLinearForce]:
+def piecewise_forces(pantograph: Pantograph) -> list[PiecewiseLinearForce]:
     """Return springs and dampers with tables, and friction, of a pantograph."""
     found: list[PiecewiseLinearForce] = []
     for place, direction, joint in joints(pantograph):
@@ -99,12 +99,12 @@ def tables_left(placements: tuple[PantographPlacement, ...], ranges: list[float]
     placements
         The pantographs.
     ranges
-        Smallest and largest motion of each law, in the order of `laws`.
+        Smallest and largest motion of each law, in the order of `piecewise_forces`.
     """
     numbers = iter(ranges)
     warnings = []
     for placement in placements:
-        for law in laws(placement.model):
+        for law in piecewise_forces(placement.model):
             lowest, highest = next(numbers), next(numbers)
             first, last = law.data.points[0][0], law.data.points[-1][0]
             if law.is_table and (lowest < first or highest > last):

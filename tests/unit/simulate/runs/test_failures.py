@@ -88,12 +88,12 @@ def test_statics_errors_in_words(short: Short, kind: str, details: dict, words: 
     [
         (
             "off_wire",
-            {"rider": 0, "step": 7, "position": 301.25},
+            {"pantograph": 0, "step": 7, "position": 301.25},
             "front left the wire",
         ),
         (
             "out_of_reach",
-            {"rider": 0, "step": 7, "position": 301.25, "lateral": -0.41, "half_width": 0.4},
+            {"pantograph": 0, "step": 7, "position": 301.25, "lateral": -0.41, "half_width": 0.4},
             r"301.25 m, step 7: the contact wire leaves the collector of pantograph front "
             r"sideways: got 0.410 m off the middle, expected at most the half width of the "
             r"collector, 0.400 m",

@@ -123,11 +123,11 @@ def test_the_roof_follows_a_spline_and_its_derivative(short: Short) -> None:
     over_time = {"time": points.tolist(), "displacement": (0.01 * np.sin(omega * points)).tolist()}
     scenario = short(**{ROOF: over_time})
     travel = trajectory.motion(scenario)
-    ground = pantographs.given_motions(scenario, travel)[0].ground
-    assert ground is not None
-    height, rate = ground.displacement, ground.rate
+    base = pantographs.excitations(scenario, travel)[0].base
+    assert base is not None
+    height, rate = base.displacement, base.rate
     times = travel.time_step * np.arange(travel.steps + 1)
-    assert ground.carried == [1.0, 1.0]
+    assert base.influence == [1.0, 1.0]
     # Error of the spline: 5/384 (ωΔ)⁴ = 1e-6 of the amplitude; of its slope (ωΔ)³/24 = 4e-5.
     np.testing.assert_allclose(height, 0.01 * np.sin(omega * times), rtol=0, atol=2e-8)
     np.testing.assert_allclose(
@@ -137,7 +137,7 @@ def test_the_roof_follows_a_spline_and_its_derivative(short: Short) -> None:
     speed = scenario.speed or 0.0
     over_line = {"position": (50 + speed * points).tolist(), **over_time, "time": None}
     scenario = short(**{ROOF: over_line})
-    along = pantographs.given_motions(scenario, travel)[0].ground
+    along = pantographs.excitations(scenario, travel)[0].base
     assert along is not None
     # Round-off of places of 1e2 m times slopes of 1e-2, and of rates 1e3 times that.
     np.testing.assert_allclose(along.displacement, height, rtol=0, atol=1e-12)

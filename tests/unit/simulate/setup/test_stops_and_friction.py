@@ -122,6 +122,6 @@ def test_a_table_too_short_for_the_static_force_is_refused(short: Short, placeme
 
 def test_laws_look_at_the_motion_between_a_mass_and_what_is_below(placement: Data) -> None:
     model = arcless.model.load_pantograph(head(placement, friction={"force": 8.0}))
-    (law,) = stops_and_friction.laws(model)
+    (law,) = stops_and_friction.piecewise_forces(model)
     found = (law.field, law.data.direction, law.data.is_damper)
     assert found == ("masses.1.friction", [-1.0, 1.0], True)

@@ -1,4 +1,4 @@
-"""Travel, riders and scheme numbers."""
+"""Travel, pantographs and scheme numbers."""
 
 from collections.abc import Callable
 from math import inf

@@ -6,7 +6,7 @@ use crate::integrator::explicit::{ChainState, Explicit};
 use crate::integrator::state::WireState;
 use crate::integrator::wire_model::WireModel;
 use crate::linalg::{Kernel, widest};
-use crate::linear::model::LinearLink;
+use crate::linear::link::LinearLink;
 
 impl<const DIM: usize, const D: usize> ExplicitBalance<DIM, D> {
     /// Returns the dampers of a line at rest; springs without damping are left out.

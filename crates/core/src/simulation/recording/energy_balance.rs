@@ -35,16 +35,21 @@ impl<const DIM: usize, const D: usize> EnergyBalance<DIM, D> {
     /// Opens the balance of a run at its start; explicit steps measure the dissipation of wires
     /// every `every` steps.
     pub(crate) fn open(model: &Model<'_, DIM, D>, motion: &Motion<DIM, D>, every: usize) -> Self {
-        let (p, state, riders) = (model.wires, &motion.wires, &motion.pantographs);
+        let (p, state, pantographs) = (model.wires, &motion.wires, &motion.pantographs);
         let (contacts, datum) = (&motion.contacts, motion.datum);
         match p.explicit_state(state) {
             Some((steps, grid)) => {
                 let with = (datum, every);
-                let new = ExplicitBalance::new(p, (steps, grid), state, riders, contacts, with);
+                let new =
+                    ExplicitBalance::new(p, (steps, grid), state, pantographs, contacts, with);
                 Self::Explicit(Box::new(new))
             }
             None => Self::Solved(Box::new(ImplicitBalance::new(
-                p, state, riders, contacts, datum,
+                p,
+                state,
+                pantographs,
+                contacts,
+                datum,
             ))),
         }
     }
@@ -133,8 +138,8 @@ impl<const DIM: usize, const D: usize> EnergyBalance<DIM, D> {
                 let (at, forces) = ((step, speed), motion.forces(inputs));
                 balance.before(p, &motion.wires, &motion.pantographs, at, &forces);
                 motion.commit(model);
-                let (state, riders) = (&motion.wires, &motion.pantographs);
-                balance.after(p, state, riders, (step, is_due), &motion.problem)
+                let (state, pantographs) = (&motion.wires, &motion.pantographs);
+                balance.after(p, state, pantographs, (step, is_due), &motion.problem)
             }
         }
     }

@@ -22,7 +22,7 @@ pub struct RecordPlan {
     pub nodes: Vec<usize>,
     /// Coordinates along the track at which the uplift of the contact wire is recorded, m.
     pub points: Vec<f64>,
-    /// Keep the energy ledger.
+    /// Keep the energy balance.
     pub ledger: bool,
     /// Every how many steps explicit ones measure what wires dissipate: see
     /// [`balance`](crate::integrator::energy::explicit).
@@ -154,7 +154,7 @@ channels! {
     largest {
         /// Residual of a complementarity problem.
         lcp_residual,
-        /// Residual of the energy ledger where it was settled (line rows and the end), J.
+        /// Residual of the energy balance where it was settled (line rows and the end), J.
         energy_residual,
         /// Energy turned over, J: the scale of the residual.
         energy_turnover,
@@ -169,14 +169,14 @@ impl Record {
         contacts: &Contacts<DIM>,
         links: usize,
         plan: &RecordPlan,
-        riders: usize,
+        pantographs: usize,
     ) -> Self {
         Self {
             contacts: contacts.all.iter().map(|c| c.indices).collect(),
             link_min: vec![f64::INFINITY; links],
             link_max: vec![f64::NEG_INFINITY; links],
             uplift_max: vec![f64::NEG_INFINITY; plan.nodes.len()],
-            stop_max: vec![0.0; riders],
+            stop_max: vec![0.0; pantographs],
             ..Self::default()
         }
     }
@@ -211,7 +211,7 @@ impl Record {
         if known.all(|e| e.residual().is_finite()) {
             return Ok(());
         }
-        let what = "the energy ledger";
+        let what = "the energy balance";
         Err(CoreError::NotFinite { what, step })
     }
 }

@@ -72,11 +72,11 @@ impl<const DIM: usize, const D: usize> Recorder<DIM, D> {
         for (k, &node) in plan.nodes.iter().enumerate() {
             watched[line.island_of(node)].push(k);
         }
-        let (links, riders) = (line.line.links.len(), model.pantographs.len());
+        let (links, pantographs) = (line.line.links.len(), model.pantographs.len());
         Ok(Self {
             last: steps - 1,
             spots: spots(&line.slidelines, plan),
-            record: Record::empty(&motion.contacts, links, plan, riders),
+            record: Record::empty(&motion.contacts, links, plan, pantographs),
             books: None,
             plan: plan.clone(),
             points,
@@ -179,11 +179,11 @@ impl<const DIM: usize, const D: usize> Recorder<DIM, D> {
         for k in 0..motion.wires.awake.len() {
             self.watch_island(model, motion, motion.wires.awake[k]);
         }
-        for (largest, rider) in self.record.stop_max.iter_mut().zip(&motion.pantographs) {
-            *largest = largest.max(rider.largest_stop_force());
+        for (largest, pantograph) in self.record.stop_max.iter_mut().zip(&motion.pantographs) {
+            *largest = largest.max(pantograph.largest_stop_force());
         }
-        for rider in &mut motion.pantographs {
-            rider.record_ranges(c);
+        for pantograph in &mut motion.pantographs {
+            pantograph.record_ranges(c);
         }
         let position = inputs.positions[1];
         if step.is_multiple_of(self.plan.contact_every) {
@@ -220,10 +220,15 @@ impl<const DIM: usize, const D: usize> Recorder<DIM, D> {
             r.height.push(height);
             r.lateral.push(lateral);
         }
-        for (j, rider) in motion.pantographs.iter().enumerate() {
+        for (j, pantograph) in motion.pantographs.iter().enumerate() {
             r.position.push(position - model.distances[j]);
-            r.control.push(rider.actuator.force);
-            for ((u, d), start) in rider.u.iter().zip(&rider.delta).zip(&motion.start_u[j]) {
+            r.control.push(pantograph.actuator.force);
+            for ((u, d), start) in pantograph
+                .u
+                .iter()
+                .zip(&pantograph.delta)
+                .zip(&motion.start_u[j])
+            {
                 r.masses.push(u + keep * d - start);
             }
         }
@@ -312,8 +317,8 @@ impl<const DIM: usize, const D: usize> Recorder<DIM, D> {
 
     /// Records the ranges of the piecewise forces of the pantographs.
     pub(crate) fn read_laws(&mut self, motion: &Motion<DIM, D>) {
-        let riders = motion.pantographs.iter();
-        self.record.law_ranges = riders
+        let pantographs = motion.pantographs.iter();
+        self.record.law_ranges = pantographs
             .flat_map(PantographState::coordinate_ranges)
             .collect();
     }

@@ -1,4 +1,4 @@
-//! Riders on moving ground, under given forces, and against their stops.
+//! Pantographs on moving ground, under given forces, and against their stops.
 
 use crate::tests::common;
 
@@ -48,14 +48,14 @@ fn over(a: Complex, b: Complex) -> Complex {
 }
 
 /// Transmissibility û/ẑ of both masses: (k − ω²m + iωc) û = (k + iωc) r ẑ, by Cramer's rule.
-fn transmissibility(rider: &Pantograph, omega: f64) -> [Complex; 2] {
+fn transmissibility(pantograph: &Pantograph, omega: f64) -> [Complex; 2] {
     let dynamic = |i: usize| {
-        let real = rider.stiffness[i] - omega * omega * rider.mass[i];
-        (real, omega * rider.damping[i])
+        let real = pantograph.stiffness[i] - omega * omega * pantograph.mass[i];
+        (real, omega * pantograph.damping[i])
     };
     let pull = |i: usize| {
         let of = |m: &[f64]| m[2 * i] + m[2 * i + 1];
-        (of(&rider.stiffness), omega * of(&rider.damping))
+        (of(&pantograph.stiffness), omega * of(&pantograph.damping))
     };
     let a = [0, 1, 2, 3].map(dynamic);
     let (p, q) = (pull(0), pull(1));
@@ -72,9 +72,9 @@ fn response_error(frequency: f64, h: f64) -> f64 {
     // Slowest decay: c/2m ≈ 60/44 per second. After 16 s e⁻²² of the transient is left.
     let steps = (16.0 / h) as usize;
     let time = |i: usize| i as f64 * h;
-    let mut rider = two_masses();
-    let exact = transmissibility(&rider, omega);
-    rider.excitation.base = Some(BaseMotion {
+    let mut pantograph = two_masses();
+    let exact = transmissibility(&pantograph, omega);
+    pantograph.excitation.base = Some(BaseMotion {
         influence: vec![1.0, 1.0],
         displacement: (0..=steps)
             .map(|i| size * (omega * time(i)).sin())
@@ -85,8 +85,8 @@ fn response_error(frequency: f64, h: f64) -> f64 {
     });
     let scheme = Scheme::generalised_alpha(1.0);
     let c = scheme.coefficients(h);
-    let mut now = ExcitationNow::zero(rider.size());
-    let mut state = PantographState::new(rider, &c, 0.0, 0.0).expect("an equilibrium");
+    let mut now = ExcitationNow::zero(pantograph.size());
+    let mut state = PantographState::new(pantograph, &c, 0.0, 0.0).expect("an equilibrium");
     let (mut error, mut largest): (f64, f64) = (0.0, 0.0);
     let last_period = steps - (1.0 / (frequency * h)) as usize;
     for step in 0..steps {
@@ -130,20 +130,20 @@ const GAP: f64 = 0.05;
 fn dropped(stiffness: f64, damping: f64, scheme: Scheme) -> Record {
     let p = common::prepare(common::simple_line(4), |_| (), scheme, STEP, 50e3);
     let way = travel(100.0, 103.0, 1.0, STEP);
-    let mut rider = free_mass(MASS, 0.0);
-    rider.damping[0] = damping;
+    let mut pantograph = free_mass(MASS, 0.0);
+    pantograph.damping[0] = damping;
     // At the start, in equilibrium, nothing pulls.
     let pulls = |x: &f64| if *x > 100.0 { PULL } else { 0.0 };
-    rider.excitation.forces.push(ForceHistory {
+    pantograph.excitation.forces.push(ForceHistory {
         direction: vec![-1.0],
         values: way.positions.iter().map(pulls).collect(),
     });
-    rider.stops.push(BumpStop {
+    pantograph.stops.push(BumpStop {
         direction: vec![1.0],
         gap: GAP,
         stiffness,
     });
-    run(&p, &[rider], &way, &everything())
+    run(&p, &[pantograph], &way, &everything())
 }
 
 #[test]
@@ -153,13 +153,15 @@ fn a_mass_dropped_on_a_stop_compresses_it_as_its_energy_says_and_comes_back() {
     let lowest = r.masses.iter().fold(0.0_f64, |m, u| m.min(*u));
     // ½ k p² = F (gap + p)
     let depth = (PULL + (PULL * PULL + 2.0 * stiffness * PULL * GAP).sqrt()) / stiffness;
-    // The stop is met within a step of 0.7 m/s · 0.2 ms = 0.14 mm; what that leaves is second order.
+    // The mass meets the stop within a step of 0.7 m/s · 0.2 ms = 0.14 mm; the error is of second
+    // order.
     assert!(
         (-lowest - GAP - depth).abs() < 2e-3 * depth,
         "{lowest} {depth}"
     );
     assert!((r.stop_max[0] - stiffness * depth).abs() < 2e-3 * stiffness * depth);
-    // It falls, bounces, and is back at the wire with no velocity; t = 2 (√(2 gap/a) + contact).
+    // The mass falls, bounces, and is back at the wire without velocity; t =
+    // 2 (√(2 gap/a) + contact).
     let back = r.masses[r.masses.len() / 6..]
         .iter()
         .fold(-1.0_f64, |m, u| m.max(*u));
@@ -184,7 +186,7 @@ fn a_damped_mass_comes_to_rest_on_its_stop() {
 fn a_rigid_stop_takes_the_whole_impact() {
     let r = dropped(f64::INFINITY, 0.0, Scheme::newmark(1.0, 1.0));
     let rest = r.masses[r.masses.len() - 1];
-    // A condition on position: exact but for rounding.
+    // Condition on position: exact to rounding.
     assert!((rest + GAP).abs() < 1e-12, "{rest}");
     let e = r.energy.last().expect("a record");
     // The work of the fall is lost: in the impact, or in the scheme that quietens it.
@@ -208,19 +210,19 @@ fn instants(way: &Trajectory) -> Vec<f64> {
 fn shaken(scheme: Scheme, contact: f64, stiffness: f64) -> Record {
     let p = common::prepare(common::simple_line(5), |_| (), scheme, 1e-3, contact);
     let way = travel(70.0, 200.0, 70.0, 1e-3);
-    let mut rider = three_masses(90.0);
+    let mut pantograph = three_masses(90.0);
     let omega = 2.0 * PI * 1.7;
     let t = instants(&way);
-    rider.excitation.base = Some(BaseMotion {
+    pantograph.excitation.base = Some(BaseMotion {
         influence: vec![1.0; 3],
         displacement: t.iter().map(|t| 0.03 * (omega * t).sin()).collect(),
         rate: t.iter().map(|t| 0.03 * omega * (omega * t).cos()).collect(),
     });
-    rider.excitation.forces.push(ForceHistory {
+    pantograph.excitation.forces.push(ForceHistory {
         direction: vec![0.0, 0.0, 1.0],
         values: t.iter().map(|t| 30.0 * (9.0 * t).sin()).collect(),
     });
-    rider.stops = [
+    pantograph.stops = [
         (vec![1.0, 0.0, 0.0], 0.01),
         (vec![0.0, -1.0, 1.0], 0.002),
         (vec![-1.0, 1.0, 0.0], 0.0005),
@@ -231,7 +233,7 @@ fn shaken(scheme: Scheme, contact: f64, stiffness: f64) -> Record {
         stiffness,
     })
     .to_vec();
-    run(&p, &[rider], &way, &everything())
+    run(&p, &[pantograph], &way, &everything())
 }
 
 #[test]
@@ -248,7 +250,7 @@ fn the_balance_closes_with_moving_ground_given_forces_and_stops() {
                 let r = shaken(scheme, contact, stiffness);
                 assert!(r.stop_max[0] > 20.0, "the stops are hit: {:?}", r.stop_max);
                 let relative = r.energy_residual / r.energy_turnover;
-                // As for the ledger without them: rounding of some thousand steps.
+                // Tolerance as for the ledger without stops: rounding of some thousand steps.
                 assert!(
                     relative < 1e-11,
                     "{scheme:?} {contact} {stiffness}: {relative:e}"
@@ -265,15 +267,15 @@ fn stops_out_of_reach_change_nothing() {
     let p = common::prepare(common::simple_line(5), |_| (), scheme, 1e-3, 50e3);
     let way = travel(70.0, 200.0, 70.0, 1e-3);
     let plain = run(&p, &[three_masses(90.0)], &way, &everything());
-    let mut rider = three_masses(90.0);
+    let mut pantograph = three_masses(90.0);
     for direction in [vec![1.0, 0.0, 0.0], vec![0.0, 1.0, -1.0]] {
-        rider.stops.push(BumpStop {
+        pantograph.stops.push(BumpStop {
             direction,
             gap: 1.0,
             stiffness: 1e6,
         });
     }
-    let held = run(&p, &[rider], &way, &everything());
+    let held = run(&p, &[pantograph], &way, &everything());
     assert_eq!(held.stop_max, [0.0]);
     // Stops that are never met: rounding of their place in the sums, carried on.
     assert!(difference(&held.force, &plain.force) < 1e-10);
@@ -286,14 +288,14 @@ fn ground_that_stands_elsewhere_is_no_ground_motion() {
     let p = common::prepare(common::simple_line(5), |_| (), scheme, 1e-3, 50e3);
     let way = travel(70.0, 120.0, 70.0, 1e-3);
     let plain = run(&p, &[three_masses(90.0)], &way, &everything());
-    let mut rider = three_masses(90.0);
+    let mut pantograph = three_masses(90.0);
     let count = way.positions.len();
-    rider.excitation.base = Some(BaseMotion {
+    pantograph.excitation.base = Some(BaseMotion {
         influence: vec![1.0; 3],
         displacement: vec![0.25; count],
         rate: vec![0.0; count],
     });
-    let raised = run(&p, &[rider], &way, &everything());
+    let raised = run(&p, &[pantograph], &way, &everything());
     // 160 N/m · 0.25 m = 40 N come and go in the preload: rounding of 40 N.
     assert!(difference(&raised.force, &plain.force) < 1e-10);
 }
@@ -304,10 +306,10 @@ fn what_is_given_wrongly_is_refused() {
     let p = common::prepare(common::simple_line(4), |_| (), scheme, 1e-3, 50e3);
     let way = travel(70.0, 71.0, 70.0, 1e-3);
     let fails = |change: &dyn Fn(&mut Pantograph), word: &str| {
-        let mut rider = three_masses(90.0);
-        change(&mut rider);
+        let mut pantograph = three_masses(90.0);
+        change(&mut pantograph);
         let error = p
-            .run(&[rider], &way, &everything(), &mut |_| true)
+            .run(&[pantograph], &way, &everything(), &mut |_| true)
             .expect_err("it is refused");
         assert!(error.to_string().contains(word), "{error}");
     };

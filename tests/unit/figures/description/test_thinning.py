@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from arcless.report.drawing.thinning import envelope, every
+from arcless.figures.description.thinning import envelope, every
 
 
 @pytest.mark.parametrize("count", [0, 1, 2, 99, 100])

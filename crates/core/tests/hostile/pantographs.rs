@@ -1,4 +1,4 @@
-//! Sound riders from a few decisions, and what is spoilt in them.
+//! Sound pantographs from a few decisions, and what is spoilt in them.
 
 use super::feed::Feed;
 use arcless_core::pantograph::actuator::Actuator;
@@ -10,9 +10,9 @@ use arcless_core::pantograph::piecewise_force::PiecewiseForce;
 use arcless_core::pantograph::strip::Strip;
 
 /// Chains of one to three masses with one or two strips, for a run of so many instants.
-pub fn rider(feed: &mut Feed<'_>, instants: usize) -> Pantograph {
+pub fn pantograph(feed: &mut Feed<'_>, instants: usize) -> Pantograph {
     let n = 1 + feed.below(3);
-    let mut rider = Pantograph {
+    let mut pantograph = Pantograph {
         mass: diagonal(n, feed.number(7.0)),
         damping: diagonal(n, feed.number(50.0)),
         stiffness: chain(n, feed.number(7e3)),
@@ -27,29 +27,29 @@ pub fn rider(feed: &mut Feed<'_>, instants: usize) -> Pantograph {
     };
     let extras = feed.byte();
     if extras & 1 != 0 {
-        add_strips(feed, &mut rider, n);
+        add_strips(feed, &mut pantograph, n);
     }
     if extras & 2 != 0 {
-        rider.excitation = given(feed, n, instants);
+        pantograph.excitation = given(feed, n, instants);
     }
     if extras & 4 != 0 {
-        rider.stops.push(BumpStop {
+        pantograph.stops.push(BumpStop {
             direction: first(n),
             gap: feed.number(0.01),
             stiffness: [1e5, f64::INFINITY][feed.below(2)],
         });
     }
     if extras & 8 != 0 {
-        rider.piecewise_forces.push(law(feed, n));
+        pantograph.piecewise_forces.push(law(feed, n));
     }
     if extras & 16 != 0 {
-        rider.actuator = Some(Actuator {
+        pantograph.actuator = Some(Actuator {
             direction: first(n),
             every: feed.index(3),
             delay: feed.index(3),
         });
     }
-    rider
+    pantograph
 }
 
 fn diagonal(n: usize, value: f64) -> Vec<f64> {
@@ -78,10 +78,10 @@ fn last(n: usize) -> Vec<f64> {
     (0..n).map(|i| if i + 1 == n { 1.0 } else { 0.0 }).collect()
 }
 
-fn add_strips(feed: &mut Feed<'_>, rider: &mut Pantograph, n: usize) {
+fn add_strips(feed: &mut Feed<'_>, pantograph: &mut Pantograph, n: usize) {
     let half_width = feed.number(0.8);
-    rider.strips[0].half_width = half_width;
-    rider.strips.push(Strip {
+    pantograph.strips[0].half_width = half_width;
+    pantograph.strips.push(Strip {
         offset: feed.number(0.5),
         half_width,
         knots: vec![-half_width, half_width],
@@ -117,7 +117,7 @@ fn law(feed: &mut Feed<'_>, n: usize) -> PiecewiseForce {
     }
 }
 
-/// Every number of a rider.
+/// Every number of a pantograph.
 fn numbers(r: &mut Pantograph) -> Vec<&mut f64> {
     let mut all = vec![&mut r.start_force];
     all.extend(r.mass.iter_mut().chain(&mut r.damping));
