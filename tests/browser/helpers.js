@@ -99,8 +99,9 @@ globalThis.tried = (() => {
       const box = one.getBoundingClientRect();
       if (!box.width) return false;
       const hidden = getComputedStyle(one).overflowX !== "visible";
-      return (hidden && one.scrollWidth > one.clientWidth + 1) || box.left < -1
-        || box.right > document.documentElement.clientWidth + 1;
+      if (hidden && one.scrollWidth > one.clientWidth + 1) return true;
+      const around = (one.ownerSVGElement ?? document.documentElement).getBoundingClientRect();
+      return box.left < around.left - 1 || box.right > around.right + 1;
     }).map((one) => one.textContent.trim().slice(0, 80)),
     // Attributes that do not have the colour of their token: [token, object, attribute, found].
     wrong_colours: (scheme) => Object.entries(arcless.data.colours).flatMap(([token, places]) =>

@@ -9,9 +9,9 @@ from tests.browser.browser import Browser, Page, rgb
 
 desk = pytest.mark.parametrize("opened", [1400], indirect=True, scope="session")
 phone = pytest.mark.parametrize("opened", [390], indirect=True, scope="session")
-runs = pytest.mark.parametrize("file", ["run", "two wires"], indirect=True, scope="session")
+runs = pytest.mark.parametrize("file", ["two wires"], indirect=True, scope="session")
 along_track = pytest.mark.parametrize(
-    "file", ["run", "two wires", "statics"], indirect=True, scope="session"
+    "file", ["two wires", "statics"], indirect=True, scope="session"
 )
 
 # A pixel of a frame 300 px wide (the narrowest one here), as a part of the range.
