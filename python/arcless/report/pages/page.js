@@ -209,6 +209,14 @@
     });
   }
 
+  // ---- tables that are wider than their place: scrolled by keys too --------------------------------
+  const measure = (one) => {
+    if (one.scrollWidth > one.clientWidth) one.tabIndex = 0;
+    else one.removeAttribute("tabindex");
+  };
+  const sizes = new ResizeObserver((entries) => entries.forEach((entry) => measure(entry.target)));
+  for (const one of $(".scroll")) sizes.observe(one);
+
   // ---- contents: where the reader is ----------------------------------------------------------
   const links = new Map($("nav.contents a[href^='#']").map((link) => [link.hash.slice(1), link]));
   const seen = new IntersectionObserver((entries) => {
