@@ -104,8 +104,9 @@ def verdict(rows: Sequence[Compared]) -> Verdict:
     other = len(rows) - len(counted)
     inside = len(counted) - len(outside) - len(close)
     words = f"{inside} of {len(counted)} values are inside the verified ranges"
-    words += f"; {len(outside)} outside" if outside else ""
-    words += f"; {len(close)} too close to tell" if close else ""
+    rest = [f"{len(outside)} outside"] if outside else []
+    rest += [f"{len(close)} too close to tell"] if close else []
+    others = "; ".join(rest)
     items = [_item(row) for row in (*outside, *close)]
     if other:
         held = sum(state_of(row.verdict) == "met" for row in rows if not decides(row.mark))
@@ -114,8 +115,8 @@ def verdict(rows: Sequence[Compared]) -> Verdict:
             " decide nothing."
         )
     if outside:
-        return Verdict("missed", "✘", words, items)
-    return Verdict("open" if close else "met", "≈" if close else "✔", words, items)
+        return Verdict("missed", "✘", words, others, items)
+    return Verdict("open" if close else "met", "≈" if close else "✔", words, others, items)
 
 
 def entry(row: Compared) -> Entry:

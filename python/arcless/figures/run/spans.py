@@ -114,7 +114,8 @@ def _by_place(
     left = np.array([begin for _, begin, _ in chosen])
     length = np.array([end - begin for _, begin, end in chosen])
     places = left[:, None] + along * length[:, None]
-    return np.interp(places.ravel(), x, force).reshape(places.shape)
+    values: Floats = np.interp(places.ravel(), x, force).reshape(places.shape)
+    return values
 
 
 def _deviations(run: RunData, pantograph: int, chosen: list[tuple[int, float, float]]) -> Floats:
