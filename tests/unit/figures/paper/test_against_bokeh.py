@@ -74,7 +74,9 @@ def numbers_on_paper(layer: Layer, drawn: list[Any]) -> list[Any]:
             found = list(np.transpose([np.ravel(piece) for piece in one.get_segments()]))
         case Bars():
             corners = np.array([path.vertices for path in one.get_paths()])
-            found = [corners[:, 0, 0], corners[:, 1, 0], corners[:, 0, 1], corners[:, 2, 1]]
+            left, right = corners[:, [0, 3], 0].max(axis=1), corners[:, [1, 2], 0].min(axis=1)
+            low, high = corners[:, [0, 1], 1].max(axis=1), corners[:, [2, 3], 1].min(axis=1)
+            found = [left, right, low, high]
         case Area():  # an outline: over the lower curve and back over the upper one
             outline, count = one.get_paths()[0].vertices, len(layer.x)
             lower, upper = outline[1 : count + 1], outline[count + 2 : 2 * count + 2][::-1]
