@@ -101,10 +101,10 @@ def _width(axes: Axes) -> float:
 
 
 def _wrapped(text: str, size: float, width: float, **look: Any) -> list[str]:
-    """Return the lines of a text, not wider than a number of points; long words stay whole."""
+    """Return the lines of a text, broken at spaces, as wide as a number of points."""
     font = FontProperties(size=size, **look)
     lines: list[str] = []
-    for word in text.split():
+    for word in filter(None, text.split(" ")):
         longer = f"{lines[-1]} {word}" if lines else word
         if lines and text_to_path.get_text_width_height_descent(longer, font, False)[0] <= width:
             lines[-1] = longer

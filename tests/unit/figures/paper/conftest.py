@@ -57,7 +57,7 @@ def two(run: Callable[..., Result], placement: dict[str, Any]) -> Result:
 def made_up() -> Figure:
     """Make a figure with every kind of layer, a logarithmic axis, categories and hidden layers."""
     x = np.array([0.0, 1.0, np.nan, 2.0])
-    y = np.array([1.0, 10.0, 5.0, 100.0])
+    y = np.array([1.0, 10.0, np.nan, 100.0])
     two_x, two_y = x[[0, 1]], y[[0, 1]]
     return Figure(
         "made-up",

@@ -6,15 +6,24 @@ import numpy as np
 import pytest
 from matplotlib.colors import to_hex
 
-from arcless.figures.description import Figure, Strip
+from arcless.figures.description import (
+    Area,
+    Bars,
+    Curve,
+    Figure,
+    Map,
+    Points,
+    Rules,
+    Segments,
+    Strip,
+    Texts,
+)
 from arcless.figures.description.layers import Layer
 from arcless.figures.description.tokens import colour
 from arcless.report.drawing.bokeh_objects import Field, Model, Token
 from tests.unit.figures.paper.conftest import Both
 
-KINDS = {
-    "Strip", "Curve", "Area", "Points", "Segments", "Bars", "Rules", "Map", "Texts",
-}  # fmt: skip
+KINDS = {"Strip", "Curve", "Area", "Points", "Segments", "Bars", "Rules", "Map", "Texts"}
 # Bokeh's numbers are in single precision, with 24 bits.
 SINGLE = 2.0**-23
 
@@ -34,27 +43,49 @@ def pairs(figure: Figure, plot: Model, axes: Any) -> list[tuple[Layer, Model, li
     return found
 
 
-def size_in_bokeh(made: Model) -> int:
-    """Return how many places a glyph has; a strip and a map are one thing."""
+def numbers_in_bokeh(made: Model) -> list[Any]:
+    """Return the places of what Bokeh draws, by the names of its glyph; of a map none."""
     if made.kind == "BoxAnnotation":
-        return 1
-    place = next(value for value in vars(made.glyph).values() if isinstance(value, Field))
-    return len(made.data_source.data[place.name])
+        return [
+            getattr(made, name) for name in ("left", "right", "bottom", "top") if name in vars(made)
+        ]
+    if made.glyph.kind == "Image":
+        return []
+    data = made.data_source.data
+    names = ("x", "y", "x0", "y0", "x1", "y1", "y2", "left", "right", "bottom", "top")
+    given = {name: vars(made.glyph).get(name) for name in names}
+    return [data[place.name] for place in given.values() if isinstance(place, Field)]
 
 
-def size_on_paper(layer: Layer, drawn: list[Any]) -> int:
-    """Return how many places matplotlib draws of a layer."""
-    kind = type(layer).__name__
-    if kind in ("Strip", "Map", "Texts"):
-        return len(drawn)
-    (one,) = drawn
-    if hasattr(one, "get_xdata"):
-        return len(one.get_xdata())
-    if hasattr(one, "get_segments"):
-        return len(one.get_segments())
-    if kind == "Area":  # an outline there and back, closed, with a corner at either end
-        return (len(one.get_paths()[0].vertices) - 3) // 2
-    return len(one.get_offsets()) if kind == "Points" else len(one.get_paths())
+def numbers_on_paper(layer: Layer, drawn: list[Any]) -> list[Any]:
+    """Return the places of what matplotlib draws, in the order of Bokeh's; of a map none."""
+    one = drawn[0]
+    found: list[Any] = []
+    match layer:
+        case Texts():
+            found = list(np.transpose([text.get_position() for text in drawn]))
+        case Strip():
+            ends = one.get_extents().transformed(one.axes.transData.inverted())
+            found = list(getattr(ends, f"interval{layer.axis}"))
+        case Rules():
+            along = 0 if layer.axis == "x" else 1
+            found = [[piece[0][along] for piece in one.get_segments()]]
+        case Segments():
+            found = list(np.transpose([np.ravel(piece) for piece in one.get_segments()]))
+        case Bars():
+            corners = np.array([path.vertices for path in one.get_paths()])
+            left, right = corners[:, [0, 3], 0].max(axis=1), corners[:, [1, 2], 0].min(axis=1)
+            low, high = corners[:, [0, 1], 1].max(axis=1), corners[:, [2, 3], 1].min(axis=1)
+            found = [left, right, low, high]
+        case Area():  # an outline: over the lower curve and back over the upper one
+            outline, count = one.get_paths()[0].vertices, len(layer.x)
+            lower, upper = outline[1 : count + 1], outline[count + 2 : 2 * count + 2][::-1]
+            found = [lower[:, 0], lower[:, 1], upper[:, 1]]
+        case Points() if layer.values is not None:
+            found = list(np.transpose(one.get_offsets().filled(np.nan)))
+        case Curve() | Points():
+            found = [one.get_xdata(), one.get_ydata()]
+    return found
 
 
 def ink_in_bokeh(made: Model) -> str | None:
@@ -64,6 +95,12 @@ def ink_in_bokeh(made: Model) -> str | None:
         if isinstance(look.get(name), Token):
             return colour(look[name].name)
     return None
+
+
+def opacity_in_bokeh(made: Model) -> float | None:
+    look = vars(made.glyph if made.kind == "GlyphRenderer" else made)
+    found = {value for name, value in look.items() if name.endswith("_alpha")}
+    return found.pop() if len(found) == 1 else None
 
 
 def ink_on_paper(one: Any) -> str:
@@ -101,7 +138,12 @@ def test_both_drawings_hold_the_same(everything: list[Both]) -> None:
             assert getattr(axes, f"get_{which}scale")() == scale.removesuffix("Scale").lower()
         for layer, made, found in pairs(figure, drawn.plot, axes):
             kinds.add(type(layer).__name__)
-            assert size_on_paper(layer, found) == size_in_bokeh(made), (figure.key, layer)
+            assert found, (figure.key, layer)
+            numbers = zip(numbers_on_paper(layer, found), numbers_in_bokeh(made), strict=True)
+            for one, other in numbers:
+                np.testing.assert_allclose(one, other, rtol=SINGLE, atol=SINGLE, err_msg=figure.key)
+            opacity = {one.get_alpha() for one in found}
+            assert opacity == {opacity_in_bokeh(made)} or isinstance(layer, Map)
             ink = ink_in_bokeh(made)
             if ink is not None:
                 assert {ink_on_paper(one) for one in found} == {ink}, (figure.key, layer)
