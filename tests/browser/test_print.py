@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.browser.browser import PAPER, Page
+from tests.browser.browser import PAPER, Page, rgb
 
 on_a_desk = pytest.mark.parametrize("opened", [1400], indirect=True, scope="session")
 # Of a figure's pixels: axes and one curve are several times as many.
@@ -55,7 +55,7 @@ def framed(sheet: np.ndarray, blue: int) -> list[np.ndarray]:
 @on_a_desk
 def test_nothing_is_cut_on_paper(page: Page) -> None:
     page("setViewportSize", PAPER)
-    page("emulateMedia", {"media": "print"})
+    page("emulateMedia", {"media": "print", "colorScheme": "dark"})
     page.js("dispatchEvent(new Event('beforeprint'))")
     assert page.js("tried.overflow()") <= 0
     # A table that scrolls on a screen cannot do so on paper.
@@ -65,5 +65,6 @@ def test_nothing_is_cut_on_paper(page: Page) -> None:
     )
     assert page.js("tried.keys().flatMap(tried.cut)") == []
     assert page.js("tried.wrong_colours('light')") == []
+    assert page.js("tried.background()") == rgb(page.js("arcless.data.schemes.light.paper"))
     assert page.js("document.querySelectorAll('details:not([open], [data-screen])').length") == 0
     page.js("dispatchEvent(new Event('afterprint'))")
