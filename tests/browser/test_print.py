@@ -24,7 +24,7 @@ def test_every_figure_is_painted_on_paper(page: Page, tmp_path: Path) -> None:
     if not shutil.which("pdftoppm"):
         pytest.skip("pdftoppm (poppler-utils) is missing: pages on paper are not looked at")
     page("emulateMedia", {"colorScheme": "dark"})
-    page.js(FRAMED)
+    page.do(FRAMED)
     paper = tmp_path / "paper.pdf"
     paper.write_bytes(base64.b64decode(page("pdf", {"format": "A4"})))
     sheets = pictures(paper)
@@ -56,7 +56,7 @@ def framed(sheet: np.ndarray, blue: int) -> list[np.ndarray]:
 def test_nothing_is_cut_on_paper(page: Page) -> None:
     page("setViewportSize", PAPER)
     page("emulateMedia", {"media": "print", "colorScheme": "dark"})
-    page.js("dispatchEvent(new Event('beforeprint'))")
+    page.do("dispatchEvent(new Event('beforeprint'))")
     assert page.js("tried.overflow()") <= 0
     # A table that scrolls on a screen cannot do so on paper.
     assert (
@@ -67,4 +67,4 @@ def test_nothing_is_cut_on_paper(page: Page) -> None:
     assert page.js("tried.wrong_colours('light')") == []
     assert page.js("tried.background()") == rgb(page.js("arcless.data.schemes.light.paper"))
     assert page.js("document.querySelectorAll('details:not([open], [data-screen])').length") == 0
-    page.js("dispatchEvent(new Event('afterprint'))")
+    page.do("dispatchEvent(new Event('afterprint'))")
