@@ -70,6 +70,7 @@ class Page:
 
     def __init__(self, browser: Browser, name: int, size: Mapping[str, int]) -> None:
         self._browser, self._name, self._size = browser, name, size
+        self._touched = True
 
     def __enter__(self) -> Self:
         return self
@@ -78,6 +79,7 @@ class Page:
         self("close")
 
     def __call__(self, call: str, *args: Any) -> Any:
+        self._touched |= call != "evaluate"
         return self._browser.ask(self._name, call, *args)
 
     @property
@@ -91,11 +93,19 @@ class Page:
         self("setViewportSize", self._size)
         self("emulateMedia", {"media": "screen", "colorScheme": "light"})
         self("mouse.move", 1, 1)
-        self.js("tried.reset()")
+        self.do("tried.reset()")
 
     def js(self, expression: str) -> Any:
         """Return the value of an expression in the page, its figures drawn to the end."""
-        return self("evaluate", f"tried.settled().then(() => ({expression}))")
+        wait = "tried.settled()" if self._touched else "Promise.resolve()"
+        found = self("evaluate", f"{wait}.then(() => ({expression}))")
+        self._touched = False
+        return found
+
+    def do(self, expression: str) -> None:
+        """Let an expression change the page."""
+        self("evaluate", f"tried.settled().then(() => void ({expression}))")
+        self._touched = True
 
     def box(self, key: str) -> Mapping[str, float]:
         """Bring the frame of a figure into view; return where it is in the window, in px."""

@@ -93,7 +93,7 @@ globalThis.tried = (() => {
     },
     cross: () => arcless.doc.get_model_by_id(arcless.data.groups.track.cross),
     // Width in px by which the page is wider than its window.
-    overflow: () => document.documentElement.scrollWidth - innerWidth,
+    overflow: () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
     // Texts of a kind that are wider than their box, or leave the window.
     clipped: (selector) => [...document.querySelectorAll(selector)].filter((one) => {
       const box = one.getBoundingClientRect();

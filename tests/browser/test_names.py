@@ -40,9 +40,10 @@ def tooltips(page: Page) -> tuple[set[str], set[str]]:
     """Return texts and elements of the tooltips at a point of each figure."""
     texts: set[str] = set()
     elements: set[str] = set()
-    for key in page.js("tried.keys()"):
-        box = page.box(key)
-        for across, down in page.js(f"tried.points({key!r})"):
+    points = page.js("tried.keys().map((key) => [key, tried.points(key)])")
+    for key, places in points:
+        for across, down in places:
+            box = page.box(key)
             page("mouse.move", box["x"] + across, box["y"] + down)
             found = page.js("tried.tooltips()")
             # Between dollars, so that Bokeh sees no formula.

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.browser.browser import PAPER, Page
+from tests.browser.browser import PAPER, Page, rgb
 
 on_a_desk = pytest.mark.parametrize("opened", [1400], indirect=True, scope="session")
 # Of a figure's pixels: axes and one curve are several times as many.
@@ -24,7 +24,7 @@ def test_every_figure_is_painted_on_paper(page: Page, tmp_path: Path) -> None:
     if not shutil.which("pdftoppm"):
         pytest.skip("pdftoppm (poppler-utils) is missing: pages on paper are not looked at")
     page("emulateMedia", {"colorScheme": "dark"})
-    page.js(FRAMED)
+    page.do(FRAMED)
     paper = tmp_path / "paper.pdf"
     paper.write_bytes(base64.b64decode(page("pdf", {"format": "A4"})))
     sheets = pictures(paper)
@@ -55,8 +55,8 @@ def framed(sheet: np.ndarray, blue: int) -> list[np.ndarray]:
 @on_a_desk
 def test_nothing_is_cut_on_paper(page: Page) -> None:
     page("setViewportSize", PAPER)
-    page("emulateMedia", {"media": "print"})
-    page.js("dispatchEvent(new Event('beforeprint'))")
+    page("emulateMedia", {"media": "print", "colorScheme": "dark"})
+    page.do("dispatchEvent(new Event('beforeprint'))")
     assert page.js("tried.overflow()") <= 0
     # A table that scrolls on a screen cannot do so on paper.
     assert (
@@ -65,5 +65,6 @@ def test_nothing_is_cut_on_paper(page: Page) -> None:
     )
     assert page.js("tried.keys().flatMap(tried.cut)") == []
     assert page.js("tried.wrong_colours('light')") == []
+    assert page.js("tried.background()") == rgb(page.js("arcless.data.schemes.light.paper"))
     assert page.js("document.querySelectorAll('details:not([open], [data-screen])').length") == 0
-    page.js("dispatchEvent(new Event('afterprint'))")
+    page.do("dispatchEvent(new Event('afterprint'))")

@@ -56,8 +56,8 @@ def subject(*, runs: bool = True, certainty: int | None = 8) -> Subject:
 
 def test_the_headline_counts_what_decides() -> None:
     found = verdict([row(FORCE, 115.0), row(FORCE, 121.0), row(REMEMBERED, 50.0)])
-    assert (found.state, found.text) == (
-        "missed", "1 of 2 values are inside the verified ranges; 1 outside",
+    assert (found.state, found.text, found.rest) == (
+        "missed", "1 of 2 values are inside the verified ranges", "1 outside",
     )  # fmt: skip
     assert "121.0 N, range 110 … 120 N (outside, mark A)" in found.items[0]
     assert found.items[1].startswith("0 of 1 values are inside ranges that are remembered")
@@ -65,8 +65,8 @@ def test_the_headline_counts_what_decides() -> None:
 
 def test_a_value_too_close_to_tell_is_neither() -> None:
     found = verdict([row(FORCE, 119.8, 0.5), row(FORCE, 115.0, 0.5)])
-    assert (found.state, found.text) == (
-        "open", "1 of 2 values are inside the verified ranges; 1 too close to tell",
+    assert (found.state, found.text, found.rest) == (
+        "open", "1 of 2 values are inside the verified ranges", "1 too close to tell",
     )  # fmt: skip
     # A remembered range alone does not change what the headline says.
     assert verdict([row(FORCE, 115.0), row(REMEMBERED, 50.0)]).state == "met"

@@ -209,9 +209,9 @@
     });
   }
 
-  // ---- tables that are wider than their place: scrolled by keys too --------------------------------
+  // ---- tables that are larger than their place: scrolled by keys too -------------------------------
   const measure = (one) => {
-    if (one.scrollWidth > one.clientWidth) one.tabIndex = 0;
+    if (one.scrollWidth > one.clientWidth || one.scrollHeight > one.clientHeight) one.tabIndex = 0;
     else one.removeAttribute("tabindex");
   };
   const sizes = new ResizeObserver((entries) => entries.forEach((entry) => measure(entry.target)));
