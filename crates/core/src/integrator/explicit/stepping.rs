@@ -302,12 +302,12 @@ impl<const DIM: usize> Explicit<DIM> {
             .moving
             .iter()
             .flat_map(|all| &all[island_model.rows.clone()]);
-        let direction = rows.flat_map(|row| row.s.iter().chain(row.d.iter()));
+        let transverse = rows.flat_map(|row| row.s.iter().chain(row.d.iter()));
         let along = chain
             .x
             .iter()
             .flat_map(|list| &list[island_model.masters.clone()]);
-        direction.chain(along).all(|v| *v == 0.0)
+        transverse.chain(along).all(|v| *v == 0.0)
     }
 
     /// Resets an island to rest.
