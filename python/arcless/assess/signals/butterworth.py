@@ -72,12 +72,15 @@ def both_ways(cascade: Floats, signal: Floats, extension: int) -> Floats:
 
 
 def _steady(cascade: Floats) -> Floats:
-    """Return the state of each section (n × 2) under a signal that was always 1."""
+    """Return the state of each section (n × 2) under a signal that was always 1.
+
+    Of a section in transposed form II, s₁ = b₁ − a₁ y + s₂ and s₂ = b₂ − a₂ y with y = b₀ + s₁, so
+    (1 + a₁ + a₂) s₁ = b₁ + b₂ − (a₁ + a₂) b₀. Solved by hand: a library of linear algebra gives
+    other last bits on other processors.
+    """
     b0, b1, b2, a1, a2 = cascade.T
-    one = np.ones(len(cascade))
-    systems = np.stack([1.0 + a1, -one, a2, one], axis=-1).reshape(-1, 2, 2)
-    given = np.stack([b1 - a1 * b0, b2 - a2 * b0], axis=-1)
-    states: Floats = np.linalg.solve(systems, given[:, :, None])[:, :, 0]
+    first = (b1 + b2 - (a1 + a2) * b0) / (1.0 + a1 + a2)
+    states: Floats = np.stack([first, b2 - a2 * (b0 + first)], axis=-1)
     gains = (b0 + b1 + b2) / (1.0 + a1 + a2)
     scales = np.cumprod(np.concatenate([[1.0], gains[:-1]]))
     return scales[:, None] * states
