@@ -146,6 +146,15 @@ def test_the_speed_over_the_wave_speed_needs_no_output(tmp_path: Path) -> None:
     assert words(found.codes) == [MET, MET, NOT_MET]
 
 
+def test_the_tension_of_each_variant_gives_its_wave_speed(tmp_path: Path) -> None:
+    variables = {"t": {"field": "line.contact_wire.tension", "values": ["12 kN", "22 kN"]}}
+    made = filled_by(tmp_path, lambda _values: {"h": 1.0}, variables=variables, design=LIST,
+                     outputs={"h": "max_force_N"})  # fmt: skip
+    use = item(judge(Record(made, tmp_path)), "wave_speed_use")
+    expected = [160 / 3.6 / (tension / 1.35) ** 0.5 for tension in (12e3, 22e3)]
+    assert use.values.tolist() == EXACT(expected, rel=1e-12)
+
+
 def test_a_profile_of_speed_has_no_one_limit(tmp_path: Path) -> None:
     profile = {"time": [0, 10], "speed": ["100 km/h", "150 km/h"]}
     variables = {"t": {"field": "line.contact_wire.tension", "values": ["20 kN", "24 kN"]}}

@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from arcless.study.report import html
 from arcless.figures.description import Rules
+from arcless.study.report import html
 from arcless.study.report.data.judged import judge
 from arcless.study.report.data.record import Column, Record
 from arcless.study.report.figures.canvas import Canvas, is_path
