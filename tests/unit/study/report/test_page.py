@@ -163,6 +163,16 @@ def test_the_table_and_the_figures_share_their_columns(tmp_path: Path) -> None:
     assert len(columns[names[0]]) == len(re.findall(r"^<tr><td>\d", page, re.MULTILINE))
 
 
+def test_nothing_that_could_be_an_axis(tmp_path: Path) -> None:
+    errors = {"standard_deviation": "1 mm", "correlation_length": "10 m"}
+    variables = {"e": {"field": "as_built.dropper_length_errors", "random_field": errors}}
+    made = filled(tmp_path, variables=variables, outputs={"sigma": "std_force_N"},
+                  design={"kind": "monte-carlo", "count": 3})  # fmt: skip
+    page = html(made, tmp_path)
+    assert 'id="variants"' in page
+    assert "data-sort" not in page.split("<script")[0]  # no columns that a click could sort
+
+
 def test_no_study_there(tmp_path: Path) -> None:
     with pytest.raises(StudyError, match="no study was begun here"):
         write(study(), tmp_path)
