@@ -9,6 +9,7 @@ SHELL := /bin/sh
 VENV := .venv
 BIN := $(VENV)/bin
 PEERS := $(VENV)/peers
+BROWSER := $(VENV)/browser
 WITH_PEERS = $(if $(wildcard $(PEERS)/.packages),PYTHONPATH="$(CURDIR)/python" $(PEERS)/bin/python,$(BIN)/python)
 DEMO := en50318-ac-simple-320
 # Neighbours stay in one process, which keeps what they share; an idle one takes half of the rest.
@@ -47,7 +48,7 @@ demo: build ## run the reference case AC simple at 320 km/h, say how sure it is;
 	@$(BIN)/arcless run $(DEMO) --certainty \
 	|| { test $$? -eq 3 && test -s runs/$(DEMO)/report.html; } # a criterion not met is a result
 
-test: build ## run every test: the Rust core, then the Python package
+test: build $(BROWSER)/installed.json ## run every test: the Rust core, then the Python package
 	cargo test
 	$(KEEPING) $(BIN)/python -m pytest $(ON_ALL_CORES)
 
@@ -90,6 +91,8 @@ lint: build ## check format, lints and types, and that no lock file or local pat
 	$(BIN)/mypy
 	@! git ls-files '*.lock' 2>/dev/null | grep . \
 	|| { echo 'make lint: lock files record download addresses: remove them from git'; exit 1; }
+	@! git grep -lE '"resolved": *"[a-z+]+:' -- '*package-lock.json' '*npm-shrinkwrap.json' 2>/dev/null \
+	|| { echo 'make lint: a lock file of npm records download addresses: set omit-lockfile-registry-resolved'; exit 1; }
 	@for path in "$(CURDIR)" "$${HOME:-/}"; do \
 	test "$$path" = / || ! git grep -nIF -e "$$path/" -- 2>/dev/null \
 	|| { echo 'make lint: a tracked file names a path of this machine'; exit 1; }; done
@@ -158,6 +161,10 @@ $(VENV)/.built: $(VENV)/.packages $(RUST_INPUTS)
 	@echo 'Compiling the numerical core'
 	@$(MATURIN) develop --release --quiet
 	@touch $@
+
+# What drives Chromium. Without one, or without a network, a sentence, and its tests are skipped.
+$(BROWSER)/installed.json: tests/browser/package.json | build
+	@$(BIN)/python -m tests.browser.tools
 
 # Beside the packages of .venv, so that none of those changes. One by one: each may be missing.
 $(PEERS)/.packages: pyproject.toml | build

@@ -17,6 +17,11 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     )
 
 
+def pytest_configure(config: pytest.Config) -> None:
+    option = config.option
+    records.check_selection(option.publish, option.markexpr, option.keyword)
+
+
 FAILED = pytest.StashKey[bool]()
 
 

@@ -164,7 +164,7 @@ def test_statics_draws_the_line(arcless: Arcless, short: Path, tmp_path: Path) -
     done = arcless("statics", short, "--plot", drawing)
     assert done.exit_code == 0
     assert f"wrote {drawing}" in done.stdout
-    assert "Side view" in drawing.read_text("utf-8")
+    assert "Line at rest" in drawing.read_text("utf-8")
     plain = arcless("statics", short, "--plot", drawing, "--json")
     assert strict_json(plain.stdout)["line"]  # nothing but JSON on standard output
 

@@ -26,7 +26,7 @@ def test_what_is_recorded_is_what_is_tested(module: pytest.Module) -> None:
     record = records.load(*records.place(module.path))
     assert record.title and record.text, "the docstring is what the page says"
     assert record.version == arcless.__version__
-    assert record.rows and record.faults, "nothing recorded: run the file with --publish"
+    assert record.rows and record.faults, f"nothing recorded: run `{records.PUBLISH}`"
     tests = {test.name: test for test in records.measuring(module)}
     measured = {row.test: row.slow for row in record.rows}
     gone = set(measured) - set(tests)

@@ -91,7 +91,8 @@ pub struct Bend {
     pub beta: f64,
 }
 
-/// Bar between two nodes. A unilateral link pulls but never pushes.
+/// Bar between two nodes. A unilateral link pulls but never pushes. A pure damper, of stiffness 0,
+/// is neither unilateral nor adjusted: it has no tension at rest.
 #[derive(Debug, Clone, Copy)]
 pub struct Link {
     /// First (upper) and second (lower) node.
@@ -110,6 +111,14 @@ pub struct Link {
     pub unilateral: bool,
     /// Length unknown: the lower node's height is held in the design calculation.
     pub adjust: bool,
+}
+
+impl Link {
+    /// Tells whether the link can pull at rest: a pure damper cannot.
+    #[must_use]
+    pub fn is_elastic(&self) -> bool {
+        self.stiffness > 0.0
+    }
 }
 
 /// Bar between a node and a point of the ground.

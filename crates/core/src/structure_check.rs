@@ -133,7 +133,9 @@ fn check_chains(s: &Structure, n: usize) -> Result<(), CoreError> {
 fn check_links(s: &Structure, n: usize) -> Result<(), CoreError> {
     for (i, l) in s.links.iter().enumerate() {
         let nodes = l.nodes[0] < n && l.nodes[1] < n && l.nodes[0] != l.nodes[1];
-        let numbers = positive(l.stiffness) && l.rest_length.is_finite();
+        // Only links that pull at rest can be slack, or be given a length by their tension.
+        let damper = l.stiffness == 0.0 && !l.unilateral && !l.adjust;
+        let numbers = (positive(l.stiffness) || damper) && l.rest_length.is_finite();
         let damping = not_negative(l.viscosity)
             && not_negative(l.damping.alpha)
             && not_negative(l.damping.beta);

@@ -11,9 +11,9 @@ use arcless_core::pantograph::excitation::ForceHistory;
 use arcless_core::scheme::Scheme;
 use arcless_core::slideline::Slideline;
 use arcless_core::statics::Geometry;
-use arcless_core::structure::{Spring, SpringMode, Strut};
+use arcless_core::structure::{Link, Spring, SpringMode, Strut};
 use common::lanes::{At, STRING, lined, strings};
-use common::{Single, everything, free_mass, prepare, travel};
+use common::{Single, everything, free_mass, oblique, prepare, simple_line, travel};
 
 fn scheme() -> Scheme {
     Scheme::generalised_alpha(0.9)
@@ -128,6 +128,22 @@ fn struts_and_springs_are_finite() {
         ..spring
     };
     assert!(is_refused(with(strut, spoilt), "springs"));
+}
+
+/// Slack links and lengths that follow from a tension divide by the stiffness.
+#[test]
+fn only_links_that_need_no_stiffness_may_have_none() {
+    let (line, _) = simple_line(1);
+    for [unilateral, adjust] in [[false, false], [true, false], [false, true]] {
+        let mut s = line.clone();
+        s.links.push(Link {
+            unilateral,
+            adjust,
+            ..oblique(&line, 3, 0.0, 500.0)
+        });
+        let found = Geometry::<2, 4>::new(s);
+        assert_eq!(is_refused(found, "links"), unilateral || adjust);
+    }
 }
 
 /// They were added up to infinite forces.

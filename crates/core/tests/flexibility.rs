@@ -11,7 +11,8 @@ use arcless_core::session::{Collector, Session, SessionStart};
 use arcless_core::statics::{Alteration, Geometry, Shape};
 use arcless_core::structure::Structure;
 use common::{
-    SPAN, Single, difference, everything, peak, prepare, run, simple_line_of, three_masses, travel,
+    SPAN, Single, difference, everything, oblique, peak, prepare, run, simple_line_of,
+    three_masses, travel,
 };
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -284,6 +285,29 @@ fn after_changes_the_line_yields_with_its_own_tension() {
     // 15e6 · 3e-4 of 22 kN and 11.64e6 · 3e-4 of 16 kN are a fifth; what is left is in 1/(1 − 0.2).
     let ratio = yields(&altered, 12) / yields(&geometry, 13);
     assert!((1.15..1.35).contains(&ratio), "{ratio}");
+}
+
+/// A pure damper shares no kink with the dropper at whose node it is: lengths, stiffnesses with R
+/// and shape keep their bits.
+#[test]
+fn a_damper_changes_nothing_at_rest() {
+    let (plain, _) = simple_line_of(3, [1.45, 2.9]);
+    let with = |stiffness: Option<f64>| {
+        let mut s = plain.clone();
+        s.links
+            .extend(stiffness.map(|k| oblique(&plain, 12, k, 500.0)));
+        let mut geometry = Geometry::<2, 4>::new(s).expect("a valid structure");
+        geometry.add_residual_flexibility();
+        let start = geometry.design().expect("the design converges");
+        let shape = geometry.find_equilibrium(&start);
+        let droppers = geometry.structure.links[..plain.links.len()].iter();
+        let numbers: Vec<_> = droppers.map(|l| [l.rest_length, l.stiffness]).collect();
+        (numbers, shape.expect("the equilibrium converges"))
+    };
+    let (without, damped, pulled) = (with(None), with(Some(0.0)), with(Some(1e-9)));
+    assert_eq!(damped, without);
+    // A spring counts, however soft: two bars at a node, each with R of both.
+    assert!((pulled.0[12][0] - without.0[12][0]).abs() > 1e-6);
 }
 
 /// Heights of the drawing are those of the real wire at its clamps.

@@ -58,6 +58,31 @@ fn dissipation(e: &EnergyTerms) -> [f64; 4] {
     ]
 }
 
+/// Pure dampers between the wires, one in each span.
+fn with_dampers(s: &mut Structure) {
+    for span in 0..6 {
+        let damper = common::oblique(s, 9 * span + 4, 0.0, 500.0);
+        s.links.push(damper);
+    }
+}
+
+#[test]
+fn balances_with_dampers_that_have_no_stiffness() {
+    for scheme in [trapezoidal(), Scheme::generalised_alpha(0.0)] {
+        let r = [with_dampers, |_: &mut Structure| ()].map(|change| {
+            let p = common::prepare(common::simple_line(6), change, scheme, STEP, CONTACT);
+            let way = travel(110.0, 270.0, SPEED, STEP);
+            run(&p, &[three_masses(200.0)], &way, &everything())
+        });
+        for r in &r {
+            assert!(r.slack_max > 0, "droppers go slack");
+            assert!(r.energy_residual < BALANCE * r.energy_turnover);
+        }
+        let [damped, plain] = r.map(|r| last(&r).dissipated_links);
+        assert!(damped > 1.3 * plain, "{damped} J, {plain} J");
+    }
+}
+
 #[test]
 fn balances_with_slack_links_lift_off_friction_and_two_pantographs() {
     let members = [

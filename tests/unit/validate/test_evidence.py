@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from dataclasses import replace
 from pathlib import Path
 from types import ModuleType
@@ -118,6 +118,27 @@ def test_a_record_equals_what_was_measured(record: Path) -> None:
 def test_a_record_that_differs_is_noticed(record: Path, changes: dict[str, object]) -> None:
     with pytest.raises(AssertionError, match="make evidence"):
         records.compare_rows(record, "test_x", [measured(**changes)])
+
+
+@pytest.mark.parametrize(("compared", "passes"), [(20_952, True), (24_879, True), (20_951, False)])
+def test_more_numbers_may_be_compared_than_recorded(
+    record: Path, monkeypatch: pytest.MonkeyPatch, compared: int, passes: bool
+) -> None:
+    now = measured(unit=f"of {compared} numbers")
+    then = Topic("closed_forms", "speed", rows=[measured(unit="of 20952 numbers")])
+    monkeypatch.setattr(records, "load", lambda *_: then)
+    with nullcontext() if passes else pytest.raises(AssertionError, match="unit changed"):
+        records.compare_rows(record, "test_x", [now])
+    # What is written has the count of today.
+    assert (records._steady([now], then.rows) == then.rows) == (compared == 20_952)
+
+
+def test_records_are_written_of_whole_files() -> None:
+    records.check_selection(publish=True, markers="", keywords="")
+    records.check_selection(publish=False, markers="not evidence", keywords="test_x")
+    for markers, keywords in (("not evidence", ""), ("", "test_x")):
+        with pytest.raises(pytest.UsageError, match='run `pytest -m "" --publish FILE`'):
+            records.check_selection(publish=True, markers=markers, keywords=keywords)
 
 
 def test_rows_that_are_missing_or_new_are_noticed(record: Path) -> None:

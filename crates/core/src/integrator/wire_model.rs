@@ -153,6 +153,7 @@ impl<const DIM: usize, const D: usize> WireModel<DIM, D> {
             }
         }
     }
+
     /// Returns the explicit integrator and its state; `None` for the others.
     pub(crate) fn explicit_state<'a>(
         &'a self,

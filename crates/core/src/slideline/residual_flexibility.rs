@@ -20,7 +20,8 @@ const ELEMENTS_AHEAD: usize = 3;
 struct Sources {
     /// Upward force on the wires at each node with anything attached, N.
     forces: Vec<(usize, f64)>,
-    /// Links at each node, with the upward force on the wire per tension.
+    /// Links with a stiffness at each node, with the upward force on the wire per tension: R acts
+    /// through k only, so that a pure damper would just take a place of [`MOST_LINKS`].
     links: Vec<Vec<(usize, f64)>>,
 }
 
@@ -31,7 +32,8 @@ impl Sources {
     ) -> Self {
         let forces = geometry.point_forces(shape);
         let mut links = vec![Vec::new(); geometry.nodes()];
-        for (number, link) in geometry.structure.links.iter().enumerate() {
+        let all = geometry.structure.links.iter().enumerate();
+        for (number, link) in all.filter(|(_, link)| link.is_elastic()) {
             let down = Geometry::<DIM, D>::link_state(shape, link).direction[DIM - 1];
             for (node, up) in link.nodes.into_iter().zip([down, -down]) {
                 links[node].push((number, up));

@@ -131,10 +131,10 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
 
     /// Number of links that hang on each node minus those that hold it up. Links that share a node
     /// share its kink: with equal forces each has R as often as links pull in its direction, and
-    /// none where the force passes straight through.
+    /// none where the force passes straight through. Pure dampers pull at no kink.
     fn net_hanging_links(&self) -> Vec<f64> {
         let mut hanging = vec![0.0; self.nodes()];
-        for link in &self.structure.links {
+        for link in self.structure.links.iter().filter(|l| l.is_elastic()) {
             hanging[link.nodes[0]] += 1.0;
             hanging[link.nodes[1]] -= 1.0;
         }

@@ -170,6 +170,21 @@ fn add_droppers_and_supports(s: &mut Structure, spans: usize, at: &impl Fn(f64, 
     }
 }
 
+/// Bar without mass from the lower node of a dropper of `simple_line` to the upper one of the next:
+/// a pure damper where its stiffness is 0.
+pub fn oblique(s: &Structure, dropper: usize, stiffness: f64, viscosity: f64) -> Link {
+    Link {
+        nodes: [s.links[dropper + 1].nodes[0], s.links[dropper].nodes[1]],
+        rest_length: 0.0,
+        stiffness,
+        viscosity,
+        damping: Rayleigh::default(),
+        mass: 0.0,
+        unilateral: false,
+        adjust: false,
+    }
+}
+
 /// The line at rest, ready to step.
 pub fn prepared(spans: usize, scheme: Scheme, h: f64, contact: f64) -> WireModel<2, 4> {
     prepare(simple_line(spans), |_| (), scheme, h, contact)

@@ -5,7 +5,7 @@ use super::islands::two_lengths;
 use super::{Chain, explicit};
 use crate::tests::common::chain::lumped;
 use crate::tests::common::space::staggered;
-use crate::tests::common::{everything, run, simple_line_of, three_masses, travel};
+use crate::tests::common::{everything, oblique, run, simple_line_of, three_masses, travel};
 use crate::tests::islands::{near, way};
 use crate::tests::resume::{compare, part};
 use arcless_core::CoreError;
@@ -60,6 +60,27 @@ fn balances_with_slack_links_lift_off_friction_and_two_pantographs() {
         assert!(r.gap.iter().any(|g| *g > 0.0), "contact is lost");
         assert!(relative < BALANCE, "{relative:e}");
     }
+}
+
+#[test]
+fn balances_with_dampers_that_have_no_stiffness() {
+    let (mut structure, path) = simple_line_of(6, [0.45, 0.6]);
+    let plain = (lumped(&structure), vec![path.clone()]);
+    for span in 0..6 {
+        let damper = oblique(&structure, 9 * span + 4, 0.0, 500.0);
+        structure.links.push(damper);
+    }
+    let damped = (lumped(&structure), vec![path]);
+    let dissipated = [damped, plain].map(|chain| {
+        let p = explicit::<2, 2>(&chain, H);
+        let way = travel(110.0, 270.0, SPEED, H);
+        let r = run(&p, &[three_masses(200.0)], &way, &everything());
+        assert!(r.slack_max > 0, "droppers go slack");
+        assert!(r.energy_residual < BALANCE * r.energy_turnover);
+        last(&r).dissipated_links
+    });
+    let [damped, plain] = dissipated;
+    assert!(damped > 1.3 * plain, "{damped} J, {plain} J");
 }
 
 #[test]

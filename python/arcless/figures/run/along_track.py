@@ -24,11 +24,11 @@ Bools = NDArray[np.bool_]
 
 FORCE = "contact force"
 # Spans of the first figure on either side of that with the worst place, and its extra height.
-BESIDE, HEADROOM = 1, 0.16
+BESIDE, HEADROOM, FOOTROOM = 1, 0.16, 0.07
 LEAD_HEIGHT, TALL = 330, 320
 WIRE_POINTS = 3000
 # A limit this far above what was reached is not drawn: it would flatten the curves.
-FAR_LIMIT = 1.6
+FAR_LIMIT = 1.35
 
 
 def lead(run: RunData) -> list[Figure]:
@@ -37,7 +37,7 @@ def lead(run: RunData) -> list[Figure]:
     shown = [(run.position[:, i] >= window[0]) & (run.position[:, i] <= window[1])
              for i in range(len(run.pantographs))]  # fmt: skip
     low, high = _force_range(run, shown)
-    top = high + HEADROOM * (high - low)
+    low, top = low - FOOTROOM * (high - low), high + HEADROOM * (high - low)
     found = []
     first = worst(run)[0]
     for i in sorted(range(len(run.pantographs)), key=lambda i: i != first):

@@ -22,8 +22,8 @@ from arcless.figures.run.track import ground, titled
 BINS = 40
 HIGHEST_HZ = 50.0
 DECADES = 6
-# Window of the spectrogram in s, its columns, the highest frequency over the low-pass, and the
-# range of densities below the largest one, in dB.
+# Window of the spectrogram in s, its columns for all pantographs together, the highest frequency
+# over the low-pass, and the range of densities below the largest one, in dB.
 WINDOW_S, COLUMNS, ABOVE_LOW_PASS, DEPTH_DB = 1.0, 400, 1.5, 40.0
 HARMONICS = 3
 
@@ -88,8 +88,7 @@ def force_spectrum(run: RunData) -> list[Figure]:
             Figure(
                 f"spectrum-{i + 1}", titled(run, "Spectrum of the unfiltered contact force", i),
                 x, y, [*_passing(run), *_bands(run), curve],
-                caption="In the section assessed. The pointer also shows the wavelength, speed"
-                " over frequency.",
+                caption="In the section assessed. The wavelength is the speed over the frequency.",
                 alt=f"Power spectral density of the contact force of {run.pantographs[i]}, largest"
                 f" at {largest:.2f} Hz.",
             )
@@ -101,7 +100,8 @@ def spectrogram(run: RunData) -> list[Figure]:
     """Return the density of the force over position and frequency, in moving windows."""
     rate = run.record.rate_Hz
     length = int(min(run.time.size, max(8, round(WINDOW_S * rate))))
-    hop = max(1, (run.time.size - length) // COLUMNS)
+    columns = max(60, COLUMNS // len(run.pantographs))
+    hop = max(1, (run.time.size - length) // columns)
     if run.time.size < 2 * length:
         return []
     window = 0.5 - 0.5 * np.cos(2.0 * np.pi * np.arange(length) / length)
@@ -131,8 +131,8 @@ def spectrogram(run: RunData) -> list[Figure]:
                 f"spectrogram-{i + 1}",
                 titled(run, "Spectrogram of the unfiltered contact force", i),
                 track_axis(run), Axis("frequency", "Hz", *heights), [grid, *ground(run)[1:]],
-                caption=f"Power spectral density in windows of {WINDOW_S:g} s, which blur"
-                f" {WINDOW_S * run.assessment.speed_m_s:.0f} m along the track.",
+                caption=f"Power spectral density in windows of {WINDOW_S:g}\u00a0s, which blur"
+                f" {WINDOW_S * run.assessment.speed_m_s:.0f}\u00a0m along the track.",
                 alt=f"Spectrogram of the contact force of {run.pantographs[i]} along the track.",
                 scale=scale,
             )

@@ -82,5 +82,6 @@ def _view(
         tips = (Tip(label, "y", "m", "0.000"), Tip("position", "x", "m"))
         width = 2.0 if wire == "contact_wire" else 1.3
         wires.append(Curve(x, values, colour=wire, name=label, width=width, tips=tips))
+    wires.reverse()  # the contact wire lies on top
     layers, title = [*supports(run), *more, *wires], f"Line at rest, {view}"
     return [Figure(key, title, axis(run), y, layers, height=height, alt=f"{title}.")]

@@ -9,6 +9,7 @@ import numpy as np
 
 from arcless.mesh.division.masses_and_inserts import places_on_wires
 from arcless.mesh.division.systems import WireSystem
+from arcless.mesh.division.wire_names import AUXILIARY, BRIDLE, MESSENGER, STITCH
 from arcless.mesh.tables.mesh_types import Floats
 from arcless.model.line.line import Line
 from arcless.model.line.parts.components import DropperType, TensionedWire
@@ -16,10 +17,6 @@ from arcless.model.line.parts.spans import SpanDroppers
 
 # Stations closer than this are one: far below a clamp, far above rounding. In m.
 SAME_PLACE = 1e-6
-
-CONTACT, MESSENGER = "contact wire", "messenger wire"
-STITCH, AUXILIARY = "stitch wire", "auxiliary wire"
-BRIDLE = "bridle"
 
 
 @dataclass(frozen=True)

@@ -222,8 +222,8 @@ def _axis(axis: Axis) -> Model:
     if axis.form:
         made.formatter = Model("NumeralTickFormatter", format=axis.form)
     if axis.categories:
-        made.ticker = Model("FixedTicker", ticks=list(range(len(axis.categories))))
-        names = {place: plain(name) for place, name in enumerate(axis.categories)}
+        names = {place: plain(name) for place, name in enumerate(axis.categories) if name}
+        made.ticker = Model("FixedTicker", ticks=list(names))
         made.major_label_overrides = names
     return made
 

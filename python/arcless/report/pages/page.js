@@ -74,7 +74,7 @@
     const track = data.groups.track;
     if (track && data.track.section) {
       const range = model(track.range);
-      const whole = [range.start, range.end];
+      const whole = data.track.whole || [range.start, range.end];
       const show = { all: whole, section: data.track.section };
       for (const button of $("[data-show]")) {
         button.addEventListener("click", () => {
@@ -86,12 +86,28 @@
       const output = $(".cursor")[0];
       const name = (x) => {
         const after = data.track.supports.findIndex((place) => place > x);
-        return after > 0 ? `, span ${after}` : "";
+        return after > 0 ? `, span ${after + (data.track.first || 1) - 1}` : "";
       };
       cross.properties.location.change.connect(() => {
         const x = cross.location;
         if (output) output.textContent = Number.isFinite(x) ? `${x.toFixed(1)} m${name(x)}` : "";
       });
+    }
+
+    // ---- heights drawn larger than lengths: how much, at this size and zoom --------------------
+    for (const output of $("[data-exaggeration]")) {
+      const place = $(`[data-key="${output.dataset.exaggeration}"]`)[0];
+      const plot = plots.find((one) => data.places[one.id] === place?.id);
+      if (!plot) continue;
+      const tell = () => {
+        const scale = (size, range) => size / Math.abs(range.end - range.start);
+        const ratio = scale(plot.inner_height, plot.y_range) / scale(plot.inner_width, plot.x_range);
+        if (ratio > 0 && Number.isFinite(ratio)) output.textContent = `, here ${Number(ratio.toPrecision(2))} times`;
+      };
+      for (const range of [plot.x_range, plot.y_range]) range.change.connect(tell);
+      plot.properties.inner_width.change.connect(tell);
+      plot.properties.inner_height.change.connect(tell);
+      tell();
     }
 
     // ---- tables of variants: sorted by a title, selected together with the figures ------------
@@ -169,6 +185,37 @@
     });
     root.classList.add("drawn");
   });
+
+  // ---- tables as files -------------------------------------------------------------------------
+  const cells = (id) => $("tr", document.getElementById(id)).map((row) =>
+    [...row.cells].map((cell) => cell.textContent.trim().replace(/\u2212(?=\d)/g, "-").replace(/^\u2013$/, "")));
+  for (const button of $("[data-download]")) {
+    button.addEventListener("click", () => {
+      const quoted = (text) => (/[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
+      const text = cells(button.dataset.download).map((row) => row.map(quoted).join(",")).join("\r\n");
+      const link = document.createElement("a");
+      // The mark at the beginning tells spreadsheets that the text is UTF-8.
+      link.href = URL.createObjectURL(new Blob(["\ufeff", text, "\r\n"], { type: "text/csv" }));
+      link.download = button.dataset.file;
+      link.click();
+      setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+    });
+  }
+  for (const button of $("[data-copy]")) {
+    button.hidden = !navigator.clipboard;
+    button.addEventListener("click", async () => {
+      await navigator.clipboard.writeText(cells(button.dataset.copy).map((row) => row.join("\t")).join("\n"));
+      button.textContent = "Copied";
+    });
+  }
+
+  // ---- tables that are larger than their place: scrolled by keys too -------------------------------
+  const measure = (one) => {
+    if (one.scrollWidth > one.clientWidth || one.scrollHeight > one.clientHeight) one.tabIndex = 0;
+    else one.removeAttribute("tabindex");
+  };
+  const sizes = new ResizeObserver((entries) => entries.forEach((entry) => measure(entry.target)));
+  for (const one of $(".scroll")) sizes.observe(one);
 
   // ---- contents: where the reader is ----------------------------------------------------------
   const links = new Map($("nav.contents a[href^='#']").map((link) => [link.hash.slice(1), link]));

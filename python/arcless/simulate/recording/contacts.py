@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 
-# Reduction of the values of several contacts to that of their pantograph, by series of the core.
+# Reduction of the values of several contacts to that of their pantograph, by series of the core; in
+# the result its name is `contact_` + that of the series.
 REDUCTIONS = {
     "force": "sum",
     "gap": "smallest",

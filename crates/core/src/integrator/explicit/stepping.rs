@@ -203,9 +203,9 @@ impl<const DIM: usize> Explicit<DIM> {
             let (row, simd_lane) = row_and_lane(around[k]);
             rows[row].w[simd_lane]
         });
-        let requested = &self.common[row - 1..=row + 1];
-        let filter = std::array::from_fn(|k| requested[k].filter[simd_lane]);
-        let second = std::array::from_fn(|k| requested[k].second[simd_lane]);
+        let coefficients = &self.common[row - 1..=row + 1];
+        let filter = std::array::from_fn(|k| coefficients[k].filter[simd_lane]);
+        let second = std::array::from_fn(|k| coefficients[k].second[simd_lane]);
         filtered_acceleration(
             w,
             filter,
@@ -263,8 +263,8 @@ impl<const DIM: usize> Explicit<DIM> {
             &self.axial_positions[packed_index],
             row_and_lane(packed_index),
         );
-        let mut known_until = [[0.0; 2]; DIM];
-        known_until[0] = [
+        let mut motion = [[0.0; 2]; DIM];
+        motion[0] = [
             along.read(&chain.x[0]),
             self.per_step * along.read(&chain.x[1]),
         ];
@@ -272,9 +272,9 @@ impl<const DIM: usize> Explicit<DIM> {
             let a = self.acceleration(direction, packed_index, rows);
             let (s, d) = (rows[row].s[simd_lane], rows[row].d[simd_lane]);
             let y = s - self.damping[row].lag[simd_lane] * d;
-            known_until[direction + 1] = [y + BETA * a, self.per_step * (d + 0.5 * a)];
+            motion[direction + 1] = [y + BETA * a, self.per_step * (d + 0.5 * a)];
         }
-        known_until
+        motion
     }
 
     /// Advances an island by one step, and finds the forces of its wires for the next one.
@@ -302,12 +302,12 @@ impl<const DIM: usize> Explicit<DIM> {
             .moving
             .iter()
             .flat_map(|all| &all[island_model.rows.clone()]);
-        let direction = rows.flat_map(|row| row.s.iter().chain(row.d.iter()));
+        let transverse = rows.flat_map(|row| row.s.iter().chain(row.d.iter()));
         let along = chain
             .x
             .iter()
             .flat_map(|list| &list[island_model.masters.clone()]);
-        direction.chain(along).all(|v| *v == 0.0)
+        transverse.chain(along).all(|v| *v == 0.0)
     }
 
     /// Resets an island to rest.

@@ -1,0 +1,57 @@
+// Drives Chromium for the tests: a line of JSON is a call, and a line of JSON its answer.
+// Arguments: the folder of the packages, and the browser.
+import { createRequire } from "node:module";
+import { createInterface } from "node:readline";
+
+const [packages, executablePath] = process.argv.slice(2);
+const { chromium } = createRequire(`${packages}/`)("playwright-core");
+// Playwright gives each browser an empty profile, and each context its own storage.
+const browser = await chromium.launch({
+  executablePath,
+  args: [
+    "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+    "--disable-background-networking", "--disable-component-update", "--disable-sync",
+  ],
+});
+const pages = new Map();
+
+// Opens a file; what the page says and asks for is kept from its beginning.
+async function open({ name, file, before, ...options }) {
+  const context = await browser.newContext(options);
+  const page = await context.newPage();
+  const events = [];
+  page.on("console", (said) => {
+    if (["error", "warning"].includes(said.type())) events.push(`${said.type()}: ${said.text()}`);
+  });
+  page.on("pageerror", (error) => events.push(`page error: ${error.message}`));
+  page.on("request", (request) => {
+    if (request.url() !== file) events.push(`request: ${request.url().slice(0, 200)}`);
+  });
+  if (before) await page.addInitScript(before);
+  pages.set(name, { page, events, session: await context.newCDPSession(page) });
+  await page.goto(file);
+  await page.waitForFunction(() => document.documentElement.classList.contains("drawn"));
+}
+
+async function answer({ name, call, args }) {
+  if (call === "open") return open({ name, ...args[0] });
+  const { page, events, session } = pages.get(name);
+  if (call === "events") return events.splice(0);
+  if (call === "send") return session.send(...args);
+  if (call === "close") return pages.delete(name) && page.context().close();
+  const path = call.split(".");
+  const last = path.pop();
+  const found = await path.reduce((object, part) => object[part], page)[last](...args);
+  return Buffer.isBuffer(found) ? found.toString("base64") : found;
+}
+
+for await (const line of createInterface({ input: process.stdin })) {
+  let reply;
+  try {
+    reply = { value: (await answer(JSON.parse(line))) ?? null };
+  } catch (error) {
+    reply = { error: error.message };
+  }
+  process.stdout.write(`${JSON.stringify(reply)}\n`);
+}
+await browser.close();
