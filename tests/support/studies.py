@@ -1,6 +1,7 @@
 """A small study: a short line, runs of some ten milliseconds each."""
 
 import sqlite3
+from collections.abc import Callable
 from contextlib import closing
 from pathlib import Path
 from typing import Any
@@ -77,6 +78,22 @@ def filled(folder: Path, *, of: int | None = None, error: str = "", **changes: A
             journal.append(
                 Row(number, one.key, one.values, status, {} if error else outputs, error, 0.1, "v")
             )
+    return made
+
+
+def filled_by(
+    folder: Path, outputs_of: Callable[[dict[str, Any]], dict[str, Any]], **changes: Any
+) -> Study:
+    """Return a study whose outputs are made up from the values of each variant, in SI."""
+    made = study(**changes)
+    place = StudyFolder(made, folder)
+    with place.open_journal() as journal:
+        place.write_state(journal.mode)
+        for number in range(1, made.plan.count + 1):
+            one = variant(made, number)
+            outputs = outputs_of(one.values)
+            error = outputs.pop("error", "")
+            journal.append(Row(number, one.key, one.values, "done", outputs, str(error), 0.1, "v"))
     return made
 
 

@@ -64,7 +64,7 @@ def test_of_a_study_and_in_its_report(tmp_path: Path) -> None:
     sigma = found["outputs"]["sigma"]
     assert (sigma["values"], sigma["without_value"]) == (200, 0)
     assert sigma["percentiles"][2]["low"] < 0.075 < sigma["percentiles"][2]["high"]
-    assert "What is to be expected" in html(made, tmp_path)
+    assert "<h3>Percentiles</h3>" in html(made, tmp_path)
     grid = study(variables=VARIABLES)
     assert percentiles(grid, []) is None
 

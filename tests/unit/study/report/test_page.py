@@ -1,5 +1,6 @@
 """The report of a study: what it says, of which rows, and that its commands compute a row again."""
 
+import json
 import re
 import shlex
 from pathlib import Path
@@ -16,11 +17,13 @@ from arcless.study import Study, StudyFolder, load, run
 from arcless.study.folder import table
 from arcless.study.report import html, write
 from arcless.study.report.commands import Commands
-from arcless.study.report.effects import effect
-from arcless.study.report.figures import Drawing
-from arcless.study.report.record import Column, Record, shortened
+from arcless.study.report.data.effects import effect
+from arcless.study.report.data.judged import judge
+from arcless.study.report.data.record import Column, Record, shortened
+from arcless.study.report.figures.canvas import Canvas
+from arcless.study.report.figures.scatters import Scatters
 from arcless.study.report.tables import best
-from tests.support.bokeh_pages import document_in, mistakes_of
+from tests.support.bokeh_pages import data_in, document_in, mistakes_of
 from tests.support.studies import VARIABLES, filled, rows, study, written
 
 
@@ -33,6 +36,7 @@ def test_a_whole_study(tmp_path: Path) -> None:
     assert "Complete: 4 of 6 variants computed, 2 invalid" in page
     assert "got -5.0, expected a force" in page
     assert "pantographs.0.static_force" in page
+    assert "sigma by force and tension" in page
     assert "sigma over force" in page
     assert "default-src 'none'" in page  # a browser refuses whatever would be loaded
     assert not mistakes_of(document_in(page))
@@ -51,7 +55,8 @@ def test_nothing_but_failures(tmp_path: Path) -> None:
     page = html(filled(tmp_path, error="<b>no</b> contact"), tmp_path)
     assert "No variant has a value: 6 failed" in page
     assert "&lt;b&gt;no&lt;/b&gt; contact" in page
-    assert "Outputs over variables" not in page
+    assert 'id="effects"' not in page
+    assert 'id="variants"' not in page
 
 
 def test_no_row_yet(tmp_path: Path) -> None:
@@ -76,7 +81,13 @@ def test_thousands_of_variants_are_thinned(tmp_path: Path) -> None:
     force = {**VARIABLES["force"], "values": None, "range": ["60 N", "90 N"]}
     many = {"variables": {"force": force}, "design": {"kind": "monte-carlo", "count": 5000}}
     page = html(filled(tmp_path, **many), tmp_path)
-    assert "4000 of 5000 variants, evenly chosen" in page
+    # Evenly chosen, and the ends of two outputs, which may be among those already.
+    found = re.search(r"(\d+) of 5000 variants, evenly chosen", page)
+    assert found is not None
+    drawn = int(found[1])
+    assert 3990 < drawn <= 4000
+    assert len(re.findall(r"^<tr><td>\d", page, re.MULTILINE)) == drawn
+    assert f"300 of {drawn} rows are printed" in page
     assert len(page) < 4e6
 
 
@@ -84,7 +95,7 @@ def test_texts_of_users_are_no_markup(tmp_path: Path) -> None:
     outputs = {"sigma": {"expression": "std_force_N", "unit": "<i>x</i>"}}
     page = html(filled(tmp_path, outputs=outputs, description="<script>1</script>"), tmp_path)
     assert "<script>1</script>" not in page
-    assert "<i>x</i>" not in page.replace("\\u003c", "<").split("<script", 1)[0]
+    assert "<i>x</i>" not in page  # in the data of the script < is written \\u003c
     assert "&lt;i&gt;x&lt;/i&gt;" in page
 
 
@@ -134,11 +145,32 @@ def test_the_best_of_an_optimisation(tmp_path: Path) -> None:
     page = html(made, tmp_path)
     record = Record(made, tmp_path)
     assert "Best variants" in page
-    assert "optimise: minimise sigma; 6 variants" in page
+    assert "optimise: minimise sigma; 6 variants, seed 0" in page
     lowest = min(record.done, key=lambda row: row.outputs["sigma"] or 0.0)
     found = best(record)
     assert found is not None
     assert [leader.variant for leader in found] == [lowest.variant]
+
+
+def test_the_table_and_the_figures_share_their_columns(tmp_path: Path) -> None:
+    page = html(filled(tmp_path), tmp_path)
+    (source,) = set(re.findall(r'data-selection="(\w+)"', page))
+    names = re.findall(r'data-sort="(\w+)"', page)
+    written = json.dumps(data_in(page)["objects"]["roots"])
+    assert f'"name": "ColumnDataSource", "id": "{source}"' in written
+    columns = document_in(page).get_model_by_id(source).data
+    assert set(names) <= set(columns)
+    assert len(columns[names[0]]) == len(re.findall(r"^<tr><td>\d", page, re.MULTILINE))
+
+
+def test_nothing_that_could_be_an_axis(tmp_path: Path) -> None:
+    errors = {"standard_deviation": "1 mm", "correlation_length": "10 m"}
+    variables = {"e": {"field": "as_built.dropper_length_errors", "random_field": errors}}
+    made = filled(tmp_path, variables=variables, outputs={"sigma": "std_force_N"},
+                  design={"kind": "monte-carlo", "count": 3})  # fmt: skip
+    page = html(made, tmp_path)
+    assert 'id="variants"' in page
+    assert "data-sort" not in page.split("<script")[0]  # no columns that a click could sort
 
 
 def test_no_study_there(tmp_path: Path) -> None:
@@ -147,7 +179,7 @@ def test_no_study_there(tmp_path: Path) -> None:
 
 
 EVIL = "@variant{safe}<img src=x onerror=alert(1)>$x{safe}@{v0 word}{safe}"
-OWN_VALUE = re.compile(r"@\w+\{0\.\[00000\]\}|@\{v\d+ word\}|@variant")
+OWN_VALUE = re.compile(r"@c\d+(\{0(\.0+)?(e\+0)?\})?")
 
 
 def test_no_word_of_a_user_is_a_template_of_a_tooltip(tmp_path: Path) -> None:
@@ -163,14 +195,14 @@ def test_no_word_of_a_user_is_a_template_of_a_tooltip(tmp_path: Path) -> None:
             "ratio": {"expression": "std_force_N / mean_force_N", "unit": EVIL},
         },
     )
-    drawing = Drawing(Record(made, tmp_path))
-    panels = [fig for _, figures in (*drawing.effects(), *drawing.pairs()) for fig in figures]
-    panels += drawing.fronts()
+    page = html(made, tmp_path)
+    assert "<img" not in page
+    roots = document_in(page).roots
     tips = [
         pair
-        for fig in panels
-        for tool in fig.toolbar.tools
-        for pair in getattr(tool, "tooltips", [])
+        for plot in roots
+        for tool in plot.toolbar.tools
+        for pair in getattr(tool, "tooltips", None) or []
     ]
     assert len(tips) > 20
     assert all(OWN_VALUE.fullmatch(value) for _, value in tips), tips
@@ -191,11 +223,12 @@ def test_people_see_the_units_of_the_study_file(tmp_path: Path) -> None:
     assert (kn.label, sorted(set(kn.values))) == ("tension, kN", [20.0, 22.0, 24.0])
     assert (plain.label, sorted(set(plain.values))) == ("arm, N/m", [150.0, 300.0])
     page = html(made, tmp_path)
-    assert "v = 60 km/h, tension = 20 kN, arm = 150 N/m" in page
+    assert "v 60 km/h, tension 20 kN, arm 150 N/m" in page
     assert "m/s," not in page
-    ((_, (over_speed, *_)), *_) = Drawing(record).effects()
-    assert over_speed.xaxis.axis_label == "v, km/h"
-    assert 240.0 < over_speed.x_range.end < 260.0
+    ((_, (over_speed, *_)), *_) = Scatters(Canvas(record, judge(record))).effects()
+    assert (over_speed.x.label, over_speed.x.unit) == ("v", "km/h")
+    assert over_speed.x.high is not None
+    assert 240.0 < over_speed.x.high < 260.0
     # The table is for programs: SI, with the unit beside it.
     assert [row["v"] for row in rows_of_table(made, tmp_path)][:1] == [60 / 3.6]
 

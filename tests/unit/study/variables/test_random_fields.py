@@ -102,7 +102,7 @@ def test_a_study_of_nothing_else(path: str, tmp_path: Path) -> None:
     assert found[1]["errors"] == made.plan.values(1)[0]
     # Over numbers of drawings there is nothing to plot.
     page = html(made, tmp_path)
-    assert "What is to be expected" in page
+    assert "<h3>Percentiles</h3>" in page
     assert "Outputs over variables" not in page
 
 

@@ -14,10 +14,12 @@ from arcless.study.journal.row import Row
 
 # A scenario takes a millisecond; more different ones than this are not made for a page.
 MOST_SCENARIOS = 5000
+_WIRE = re.compile(r"line\.contact_wire\.(tension|mass)")
 _FORCE = re.compile(r"pantographs\.(\d+)\.mean_force")
-# Fields that no limit depends on.
+# Fields that no limit depends on, or in a way that needs no scenario.
 _FREE = re.compile(
     r"pantographs\.\d+\.(static_force|mean_force|distance)$"
+    r"|line\.(?!design\b)\w+\."
     r"|(speed|as_built|contact|solver|travel|analysis|wear)(\.|$)"
 )
 
@@ -40,11 +42,17 @@ class Scenes:
     def __init__(self, study: Study) -> None:
         self._study = study
         self._scenarios: dict[str, Scenario | None] = {}
-        self._facts: dict[tuple[str, float], Facts] = {}
+        self._facts: dict[tuple[Any, ...], Facts] = {}
+        self._data: dict[int, dict[str, Any]] = {}
         self._matter = [axis.name for axis in study.axes if not _FREE.match(axis.field)]
         as_built = any(axis.field.startswith("as_built") for axis in study.axes)
         self._wave_known = not as_built
         self._speeds = [axis.name for axis in study.axes if axis.field == "speed"]
+        self._wire = {
+            found[1]: axis.name
+            for axis in study.axes
+            if (found := _WIRE.fullmatch(axis.field)) is not None
+        }
         self._forces = {
             int(found[1]): axis.name
             for axis in study.axes
@@ -77,9 +85,11 @@ class Scenes:
             float(row.values[self._forces[place]]) if place in self._forces else placed.mean_force
             for place, placed in enumerate(scenario.pantographs)
         )
-        if (key, speed_m_s) not in self._facts:
-            self._facts[key, speed_m_s] = self._facts_of(scenario, speed_m_s)
-        return Scene(self._facts[key, speed_m_s], targets)
+        wire = {field: row.values[name] for field, name in self._wire.items()}
+        known = (key, speed_m_s, *wire.values())
+        if known not in self._facts:
+            self._facts[known] = self._facts_of(scenario, speed_m_s, wire)
+        return Scene(self._facts[known], targets)
 
     def _made(self, row: Row) -> Scenario | None:
         if not self._matter:
@@ -95,8 +105,12 @@ class Scenes:
         except ArclessError:  # a study file that was changed since
             return None
 
-    def _facts_of(self, scenario: Scenario, speed: float) -> Facts:
-        data: dict[str, Any] = {"scenario": scenario.to_dict()}
+    def _facts_of(self, scenario: Scenario, speed: float, wire: dict[str, Any]) -> Facts:
+        """Return the facts of a scenario, with values of its contact wire in SI."""
+        if id(scenario) not in self._data:  # scenarios are kept, so that no other has the id
+            self._data[id(scenario)] = scenario.to_dict()
+        data = self._data[id(scenario)]
         if not self._wave_known:
-            data["scenario"]["line"]["contact_wire"]["tension"] = None
-        return criteria_facts(data, [speed], None)
+            wire = {**wire, "tension": None}
+        line = {**data["line"], "contact_wire": {**data["line"]["contact_wire"], **wire}}
+        return criteria_facts({"scenario": {**data, "line": line}}, [speed], None)

@@ -196,7 +196,7 @@ class Canvas:
         np.maximum.at(high, owners, limits)
         repeats = x.words is None and levels.size < places.size
         single = np.max(high - low) <= _SAME_LIMIT * size
-        if single and (repeats or self.swept or (x.words is None and _is_smooth(low, size))):
+        if single and (repeats or self.swept or (x.words is None and _is_line(levels, low, size))):
             return [Curve(levels, 0.5 * (low + high), **line)], text
         if repeats:
             return [Area(levels, low, high, alpha=0.16, **look)], f"{text} It differs by variant."
@@ -228,7 +228,10 @@ def is_path(variables: list[Column]) -> bool:
     )
 
 
-def _is_smooth(values: Floats, size: float) -> bool:
+def _is_line(places: Floats, values: Floats, size: float) -> bool:
     """Return whether each value lies between its neighbours: a function of the place."""
-    between = 0.5 * (values[:-2] + values[2:])
-    return bool(values.size > 2 and np.max(np.abs(values[1:-1] - between)) <= _SAME_LIMIT * size)  # noqa: PLR2004
+    if values.size < 3:  # noqa: PLR2004 - two are always on a line
+        return False
+    part = (places[1:-1] - places[:-2]) / (places[2:] - places[:-2])
+    between = values[:-2] + part * (values[2:] - values[:-2])
+    return bool(np.max(np.abs(values[1:-1] - between)) <= _SAME_LIMIT * size)

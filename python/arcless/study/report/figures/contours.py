@@ -45,6 +45,6 @@ def _pieces(square: Floats, x: int, y: int) -> list[tuple[float, float, float, f
                 (x + start[1] + part * (end[1] - start[1]),
                  y + start[0] + part * (end[0] - start[0]))
             )  # fmt: skip
-    if len(crossed) == 4 and (square.mean() > 0.0) == (square[0, 0] > 0.0):  # noqa: PLR2004
-        crossed = crossed[1:] + crossed[:1]  # the middle is on the side of the first corner
+    if len(crossed) == 4 and (square.mean() > 0.0) != (square[0, 0] > 0.0):  # noqa: PLR2004
+        crossed = crossed[1:] + crossed[:1]  # the middle is on the side of the other corners
     return [(*a, *b) for a, b in zip(crossed[::2], crossed[1::2], strict=True)]

@@ -127,7 +127,8 @@ class Grids:
         marked = self.speeds is not None and x is self.speeds.column
         if marked and self.speeds is not None:
             layers = [*self.speeds.layers(axis), *layers]
-        shown = every(other.levels.size, MOST_CURVES)
+        computed = np.unique(other.places)
+        shown = computed[every(computed.size, MOST_CURVES)]
         drawn = other.places[canvas.drawn]
         pieces: list[Layer] = []
         for place, level in enumerate(shown):
@@ -143,8 +144,8 @@ class Grids:
                 canvas.points(x, output, chosen=drawn == level, alpha=1.0,
                               shape=_SHAPES[place % len(_SHAPES)], **look),
             ]  # fmt: skip
-        if shown.size < other.levels.size:
-            words.append(f"{shown.size} of {other.levels.size} values of {other.column.name} are"
+        if shown.size < computed.size:
+            words.append(f"{shown.size} of {computed.size} values of {other.column.name} are"
                          " drawn; the map has all.")  # fmt: skip
         return Figure(
             f"{canvas.key(output)}-curves", f"{output.heading} over {x.heading}",

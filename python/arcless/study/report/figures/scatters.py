@@ -93,12 +93,13 @@ class Scatters:
             layers += _means(variable, output)
         layers += canvas.by_verdict(variable, output, judged)
         about = [] if output.about in (output.title, output.name) else [sentence(output.about)]
+        alt = f"{range_words(output)}, over {_range_of(variable)}. {verdict_words(judged)}"
         return Figure(
             f"{canvas.key(output)}-over-{canvas.key(variable)}",
             f"{output.heading} over {variable.heading}",
             canvas.axis(variable), axis, layers,
             caption=" ".join([*about, *words]),
-            alt=f"{range_words(output)}, over {_range_of(variable)}. {verdict_words(judged)}".rstrip(),
+            alt=alt.rstrip(),
             height=HEIGHT + 60 if marked else HEIGHT,
         )  # fmt: skip
 

@@ -6,10 +6,13 @@ from typing import Any
 import numpy as np
 import pytest
 
+from arcless.figures.description import Rules
 from arcless.study.report import html
-from arcless.study.report.figures import Drawing, is_path
-from arcless.study.report.record import Column, Record
-from arcless.study.report.speeds import marks, rows_of
+from arcless.study.report.data.judged import judge
+from arcless.study.report.data.record import Column, Record
+from arcless.study.report.figures.canvas import Canvas, is_path
+from arcless.study.report.figures.scatters import Scatters
+from arcless.study.report.figures.speeds import marks, rows_of
 from tests.support.bokeh_pages import document_in, mistakes_of
 from tests.support.studies import filled
 
@@ -42,12 +45,15 @@ def test_they_are_drawn_over_the_speed_and_only_there(tmp_path: Path) -> None:
                                        "count": 19}}  # fmt: skip
     record = Record(filled(tmp_path, **{**SWEEP, "variables": variables}), tmp_path)
     found = marks(record)
-    ((_, panels), *_) = Drawing(record, found).effects()
-    spans = [[r for r in fig.renderers if r.glyph.kind == "VSpan"] for fig in panels]
-    assert len(spans[0]) > 1  # over the speed: a renderer for each kind
-    assert not spans[1]  # over the force
+    ((_, panels), *_) = Scatters(Canvas(record, judge(record)), found).effects()
+    rules = [
+        [layer for layer in one.layers if isinstance(layer, Rules) and layer.axis == "x"]
+        for one in panels
+    ]
+    assert len(rules[0]) > 1  # over the speed: a layer for each kind
+    assert not rules[1]  # over the force
     assert found is not None
-    places = [x for one in spans[0] for x in one.data_source.data["x"]]
+    places = [x for one in rules[0] for x in one.at]
     assert all(60.0 <= x <= 240.0 for x in places)  # in km/h, as the axis is
     drawn = len(places)
     assert drawn == sum(number is not None for number, _ in found.numbered)
@@ -68,6 +74,18 @@ def test_other_variables_are_told(tmp_path: Path) -> None:
     assert any("its own values of tension" in note for note in found.notes)
 
 
+def test_speeds_of_a_distance_that_is_varied_are_left_out(tmp_path: Path) -> None:
+    variables = {
+        "v": {"field": "speed", "values": ["60 km/h", "240 km/h"]},
+        "gap": {"field": "pantographs.1.distance", "values": ["50 m", "100 m"]},
+    }
+    two = {"scenario": "ac-simple-320-two-pantographs", "set": {}, "variables": variables}
+    found = marks(Record(filled(tmp_path, **two), tmp_path))
+    assert found is not None
+    assert not [one for _, one in found.numbered if one.kind.startswith("spacing")]
+    assert any("left out, as gap is varied" in note for note in found.notes)
+
+
 def test_a_line_without_equilibrium_has_none_and_a_report(tmp_path: Path) -> None:
     loose = {"line.dropper.stiffness": "200 kN/m", "line.span_types.span.droppers.presag":
              [0, "-0.9 m", 0, "-0.9 m", 0]}  # fmt: skip
@@ -75,7 +93,7 @@ def test_a_line_without_equilibrium_has_none_and_a_report(tmp_path: Path) -> Non
 
     page = html(filled(tmp_path, **SWEEP, set={**QUICK, **loose}), tmp_path)
     assert "no resonance speeds:" in page
-    assert "Outputs over variables" in page
+    assert "sigma over v" in page
 
 
 def test_numbers_do_not_stand_on_each_other() -> None:
