@@ -19,7 +19,7 @@ def run_of(**more) -> RunData:
     return RunData(dataset, assess(dataset))
 
 
-def pulse(at_m: float, height_N: float = PULSE):  # noqa: N803
+def pulse(at_m: float, height_N: float = PULSE):
     """A force with one smooth pulse at a place, slow enough for the low-pass."""
     return lambda t: MEAN + height_N * np.exp(-(((SPEED * t - at_m) / 5.0) ** 2))
 
