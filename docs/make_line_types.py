@@ -8,15 +8,15 @@ import sys
 from pathlib import Path
 from typing import Any
 
-import matplotlib as mpl
 import matplotlib.pyplot as plt
 import numpy as np
+from drawing import BLUE, GREY, SUPPORT, save, set_up
 
 import arcless
+from arcless.figures.description.tokens import colour
 from arcless.simulate import StaticsResult, statics
 
 STITCHED, COMPOUND = "norway-s25-250", "shinkansen-compound-240"
-BLUE, ORANGE, GREEN, GREY = "#1f5a92", "#d0652a", "#3b8a5a", "0.45"
 
 
 def side_view(axes: Any, found: StaticsResult) -> None:
@@ -25,20 +25,20 @@ def side_view(axes: Any, found: StaticsResult) -> None:
     left, right = found.equilibrium.middle_span()
     begin, end = left - 0.5 * (right - left), right + 0.5 * (right - left)
     wires = [
-        ("contact wire", BLUE, [mesh.contact_nodes]),
-        ("messenger wire", GREY, [mesh.messenger_nodes]),
-        ("auxiliary wire", GREEN, [mesh.auxiliary_nodes]),
-        ("stitch wire", ORANGE, [stitch.nodes for stitch in mesh.stitches]),
+        ("contact wire", colour("contact_wire"), [mesh.contact_nodes]),
+        ("messenger wire", colour("messenger_wire"), [mesh.messenger_nodes]),
+        ("auxiliary wire", colour("auxiliary_wire"), [mesh.auxiliary_nodes]),
+        ("stitch wire", colour("stitch_wire"), [stitch.nodes for stitch in mesh.stitches]),
     ]
-    for label, colour, pieces in wires:
+    for label, shade, pieces in wires:
         drawn = [points[nodes] for nodes in pieces if nodes]
         for index, p in enumerate(drawn):
-            axes.plot(p[:, 0], p[:, 2], color=colour, lw=1.3, label=None if index else label)
+            axes.plot(p[:, 0], p[:, 2], color=shade, lw=1.3, label=None if index else label)
     for dropper in mesh.droppers:
         ends = points[list(dropper.nodes)]
-        axes.plot(ends[:, 0], ends[:, 2], color="0.6", lw=0.7, zorder=1)
+        axes.plot(ends[:, 0], ends[:, 2], color=colour("dropper"), lw=0.7, zorder=1)
     for support in mesh.supports:
-        axes.axvline(support.x, color="0.5", lw=0.5, ls=":")
+        axes.axvline(support.x, color=SUPPORT, lw=0.7, ls=":")
     height = points[mesh.contact_nodes, 2].mean()
     top = points[mesh.messenger_nodes, 2].max()
     axes.set(xlim=(begin, end), ylim=(height - 0.15, top + 0.15), ylabel="height above rail, m")
@@ -68,12 +68,11 @@ def draw(scenario: str, rivals: list[tuple[str, dict[str, Any]]], label: str, fi
     below.set(xlabel="position along the track, m", ylabel="elasticity, mm/N")
     below.set_ylim(0.0, 1.45 * below.get_ylim()[1])
     below.legend(loc="upper center", ncols=2, frameon=False)
-    # Without a date and with fixed ids, the same line gives the same file.
-    figure.savefig(file, metadata={"Date": None})
+    save(figure, file)
 
 
 def main(folder: str) -> None:
-    mpl.rcParams.update({"svg.hashsalt": "arcless", "svg.fonttype": "none", "font.size": 9})
+    set_up()
     plain = [("without stitch wires", {"line.stitch_wire": None})]
     draw(STITCHED, plain, "stitched", Path(folder) / "line-stitched.svg")
     draw(COMPOUND, [], "compound", Path(folder) / "line-compound.svg")

@@ -8,15 +8,14 @@ import sys
 from pathlib import Path
 from typing import Any
 
-import matplotlib as mpl
 import matplotlib.pyplot as plt
 import numpy as np
+from drawing import BLUE, GREY, ORANGE, SUPPORT, save, set_up
 
 import arcless
 from arcless.simulate import StaticsResult, statics
 
 OVERLAP, TWIN = "ac-simple-overlap-275", "spain-ca-220-3kv-200"
-BLUE, ORANGE, GREY = "#1f5a92", "#d0652a", "0.45"
 SHADES = (BLUE, ORANGE)
 
 
@@ -36,7 +35,7 @@ def wires(axes: Any, found: StaticsResult, component: int, limits: tuple[float, 
             style = {"lw": 1.4 if main else 0.8, "ls": "-" if main else "--"}
             axes.plot(drawn[:, 0], drawn[:, component], color=shade, label=label, **style)
     for place in found.equilibrium.support_places():
-        axes.axvline(place, color="0.5", lw=0.5, ls=":")
+        axes.axvline(place, color=SUPPORT, lw=0.7, ls=":")
 
 
 def overlap(file: Path) -> None:
@@ -65,7 +64,7 @@ def overlap(file: Path) -> None:
         axis.set(ylabel=f"force at {speed}, N", ylim=(0, None))
     forces[0].legend(loc="lower left", frameon=False)
     forces[-1].set(xlabel="position along the track, m", xlim=limits)
-    figure.savefig(file, metadata={"Date": None})
+    save(figure, file)
 
 
 def twin(file: Path) -> None:
@@ -97,16 +96,15 @@ def twin(file: Path) -> None:
         below.plot(x, 1e3 * alone, color=shade, lw=0.9, ls="--", label=f"{label} alone")
     for support in mesh.supports:
         for axis in (above, below):
-            axis.axvline(support.x, color="0.5", lw=0.5, ls=":")
+            axis.axvline(support.x, color=SUPPORT, lw=0.7, ls=":")
     below.set(xlabel="position along the track, m", ylabel="elasticity, mm/N", ylim=(0, None))
     below.set_xlim(left - 5.0, right + 5.0)
     below.legend(loc="lower center", ncols=3, frameon=False)
-    figure.savefig(file, metadata={"Date": None})
+    save(figure, file)
 
 
 def main(folder: str) -> None:
-    # Without a date and with fixed ids, the same lines give the same files.
-    mpl.rcParams.update({"svg.hashsalt": "arcless", "svg.fonttype": "none", "font.size": 9})
+    set_up()
     overlap(Path(folder) / "overlap.svg")
     twin(Path(folder) / "twin-wires.svg")
 

@@ -7,14 +7,13 @@ import sys
 from pathlib import Path
 from typing import Any
 
-import matplotlib as mpl
 import matplotlib.pyplot as plt
 import numpy as np
+from drawing import BLUE, GREEN, GREY, ORANGE, save, set_up
 
 import arcless
 from arcless.simulate import StaticsResult, statics
 
-BLUE, ORANGE, GREEN, GREY = "#1f5a92", "#d0652a", "#3b8a5a", "0.45"
 TROLLEY, RAILS = "trolley-bridles-60", [f"conductor-rail-{number}-120" for number in (1, 2, 3)]
 PLAIN = {"line.bridle": None, "line.steady_arm": {"kind": "none"}}
 INSULATOR = {
@@ -66,11 +65,6 @@ def compare(cases: list[tuple[str, StaticsResult, dict[str, Any]]], file: Path) 
     above.legend(loc="upper center", ncols=3, frameon=False)
     below.set_ylim(bottom=0.0)
     save(figure, file)
-
-
-def save(figure: Any, file: Path) -> None:
-    """Write a figure; without a date and with fixed ids, the same line gives the same file."""
-    figure.savefig(file, metadata={"Date": None})
 
 
 def bridles(file: Path) -> None:
@@ -171,7 +165,7 @@ def ends(file: Path) -> None:
 
 
 def main(folder: str) -> None:
-    mpl.rcParams.update({"svg.hashsalt": "arcless", "svg.fonttype": "none", "font.size": 9})
+    set_up()
     bridles(Path(folder) / "line-bridles.svg")
     rails(Path(folder) / "line-rail.svg")
     insert(Path(folder) / "line-insert.svg")

@@ -6,16 +6,15 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
-import matplotlib as mpl
 import matplotlib.pyplot as plt
 import numpy as np
+from drawing import BLUE, GREY, ORANGE, save, set_up
 
 import arcless
 from arcless.model.files.yaml_reader import parse
 from arcless.simulate import StaticsResult, statics
 
 GUIDE = Path(__file__).parent / "guide"
-BLUE, ORANGE, GREY = "#1f5a92", "#d0652a", "0.45"
 
 
 def curved() -> StaticsResult:
@@ -60,7 +59,7 @@ def draw_track(file: Path) -> None:
     arms.legend(loc="lower left", frameon=False)
     side.plot(points[mesh.contact_nodes, 0], points[mesh.contact_nodes, 2], color=BLUE, lw=1.3)
     side.set(xlabel="position along the track, m", ylabel="height, m")
-    figure.savefig(file, metadata={"Date": None})
+    save(figure, file)
 
 
 def by_hand(line: Any, x: np.ndarray) -> np.ndarray:
@@ -105,9 +104,9 @@ def draw_gusts(file: Path) -> None:
     assert gusts is not None
     stations = gusts.stations()
     pressures = []
-    for place, rows in stations.items():
+    for shade, (place, rows) in zip((BLUE, ORANGE), stations.items(), strict=True):
         speed = np.interp(time, np.array(gusts.time)[rows], np.array(gusts.speed)[rows])
-        wind.plot(time, speed, lw=1.2, label=f"at {place:g} m")
+        wind.plot(time, speed, color=shade, lw=1.2, label=f"at {place:g} m")
         pressures.append(0.5 * gusty.as_built.wind.air_density * (speed**2 - 12**2))
     wind.set(ylabel="wind, m/s", ylim=(10, 29))
     wind.legend(loc="upper left", ncols=2, frameon=False)
@@ -122,11 +121,11 @@ def draw_gusts(file: Path) -> None:
     )
     side.set(xlabel="time, s", ylabel="across, mm", xlim=(0, time[-1]))
     side.legend(loc="upper left", frameon=False)
-    figure.savefig(file, metadata={"Date": None})
+    save(figure, file)
 
 
 def main(folder: str) -> None:
-    mpl.rcParams.update({"svg.hashsalt": "arcless", "svg.fonttype": "none", "font.size": 9})
+    set_up()
     draw_track(Path(folder) / "track-curve.svg")
     draw_gusts(Path(folder) / "gusts.svg")
 

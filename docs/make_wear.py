@@ -7,11 +7,11 @@
 import sys
 from typing import Any
 
-import matplotlib as mpl
 import matplotlib.pyplot as plt
 import pyarrow.parquet
+from drawing import BLUE, GREEN, GREY, ORANGE, PURPLE, save, set_up
 
-COLOURS = ("#1f5a92", "#3d8f6f", "#d0a02a", "#c0452a")
+COLOURS = (BLUE, GREEN, ORANGE, PURPLE)
 PARTS = {"wear_mechanical_mm3_km": "--", "wear_arc_mm3_km": ":"}
 # Below this a part is not worth its line, in mm³/km.
 LOWEST = 0.3
@@ -50,7 +50,7 @@ def minima(rows: list[dict[str, Any]]) -> str:
 
 def draw(rows: list[dict[str, Any]], file: str) -> None:
     """Draw the sum, its two branches, and the force of least wear at each speed."""
-    mpl.rcParams.update({"svg.hashsalt": "arcless", "svg.fonttype": "none", "font.size": 9})
+    set_up()
     figure, axes = plt.subplots(figsize=(8.0, 4.2), layout="constrained")
     for colour, (speed, group) in zip(COLOURS, by_speed(rows).items(), strict=True):
         force = [row["uplift_force"] for row in group]
@@ -61,14 +61,13 @@ def draw(rows: list[dict[str, Any]], file: str) -> None:
             axes.plot(force, values, color=colour, lw=0.9, ls=style)
         at = least(group)
         axes.plot(at["uplift_force"], at["wear_total_mm3_km"], "o", color=colour, ms=6)
-    axes.plot([], [], color="0.4", lw=0.9, ls="--", label="friction")
-    axes.plot([], [], color="0.4", lw=0.9, ls=":", label="arcs")
-    axes.plot([], [], "o", color="0.4", ms=6, label="least wear")
+    axes.plot([], [], color=GREY, lw=0.9, ls="--", label="friction")
+    axes.plot([], [], color=GREY, lw=0.9, ls=":", label="arcs")
+    axes.plot([], [], "o", color=GREY, ms=6, label="least wear")
     axes.set(yscale="log", ylim=(LOWEST, None), xlabel="uplift force, N", ylabel="wear, mm³/km")
     axes.set_title("AC simple; illustrative coefficients of wear, not measured", loc="left")
     axes.legend(loc="upper right", ncols=2, frameon=False)
-    # Without a date and with fixed ids, the same table gives the same file.
-    figure.savefig(file, metadata={"Date": None})
+    save(figure, file)
 
 
 if __name__ == "__main__":

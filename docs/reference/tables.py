@@ -2,6 +2,7 @@
 
 from arcless.assess.criteria import markdown_table
 from arcless.dataset.schema import markdown_tables
+from arcless.figures.run import FIGURES
 from arcless.model import MARKS
 
 
@@ -10,8 +11,18 @@ def marks() -> str:
     return "\n".join(["| mark | meaning |", "|---|---|", *rows])
 
 
+def figure_keys() -> str:
+    """Return what each key of `Result.figures` shows, as its function says it."""
+    rows = []
+    for key, make in FIGURES.items():
+        words = (make.__doc__ or "").partition("\n")[0].removeprefix("Return ").removesuffix(".")
+        rows.append(f"| `{key}` | {words} |")
+    return "\n".join(["| key | shows |", "|---|---|", *rows])
+
+
 QUICK = {
     "reference/model-files": {"marks": marks},
     "reference/results": {"contents": markdown_tables},
+    "guide/figures": {"keys": figure_keys},
     "guide/assessment": {"criteria": markdown_table},
 }

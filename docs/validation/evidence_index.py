@@ -11,7 +11,8 @@ What stands here was written by the tests. A check in `tests/verification` says 
 what that must be, how far it may be off and why; `make evidence` runs all checks and writes these
 pages, `make test` compares what it measures with them and fails where they differ by more than a
 tenth of a tolerance. Below the checks of each file stands a table of faults: one thing broken on
-purpose, and the check that must notice it. `arcless validate all` prints the table below.
+purpose, and the check that must notice it. `arcless validate all` prints the table below,
+`arcless validate all --report FILE.html` has it on a page, after the values in their ranges.
 
 *Most used* is the largest part of a tolerance that any value of the topic uses up. *Faults* counts
 what was broken on purpose and noticed.

@@ -21,6 +21,7 @@ _NAMES = {
         "ControlError",
         "EquilibriumError",
         "ExecutorError",
+        "FigureError",
         "MeshError",
         "ModelError",
         "OutputError",
@@ -43,7 +44,7 @@ _NAMES = {
         "statics",
     ),
 }
-_PACKAGES = (*_NAMES, "assess", "lcp", "report", "study", "validate")
+_PACKAGES = (*_NAMES, "assess", "figures", "lcp", "report", "study", "validate")
 _HOME = {name: module for module, names in _NAMES.items() for name in names}
 
 __all__ = sorted([*_HOME, *_PACKAGES, "__version__"])  # noqa: PLE0605 - a list, but not literal

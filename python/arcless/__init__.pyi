@@ -1,12 +1,13 @@
 """Types of the public names, each of which `__init__.py` imports at its first use."""
 
-from arcless import assess, errors, lcp, model, report, results, simulate, study, validate
+from arcless import assess, errors, figures, lcp, model, report, results, simulate, study, validate
 from arcless.errors import (
     ArclessError,
     ContactError,
     ControlError,
     EquilibriumError,
     ExecutorError,
+    FigureError,
     MeshError,
     ModelError,
     OutputError,
@@ -29,6 +30,7 @@ __all__ = [
     "ControlInput",
     "EquilibriumError",
     "ExecutorError",
+    "FigureError",
     "MeshError",
     "ModelError",
     "Outcome",
@@ -44,6 +46,7 @@ __all__ = [
     "assess",
     "batch",
     "errors",
+    "figures",
     "lcp",
     "library",
     "load",

@@ -137,6 +137,12 @@ class ResultFormatError(ArclessError):
     exit_code = 2
 
 
+class FigureError(ArclessError):
+    """A figure cannot be drawn as asked: its key, the kind of its file, or a package says no."""
+
+    exit_code = 2
+
+
 class StudyError(ArclessError):
     """A study cannot be begun or continued as asked: its folder or a package says no."""
 

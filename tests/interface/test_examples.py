@@ -23,6 +23,7 @@ def test_every_example_is_tested() -> None:
     assert {path.stem for path in EXAMPLES.glob("*.py")} == {
         "bench_in_the_loop",
         "controlled",
+        "figures_for_paper",
         "dropped_beam",  # tests/unit/test_published.py
         "one_run",
         "own_line",
@@ -35,6 +36,15 @@ def test_one_run(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     load("one_run").main(tmp_path)
     assert {path.name for path in tmp_path.iterdir()} == {"result.nc", "report.html"}
     assert "mean force           169.3 N" in capsys.readouterr().out
+
+
+def test_figures_for_paper(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    load("figures_for_paper").main(tmp_path, "en50318-ac-simple-320-planar")
+    assert {path.name for path in tmp_path.iterdir()} == {"lead.svg", "spectrum.pdf", "two.png"}
+    assert all(path.stat().st_size > 0 for path in tmp_path.iterdir())
+    lines = capsys.readouterr().out.splitlines()
+    assert "lead             Contact force around the worst place" in lines
+    assert "lateral          none in this run" in lines
 
 
 def test_sweep_of_speed(capsys: pytest.CaptureFixture[str]) -> None:

@@ -19,6 +19,7 @@ from arcless.validate import (
     recorded,
     reference,
 )
+from tests.support.bokeh_pages import text_in
 
 Arcless = Callable[..., Result]
 CONCLUDED = [
@@ -54,7 +55,8 @@ def assessed(monkeypatch: pytest.MonkeyPatch) -> dict[str, dict[str, Any]]:
     monkeypatch.setattr("arcless.simulate.run", simulated)
     monkeypatch.setattr("arcless.simulate.statics", lambda *_, **__: statics)
     monkeypatch.setattr(cases, "load", lambda name: SimpleNamespace(name=name))
-    monkeypatch.setattr(founding_paper, "run", lambda *_: list(CONCLUDED))
+    monkeypatch.setattr(founding_paper, "runs", lambda *_: [])
+    monkeypatch.setattr(founding_paper, "rows", lambda _: list(CONCLUDED))
     return answers
 
 
@@ -166,7 +168,7 @@ def test_the_conclusions_hold_and_are_reported(arcless: Arcless, tmp_path: Path)
     for words in (
         "16 of 16 values are inside",
         "located at 9 of 9 joints",
-        *(f"{speed} km/h: width of the interval" for speed in (180, 250, 340, 360)),
+        *(f"{speed} km/h: width of the interval of" for speed in (180, 250, 340, 360)),
         "Checked: ",
         "Assumption: ",
         "G. N. Kolesnikov",
@@ -174,8 +176,41 @@ def test_the_conclusions_hold_and_are_reported(arcless: Arcless, tmp_path: Path)
         "wrote praks.html",
     ):
         assert words in done.stdout, words
-    page = (tmp_path / "praks.html").read_text("utf-8")
-    assert "3 of 3 conclusions hold" in page
+    page = text_in((tmp_path / "praks.html").read_text("utf-8"))
+    assert "16 of 16 values are inside the verified ranges" in page
+    assert page.count("holds") == 3
+    for key in ("force-180", "force-250", "force-340", "force-360", "force-intervals", "gap-360"):
+        assert f'id="figure-{key}"' in (tmp_path / "praks.html").read_text("utf-8"), key
+    assert "Published ranges" not in page
+
+
+def test_the_page_of_all_suites_counts_what_the_terminal_counts(
+    arcless: Arcless, assessed: dict[str, Any], tmp_path: Path
+) -> None:
+    assessed["en50318-2002-250"]["pantographs"][0]["std_force_N"] = 31.2
+    assessed["en50318-ac-simple-320-planar"]["pantographs"][0]["std_force_N"] = 70.0
+    done = arcless("validate", "--once", "--report", "all.html")
+    assert done.exit_code == 3
+    page = text_in((tmp_path / "all.html").read_text("utf-8"))
+    # 9 dropper lengths, 16 values of EN 50318:2002, one conclusion; 36 of AC simple.
+    assert "25 of 26 values are inside the verified ranges; 1 outside" in page
+    assert "25 of 26 values are inside the verified ranges" in done.stdout
+    assert "standard deviation σ: 31.2 N, range 26 … 31 N (outside, mark A)" in page
+    assert "35 of 36 values are inside ranges that are remembered, unverified" in page
+    values = sum(len(topic.rows) for topic in recorded())
+    assert f"{values} values: " in page
+    assert all(topic.title in page for topic in recorded())
+
+
+def test_a_page_of_published_ranges_alone(
+    arcless: Arcless, assessed: dict[str, Any], tmp_path: Path
+) -> None:
+    done = arcless("validate", "en50318", "--report", "ranges.html")
+    assert done.exit_code == 0, done.stdout
+    page = text_in((tmp_path / "ranges.html").read_text("utf-8"))
+    assert "25 of 25 values are inside the verified ranges" in page
+    assert "Founding paper" not in page
+    assert "Recorded evidence" not in page
 
 
 def test_a_conclusion_that_does_not_hold_ends_with_3(

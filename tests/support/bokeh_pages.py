@@ -1,7 +1,8 @@
 """Pages read again with Bokeh's own classes, which know each object and attribute."""
 
-import html
 import json
+import re
+from html.parser import HTMLParser
 from typing import Any
 
 _CONFIG = {
@@ -34,11 +35,16 @@ def _check_names(written: Any) -> None:
             _check_names(item)
 
 
+def data_in(page: str) -> Any:
+    """Return what the script of a page reads: objects, groups of axes, tokens, the track."""
+    found = re.search(r'<script type="application/json" id="data">(.*?)</script>', page, re.DOTALL)
+    assert found is not None, "the page has no data"
+    return json.loads(found[1])
+
+
 def document_in(page: str) -> Any:
     """Return the document that the script of a page draws."""
-    start = page.rindex("const docs_json = '") + len("const docs_json = '")
-    text = page[start : page.index("'", start)].replace("\\\\", "\\")
-    return document_of(json.loads(html.unescape(text))["page"]["roots"])
+    return document_of(data_in(page)["objects"]["roots"])
 
 
 def mistakes_of(document: Any) -> list[Any]:
@@ -47,3 +53,27 @@ def mistakes_of(document: Any) -> list[Any]:
 
     found = check_integrity(document.models)
     return [*found.error, *found.warning]
+
+
+class _Words(HTMLParser):
+    def __init__(self) -> None:
+        super().__init__()
+        self.words: list[str] = []
+        self._hidden = False
+
+    def handle_starttag(self, tag: str, _: Any) -> None:
+        self._hidden = tag in ("script", "style")
+
+    def handle_endtag(self, _: str) -> None:
+        self._hidden = False
+
+    def handle_data(self, data: str) -> None:
+        if not self._hidden:
+            self.words.append(data)
+
+
+def text_in(page: str) -> str:
+    """Return the text that a reader sees, without scripts and styles, with single spaces."""
+    found = _Words()
+    found.feed(page)
+    return " ".join("".join(found.words).split())

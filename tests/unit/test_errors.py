@@ -11,6 +11,7 @@ from arcless.errors import (
     ControlError,
     EquilibriumError,
     ExecutorError,
+    FigureError,
     MeshError,
     ModelError,
     OutputError,
@@ -64,6 +65,11 @@ EXAMPLES = [
     (
         StudyError("a study was begun here already", where="runs/studies/x", got="rows of it"),
         "runs/studies/x: a study was begun here already: got rows of it",
+        2,
+    ),
+    (
+        FigureError("unknown key of a figure", got="`leed`", expected="one of `lead`, `force`"),
+        "unknown key of a figure: got `leed`, expected one of `lead`, `force`",
         2,
     ),
     (

@@ -43,7 +43,9 @@ def write(
     assessment: Assessment | None = None,
     reference_rows: Rows = (),
 ) -> None:
-    """Write the report of a run: one HTML file under 2 MB that opens without a network.
+    """Write the report of a run: one HTML file that opens without a network.
+
+    It has less than 2 MB for a kilometre, and less than 4 MB for fifty.
 
     Parameters
     ----------

@@ -84,11 +84,11 @@ def _parts(
 def computation(run: RunData, facts: Mapping[str, Any]) -> list[tuple[str, str]]:
     """Return the facts of the computation as label and text."""
     a = run.assessment
-    residual = a.energy_residual_relative
+    residual, step = a.energy_residual_relative, facts.get("time_step_s")
     return [
         ("time steps", f"{a.steps:,}".replace(",", " ")),
-        ("time step", f"{1e3 * float(facts['time_step_s']):.4g} ms"),
-        ("scheme", str(facts.get("scheme", "–"))),
+        ("time step", "–" if step is None else f"{1e3 * float(step):.4g} ms"),
+        ("scheme", str(facts.get("scheme") or "–")),
         ("simulated time", f"{float(facts['simulated_time_s']):.2f} s"),
         ("wall time of the time steps", f"{number(a.wall_time_s, 2)} s"),
         ("wall time of the set-up", f"{number(a.setup_time_s, 2)} s"),

@@ -14,13 +14,13 @@ from typing import TYPE_CHECKING, Any
 from arcless.figures.description import Figure
 from arcless.figures.description.tokens import css, tokens
 from arcless.report.drawing.bokeh_figure import Drawing, Entry
-from arcless.report.drawing.bokeh_objects import Document, Model, document
+from arcless.report.drawing.bokeh_objects import Document, document
 
 if TYPE_CHECKING:
     from jinja2 import Environment
 
-# Bokeh's script, and the further ones of tables.
-_SCRIPTS, _TABLES = ("bokeh",), ("bokeh-widgets", "bokeh-tables")
+# Bokeh's script.
+_SCRIPTS = ("bokeh",)
 _HERE = Path(__file__).parent / "pages"
 
 
@@ -95,7 +95,6 @@ def render(
     template: str,
     figures: Figures,
     *,
-    objects: Mapping[str, Model] | None = None,
     drawing: Drawing | None = None,
     track: Mapping[str, Any] | None = None,
     **texts: Any,
@@ -108,11 +107,9 @@ def render(
         File name of the template; it finds the figures in `figure`, each as a list of `Shown`.
     figures
         Figures by their place on the page, one or several; None where there is none.
-    objects
-        Other objects of the script, such as tables, by their place; the template finds the
-        element of each in `object`.
     drawing
-        Columns that figures and other objects share; new ones without.
+        Columns that figures and a table share; new ones without. The template finds the name of
+        the columns of each selection in `selection`.
     track
         Names of places along the axis of group ``track``, told where the cross hair stands.
     **texts
@@ -120,13 +117,13 @@ def render(
     """
     from markupsafe import Markup
 
-    drawing, objects = drawing or Drawing(), objects or {}
+    drawing = drawing or Drawing()
     wanted = {name: _listed(found) for name, found in figures.items()}
     drawn = {name: [drawing.draw(one) for one in found] for name, found in wanted.items()}
     plots = [one.plot for found in drawn.values() for one in found]
-    written = document([*plots, *objects.values()])
+    written = document(plots)
     data = _data(written, drawing, track or {})
-    scripts = _library((*_SCRIPTS, *_TABLES) if objects else _SCRIPTS)
+    scripts = _library(_SCRIPTS)
     filled = _templates().get_template(template)
     return filled.render(
         scripts=[Markup(f"<script>{script.text}</script>") for script in scripts],
@@ -135,7 +132,11 @@ def render(
         figure={
             name: [_shown(one, written) for one in found] for name, found in drawn.items() if found
         },
-        object={name: _place(written.name_of(made)) for name, made in objects.items()},
+        selection={
+            name: written.name_of(made)
+            for name, made in drawing.selections().items()
+            if written.has(made)
+        },
         **texts,
     )
 

@@ -12,9 +12,13 @@ from arcless.dataset.recorded_series import CHANNELS, Place, passage
 
 if TYPE_CHECKING:
     import xarray
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure as Drawing
 
     from arcless.assess import Assessment
     from arcless.dataset.plain_dataset import Dataset
+    from arcless.figures.description import Figure
+    from arcless.figures.description.tokens import Scheme
     from arcless.model import Scenario
 
 
@@ -55,6 +59,50 @@ class Result:
         from arcless.assess import assess
 
         return assess(self.latest)
+
+    @cached_property
+    def figures(self) -> "dict[str, list[Figure]]":
+        """Figures of the run by their keys; a key that nothing was recorded for has none."""
+        from arcless.figures.run import RunData, figures
+
+        return figures(RunData(self.latest, self.assessment))
+
+    def plot(
+        self,
+        key: str = "lead",
+        axes: "Axes | None" = None,
+        *,
+        scheme: "Scheme" = "light",
+        width_mm: float | None = None,
+    ) -> "Drawing":
+        """Draw one of the figures by matplotlib, as in a notebook.
+
+        Parameters
+        ----------
+        key
+            A key of `figures`, for the first figure of it, or that of a single one: ``"lead-2"`` is
+            that of the second pantograph.
+        axes
+            Axes to draw in; without them a new figure is made.
+        scheme
+            Colours: ``"light"`` or ``"dark"``.
+        width_mm
+            Width of a new figure in mm; 160, the text of an A4 page, without one.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            The figure drawn in.
+
+        Raises
+        ------
+        FigureError
+            There is no such figure, or matplotlib is not installed.
+        """
+        from arcless.figures import paper
+
+        width = paper.PAGE_MM if width_mm is None else width_mm
+        return paper.plot(self.figures, key, axes, scheme=scheme, width_mm=width)
 
     def write_report(self, path: str | Path, **options: Any) -> None:
         """Write the HTML report; the options are those of `arcless.report.write`."""

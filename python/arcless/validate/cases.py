@@ -1,7 +1,7 @@
 """Run the reference cases and compare."""
 
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from arcless.assess import uncertainty_of
 from arcless.errors import ModelError
@@ -9,6 +9,9 @@ from arcless.model import Scenario, load
 from arcless.storage.whole_files import check_writable
 from arcless.validate.reference import CASES, DROPPERS, Case, Range
 from arcless.validate.rows import Progress, Row, part
+
+if TYPE_CHECKING:
+    from arcless.results import Result
 
 SUITES = ("en50318", "seed", "all")
 LONG_PART = 0.9  # of the time that all of them need is that of the published ranges
@@ -30,7 +33,7 @@ def run(
     progress : callable, optional
         Called with the done fraction and what is being done.
     report : Path, optional
-        A file for the figures and verdicts of the suite `seed`, HTML.
+        A file for values in their ranges, conclusions with figures, and verdicts, HTML.
     certainty : int, optional
         From how many starts the cases with published ranges are run; a value that is nearer to a
         bound than it is sure is then too close to tell. Conclusions have no such number.
@@ -41,29 +44,25 @@ def run(
         One row for each published range, and for each part of a conclusion.
     """
     from arcless.validate import founding_paper
+    from arcless.validate.observation import observe
 
     if which not in SUITES:
         raise ModelError("reference cases", got=f"`{which}`", expected=" or ".join(SUITES))
     if report is not None:
-        _check_report(which, report)
-    if which == "seed":
-        return founding_paper.run(progress, report)
-    if which == "en50318":
-        return _published(progress, certainty)
-    rows = _published(part(progress, 0.0, LONG_PART), certainty)
-    return rows + founding_paper.run(part(progress, LONG_PART, 1.0), report)
+        check_writable(report)
+    rows: list[Row] = []
+    runs: list[Result] = []
+    if which != "seed":
+        share = part(progress, 0.0, LONG_PART if which == "all" else 1.0)
+        rows += _published(share, certainty)
+    if which != "en50318":
+        runs = founding_paper.runs(part(progress, LONG_PART if which == "all" else 0.0, 1.0))
+        rows += founding_paper.rows([observe(run) for run in runs])
+    if report is not None:
+        from arcless.validate import report as page
 
-
-def _check_report(which: str, report: Path) -> None:
-    """Refuse what would fail only after minutes of computing."""
-    if which == "en50318":
-        raise ModelError(
-            "no report belongs to the suite `en50318`",
-            got=str(report),
-            expected="the suite `seed` or `all`",
-            hint="`arcless run` writes a report with the published ranges",
-        )
-    check_writable(report)
+        page.write(report, which, rows, runs, certainty)
+    return rows
 
 
 def _published(progress: Progress | None, certainty: int | None) -> list[Row]:

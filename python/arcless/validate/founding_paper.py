@@ -4,18 +4,17 @@ The text of the paper that we have gives conclusions and captions, no curves: on
 can be checked, in the words in which this project states them.
 """
 
-import dataclasses
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from arcless.model import load
 from arcless.validate.hanger_joints import PIECE, JointChanges
-from arcless.validate.observation import SMALLEST_GAP, Observation, observe
+from arcless.validate.observation import SMALLEST_GAP, Observation
 from arcless.validate.reference import INSIDE, VERIFIED, Range
 from arcless.validate.rows import Progress, Row, part
 
 if TYPE_CHECKING:
-    from pathlib import Path
+    from arcless.results import Result
 
 SCENARIOS = ("praks-180", "praks-250", "praks-340", "praks-360")
 FAST = 300 / 3.6  # m/s: the paper has gaps at 340 and 360 km/h, contact at 180 and 250 km/h
@@ -76,42 +75,20 @@ def held(rows_: Sequence[Row]) -> dict[str, bool]:
     }
 
 
-def run(progress: Progress | None = None, report: "Path | None" = None) -> list[Row]:
-    """Run the worked example at its four speeds and check the conclusions.
+def runs(progress: Progress | None = None) -> "list[Result]":
+    """Run the worked example at its four speeds.
 
     Parameters
     ----------
     progress : callable, optional
         Called with the done fraction and what is being done.
-    report : Path, optional
-        A file for the paper's figures and the verdicts, HTML.
     """
     from arcless.simulate import run as simulate
 
     count = len(SCENARIOS)
-    results = [
+    return [
         simulate(load(name), progress=part(progress, index / count, (index + 1) / count))
         for index, name in enumerate(SCENARIOS)
-    ]
-    found = rows([observe(result) for result in results])
-    if report is not None:
-        from arcless.report import published_page
-
-        published_page.write(results, report, verdicts=verdicts(found), source=SOURCE)
-    return found
-
-
-def verdicts(rows_: Sequence[Row]) -> list[dict[str, object]]:
-    """Return the conclusions with verdict, what was checked, assumption and rows, to print."""
-    return [
-        {
-            "title": conclusion,
-            "holds": holds,
-            "checked": CONCLUSIONS[conclusion][0],
-            "assumption": CONCLUSIONS[conclusion][1],
-            "rows": [dataclasses.asdict(row) for row in rows_ if row.case == conclusion],
-        }
-        for conclusion, holds in held(rows_).items()
     ]
 
 
@@ -123,13 +100,13 @@ def _row(conclusion: str, allowed: Range, value: float, note: str) -> Row:
 def _joint_rows(seen: Observation) -> list[Row]:
     changes = seen.changes
     count = len(changes.joints)
+    what = f"{seen.kmh}: change at joints over change elsewhere"
     ratio = Range(
-        "joint_change_ratio", f"{seen.kmh}: change at joints over elsewhere, lowest of {count}",
-        "", 1.0, None, VERIFIED, strict=True,
+        "joint_change_ratio", f"{what}, lowest of {count} joints", "", 1.0, None, VERIFIED,
+        strict=True,
     )  # fmt: skip
     rms = Range(
-        "joint_change_rms_ratio", f"{seen.kmh}: the same, root mean square", "", FASTER, None,
-        VERIFIED,
+        "joint_change_rms_ratio", f"{what}, root mean square", "", FASTER, None, VERIFIED,
     )  # fmt: skip
     sizes = f"{changes.near:.1f} N at joints, {changes.elsewhere:.1f} N elsewhere, over {PIECE} m"
     return [
@@ -153,8 +130,8 @@ def _places(changes: JointChanges) -> str:
 
 def _interval_row(seen: Observation, below: float) -> Row:
     allowed = Range(
-        "force_interval_N", f"{seen.kmh}: width of the interval", "N", below, None, VERIFIED,
-        strict=True,
+        "force_interval_N", f"{seen.kmh}: width of the interval of the contact force", "N", below,
+        None, VERIFIED, strict=True,
     )  # fmt: skip
     return _row(INTERVAL, allowed, seen.width, f"{seen.low:.1f} to {seen.high:.1f} N")
 
@@ -163,7 +140,7 @@ def _gap_row(seen: Observation) -> Row:
     lost = f"contact lost during {seen.loss:.2f} % of the time"
     if seen.speed > FAST:
         allowed = Range(
-            "max_gap_mm", f"{seen.kmh}: largest gap", "mm", SMALLEST_GAP, None, VERIFIED,
+            "max_gap_mm", f"{seen.kmh}: maximum gap", "mm", SMALLEST_GAP, None, VERIFIED,
             strict=True, digits=3,
         )  # fmt: skip
         places = ", ".join(f"{x:.2f}" for x in seen.gaps_at)

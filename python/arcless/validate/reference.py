@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from math import inf
 
 from arcless.assess import decides
+from arcless.assess.quantities import QUANTITIES, label_of
 
 VERIFIED = "A"
 INSIDE = "inside"
@@ -87,23 +88,10 @@ class Case:
     ranges: tuple[Range, ...]
 
 
-_QUANTITIES = {
-    "mean_force_N": ("mean force", "N"),
-    "std_force_N": ("standard deviation", "N"),
-    "std_force_0_5Hz_N": ("standard deviation 0–5 Hz", "N"),
-    "std_force_5_20Hz_N": ("standard deviation 5–20 Hz", "N"),
-    "statistical_max_N": ("statistical maximum (Fm + 3σ)", "N"),
-    "statistical_min_N": ("statistical minimum (Fm − 3σ)", "N"),
-    "max_force_N": ("maximum force", "N"),
-    "min_force_N": ("minimum force", "N"),
-    "contact_point_range_mm": ("range of contact-point height", "mm"),
-    "max_uplift_at_support_mm": ("maximum uplift at a support", "mm"),
-    "contact_loss_percent": ("loss of contact", "%"),
-}
-
-
 def _ranges(mark: str, bounds: dict[str, tuple[float, float]]) -> tuple[Range, ...]:
-    return tuple(Range(key, *_QUANTITIES[key], *bounds[key], mark) for key in bounds)
+    return tuple(
+        Range(key, label_of(key), QUANTITIES[key].unit, *bounds[key], mark) for key in bounds
+    )
 
 
 _EN_50318_2002 = (

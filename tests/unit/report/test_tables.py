@@ -1,27 +1,13 @@
-"""Numbers as text, verdicts as sentences, and the model's data with their sources."""
+"""Numbers as text, and the model's data with their sources."""
 
-import numpy as np
 import pytest
 
 from arcless.assess import assess
+from arcless.assess.quantities import OF_PANTOGRAPH, WEAR
 from arcless.model import load
 from arcless.report.model_data import MAX_ROWS, groups, marks_used
-from arcless.report.tables import (
-    INDICATORS,
-    WEAR,
-    criterion_rows,
-    indicator_rows,
-    number,
-    reference_cells,
-    verdict,
-)
+from arcless.report.tables import criterion_rows, indicator_rows, reference_cells
 from tests.support.synthetic import SPAN_M, scenario_data, synthetic_dataset
-
-
-def test_numbers() -> None:
-    assert number(None) == "–"
-    assert number(-1.25, 2) == "−1.25"
-    assert number(0.12345, 3) == "0.123"
 
 
 def test_a_word_in_place_of_a_number_gets_no_unit() -> None:
@@ -49,37 +35,12 @@ def test_what_a_run_takes_for_a_word_stands_beside_it(scheme: str, shown: tuple[
     assert by_element["solver.time_step"] == "one element (0.0026470588 s)"
 
 
-def test_verdict_names_what_was_missed_and_how_sure_the_limit_is() -> None:
-    found = verdict(assess(synthetic_dataset()))
-    rest = "1 could not be judged; 1 not met by limits that are not verified"
-    assert (found.state, found.text) == ("open", f"7 of 8 judged criteria met; {rest}")
-    assert found.missed == ["mean force F_m, upper law (P1, mark C)"]
-    wild = synthetic_dataset(force=lambda t: 80.0 + 60.0 * np.sin(2.0 * np.pi * t))
-    found = verdict(assess(wild))
-    assert (found.state, found.text) == (
-        "missed",
-        "2 of 8 judged criteria not met; 1 could not be judged",
-    )
-    assert found.missed == [
-        "standard deviation σ (P1, mark A)",
-        "statistical minimum F_m − 3σ (P1, mark A)",
-    ]
-
-
-def test_verdict_counts_what_could_not_be_judged() -> None:
-    data = scenario_data(line__design={"uplift_space": None})
-    calm = synthetic_dataset(scenario=data, force=lambda t: 80.0 + 0.0 * t)
-    found = verdict(assess(calm))
-    assert found.state == "met"
-    assert found.text == "All 7 judged criteria met; 2 could not be judged"
-
-
 def test_every_indicator_has_a_row_and_every_pantograph_a_column() -> None:
     two = assess(synthetic_dataset(pantographs=("P1", "P2")))
     rows = indicator_rows(two)
-    assert len(rows) == len(INDICATORS)
+    assert len(rows) == len(OF_PANTOGRAPH)
     numbers = set(vars(two.pantographs[0])) - {"name", "certainty"}
-    assert numbers == set(INDICATORS | WEAR)
+    assert numbers == set(OF_PANTOGRAPH) | set(WEAR)
     assert all(len(values) == 2 for _, _, values in rows)
 
 
@@ -145,3 +106,12 @@ def test_a_value_inherits_the_source_of_the_mapping_it_was_given_in() -> None:
 def test_an_empty_list_is_none() -> None:
     rows = {row.path: row for row in groups(load(scenario_data()))[-1].rows}
     assert rows["output.points"].value == "none"
+
+
+def test_defaults_stand_apart_from_values_that_were_given() -> None:
+    line = groups(load("en50318-ac-simple-320"))[0]
+    given, defaults = ({row.path for row in rows} for rows in (line.given, line.defaults))
+    assert "contact_wire.tension" in given
+    assert "design.uplift_limited" in defaults
+    assert given.isdisjoint(defaults)
+    assert len(line.given) + len(line.defaults) == len(line.rows)

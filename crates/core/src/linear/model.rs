@@ -15,7 +15,7 @@
 //! stiffness T/ℓ of their equilibrium: that is the limit of linearised kinematics.
 
 use crate::linalg::{Block, MassMatrix, SymmetricBlocks};
-use crate::linear::damping_rest::damping_rest;
+use crate::linear::damping_rest::{damping_rest, subtract_stretching};
 use crate::linear::island::{Island, Lists};
 use crate::linear::link::LinearLink;
 use crate::linear::masses;
@@ -236,6 +236,47 @@ impl<const DIM: usize, const D: usize> LinearModel<DIM, D> {
             }
         }
     }
+
+    /// Adds d (C − α M − β K), the damping that is not common to all parts.
+    pub fn add_damping_rest_matrix(&self, d: f64, a: &mut SymmetricBlocks<D>) {
+        for (i, j, block) in &self.damping_rest {
+            let mut scaled = *block;
+            scaled.iter_mut().flatten().for_each(|v| *v *= d);
+            a.add(*i, *j, &scaled);
+        }
+    }
+
+    /// Adds (C − α M − β K) x to `y` on one island: the damping that is not common to all parts.
+    /// `work` is scratch space.
+    #[inline(always)]
+    pub fn add_damping_rest(
+        &self,
+        island: &Island,
+        x: &[[f64; D]],
+        y: &mut [[f64; D]],
+        work: &mut [[f64; D]],
+    ) {
+        if let Some(rest) = &self.mass_damping_rest {
+            rest.product_at(island.nodes.clone(), x, work);
+            let nodes = y[island.nodes.clone()].iter_mut();
+            for (y, w) in nodes.zip(&work[island.nodes.clone()]) {
+                for c in 0..D {
+                    y[c] += w[c];
+                }
+            }
+        }
+        for (i, j, block) in &self.damping_rest[island.damping.clone()] {
+            let (xi, xj) = (x[*i], x[*j]);
+            crate::linalg::block::add_product(&mut y[*i], block, &xj);
+            if i != j {
+                for a in 0..D {
+                    for b in 0..D {
+                        y[*j][b] += block[a][b] * xi[a];
+                    }
+                }
+            }
+        }
+    }
 }
 
 /// Returns the components of each node that can move.
@@ -249,20 +290,4 @@ fn free_components<const DIM: usize, const D: usize>(
         }
     }
     free
-}
-
-/// Subtracts the axial part of the tangents of all wires, times a factor that depends on their
-/// damping.
-pub(super) fn subtract_stretching<const DIM: usize, const D: usize>(
-    geometry: &Geometry<DIM, D>,
-    shape: &Shape<D>,
-    factor: impl Fn(Rayleigh) -> f64,
-    k: &mut SymmetricBlocks<D>,
-) {
-    for wire in &geometry.structure.wires {
-        Geometry::<DIM, D>::add_wire_stretching(k, shape, wire, -factor(wire.damping));
-    }
-    for segment in &geometry.structure.segments {
-        Geometry::<DIM, D>::add_segment_stretching(k, shape, segment, -factor(segment.damping));
-    }
 }

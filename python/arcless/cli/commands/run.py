@@ -38,7 +38,7 @@ PlotOption = Annotated[
     typer.Option(
         "--plot",
         metavar="FILE.html",
-        help="Draw the line at rest from the side and from above, with its elasticity.",
+        help="Write the line at rest as a page: views, elasticity, forces, dropper table.",
         show_default=False,
     ),
 ]
@@ -93,7 +93,8 @@ def statics(
 
     Prints dropper lengths and forces of one span, sag, elasticity, wave speed and natural
     frequencies; --json has all spans. With --out, statics.json is written into that folder; with
-    --plot, side view, plan view and elasticity are drawn. Speed and pantographs have no part here.
+    --plot, a page with views, elasticity, forces and tables of all spans. Speed and pantographs
+    have no part here.
     """
     from arcless.cli.terminal import statics_tables
     from arcless.storage.whole_files import write_bytes
@@ -112,9 +113,9 @@ def statics(
             written = folder.publish()
     found = result.to_dict()
     if plot is not None:
-        from arcless.report import rest_page
+        from arcless.report import statics_page
 
-        rest_page.write(result, plot)
+        statics_page.write(result, plot, resonance=found["resonance_speeds"])
         written.append(plot)
     if json:
         console.data(console.json_text(found))

@@ -26,7 +26,7 @@ def validate(
         typer.Option(
             "--report",
             metavar="FILE",
-            help="Write the figures and verdicts of `seed` to this HTML file.",
+            help="Write values, figures and verdicts to this HTML file.",
             show_default=False,
         ),
     ] = None,
@@ -50,6 +50,9 @@ def validate(
     Exit code 3 means that a value is outside of a range, or a conclusion does not hold, that was
     read in a source (mark A). Values outside of ranges that are only remembered (mark C*) are
     shown as such and do not count.
+
+    With --report, one page: values in their ranges, the paper's statements with the figures that
+    show them, and for `all` the recorded evidence.
 
     `all` also lists the evidence that the tests of this version recorded: closed forms, orders of
     convergence, conservation, other programs. It is not computed again here; `make evidence` in the

@@ -25,7 +25,8 @@ class Axis:
     logarithmic
         True for a logarithmic axis.
     categories
-        Names along the axis in place of numbers, the first at 0, each 1 further. Empty for numbers.
+        Names along the axis in place of numbers, the first at 0, each 1 further; places with an
+        empty name have no mark. Empty for numbers.
     group
         Figures whose axes have the same group show the same range, and are zoomed together. Empty
         for an axis of its own.

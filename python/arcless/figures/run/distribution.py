@@ -22,8 +22,8 @@ from arcless.figures.run.track import ground, titled
 BINS = 40
 HIGHEST_HZ = 50.0
 DECADES = 6
-# Window of the spectrogram in s, its columns, the highest frequency over the low-pass, and the
-# range of densities below the largest one, in dB.
+# Window of the spectrogram in s, its columns for all pantographs together, the highest frequency
+# over the low-pass, and the range of densities below the largest one, in dB.
 WINDOW_S, COLUMNS, ABOVE_LOW_PASS, DEPTH_DB = 1.0, 400, 1.5, 40.0
 HARMONICS = 3
 
@@ -101,7 +101,8 @@ def spectrogram(run: RunData) -> list[Figure]:
     """Return the density of the force over position and frequency, in moving windows."""
     rate = run.record.rate_Hz
     length = int(min(run.time.size, max(8, round(WINDOW_S * rate))))
-    hop = max(1, (run.time.size - length) // COLUMNS)
+    columns = max(60, COLUMNS // len(run.pantographs))
+    hop = max(1, (run.time.size - length) // columns)
     if run.time.size < 2 * length:
         return []
     window = 0.5 - 0.5 * np.cos(2.0 * np.pi * np.arange(length) / length)

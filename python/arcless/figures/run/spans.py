@@ -3,13 +3,14 @@
 import numpy as np
 
 from arcless.figures.description import Area, Axis, Bars, Curve, Figure, Layer, Rules, Tip
+from arcless.figures.description.thinning import every
 from arcless.figures.description.tokens import of_pantograph
 from arcless.figures.run.run_data import Floats, RunData
 from arcless.figures.run.track import SAME_LENGTH, titled
 
-# Places along a span at which spans are compared, and the fewest spans that are.
-PLACES, FEWEST = 241, 2
-MOST_DRAWN = 40
+# Places along a span at which spans are compared, the fewest spans that are, and the most curves
+# of single spans, of all pantographs together.
+PLACES, FEWEST, MOST_DRAWN = 241, 2, 60
 
 
 def folded(run: RunData) -> list[Figure]:
@@ -28,7 +29,7 @@ def folded(run: RunData) -> list[Figure]:
     found = []
     for i, (name, force) in enumerate(zip(run.pantographs, forces, strict=True)):
         mean, deviation = force.mean(axis=0), force.std(axis=0)
-        drawn = force[np.linspace(0, len(force) - 1, min(len(force), MOST_DRAWN)).astype(int)]
+        drawn = force[every(len(force), max(6, MOST_DRAWN // len(forces)))]
         pieces = np.column_stack([drawn, np.full(len(drawn), np.nan)]).ravel()
         places = np.tile(np.append(x, np.nan), len(drawn))
         layers: list[Layer] = [
@@ -58,17 +59,14 @@ def by_span(run: RunData) -> list[Figure]:
     chosen = _spans(run)
     if len(chosen) < FEWEST:
         return []
-    deviations = []
-    for i in range(len(run.pantographs)):
-        x, force = run.position[:, i], run.record.bands.total[:, i]
-        deviations.append([_deviation(x, force, left, right) for _, left, right in chosen])
+    deviations = [_deviations(run, i, chosen) for i in range(len(run.pantographs))]
     numbers = np.array([number for number, _, _ in chosen], dtype=float)
     limits = [run.limit("standard_deviation", i) for i in range(len(run.pantographs))]
     known = [limit for limit in limits if limit is not None]
     top = 1.08 * max(*(value for each in deviations for value in each), *known, 1e-9)
     found = []
     for i, assessed in enumerate(run.assessment.pantographs):
-        high = np.array(deviations[i])
+        high = deviations[i]
         tips = (Tip("standard deviation", high, "N"), Tip("span", numbers, "", "0"))
         layers: list[Layer] = [
             Bars(numbers - 0.4, numbers + 0.4, np.zeros_like(high), high, colour=of_pantograph(i),
@@ -113,13 +111,19 @@ def _by_place(
 ) -> Floats:
     """Return the filtered force at places of each span, (span, place)."""
     x, force = run.position[:, pantograph], run.record.bands.total[:, pantograph]
-    return np.stack(
-        [np.interp(left + along * (right - left), x, force) for _, left, right in chosen]
-    )
+    left = np.array([begin for _, begin, _ in chosen])
+    length = np.array([end - begin for _, begin, end in chosen])
+    places = left[:, None] + along * length[:, None]
+    values: Floats = np.interp(places.ravel(), x, force).reshape(places.shape)
+    return values
 
 
-def _deviation(x: Floats, force: Floats, left: float, right: float) -> float:
-    return float(force[(x >= left) & (x < right)].std())
+def _deviations(run: RunData, pantograph: int, chosen: list[tuple[int, float, float]]) -> Floats:
+    """Return the standard deviation of the filtered force in each span, in N."""
+    x, force = run.position[:, pantograph], run.record.bands.total[:, pantograph]
+    ends = np.array([(left, right) for _, left, right in chosen])
+    rows = np.searchsorted(x, ends)
+    return np.array([force[first:last].std() for first, last in rows])
 
 
 def _droppers(run: RunData, chosen: list[tuple[int, float, float]], equal: bool) -> list[Layer]:

@@ -72,6 +72,10 @@ class Drawing:
         """Return the columns of a selection; figures and a table draw from the same."""
         return self._sources.of_selection(selection)
 
+    def selections(self) -> dict[str, Columns]:
+        """Return the columns of each selection."""
+        return self._sources.selections
+
     def groups(self) -> dict[str, dict[str, Model]]:
         """Return the range and the cross hair of each group of axes."""
         return {
@@ -218,8 +222,8 @@ def _axis(axis: Axis) -> Model:
     if axis.form:
         made.formatter = Model("NumeralTickFormatter", format=axis.form)
     if axis.categories:
-        made.ticker = Model("FixedTicker", ticks=list(range(len(axis.categories))))
-        names = {place: plain(name) for place, name in enumerate(axis.categories)}
+        names = {place: plain(name) for place, name in enumerate(axis.categories) if name}
+        made.ticker = Model("FixedTicker", ticks=list(names))
         made.major_label_overrides = names
     return made
 

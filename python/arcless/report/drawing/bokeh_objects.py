@@ -113,6 +113,10 @@ class Document:
         """Return the name of an object that was written."""
         return self.known.names[id(model)]
 
+    def has(self, model: Model) -> bool:
+        """Return whether an object was written."""
+        return id(model) in self.known.names
+
 
 class _Known:
     """Names of the objects that were written, and where tokens are."""

@@ -74,7 +74,7 @@
     const track = data.groups.track;
     if (track && data.track.section) {
       const range = model(track.range);
-      const whole = [range.start, range.end];
+      const whole = data.track.whole || [range.start, range.end];
       const show = { all: whole, section: data.track.section };
       for (const button of $("[data-show]")) {
         button.addEventListener("click", () => {
@@ -86,12 +86,61 @@
       const output = $(".cursor")[0];
       const name = (x) => {
         const after = data.track.supports.findIndex((place) => place > x);
-        return after > 0 ? `, span ${after}` : "";
+        return after > 0 ? `, span ${after + (data.track.first || 1) - 1}` : "";
       };
       cross.properties.location.change.connect(() => {
         const x = cross.location;
         if (output) output.textContent = Number.isFinite(x) ? `${x.toFixed(1)} m${name(x)}` : "";
       });
+    }
+
+    // ---- heights drawn larger than lengths: how much, at this size and zoom --------------------
+    for (const output of $("[data-exaggeration]")) {
+      const place = $(`[data-key="${output.dataset.exaggeration}"]`)[0];
+      const plot = plots.find((one) => data.places[one.id] === place?.id);
+      if (!plot) continue;
+      const tell = () => {
+        const scale = (size, range) => size / Math.abs(range.end - range.start);
+        const ratio = scale(plot.inner_height, plot.y_range) / scale(plot.inner_width, plot.x_range);
+        if (ratio > 0 && Number.isFinite(ratio)) output.textContent = `, here ${Number(ratio.toPrecision(2))} times`;
+      };
+      for (const range of [plot.x_range, plot.y_range]) range.change.connect(tell);
+      plot.properties.inner_width.change.connect(tell);
+      plot.properties.inner_height.change.connect(tell);
+      tell();
+    }
+
+    // ---- tables of variants: sorted by a title, selected together with the figures ------------
+    for (const table of $("table[data-selection]")) {
+      const source = model(table.dataset.selection);
+      const body = table.tBodies[0], rows = [...body.rows], said = $("p.chosen")[0];
+      const place = new Map(rows.map((row, index) => [row, index]));
+      const show = () => {
+        const chosen = new Set(source.selected.indices);
+        rows.forEach((row, index) => row.classList.toggle("chosen", chosen.has(index)));
+        if (said) said.textContent = chosen.size ? `${chosen.size} of ${rows.length} selected` : "";
+        const first = body.querySelector(".chosen"), box = table.closest(".tall");
+        if (first && box) box.scrollTop = first.offsetTop - table.tHead.offsetHeight;
+      };
+      source.selected.properties.indices.change.connect(show);
+      body.addEventListener("click", (event) => {
+        const index = place.get(event.target.closest("tr"));
+        if (index === undefined) return;
+        const chosen = source.selected.indices;
+        source.selected.indices = chosen.includes(index) ? chosen.filter((one) => one !== index) : [...chosen, index];
+      });
+      for (const button of $("[data-sort]", table)) {
+        button.addEventListener("click", () => {
+          const title = button.closest("th"), values = source.data[button.dataset.sort];
+          const sign = title.getAttribute("aria-sort") === "ascending" ? -1 : 1;
+          for (const one of $("th", table)) one.removeAttribute("aria-sort");
+          title.setAttribute("aria-sort", sign > 0 ? "ascending" : "descending");
+          const key = (row) => values[place.get(row)];
+          const none = (value) => Number(Number.isNaN(value));  // the last ones either way
+          body.append(...[...rows].sort((a, b) =>
+            none(key(a)) - none(key(b)) || sign * (key(a) - key(b)) || place.get(a) - place.get(b)));
+        });
+      }
     }
 
     // ---- print -----------------------------------------------------------------------------
@@ -137,7 +186,30 @@
     root.classList.add("drawn");
   });
 
-  // ---- tables that are larger than their place: scrolled by keys too -------------------------------
+  // ---- tables as files -------------------------------------------------------------------------
+  const cells = (id) => $("tr", document.getElementById(id)).map((row) =>
+    [...row.cells].map((cell) => cell.textContent.trim().replace(/\u2212(?=\d)/g, "-").replace(/^\u2013$/, "")));
+  for (const button of $("[data-download]")) {
+    button.addEventListener("click", () => {
+      const quoted = (text) => (/[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
+      const text = cells(button.dataset.download).map((row) => row.map(quoted).join(",")).join("\r\n");
+      const link = document.createElement("a");
+      // The mark at the beginning tells spreadsheets that the text is UTF-8.
+      link.href = URL.createObjectURL(new Blob(["\ufeff", text, "\r\n"], { type: "text/csv" }));
+      link.download = button.dataset.file;
+      link.click();
+      setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+    });
+  }
+  for (const button of $("[data-copy]")) {
+    button.hidden = !navigator.clipboard;
+    button.addEventListener("click", async () => {
+      await navigator.clipboard.writeText(cells(button.dataset.copy).map((row) => row.join("\t")).join("\n"));
+      button.textContent = "Copied";
+    });
+  }
+
+  // ---- tables that are larger than their place: scrolled by keys too --------------------------------
   const measure = (one) => {
     if (one.scrollWidth > one.clientWidth || one.scrollHeight > one.clientHeight) one.tabIndex = 0;
     else one.removeAttribute("tabindex");

@@ -1,11 +1,12 @@
 """Quantities that outputs of a study are computed from: the numbers of an assessment by key.
 
 A key of a pantograph (`mean_force_N`) is that of the leading one; `P2.mean_force_N` is that of the
-second one, by number or by name. `criteria.NAME` is 1 where a criterion is met, 0 where not, and
-nothing where it is too close to tell.
+second one, by number or by name; `worst.std_force_N` is that of the pantograph where it is worst.
+`criteria.NAME` is 1 where a criterion is met, 0 where not, and nothing where it is too close
+to tell.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import asdict, fields
 from typing import Any
 
@@ -25,6 +26,13 @@ _RUN = [field.name for field in fields(Assessment) if field.type in _NUMBERS]
 _PANTOGRAPH = [
     field.name for field in fields(PantographAssessment) if field.name not in ("name", "certainty")
 ]
+WORST = "worst"
+# Keys of which low values are the worse ones, and the one of which neither end is.
+_LOW = ("min_force_N", "unfiltered_min_force_N", "statistical_min_N")
+_NEITHER = ("mean_force_N",)
+_WORST: Mapping[str, Callable[[list[float]], float]] = {
+    key: min if key in _LOW else max for key in _PANTOGRAPH if key not in _NEITHER
+}
 _CRITERIA = sorted({rule.name for rule in RULES})
 # Units by the endings of keys; longest first.
 _UNITS = {
@@ -37,7 +45,9 @@ def keys(scenario: Scenario) -> list[str]:
     """Return every key that an output may use of a scenario's runs."""
     own = [key for key in _PANTOGRAPH if scenario.wear is not None or key not in WEAR_KEYS]
     placed = [f"{name}.{key}" for names in _names(scenario) for name in names for key in own]
-    return [*own, *_RUN, "passed", *(f"criteria.{name}" for name in _CRITERIA), *placed]
+    worst = [f"{WORST}.{key}" for key in own if key in _WORST]
+    found = [*own, *_RUN, "passed", *(f"criteria.{name}" for name in _CRITERIA), *placed, *worst]
+    return list(dict.fromkeys(found))  # a pantograph may be called worst
 
 
 def values(assessment: Assessment) -> dict[str, float | None]:
@@ -46,6 +56,9 @@ def values(assessment: Assessment) -> dict[str, float | None]:
     # A limit that was not read decides nothing: `criteria.NAME` shows it.
     deciding = [item for item in assessment.criteria if item.passed is not False or item.fails]
     found["passed"] = _all_met(deciding, of_none=1.0)
+    for key, of in _WORST.items():
+        known = [getattr(pantograph, key) for pantograph in assessment.pantographs]
+        found[f"{WORST}.{key}"] = None if None in known else of(known)
     for index, pantograph in enumerate(assessment.pantographs):
         for key in _PANTOGRAPH:
             value = getattr(pantograph, key)
@@ -76,6 +89,17 @@ def _all_met(criteria: Sequence[Criterion], of_none: float | None = None) -> flo
 
 def _is_close(item: Criterion) -> bool:
     return verdict_of(asdict(item)) == TOO_CLOSE
+
+
+def owner_of_key(key: str, scenario: Scenario) -> int | str | None:
+    """Return the pantograph that a key is of, from 0, or `WORST`; None for one of the run."""
+    prefix, _, name = key.rpartition(".")
+    if name not in _PANTOGRAPH:
+        return None
+    if not prefix:
+        return 0
+    places = {one: place for place, names in enumerate(_names(scenario)) for one in names}
+    return places.get(prefix, WORST)
 
 
 def unit_of_key(key: str) -> str:

@@ -2,14 +2,10 @@
 
 from typing import Any
 
-from arcless.report.drawing.bokeh_objects import Field, Model, columns
-from arcless.report.drawing.figure import Figure
-from arcless.report.drawing.style import add_hover, add_legend, colour, figure, plain
-from arcless.study.report.record import Record
-from arcless.study.report.tables import number
+from arcless.study.report.data.numbers import digits
+from arcless.study.report.data.record import Record
+from arcless.study.report.figures.indices import SOBOL, effects, shares
 
-# Column of the table → key of its value, and of the half width of its interval.
-_SOBOL = {"first order": ("first", "first_interval"), "total": ("total", "total_interval")}
 _MORRIS = {
     "mean effect μ": ("mu", None),
     "mean size μ*": ("mu_star", "mu_star_interval"),
@@ -23,9 +19,11 @@ def sections(record: Record) -> list[dict[str, Any]]:
     if found is None:
         return []
     sobol = found["method"] == "sobol-indices"
-    keys: dict[str, tuple[str, str | None]] = {**(_SOBOL if sobol else _MORRIS)}
+    keys: dict[str, tuple[str, str | None]] = {**(SOBOL if sobol else _MORRIS)}
     result = []
-    for name, output in found["outputs"].items():
+    headings = {column.name: column.heading for column in record.outputs}
+    for place, (name, output) in enumerate(found["outputs"].items(), start=1):
+        draw = shares if sobol else effects
         values = output["indices"]
         lines = []
         for variable, one in (values or {}).items():
@@ -36,67 +34,23 @@ def sections(record: Record) -> list[dict[str, Any]]:
             ]
         result.append(
             {
-                "output": name,
+                "output": headings[name],
                 "sobol": sobol,
                 "blocks": output["blocks"],
                 "left_out": output["left_out"],
                 "why": output.get("why", ""),
                 "titles": list(keys),
                 "lines": lines,
-                "figure": _figure(name, values, sobol=sobol) if values else None,
+                "figure": draw(f"output-{place}", headings[name], values) if values else None,
             }
         )
     return result
 
 
 def _cell(one: dict[str, Any], key: str, interval: str | None) -> str:
-    half = "" if interval is None else f" ± {number(_short(one[interval]))}"
-    return f"{number(_short(one[key]))}{half}"
+    half = "" if interval is None else f" ± {digits(_short(one[interval]))}"
+    return f"{digits(_short(one[key]))}{half}"
 
 
 def _short(value: float | None) -> float | None:
     return None if value is None else float(f"{value:.3g}")
-
-
-def _figure(output: str, values: dict[str, Any], *, sobol: bool) -> Figure:
-    if not sobol:
-        return _plane(output, values)
-    names = [plain(name) for name in values]
-    fig = figure(
-        plain(f"Share of the variance of {output}"), "index", "",
-        height=90 + 34 * len(names), names=names[::-1],
-    )  # fmt: skip
-    entries = []
-    for place, (title, (key, interval)) in enumerate(_SOBOL.items()):
-        middles = [one[key] for one in values.values()]
-        halves = [one[interval] or 0.0 for one in values.values()]
-        data = {
-            "x": middles,
-            "low": [m - h for m, h in zip(middles, halves, strict=True)],
-            "high": [m + h for m, h in zip(middles, halves, strict=True)],
-            "y": [(name, 0.12 - 0.24 * place) for name in names],
-        }
-        source, ends = columns(data), ("low", "y", "high", "y")
-        bar = fig.draw("Segment", source, *ends, color=colour(place), line_width=2)
-        dot = fig.draw("Scatter", source, color=colour(place), size=8)
-        add_hover(fig, [dot], [(title, "@x{0.000} (@low{0.000} to @high{0.000})")])
-        entries.append((title, [bar, dot]))
-    add_legend(fig, entries)
-    return fig
-
-
-def _plane(output: str, values: dict[str, Any]) -> Figure:
-    fig = figure(plain(f"Effects on {output}"), "mean size of effects μ*", "deviation σ")
-    source = columns(
-        {
-            "x": [one["mu_star"] for one in values.values()],
-            "y": [one["sigma"] for one in values.values()],
-            "name": [plain(name) for name in values],
-        }
-    )
-    dots = fig.draw("Scatter", source, color=colour(0), size=9)
-    place = {"x": Field("x"), "y": Field("y"), "x_offset": 7, "y_offset": 4}
-    labels = Model("LabelSet", source=source, text=Field("name"), text_font_size="12px", **place)
-    fig.center.append(labels)
-    add_hover(fig, [dots], [("", "@name"), ("μ*", "@x{0.[000]}"), ("σ", "@y{0.[000]}")])
-    return fig

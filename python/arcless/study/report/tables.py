@@ -1,48 +1,37 @@
-"""Tables of a study's report: variables, outputs, failures, and the leading variants."""
+"""Tables of a study's report: variables, outputs, percentiles, failures, the best variants."""
 
-import html
 import json
 from collections import defaultdict
-from dataclasses import dataclass, replace
-from math import floor, isfinite, log10
+from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from arcless.report.drawing.bokeh_objects import Model
 from arcless.study.definition.study import Study
 from arcless.study.designs import Grid
 from arcless.study.optimisation.optimise import Optimise
 from arcless.study.report.commands import Commands
-from arcless.study.report.figures import Drawing
-from arcless.study.report.record import Column, Record
+from arcless.study.report.data.numbers import digits
+from arcless.study.report.data.record import Column, Record, words_of
 from arcless.study.variables.distributions import Choice
 from arcless.study.variables.variables import Variable
 from arcless.units import show
 
-# Numbers of leading variants in a list, of outputs, and of reasons that are shown.
-LEADING, LED_OUTPUTS, REASONS, STOPS = 3, 6, 20, 50
-_DIGITS, _SMALLEST, _LARGEST = 5, 1e-6, 1e9
+# Numbers of reasons and of stops that are shown.
+REASONS, STOPS = 20, 50
 _NAMED = 12
-_HEIGHT, _ROW = 420, 26
 _LONGEST = 200
 
 
 @dataclass(frozen=True)
-class Leader:
-    """A variant that has the lowest or the highest value of an output."""
+class Best:
+    """A best variant of an optimisation: what it reaches, at which values, by which command."""
 
     variant: int
-    value: str
+    reached: str
     values: str
     command: str
-
-
-def number(value: float | None) -> str:
-    """Return a number with six digits and a real minus sign; a dash for none."""
-    if value is None or not isfinite(value):
-        return "–"
-    return f"{value:.6g}".replace("-", "−")
 
 
 def variable_rows(study: Study) -> list[dict[str, str]]:
@@ -52,7 +41,7 @@ def variable_rows(study: Study) -> list[dict[str, str]]:
             "name": axis.name,
             "field": axis.field,
             "unit": axis.typed_unit,
-            "values": _ways(study.variables[axis.name]),
+            "values": _ways(study.variables[axis.name], words_of(axis.name, axis.levels or ())),
             "about": study.variables[axis.name].description,
         }
         for axis in study.axes
@@ -68,8 +57,9 @@ def output_rows(record: Record) -> list[dict[str, Any]]:
         if known.size:
             spread = float(known.std(ddof=1)) if known.size > 1 else float("nan")
             middle = float(np.median(known))
-            numbers = [float(known.mean()), spread, float(known.min()), middle, float(known.max())]
-        cells = [number(value) for value in numbers]
+            low, high = float(known.min()), float(known.max())
+            numbers = [low, middle, float(known.mean()), high, spread]
+        cells = [digits(value) for value in numbers]
         rows.append({"column": out, "count": known.size, "cells": cells})
     return rows
 
@@ -83,8 +73,8 @@ def percentile_rows(record: Record) -> list[tuple[Column, list[tuple[str, str]]]
     for out in record.outputs:
         cells = []
         for one in found["outputs"][out.name]["percentiles"]:
-            ends = (number(one["low"]), number(one["high"]))
-            cells.append((number(one["value"]), " to ".join(ends)))
+            ends = (digits(one["low"]), digits(one["high"]))
+            cells.append((digits(one["value"]), " to ".join(ends)))
         rows.append((out, cells))
     return rows
 
@@ -105,8 +95,8 @@ def stops(record: Record) -> list[Stop]:
     for row in record.rows:
         if row.status == "pruned":
             known = {name: values[-1] for name, values in row.so_far.items() if values}
-            so_far = ", ".join(f"{name} = {number(value)}" for name, value in known.items())
-            place = f"{number(row.stopped_at_m)} m, {number(row.stopped_after_s)} s"
+            so_far = ", ".join(f"{name} = {digits(value)}" for name, value in known.items())
+            place = f"{digits(row.stopped_at_m)} m, {digits(row.stopped_after_s)} s"
             found.append(Stop(row.variant, place, so_far, row.error))
     return found
 
@@ -129,24 +119,7 @@ def failures(record: Record) -> list[dict[str, Any]]:
     ]
 
 
-def leaders(record: Record) -> list[tuple[Column, list[tuple[str, list[Leader]]]]]:
-    """Return the variants with the lowest and the highest value of each output."""
-    commands = Commands(record.study)
-    found = []
-    for out in record.outputs[:LED_OUTPUTS]:
-        known = np.flatnonzero(np.isfinite(out.values))
-        if not out.varies:
-            continue
-        rising = known[np.argsort(out.values[known], kind="stable")]
-        most = min(LEADING, rising.size // 2)
-        ends = (("lowest", rising[:most]), ("highest", rising[::-1][:most]))
-        found.append(
-            (out, [(word, [_leader(record, out, i, commands) for i in end]) for word, end in ends])
-        )
-    return found
-
-
-def best(record: Record) -> list[Leader] | None:
+def best(record: Record) -> list[Best] | None:
     """Return the best variants of an optimisation, of several objectives the front; else None."""
     design = record.study.design
     if not isinstance(design, Optimise):
@@ -154,76 +127,34 @@ def best(record: Record) -> list[Leader] | None:
     found = {row.variant for row in design.best(record.rows)}
     commands = Commands(record.study)
     aims = [out for out in record.outputs if out.name in design.objectives]
-    leaders_ = []
+    chosen = []
     for place in np.flatnonzero([int(variant) in found for variant in record.variants]):
-        each = [_leader(record, out, int(place), commands) for out in aims]
-        reached = [f"{out.name} = {one.value}" for out, one in zip(aims, each, strict=True)]
-        leaders_.append(replace(each[0], value=", ".join(reached)))
-    return leaders_
+        variant = int(record.variants[place])
+        reached = [f"{out.heading} = {_amount_of(out, place)}" for out in aims]
+        command = commands.again(variant)
+        chosen.append(Best(variant, ", ".join(reached), values_of(record, int(place)), command))
+    return chosen
 
 
-def _leader(record: Record, out: Column, place: int, commands: Commands) -> Leader:
-    variant = int(record.variants[place])
-    values = []
-    for column in record.variables:
-        value = column.values[place]
-        words = column.words
-        text = words[int(value)] if words is not None else number(float(value))
-        values.append(f"{column.name} = {text} {column.unit}".rstrip())
-    value = f"{number(float(out.values[place]))} {out.unit}".rstrip()
-    return Leader(variant, value, ", ".join(values), commands.again(variant))
+def values_of(record: Record, place: int) -> str:
+    """Return the values of the variables of a row that is done, in words."""
+    return ", ".join(f"{one.name} {_amount_of(one, place)}" for one in record.variables)
 
 
-def data_table(drawing: Drawing) -> Any:
-    """Return the table of all variants that are drawn: a click on a title sorts it."""
-    columns = [_column("variant", "variant", Model("NumberFormatter", format="0"), 70)]
-    for column in (*drawing.record.variables, *drawing.outputs):
-        key = drawing.key(column)
-        if column.words is not None:
-            columns.append(_column(f"{key} word", column.label, Model("StringFormatter")))
-        else:
-            columns.append(_column(key, column.label, _format(column)))
-    return Model(
-        "DataTable",
-        source=drawing.source,
-        columns=columns,
-        index_position=None,
-        sizing_mode="stretch_width",
-        height=min(_HEIGHT, _ROW * (len(drawing.drawn) + 2)),
-        row_height=_ROW,
-        selectable=True,
-        sortable=True,
-        reorderable=False,
-    )
+def _amount_of(column: Column, place: int | np.intp) -> str:
+    value = column.values[place]
+    if column.words is not None:
+        return column.words[int(value)]
+    return f"{digits(float(value))} {column.unit}".rstrip()
 
 
-def _column(field: str, title: str, formatter: Any, width: int = 120) -> Any:
-    # The table takes titles as HTML.
-    safe = html.escape(title)
-    return Model("TableColumn", field=field, title=safe, formatter=formatter, width=width)
-
-
-def _format(column: Column) -> Any:
-    """Return a format with so many decimals that values are told apart."""
-    known = np.abs(column.values[np.isfinite(column.values)])
-    known = known[known > 0.0]
-    largest, smallest = (float(known.max()), float(known.min())) if known.size else (1.0, 1.0)
-    if largest >= _LARGEST or smallest < _SMALLEST:
-        unknown = {"nan_format": "–", "null_format": "–"}
-        return Model("ScientificFormatter", precision=_DIGITS - 1, **unknown)
-    if np.all(column.values[np.isfinite(column.values)] % 1.0 == 0.0):
-        decimals = 0
-    else:
-        decimals = max(0, _DIGITS - 1 - floor(log10(largest)))
-    form = "0." + "0" * decimals if decimals else "0"
-    style = {"text_align": "right", "nan_format": "–", "null_format": "–"}
-    return Model("NumberFormatter", format=form, **style)
-
-
-def _ways(variable: Variable) -> str:
+def _ways(variable: Variable, names: Sequence[str]) -> str:
     """Return the values or the distribution of a variable, in words."""
     if variable.values is not None:
-        return _some([_amount(value) for value in variable.values])
+        texts = [_amount(value) for value in variable.values]
+        if any(isinstance(value, dict | list | tuple) for value in variable.values):
+            texts = [f"{name}: {text}" for name, text in zip(names, texts, strict=False)]
+        return _some(texts)
     if variable.range is not None:
         low, high = (_amount(end) for end in variable.range)
         return f"{low} to {high}" + (f", {variable.count} values" if variable.count else "")
@@ -244,16 +175,19 @@ def _ways(variable: Variable) -> str:
 
 
 def design_text(study: Study) -> str:
-    """Return the design in words."""
+    """Return the design in words; of a grid how many values each variable has."""
     design = study.design
     fields = design.model_dump()
     if isinstance(design, Optimise):
         aims = ", ".join(f"{aim} {name}" for name, aim in design.objectives.items())
         rule = "" if design.pruning is None else f", pruning {design.pruning.kind}"
         return f"optimise: {aims}; {design.trials} variants, seed {study.seed}{rule}"
+    if isinstance(design, Grid):
+        counts = [str(len(axis.levels or ())) for axis in study.axes]
+        return f"grid, {' × '.join(counts)}" if len(counts) > 1 else "grid"
     words = [str(fields.pop("kind"))]
     words += [f"{n.replace('_', ' ')} {str(v).lower()}" for n, v in fields.items()]
-    words += [] if isinstance(design, Grid) or design.kind == "list" else [f"seed {study.seed}"]
+    words += [] if design.kind == "list" else [f"seed {study.seed}"]
     return ", ".join(words)
 
 

@@ -1,4 +1,4 @@
-"""Figures along the track: what is drawn, where the worst place is, samples of filtered channels."""
+"""Figures along the track: their layers, the worst place, samples of filtered channels."""
 
 import numpy as np
 import pytest

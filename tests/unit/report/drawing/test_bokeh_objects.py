@@ -6,63 +6,49 @@ from typing import Any
 import numpy as np
 import pytest
 
-from arcless.report.drawing.bokeh_objects import Field, Model, Value, columns, document
-from arcless.report.drawing.style import figure
+from arcless.figures.description.tokens import colour
+from arcless.report.drawing.bokeh_objects import Columns, Field, Model, Token, Value, document
 from tests.support.bokeh_pages import document_of, mistakes_of
 
 
 def read(*roots: Model) -> Any:
     """Our objects, written as text and read again."""
-    written, _ = document(roots)
+    written = document(roots).roots
     return document_of(json.loads(json.dumps(written, allow_nan=False))).roots
 
 
 @pytest.mark.parametrize("dtype", [np.float64, np.float32, np.int32, np.int64])
 def test_columns_come_back_as_they_were(dtype: Any) -> None:
     values = np.arange(5).astype(dtype)
-    (source,) = read(columns({"x": values, "word": [*"abcde"], "y": values[::-1]}))
+    (source,) = read(Columns({"x": values, "word": [*"abcde"], "y": values[::-1]}))
     assert list(source.data["x"]) == [0, 1, 2, 3, 4]
     assert list(source.data["y"]) == [4, 3, 2, 1, 0]  # backwards in memory
     assert list(source.data["word"]) == [*"abcde"]
 
 
 def test_what_json_has_no_numbers_for() -> None:
-    (source,) = read(columns({"x": [np.nan, np.inf, -np.inf, np.float32(0.5), np.int64(3)]}))
+    (source,) = read(Columns({"x": [np.nan, np.inf, -np.inf, np.float32(0.5), np.int64(3)]}))
     assert np.array_equal(source.data["x"], [np.nan, np.inf, -np.inf, 0.5, 3], equal_nan=True)
 
 
 def test_what_is_shared_is_written_once() -> None:
     track = Model("Range1d", start=0.0, end=1.0)
-    one, other = read(figure("a", "x", "y", x_range=track), figure("b", "x", "y", x_range=track))
+    one, other = read(Model("Plot", x_range=track), Model("Plot", x_range=track))
     assert one.x_range is other.x_range
     assert one.y_range is not other.y_range
 
 
-def test_columns_colours_and_values() -> None:
-    fig = figure("title", "x", "y", selects=True)
-    mapper = Model("LinearColorMapper", palette=["#000000", "#ffffff"], low=0.0, high=1.0)
-    data = {"x": np.zeros(2), "y": np.ones(2), "c": np.ones(2)}
-    fig.draw("Scatter", data, color=Field("c", mapper), line_color=None, unselected=0.1)
-    fig.draw("Segment", data, "x", "y", "x", "c", alpha=0.5, name="pieces", level="underlay")
-    (made,) = read(fig)
-    dots, pieces = made.renderers
-    assert dots.glyph.fill_color.transform.palette == ["#000000", "#ffffff"]
-    assert dots.glyph.line_color is None
-    assert dots.nonselection_glyph.fill_alpha == 0.1
-    assert dots.nonselection_glyph.x == dots.glyph.x
-    assert (pieces.glyph.y1.field, pieces.glyph.line_alpha) == ("c", 0.5)
-    assert (pieces.name, pieces.level) == ("pieces", "underlay")
-    assert type(made.toolbar.active_drag).__name__ == "BoxSelectTool"
+def test_the_same_values_are_one_column() -> None:
+    source, values = Columns(), np.arange(3.0)
+    assert source.name_of(values) == source.name_of(values)
+    assert source.name_of(values) != source.name_of(values.copy())
+    assert len(source.data) == 2
 
 
-def test_axes() -> None:
-    logarithmic, words = read(
-        figure("a", "x", "y", logarithmic=True), figure("b", "x", "", names=["low", "high"])
-    )
-    assert type(logarithmic.y_scale).__name__ == "LogScale"
-    assert type(logarithmic.left[0]).__name__ == "LogAxis"
-    assert words.y_range.factors == ["low", "high"]
-    assert words.left[0].axis_label is None
+def test_a_token_is_its_light_colour_and_is_listed() -> None:
+    written = document([Model("Span", line_color=Token("limit"))])
+    assert written.roots[0]["attributes"]["line_color"] == colour("limit")
+    assert written.colours == {"limit": [[written.names[0], "line_color"]]}
 
 
 def test_a_value_is_no_column() -> None:

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from arcless.study.report.record import Column, Floats
+from arcless.study.report.data.record import Column, Floats
 
 # More different values than this are put together into parts with equally many variants.
 MOST_LEVELS = 12

@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from arcless.errors import ArclessError
-from arcless.report.drawing.bokeh_objects import Field, Model
-from arcless.report.drawing.figure import Figure
-from arcless.report.drawing.style import FADED, INK, add_legend, colour
+from arcless.figures.description import Axis, Layer, Rules, Texts
+from arcless.figures.description.layers import Dash
+from arcless.figures.description.tokens import of_series
 from arcless.study.definition.study import Study
-from arcless.study.report.record import Column, Record
+from arcless.study.report.data.record import Column, Record
 
 if TYPE_CHECKING:
     from arcless.simulate import ResonanceSpeeds
@@ -21,20 +21,17 @@ if TYPE_CHECKING:
 
 FIELD = "speed"
 # Kind → legend, colour, dashes.
-_STYLES = {
+_STYLES: dict[str, tuple[str, int, Dash]] = {
     "wave speed": ("wave speed", 7, "solid"),
     "span of the line": ("span, line", 2, "dashed"),
     "span and pantograph": ("span, pantograph", 3, "dashed"),
     "droppers and pantograph": ("droppers, pantograph", 4, "dotted"),
-    "parametric": ("parametric", 6, "dashdot"),
+    "parametric": ("parametric", 6, "dashed"),
     "spacing, worst": ("spacing, worst", 6, "dashed"),
     "spacing, best": ("spacing, best", 5, "dotted"),
 }
-# Numbers nearer than this share of the axis stand below one another; height of a row in px.
-_APART, _ROW, _ROWS = 0.02, 12, 4
-# A figure with them takes the whole width of the page, for its legend and numbers; height in px.
-WIDE = "wide"
-_HEIGHT = 330
+# Numbers nearer than this part of the axis stand below one another; part of it that a row has.
+_APART, _ROW, _ROWS = 0.02, 0.045, 4
 # Fields besides the speed that leave the speeds as they are.
 _FORCES = ("static_force", "mean_force")
 
@@ -64,31 +61,24 @@ class SpeedMarks:
             for number, one in self.numbered
         ]
 
-    def draw(self, fig: Figure, y_range: Model) -> None:
-        """Draw the numbered speeds as lines from top to bottom, with a legend above."""
+    def layers(self, axis: Axis) -> list[Layer]:
+        """Return the numbered speeds as rules, with their numbers at the top of an axis."""
         drawn = [(number, one) for number, one in self.numbered if number is not None]
-        entries = []
-        for kind, (label, place, dash) in _STYLES.items():
+        layers: list[Layer] = []
+        for kind, (name, place, dash) in _STYLES.items():
             x = [one.speed.middle / self.column.scale for _, one in drawn if one.kind == kind]
             if x:
-                line = fig.draw(
-                    "VSpan", {"x": x}, color=colour(place), line_dash=dash, line_width=1.5,
-                    level="underlay", unselected=FADED,
+                layers.append(
+                    Rules(axis="x", at=np.array(x), colour=of_series(place), dash=dash,
+                          width=1.4, name=name)
                 )  # fmt: skip
-                entries.append((label, [line]))
-        add_legend(fig, entries)
-        fig.tags, fig.height = [WIDE], _HEIGHT
         x = [one.speed.middle / self.column.scale for _, one in drawn]
-        data = {
-            "x": x,
-            "y": [y_range.end] * len(x),
-            "text": [str(number) for number, _ in drawn],
-            "down": [_ROW * row for row in rows_of(x, self._width)],
-        }
-        fig.draw(
-            "Text", data, x_offset=2, y_offset=Field("down"), unselected=FADED,
-            text_baseline="top", text_font_size="10px", color=INK,
-        )  # fmt: skip
+        assert axis.high is not None
+        assert axis.low is not None
+        down = _ROW * (axis.high - axis.low)
+        y = [axis.high - down * (row + 0.5) for row in rows_of(x, self._width)]
+        numbers = [str(number) for number, _ in drawn]
+        return [*layers, Texts(np.array(x), np.array(y), numbers, colour="soft", align="left")]
 
     def _shown(self, speed_m_s: float) -> str:
         """Return a speed in the unit of the axis: km/h whole, m/s with a tenth."""
@@ -117,7 +107,9 @@ def marks(record: Record) -> SpeedMarks | None:
         found = resonance_speeds(record.study.base)
     except ArclessError as error:
         found = ResonanceSpeeds((), (f"no resonance speeds: {error}",))
-    return SpeedMarks(column, _numbered(column, found), (*found.notes, *_varied(record.study)))
+    spaced = any(axis.field.endswith(".distance") for axis in record.study.axes)
+    numbered = _numbered(column, found, spaced=spaced)
+    return SpeedMarks(column, numbered, (*found.notes, *_varied(record.study)))
 
 
 def speed_column(record: Record) -> Column | None:
@@ -141,23 +133,31 @@ def rows_of(places: list[float], width: float) -> list[int]:
 
 
 def _numbered(
-    column: Column, found: "ResonanceSpeeds"
+    column: Column, found: "ResonanceSpeeds", *, spaced: bool
 ) -> tuple[tuple[int | None, "ResonanceSpeed"], ...]:
     low, high = (column.scale * float(end(column.values)) for end in (np.nanmin, np.nanmax))
     numbers = iter(range(1, len(found.speeds) + 1))
     return tuple(
-        (next(numbers) if low <= one.speed.middle <= high else None, one) for one in found.speeds
+        (next(numbers) if low <= one.speed.middle <= high else None, one)
+        for one in found.speeds
+        if not (spaced and one.kind.startswith("spacing"))
     )
 
 
 def _varied(study: Study) -> list[str]:
     """Say which other variables the speeds would follow."""
+    spaced = [axis.name for axis in study.axes if axis.field.endswith(".distance")]
+    notes = [
+        f"speeds that follow from the distance of pantographs are left out, as {name} is varied"
+        for name in spaced
+    ]
     others = [
         axis.name
         for axis in study.axes
         if axis.field.startswith(("line", "as_built", "contact", "pantographs"))
         and not axis.field.endswith(_FORCES)
+        and axis.name not in spaced
     ]
     if not others:
-        return []
-    return [f"of the scenario with its own values of {', '.join(others)}, not those varied"]
+        return notes
+    return [*notes, f"of the scenario with its own values of {', '.join(others)}, not those varied"]

@@ -9,8 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from arcless.assess.quantities import QUANTITIES, label_of
 from arcless.study.analysis.findings import Findings, of
-from arcless.study.definition.quantities import is_number
+from arcless.study.definition.quantities import WORST, is_number, owner_of_key
 from arcless.study.definition.study import Study
 from arcless.study.folder import table
 from arcless.study.folder.folder import StudyFolder
@@ -38,6 +39,10 @@ class Column:
         Whether the values are numbers of drawings, over which there is nothing to plot.
     scale
         Size of the unit in SI.
+    title
+        Name that people are shown: that of the quantity, where the study file gives no other.
+    of
+        The pantograph that it belongs to, in words; empty where there is one alone, or none.
     """
 
     name: str
@@ -47,11 +52,18 @@ class Column:
     words: tuple[str, ...] | None = None
     is_drawn: bool = False
     scale: float = 1.0
+    title: str = ""
+    of: str = ""
+
+    @property
+    def heading(self) -> str:
+        """Name, and the pantograph that it belongs to."""
+        return ", ".join(part for part in (self.title or self.name, self.of) if part)
 
     @property
     def label(self) -> str:
-        """Name and unit."""
-        return f"{self.name}, {self.unit}" if self.unit else self.name
+        """Name, pantograph and unit."""
+        return f"{self.heading}, {self.unit}" if self.unit else self.heading
 
     @property
     def varies(self) -> bool:
@@ -116,7 +128,8 @@ class Record:
             else:
                 words = list(dict.fromkeys(_word(value) for value in levels))
                 codes = np.array([words.index(_word(value)) for value in given], dtype=float)
-                found.append(Column(axis.name, "", about, codes, tuple(words)))
+                shown = tuple(words_of(axis.name, levels))
+                found.append(Column(axis.name, "", about, codes, shown))
         return found
 
     @cached_property
@@ -126,9 +139,49 @@ class Record:
         for name, output in self.study.outputs.items():
             values = [row.outputs.get(name) for row in self.done]
             unit = table.unit_of_output(self.study, name)
-            about = output.description or output.expression
-            found.append(Column(name, unit, about, np.array(values, dtype=float)))
+            key = output.expression.strip()
+            quantity = key.rpartition(".")[2]
+            known = label_of(quantity) if quantity in QUANTITIES else ""
+            about = output.description or known or output.expression
+            found.append(
+                Column(
+                    name, "" if unit == "1" else unit, about, np.array(values, dtype=float),
+                    title=known if name == key else name, of=pantograph_of(self.study, name),
+                )
+            )  # fmt: skip
         return found
+
+
+def pantograph_of(study: Study, output: str) -> str:
+    """Return the pantographs that an output is of, in words; empty of one alone, or of none."""
+    names = [placed.name for placed in study.base.pantographs]
+    if len(names) < 2:  # noqa: PLR2004 - one pantograph needs no name
+        return ""
+    owners = {owner_of_key(key, study.base) for key in study.expressions[output].names}
+    owners -= {None}
+    return " and ".join(_pantograph(owner, names) for owner in sorted(owners, key=str))
+
+
+def _pantograph(owner: int | str | None, names: list[str]) -> str:
+    if not isinstance(owner, int):
+        assert owner == WORST
+        return f"worst of {len(names)} pantographs"
+    place = {0: "leading pantograph", len(names) - 1: "trailing pantograph"}.get(
+        owner, f"pantograph {owner + 1} of {len(names)}"
+    )
+    plain = names[owner] in (place.partition(" ")[0], f"P{owner + 1}")
+    return place if plain else f"{place} ({names[owner]})"
+
+
+def words_of(name: str, levels: Iterable[Any]) -> list[str]:
+    """Return the values of a variable that are no numbers as words: groups by their places."""
+    kinds = dict.fromkeys(map(_word, levels))
+    texts = [level for level in levels if isinstance(level, str)]
+    if len(texts) == len(kinds):
+        return list(kinds)
+    numbered = enumerate(kinds, start=1)
+    groups = {_word(level) for level in levels if isinstance(level, dict | list | tuple)}
+    return [f"{name} {number}" if word in groups else word for number, word in numbered]
 
 
 def shortened(words: Iterable[str]) -> list[str]:

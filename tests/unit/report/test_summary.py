@@ -1,0 +1,108 @@
+"""First screen of a run: verdict in words, criteria as bars."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from arcless.assess import assess
+from arcless.figures.run.run_data import RunData
+from arcless.report.summary import LENGTH, bullets, decimals_of, number, verdict, worst_place
+from tests.support.synthetic import scenario_data, synthetic_dataset
+
+
+def test_numbers() -> None:
+    assert number(None) == "–"
+    assert number(-1.25, 2) == "−1.25"
+    assert number(0.12345, 3) == "0.123"
+
+
+def test_an_unverified_limit_is_no_failure() -> None:
+    found = verdict(assess(synthetic_dataset()))
+    assert (found.state, found.sign) == ("open", "≈")
+    assert found.text == "Beyond a limit that is not verified: 1 of 9 criteria"
+    assert found.rest == "7 met; 1 not judged"
+    (item,) = found.items
+    assert item == (
+        "mean contact force F_m, upper limit: 100.0 N, limit 92.4 N (not met (unverified), mark C)"
+    )
+
+
+def test_the_least_favourable_verdict_is_the_headline() -> None:
+    wild = synthetic_dataset(force=lambda t: 80.0 + 60.0 * np.sin(2.0 * np.pi * t))
+    found = verdict(assess(wild))
+    assert (found.state, found.sign, found.text) == ("missed", "✘", "Not met: 2 of 9 criteria")
+    assert [item.partition(":")[0] for item in found.items] == [
+        "standard deviation σ",
+        "statistical minimum F_m − 3σ",
+    ]
+
+
+def test_everything_met() -> None:
+    data = scenario_data(line__design={"uplift_space": None})
+    calm = assess(synthetic_dataset(scenario=data, force=lambda t: 80.0 + 0.0 * t))
+    found = verdict(calm)
+    assert (found.state, found.text, found.rest) == ("met", "Met: 7 of 9 criteria", "2 not judged")
+    judged = [one for one in calm.criteria if one.passed]
+    assert verdict(replace(calm, criteria=judged)).text == "Met: all 7 criteria"
+    assert verdict(replace(calm, criteria=[])).text == "Not judged: all 0 criteria"
+
+
+def test_two_numbers_that_differ_look_different() -> None:
+    sigma = next(c for c in assess(synthetic_dataset()).criteria if c.name == "standard_deviation")
+    assert decimals_of(replace(sigma, value=50.83, limit=50.79)) == 2
+    assert decimals_of(replace(sigma, value=50.7912, limit=50.7902)) == 3
+    assert decimals_of(replace(sigma, value=20.0, limit=50.0)) == 1
+    assert decimals_of(replace(sigma, value=50.0, limit=50.0)) == 1
+    assert decimals_of(replace(sigma, value=None)) == 1
+
+
+def test_a_bar_shows_on_which_side_of_the_limit_a_value_is() -> None:
+    assessment = assess(synthetic_dataset())
+    by_name = {c.name: c for c in assessment.criteria}
+    for name, sign in (("standard_deviation", 1), ("statistical_min", -1)):
+        limit = by_name[name].limit
+        for value in (limit - 20.0, limit + 20.0):
+            one = replace(by_name[name], value=value)
+            (bullet,) = bullets(replace(assessment, criteria=[one]))
+            begin, width = bullet.bar.beyond[0]
+            inside_beyond = begin <= bullet.bar.begin + bullet.bar.width <= begin + width
+            assert inside_beyond == (sign * (value - limit) > 0)
+            assert 0.0 <= bullet.bar.bound <= LENGTH
+
+
+def test_a_bar_has_its_uncertainty_and_its_words() -> None:
+    assessment = assess(synthetic_dataset())
+    (sigma,) = [c for c in assessment.criteria if c.name == "standard_deviation"]
+    sure = replace(sigma, value=20.0, limit=30.0, certainty={"spread": 1.0, "discretisation": 0.5})
+    (bullet,) = bullets(replace(assessment, criteria=[sure]))
+    assert bullet.words == "20.0 ± 1.5 N, limit ≤ 30.0 N: met"
+    low, high = bullet.bar.sure
+    # From 18.5 to 21.5 N on a bar that ends a quarter beyond the limit, at 37.5 N.
+    assert (low, high) == pytest.approx((LENGTH * 18.5 / 37.5, LENGTH * 21.5 / 37.5), abs=0.06)
+
+
+def test_a_criterion_without_a_limit_has_no_bar() -> None:
+    data = scenario_data(line__design={"uplift_space": None})
+    found = {one.title: one for one in bullets(assess(synthetic_dataset(scenario=data)))}
+    uplift = found["space required for the uplift at supports, 2·S0"]
+    assert (uplift.bar, uplift.limit, uplift.verdict) == (None, "no limit given", "not judged")
+
+
+def test_pantographs_are_named_where_there_are_several() -> None:
+    two = assess(synthetic_dataset(pantographs=("front", "rear")))
+    assert {one.pantograph for one in bullets(two)} == {"", "front", "rear"}
+    assert {one.pantograph for one in bullets(assess(synthetic_dataset()))} == {""}
+
+
+def test_the_worst_place_in_words() -> None:
+    dataset = synthetic_dataset(
+        pantographs=("front", "rear"),
+        force=lambda t: 100.0 + 50.0 * np.exp(-(((20.0 * t - 330.0) / 5.0) ** 2)),
+    )
+    dataset["contact_force"].values[:, 1] = 100.0
+    run = RunData(dataset, assess(dataset))
+    words = worst_place(run)
+    assert (
+        words == "maximum contact force of front, 150 N, at 330.0 m, span 7, 5.0 m after dropper 3."
+    )
