@@ -13,7 +13,7 @@ from arcless.model import Line, Pantograph, Scenario
 from arcless.model.fields.document import Provenance
 from arcless.model.shipped.wire_catalogue import catalogue
 from arcless.study import Study
-from arcless.study.definition.quantities import keys
+from arcless.study.definition.quantities import WORST, keys
 from arcless.study.definition.study import COLUMNS, WATCHED
 from arcless.study.optimisation.constraints import FALLING, RISING
 from arcless.units import KINDS, spell
@@ -63,7 +63,9 @@ def _of_studies() -> Iterator[str]:
                 yield from getattr(field.annotation, "__args__", ())
     yield from (*COLUMNS, *WATCHED, *RISING, *FALLING)
     base = arcless.load("en50318-ac-simple-320-planar")
-    yield from (k.removeprefix("criteria.") for k in keys(base) if not k.startswith("P1."))
+    # Of a pantograph and of the worst one are the keys without these words, which the page explains.
+    of_each = ("P1.", f"{WORST}.")
+    yield from (k.removeprefix("criteria.") for k in keys(base) if not k.startswith(of_each))
 
 
 def models(*annotations: Any) -> list[Any]:

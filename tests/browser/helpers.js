@@ -97,7 +97,8 @@ globalThis.tried = (() => {
     // Texts of a kind that are wider than their box, or leave the window.
     clipped: (selector) => [...document.querySelectorAll(selector)].filter((one) => {
       const box = one.getBoundingClientRect();
-      if (!box.width) return false;
+      // What a drawing has outside of its frame is cut on purpose.
+      if (!box.width || one.closest('[clip-path]')) return false;
       const hidden = getComputedStyle(one).overflowX !== "visible";
       if (hidden && one.scrollWidth > one.clientWidth + 1) return true;
       const around = (one.ownerSVGElement ?? document.documentElement).getBoundingClientRect();
