@@ -63,7 +63,7 @@ def _of_studies() -> Iterator[str]:
                 yield from getattr(field.annotation, "__args__", ())
     yield from (*COLUMNS, *WATCHED, *RISING, *FALLING)
     base = arcless.load("en50318-ac-simple-320-planar")
-    # Of a pantograph and of the worst one are the keys without these words, which the page explains.
+    # Keys of one pantograph, and of the worst: the page explains the words before them.
     of_each = ("P1.", f"{WORST}.")
     yield from (k.removeprefix("criteria.") for k in keys(base) if not k.startswith(of_each))
 

@@ -141,7 +141,10 @@ def test_both_drawings_hold_the_same(everything: list[Both]) -> None:
             assert found, (figure.key, layer)
             numbers = zip(numbers_on_paper(layer, found), numbers_in_bokeh(made), strict=True)
             for one, other in numbers:
-                np.testing.assert_allclose(one, other, rtol=SINGLE, atol=SINGLE, err_msg=figure.key)
+                # Single precision; pages round long columns to a part in 16 000 of their range.
+                rounded = np.nanmax(one, initial=0.0) - np.nanmin(one, initial=0.0)
+                least = SINGLE + 0.5 * rounded / 16_000
+                np.testing.assert_allclose(one, other, rtol=SINGLE, atol=least, err_msg=figure.key)
             opacity = {one.get_alpha() for one in found}
             assert opacity == {opacity_in_bokeh(made)} or isinstance(layer, Map)
             ink = ink_in_bokeh(made)
