@@ -9,6 +9,8 @@ from arcless.assess.criteria import (
     TOO_CLOSE,
     Criterion,
     allowance,
+    decimals_of,
+    telling_decimals,
     uncertainty_of,
     verdict_of,
 )
@@ -30,6 +32,8 @@ __all__ = [
     "allowance",
     "assess",
     "decides",
+    "decimals_of",
+    "telling_decimals",
     "uncertainty_of",
     "verdict_of",
 ]

@@ -1,6 +1,6 @@
 """Judging a run by the table of rules."""
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from typing import Any
 
@@ -65,6 +65,28 @@ def allowance(criterion: Mapping[str, Any]) -> str:
 def uncertainty_of(certainty: Mapping[str, float | None] | None) -> float | None:
     """Return spread and discretisation together; None where neither is known."""
     return None if certainty is None else Certainty(**certainty).uncertainty
+
+
+# Decimals of a criterion's numbers by its unit, and those at which numbers are as good as equal.
+_DECIMALS: Mapping[str, int] = {"%": 2, "1": 3, "mm": 0}
+_MOST_DECIMALS = 4
+
+
+def decimals_of(criterion: Mapping[str, Any]) -> int:
+    """Return the decimals of a criterion's numbers, given as plain data: see `telling_decimals`."""
+    least = _DECIMALS.get(criterion["unit"], 1)
+    return telling_decimals(criterion["value"], [criterion["limit"]], least)
+
+
+def telling_decimals(value: float | None, bounds: Sequence[float | None], least: int) -> int:
+    """Return so many decimals that a value looks different from the bounds that it differs from."""
+    others = [bound for bound in bounds if bound is not None and bound != value]
+    if value is None:
+        return least
+    for decimals in range(least, _MOST_DECIMALS):
+        if all(f"{value:.{decimals}f}" != f"{bound:.{decimals}f}" for bound in others):
+            return decimals
+    return _MOST_DECIMALS
 
 
 # Why a criterion has no value, or no limit, where that can be said more closely.

@@ -14,6 +14,7 @@ from arcless.assess import (
     Assessment,
     Criterion,
     allowance,
+    decimals_of,
     uncertainty_of,
     verdict_of,
 )
@@ -25,8 +26,6 @@ from arcless.model import Scenario
 SIGNS = {"<=": "≤", ">=": "≥", ">": ">"}
 # Part of a bar behind its limit, its length in the drawing, and the least that is drawn.
 BEHIND, LENGTH, LEAST = 0.25, 1000.0, 4.0
-# Decimals at which numbers that differ are taken to be as good as equal.
-MOST_DECIMALS = 4
 
 
 # Verdict on a criterion → class, sign and headline of a page on which it is the least favourable.
@@ -140,20 +139,8 @@ def bullets(assessment: Assessment) -> list[Bullet]:
     ]  # fmt: skip
 
 
-def decimals_of(criterion: Criterion) -> int:
-    """Return the decimals of a criterion's numbers: so many that value and limit are told apart."""
-    least = {"%": 2, "1": 3, "mm": 0}.get(criterion.unit, 1)
-    value, limit = criterion.value, criterion.limit
-    if value is None or limit is None or value == limit:
-        return least
-    for decimals in range(least, MOST_DECIMALS):
-        if f"{value:.{decimals}f}" != f"{limit:.{decimals}f}":
-            return decimals
-    return MOST_DECIMALS
-
-
 def _item(criterion: Criterion) -> str:
-    decimals = decimals_of(criterion)
+    decimals = decimals_of(asdict(criterion))
     of = f", {criterion.pantograph}" if criterion.pantograph else ""
     unit = "" if criterion.unit == "1" else f" {criterion.unit}"
     words = verdict_of(asdict(criterion))
@@ -164,7 +151,8 @@ def _item(criterion: Criterion) -> str:
 
 
 def _bullet(criterion: Criterion, mean_force_N: float) -> Bullet:
-    data, decimals = asdict(criterion), decimals_of(criterion)
+    data = asdict(criterion)
+    decimals = decimals_of(data)
     unit = criterion.unit.replace("1", "")
     uncertainty = uncertainty_of(criterion.certainty)
     value = number(criterion.value, decimals)

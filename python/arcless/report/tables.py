@@ -9,13 +9,14 @@ from arcless.assess import (
     Assessment,
     Criterion,
     allowance,
+    decimals_of,
     uncertainty_of,
     verdict_of,
 )
 from arcless.assess.quantities import OF_LINE, OF_PANTOGRAPH, WEAR, label_of
 from arcless.figures.run.energy import energy_terms, settled
 from arcless.figures.run.run_data import RunData
-from arcless.report.summary import SIGNS, decimals_of, number
+from arcless.report.summary import SIGNS, number
 
 REFERENCE_KEYS = ("quantity", "value", "low", "high", "verdict", "mark", "source")
 
@@ -100,12 +101,13 @@ def computation(run: RunData, facts: Mapping[str, Any]) -> list[tuple[str, str]]
 def criterion_rows(assessment: Assessment) -> list[dict[str, Any]]:
     """Return the criteria as text; text that repeats the row above is left empty."""
     above = ["", *(c.name for c in assessment.criteria)]
+    digits = [decimals_of(asdict(c)) for c in assessment.criteria]
     return [
         {
             "title": "" if c.name == previous else c.title,
             "pantograph": c.pantograph or "",
-            "value": pair(c.value, uncertainty_of(c.certainty), decimals_of(c)),
-            "limit": f"{SIGNS[c.relation]} {number(c.limit, decimals_of(c))}{allowance(asdict(c))}",
+            "value": pair(c.value, uncertainty_of(c.certainty), decimals),
+            "limit": f"{SIGNS[c.relation]} {number(c.limit, decimals)}{allowance(asdict(c))}",
             "unit": "" if c.unit == "1" else c.unit,
             "verdict": verdict_of(asdict(c)),
             "state": "missed" if c.fails else verdict_of(asdict(c)).split(" (")[0],
@@ -114,7 +116,7 @@ def criterion_rows(assessment: Assessment) -> list[dict[str, Any]]:
             "note": "" if c.name == previous else c.note,
             "reason": _reason(c),
         }
-        for c, previous in zip(assessment.criteria, above, strict=False)
+        for c, previous, decimals in zip(assessment.criteria, above, digits, strict=False)
     ]
 
 

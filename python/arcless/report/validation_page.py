@@ -7,7 +7,7 @@ from datetime import UTC, datetime
 from importlib.metadata import version
 from pathlib import Path
 
-from arcless.assess import decides
+from arcless.assess import decides, telling_decimals
 from arcless.figures.description import Figure
 from arcless.figures.run import RunData
 from arcless.figures.validation import (
@@ -19,7 +19,7 @@ from arcless.figures.validation import (
     state_of,
 )
 from arcless.model import MARKS as MEANINGS
-from arcless.report.summary import MOST_DECIMALS, Verdict, number
+from arcless.report.summary import Verdict, number
 from arcless.report.tables import pair
 from arcless.report.template import render
 from arcless.report.validation_subject import Evidence, Subject
@@ -133,13 +133,8 @@ def entry(row: Compared) -> Entry:
 
 def _shown(row: Compared) -> str:
     """Return a value with ±, to so many decimals that it is told apart from a bound near it."""
-    value, decimals = row.value, row.digits
-    bounds = [bound for bound in (row.low, row.high) if bound is not None and bound != value]
-    while decimals < MOST_DECIMALS and value is not None:
-        if all(f"{value:.{decimals}f}" != f"{bound:.{decimals}f}" for bound in bounds):
-            break
-        decimals += 1
-    return pair(value, row.uncertainty, decimals)
+    decimals = telling_decimals(row.value, (row.low, row.high), row.digits)
+    return pair(row.value, row.uncertainty, decimals)
 
 
 def _item(row: Compared) -> str:

@@ -5,7 +5,13 @@ from dataclasses import asdict, replace
 
 import pytest
 
-from arcless.assess.criteria import NOT_MET, NOT_MET_UNVERIFIED, evaluate, verdict_of
+from arcless.assess.criteria import (
+    NOT_MET,
+    NOT_MET_UNVERIFIED,
+    decimals_of,
+    evaluate,
+    verdict_of,
+)
 from arcless.assess.rules import ANY_SUPPLY, MEAN_FORCE_TOLERANCE_N, RULES, Facts, HeadLimit
 from arcless.assess.statistics import PantographAssessment
 
@@ -244,3 +250,16 @@ def test_the_law_of_the_mean_force_says_that_tunnels_have_another(supply: str) -
     found = verdict("mean_force", replace(FACTS, supply=supply))
     assert "open line" in found.note
     assert "tunnels" in found.note
+
+
+@pytest.mark.parametrize(
+    ("value", "limit", "unit", "decimals"),
+    [
+        (50.83, 50.79, "N", 2), (50.7912, 50.7902, "N", 3), (20.0, 50.0, "N", 1),
+        (50.0, 50.0, "N", 1), (None, 50.0, "N", 1), (0.6961, 0.7, "1", 3), (190.0, 400.0, "mm", 0),
+    ],
+)  # fmt: skip
+def test_two_numbers_that_differ_look_different(
+    value: float | None, limit: float, unit: str, decimals: int
+) -> None:
+    assert decimals_of({"value": value, "limit": limit, "unit": unit}) == decimals

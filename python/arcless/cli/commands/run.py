@@ -93,8 +93,8 @@ def statics(
 
     Prints dropper lengths and forces of one span, sag, elasticity, wave speed and natural
     frequencies; --json has all spans. With --out, statics.json is written into that folder; with
-    --plot, a page with views, elasticity, forces and tables of all spans. Speed and pantographs
-    have no part here.
+    --plot, a page with views, elasticity, forces and tables of all spans. The speed is ignored;
+    pantographs only mark resonance speeds.
     """
     from arcless.cli.terminal import statics_tables
     from arcless.storage.whole_files import write_bytes

@@ -100,15 +100,15 @@ def _resonance(found: dict[str, Any]) -> "RenderableType":
 def _summary(name: str, found: dict[str, Any]) -> "RenderableType":
     made = table(f"{name}: initial configuration", "quantity", "unit", "value", numbers=("value",))
     span = f"span {found['middle_span']}"
-    sag = f"sag of the contact wire, highest minus lowest point of {span}"
+    sag = f"sag of the contact wire, maximum less minimum height in {span}"
     made.add_row(sag, "m", number(found["contact_wire_sag_m"], 4))
     lateral = found["contact_wire_lateral_max_m"]
     if lateral is not None:
         made.add_row("largest lateral position of the contact wire", "m", number(lateral, 3))
     elasticity = [point["mm_per_N"] for point in found["elasticity"]]
     if elasticity:
-        made.add_row("elasticity, lowest", "mm/N", number(min(elasticity), 3))
-        made.add_row("elasticity, highest", "mm/N", number(max(elasticity), 3))
+        made.add_row("minimum elasticity", "mm/N", number(min(elasticity), 3))
+        made.add_row("maximum elasticity", "mm/N", number(max(elasticity), 3))
     uniformity = found["elasticity_nonuniformity"]
     percent = None if uniformity is None else 100 * uniformity
     made.add_row("non-uniformity of elasticity", "%", number(percent, 1))

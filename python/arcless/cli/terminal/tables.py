@@ -15,6 +15,7 @@ from arcless.assess import (
     NOT_MET_UNVERIFIED,
     TOO_CLOSE,
     allowance,
+    decimals_of,
     uncertainty_of,
     verdict_of,
 )
@@ -129,8 +130,8 @@ def criteria(assessment: dict[str, Any]) -> Table:
     )
     numbers = {
         str(row): (
-            number(item["value"], _of(item)),
-            _digits(uncertainty_of(item.get("certainty")), _of(item)),
+            number(item["value"], decimals_of(item)),
+            _digits(uncertainty_of(item.get("certainty")), decimals_of(item)),
         )
         for row, item in enumerate(assessment["criteria"])
     }
@@ -140,7 +141,7 @@ def criteria(assessment: dict[str, Any]) -> Table:
             item["title"],
             item["pantograph"] or "run",
             values[str(row)],
-            f"{_RELATIONS[item['relation']]} {number(item['limit'], _of(item))}{allowance(item)}",
+            f"{_RELATIONS[item['relation']]} {_limit(item)}{allowance(item)}",
             item["unit"].replace("1", ""),
             _verdict(verdict_of(item)),
             f"{item['source']} ({item['mark']})",
@@ -155,9 +156,8 @@ def notes(assessment: dict[str, Any]) -> list[str]:
     return ["Notes:\n" + "".join(f"- {note}\n" for note in assessment["notes"])]
 
 
-def _of(item: dict[str, Any]) -> int:
-    """Return the digits after the point of a criterion's numbers."""
-    return 3 if item["unit"] == "1" else 2
+def _limit(item: dict[str, Any]) -> str:
+    return number(item["limit"], decimals_of(item))
 
 
 def certainty(assessment: dict[str, Any]) -> list[str]:
