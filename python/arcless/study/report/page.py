@@ -17,7 +17,7 @@ from arcless.study.designs.samples import Sample
 from arcless.study.evaluation.version import code_version
 from arcless.study.folder.status import DamagedJournalWarning, StudyStatus
 from arcless.study.report import summary, tables, variants
-from arcless.study.report.data.judged import judge
+from arcless.study.report.data.judge import judge
 from arcless.study.report.data.record import Column, Record
 from arcless.study.report.figures.canvas import Canvas
 from arcless.study.report.figures.grids import Grids, factors

@@ -100,7 +100,7 @@ def headline(record: Record, verdicts: Verdicts) -> Verdict:
     unsure += [f"{count[NOT_JUDGED]} without a verdict"] if count[NOT_JUDGED] else []
     items = [*_worst(judged, done), f"{words}."]
     if verdicts.unknown:
-        items.append(f"Not known from the outputs: {'; '.join(verdicts.unknown)}.")
+        items.append(f"Not judged, as no output has them: {'; '.join(verdicts.unknown)}.")
     kind = "met" if met == done and whole else "missed" if count[NOT_MET] == done else "open"
     sign = {"met": "✔", "missed": "✘"}.get(kind, "≈")
     return Verdict(kind, sign, f"{who} {_criteria(judged, verdicts)}", "; ".join(unsure), items)
@@ -114,9 +114,8 @@ def _criteria(judged: list[Judged], verdicts: Verdicts) -> str:
     if verdicts.whole or not verdicts.unknown:
         return "all criteria that decide"
     names = {one.name for one in judged}
-    if len(names) == 1:
-        return f"the one criterion that the outputs tell, {judged[0].title}"
-    return f"the {len(names)} criteria that the outputs tell"
+    whole = len(names) + len(verdicts.unknown)
+    return f"the criteria that could be judged, {len(names)} of {whole}"
 
 
 def _worst(judged: list[Judged], done: int) -> list[str]:
@@ -125,7 +124,7 @@ def _worst(judged: list[Judged], done: int) -> list[str]:
     for one in judged:
         missed[one.heading] = max(missed[one.heading], one.count(NOT_MET))
     (name, count), *_ = missed.most_common(1) or [("", 0)]
-    return [f"Most often not met: {name}, by {count} of {done}."] if count else []
+    return [f"Most often not met: {name}, {count} of {done} variants."] if count else []
 
 
 def ranges(canvas: Canvas) -> list[Range]:
@@ -151,9 +150,7 @@ def _range(canvas: Canvas, output: Column) -> Range:
         met = judged.count(MET)
         kind = "met" if met == len(known) else "not-met" if judged.count(NOT_MET) else "open"
         missed = judged.count(NOT_MET, NOT_MET_UNVERIFIED)
-        verdict = (
-            f"not met by {missed} of {len(known)}" if missed else f"met by {met} of {len(known)}"
-        )
+        verdict = f"not met: {missed} of {len(known)}" if missed else f"met: {met} of {len(known)}"
         verdict += "" if judged.decides else " (unverified)"
         bound = float(limits.min() if judged.relation == "<=" else limits.max())
     points = [low, high, *([] if bound is None else [bound])]
@@ -199,6 +196,6 @@ def criterion_rows(verdicts: Verdicts) -> list[dict[str, str]]:
 def _decides(one: Judged) -> str:
     """Return which marks of a criterion decide nothing, in words; empty where all do."""
     if not one.decides:
-        return "decides nothing"
+        return "does not count"
     unsure = [mark for mark in one.marks if not decides(mark)]
-    return f"{', '.join(unsure)} decides nothing" if unsure else ""
+    return f"{', '.join(unsure)} does not count" if unsure else ""

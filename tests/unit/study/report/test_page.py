@@ -18,7 +18,7 @@ from arcless.study.folder import table
 from arcless.study.report import html, write
 from arcless.study.report.commands import Commands
 from arcless.study.report.data.effects import effect
-from arcless.study.report.data.judged import judge
+from arcless.study.report.data.judge import judge
 from arcless.study.report.data.record import Column, Record, shortened
 from arcless.study.report.figures.canvas import Canvas
 from arcless.study.report.figures.scatters import Scatters

@@ -9,7 +9,7 @@ from arcless.figures.description import Area, Curve, Points, Rules
 from arcless.report.drawing.bokeh_figure import Drawing
 from arcless.study import Study
 from arcless.study.report import html, summary, variants
-from arcless.study.report.data.judged import judge
+from arcless.study.report.data.judge import judge
 from arcless.study.report.data.record import Record
 from arcless.study.report.figures.canvas import Canvas
 from arcless.study.report.figures.scatters import Scatters
@@ -37,10 +37,10 @@ def headline(folder: Path, ratios: list[float | None], **changes: Any) -> Any:
 
 def test_the_headline_counts_and_names_the_limit_that_is_missed(tmp_path: Path) -> None:
     found = headline(tmp_path, [0.2, 0.31, 0.35])
-    assert found.text == "1 of 3 variants meets the 2 criteria that the outputs tell"
+    assert found.text == "1 of 3 variants meets the criteria that could be judged, 2 of 5"
     assert found.state == "open"
     assert found.items[:2] == [
-        "Most often not met: standard deviation σ, by 2 of 3.",
+        "Most often not met: standard deviation σ, 2 of 3 variants.",
         "Complete: 3 of 3 variants computed.",
     ]
     assert found.items[2].startswith("Not known from the outputs: ")
@@ -49,8 +49,12 @@ def test_the_headline_counts_and_names_the_limit_that_is_missed(tmp_path: Path) 
 @pytest.mark.parametrize(
     ("ratios", "text", "state"),
     [
-        ([0.1, 0.2, 0.3], "All 3 variants meet the 2 criteria that the outputs tell", "met"),
-        ([0.4, 0.5, 0.6], "0 of 3 variants meet the 2 criteria that the outputs tell", "missed"),
+        ([0.1, 0.2, 0.3], "All 3 variants meet the criteria that could be judged, 2 of 5", "met"),
+        (
+            [0.4, 0.5, 0.6],
+            "0 of 3 variants meet the criteria that could be judged, 2 of 5",
+            "missed",
+        ),
     ],
 )
 def test_all_and_none(tmp_path: Path, ratios: list[float | None], text: str, state: str) -> None:
@@ -76,7 +80,7 @@ def test_without_a_limit_there_is_no_verdict(tmp_path: Path) -> None:
     verdicts = judge(record)
     assert [one.name for one in verdicts.items] == ["wave_speed_use"]
     page = html(made, tmp_path)
-    assert "All 3 variants meet the one criterion that the outputs tell" in page
+    assert "All 3 variants meet the criteria that could be judged, 1 of " in page
 
 
 def test_every_label_says_of_which_pantograph(tmp_path: Path) -> None:

@@ -1,29 +1,19 @@
-"""Outputs of a study against the limits of the assessment, variant by variant.
+"""Outputs of a study against the limits of the assessment: one criterion, and all of them."""
 
-A row holds outputs and values, not criteria. What is judged here is what follows from them: an
-output that is an assessed quantity, by a limit from the rules and the variant's own scenario; a
-criterion that is an output; and the speed over the wave speed, which the scenario alone has.
-"""
-
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
-from arcless.assess import MET, NOT_JUDGED, NOT_MET, NOT_MET_UNVERIFIED, RULES, TOO_CLOSE, decides
+from arcless.assess import MET, NOT_JUDGED, NOT_MET, NOT_MET_UNVERIFIED, TOO_CLOSE, decides
 from arcless.assess.criteria import RELATIONS
-from arcless.assess.rules import Rule, mark_of
-from arcless.study.definition.quantities import WORST, owner_of_key
-from arcless.study.report.data.limits import Limits, judges, known_of, rule_of
-from arcless.study.report.data.record import Column, Floats, Record
-from arcless.study.report.data.scenes import Scene, Scenes
+from arcless.assess.rules import Rule
+from arcless.study.report.data.record import Column, Floats
 
 VERDICTS = (NOT_JUDGED, MET, NOT_MET, NOT_MET_UNVERIFIED, TOO_CLOSE)
 CODES = {verdict: code for code, verdict in enumerate(VERDICTS)}
 Codes = NDArray[np.int8]
-_WAVE = "wave_speed_use"
-_RULES: Mapping[str, Rule] = {rule.name: rule for rule in reversed(RULES)}
 
 
 @dataclass(frozen=True, eq=False)
@@ -111,79 +101,7 @@ class Verdicts:
         return sorted(found, key=lambda one: not one.decides)
 
 
-def judge(record: Record) -> Verdicts:
-    """Return what the rows of a study tell about the criteria."""
-    scenes, speeds = Scenes(record.study), _column_of(record, "speed_m_s")
-    found = [
-        scenes.of(row, None if speeds is None else float(speeds.values[place]))
-        for place, row in enumerate(record.done)
-    ]
-    items = [*_outputs(record, found), *_wave_speed(found)]
-    passed = _column_of(record, "passed")
-    if passed is not None:
-        codes = _codes_of(passed, record)
-        return Verdicts(tuple(items), codes, whole=True)
-    return Verdicts(
-        tuple(items), _overall(items, len(found)), False, _unknown(items, found, record)
-    )
-
-
-def _outputs(record: Record, scenes: Sequence[Scene | None]) -> Iterable[Judged]:
-    for output in record.outputs:
-        expression = record.study.expressions[output.name]
-        text = "".join(expression.text.split())
-        if text.startswith("criteria."):
-            yield _told(record, output, text.partition(".")[2], scenes)
-            continue
-        prefix, quantity = _split(text)
-        if expression.names == {text}:
-            names = {rule.name for rule in RULES if judges(rule, quantity)}
-            for name in sorted(names, key=list(_RULES)[::-1].index):
-                yield from _limited(record, output, name, text, scenes)
-        for rule in RULES:
-            if rule.limit.of and text == f"{prefix}{rule.quantity}/{prefix}{rule.limit.of}":
-                yield from _limited(record, output, rule.name, text, scenes)
-
-
-def _split(text: str) -> tuple[str, str]:
-    """Return the pantograph of a key with its dot, and the quantity, of the first key of a text."""
-    first = text.partition("/")[0]
-    prefix, dot, quantity = first.rpartition(".")
-    return prefix + dot, quantity
-
-
-def _limited(
-    record: Record, output: Column, name: str, text: str, scenes: Sequence[Scene | None]
-) -> list[Judged]:
-    """Return an output against the limits of one criterion; nothing where it has no limit."""
-    count, share = len(record.study.base.pantographs), "/" in text
-    owner = owner_of_key(text.partition("/")[0], record.study.base)
-    owners = tuple(range(count)) if owner == WORST else (int(owner or 0),)
-    given = Limits(record, owners, share=share)
-    limits, codes = np.full(len(scenes), np.nan), np.zeros(len(scenes), dtype=np.int8)
-    sure = np.zeros(len(scenes), dtype=bool)
-    rules: dict[str, Rule] = {}
-    marks: dict[str, None] = {}
-    for row, scene in enumerate(scenes):
-        rule = None if scene is None else rule_of(name, scene.facts)
-        if rule is None or scene is None or not (ends := given.ends(rule, scene, row)):
-            continue
-        mark = given.mark(rule, scene.facts)
-        limits[row], sure[row] = 0.5 * (min(ends) + max(ends)), decides(mark)
-        codes[row] = _code(float(output.values[row]), ends, rule, mark)
-        rules[given.words(rule)], marks[mark] = rule, None
-    if not rules:
-        return []
-    rule = next(iter(rules.values()))
-    sources = "; ".join(dict.fromkeys(one.source for one in rules.values()))
-    unit = output.unit or ("" if share else rule.unit)
-    return [
-        Judged(name, rule.title, output, rule.relation, output.values, limits, codes, unit, sure,
-               tuple(marks), sources, "; ".join(rules), owners)
-    ]  # fmt: skip
-
-
-def _code(value: float, ends: Sequence[float], rule: Rule, mark: str) -> int:
+def code_of(value: float, ends: Sequence[float], rule: Rule, mark: str) -> int:
     """Return the verdict on a value by a limit that lies between two ends."""
     if not np.isfinite(value):
         return CODES[NOT_JUDGED]
@@ -191,94 +109,3 @@ def _code(value: float, ends: Sequence[float], rule: Rule, mark: str) -> int:
     if len(passed) > 1:
         return CODES[TOO_CLOSE]
     return CODES[MET if passed.pop() else NOT_MET if decides(mark) else NOT_MET_UNVERIFIED]
-
-
-def _told(record: Record, output: Column, name: str, scenes: Sequence[Scene | None]) -> Judged:
-    """Return a criterion whose verdict is an output."""
-    rule = _RULES[name]
-    owners = tuple(range(len(record.study.base.pantographs)))
-    marks = {
-        mark_of(found, scene.facts, known_of(record, place))
-        for scene in scenes
-        for place in owners
-        if scene is not None and (found := rule_of(name, scene.facts)) is not None
-    }
-    unsure = any(not decides(mark) for mark in marks)
-    codes = _codes_of(output, record)
-    if unsure:
-        codes = np.where(codes == CODES[NOT_MET], CODES[NOT_MET_UNVERIFIED], codes).astype(np.int8)
-    return Judged(name, rule.title, output, "", output.values, np.full(len(codes), np.nan), codes,
-                  "", np.full(len(codes), not unsure), tuple(sorted(marks)), rule.source,
-                  "the verdict is an output", owners)  # fmt: skip
-
-
-def _codes_of(output: Column, record: Record) -> Codes:
-    """Return the verdicts that an output of 1, 0 or nothing stands for."""
-    codes = np.full(len(output.values), CODES[NOT_JUDGED], dtype=np.int8)
-    codes[output.values == 1.0] = CODES[MET]
-    codes[output.values == 0.0] = CODES[NOT_MET]
-    for place in np.flatnonzero(~np.isfinite(output.values)):
-        if TOO_CLOSE in record.done[int(place)].error:
-            codes[place] = CODES[TOO_CLOSE]
-    return codes
-
-
-def _wave_speed(scenes: Sequence[Scene | None]) -> list[Judged]:
-    """Return the speed over the wave speed, which needs no run."""
-    rule = _RULES[_WAVE]
-    values = np.array(
-        [np.nan if s is None or s.facts.wave_speed_use is None else s.facts.wave_speed_use
-         for s in scenes], dtype=float,
-    )  # fmt: skip
-    if not np.isfinite(values).any():
-        return []
-    limits = np.full(values.shape, rule.limit.constant)
-    codes = np.array(
-        [_code(v, [rule.limit.constant], rule, rule.mark) for v in values], dtype=np.int8
-    )
-    return [
-        Judged(rule.name, rule.title, None, rule.relation, values, limits, codes, "",
-               np.full(values.shape, decides(rule.mark)), (rule.mark,), rule.source,
-               "value and limit from the scenario", ())
-    ]  # fmt: skip
-
-
-def _overall(items: Sequence[Judged], count: int) -> Codes:
-    """Return the verdict on each variant: one that is not met decides, then one too close."""
-    codes = np.full(count, CODES[NOT_JUDGED], dtype=np.int8)
-    for verdict in (MET, TOO_CLOSE, NOT_MET):
-        for one in items:
-            codes[one.sure & (one.codes == CODES[verdict])] = CODES[verdict]
-    return codes
-
-
-def _unknown(
-    items: Sequence[Judged], scenes: Sequence[Scene | None], record: Record
-) -> tuple[str, ...]:
-    """Return the criteria that decide, and that no output tells, in words."""
-    names = [placed.name for placed in record.study.base.pantographs]
-    told = {(one.name, place) for one in items for place in one.owners or (0,)}
-    found: dict[str, list[str]] = {}
-    facts = {id(scene.facts): scene.facts for scene in scenes if scene is not None}
-    for one in facts.values():
-        for rule in {rule.name: rule for rule in reversed(RULES) if rule.applies(one)}.values():
-            for place in (0,) if rule.whole_run else range(len(names)):
-                known = known_of(record, place, 1.0)
-                if (rule.name, place) in told or not decides(mark_of(rule, one, known)):
-                    continue
-                if rule.limit.value(one, known) is None:
-                    continue  # without a limit no run is judged by it
-                of = "" if rule.whole_run or len(names) == 1 else names[place]
-                places = found.setdefault(rule.title, [])
-                places += [of] if of not in places else []
-    return tuple(
-        title if not any(places) or len(places) == len(names) else f"{title} ({', '.join(places)})"
-        for title, places in found.items()
-    )
-
-
-def _column_of(record: Record, key: str) -> Column | None:
-    for output in record.outputs:
-        if record.study.expressions[output.name].text.strip() == key:
-            return output
-    return None

@@ -10,7 +10,7 @@ from arcless.study.definition.quantities import owner_of_key
 from arcless.study.report.data.record import Column, Record
 from arcless.study.report.data.scenes import TARGET_MET_N, Scene
 
-_MEAN = "mean_force_N"
+MEAN = "mean_force_N"
 _UPLIFT = "max_uplift_at_support_mm"
 # Space that an uplift asks for over the uplift itself, without and with a mechanical limit.
 _SPACE = {False: 2.0, True: 1.5}
@@ -72,7 +72,7 @@ class Limits:
                 return []
             if rule.name == "uplift_space":
                 limit /= _SPACE[scene.facts.uplift_limited]
-            wide = rule.limit.factor * slack if rule.limit.of == _MEAN else 0.0
+            wide = rule.limit.factor * slack if rule.limit.of == MEAN else 0.0
             found += [limit - wide, limit + wide]
         return found
 
@@ -82,7 +82,7 @@ class Limits:
 
     def words(self, rule: Rule) -> str:
         """Return where a limit is from."""
-        if rule.limit.of == _MEAN and not self._share:
+        if rule.limit.of == MEAN and not self._share:
             measured = all(place in self._means for place in self._owners)
             whose = "of the variant" if measured else "that the scenario asks for"
             return f"{rule.limit.factor:g} × the mean force {whose}"
@@ -103,7 +103,7 @@ class Limits:
 def _mean_of(record: Record, column: Column) -> int | None:
     """Return the pantograph whose mean force an output is."""
     text = record.study.expressions[column.name].text.strip()
-    if text.rpartition(".")[2] != _MEAN:
+    if text.rpartition(".")[2] != MEAN:
         return None
     owner = owner_of_key(text, record.study.base)
     return owner if isinstance(owner, int) else None

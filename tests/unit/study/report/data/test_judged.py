@@ -6,7 +6,8 @@ from typing import Any
 import pytest
 
 from arcless.assess import MET, NOT_JUDGED, NOT_MET, NOT_MET_UNVERIFIED, TOO_CLOSE
-from arcless.study.report.data.judged import VERDICTS, Judged, Verdicts, judge
+from arcless.study.report.data.judge import judge
+from arcless.study.report.data.judged import VERDICTS, Judged, Verdicts
 from arcless.study.report.data.record import Record
 from arcless.study.report.data.scenes import TARGET_MET_N
 from tests.support.studies import filled_by
@@ -72,6 +73,27 @@ def test_a_mean_force_that_is_asked_for_stands_for_one_that_is_no_output(tmp_pat
     assert sigma.owners == (1,)
     assert "that the scenario asks for" in sigma.how
     assert "standard deviation σ (leading)" in found.unknown
+
+
+def test_the_mean_force_that_is_asked_for_is_judged_itself(tmp_path: Path) -> None:
+    """Its limit follows the speed of each variant, the force that is asked for does not."""
+    rows = {v: {"s": 20.0} for v in (150, 250, 321)}
+    found = verdicts(tmp_path, {"s": "std_force_N"}, rows, **TWO)
+    upper = item(found, "mean_force")
+    assert set(upper.values) == {169.3}
+    assert upper.limits.tolist() == EXACT(
+        [0.00047 * 150**2 + 90, 0.00097 * 250**2 + 70, 0.00097 * 321**2 + 70], rel=1e-9
+    )
+    assert words(upper.codes) == [NOT_MET_UNVERIFIED, NOT_MET, MET]
+    assert upper.owners == (0, 1)
+    assert words(found.codes) == [MET, NOT_MET, MET]
+    assert not any("mean contact force" in text for text in found.unknown)
+    # An output that has it is judged in its place.
+    both = verdicts(
+        tmp_path / "both", {"m": "mean_force_N", "n": "P2.mean_force_N"},
+        {v: {"m": 100.0, "n": 100.0} for v in (150, 250, 321)}, **TWO,
+    )  # fmt: skip
+    assert all(one.output is not None for one in both.items if one.name == "mean_force")
 
 
 def test_without_a_mean_force_there_is_no_limit(tmp_path: Path) -> None:

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from arcless.figures.description import Area, Curve, Figure, Map, Rules, Segments, Texts
-from arcless.study.report.data.judged import judge
+from arcless.study.report.data.judge import judge
 from arcless.study.report.data.record import Record
 from arcless.study.report.figures.canvas import Canvas
 from arcless.study.report.figures.contours import contour

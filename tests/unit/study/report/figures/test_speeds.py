@@ -8,7 +8,7 @@ import pytest
 
 from arcless.figures.description import Rules
 from arcless.study.report import html
-from arcless.study.report.data.judged import judge
+from arcless.study.report.data.judge import judge
 from arcless.study.report.data.record import Column, Record
 from arcless.study.report.figures.canvas import Canvas, is_path
 from arcless.study.report.figures.scatters import Scatters
