@@ -43,7 +43,7 @@ def test_the_headline_counts_and_names_the_limit_that_is_missed(tmp_path: Path) 
         "Most often not met: standard deviation σ, 2 of 3 variants.",
         "Complete: 3 of 3 variants computed.",
     ]
-    assert found.items[2].startswith("Not known from the outputs: ")
+    assert found.items[2].startswith("Not judged, as no output has them: ")
 
 
 @pytest.mark.parametrize(
