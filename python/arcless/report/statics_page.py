@@ -87,22 +87,27 @@ def identity(found: InitialConfiguration) -> list[tuple[str, str]]:
     weather = "as designed" if found.as_built is None else "as built"
     return [
         ("Scenario", found.scenario.name),
-        ("Line", f"{len(places) - 1} spans, {places[-1] - places[0]:.0f} m, {weather}"),
+        ("Length", f"{len(places) - 1} spans, {places[-1] - places[0]:.0f} m"),
+        ("State", weather),
         ("Computed", _now()),
         ("Arcless", version("arcless")),
     ]
 
 
 def main_numbers(found: InitialConfiguration) -> list[tuple[str, str, str]]:
-    """Return the main numbers, those of the terminal: label, value, unit."""
+    """Return label, value and unit of the main numbers: those of the drawing, then the others."""
     elasticity = 1e3 * np.array(found.elasticity_m_per_N)
     span = f"span {found.middle_span}"
-    rows = [(f"sag of the contact wire in {span}", number(1e3 * found.contact_wire_sag_m, 1), "mm")]
+    rows = _drawn_numbers(found)
+    rows.append(
+        (f"sag of the contact wire in {span}", number(1e3 * found.contact_wire_sag_m, 1), "mm")
+    )
     lateral = found.contact_wire_lateral_max_m
     if lateral is not None:
-        rows.append(("largest lateral position of the contact wire", number(lateral, 3), "m"))
+        text = number(1e3 * lateral, 0)
+        rows.append(("maximum lateral position of the contact wire", text, "mm"))
     low, high = (number(end, 3) for end in (elasticity.min(), elasticity.max()))
-    rows.append((f"elasticity in {span}, lowest to highest", f"{low} – {high}", "mm/N"))
+    rows.append((f"elasticity in {span}, minimum to maximum", f"{low} – {high}", "mm/N"))
     rows.append(
         (
             f"non-uniformity of elasticity in {span}",
@@ -119,6 +124,28 @@ def main_numbers(found: InitialConfiguration) -> list[tuple[str, str, str]]:
         rows.append((f"dropper forces, {len(forces)} droppers", _ends(forces, 1), "N"))
         lengths = [one["length_m"] for one in found.droppers]
         rows.append(("dropper lengths between clamps", _ends(lengths, 3), "m"))
+    return rows
+
+
+def _drawn_numbers(found: InitialConfiguration) -> list[tuple[str, str, str]]:
+    """Return the numbers of the line as designed: spans, heights, stagger, tensions."""
+    line = found.scenario.line
+    spans = np.diff(found.equilibrium.support_places())
+    rows = [("span length", _ends(spans.tolist(), 1), "m")]
+    if line.geometry.contact_wire_height is not None:
+        height = number(line.geometry.contact_wire_height, 2)
+        rows.append(("height of the contact wire above rail", height, "m"))
+    if line.geometry.encumbrance is not None:
+        rows.append(("system height", number(line.geometry.encumbrance, 2), "m"))
+    staggers = _staggers(found)
+    if staggers:
+        rows.append(("stagger at the supports", _ends([1e3 * one for one in staggers], 0), "mm"))
+    wires = (("contact wire", line.contact_wire), ("messenger wire", line.messenger_wire))
+    for name, wire in wires:
+        if wire is not None and wire.tension:
+            rows.append(
+                (f"tension of the {name}, as designed", number(1e-3 * wire.tension, 2), "kN")
+            )
     return rows
 
 
@@ -142,10 +169,18 @@ def dropper_table(found: InitialConfiguration) -> dict[str, Any]:
     return {"titles": titles, "rows": cells, "texts": len(titles) - 4}
 
 
+def _staggers(found: InitialConfiguration) -> list[float]:
+    """Return the lateral position in m of the contact wire at each support; nothing if straight."""
+    points = found.equilibrium.positions
+    if not np.ptp(points[:, 1]) > 0.0:
+        return []
+    return [float(points[place.contact_node, 1]) for place in found.equilibrium.mesh.supports]
+
+
 def support_table(line: LineData) -> dict[str, Any]:
     """Return titles and rows of the supports, without columns that no support has a value for."""
-    nodes = [place.contact_node for place in line.mesh.supports]
-    staggers = line.points[nodes, 1] if np.ptp(line.points[:, 1]) > 0.0 else [None] * len(nodes)
+    known = _staggers(line.found)
+    staggers: Sequence[float | None] = known or [None] * len(line.mesh.supports)
     rows = [
         {**one, "stagger_m": stagger}
         for one, stagger in zip(line.found.supports, staggers, strict=True)
@@ -217,7 +252,9 @@ def _track(line: LineData) -> dict[str, Any]:
 
 
 def _ends(values: Sequence[float], decimals: int) -> str:
-    return f"{number(min(values), decimals)} – {number(max(values), decimals)}"
+    """Return the least and the largest of some values; one number where they are the same."""
+    low, high = (number(end, decimals) for end in (min(values), max(values)))
+    return low if low == high else f"{low} – {high}"
 
 
 def _now() -> str:

@@ -116,3 +116,16 @@ def test_sag_is_that_of_the_wire_that_runs_through_the_span() -> None:
     )
     # The same span and droppers, far enough from both ends.
     assert overlap.contact_wire_sag_m == pytest.approx(plain.contact_wire_sag_m, rel=1e-6)
+
+
+def test_the_first_screen_has_the_numbers_of_the_drawing() -> None:
+    staggered = stitched_data(geometry=STAGGERED, steady_arm=ARM)
+    line = statics(load(scenario_data(staggered)))
+    rows = {label: (value, unit) for label, value, unit in statics_page.main_numbers(line)}
+    assert rows["stagger at the supports"] == ("−200 – 200", "mm")
+    assert rows["height of the contact wire above rail"] == ("5.30", "m")
+    assert rows["system height"] == ("1.40", "m")
+    tension = line.scenario.line.contact_wire.tension
+    assert rows["tension of the contact wire, as designed"] == (f"{tension / 1e3:.2f}", "kN")
+    straight = statics(load(scenario_data(stitched_data())))
+    assert "stagger at the supports" not in {row[0] for row in statics_page.main_numbers(straight)}
