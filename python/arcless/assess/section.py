@@ -96,6 +96,12 @@ def section_notes(
             notes.append(f"pantograph {name} ran over {begin:g} to {end:g} m of the section only")
         samples = np.flatnonzero(inside)
         margin = min(time[samples[0]] - time[0], time[-1] - time[samples[-1]])
+        lowest = float(record.bands.total[samples, column].min())
+        if lowest < 0.0 <= float(record.force[samples, column].min()):
+            notes.append(
+                f"the minimum contact force of pantograph {name}, {lowest:.1f} N, is an undershoot "
+                "of the low-pass where contact is lost: the unfiltered force is never below zero"
+            )
         if margin < 1.0 / band_split_Hz:
             notes.append(
                 f"the section of pantograph {name} begins or ends {margin:.3g} s from an end of "

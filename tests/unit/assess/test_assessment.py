@@ -346,3 +346,14 @@ def test_the_dataset_stays_as_it_was() -> None:
     before = dataset.copy(deep=True)
     assess(dataset)
     assert dataset.identical(before)
+
+
+def test_a_filtered_force_below_zero_is_explained() -> None:
+    """The low-pass undershoots where contact is lost; forces themselves cannot be negative."""
+    found = assess(synthetic_dataset(force=lambda t: 100.0 * (np.abs(t - 15.0) > 0.1)))
+    (note,) = [note for note in found.notes if "undershoot" in note]
+    lowest = found.pantographs[0].min_force_N
+    assert lowest < 0.0 == found.pantographs[0].unfiltered_min_force_N
+    assert f"of pantograph P1, {lowest:.1f} N, is an undershoot" in note
+    calm = assess(synthetic_dataset(force=lambda t: 100.0 + 10.0 * np.sin(t)))
+    assert not any("undershoot" in note for note in calm.notes)
