@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, replace
-from itertools import pairwise
+from itertools import groupby, pairwise
 from typing import Any
 
 from arcless.assess import (
@@ -83,6 +83,13 @@ def number(value: float | None, decimals: int = 1) -> str:
     return f"{value:.{decimals}f}".replace("-", "−")
 
 
+def pair(value: float | None, uncertainty: float | None, decimals: int) -> str:
+    """Return a number with the text after its ±, where there is any that its decimals show."""
+    text = number(value, decimals)
+    sure = number(uncertainty, decimals)
+    return text if uncertainty is None or not float(sure) else f"{text} ± {sure}"
+
+
 def identity(
     scenario: Scenario, assessment: Assessment, facts: Mapping[str, Any]
 ) -> list[tuple[str, str]]:
@@ -140,6 +147,11 @@ def bullets(assessment: Assessment) -> list[Bullet]:
     ]  # fmt: skip
 
 
+def grouped(found: list[Bullet]) -> list[list[Bullet]]:
+    """Return neighbours of one criterion together: those of several pantographs."""
+    return [list(same) for _, same in groupby(found, key=lambda one: one.title)]
+
+
 def decimals_of(criterion: Criterion) -> int:
     """Return the decimals of a criterion's numbers: so many that value and limit are told apart."""
     least = {"%": 2, "1": 3, "mm": 0}.get(criterion.unit, 1)
@@ -165,15 +177,13 @@ def _item(criterion: Criterion) -> str:
 
 def _bullet(criterion: Criterion, mean_force_N: float) -> Bullet:
     data, decimals = asdict(criterion), decimals_of(criterion)
-    unit = criterion.unit.replace("1", "")
+    unit = "" if criterion.unit == "1" or criterion.value is None else criterion.unit
     uncertainty = uncertainty_of(criterion.certainty)
-    value = number(criterion.value, decimals)
-    if uncertainty is not None:
-        value += f" ± {number(uncertainty, decimals)}"
+    value = pair(criterion.value, uncertainty, decimals)
     limit = "no limit given"
     if criterion.limit is not None:
         limit = f"limit {SIGNS[criterion.relation]} {number(criterion.limit, decimals)}"
-        limit += f"{allowance(data)} {unit}".rstrip()
+        limit += f"{allowance(data)} {criterion.unit.replace('1', '')}".rstrip()
     words = verdict_of(data)
     state = "met" if words == MET else "not-met" if criterion.fails else "open"
     return Bullet(

@@ -20,7 +20,7 @@ from arcless.figures.validation import (
 )
 from arcless.model import MARKS as MEANINGS
 from arcless.report.summary import MOST_DECIMALS, Verdict, number
-from arcless.report.tables import pair
+from arcless.report.summary import pair
 from arcless.report.template import render
 from arcless.report.validation_subject import Evidence, Subject
 from arcless.storage.whole_files import write_bytes

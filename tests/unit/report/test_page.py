@@ -13,7 +13,11 @@ import pytest
 from arcless import report
 from arcless.assess import assess
 from arcless.errors import OutputError
+from arcless.figures.description import Axis, Figure
 from arcless.model import load
+from arcless.report.drawing.bokeh_figure import Drawing
+from arcless.report.drawing.bokeh_objects import document
+from arcless.report.template import shown_figures
 from arcless.results import Result
 from tests.support.bokeh_pages import data_in, document_in, mistakes_of
 from tests.support.synthetic import scenario_data, synthetic_dataset
@@ -73,6 +77,8 @@ class Page(HTMLParser):
         self._inside = ""
 
     def handle_data(self, data):
+        if self._inside == "wbr":  # the word goes on
+            data = self.words.pop() + data
         (self.scripts if self._inside == "script" else self.words).append(data)
         if self._class in ("figure-title", "title") or self._inside == "h2":
             self.titles.append(data.strip())
@@ -125,6 +131,22 @@ def test_everything_else_is_there(page: str) -> None:
         "arcless run synthetic",
     ):
         assert words in text, words
+
+
+def test_a_caption_that_figures_share_is_said_once() -> None:
+    figures = {
+        name: [Figure(f"{name}-{i}", name, Axis("x"), Axis("y"), [], caption=caption)
+               for i, caption in enumerate(captions)]
+        for name, captions in {"lead": ("one", "one", "two", "two", "one"), "force": ("one",)}.items()
+    }  # fmt: skip
+    drawing = Drawing()
+    drawn = {name: [drawing.draw(one) for one in found] for name, found in figures.items()}
+    written = document([one.plot for found in drawn.values() for one in found])
+    said = {
+        name: [one.caption for one in shown_figures(found, written)]
+        for name, found in drawn.items()
+    }
+    assert said == {"lead": ["one", "", "two", "", "one"], "force": ["one"]}
 
 
 def test_every_figure_has_an_alternative_text(page: str) -> None:

@@ -7,7 +7,16 @@ import pytest
 
 from arcless.assess import assess
 from arcless.figures.run.run_data import RunData
-from arcless.report.summary import LENGTH, bullets, decimals_of, number, verdict, worst_place
+from arcless.report.summary import (
+    LENGTH,
+    bullets,
+    decimals_of,
+    grouped,
+    number,
+    pair,
+    verdict,
+    worst_place,
+)
 from tests.support.synthetic import scenario_data, synthetic_dataset
 
 
@@ -82,6 +91,13 @@ def test_a_bar_has_its_uncertainty_and_its_words() -> None:
     assert (low, high) == pytest.approx((LENGTH * 18.5 / 37.5, LENGTH * 21.5 / 37.5), abs=0.06)
 
 
+def test_an_uncertainty_that_the_decimals_do_not_show_is_left_out() -> None:
+    assert pair(169.29, 0.11, 2) == "169.29 ± 0.11"
+    assert pair(0.696, 0.0004, 3) == "0.696"
+    assert pair(0.0, 0.0, 2) == "0.00"
+    assert pair(None, None, 2) == "–"
+
+
 def test_a_criterion_without_a_limit_has_no_bar() -> None:
     data = scenario_data(line__design={"uplift_space": None})
     found = {one.title: one for one in bullets(assess(synthetic_dataset(scenario=data)))}
@@ -93,6 +109,17 @@ def test_pantographs_are_named_where_there_are_several() -> None:
     two = assess(synthetic_dataset(pantographs=("front", "rear")))
     assert {one.pantograph for one in bullets(two)} == {"", "front", "rear"}
     assert {one.pantograph for one in bullets(assess(synthetic_dataset()))} == {""}
+
+
+def test_pantographs_stand_together_below_their_criterion() -> None:
+    assessment = assess(synthetic_dataset(pantographs=("front", "rear")))
+    groups = grouped(bullets(assessment))
+    assert sum(map(len, groups)) == len(assessment.criteria)
+    titles = [group[0].title for group in groups]
+    assert len(set(titles)) == len(titles)
+    by_title = {group[0].title: [one.pantograph for one in group] for group in groups}
+    assert by_title["standard deviation σ"] == ["front", "rear"]
+    assert by_title["space required for the uplift at supports, 2·S0"] == [""]
 
 
 def test_the_worst_place_in_words() -> None:
