@@ -19,8 +19,7 @@ from arcless.figures.validation import (
     state_of,
 )
 from arcless.model import MARKS as MEANINGS
-from arcless.report.summary import MOST_DECIMALS, Verdict, number
-from arcless.report.summary import pair
+from arcless.report.summary import MOST_DECIMALS, Verdict, number, pair
 from arcless.report.template import render
 from arcless.report.validation_subject import Evidence, Subject
 from arcless.storage.whole_files import write_bytes

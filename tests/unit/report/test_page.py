@@ -134,11 +134,14 @@ def test_everything_else_is_there(page: str) -> None:
 
 
 def test_a_caption_that_figures_share_is_said_once() -> None:
+    captions = {"lead": ("one", "one", "two", "two", "one"), "force": ("one",)}
     figures = {
-        name: [Figure(f"{name}-{i}", name, Axis("x"), Axis("y"), [], caption=caption)
-               for i, caption in enumerate(captions)]
-        for name, captions in {"lead": ("one", "one", "two", "two", "one"), "force": ("one",)}.items()
-    }  # fmt: skip
+        name: [
+            Figure(f"{name}-{i}", name, Axis("x"), Axis("y"), [], caption=caption)
+            for i, caption in enumerate(given)
+        ]
+        for name, given in captions.items()
+    }
     drawing = Drawing()
     drawn = {name: [drawing.draw(one) for one in found] for name, found in figures.items()}
     written = document([one.plot for found in drawn.values() for one in found])

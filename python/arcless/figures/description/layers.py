@@ -162,7 +162,8 @@ class Texts(Look):
     align, baseline
         Part of a text that stands at its point.
     backed
-        True for texts on a patch of the page's colour, which are read above lines; on paper all are.
+        True for texts on a patch of the page's colour, which are read above lines. On paper all
+        texts are.
     """
 
     x: Numbers

@@ -91,7 +91,8 @@ def uplift_passages(run: RunData) -> list[Figure]:
     return [
         Figure(
             "uplift-passages", "Uplift while the train passes a support",
-            Axis("distance past the support", "m", -BEFORE_M, _after(run)), Axis("uplift", "mm"), layers,
+            Axis("distance past the support", "m", -BEFORE_M, _after(run)), Axis("uplift", "mm"),
+            layers,
             caption=f"Supports of the section assessed, overlaid.{_whose(run)}",
             alt=f"Uplift at the supports while the train passes; largest at {name}:"
             f" {y.max(initial=0.0):.1f} mm.",
