@@ -193,7 +193,7 @@ def test_the_page_of_all_suites_counts_what_the_terminal_counts(
     assert done.exit_code == 3
     page = text_in((tmp_path / "all.html").read_text("utf-8"))
     # 9 dropper lengths, 16 values of EN 50318:2002, one conclusion; 36 of AC simple.
-    assert "25 of 26 values are inside the verified ranges 1 outside" in page
+    assert "Outside its verified range: 1 of 26 values 25 inside" in page
     assert "25 of 26 values are inside the verified ranges" in done.stdout
     assert "standard deviation σ: 31.2 N, range 26 … 31 N (outside, mark A)" in page
     assert "35 of 36 values are inside ranges that are remembered, unverified" in page

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, replace
-from itertools import pairwise
+from itertools import groupby, pairwise
 from typing import Any
 
 from arcless.assess import (
@@ -10,10 +10,11 @@ from arcless.assess import (
     NOT_JUDGED,
     NOT_MET,
     NOT_MET_UNVERIFIED,
+    RULES,
     TOO_CLOSE,
     Assessment,
     Criterion,
-    allowance,
+    decides,
     decimals_of,
     uncertainty_of,
     verdict_of,
@@ -24,8 +25,8 @@ from arcless.figures.run.track import place_name
 from arcless.model import Scenario
 
 SIGNS = {"<=": "≤", ">=": "≥", ">": ">"}
-# Part of a bar behind its limit, its length in the drawing, and the least that is drawn.
-BEHIND, LENGTH, LEAST = 0.25, 1000.0, 4.0
+# Length of a bar in the drawing, places of upper and lower limits on it, the least that is drawn.
+LENGTH, UPPER, LOWER, LEAST = 1000.0, 800.0, 200.0, 4.0
 
 
 # Verdict on a criterion → class, sign and headline of a page on which it is the least favourable.
@@ -36,6 +37,9 @@ _STATES = {
     MET: ("met", "✔", "Met"),
     NOT_JUDGED: ("open", "≈", "Not judged"),
 }
+
+# Words for a number of criteria with a verdict, where they are not the verdict itself.
+_REST = {NOT_MET_UNVERIFIED: "beyond a limit that is not verified"}
 
 
 @dataclass(frozen=True)
@@ -82,6 +86,13 @@ def number(value: float | None, decimals: int = 1) -> str:
     return f"{value:.{decimals}f}".replace("-", "−")
 
 
+def pair(value: float | None, uncertainty: float | None, decimals: int) -> str:
+    """Return a number with the text after its ±, where there is any that its decimals show."""
+    text = number(value, decimals)
+    sure = number(uncertainty, decimals)
+    return text if uncertainty is None or not float(sure) else f"{text} ± {sure}"
+
+
 def identity(
     scenario: Scenario, assessment: Assessment, facts: Mapping[str, Any]
 ) -> list[tuple[str, str]]:
@@ -114,7 +125,8 @@ def verdict(assessment: Assessment) -> Verdict:
     state, sign, title = _STATES[word]
     count, total = len(groups[word]), len(assessment.criteria)
     share = f"all {total}" if count == total else f"{count} of {total}"
-    rest = [f"{len(groups[other])} {other}" for other in _STATES if other != word and groups[other]]
+    rest = [f"{len(groups[other])} {_REST.get(other, other)}"
+            for other in _STATES if other != word and groups[other]]  # fmt: skip
     alone = len(assessment.pantographs) == 1
     items = [_item(replace(one, pantograph=None) if alone else one) for one in assessment.criteria
              if verdict_of(asdict(one)) not in (MET, NOT_JUDGED)]  # fmt: skip
@@ -125,7 +137,8 @@ def worst_place(run: RunData) -> str:
     """Return the place with the largest deviation from the mean, in words."""
     pantograph, kind, x, force = worst(run)
     of = f" of {run.pantographs[pantograph]}" if len(run.pantographs) > 1 else ""
-    return f"{kind} contact force{of}, {number(force, 0)} N, at {place_name(run, x)}."
+    why = " (the low-pass undershoots where contact is lost)" if force < 0.0 else ""
+    return f"{kind} contact force{of}, {number(force, 0)} N{why}, at {place_name(run, x)}."
 
 
 def bullets(assessment: Assessment) -> list[Bullet]:
@@ -139,29 +152,40 @@ def bullets(assessment: Assessment) -> list[Bullet]:
     ]  # fmt: skip
 
 
+def grouped(found: list[Bullet]) -> list[list[Bullet]]:
+    """Return neighbours of one criterion together: those of several pantographs."""
+    return [list(same) for _, same in groupby(found, key=lambda one: one.title)]
+
+
 def _item(criterion: Criterion) -> str:
-    decimals = decimals_of(asdict(criterion))
+    """Return a criterion that is not met, or too close to tell: value, limit, distance."""
+    data = asdict(criterion)
+    decimals = decimals_of(data)
+    value, limit, words = criterion.value, criterion.limit, verdict_of(data)
+    assert value is not None and limit is not None, "only what was compared has such a verdict"
     of = f", {criterion.pantograph}" if criterion.pantograph else ""
     unit = "" if criterion.unit == "1" else f" {criterion.unit}"
-    words = verdict_of(asdict(criterion))
-    return (
-        f"{criterion.title}{of}: {number(criterion.value, decimals)}{unit},"
-        f" limit {number(criterion.limit, decimals)}{unit} ({words}, mark {criterion.mark})"
+    side = "above" if value > limit else "below"
+    distance = f"{number(abs(value - limit), decimals)}{unit} {side} it"
+    if limit and words != TOO_CLOSE:
+        distance += f" ({100.0 * abs(value / limit - 1.0):.0f} %)"
+    uncertainty = uncertainty_of(criterion.certainty)
+    if words == TOO_CLOSE:
+        distance += f", certain to ± {number(uncertainty, decimals)}{unit} only"
+    unsure = (
+        "" if decides(criterion.mark) else f"; the limit is not verified, mark {criterion.mark}"
     )
+    stated = _limit(criterion, decimals)
+    return f"{criterion.title}{of}: {number(value, decimals)}{unit}, {stated}, {distance}{unsure}"
 
 
 def _bullet(criterion: Criterion, mean_force_N: float) -> Bullet:
     data = asdict(criterion)
     decimals = decimals_of(data)
-    unit = criterion.unit.replace("1", "")
+    unit = "" if criterion.unit == "1" or criterion.value is None else criterion.unit
     uncertainty = uncertainty_of(criterion.certainty)
-    value = number(criterion.value, decimals)
-    if uncertainty is not None:
-        value += f" ± {number(uncertainty, decimals)}"
-    limit = "no limit given"
-    if criterion.limit is not None:
-        limit = f"limit {SIGNS[criterion.relation]} {number(criterion.limit, decimals)}"
-        limit += f"{allowance(data)} {unit}".rstrip()
+    value = pair(criterion.value, uncertainty, decimals)
+    limit = _limit(criterion, decimals)
     words = verdict_of(data)
     state = "met" if words == MET else "not-met" if criterion.fails else "open"
     return Bullet(
@@ -170,31 +194,42 @@ def _bullet(criterion: Criterion, mean_force_N: float) -> Bullet:
     )  # fmt: skip
 
 
-def _bar(
-    criterion: Criterion,
-    uncertainty: float | None,
-    mean_force_N: float,
-) -> Bar | None:
+def _limit(criterion: Criterion, decimals: int) -> str:
+    """Return a limit with its relation, its origin where it is a part of F_m, and its tolerance."""
+    if criterion.limit is None:
+        return "no limit given"
+    unit = "" if criterion.unit == "1" else f" {criterion.unit}"
+    text = f"limit {SIGNS[criterion.relation]} {number(criterion.limit, decimals)}{unit}"
+    factors = {rule.limit.factor for rule in RULES
+               if rule.name == criterion.name and rule.limit.of == "mean_force_N"}  # fmt: skip
+    text += "".join(f" = {factor:g} F_m" for factor in factors)
+    tolerance = f", tolerance {criterion.tolerance:g}{unit}" if criterion.tolerance else ""
+    return text + tolerance
+
+
+def _bar(criterion: Criterion, uncertainty: float | None, mean_force_N: float) -> Bar | None:
     """Return a value against its limit; None where either is missing.
 
-    The bar begins at zero, or below it and a lower limit by a part of what the value is compared
-    with: for a force the mean.
+    Limits have the same place on all bars: upper ones at `UPPER`, zero at the beginning; lower ones
+    at `LOWER`, the mean force, or the value itself, as far behind it as there is room. A value
+    beyond the end is drawn up to the end.
     """
     value, limit = criterion.value, criterion.limit
     if value is None or limit is None:
         return None
     upper = criterion.relation == "<="
-    scale = mean_force_N if criterion.unit == "N" and not upper else 0.0
-    size = max(abs(limit), abs(value), abs(scale), 1e-12)
-    low = min(0.0, value, limit) - (0.0 if upper else BEHIND * size)
-    high = max(value, limit, scale) + (BEHIND * size if upper else 0.0)
+    if upper:
+        size, bound = max(abs(limit), 1e-12) / UPPER, UPPER
+    else:
+        of_force = mean_force_N if criterion.unit == "N" else 0.0
+        bound = LOWER
+        size = max(of_force, abs(value - limit), 1e-12) / (LENGTH - LOWER)
 
     def place(number: float) -> float:
-        return round(LENGTH * min(max((number - low) / (high - low), 0.0), 1.0), 1)
+        return round(min(max(bound + (number - limit) / size, 0.0), LENGTH), 1)
 
-    bound, end = place(limit), place(value)
-    beyond = [(bound, round(LENGTH - bound, 1))] if upper else [(0.0, bound)]
+    beyond = [(bound, LENGTH - bound)] if upper else [(0.0, bound)]
     sure = None
     if uncertainty is not None:
         sure = (place(value - uncertainty), place(value + uncertainty))
-    return Bar(beyond, 0.0, max(end, LEAST), sure, bound)  # a value of 0 is seen too
+    return Bar(beyond, 0.0, max(place(value), LEAST), sure, bound)  # a value of 0 is seen too

@@ -16,7 +16,7 @@ from arcless.assess import (
 from arcless.assess.quantities import OF_LINE, OF_PANTOGRAPH, WEAR, label_of
 from arcless.figures.run.energy import energy_terms, settled
 from arcless.figures.run.run_data import RunData
-from arcless.report.summary import SIGNS, number
+from arcless.report.summary import SIGNS, number, pair
 
 REFERENCE_KEYS = ("quantity", "value", "low", "high", "verdict", "mark", "source")
 
@@ -41,6 +41,14 @@ def line_rows(run: RunData) -> list[tuple[str, str, str]]:
     ]  # fmt: skip
 
 
+def number_rows(run: RunData) -> list[list[tuple[str, str, list[str]]]]:
+    """Return the numbers in two parts: forces of the pantographs, then all others."""
+    rows = indicator_rows(run.assessment)
+    line = [(label, unit, [value]) for label, unit, value in line_rows(run)]
+    forces = [row for row in rows if row[1] == "N"]
+    return [forces, [row for row in rows if row[1] != "N"] + line]
+
+
 def _label(assessment: Assessment, key: str) -> str:
     low_pass, split = assessment.low_pass_Hz, assessment.band_split_Hz
     return label_of(key, low_pass_Hz=low_pass, band_split_Hz=split)
@@ -50,12 +58,6 @@ def _with_certainty(of: Any, key: str, decimals: int) -> str:
     """Return a number of a pantograph or of the run, with how sure it is where that is known."""
     known = uncertainty_of((of.certainty or {}).get(key))
     return pair(getattr(of, key), known, decimals)
-
-
-def pair(value: float | None, uncertainty: float | None, decimals: int) -> str:
-    """Return a number with the text after its ±, where there is any."""
-    text = number(value, decimals)
-    return text if uncertainty is None else f"{text} ± {number(uncertainty, decimals)}"
 
 
 def certainty_rows(assessment: Assessment) -> list[dict[str, Any]]:
@@ -107,7 +109,7 @@ def criterion_rows(assessment: Assessment) -> list[dict[str, Any]]:
             "title": "" if c.name == previous else c.title,
             "pantograph": c.pantograph or "",
             "value": pair(c.value, uncertainty_of(c.certainty), decimals),
-            "limit": f"{SIGNS[c.relation]} {number(c.limit, decimals)}{allowance(asdict(c))}",
+            "limit": _limit(c, decimals),
             "unit": "" if c.unit == "1" else c.unit,
             "verdict": verdict_of(asdict(c)),
             "state": "missed" if c.fails else verdict_of(asdict(c)).split(" (")[0],
@@ -118,6 +120,13 @@ def criterion_rows(assessment: Assessment) -> list[dict[str, Any]]:
         }
         for c, previous, decimals in zip(assessment.criteria, above, digits, strict=False)
     ]
+
+
+def _limit(criterion: Criterion, decimals: int) -> str:
+    if criterion.limit is None:
+        return "–"
+    limit = number(criterion.limit, decimals)
+    return f"{SIGNS[criterion.relation]} {limit}{allowance(asdict(criterion))}"
 
 
 def _reason(criterion: Criterion) -> str:
@@ -138,7 +147,7 @@ def energy_rows(run: RunData) -> list[tuple[str, str, str]]:
         (
             label,
             str(run.dataset[name].attrs.get("long_name", "")),
-            f"{settled(run, name)[-1]:.6g}".replace("-", "−"),
+            f"{settled(run, name)[-1]:.3g}".replace("-", "−"),
         )
         for name, label in energy_terms(run)
         if settled(run, name).size

@@ -13,8 +13,9 @@ from typing import TYPE_CHECKING, Any
 
 from arcless.figures.description import Figure
 from arcless.figures.description.tokens import css, tokens
-from arcless.report.drawing.bokeh_figure import Drawing, Entry
+from arcless.report.drawing.bokeh_figure import Drawing, Drawn, Entry
 from arcless.report.drawing.bokeh_objects import Document, document
+from arcless.report.drawing.scale_key import ScaleKey, scale_key
 
 if TYPE_CHECKING:
     from jinja2 import Environment
@@ -81,11 +82,17 @@ class Shown:
         Name of the element that the script draws in.
     legend
         Entries, each with the names of what it shows and hides.
+    scale
+        Scale of colours; None for a figure without one.
+    caption
+        Caption; empty where the figure before it, of the same list, has the same.
     """
 
     figure: Figure
     place: str
     legend: list[tuple[Entry, str]]
+    scale: ScaleKey | None
+    caption: str
 
 
 Figures = Mapping[str, "Figure | Sequence[Figure] | None"]
@@ -129,9 +136,7 @@ def render(
         scripts=[Markup(f"<script>{script.text}</script>") for script in scripts],
         policy=" ".join(f"'sha256-{script.hash}'" for script in scripts),
         data=Markup(data),
-        figure={
-            name: [_shown(one, written) for one in found] for name, found in drawn.items() if found
-        },
+        figure={name: shown_figures(found, written) for name, found in drawn.items() if found},
         selection={
             name: written.name_of(made)
             for name, made in drawing.selections().items()
@@ -147,11 +152,20 @@ def _listed(found: "Figure | Sequence[Figure] | None") -> list[Figure]:
     return [found] if isinstance(found, Figure) else list(found)
 
 
-def _shown(one: Any, written: Document) -> Shown:
-    legend = [
-        (entry, " ".join(written.name_of(made) for made in entry.drawn)) for entry in one.legend
-    ]
-    return Shown(one.figure, _place(written.name_of(one.plot)), legend)
+def shown_figures(drawn: Sequence[Drawn], written: Document) -> list[Shown]:
+    """Return figures of one list as a template shows them."""
+    found = []
+    said = ""
+    for one in drawn:
+        legend = [
+            (entry, " ".join(written.name_of(made) for made in entry.drawn)) for entry in one.legend
+        ]
+        figure = one.figure
+        scale = None if figure.scale is None else scale_key(figure.scale)
+        caption = "" if figure.caption == said else figure.caption
+        said = figure.caption
+        found.append(Shown(figure, _place(written.name_of(one.plot)), legend, scale, caption))
+    return found
 
 
 def _place(root: str) -> str:

@@ -19,8 +19,7 @@ from arcless.figures.validation import (
     state_of,
 )
 from arcless.model import MARKS as MEANINGS
-from arcless.report.summary import Verdict, number
-from arcless.report.tables import pair
+from arcless.report.summary import Verdict, number, pair
 from arcless.report.template import render
 from arcless.report.validation_subject import Evidence, Subject
 from arcless.storage.whole_files import write_bytes
@@ -104,8 +103,10 @@ def verdict(rows: Sequence[Compared]) -> Verdict:
     other = len(rows) - len(counted)
     inside = len(counted) - len(outside) - len(close)
     words = f"{inside} of {len(counted)} values are inside the verified ranges"
-    rest = [f"{len(outside)} outside"] if outside else []
-    rest += [f"{len(close)} too close to tell"] if close else []
+    rest = [f"{len(close)} too close to tell"] if close else []
+    if outside:
+        rest.insert(0, f"{inside} inside")
+        words = f"Outside its verified range: {len(outside)} of {len(counted)} values"
     others = "; ".join(rest)
     items = [_item(row) for row in (*outside, *close)]
     if other:

@@ -13,7 +13,11 @@ import pytest
 from arcless import report
 from arcless.assess import assess
 from arcless.errors import OutputError
+from arcless.figures.description import Axis, Figure
 from arcless.model import load
+from arcless.report.drawing.bokeh_figure import Drawing
+from arcless.report.drawing.bokeh_objects import document
+from arcless.report.template import shown_figures
 from arcless.results import Result
 from tests.support.bokeh_pages import data_in, document_in, mistakes_of
 from tests.support.synthetic import scenario_data, synthetic_dataset
@@ -73,6 +77,8 @@ class Page(HTMLParser):
         self._inside = ""
 
     def handle_data(self, data):
+        if self._inside == "wbr":  # the word goes on
+            data = self.words.pop() + data
         (self.scripts if self._inside == "script" else self.words).append(data)
         if self._class in ("figure-title", "title") or self._inside == "h2":
             self.titles.append(data.strip())
@@ -105,7 +111,8 @@ def test_the_first_screen_says_what_was_run_and_what_came_of_it(page: str) -> No
         "Supply AC 25 kV",
         "Arcless 0.0.0",
         "Beyond a limit that is not verified: 1 of 9 criteria 7 met; 1 not judged",
-        "mean contact force F_m, upper limit: 100.0 N, limit 92.4 N (not met (unverified), mark C)",
+        "mean contact force F_m, upper limit: 100.0 N, limit ≤ 92.4 N, tolerance 1 N,"
+        " 7.6 N above it (8 %); the limit is not verified, mark C",
         "Worst place: ",
         "this run was drawn, not computed",
         "limit ≤ 30.0 N",
@@ -125,6 +132,25 @@ def test_everything_else_is_there(page: str) -> None:
         "arcless run synthetic",
     ):
         assert words in text, words
+
+
+def test_a_caption_that_figures_share_is_said_once() -> None:
+    captions = {"lead": ("one", "one", "two", "two", "one"), "force": ("one",)}
+    figures = {
+        name: [
+            Figure(f"{name}-{i}", name, Axis("x"), Axis("y"), [], caption=caption)
+            for i, caption in enumerate(given)
+        ]
+        for name, given in captions.items()
+    }
+    drawing = Drawing()
+    drawn = {name: [drawing.draw(one) for one in found] for name, found in figures.items()}
+    written = document([one.plot for found in drawn.values() for one in found])
+    said = {
+        name: [one.caption for one in shown_figures(found, written)]
+        for name, found in drawn.items()
+    }
+    assert said == {"lead": ["one", "", "two", "", "one"], "force": ["one"]}
 
 
 def test_every_figure_has_an_alternative_text(page: str) -> None:

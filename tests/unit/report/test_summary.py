@@ -7,7 +7,15 @@ import pytest
 
 from arcless.assess import assess
 from arcless.figures.run.run_data import RunData
-from arcless.report.summary import LENGTH, bullets, number, verdict, worst_place
+from arcless.report.summary import (
+    LENGTH,
+    bullets,
+    grouped,
+    number,
+    pair,
+    verdict,
+    worst_place,
+)
 from tests.support.synthetic import scenario_data, synthetic_dataset
 
 
@@ -24,7 +32,8 @@ def test_an_unverified_limit_is_no_failure() -> None:
     assert found.rest == "7 met; 1 not judged"
     (item,) = found.items
     assert item == (
-        "mean contact force F_m, upper limit: 100.0 N, limit 92.4 N (not met (unverified), mark C)"
+        "mean contact force F_m, upper limit: 100.0 N, limit ≤ 92.4 N, tolerance 1 N,"
+        " 7.6 N above it (8 %); the limit is not verified, mark C"
     )
 
 
@@ -67,10 +76,17 @@ def test_a_bar_has_its_uncertainty_and_its_words() -> None:
     (sigma,) = [c for c in assessment.criteria if c.name == "standard_deviation"]
     sure = replace(sigma, value=20.0, limit=30.0, certainty={"spread": 1.0, "discretisation": 0.5})
     (bullet,) = bullets(replace(assessment, criteria=[sure]))
-    assert bullet.words == "20.0 ± 1.5 N, limit ≤ 30.0 N: met"
+    assert bullet.words == "20.0 ± 1.5 N, limit ≤ 30.0 N = 0.3 F_m: met"
     low, high = bullet.bar.sure
-    # From 18.5 to 21.5 N on a bar that ends a quarter beyond the limit, at 37.5 N.
-    assert (low, high) == pytest.approx((LENGTH * 18.5 / 37.5, LENGTH * 21.5 / 37.5), abs=0.06)
+    # From 18.5 to 21.5 N on a bar whose limit, 30 N, stands at 800.
+    assert (low, high) == pytest.approx((800.0 * 18.5 / 30.0, 800.0 * 21.5 / 30.0), abs=0.06)
+
+
+def test_an_uncertainty_that_the_decimals_do_not_show_is_left_out() -> None:
+    assert pair(169.29, 0.11, 2) == "169.29 ± 0.11"
+    assert pair(0.696, 0.0004, 3) == "0.696"
+    assert pair(0.0, 0.0, 2) == "0.00"
+    assert pair(None, None, 2) == "–"
 
 
 def test_a_criterion_without_a_limit_has_no_bar() -> None:
@@ -84,6 +100,17 @@ def test_pantographs_are_named_where_there_are_several() -> None:
     two = assess(synthetic_dataset(pantographs=("front", "rear")))
     assert {one.pantograph for one in bullets(two)} == {"", "front", "rear"}
     assert {one.pantograph for one in bullets(assess(synthetic_dataset()))} == {""}
+
+
+def test_pantographs_stand_together_below_their_criterion() -> None:
+    assessment = assess(synthetic_dataset(pantographs=("front", "rear")))
+    groups = grouped(bullets(assessment))
+    assert sum(map(len, groups)) == len(assessment.criteria)
+    titles = [group[0].title for group in groups]
+    assert len(set(titles)) == len(titles)
+    by_title = {group[0].title: [one.pantograph for one in group] for group in groups}
+    assert by_title["standard deviation σ"] == ["front", "rear"]
+    assert by_title["space required for the uplift at supports, 2·S0"] == [""]
 
 
 def test_the_worst_place_in_words() -> None:

@@ -4,9 +4,16 @@ import pytest
 
 from arcless.assess import assess
 from arcless.assess.quantities import OF_PANTOGRAPH, WEAR
+from arcless.figures.run.run_data import RunData
 from arcless.model import load
 from arcless.report.model_data import MAX_ROWS, groups, marks_used
-from arcless.report.tables import criterion_rows, indicator_rows, reference_cells
+from arcless.report.tables import (
+    criterion_rows,
+    indicator_rows,
+    line_rows,
+    number_rows,
+    reference_cells,
+)
 from tests.support.synthetic import SPAN_M, scenario_data, synthetic_dataset
 
 
@@ -42,6 +49,18 @@ def test_every_indicator_has_a_row_and_every_pantograph_a_column() -> None:
     numbers = set(vars(two.pantographs[0])) - {"name", "certainty"}
     assert numbers == set(OF_PANTOGRAPH) | set(WEAR)
     assert all(len(values) == 2 for _, _, values in rows)
+
+
+def test_numbers_stand_in_two_parts_of_which_the_first_has_the_forces() -> None:
+    dataset = synthetic_dataset(pantographs=("P1", "P2"))
+    run = RunData(dataset, assess(dataset))
+    forces, others = number_rows(run)
+    assert {unit for _, unit, _ in forces} == {"N"}
+    shown = [label for label, _, _ in (*forces, *others)]
+    every = [row[0] for row in (*indicator_rows(run.assessment), *line_rows(run))]
+    assert sorted(shown) == sorted(every)
+    assert all(len(values) == 2 for _, _, values in forces)
+    assert len(others[-1][2]) == 1  # of the line, not of a pantograph
 
 
 def test_criteria_say_title_and_source_once() -> None:

@@ -57,7 +57,7 @@ def subject(*, runs: bool = True, certainty: int | None = 8) -> Subject:
 def test_the_headline_counts_what_decides() -> None:
     found = verdict([row(FORCE, 115.0), row(FORCE, 121.0), row(REMEMBERED, 50.0)])
     assert (found.state, found.text, found.rest) == (
-        "missed", "1 of 2 values are inside the verified ranges", "1 outside",
+        "missed", "Outside its verified range: 1 of 2 values", "1 inside",
     )  # fmt: skip
     assert "121.0 N, range 110 … 120 N (outside, mark A)" in found.items[0]
     assert found.items[1].startswith("0 of 1 values are inside ranges that are remembered")

@@ -161,6 +161,9 @@ class Texts(Look):
     ----------
     align, baseline
         Part of a text that stands at its point.
+    backed
+        True for texts on a patch of the page's colour, which are read above lines. On paper all
+        texts are.
     """
 
     x: Numbers
@@ -169,6 +172,7 @@ class Texts(Look):
     size: float = 11.0
     align: Literal["left", "center", "right"] = "center"
     baseline: Literal["top", "middle", "bottom"] = "middle"
+    backed: bool = False
 
 
 Layer = Curve | Area | Points | Segments | Bars | Strip | Rules | Map | Texts

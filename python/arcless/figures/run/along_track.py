@@ -59,8 +59,7 @@ def lead(run: RunData) -> list[Figure]:
                     *span_numbers(run, *window, top),
                     *peaks,
                 ],
-                caption=f"Mean and F_m ± 3σ are those of the section assessed, {begin:.0f} to"
-                f" {end:.0f} m. All of it is in the figure of the force along the track.",
+                caption=f"Mean and F_m ± 3σ of the section assessed, {begin:.0f} to {end:.0f} m.",
                 alt=f"Contact force of {numbers.name} from {window[0]:.0f} to {window[1]:.0f} m."
                 f" {alt} Mean {numbers.mean_force_N:.1f} N, standard deviation"
                 f" {numbers.std_force_N:.1f} N in the section assessed.",
@@ -108,8 +107,7 @@ def force(run: RunData) -> list[Figure]:
             along(
                 run, f"force-{i + 1}", titled(run, "Contact force", i),
                 Axis(FORCE, "N", low, high), layers, height=TALL,
-                caption=f"Filtered: after the {run.assessment.low_pass_Hz:g} Hz low-pass."
-                f" The section assessed is shaded.{thinned(run)}",
+                caption=f"The section assessed is shaded.{thinned(run)}",
                 alt=f"Contact force of {numbers.name} along the track, between"
                 f" {numbers.min_force_N:.1f} and {numbers.max_force_N:.1f} N in the section"
                 " assessed after the low-pass.",
@@ -210,13 +208,18 @@ def _statistics(run: RunData, pantograph: int, *, limit_up_to: float) -> list[La
         Rules(axis="y", at=np.array([numbers.statistical_min_N, numbers.statistical_max_N]),
               colour="spread", name="F_m ± 3σ", dash="dashed", width=1.2),
     ]  # fmt: skip
-    for name, title in (("statistical_max", "F_m + 3σ"), ("statistical_min", "F_m − 3σ")):
-        limit = run.limit(name, pantograph)
-        if limit is not None and limit <= limit_up_to:
-            layers.append(
-                Rules(axis="y", at=np.array([limit]), colour="limit", dash="dashed", width=1.6,
-                      name=f"limit of {title}: {limit:g} N")
-            )  # fmt: skip
+    limits = {
+        "limit of F_m − 3σ": run.limit("statistical_min", pantograph),
+        "limit of F_m + 3σ": run.limit("statistical_max", pantograph),
+    }
+    near = {name: one for name, one in limits.items() if one is not None and one <= limit_up_to}
+    if near:
+        name = "limits of F_m ± 3σ" if len(near) > 1 else next(iter(near))
+        values = " and ".join(f"{one:g}" for one in near.values())
+        layers.append(
+            Rules(axis="y", at=np.array([*near.values()]), colour="limit", dash="dashed",
+                  width=1.6, name=f"{name}: {values} N")
+        )  # fmt: skip
     return layers
 
 
@@ -250,18 +253,18 @@ def _peaks(run: RunData, pantograph: int, window: tuple[float, float]) -> tuple[
         words.append(f"The {kind} of the section is {value:.1f} N at {place_name(run, x)}.")
         if window[0] <= x <= window[1]:
             up = kind == "maximum"
-            at, text = (np.array([x]), np.array([value])), f"{kind} {value:.0f} N"
-            layers.append(Points(*at, colour="highlight", size=8.0))
+            at, text = (np.array([x]), np.array([value])), f"{kind} {value:.0f} N".replace("-", "−")
             offset = np.array([value + (1 if up else -1) * 0.02 * max(abs(value), 100.0)])
             third = (window[1] - window[0]) / 3.0
             layers.append(
                 Texts(
-                    at[0], offset, [text], colour="highlight", size=12.0,
+                    at[0], offset, [text], colour="highlight", size=12.0, backed=True,
                     align="left" if x < window[0] + third
                     else "right" if x > window[1] - third else "center",
                     baseline="bottom" if up else "top",
                 )
             )  # fmt: skip
+            layers.append(Points(*at, colour="highlight", size=8.0))  # above the patch of the text
     return layers, " ".join(words)
 
 

@@ -88,7 +88,7 @@ def force_spectrum(run: RunData) -> list[Figure]:
             Figure(
                 f"spectrum-{i + 1}", titled(run, "Spectrum of the unfiltered contact force", i),
                 x, y, [*_passing(run), *_bands(run), curve],
-                caption="In the section assessed. The wavelength is the speed over the frequency.",
+                caption="In the section assessed. Point at the curve for the wavelength.",
                 alt=f"Power spectral density of the contact force of {run.pantographs[i]}, largest"
                 f" at {largest:.2f} Hz.",
             )
@@ -131,7 +131,7 @@ def spectrogram(run: RunData) -> list[Figure]:
                 f"spectrogram-{i + 1}",
                 titled(run, "Spectrogram of the unfiltered contact force", i),
                 track_axis(run), Axis("frequency", "Hz", *heights), [grid, *ground(run)[1:]],
-                caption=f"Power spectral density in windows of {WINDOW_S:g}\u00a0s, which blur"
+                caption=f"Power spectral density in windows of {WINDOW_S:g}\u00a0s, equal to"
                 f" {WINDOW_S * run.assessment.speed_m_s:.0f}\u00a0m along the track.",
                 alt=f"Spectrogram of the contact force of {run.pantographs[i]} along the track.",
                 scale=scale,

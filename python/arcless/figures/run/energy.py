@@ -25,7 +25,7 @@ def energy(run: RunData) -> list[Figure]:
         Curve(time, settled(run, name)[kept], colour=of_series(i), name=label,
               dash=("solid", "dashed")[i // COLOURS % 2],
               tips=(Tip(label, "y", "J", "0.000"), Tip("time", "x", "s", "0.000")))
-        for i, (name, label) in enumerate(terms)
+        for i, (name, label) in reversed([*enumerate(terms)])  # a legend begins at the top
     ]  # fmt: skip
     residual = run.assessment.energy_residual_relative
     closes = "" if residual is None else f" The balance closes to {residual:.1e} of the energy."

@@ -20,7 +20,7 @@ def lateral(run: RunData) -> list[Figure]:
             return []
         reach = _reach(run, i, [y for _, y, _ in wires])
         layers: list[Layer] = list(_limits(run, i, "y"))
-        for place, (title, y, _) in enumerate(wires):
+        for place, (title, y, _) in reversed([*enumerate(wires)]):  # a legend begins at the top
             colour = of_pantograph(i) if len(wires) == 1 else of_series(place)
             layers.append(filtered(run, i, y, "lateral position mm 0", name=title, colour=colour))
         largest = max(float(np.nanmax(np.abs(y), initial=0.0)) for _, y, _ in wires)
@@ -75,8 +75,8 @@ def wear_pattern(run: RunData) -> list[Figure]:
                 f"wear-pattern-{i + 1}", titled(run, "Wear pattern of the contact strip", i),
                 Axis("lateral position on the head", "mm", -reach, reach),
                 Axis(f"share per {PART:g} mm", "%", 0.0, top), layers,
-                caption="Friction work is force times distance: where the strip wears by friction."
-                " In the section assessed.",
+                caption="Friction work, force times distance, shows where the strip wears by"
+                " friction. In the section assessed.",
                 alt=f"Share of the friction work over the width of the head of {name}, largest"
                 f" between {edges[most]:.0f} and {edges[most + 1]:.0f} mm.",
             )

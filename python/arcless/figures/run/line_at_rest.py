@@ -32,7 +32,7 @@ def side_view(run: RunData) -> list[Figure]:
             run.values(name)[kept] for name in ("dropper_x", "dropper_top_z", "dropper_bottom_z")
         )
         layers.append(Segments(x, top, x, foot, colour="dropper", name="dropper"))
-    y = Axis("height above rail", "m")
+    y = Axis("height above rail", "m", form="0.0")
     return _view(run, "side-view", "side view", y, "z", more=layers, height=SIDE)
 
 
@@ -41,7 +41,7 @@ def plan_view(run: RunData) -> list[Figure]:
     sides = [run.values(f"{wire}_node_y") for wire, _ in WIRES]
     if not any(side.size and np.ptp(side) > 0.0 for side in sides):
         return []
-    y = Axis("across the track", "m")
+    y = Axis("across the track", "m", form="0.0")
     return _view(run, "plan-view", "from above", y, "y", more=[], height=PLAN)
 
 
@@ -62,6 +62,7 @@ def elasticity(run: RunData) -> list[Figure]:
         Figure(
             "elasticity", f"{title}, {uneven}" if uneven else title, Axis(LABEL, "m"),
             Axis("elasticity", "mm/N", 0.0, 1.1 * float(values.max())), [curve],
+            caption="Of the span in the middle of the line, for a small force.",
             alt=f"Elasticity of the contact wire from {values.min():.3f} to {values.max():.3f}"
             f" mm/N. {uneven}",
         )

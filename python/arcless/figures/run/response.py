@@ -30,7 +30,6 @@ MAP_HEIGHT = 420
 # Part of the largest force below which a dropper counts as slack in a map.
 SLACK = 1e-3
 UPLIFT = "Uplift of the contact wire at supports"
-DISTANCE = "first pantograph beyond the"
 
 
 def uplift(run: RunData) -> list[Figure]:
@@ -82,7 +81,7 @@ def uplift_passages(run: RunData) -> list[Figure]:
     x, y = pieces[-1][0], 1e3 * pieces[-1][1]
     layers: list[Layer] = [
         *_pantographs(run),
-        Curve(x, y, colour="contact_wire", width=2.2, name=f"largest: {name}",
+        Curve(x, y, colour="contact_wire", width=2.2, name=f"largest uplift: {name}",
               tips=(Tip("uplift", "y", "mm"), Tip("distance", "x", "m"))),
     ]  # fmt: skip
     if pale:
@@ -92,8 +91,9 @@ def uplift_passages(run: RunData) -> list[Figure]:
     return [
         Figure(
             "uplift-passages", "Uplift while the train passes a support",
-            Axis(f"{DISTANCE} support", "m", -BEFORE_M, _after(run)), Axis("uplift", "mm"), layers,
-            caption="The supports of the section, one over the other.",
+            Axis("distance past the support", "m", -BEFORE_M, _after(run)), Axis("uplift", "mm"),
+            layers,
+            caption=f"Supports of the section assessed, overlaid.{_whose(run)}",
             alt=f"Uplift at the supports while the train passes; largest at {name}:"
             f" {y.max(initial=0.0):.1f} mm.",
         )
@@ -161,10 +161,11 @@ def dropper_map(run: RunData) -> list[Figure]:
     return [
         Figure(
             "dropper-map", "Dropper forces while the train passes",
-            Axis(f"{DISTANCE} dropper", "m", left, right),
+            Axis("distance past the dropper", "m", left, right),
             Axis("dropper", "", -0.5, chosen.size - 0.5, categories=labels),
             [grid, *_pantographs(run)],
-            caption="A row for each dropper, along the track from below. Red: slack.",
+            caption="One row for each dropper, in their order along the track from the bottom."
+            f"{_whose(run)}",
             alt=f"Forces of {chosen.size} droppers while the train passes, up to {high:.0f} N;"
             f" {slack} of them go slack.",
             height=MAP_HEIGHT,
@@ -197,10 +198,15 @@ def _after(run: RunData) -> float:
     return AFTER_M + float(np.ptp(run.position[0]))
 
 
+def _whose(run: RunData) -> str:
+    """Return a sentence about the distance, where there are several pantographs."""
+    return " The distance is that of the first pantograph." if len(run.pantographs) > 1 else ""
+
+
 def _pantographs(run: RunData) -> list[Layer]:
     """Return rules where each pantograph is at the place."""
     at = float(run.position[0].max()) - np.asarray(run.position[0], dtype=float)
-    name = "a pantograph is there" if at.size > 1 else "the pantograph is there"
+    name = "pantographs at the place" if at.size > 1 else "pantograph at the place"
     return [Rules(axis="x", at=at, colour="ink", dash="dotted", width=1.2, name=name)]
 
 

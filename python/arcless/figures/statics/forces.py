@@ -42,7 +42,7 @@ def dropper_forces(line: LineData) -> list[Figure]:
         return []
     wires = list(dict.fromkeys((one["from"], one["to"]) for one in rows))
     layers: list[Layer] = []
-    for index, pair in enumerate(wires):
+    for index, pair in reversed([*enumerate(wires)]):  # a legend begins at the top
         own = [one for one in rows if (one["from"], one["to"]) == pair]
         name = "dropper" if len(wires) == 1 else f"{pair[0]} to {pair[1]}"
         tips = (_texts(own), _numbers("length between clamps", own, "length_m", "m", "0.000"))

@@ -42,12 +42,15 @@ class Entry:
         Objects of the script.
     hidden
         True for an entry that is not shown at first.
+    alpha
+        Opacity.
     """
 
     name: str
     colour: str
     swatch: str
     hidden: bool = False
+    alpha: float = 1.0
     drawn: list[Model] = field(default_factory=list)
 
 
@@ -91,12 +94,11 @@ class Drawing:
         for layer in figure.layers:
             made = canvas.add(layer)
             if layer.name:
-                entry = Entry(layer.name, layer.colour, _swatch(layer), layer.hidden)
+                kind = _swatch(layer)
+                entry = Entry(layer.name, layer.colour, kind, layer.hidden, layer.alpha)
                 legend.setdefault(layer.name, entry).drawn.append(made)
-        if figure.scale is not None:
-            plot.right = [_bar(figure.scale, mapper)]
-        if any(isinstance(layer, Map) for layer in figure.layers):
-            _uncover(plot)
+        if any(isinstance(layer, Map) for layer in figure.layers):  # a grid would lie on the map
+            plot.center = [one for one in plot.center if one.kind != "Grid"]
         # The layer on top is the subject: it stands first.
         return Drawn(figure, plot, list(reversed(legend.values())))
 
@@ -161,14 +163,6 @@ class Drawing:
         return Model("CrosshairTool", overlay=[across, self._spans[axis.group]])
 
 
-def _uncover(plot: Model) -> None:
-    """Take the grid from above a map, and put rules there."""
-    plot.center = [one for one in plot.center if one.kind != "Grid"]
-    for made in plot.renderers:
-        if made.glyph.kind in ("VSpan", "HSpan"):
-            made.level = "annotation"
-
-
 def _mapper(scale: Scale) -> Model:
     made = Model(
         "LinearColorMapper",
@@ -180,26 +174,6 @@ def _mapper(scale: Scale) -> Model:
     if scale.under:
         made.low_color = Token(scale.under)
     return made
-
-
-def _bar(scale: Scale, mapper: Model | None) -> Model:
-    return Model(
-        "ColorBar",
-        color_mapper=mapper,
-        width=10,
-        padding=6,
-        label_standoff=6,
-        title=plain(scale.title),
-        title_text_font=FONT,
-        major_label_text_font=FONT,
-        title_text_font_style="normal",
-        title_text_font_size="12px",
-        title_text_color=Token("ink"),
-        major_label_text_color=Token("soft"),
-        background_fill_color=None,
-        major_tick_line_color=None,
-        bar_line_color=None,
-    )
 
 
 def _axis(axis: Axis) -> Model:
@@ -237,6 +211,6 @@ def _tools(*, selects: bool) -> list[Model]:
 def _swatch(layer: Layer) -> str:
     if isinstance(layer, Curve | Rules) and layer.dash != "solid":
         return layer.dash
-    if isinstance(layer, Points) and layer.shape == "tick":
-        return "tick"
+    if isinstance(layer, Points) and layer.shape in ("tick", "triangle", "diamond"):
+        return layer.shape
     return _SWATCHES.get(type(layer), "area")

@@ -164,14 +164,15 @@ def _strip(canvas: Canvas, layer: Strip) -> Model:
 def _rules(canvas: Canvas, layer: Rules) -> Model:
     kind, place = ("VSpan", "x") if layer.axis == "x" else ("HSpan", "y")
     source = Columns({place: _single(layer.at)})
-    made = canvas.glyph(layer, source, kind, _line(layer), **{place: place})
-    made.level = "underlay"
-    return made
+    return canvas.glyph(layer, source, kind, _line(layer), **{place: place})
 
 
 def _curve(canvas: Canvas, layer: Curve) -> Model:
     source, x = canvas.sources.over(layer.x)
-    return canvas.glyph(layer, source, "Line", _line(layer), x=x, y=column(source, layer.y))
+    # Rounded to a part of the range, small numbers of a logarithmic axis would be zero: no place.
+    write = _single if canvas.plot.y_scale.kind == "LogScale" else _rounded
+    y = column(source, layer.y, write)
+    return canvas.glyph(layer, source, "Line", _line(layer), x=x, y=y)
 
 
 def _area(canvas: Canvas, layer: Area) -> Model:
@@ -221,6 +222,8 @@ def _texts(canvas: Canvas, layer: Texts) -> Model:
         "text_align": layer.align,
         "text_baseline": layer.baseline,
     }
+    if layer.backed:
+        look |= {"background_fill_color": Token("paper"), "padding": 2}
     return canvas.glyph(layer, Columns(data), "Text", look, **_named(data))
 
 
@@ -239,6 +242,7 @@ def _map(canvas: Canvas, layer: Map) -> Model:
         "dh": [layer.y[1] - layer.y[0]],
     }
     made = canvas.glyph(layer, Columns(data), "Image", {"color_mapper": mapper}, **_named(data))
+    made.level = "image"  # below all others
     for tip in layer.tips[:1]:
         value = f"@image{{{tip.form}}} {tip.unit}".rstrip()
         place = (canvas.plot.below[0].axis_label or "x", "$x{0.0}")

@@ -43,6 +43,15 @@
     system.addEventListener("change", apply);
     apply();
 
+    // ---- what the pointer shows: in the colours of the page, also in dark ----------------------
+    const tips = `:host { --tooltip-color: var(--paper); --tooltip-text: var(--ink); --tooltip-border: var(--soft); --tooltip-arrow-color: var(--soft); font: 12px/1.4 var(--font-text); border-radius: 4px; padding: 5px 8px; }
+      .bk-tooltip-row-label { color: var(--soft); } .bk-tooltip-row-value { padding-left: 6px; font-variant-numeric: tabular-nums; }`;
+    for (const plot of plots) {
+      for (const one of view_of(plot)?.tool_views.values() ?? []) {
+        for (const tip of one.ttmodels?.values() ?? []) tip.stylesheets = [tips];
+      }
+    }
+
     // ---- legends ---------------------------------------------------------------------------
     for (const button of $(".legend button")) {
       button.addEventListener("click", () => {
@@ -154,6 +163,10 @@
     };
     const opened = [];
     const copies = [];
+    // Three figures of the usual height fit on a sheet at this part of it; high ones have rows of
+    // signs, which need theirs.
+    const lower = (height) => Math.round((height > 450 ? 0.92 : 0.76) * height);
+    const heights = new Map(plots.map((plot) => [plot, plot.height]));
     addEventListener("beforeprint", () => {
       if (copies.length) return;
       for (const part of $("details:not([open])")) {
@@ -161,6 +174,7 @@
       }
       paint("light");
       root.classList.add("printing");
+      for (const [plot, height] of heights) plot.height = lower(height);
       lay_out();
       for (const plot of plots) {
         const view = view_of(plot);
@@ -180,6 +194,7 @@
       while (copies.length) copies.pop().remove();
       while (opened.length) opened.pop().open = false;
       root.classList.remove("printing", "copied");
+      for (const [plot, height] of heights) plot.height = height;
       paint(scheme());
       lay_out();
     });
@@ -223,7 +238,11 @@
     for (const entry of entries) {
       if (!entry.isIntersecting) continue;
       for (const link of links.values()) link.removeAttribute("aria-current");
-      links.get(entry.target.id)?.setAttribute("aria-current", "true");
+      const link = links.get(entry.target.id);
+      if (!link) continue;
+      link.setAttribute("aria-current", "true");
+      const list = link.closest("ol");  // a row that is scrolled sideways on small screens
+      list.scrollLeft = link.offsetLeft - list.offsetLeft - 12;
     }
   }, { rootMargin: "-10% 0px -80% 0px" });
   for (const part of $("main section[id]")) seen.observe(part);

@@ -158,7 +158,10 @@ SELECTS = (
     "Drag a box to select variants, or click one: they stay selected in all figures and in the"
     " table; a click on empty ground takes it back."
 )
-GRIDS = f"The map has a cell for each variant. {SELECTS}"
+GRIDS = (
+    "The map has a cell for each variant; cells have equal size whatever the distance between"
+    f" values. {SELECTS}"
+)
 
 
 def _effects_text(canvas: Canvas) -> str:

@@ -105,8 +105,8 @@ def test_the_first_figure_shows_three_spans_with_limits() -> None:
     (spread,) = layers_of(figure, Rules, "F_m ± 3σ")
     assert mean.at == [numbers.mean_force_N]
     assert [*spread.at] == [numbers.statistical_min_N, numbers.statistical_max_N]
-    (limit,) = layers_of(figure, Rules, "limit of F_m + 3σ: 300 N")
-    assert limit.at == [300.0]
+    (limit,) = layers_of(figure, Rules, "limits of F_m ± 3σ: 0 and 300 N")
+    assert [*limit.at] == [0.0, 300.0]
     texts = [text for one in figure.layers if isinstance(one, Texts) for text in one.texts]
     assert {"span 6", "span 7", "span 8", "maximum 250 N"} <= {*texts}
     (peak,) = [one for one in figure.layers if isinstance(one, Points) and one.y > MEAN + 1]
@@ -116,7 +116,8 @@ def test_the_first_figure_shows_three_spans_with_limits() -> None:
 
 def test_a_limit_far_above_the_force_is_left_out() -> None:
     (figure,) = along_track.force(run_of())  # 100 N all the time, limit 300 N
-    assert not any("limit of F_m + 3σ" in layer.name for layer in figure.layers)
+    limits = [layer for layer in figure.layers if layer.colour == "limit"]
+    assert [layer.name for layer in limits] == ["limit of F_m − 3σ: 0 N"]
     assert figure.y.high < 200.0
 
 

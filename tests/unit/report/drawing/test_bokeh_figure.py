@@ -147,7 +147,8 @@ def test_a_map_has_the_scale_and_keeps_what_lies_below_it() -> None:
     assert np.isnan(image[1, 1])
     mapper = renderer.glyph.color_mapper
     assert (mapper.low_color, tuple(mapper.palette)) == (colour("slack"), shades("sequential"))
-    assert plot.right[0].title == "force, N"
+    assert not plot.right  # the page shows the scale: frames of all figures have the same ends
+    assert renderer.level == "image"
     assert not [each for each in plot.center if type(each).__name__ == "Grid"]
 
 
@@ -168,6 +169,21 @@ def test_long_columns_are_rounded_finer_than_a_pixel_but_places_are_not() -> Non
     np.testing.assert_array_equal(column(renderer, "x"), x.astype(np.float32))
     # Half a step of at most a part in 16 000 of the range.
     assert np.abs(column(renderer, "y") - y).max() <= 0.5 * np.ptp(y) / 16_000
+
+
+def test_small_numbers_of_a_logarithmic_axis_stay_as_they_are() -> None:
+    y = Axis("density", "N²/Hz", 1e-3, 1e4, logarithmic=True)
+    values = np.geomspace(1e-3, 1e4, 1000)
+    x = np.arange(1000.0)
+    (plot,) = read(Drawing(), Figure("a", "a", AXES[0], y, [Curve(x, values)]))
+    (renderer,) = plot.renderers
+    # Rounded to a part of their range most of them would be zero.
+    np.testing.assert_array_equal(column(renderer, "y"), values.astype(np.float32))
+
+
+def test_layers_lie_in_their_order() -> None:
+    plot = one(Bars(X, X + 0.5, 0.0 * Y, Y), Rules(axis="y", at=np.array([2.5])), Curve(X, Y))
+    assert {renderer.level for renderer in plot.renderers} == {"glyph"}
 
 
 def test_the_subject_stands_first_in_the_legend() -> None:

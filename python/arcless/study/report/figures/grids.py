@@ -33,7 +33,7 @@ from arcless.study.report.figures.speeds import FIELD, SpeedMarks
 MOST_CURVES = 8
 _MOST_SIGNS, _MOST_NUMBERS, _MOST_NAMES = 40, 12, 24
 _SHAPES: tuple[Any, ...] = ("circle", "triangle", "diamond", "down")
-_CURVES_HEIGHT, _CELL, _LOW_CELL, _LEAST, _MOST = 360, 50, 22, 240, 680
+_CURVES_HEIGHT, _CELL, _LOW_CELL, _BARE_CELL, _LEAST, _MOST = 320, 50, 19, 13, 240, 640
 # Part of the order of colours from which on dark text is read better than light text.
 _BRIGHT = 0.62
 
@@ -168,24 +168,24 @@ class Grids:
         if judged is not None:
             layers += self._contour(judged)
         layers += self._signs(judged, values, (low, high))
-        signs = "" if judged is None else f" The sign says whether {judged.title} is met."
-        limit = "" if judged is None else f" {self.canvas.limits(along.column, output)[1][0]}"
+        signs = "" if judged is None else f"Signs: verdict on {judged.title}. "
+        limit = "" if judged is None else self.canvas.limits(along.column, output)[1][0]
         about = "" if output.about in (output.title, output.name) else f"{sentence(output.about)} "
         return Figure(
             f"{canvas.key(output)}-map",
             f"{output.heading} by {along.column.heading} and {other.column.heading}",
             along.axis, other.axis, layers,
-            caption=f"{about}Cells are of equal size, whatever the distance of the values."
-            f"{signs}{limit}",
+            caption=f"{about}{signs}{limit}".strip(),
             alt=f"{range_words(output)}, as a map over {along.column.heading} and"
             f" {other.column.heading}. {verdict_words(judged)}".rstrip(),
-            height=self._height(rows, columns),
+            height=self._height(rows, columns, signed=judged is not None),
             scale=canvas.scale(output),
         )  # fmt: skip
 
     @staticmethod
-    def _height(rows: int, columns: int) -> int:
-        cell = _CELL if max(rows, columns) <= _MOST_NUMBERS else _LOW_CELL
+    def _height(rows: int, columns: int, *, signed: bool) -> int:
+        numbered = max(rows, columns) <= _MOST_NUMBERS
+        cell = _CELL if numbered else _LOW_CELL if signed else _BARE_CELL
         return min(max(cell * rows + 70, _LEAST), _MOST)
 
     def _cells(self, values: Any) -> Floats:
@@ -220,8 +220,8 @@ class Grids:
         numbered = columns <= _MOST_NUMBERS and rows <= _MOST_NUMBERS
         signed = max(rows, columns) <= _MOST_SIGNS
         raised = 0.18 if numbered else 0.0
-        layers: list[Layer] = [self._handles(size=19.0 if judged is not None and signed else 4.0,
-                                             raised=raised)]  # fmt: skip
+        backs = judged is not None and signed
+        layers: list[Layer] = [self._handles(raised, backs=backs)]
         if judged is not None and signed:
             codes = np.full(values.shape, CODES[NOT_JUDGED])
             codes[self.other.places, self.along.places] = judged.codes
@@ -236,13 +236,13 @@ class Grids:
             layers += _numbers(values, ends, raised - 0.4)
         return layers
 
-    def _handles(self, size: float, raised: float) -> Points:
-        """Return a mark in each cell that shows its numbers and can be selected."""
+    def _handles(self, raised: float, *, backs: bool) -> Points:
+        """Return a mark in each cell that shows its numbers, can be selected, and backs a sign."""
         drawn = self.canvas.drawn
         x = self.along.places[drawn].astype(float)
         y = self.other.places[drawn] + raised
-        return Points(x, y, size=size, colour="paper", alpha=0.92, tips=self.canvas.tips,
-                      selection=SELECTION)  # fmt: skip
+        return Points(x, y, size=17.0 if backs else 4.0, colour="paper" if backs else "on_dark",
+                      alpha=0.92, tips=self.canvas.tips, selection=SELECTION)  # fmt: skip
 
 
 def _legend(verdict: str, count: int) -> str:

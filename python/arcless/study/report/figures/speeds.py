@@ -77,7 +77,7 @@ class SpeedMarks:
         assert axis.low is not None
         down = _ROW * (axis.high - axis.low)
         y = [axis.high - down * (row + 0.5) for row in rows_of(x, self._width)]
-        numbers = [str(number) for number, _ in drawn]
+        numbers = [f"\u2002{number}" for number, _ in drawn]  # next to the line, not on it
         return [*layers, Texts(np.array(x), np.array(y), numbers, colour="soft", align="left")]
 
     def _shown(self, speed_m_s: float) -> str:
