@@ -22,6 +22,7 @@ from arcless.report.drawing.bokeh_objects import Columns, Model, Token
 _SWATCHES: Mapping[type, str] = {
     Curve: "line", Segments: "line", Rules: "line", Points: "dot", Texts: "dot",
 }  # fmt: skip
+_MARKS = {"dot", "tick", "triangle", "diamond"}
 # The frames of all figures begin at the same place, in px.
 _LEFT, _RIGHT = 66, 14
 
@@ -95,8 +96,11 @@ class Drawing:
             made = canvas.add(layer)
             if layer.name:
                 kind = _swatch(layer)
-                entry = Entry(layer.name, layer.colour, kind, layer.hidden, layer.alpha)
-                legend.setdefault(layer.name, entry).drawn.append(made)
+                new = Entry(layer.name, layer.colour, kind, layer.hidden, layer.alpha)
+                entry = legend.setdefault(layer.name, new)
+                if {entry.swatch, kind} <= _MARKS and entry.swatch != kind:
+                    entry.swatch = "dot"  # marks of several shapes have the colour in common
+                entry.drawn.append(made)
         if any(isinstance(layer, Map) for layer in figure.layers):  # a grid would lie on the map
             plot.center = [one for one in plot.center if one.kind != "Grid"]
         # The layer on top is the subject: it stands first.

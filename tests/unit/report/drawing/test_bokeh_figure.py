@@ -201,6 +201,17 @@ def test_the_subject_stands_first_in_the_legend() -> None:
     assert [made.visible for made in drawn.legend[0].drawn] == [False]
 
 
+def test_a_mark_stands_in_the_legend_with_its_shape_unless_there_are_several() -> None:
+    def swatch(*layers: Any) -> str:
+        (entry,) = Drawing().draw(Figure("a", "a", *AXES, layers)).legend
+        return entry.swatch
+
+    diamonds = Points(X, Y, shape="diamond", name="inside")
+    assert swatch(diamonds) == "diamond"
+    assert swatch(diamonds, Points(X, Y, name="inside")) == "dot"
+    assert swatch(diamonds, Curve(X, Y, name="inside")) == "diamond"
+
+
 def test_texts_are_no_formulas_and_tips_no_markup() -> None:
     tips = (Tip("$$x$$", ["@y", "<b>", "$$z$$"], form=""), Tip("force", "y", "N"))
     plot = one(Curve(X, Y, tips=tips), Texts(X, Y, ["$$a$$", r"\(b\)", "c"]))
