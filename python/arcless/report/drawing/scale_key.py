@@ -13,7 +13,7 @@ _MOST, _STEPS = 5, (1.0, 2.0, 2.5, 5.0, 10.0)
 
 @dataclass(frozen=True)
 class ScaleKey:
-    """What a page shows of a scale.
+    """Strip of colours with numbers, as a page shows a scale.
 
     Attributes
     ----------
