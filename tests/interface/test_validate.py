@@ -196,7 +196,7 @@ def test_the_page_of_all_suites_counts_what_the_terminal_counts(
     assert "Outside its verified range: 1 of 26 values 25 inside" in page
     assert "25 of 26 values are inside the verified ranges" in done.stdout
     assert "standard deviation σ: 31.2 N, range 26 … 31 N (outside, mark A)" in page
-    assert "35 of 36 values are inside ranges that are remembered, unverified" in page
+    assert "35 of 36 values are inside ranges that are from memory" in page
     values = sum(len(topic.rows) for topic in recorded())
     assert f"{values} values: " in page
     assert all(topic.title in page for topic in recorded())

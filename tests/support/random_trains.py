@@ -31,7 +31,7 @@ def train(line: Data, draw: Random) -> Data:
     model = draw.choice(models)
     count = draw.choice([1, 2, 2, 3])
     apart = spacing(speed) if draw.random() < 0.5 else draw.uniform(8, 150)
-    # What lies between the first and the last one is taken off the assessed section.
+    # What lies between the first and the last one is taken off the analysis section.
     apart = min(apart, 0.25 * length / max(1, count - 1))
     force = forces(line, model, speed, draw)
     return {

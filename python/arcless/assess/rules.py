@@ -269,7 +269,7 @@ RULES: tuple[Rule, ...] = (
     ),
     Rule(
         name="wave_speed_use",
-        title="maximum speed over wave speed of the contact wire",
+        title="maximum speed over wave propagation speed of the contact wire",
         unit="1",
         quantity="wave_speed_use",
         relation="<=",

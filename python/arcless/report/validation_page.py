@@ -112,8 +112,8 @@ def verdict(rows: Sequence[Compared]) -> Verdict:
     if other:
         held = sum(state_of(row.verdict) == "met" for row in rows if not decides(row.mark))
         items.append(
-            f"{held} of {other} values are inside ranges that are remembered, unverified; these"
-            " decide nothing."
+            f"{held} of {other} values are inside ranges that are from memory, not checked in the"
+            " standard; these do not count."
         )
     if outside:
         return Verdict("missed", "✘", words, others, items)
@@ -123,7 +123,7 @@ def verdict(rows: Sequence[Compared]) -> Verdict:
 def entry(row: Compared) -> Entry:
     """Return a comparison as a page shows it."""
     value = _shown(row)
-    remembered = "" if decides(row.mark) else ", remembered, unverified"
+    remembered = "" if decides(row.mark) else ", from memory"
     allowed = f"range {row.limit} {row.unit}{remembered}"
     words = f"{row.quantity}: {value} {row.unit}, {allowed}: {row.verdict}"
     return Entry(

@@ -60,7 +60,7 @@ def test_the_headline_counts_what_decides() -> None:
         "missed", "Outside its verified range: 1 of 2 values", "1 inside",
     )  # fmt: skip
     assert "121.0 N, range 110 … 120 N (outside, mark A)" in found.items[0]
-    assert found.items[1].startswith("0 of 1 values are inside ranges that are remembered")
+    assert found.items[1].startswith("0 of 1 values are inside ranges that are from memory")
 
 
 def test_a_value_too_close_to_tell_is_neither() -> None:

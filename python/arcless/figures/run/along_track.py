@@ -59,10 +59,10 @@ def lead(run: RunData) -> list[Figure]:
                     *span_numbers(run, *window, top),
                     *peaks,
                 ],
-                caption=f"Mean and F_m ± 3σ of the section assessed, {begin:.0f} to {end:.0f} m.",
+                caption=f"Mean and F_m ± 3σ of the analysis section, {begin:.0f} to {end:.0f} m.",
                 alt=f"Contact force of {numbers.name} from {window[0]:.0f} to {window[1]:.0f} m."
                 f" {alt} Mean {numbers.mean_force_N:.1f} N, standard deviation"
-                f" {numbers.std_force_N:.1f} N in the section assessed.",
+                f" {numbers.std_force_N:.1f} N in the analysis section.",
                 height=LEAD_HEIGHT,
             )
         )  # fmt: skip
@@ -107,10 +107,10 @@ def force(run: RunData) -> list[Figure]:
             along(
                 run, f"force-{i + 1}", titled(run, "Contact force", i),
                 Axis(FORCE, "N", low, high), layers, height=TALL,
-                caption=f"The section assessed is shaded.{thinned(run)}",
+                caption=f"The analysis section is shaded.{thinned(run)}",
                 alt=f"Contact force of {numbers.name} along the track, between"
-                f" {numbers.min_force_N:.1f} and {numbers.max_force_N:.1f} N in the section"
-                " assessed after the low-pass.",
+                f" {numbers.min_force_N:.1f} and {numbers.max_force_N:.1f} N in the analysis"
+                " section after the low-pass.",
             )
         )  # fmt: skip
     return found

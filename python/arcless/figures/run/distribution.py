@@ -57,7 +57,7 @@ def histogram(run: RunData) -> list[Figure]:
             Figure(
                 f"histogram-{i + 1}", titled(run, "Distribution of the contact force", i), x, y,
                 layers,
-                caption=f"In the section assessed, after the {run.assessment.low_pass_Hz:g} Hz"
+                caption=f"In the analysis section, after the {run.assessment.low_pass_Hz:g} Hz"
                 " low-pass.",
                 alt=f"Histogram of the contact force of {numbers.name}: mean"
                 f" {numbers.mean_force_N:.1f} N, standard deviation {numbers.std_force_N:.1f} N.",
@@ -88,7 +88,7 @@ def force_spectrum(run: RunData) -> list[Figure]:
             Figure(
                 f"spectrum-{i + 1}", titled(run, "Spectrum of the unfiltered contact force", i),
                 x, y, [*_passing(run), *_bands(run), curve],
-                caption="In the section assessed. Point at the curve for the wavelength.",
+                caption="In the analysis section. Point at the curve for the wavelength.",
                 alt=f"Power spectral density of the contact force of {run.pantographs[i]}, largest"
                 f" at {largest:.2f} Hz.",
             )

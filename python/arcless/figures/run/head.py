@@ -76,7 +76,7 @@ def wear_pattern(run: RunData) -> list[Figure]:
                 Axis("lateral position on the head", "mm", -reach, reach),
                 Axis(f"share per {PART:g} mm", "%", 0.0, top), layers,
                 caption="Friction work, force times distance, shows where the strip wears by"
-                " friction. In the section assessed.",
+                " friction. In the analysis section.",
                 alt=f"Share of the friction work over the width of the head of {name}, largest"
                 f" between {edges[most]:.0f} and {edges[most + 1]:.0f} mm.",
             )

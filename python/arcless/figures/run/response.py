@@ -59,7 +59,7 @@ def uplift(run: RunData) -> list[Figure]:
     return [
         along(
             run, "uplift", UPLIFT, y, layers,
-            alt=f"Maximum uplift at each support; in the section assessed at most {found}.",
+            alt=f"Maximum uplift at each support; in the analysis section at most {found}.",
         )
     ]  # fmt: skip
 
@@ -93,7 +93,7 @@ def uplift_passages(run: RunData) -> list[Figure]:
             "uplift-passages", "Uplift while the train passes a support",
             Axis("distance past the support", "m", -BEFORE_M, _after(run)), Axis("uplift", "mm"),
             layers,
-            caption=f"Supports of the section assessed, overlaid.{_whose(run)}",
+            caption=f"Supports of the analysis section, overlaid.{_whose(run)}",
             alt=f"Uplift at the supports while the train passes; largest at {name}:"
             f" {y.max(initial=0.0):.1f} mm.",
         )

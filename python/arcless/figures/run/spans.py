@@ -45,7 +45,7 @@ def folded(run: RunData) -> list[Figure]:
             Figure(
                 f"folded-{i + 1}", titled(run, "Contact force over the span", i), axis,
                 Axis("contact force", "N", low - margin, high + margin), layers,
-                caption=f"The {len(chosen)} whole spans of the section assessed, overlaid; after"
+                caption=f"The {len(chosen)} whole spans of the analysis section, overlaid; after"
                 " the low-pass.",
                 alt=f"Contact force of {name} over the span: on average from {mean.min():.0f} to"
                 f" {mean.max():.0f} N.",

@@ -41,7 +41,7 @@ def axis(run: RunData) -> Axis:
 
 
 def ground(run: RunData) -> list[Layer]:
-    """Return what lies below all figures along the track: the section assessed, the supports."""
+    """Return what lies below all figures along the track: the analysis section, the supports."""
     begin, end = run.assessment.section_m
     section = Strip(axis="x", low=begin, high=end, colour="section", alpha=0.06)
     return [section, *supports(run)]
@@ -168,5 +168,5 @@ def span_numbers(run: RunData, low: float, high: float, y: float) -> list[Layer]
 def along(
     run: RunData, key: str, title: str, y: Axis, layers: Sequence[Layer], **more: Any
 ) -> Figure:
-    """Return a figure along the track; supports and the section assessed lie below its layers."""
+    """Return a figure along the track; supports and the analysis section lie below its layers."""
     return Figure(key, title, axis(run), y, [*ground(run), *layers], **more)

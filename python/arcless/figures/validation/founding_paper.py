@@ -74,7 +74,7 @@ def force_intervals(runs: Sequence[RunData]) -> Figure:
         "force-intervals", "Interval of the contact force by speed",
         Axis("speed", "km/h", float(speeds.min()) - margin, float(speeds.max()) + margin),
         Axis("contact force", "N", min(0.0, float(low.min())), 1.15 * float(high.max())), layers,
-        caption="Unfiltered, in the section assessed; the numbers are the widths.",
+        caption="Unfiltered, in the analysis section; the numbers are the widths.",
         alt=f"Width of the interval of the contact force: {words}.", height=LOW + 50,
     )  # fmt: skip
 
@@ -95,7 +95,7 @@ def _over_time(run: RunData, channel: Channel, title: str, values: Floats) -> Fi
         Tip("position", x, "m", "0.00"),
     )
     layers: list[Layer] = [
-        Strip(axis="x", low=begin, high=end, colour="section", alpha=0.06, name="section assessed"),
+        Strip(axis="x", low=begin, high=end, colour="section", alpha=0.06, name="analysis section"),
         Points(passed, np.zeros_like(passed), colour="dropper", shape="tick", size=10.0,
                name="hanger joint"),
         Curve(time, values, colour="pantograph_1", width=1.1, name=name, tips=tips),
@@ -106,5 +106,5 @@ def _over_time(run: RunData, channel: Channel, title: str, values: Floats) -> Fi
     return Figure(
         f"{channel.key}-{_speed(run).split()[0]}", title,
         Axis("time", "s", float(time[0]), float(time[-1])), Axis(name, channel.unit, low, high),
-        layers, alt=f"{title} in the section assessed; the maximum is at {where}.", height=LOW,
+        layers, alt=f"{title} in the analysis section; the maximum is at {where}.", height=LOW,
     )  # fmt: skip

@@ -66,7 +66,7 @@ def overview(rows: Sequence[Compared], decides: Sequence[bool]) -> Figure | None
         Axis("place in the range", "", LOW - 0.05, HIGH + 0.05),
         Axis("", "", -0.6, len(cases) - 0.4, categories=tuple(cases)), layers,
         caption="0 is the lower bound, 1 the upper one. Circles: verified ranges. Diamonds:"
-        " ranges that are remembered, unverified; they decide nothing.",
+        " ranges from memory, not checked in the standard; they do not count.",
         alt=f"{len(kept)} values of {len(cases)} cases in their ranges; {len(outside)} are outside"
         " of a verified range.",
         height=FRAME + ROW * len(cases),

@@ -18,7 +18,7 @@ from arcless.model.settings.run_settings import Solver
 
 
 class Scenario(ScenarioData):
-    """A scenario: line, pantographs, speed, solver, assessed section and output."""
+    """A scenario: line, pantographs, speed, solver, analysis section and output."""
 
     model_config = ConfigDict(defer_build=False)
 

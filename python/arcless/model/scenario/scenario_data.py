@@ -149,7 +149,7 @@ class ScenarioData(Document):
         return first, supports[-2] if end is None else end
 
     def analysis_range(self) -> tuple[float, float]:
-        """Return start and end of the assessed section in m.
+        """Return start and end of the analysis section in m.
 
         Without `analysis.spans`, `from` and `to`: the inner half of the spans, never the first two
         or the last two, cut to what every pantograph travels. When nothing is left of that, the
