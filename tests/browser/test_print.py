@@ -29,7 +29,10 @@ def test_every_figure_is_painted_on_paper(page: Page, tmp_path: Path) -> None:
     paper.write_bytes(base64.b64decode(page("pdf", {"format": "A4"})))
     sheets = pictures(paper)
     for number, key in enumerate(page.js("tried.keys()")):
-        found = [inside for sheet in sheets for inside in framed(sheet, 4 * number + 3)]
+        # An outline is drawn outside of its figure: an edge alone may lie on the next sheet.
+        found = [
+            inside for sheet in sheets for inside in framed(sheet, 4 * number + 3) if inside.size
+        ]
         assert len(found) == 1, f"{key} is not on one sheet"
         assert np.mean((found[0] < 0.9).any(axis=2)) > PAINTED, f"{key} is blank"
 

@@ -88,7 +88,7 @@ def force_spectrum(run: RunData) -> list[Figure]:
             Figure(
                 f"spectrum-{i + 1}", titled(run, "Spectrum of the unfiltered contact force", i),
                 x, y, [*_passing(run), *_bands(run), curve],
-                caption="In the analysis section. Point at the curve for the wavelength.",
+                caption="In the analysis section. The wavelength is the speed over the frequency.",
                 alt=f"Power spectral density of the contact force of {run.pantographs[i]}, largest"
                 f" at {largest:.2f} Hz.",
             )
