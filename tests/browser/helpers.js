@@ -1,5 +1,16 @@
 // What tests ask of a page; it is there before the page's own scripts are.
 globalThis.tried = (() => {
+  const TIMER = 17;  // ms: Bokeh paints no sooner after the last time
+  const watched = new Set();
+  let paints = 0;
+  const watch = () => {
+    for (const plot of globalThis.arcless?.plots ?? []) {
+      const view = Bokeh.index.get_by_id(plot.id);
+      if (!view || watched.has(view)) continue;
+      watched.add(view);
+      view.repainted.connect(() => { paints++; });
+    }
+  };
   const frame = () => new Promise((resolve) => requestAnimationFrame(resolve));
   const figures = () => [...document.querySelectorAll(".plot [data-key]")];
   const keys = () => figures().map((one) => one.dataset.key);
@@ -55,8 +66,17 @@ globalThis.tried = (() => {
   };
   return {
     keys, plot, view, ink, inner, hash, cut, coloured, columns,
-    // Bokeh paints in an animation frame after the change, and once more after a new layout.
-    settled: async () => { for (let i = 0; i < 3; i++) await frame(); },
+    // Bokeh paints in an animation frame after a timer after the change, and once more after a new
+    // layout; on a busy machine all of them are late. Settled is a page that paints no more.
+    settled: async () => {
+      watch();
+      for (let turn = 0, before = -1; turn < 200 && before !== paints; turn++) {
+        before = paints;
+        await new Promise((resolve) => setTimeout(resolve, 2 * TIMER));
+        await frame();
+        await frame();
+      }
+    },
     frame: (key) => {
       place(key).scrollIntoView({ block: "center", behavior: "instant" });
       const { x, y } = view(key).canvas_view.el.getBoundingClientRect();

@@ -62,7 +62,7 @@ def test_a_drag_moves_after_the_switch(page: Page) -> None:
     press(page, "[data-drag=zoom]")
     page.drag(first(page), (0.5, 0.5), (0.4, 0.7))
     found = page.js("tried.range()")
-    assert found[1] - found[0] == pytest.approx(shift, abs=2 * PIXEL * (end - start))
+    assert found[1] - found[0] == pytest.approx(shift, abs=2 * PIXEL * (end - start)), found
 
 
 @desk
