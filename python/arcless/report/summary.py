@@ -25,6 +25,8 @@ from arcless.figures.run.track import place_name
 from arcless.model import Scenario
 
 SIGNS = {"<=": "≤", ">=": "≥", ">": ">"}
+# Part of a limit, in per cent, from which a distance to it is not said in per cent.
+MOST_PERCENT = 200.0
 # Length of a bar in the drawing, places of upper and lower limits on it, the least that is drawn.
 LENGTH, UPPER, LOWER, LEAST = 1000.0, 800.0, 200.0, 4.0
 
@@ -167,8 +169,9 @@ def _item(criterion: Criterion) -> str:
     unit = "" if criterion.unit == "1" else f" {criterion.unit}"
     side = "above" if value > limit else "below"
     distance = f"{number(abs(value - limit), decimals)}{unit} {side} it"
-    if limit and words != TOO_CLOSE:
-        distance += f" ({100.0 * abs(value / limit - 1.0):.0f} %)"
+    share = 100.0 * abs(value / limit - 1.0) if limit else MOST_PERCENT
+    if share < MOST_PERCENT and words != TOO_CLOSE:
+        distance += f" ({share:.0f} %)"
     uncertainty = uncertainty_of(criterion.certainty)
     if words == TOO_CLOSE:
         distance += f", certain to ± {number(uncertainty, decimals)}{unit} only"
