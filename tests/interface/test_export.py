@@ -168,7 +168,12 @@ def test_what_is_no_run_is_refused(arcless: Command, finished: Path) -> None:
     Path("text.nc").write_text("no result")
     Path("sweep").mkdir()
     Path("sweep/table.parquet").write_bytes(b"")
-    for source, words in (("text.nc", "text.nc"), ("absent", "absent"), ("sweep", "of a study")):
+    for source, words in (
+        ("text.nc", "text.nc"),
+        ("absent", "absent"),
+        ("sweep", "the folder of a study"),
+        ("speed-sweep", "a study file"),
+    ):
         done = arcless("export", source, "--to", "run.csv")
         assert done.exit_code == 2, source
         assert words in done.stderr, source

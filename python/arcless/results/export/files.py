@@ -78,10 +78,10 @@ def _xlsx(result: Run, path: Path) -> None:
         "droppers": tables.places(result, "dropper"),
         "supports": tables.places(result, "support"),
     }
-    book = Workbook(write_only=True)
-    for title, columns in sheets.items():
-        _fill(book.create_sheet(title), columns)
-    with replacing(path) as file:
+    with replacing(path) as file:  # which tells of a full disk, too: rows go to a file at once
+        book = Workbook(write_only=True)
+        for title, columns in sheets.items():
+            _fill(book.create_sheet(title), columns)
         book.save(file)
 
 
