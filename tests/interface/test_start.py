@@ -47,7 +47,7 @@ def test_help_loads_nothing_slow() -> None:
     assert not loaded_by("--help") & (SLOW | {"numpy", "pydantic", "yaml"})
 
 
-@pytest.mark.parametrize("words", [("check", SHORT), ("library",), ("schema",)])
+@pytest.mark.parametrize("words", [("check", SHORT), ("library",), ("schema",), ("show", SHORT)])
 def test_commands_on_model_files_load_nothing_slow(words: tuple[object, ...]) -> None:
     assert not loaded_by(*words) & SLOW
 

@@ -5,7 +5,17 @@ from typing import Annotated
 import typer
 
 from arcless.cli.arguments.certainty import WithCertainty
-from arcless.cli.commands import model_files, replay, resume, run, saved_results, study, validate
+from arcless.cli.commands import (
+    export,
+    model_files,
+    own_models,
+    replay,
+    resume,
+    run,
+    saved_results,
+    study,
+    validate,
+)
 from arcless.cli.process.guard import GuardedGroup
 from arcless.cli.terminal.console import data
 
@@ -52,10 +62,13 @@ for _command in (
     model_files.library,
     model_files.check,
     model_files.schema,
+    own_models.show,
+    own_models.new,
     run.statics,
     resume.resume,
     saved_results.assess,
     saved_results.report,
+    export.export,
     replay.replay,
 ):
     app.command()(_command)

@@ -156,6 +156,24 @@ class Result:
         """Save the dataset as NetCDF, whole or not at all."""
         save(self.latest, path)
 
+    def export(self, path: str | Path) -> None:
+        """Write the run for other programs: CSV, Excel, MATLAB or Parquet, by the ending.
+
+        Parameters
+        ----------
+        path
+            ``.csv`` and ``.parquet`` have contact channels over time, ``.mat`` droppers and
+            supports too, ``.xlsx`` assessment and criteria as well. A file that exists is replaced.
+
+        Raises
+        ------
+        OutputError
+            The ending is unknown, a package is not installed, or the file cannot be written.
+        """
+        from arcless.results.export.files import export
+
+        export(self, path)
+
     def __repr__(self) -> str:
         facts = self.metadata
         return f"<Result {facts['scenario_name']}: {facts['simulated_time_s']:.2f} s simulated>"

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cached_property
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from arcless.equilibrium import equilibrium
@@ -10,6 +11,8 @@ from arcless.model import Line, Scenario
 from arcless.model.scenario.other_family import CUBIC, CUBIC_STEP
 from arcless.model.settings.run_settings import Solver
 from arcless.model.settings.schemes import GeneralisedAlpha
+from arcless.simulate.schedules import dropper_schedule, support_schedule
+from arcless.storage.csv_files import write_csv
 
 if TYPE_CHECKING:
     from arcless.simulate.resonance import ResonanceSpeeds
@@ -35,6 +38,35 @@ class StaticsResult(InitialConfiguration):
         from arcless.simulate.resonance import resonance_speeds
 
         return resonance_speeds(self)
+
+    def write_droppers(self, path: str | Path, allowance_m: float = 0.0) -> None:
+        """Write the dropper schedule as CSV: positions, lengths, cut lengths, forces at rest.
+
+        Parameters
+        ----------
+        path
+            The file; one that exists is replaced.
+        allowance_m
+            Length in m that the cut length has beyond the unstretched length.
+
+        Raises
+        ------
+        ModelError
+            The line has no droppers, or the allowance is negative.
+        OutputError
+            The file cannot be written.
+        """
+        write_csv(path, dropper_schedule(self, allowance_m))
+
+    def write_supports(self, path: str | Path) -> None:
+        """Write loads, steady-arm forces, heights and stagger at all supports as CSV.
+
+        Raises
+        ------
+        OutputError
+            The file cannot be written.
+        """
+        write_csv(path, support_schedule(self))
 
     def to_dict(self) -> dict[str, Any]:
         """Return plain values, ready for JSON."""

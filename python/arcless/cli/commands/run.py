@@ -17,6 +17,12 @@ from arcless.cli.arguments.scenario import (
     folder_of,
     load,
 )
+from arcless.cli.arguments.schedules import (
+    AllowanceOption,
+    DroppersOption,
+    Schedules,
+    SupportsOption,
+)
 from arcless.cli.output import outcome
 from arcless.cli.output.folder import OutputFolder, check_place
 from arcless.cli.output.outcome import NoReportOption, UntilOption
@@ -86,6 +92,9 @@ def statics(
     set_: SetOption = None,
     out: FolderOption = None,
     plot: PlotOption = None,
+    droppers: DroppersOption = None,
+    allowance: AllowanceOption = None,
+    supports: SupportsOption = None,
     json: JsonOption = False,
     quiet: QuietOption = False,
 ) -> None:
@@ -93,8 +102,9 @@ def statics(
 
     Prints dropper lengths and forces of one span, sag, elasticity, wave speed and natural
     frequencies; --json has all spans. With --out, statics.json is written into that folder; with
-    --plot, a page with views, elasticity, forces and tables of all spans. The speed is ignored;
-    pantographs only mark resonance speeds.
+    --plot, a page with views, elasticity, forces and tables of all spans; with --droppers and
+    --supports, schedules for workshop and site. The speed is ignored; pantographs only mark
+    resonance speeds.
     """
     from arcless.cli.terminal import statics_tables
     from arcless.storage.whole_files import write_bytes
@@ -103,6 +113,7 @@ def statics(
     written: list[Path] = []
     if plot is not None:
         check_place(plot, ".html", "--plot")
+    wanted = Schedules.of(droppers, supports, allowance, chosen)
     if out is None:
         result = _find_statics(chosen, quiet=quiet)
     else:
@@ -117,6 +128,7 @@ def statics(
 
         statics_page.write(result, plot, resonance=found["resonance_speeds"])
         written.append(plot)
+    written += wanted.write(result)
     if json:
         console.data(console.json_text(found))
     else:

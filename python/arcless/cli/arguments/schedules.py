@@ -1,0 +1,132 @@
+"""Options of `arcless statics` for schedules of droppers and supports."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Self
+
+import typer
+
+if TYPE_CHECKING:
+    from arcless.model import Scenario
+    from arcless.simulate.statics import StaticsResult
+
+DroppersOption = Annotated[
+    Path | None,
+    typer.Option(
+        "--droppers",
+        metavar="FILE.csv",
+        help="Write the dropper schedule: positions, lengths, cut lengths, forces at rest.",
+        show_default=False,
+    ),
+]
+AllowanceOption = Annotated[
+    str | None,
+    typer.Option(
+        "--allowance",
+        metavar="LENGTH",
+        help='Cut length less unstretched length of a dropper, such as "30 mm"; none without it.',
+        show_default=False,
+    ),
+]
+SupportsOption = Annotated[
+    Path | None,
+    typer.Option(
+        "--supports",
+        metavar="FILE.csv",
+        help="Write loads, steady-arm forces, heights and stagger at all supports.",
+        show_default=False,
+    ),
+]
+
+
+@dataclass(frozen=True)
+class Schedules:
+    """Schedules that were asked for: their files, and the allowance in m."""
+
+    droppers: Path | None
+    supports: Path | None
+    allowance_m: float
+
+    @classmethod
+    def of(
+        cls,
+        droppers: Path | None,
+        supports: Path | None,
+        allowance: str | None,
+        scenario: "Scenario",
+    ) -> Self:
+        """Check what was asked for before the line at rest is computed.
+
+        Raises
+        ------
+        ModelError
+            The allowance is no length with a unit, is negative, or nothing takes it; the line has
+            no droppers.
+        OutputError
+            A file could not be written, or both are the same one.
+        """
+        from arcless.errors import ModelError, OutputError
+
+        for file in (droppers, supports):
+            if file is not None:
+                _check_file(file)
+        if droppers is not None and supports is not None and _same(droppers, supports):
+            expected = "different files for --droppers and --supports"
+            raise OutputError("one file for two schedules", where=str(supports), expected=expected)
+        if allowance is not None and droppers is None:
+            hint = "add --droppers FILE.csv, such as --droppers droppers.csv"
+            raise ModelError("--allowance", got="no --droppers", expected="both", hint=hint)
+        length = 0.0 if allowance is None else _length(allowance)
+        line = scenario.line
+        if droppers is not None and line.messenger_wire is None:
+            raise ModelError(
+                "--droppers", got=f"line `{line.name}`", expected="a line with droppers",
+                hint="it has no messenger wire; --supports has what holds its contact wire",
+            )  # fmt: skip
+        return cls(droppers, supports, length)
+
+    def write(self, found: "StaticsResult") -> list[Path]:
+        """Write the schedules of a line at rest, and return their files."""
+        if self.droppers is not None:
+            found.write_droppers(self.droppers, self.allowance_m)
+        if self.supports is not None:
+            found.write_supports(self.supports)
+        return [file for file in (self.droppers, self.supports) if file is not None]
+
+
+def _length(text: str) -> float:
+    """Return the allowance in m; a number without a unit could be mm as well as m."""
+    from arcless.errors import ModelError
+    from arcless.units import show, to_si
+
+    try:
+        length = to_si(text, "m")
+    except ModelError as error:
+        error.where = "--allowance"
+        raise
+    expected = 'a length of 0 or more with its unit, such as "30 mm"'
+    if not any(letter.isalpha() for letter in text.replace("e", "").replace("E", "")):
+        raise ModelError("length without a unit", where="--allowance", got=show(text),
+                         expected=expected)  # fmt: skip
+    if length < 0.0:
+        raise ModelError("negative length", where="--allowance", got=show(text), expected=expected)
+    return length
+
+
+def _check_file(file: Path) -> None:
+    from arcless.errors import OutputError
+    from arcless.storage.whole_files import check_writable
+    from arcless.units import show
+
+    if file.suffix.lower() != ".csv":
+        raise OutputError(
+            "not a .csv file",
+            where=str(file),
+            got=show(file.suffix) if file.suffix else "a name without an ending",
+            expected="a name that ends in .csv",
+        )
+    check_writable(file)
+
+
+def _same(one: Path, other: Path) -> bool:
+    return one.resolve() == other.resolve()

@@ -1,0 +1,68 @@
+"""`arcless show` and `arcless new`: shipped models as text, and models of one's own."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from arcless.cli.terminal import console
+
+
+def show(
+    model: Annotated[
+        str,
+        typer.Argument(
+            metavar="MODEL",
+            help="A shipped line, pantograph, scenario or study, or a file. Where kinds share a "
+            "name it is the scenario; line/NAME and pantograph/NAME mean the others.",
+            show_default=False,
+        ),
+    ],
+) -> None:
+    """Print a model file as it stands, comments and sources with it."""
+    from arcless.model.own_copy import text_of
+
+    console.data(text_of(model).removesuffix("\n"))
+
+
+def new(
+    name: Annotated[
+        str,
+        typer.Argument(metavar="NAME", help="The name of the new model.", show_default=False),
+    ],
+    *,
+    source: Annotated[
+        str,
+        typer.Option(
+            "--from",
+            metavar="MODEL",
+            help="A shipped scenario or line; line/NAME where both have the name.",
+            show_default=False,
+        ),
+    ],
+    to: Annotated[
+        Path, typer.Option("--to", metavar="FOLDER", help="A folder that exists.")
+    ] = Path(),
+    with_pantographs: Annotated[
+        bool, typer.Option("--with-pantographs", help="Copy the scenario's pantographs, too.")
+    ] = False,
+) -> None:
+    """Begin a model of one's own with a shipped one.
+
+    Of a scenario, NAME.yaml and its line NAME-line.yaml are written, with all comments and
+    sources, and arcless.schema.json, by which an editor knows fields and units. No file is
+    replaced.
+    """
+    from arcless import study
+    from arcless.model.own_copy import copies, write_copies
+
+    files = copies(name, source, with_pantographs=with_pantographs)
+    schema = console.json_text(study.json_schema()) + "\n"
+    for path in write_copies(to, files, schema):
+        console.data(f"wrote {path}")
+    first = to / f"{name}.yaml"
+    console.data(f"next: edit it, then arcless check {first}")
+    if "format: arcless-scenario" in files[f"{name}.yaml"]:
+        console.data(f"and: arcless run {first}")
+    else:
+        console.data(f"and name it in a scenario: line: {name}.yaml")

@@ -1,0 +1,154 @@
+"""Tables of a result: contact channels over time, droppers, supports, assessment, criteria."""
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any, Protocol
+
+import numpy as np
+
+from arcless.assess.quantities import QUANTITIES, label_of
+from arcless.assess.signals.filter import low_pass, sample_rate_Hz
+from arcless.dataset.schema import VARIABLES
+from arcless.errors import ModelError
+from arcless.storage.csv_files import Column
+
+if TYPE_CHECKING:
+    from arcless.assess import Assessment
+    from arcless.dataset.plain_dataset import Dataset
+    from arcless.model import Scenario
+
+FILTERED = "contact_force_filtered"
+
+
+class Run(Protocol):
+    """Parts of a result that are exported."""
+
+    @property
+    def scenario(self) -> "Scenario":
+        """The scenario that was run."""
+
+    @property
+    def latest(self) -> "Dataset":
+        """Everything that was recorded."""
+
+    @property
+    def metadata(self) -> dict[str, Any]:
+        """Attributes of the record as plain values."""
+
+    @property
+    def assessment(self) -> "Assessment":
+        """Indicators and criteria over the run's own section."""
+
+
+def filtered_force(result: Run) -> Any:
+    """Return the contact force in N after the low-pass of the scenario, (time, pantograph).
+
+    Raises
+    ------
+    ModelError
+        The low-pass does not fit the record.
+    """
+    data = result.latest
+    rate = sample_rate_Hz(data["time"].values)
+    return low_pass(data["contact_force"].values, rate, result.scenario.analysis.low_pass)
+
+
+def contact_channels(result: Run) -> list[Column]:
+    """Return time, speed and every channel of each pantograph, such as ``P1.contact_force [N]``.
+
+    Channels of single contacts have the name of the contact, those of masses and strips their
+    number. Columns without a number are left out.
+    """
+    data = result.latest
+    columns = [Column("time", "s", data["time"].values)]
+    columns += [Column("speed", "m/s", data["speed"].values)] if "speed" in data else []
+    filtered = filtered_force(result)
+    for index, name in enumerate(data["pantograph"].values):
+        columns += _of_pantograph(data, str(name), index, filtered[:, index])
+    if "contact" in data:
+        for index, name in enumerate(data["contact"].values):
+            for key in _keys(data, ("time", "contact")):
+                values = data[key].values[:, index]
+                columns.append(Column(f"{name}.{key}", VARIABLES[key].units, values))
+    return columns
+
+
+def _of_pantograph(data: Any, name: str, index: int, filtered: Any) -> Iterator[Column]:
+    yield Column(f"{name}.position", "m", data["position"].values[:, index])
+    yield Column(f"{name}.contact_force", "N", data["contact_force"].values[:, index])
+    yield Column(f"{name}.{FILTERED}", "N", filtered)
+    for key in _keys(data, ("time", "pantograph")):
+        if key not in ("position", "contact_force"):
+            yield Column(f"{name}.{key}", VARIABLES[key].units, data[key].values[:, index])
+    for inner in ("mass", "strip"):
+        for key in _keys(data, ("time", "pantograph", inner)):
+            values = data[key].values[:, index]
+            for place, number in enumerate(data[inner].values):
+                # A pantograph with fewer masses than another has columns without a number.
+                if not np.isnan(values[:, place]).all():
+                    title = f"{name}.{inner}_{number}.{key.removeprefix(f'{inner}_')}"
+                    yield Column(title, VARIABLES[key].units, values[:, place])
+
+
+def _keys(data: Any, dims: tuple[str, ...]) -> list[str]:
+    return [key for key, variable in VARIABLES.items() if variable.dims == dims and key in data]
+
+
+def places(result: Run, place: str) -> list[Column]:
+    """Return what is known of each dropper or support, one in a row.
+
+    Parameters
+    ----------
+    result
+        The run.
+    place
+        "dropper" or "support".
+    """
+    data = result.latest
+    if place not in data:
+        return []
+    columns = [Column(place, "", [str(name) for name in data[place].values])]
+    for key in _keys(data, (place,)):
+        if not key.endswith("_order"):
+            unit = VARIABLES[key].units
+            columns.append(Column(key, "" if unit == "1" else unit, data[key].values))
+    return columns
+
+
+def assessment(result: Run) -> list[Column]:
+    """Return the assessed quantities, one in a row: key, name, unit, pantographs, whole run.
+
+    A run that stopped before its analysis section has a row that says why there are none.
+    """
+    try:
+        found = result.assessment
+    except ModelError as error:
+        return [Column("not assessed", "", [str(error)])]
+    told = found.to_dict()
+    parts = [*told["pantographs"], told]
+    keys = [key for key in QUANTITIES if any(key in part for part in parts)]
+    bands = {"low_pass_Hz": found.low_pass_Hz, "band_split_Hz": found.band_split_Hz}
+    names = [*(f"pantograph {one['name']}" for one in told["pantographs"]), "run"]
+    return [
+        Column("key", "", keys),
+        Column("quantity", "", [label_of(key, **bands) for key in keys]),
+        Column("unit", "", [QUANTITIES[key].unit for key in keys]),
+        *(
+            Column(name, "", [part.get(key) for key in keys])
+            for name, part in zip(names, parts, strict=True)
+        ),
+    ]
+
+
+def criteria(result: Run) -> list[Column]:
+    """Return the criteria, one in a row, with value, limit, verdict, reason, source, mark."""
+    try:
+        found = result.assessment.to_dict()["criteria"]
+    except ModelError as error:
+        return [Column("not assessed", "", [str(error)])]
+    keys = list(dict.fromkeys(key for one in found for key in one))
+    return [Column(key, "", [_cell(one.get(key)) for one in found]) for key in keys]
+
+
+def _cell(value: Any) -> Any:
+    """Return a value that fits a cell: lists and mappings as text."""
+    return str(value) if isinstance(value, list | dict) else value

@@ -1,0 +1,125 @@
+"""`arcless show` and `arcless new`: shipped models as text, and models of one's own."""
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from typer.testing import Result
+
+from arcless.model.own_copy import HEADER, copies, text_of
+from arcless.model.shipped.library import shipped
+
+Command = Callable[..., Result]
+
+
+@pytest.mark.parametrize("kind", ["scenario", "line", "pantograph", "study"])
+def test_every_shipped_model_is_shown_as_it_stands(kind: str) -> None:
+    for name, file in shipped(kind).items():
+        assert text_of(f"{kind}/{name}") == file.read_text("utf-8")
+
+
+def test_show_prints_the_text_and_nothing_else(arcless: Command) -> None:
+    done = arcless("show", "norway-s25")
+    assert done.stdout == shipped("line")["norway-s25"].read_text("utf-8")
+    assert (done.exit_code, done.stderr) == (0, "")
+    # A scenario and a line have this name.
+    assert arcless("show", "china-stitched-350").stdout.startswith("format: arcless-scenario/1")
+    assert arcless("show", "line/china-stitched-350").stdout.startswith("format: arcless-line/1")
+
+
+def test_show_takes_a_file(arcless: Command, short: Path) -> None:
+    assert arcless("show", short).stdout == short.read_text("utf-8")
+
+
+def test_what_is_shown_is_a_model_file(arcless: Command) -> None:
+    Path("mine.yaml").write_text(arcless("show", "norway-s25-250").stdout, "utf-8")
+    assert arcless("check", "mine.yaml").exit_code == 0
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (["show", "norway-s2"], "did you mean norway-s25 or"),
+        (["show", "zzzz"], "arcless library lists the names"),
+        (["show", "absent.yaml"], "absent.yaml"),
+        (["show", "other.yaml"], "format"),
+        (["new", "mine", "--from", "norway-s25-25"], "did you mean norway-s25-250"),
+        (["new", "mine", "--from", "dsa-250"], "arcless show dsa-250 > my-dsa-250.yaml"),
+        (["new", "mine", "--from", "speed-sweep"], "the shipped study speed-sweep"),
+        (["new", "mine", "--from", "other.yaml"], "the file other.yaml"),
+        (["new", "mine", "--from", "norway-s25", "--with-pantographs"], "begin with a scenario"),
+        (["new", "mine", "--from", "norway-s25", "--to", "absent"], "no folder"),
+        (["new", "a/b", "--from", "norway-s25"], "--to names a folder"),
+        (["new", "mine.yaml", "--from", "norway-s25"], "leave the ending out"),
+        (["new", "", "--from", "norway-s25"], "letters, digits"),
+        (["new", "norway-s25", "--from", "norway-s25"], "such as my-norway-s25"),
+    ],
+)
+def test_bad_input_is_told_and_nothing_is_written(
+    arcless: Command, words: list[str], told: str
+) -> None:
+    Path("other.yaml").write_text("one: 1\n")
+    done = arcless(*words)
+    assert done.exit_code == 2
+    assert told in done.stderr
+    assert [path.name for path in Path().iterdir()] == ["other.yaml"]
+
+
+@pytest.mark.parametrize("name", ["mine", "123", "true", "überholt-2.1"])
+def test_every_shipped_scenario_and_line_is_copied(name: str) -> None:
+    for source in shipped("scenario"):
+        made = copies(name, f"scenario/{source}", with_pantographs=True)
+        assert {f"{name}.yaml", f"{name}-line.yaml"} < set(made)
+        # Only the header, names and references differ: comments, order and sources stay.
+        old = shipped("scenario")[source].read_text("utf-8").splitlines()
+        new = made[f"{name}.yaml"].splitlines()
+        assert new[0] + "\n" == HEADER
+        changed = [line for line, was in zip(new[1:], old, strict=True) if line != was]
+        assert all(line.strip(" -{").startswith(("name:", "line:", "model:")) for line in changed)
+    for source in shipped("line"):
+        assert list(copies(name, f"line/{source}")) == [f"{name}.yaml"]
+
+
+@pytest.mark.parametrize("extra", [[], ["--with-pantographs"]])
+def test_a_copy_has_the_assessment_of_the_shipped_one(arcless: Command, extra: list[str]) -> None:
+    source = "en50318-ac-simple-320-planar"
+    made = arcless("new", "mine", "--from", source, *extra)
+    assert made.exit_code == 0
+    assert "next: edit it, then arcless check mine.yaml\nand: arcless run mine.yaml" in made.stdout
+    assert arcless("check", "mine.yaml").exit_code == 0
+    told = []
+    for scenario in (source, "mine.yaml"):
+        done = arcless("run", scenario, "--json", "--quiet", "--no-report", "--out", scenario[:4])
+        told.append(json.loads(done.stdout))
+    for one in told:
+        for key in ("scenario", "setup_time_s", "wall_time_s", "real_time_factor"):
+            del one[key]
+    assert told[0] == told[1]
+
+
+def test_a_line_is_copied_and_checked(arcless: Command) -> None:
+    Path("lines").mkdir()
+    made = arcless("new", "mine", "--from", "norway-s25", "--to", "lines")
+    assert "line: mine.yaml" in made.stdout
+    assert arcless("check", "lines/mine.yaml").exit_code == 0
+
+
+def test_the_schema_stands_beside_and_editors_find_it(arcless: Command) -> None:
+    arcless("new", "mine", "--from", "norway-s25-250")
+    head = Path("mine.yaml").read_text("utf-8").splitlines()[0]
+    schema = Path(head.rpartition("$schema=")[2])
+    assert schema.read_text("utf-8") == arcless("schema").stdout
+
+
+def test_nothing_is_replaced(arcless: Command) -> None:
+    Path("mine-line.yaml").write_text("my own")
+    Path("arcless.schema.json").write_text("{}")
+    done = arcless("new", "mine", "--from", "norway-s25-250")
+    assert done.exit_code == 2
+    assert "mine-line.yaml: the file exists" in done.stderr
+    assert Path("mine-line.yaml").read_text() == "my own"
+    assert not Path("mine.yaml").exists()
+    # A schema that is there stays, and no name is wrong because of it.
+    assert arcless("new", "other", "--from", "norway-s25-250").exit_code == 0
+    assert Path("arcless.schema.json").read_text() == "{}"
