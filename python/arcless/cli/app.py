@@ -5,7 +5,16 @@ from typing import Annotated
 import typer
 
 from arcless.cli.arguments.certainty import WithCertainty
-from arcless.cli.commands import model_files, replay, resume, run, saved_results, study, validate
+from arcless.cli.commands import (
+    compare,
+    model_files,
+    replay,
+    resume,
+    run,
+    saved_results,
+    study,
+    validate,
+)
 from arcless.cli.process.guard import GuardedGroup
 from arcless.cli.terminal.console import data
 
@@ -56,6 +65,7 @@ for _command in (
     resume.resume,
     saved_results.assess,
     saved_results.report,
+    compare.compare,
     replay.replay,
 ):
     app.command()(_command)
