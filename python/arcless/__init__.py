@@ -17,6 +17,7 @@ from typing import Any
 _NAMES = {
     "errors": (
         "ArclessError",
+        "ComparisonError",
         "ContactError",
         "ControlError",
         "EquilibriumError",
@@ -30,6 +31,7 @@ _NAMES = {
     ),
     "model": ("Scenario", "library", "load", "load_line", "load_pantograph"),
     "results": ("Result", "open"),
+    "comparison": ("Comparison", "compare"),
     "simulate": (
         "ControlInput",
         "Outcome",

@@ -1,8 +1,22 @@
 """Types of the public names, each of which `__init__.py` imports at its first use."""
 
-from arcless import assess, errors, figures, lcp, model, report, results, simulate, study, validate
+from arcless import (
+    assess,
+    comparison,
+    errors,
+    figures,
+    lcp,
+    model,
+    report,
+    results,
+    simulate,
+    study,
+    validate,
+)
+from arcless.comparison import Comparison, compare
 from arcless.errors import (
     ArclessError,
+    ComparisonError,
     ContactError,
     ControlError,
     EquilibriumError,
@@ -25,6 +39,8 @@ from arcless.simulate.statics import statics
 
 __all__ = [
     "ArclessError",
+    "Comparison",
+    "ComparisonError",
     "ContactError",
     "ControlError",
     "ControlInput",
@@ -45,6 +61,8 @@ __all__ = [
     "__version__",
     "assess",
     "batch",
+    "compare",
+    "comparison",
     "errors",
     "figures",
     "lcp",

@@ -143,6 +143,12 @@ class FigureError(ArclessError):
     exit_code = 2
 
 
+class ComparisonError(ArclessError):
+    """Runs cannot be compared as asked: too few or too many, one twice, one that is not whole."""
+
+    exit_code = 2
+
+
 class StudyError(ArclessError):
     """A study cannot be begun or continued as asked: its folder or a package says no."""
 

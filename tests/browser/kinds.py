@@ -75,6 +75,16 @@ def validation(folder: Path) -> Path:
     return page
 
 
+def comparison(folder: Path, **changes: Any) -> Path:
+    """Make the page of two runs, of which the second is faster."""
+    file = scenario(folder, **changes)
+    arcless("run", file, "--out", folder / "before", "--quiet", "--no-report")
+    faster = ("--set", "speed=170 km/h", "--out", folder / "after")
+    arcless("run", file, *faster, "--quiet", "--no-report")
+    arcless("compare", folder / "before", folder / "after", "--out", folder / "compare.html")
+    return folder / "compare.html"
+
+
 TEXTS = {"name": HOSTILE, "description": HOSTILE}
 
 
@@ -110,10 +120,16 @@ def hostile_study(folder: Path) -> Path:
     return study(folder, name=HOSTILE, description=HOSTILE)
 
 
+def hostile_comparison(folder: Path) -> Path:
+    """Make the page of a comparison whose names are hostile."""
+    return comparison(folder, **TEXTS, line=TEXTS, pantographs=pantographs(HOSTILE))
+
+
 PAGES: dict[str, Callable[[Path], Path]] = {
     "run": run, "two wires": two_wires, "statics": statics, "study": study,
-    "validation": validation,
+    "validation": validation, "comparison": comparison,
 }  # fmt: skip
 HOSTILE_PAGES: dict[str, Callable[[Path], Path]] = {
     "run": hostile_run, "statics": hostile_statics, "study": hostile_study,
+    "comparison": hostile_comparison,
 }  # fmt: skip

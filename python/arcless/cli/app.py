@@ -6,6 +6,7 @@ import typer
 
 from arcless.cli.arguments.certainty import WithCertainty
 from arcless.cli.commands import (
+    compare,
     export,
     model_files,
     own_models,
@@ -68,6 +69,7 @@ for _command in (
     resume.resume,
     saved_results.assess,
     saved_results.report,
+    compare.compare,
     export.export,
     replay.replay,
 ):

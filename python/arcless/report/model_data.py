@@ -1,5 +1,6 @@
 """The model's data as table rows: every value with unit, source and confidence mark."""
 
+import dataclasses
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -34,7 +35,7 @@ class Row:
     """One value: its dotted path, the value as it was typed, and where it comes from.
 
     `si` is the value in SI with its unit, where that is written otherwise; `is_default` says that
-    nobody gave it.
+    nobody gave it; `content` is the value of the model, by which rows are compared.
     """
 
     path: str
@@ -44,6 +45,7 @@ class Row:
     mark: str = ""
     source: str = ""
     note: str = ""
+    content: Any = dataclasses.field(default=None, compare=False, repr=False)
 
 
 @dataclass(frozen=True)
@@ -76,13 +78,18 @@ def groups(scenario: Scenario) -> list[Group]:
     return [_group(title, document) for title, document in documents.items()]
 
 
+def rows_of(document: Document) -> list[Row]:
+    """Return the rows of one document, all of them, without those of documents inside of it."""
+    return list(_rows(document, document, ""))
+
+
 def marks_used(found: Sequence[Group]) -> set[str]:
     """Return the confidence marks that occur."""
     return {row.mark for group in found for row in group.rows if row.mark}
 
 
 def _group(title: str, document: Document) -> Group:
-    rows = list(_rows(document, document, ""))
+    rows = rows_of(document)
     return Group(
         title, document.description, rows[:MAX_ROWS], document.sources, max(0, len(rows) - MAX_ROWS)
     )
@@ -129,6 +136,7 @@ def _row(document: Document, value: Any, path: str, unit: Unit | None) -> Row:
         origin.mark or "",
         origin.source or "",
         origin.note or "",
+        value,
     )
 
 

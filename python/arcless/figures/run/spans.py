@@ -15,7 +15,7 @@ PLACES, FEWEST, MOST_DRAWN = 241, 2, 60
 
 def folded(run: RunData) -> list[Figure]:
     """Return the filtered force over the place in the span: each span, their mean and deviation."""
-    chosen = _spans(run)
+    chosen = whole_spans(run)
     if len(chosen) < FEWEST:
         return []
     lengths = np.array([right - left for _, left, right in chosen])
@@ -23,7 +23,7 @@ def folded(run: RunData) -> list[Figure]:
     along = np.linspace(0.0, 1.0, PLACES)
     x = along * lengths.mean() if equal else 100.0 * along
     axis = Axis("distance from the support", "m" if equal else "% of the span", 0.0, float(x[-1]))
-    forces = [_by_place(run, i, chosen, along) for i in range(len(run.pantographs))]
+    forces = [by_place(run, i, chosen, along) for i in range(len(run.pantographs))]
     low, high = (float(end(np.concatenate(forces))) for end in (np.nanmin, np.nanmax))
     margin = 0.06 * (high - low) or 1.0
     found = []
@@ -56,10 +56,10 @@ def folded(run: RunData) -> list[Figure]:
 
 def by_span(run: RunData) -> list[Figure]:
     """Return the standard deviation of the force in each whole span of the section."""
-    chosen = _spans(run)
+    chosen = whole_spans(run)
     if len(chosen) < FEWEST:
         return []
-    deviations = [_deviations(run, i, chosen) for i in range(len(run.pantographs))]
+    deviations = [deviations_by_span(run, i, chosen) for i in range(len(run.pantographs))]
     numbers = np.array([number for number, _, _ in chosen], dtype=float)
     limits = [run.limit("standard_deviation", i) for i in range(len(run.pantographs))]
     known = [limit for limit in limits if limit is not None]
@@ -93,7 +93,7 @@ def by_span(run: RunData) -> list[Figure]:
     return found
 
 
-def _spans(run: RunData) -> list[tuple[int, float, float]]:
+def whole_spans(run: RunData) -> list[tuple[int, float, float]]:
     """Return number and ends of the spans that lie inside the section wholly."""
     begin, end = run.assessment.section_m
     margin = 1e-6 * max(1.0, abs(end))
@@ -106,7 +106,7 @@ def _spans(run: RunData) -> list[tuple[int, float, float]]:
     ]  # fmt: skip
 
 
-def _by_place(
+def by_place(
     run: RunData, pantograph: int, chosen: list[tuple[int, float, float]], along: Floats
 ) -> Floats:
     """Return the filtered force at places of each span, (span, place)."""
@@ -118,7 +118,9 @@ def _by_place(
     return values
 
 
-def _deviations(run: RunData, pantograph: int, chosen: list[tuple[int, float, float]]) -> Floats:
+def deviations_by_span(
+    run: RunData, pantograph: int, chosen: list[tuple[int, float, float]]
+) -> Floats:
     """Return the standard deviation of the filtered force in each span, in N."""
     x, force = run.position[:, pantograph], run.record.bands.total[:, pantograph]
     ends = np.array([(left, right) for _, left, right in chosen])

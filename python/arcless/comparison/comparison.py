@@ -1,0 +1,95 @@
+"""Results → Comparison: a pure function of runs that are finished."""
+
+from collections.abc import Sequence
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from arcless.comparison.compared import Compared, data_of
+from arcless.comparison.runs import opened
+from arcless.errors import ComparisonError
+from arcless.results import Result
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure as Drawing
+
+    from arcless.figures.description import Figure
+    from arcless.figures.description.tokens import Scheme
+
+
+class Comparison(Compared):
+    """Runs side by side; figures and page are made when they are asked for."""
+
+    @cached_property
+    def figures(self) -> "dict[str, list[Figure]]":
+        """Overlays of the runs by their keys, one figure for each pantograph.
+
+        Raises
+        ------
+        ComparisonError
+            There are more runs than a reader tells apart in one figure.
+        """
+        from arcless.figures.comparison import MOST_RUNS, Overlaid, figures
+        from arcless.figures.run import RunData
+
+        if len(self.results) > MOST_RUNS:
+            raise ComparisonError(
+                "runs in one figure",
+                got=str(len(self.results)),
+                expected=f"at most {MOST_RUNS}",
+                hint="compare fewer runs, or leave the page out: the tables take any number",
+            )
+        runs = [RunData(one.latest, one.assessment) for one in self.results]
+        many = Overlaid(self.names, runs)
+        return figures(many, [(one.name, one.places) for one in self.pantographs])
+
+    def plot(
+        self,
+        key: str = "force",
+        axes: "Axes | None" = None,
+        *,
+        scheme: "Scheme" = "light",
+        width_mm: float | None = None,
+    ) -> "Drawing":
+        """Draw one of the figures by matplotlib; the arguments are those of `Result.plot`."""
+        from arcless.figures import paper
+
+        width = paper.PAGE_MM if width_mm is None else width_mm
+        return paper.plot(self.figures, key, axes, scheme=scheme, width_mm=width)
+
+    def write_report(self, path: str | Path) -> None:
+        """Write the comparison as one HTML file that opens without a network.
+
+        Raises
+        ------
+        ComparisonError
+            There are more runs than can be overlaid.
+        OutputError
+            The file cannot be written; nothing half-written stays behind.
+        """
+        from arcless.comparison.page import write
+
+        write(self, self.figures, path)
+
+    def __repr__(self) -> str:
+        return f"<Comparison of {len(self.names)} runs: {'; '.join(self.names)}>"
+
+
+def compare(runs: Sequence[Result | str | Path]) -> Comparison:
+    """Compare runs with the first of them.
+
+    Parameters
+    ----------
+    runs
+        At least two results, folders of runs, or result files.
+
+    Raises
+    ------
+    ComparisonError
+        There are fewer than two, one is there twice, or one is not a finished run.
+    ResultFormatError
+        A file is missing, damaged, or of another format version.
+    """
+    results, files = opened([runs] if isinstance(runs, str | Path | Result) else list(runs))
+    return Comparison(**data_of(results, files))
