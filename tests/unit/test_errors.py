@@ -7,6 +7,7 @@ import pytest
 from arcless import errors
 from arcless.errors import (
     ArclessError,
+    ComparisonError,
     ContactError,
     ControlError,
     EquilibriumError,
@@ -65,6 +66,11 @@ EXAMPLES = [
     (
         StudyError("a study was begun here already", where="runs/studies/x", got="rows of it"),
         "runs/studies/x: a study was begun here already: got rows of it",
+        2,
+    ),
+    (
+        ComparisonError("too few runs", got="1", expected="two or more"),
+        "too few runs: got 1, expected two or more",
         2,
     ),
     (
