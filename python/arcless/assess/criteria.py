@@ -99,6 +99,8 @@ WITHOUT_LIMIT = {
     " pantograph gives no such head_width and no lateral_range",
 }
 
+# Relations as printed.
+RELATION_SIGNS: Mapping[str, str] = {"<=": "≤", ">=": "≥", ">": ">"}
 RELATIONS: dict[str, Callable[[float, float, float], bool]] = {
     "<=": lambda value, limit, tolerance: value <= limit + tolerance,
     ">=": lambda value, limit, tolerance: value >= limit - tolerance,
@@ -203,7 +205,7 @@ def _markdown_row(rule: Rule) -> str:
     supply = "any" if rule.supplies == ANY_SUPPLY else ", ".join(rule.supplies)
     above, up_to = rule.speeds_km_h
     parts = [f"> {above:g}"] * (above > 0.0) + [f"≤ {up_to:g}"] * (up_to < float("inf"))
-    relation = {"<=": "≤", ">=": "≥", ">": ">"}[rule.relation]
+    relation = RELATION_SIGNS[rule.relation]
     cells = (
         f"`{rule.name}`", supply, ", ".join(parts) or "any", rule.quantity, relation,
         str(rule.limit), rule.unit, rule.mark, rule.source,

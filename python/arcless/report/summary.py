@@ -10,6 +10,7 @@ from arcless.assess import (
     NOT_JUDGED,
     NOT_MET,
     NOT_MET_UNVERIFIED,
+    RELATION_SIGNS,
     RULES,
     TOO_CLOSE,
     Assessment,
@@ -24,7 +25,6 @@ from arcless.figures.run.run_data import RunData
 from arcless.figures.run.track import place_name
 from arcless.model import Scenario
 
-SIGNS = {"<=": "≤", ">=": "≥", ">": ">"}
 # Part of a limit, in per cent, from which a distance to it is not said in per cent.
 MOST_PERCENT = 200.0
 # Length of a bar in the drawing, places of upper and lower limits on it, the least that is drawn.
@@ -202,7 +202,7 @@ def _limit(criterion: Criterion, decimals: int) -> str:
     if criterion.limit is None:
         return "no limit given"
     unit = "" if criterion.unit == "1" else f" {criterion.unit}"
-    text = f"limit {SIGNS[criterion.relation]} {number(criterion.limit, decimals)}{unit}"
+    text = f"limit {RELATION_SIGNS[criterion.relation]} {number(criterion.limit, decimals)}{unit}"
     factors = {rule.limit.factor for rule in RULES
                if rule.name == criterion.name and rule.limit.of == "mean_force_N"}  # fmt: skip
     text += "".join(f" = {factor:g} F_m" for factor in factors)

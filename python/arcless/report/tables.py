@@ -5,6 +5,7 @@ from dataclasses import asdict
 from typing import Any
 
 from arcless.assess import (
+    RELATION_SIGNS,
     TOO_CLOSE,
     Assessment,
     Criterion,
@@ -16,7 +17,7 @@ from arcless.assess import (
 from arcless.assess.quantities import OF_LINE, OF_PANTOGRAPH, WEAR, label_of
 from arcless.figures.run.energy import energy_terms, settled
 from arcless.figures.run.run_data import RunData
-from arcless.report.summary import SIGNS, number, pair
+from arcless.report.summary import number, pair
 
 REFERENCE_KEYS = ("quantity", "value", "low", "high", "verdict", "mark", "source")
 
@@ -126,7 +127,7 @@ def _limit(criterion: Criterion, decimals: int) -> str:
     if criterion.limit is None:
         return "–"
     limit = number(criterion.limit, decimals)
-    return f"{SIGNS[criterion.relation]} {limit}{allowance(asdict(criterion))}"
+    return f"{RELATION_SIGNS[criterion.relation]} {limit}{allowance(asdict(criterion))}"
 
 
 def _reason(criterion: Criterion) -> str:

@@ -13,6 +13,7 @@ from arcless.assess import (
     NOT_JUDGED,
     NOT_MET,
     NOT_MET_UNVERIFIED,
+    RELATION_SIGNS,
     TOO_CLOSE,
     allowance,
     decimals_of,
@@ -45,7 +46,6 @@ _STYLES = {
     TOO_CLOSE: "yellow",
     NOT_JUDGED: "dim",
 }
-_RELATIONS = {"<=": "≤", ">=": "≥", ">": ">"}
 
 
 def table(title: str, *columns: str, numbers: Sequence[str] = (), lines: bool = False) -> Table:
@@ -141,7 +141,7 @@ def criteria(assessment: dict[str, Any]) -> Table:
             item["title"],
             item["pantograph"] or "run",
             values[str(row)],
-            f"{_RELATIONS[item['relation']]} {_limit(item)}{allowance(item)}",
+            f"{RELATION_SIGNS[item['relation']]} {_limit(item)}{allowance(item)}",
             item["unit"].replace("1", ""),
             _verdict(verdict_of(item)),
             f"{item['source']} ({item['mark']})",

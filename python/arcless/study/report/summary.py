@@ -6,8 +6,16 @@ from itertools import pairwise
 
 import numpy as np
 
-from arcless.assess import MET, NOT_JUDGED, NOT_MET, NOT_MET_UNVERIFIED, TOO_CLOSE, decides
-from arcless.report.summary import LENGTH, SIGNS, Verdict
+from arcless.assess import (
+    MET,
+    NOT_JUDGED,
+    NOT_MET,
+    NOT_MET_UNVERIFIED,
+    RELATION_SIGNS,
+    TOO_CLOSE,
+    decides,
+)
+from arcless.report.summary import LENGTH, Verdict
 from arcless.study.report import tables
 from arcless.study.report.data.judged import VERDICTS, Judged, Verdicts
 from arcless.study.report.data.record import Column, Record
@@ -146,7 +154,7 @@ def _range(canvas: Canvas, output: Column) -> Range:
     limit, verdict, kind, bound = "", "", "plain", None
     if judged is not None:
         limits = judged.limits[np.isfinite(judged.limits)]
-        limit = f"limit {SIGNS[judged.relation]} {span_of(limits, judged.unit)}"
+        limit = f"limit {RELATION_SIGNS[judged.relation]} {span_of(limits, judged.unit)}"
         met = judged.count(MET)
         kind = "met" if met == len(known) else "not-met" if judged.count(NOT_MET) else "open"
         missed = judged.count(NOT_MET, NOT_MET_UNVERIFIED)
@@ -169,7 +177,8 @@ def criterion_rows(verdicts: Verdicts) -> list[dict[str, str]]:
     rows = []
     for one in verdicts.items:
         limits = one.limits[np.isfinite(one.limits)]
-        limit = f"{SIGNS[one.relation]} {span_of(limits, one.unit)}" if one.relation else ""
+        told = span_of(limits, one.unit)
+        limit = f"{RELATION_SIGNS[one.relation]} {told}" if one.relation else ""
         missed, unsure = one.count(NOT_MET), one.count(NOT_MET_UNVERIFIED)
         counts = {
             "met": one.count(MET), "close": one.count(TOO_CLOSE), "none": one.count(NOT_JUDGED)
