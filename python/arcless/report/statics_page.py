@@ -12,6 +12,7 @@ from arcless.equilibrium.initial_configuration import InitialConfiguration
 from arcless.figures.statics import LineData, figures
 from arcless.report.summary import number
 from arcless.report.template import render
+from arcless.report.wire_tables import span_table, wire_table
 from arcless.storage.whole_files import write_bytes
 
 # Key of a support, title of its column with the unit, decimals.
@@ -25,6 +26,7 @@ _SUPPORT_COLUMNS = (
 _CONTENTS = (
     ("summary", "Summary"), ("views", "Line at rest"), ("elasticity", "Elasticity"),
     ("droppers", "Droppers"), ("supports", "Supports"), ("clamped", "Stitch wires and bridles"),
+    ("wires", "Wires"),
     ("dynamics", "Waves and resonance"),
 )  # fmt: skip
 
@@ -59,6 +61,8 @@ def html(found: InitialConfiguration, *, resonance: Mapping[str, Any] | None = N
         "droppers": dropper_table(found),
         "supports": support_table(line),
         "clamped": clamped_tables(found),
+        "spans": span_table(found),
+        "wires": wire_table(found),
     }
     there = {"summary", "views", "elasticity", "dynamics"}
     there |= {key for key, rows in texts.items() if rows}

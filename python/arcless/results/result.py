@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any
 from arcless.dataset.metadata import metadata
 from arcless.dataset.netcdf.store import open_plain, save
 from arcless.dataset.plain_dataset import Plain
-from arcless.dataset.recorded_series import CHANNELS, Place, passage
+from arcless.dataset.recorded_series import CHANNELS, Place, is_recorded, passage, series_of
+from arcless.dataset.schema import VARIABLES
 
 if TYPE_CHECKING:
     import xarray
@@ -110,8 +111,10 @@ class Result:
 
         report.write(self, path, **options)
 
-    def passage(self, place: Place, name: str) -> "xarray.DataArray":
-        """Return the force of one dropper in N or the uplift at one support in m over time.
+    def passage(
+        self, place: Place, name: str, quantity: str | None = None
+    ) -> "xarray.DataArray":
+        """Return a quantity of one dropper or one support over time.
 
         Parameters
         ----------
@@ -119,6 +122,10 @@ class Result:
             "dropper" or "support".
         name
             As the dimension of that name has it, such as "span 3 dropper 5".
+        quantity
+            Of a support ``support_uplift`` in m (without a name), ``support_force``,
+            ``support_lateral_force`` and ``steady_arm_force`` in N, ``steady_arm_angle`` in rad,
+            ``messenger_uplift`` in m; of a dropper ``dropper_force`` in N.
 
         Returns
         -------
@@ -135,11 +142,14 @@ class Result:
         names = self.dataset[place].values.tolist()
         if name not in names:
             raise KeyError(name)
-        rows, values = passage(self.dataset, place, names.index(name))
+        channel = quantity or CHANNELS[place]
+        if channel not in series_of(place) or not is_recorded(self.dataset, place, channel):
+            raise KeyError(channel)
+        rows, values = passage(self.dataset, place, names.index(name), channel)
         times = self.dataset["line_time"][rows]
-        units = {"dropper": "N", "support": "m"}[place]
+        units = VARIABLES[channel].units
         return xarray.DataArray(
-            values, {"line_time": times}, ("line_time",), CHANNELS[place], {"units": units}
+            values, {"line_time": times}, ("line_time",), channel, {"units": units}
         )
 
     @cached_property

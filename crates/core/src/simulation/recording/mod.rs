@@ -4,4 +4,5 @@ pub(crate) mod energy_balance;
 pub mod record;
 pub(crate) mod recorder;
 pub(crate) mod subgrid_height;
+pub mod support_loads;
 pub mod window;
