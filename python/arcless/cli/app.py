@@ -14,6 +14,7 @@ from arcless.cli.commands import (
     resume,
     run,
     saved_results,
+    stress,
     study,
     validate,
 )
@@ -71,6 +72,7 @@ for _command in (
     saved_results.report,
     compare.compare,
     export.export,
+    stress.stress,
     replay.replay,
 ):
     app.command()(_command)

@@ -25,7 +25,7 @@ def series_of(place: Place) -> list[str]:
 
 
 def is_recorded(dataset: "Dataset", place: Place, channel: str | None = None) -> bool:
-    """Return whether a dataset has a series; without a name force of droppers, uplift at supports."""
+    """Return whether a dataset has a series of places; without a name that of `CHANNELS`."""
     channel = channel or CHANNELS[place]
     return channel in dataset or f"near_{channel}" in dataset
 

@@ -1,8 +1,8 @@
 """Wires of a line at rest: sag of each span, tension and stress of each wire.
 
-The sag f is the depth of a wire below the chord between two supports. A wire that hangs freely under
-its weight q per metre with the horizontal tension H has f = q L²/(8 H); with forces P of droppers at
-x it is the bending moment of a simple beam under both, over H:
+The sag f is the depth of a wire below the chord between two supports. A wire that hangs freely
+under its weight q per metre with the horizontal tension H has f = q L²/(8 H); with forces P of
+droppers at x it is the bending moment of a simple beam under both, over H:
 
   H f(x) = M(x)
 """

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure as Drawing
 
     from arcless.assess import Assessment
+    from arcless.assess.wire_stress import WireStress
     from arcless.dataset.plain_dataset import Dataset
     from arcless.figures.description import Figure
     from arcless.figures.description.tokens import Scheme
@@ -111,9 +112,7 @@ class Result:
 
         report.write(self, path, **options)
 
-    def passage(
-        self, place: Place, name: str, quantity: str | None = None
-    ) -> "xarray.DataArray":
+    def passage(self, place: Place, name: str, quantity: str | None = None) -> "xarray.DataArray":
         """Return a quantity of one dropper or one support over time.
 
         Parameters
@@ -150,6 +149,35 @@ class Result:
         units = VARIABLES[channel].units
         return xarray.DataArray(
             values, {"line_time": times}, ("line_time",), channel, {"units": units}
+        )
+
+    def wire_stress(
+        self,
+        *,
+        area: float | None = None,
+        tension: float | None = None,
+        exponent: float | None = None,
+    ) -> "WireStress":
+        """Return the stress of the contact wire at clamps and supports, and its cycles.
+
+        Parameters
+        ----------
+        area
+            Area of the contact wire in m²; without it, that of a full round section of EI and EA.
+        tension
+            Its tension in N; without it, that of the design.
+        exponent
+            Exponent m of a Wöhler line, for the equivalent range.
+
+        Raises
+        ------
+        ModelError, OutputError
+            See `arcless.assess.wire_stress.wire_stress`.
+        """
+        from arcless.assess.wire_stress import wire_stress
+
+        return wire_stress(
+            self.latest, self.scenario, area=area, tension=tension, exponent=exponent
         )
 
     @cached_property
