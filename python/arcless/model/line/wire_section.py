@@ -5,9 +5,9 @@ A full round section of area A has I = A²/(4π), so that
   A = 4π EI/EA,   E = EA/A,   r = √(A/π)
 
 Line files hold EA and EI, and most EI of the catalogue are those of full round sections. A grooved
-or worn wire differs by some per cent. Where wires of a strand slide, EI lies far below that of a full
-section, and so does A found from it; a profile has more. Then the mass over A is the density of no
-metal, and the area is not taken.
+or worn wire differs by some per cent. Where wires of a strand slide, EI lies far below that of a
+full section, and so does A found from it; a profile has more. Then the mass over A is the density
+of no metal, and the area is not taken.
 """
 
 from dataclasses import dataclass
