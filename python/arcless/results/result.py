@@ -200,8 +200,9 @@ class Result:
         Parameters
         ----------
         path
-            ``.csv`` and ``.parquet`` have contact channels over time, ``.mat`` droppers and
-            supports too, ``.xlsx`` assessment and criteria as well. A file that exists is replaced.
+            ``.csv`` and ``.parquet`` have contact channels over time, ``.mat`` droppers, supports
+            and these over time too, ``.xlsx`` assessment and criteria as well. A file that exists
+            is replaced.
 
         Raises
         ------

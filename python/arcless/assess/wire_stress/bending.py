@@ -64,6 +64,7 @@ class StiffString:
             raise ModelError(
                 "wire stress", got=f"a speed of {3.6 * speed:.0f} km/h",
                 expected=f"below the wave speed, {3.6 * wave:.0f} km/h",
+                hint=f"the tension is {self.tension:g} N: one in kN needs its unit",
             )  # fmt: skip
         return left
 

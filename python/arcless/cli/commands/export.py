@@ -28,7 +28,8 @@ def export(
     """Write a saved run for other programs, by the ending of the file.
 
     .csv and .parquet have contact channels over time, the filtered contact force among them, with
-    units in the header; .mat has droppers and supports as well; .xlsx also assessment and criteria.
+    units in the header; .mat has droppers and supports as well, and what supports carry over time;
+    .xlsx also assessment and criteria.
     """
     from arcless.results import open as open_result
     from arcless.results import result_file
