@@ -120,7 +120,7 @@ class Stations(NamedTuple):
 
 
 class SupportParts(NamedTuple):
-    """What holds the wires at a support: rows of the tables of springs and struts."""
+    """Parts that hold the wires at a support: rows of the tables of springs and struts."""
 
     vertical: int | None
     """Vertical spring of the messenger wire, without one of the contact wire or its bridle."""
@@ -151,7 +151,7 @@ class RecordPlan(NamedTuple):
     nodes: Sequence[int]
     """Nodes whose uplift is recorded."""
     supports: Sequence[SupportParts]
-    """What holds the wires at each of these, or of those in `near`; empty for no forces."""
+    """Parts that hold the wires at each of these, or of those in `near`; empty for no forces."""
     points: Numbers
     """Coordinates along the track at which the uplift of the contact wire is recorded, m."""
     ledger: bool
