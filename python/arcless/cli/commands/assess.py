@@ -71,7 +71,8 @@ def assess(
         typer.Option(
             "--head-mass",
             metavar="MASS",
-            help='Of a CSV file: mass above the force sensors, such as "5.2 kg"; its inertia is taken off.',
+            help='Of a CSV file: mass above the force sensors, such as "5.2 kg"; its inertia is'
+            " taken off.",
         ),
     ] = None,
     head_lift: Annotated[
@@ -79,8 +80,8 @@ def assess(
         typer.Option(
             "--head-lift",
             metavar="FORCE",
-            help='With --head-mass: lift of the air above the sensors, "8 N", or "0.002 N/(m/s)2" times the'
-            " speed squared.",
+            help='With --head-mass: lift of the air above the sensors, "8 N", or "0.002 N/(m/s)2"'
+            " times the speed squared.",
         ),
     ] = None,
     acceleration_down: Annotated[
