@@ -81,7 +81,7 @@ def _speed(speed: float | str) -> float:
         return found
     hint = "a number without a unit is in m/s" if found > 0.0 else None
     raise MeasurementError(
-        "speed", got=f"{found:g} m/s ({3.6 * found:.0f} km/h)",
+        "speed of a train", got=f"{found:g} m/s ({3.6 * found:.0f} km/h)",
         expected=f"more than 0, at most {3.6 * FASTEST:.0f} km/h", hint=hint,
     )  # fmt: skip
 

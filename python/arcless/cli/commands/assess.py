@@ -149,13 +149,13 @@ def _measured(
     supply: str | None,
     **options: Any,
 ) -> "Assessment":
-    from arcless.errors import ModelError
+    from arcless.errors import MeasurementError, ModelError
     from arcless.measurements import assess as assess_measurement
     from arcless.measurements import read
 
     try:
         measurement = read(subject, **options)
-    except ModelError as error:
+    except (MeasurementError, ModelError) as error:  # all others name the file
         error.where = "--speed" if error.where is None else error.where
         raise
     given = {} if cutoff is None else {"low_pass_Hz": cutoff}
