@@ -10,7 +10,8 @@ from arcless.errors import MeasurementError
 from arcless.measurements.measurement import Measurement
 from arcless.measurements.samples.inertia import Head
 from arcless.measurements.samples.pantograph import MeasuredPantograph
-from arcless.measurements.samples.prepare import Raw, prepared
+from arcless.measurements.samples.prepare import prepared
+from arcless.measurements.samples.raw import Raw
 from arcless.measurements.table.columns import SENSORS, Column, columns_of
 from arcless.measurements.table.dialect import LARGEST_FILE, Dialect, examine
 from arcless.measurements.table.numbers import numbers
@@ -176,6 +177,11 @@ def _about_sampling(found: MeasuredPantograph) -> list[str]:
         notes.append(
             f"pantograph {found.name}: each value is held over {found.held} samples, so the rate "
             f"is {found.true_rate_Hz:.4g} Hz instead of {found.rate_Hz:.4g} Hz"
+        )
+    if found.rounded_s and not found.interpolated:
+        notes.append(
+            f"pantograph {found.name}: times are rounded to {1e3 * found.rounded_s:.3g} ms, and"
+            f" were taken as equally spaced, at {found.rate_Hz:.4g} Hz"
         )
     if found.interpolated:
         notes.append(

@@ -1,11 +1,11 @@
 """Samples far enough from the ends of their piece, and the share of a record that they are.
 
-The filter runs over each piece alone. It goes on beyond both ends with the point reflection of the
-piece (`arcless.assess.signals`), which is made up; what follows from it dies away within a period
-of the lower cut-off. So long a stretch at each end of a piece does not count. Behind it the force
-differs by 0.2 % of its standard deviation at most from what a record without the gap would give,
-each of the two bands by a quarter of its own, and its standard deviation over a piece of 3 s by 3 %
-(a run at 320 km/h, cut at 136 places).
+The filter runs over each piece alone. Beyond both ends the piece is continued by its point
+reflection (`arcless.assess.signals`), which is made up; what follows from it dies away within a
+period of the lower cut-off. So long a stretch at each end of a piece does not count. Behind it the
+force differs by 0.2 % of its standard deviation at most from what a record without the gap would
+give, each of the two bands by a quarter of its own, and its standard deviation over a piece of 3 s
+by 3 % (a run at 320 km/h, cut at 136 places).
 """
 
 import numpy as np
