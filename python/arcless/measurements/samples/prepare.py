@@ -99,9 +99,9 @@ def prepared(raw: Raw, speed: float | None, head: Head | None) -> MeasuredPantog
 def _good(raw: Raw, when: Clock, force: Floats, hold: int, told: list[LeftOut]) -> Mask:
     """Return samples that are numbers, neither clipped nor frozen, and tell of the others."""
     good = np.isfinite(force)
-    told += stretches_of(~good, kinds.EMPTY, raw, when, "force")
     step = usual_step(when.time)
     for title, values in raw.measured.items():
+        told += stretches_of(np.isnan(values), kinds.EMPTY, raw, when, title)
         ends = clipped(values, CLIPPED_SAMPLES * hold)
         dead = frozen(values, step * hold) & ~ends
         told += stretches_of(ends, kinds.CLIPPED, raw, when, title)

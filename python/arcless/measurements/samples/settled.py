@@ -11,6 +11,7 @@ by 3 % (a run at 320 km/h, cut at 136 places).
 import numpy as np
 from numpy.typing import NDArray
 
+from arcless.assess.section import Section
 from arcless.assess.statistics import ForceBands, force_bands
 from arcless.measurements.samples.pantograph import MeasuredPantograph
 
@@ -54,6 +55,18 @@ def settled(measured: MeasuredPantograph, edge: float) -> Mask:
     for piece in measured.pieces:
         far[piece.start + count : piece.stop - count] = True
     return far
+
+
+def counted(
+    measured: MeasuredPantograph,
+    section: Section,
+    low_pass_Hz: float = LOW_PASS_HZ,
+    band_split_Hz: float = BAND_SPLIT_HZ,
+) -> Mask:
+    """Return samples that statistics are made of: in the section, and settled."""
+    position = measured.position
+    inside: Mask = (position >= section[0]) & (position <= section[1])
+    return inside & settled(measured, edge_s(low_pass_Hz, band_split_Hz))
 
 
 def time_between_s(measured: MeasuredPantograph, begin_m: float, end_m: float) -> float:
