@@ -1,4 +1,4 @@
-"""Data of a measured run in the place of a simulated one: pieces, and an empty row between them.
+"""Data of a measured run as figures of runs take it: pieces, and an empty row between them.
 
 Figures of a run then draw a gap where nothing was measured. Positions rise in them, whichever way
 the train went.
