@@ -176,7 +176,7 @@ REFUSED = {
             *(f"{i / 500},250,{i}" for i in range(9)),
             head=HEAD.replace("position [m]", "speed [m/s]"),
         ),
-        r"column speed \[m/s\]: got 900 km/h",
+        "speed of pantograph P1: got 900 km/h",
     ),
 }  # fmt: skip
 
@@ -206,6 +206,23 @@ def test_what_is_no_text_is_refused(file: Path, content: bytes, message: str) ->
     file.write_bytes(content)
     with pytest.raises(MeasurementError, match=message):
         read(file)
+
+
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        (text(*ROWS).replace("\n", "\r"), r"run\.csv:1: line end: got a carriage return alone"),
+        (text(*ROWS[:3], ROWS[3].replace(",", ",\r", 1), *ROWS[4:]), r"run\.csv:5: line end"),
+        (text(*ROWS[:3], ROWS[3] + '"', *ROWS[4:9], ROWS[9] + '"'), "quote|got .*103"),
+        (text(*ROWS[:3], ROWS[3].replace("103.0", '"103.0'), *ROWS[4:]), "not a CSV file|quote"),
+        (text(*ROWS[:3], "0.006,0.42,1e300"), r"run\.csv:5: .*got 1e\+300, expected a number that"),
+        (text(ROWS[0]), "no samples are left: got one sample"),
+        (text(",,", ",,"), "no samples are left: got time, position or speed is missing in every"),
+    ],
+)
+def test_found_by_spoiling_files(file: Path, content: str, message: str) -> None:
+    with pytest.raises(MeasurementError, match=message):
+        read(_written(file, content))
 
 
 def test_a_file_beyond_memory_is_refused_before_it_is_read(file: Path) -> None:
