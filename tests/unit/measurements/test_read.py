@@ -235,6 +235,14 @@ def test_a_file_beyond_memory_is_refused_before_it_is_read(file: Path) -> None:
     assert file.stat().st_size > LARGEST_FILE
 
 
+def test_too_many_rows_are_refused_while_they_are_counted(
+    file: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("arcless.measurements.table.rows.MOST_LINES", 20)
+    with pytest.raises(MeasurementError, match="too many rows: got more than 20 lines"):
+        read(_written(file, text(*ROWS)))
+
+
 def test_no_file_and_a_folder(tmp_path: Path) -> None:
     with pytest.raises(MeasurementError, match="no such file"):
         read(tmp_path / "none.csv")

@@ -14,6 +14,8 @@ from arcless.measurements.table.dialect import Dialect, is_content, line_too_lon
 
 # Bytes that are looked at together: the memory that it takes is a few times this.
 BLOCK_BYTES = 2**22
+# Lines of a file, by which memory is bounded as well: eleven hours at 500 Hz.
+MOST_LINES = 20_000_000
 _NEWLINE, _RETURN, _HASH = b"\n"[0], b"\r"[0], b"#"[0]
 
 
@@ -45,7 +47,8 @@ def scan(path: Path, dialect: Dialect) -> Rows:
     Raises
     ------
     MeasurementError
-        A line has another number of cells than the header, another end, or binary data.
+        A line has another number of cells than the header, another end, or binary data, or there
+        are too many.
     """
     label, skipped = str(path), list(range(1, dialect.header_line + 1))
     wanted, done = len(dialect.header) - 1, 0
@@ -71,6 +74,12 @@ def scan(path: Path, dialect: Dialect) -> Rows:
                 else:
                     _check(text, dialect, f"{label}:{number}")
         done += len(ends)
+        if done > MOST_LINES:
+            raise MeasurementError(
+                "too many rows", where=label, got=f"more than {MOST_LINES} lines",
+                expected=f"at most {MOST_LINES}, for they are held in memory",
+                hint="split the record by place",
+            )  # fmt: skip
     return Rows(done, tuple(skipped))
 
 
