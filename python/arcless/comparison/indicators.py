@@ -60,9 +60,12 @@ class Indicator:
     difference_uncertainties: Values
 
     def too_close_to_tell(self, run: int) -> bool:
-        """Return whether the difference of a run is no larger than its uncertainty."""
+        """Return whether the difference of a run is no larger than its uncertainty.
+
+        Numbers that are sure and equal, such as two zeros, are equal: nothing is to tell.
+        """
         difference, most = self.differences[run], self.difference_uncertainties[run]
-        return difference is not None and most is not None and abs(difference) <= most
+        return bool(difference is not None and most and abs(difference) <= most)
 
 
 @dataclass(frozen=True)

@@ -262,6 +262,13 @@ def test_a_difference_within_its_uncertainty_is_too_close_to_tell(shift: float, 
     assert difference(mean, 1) == text
 
 
+def test_equal_numbers_without_uncertainty_are_equal() -> None:
+    first, other = sure(made(), 0.0, 0.0), sure(made(), 0.0, 0.0)
+    mean = indicators([first, other], [Slot("P1", (0, 0))])[0]
+    assert not mean.too_close_to_tell(1)
+    assert difference(mean, 1) == "0.0 (0.0\u00a0%)"
+
+
 def test_without_the_certainty_of_both_runs_a_difference_has_none() -> None:
     first, other = sure(made(100.0), 3.0, 1.0), made(101.0).assessment
     mean = indicators([first, other], [Slot("P1", (0, 0))])[0]
