@@ -66,6 +66,7 @@ COMMANDS = [
     "statics",
     "run",
     "resume",
+    "runs",
     "assess",
     "report",
     "validate",

@@ -103,20 +103,24 @@ def claim_folder(folder: Path) -> Lock | None:
     OSError
         Nothing can be written there.
     """
-    lock: Lock | None = None
+    path = folder / f"{_WRITER}{_LOCK}"
+    is_new, lock = not path.exists(), None
     try:
         while True:
-            lock = Lock(folder / f"{_WRITER}{_LOCK}")
+            lock = Lock(path)
             with suppress(OSError):
                 if not lock.take(_WRITER_PATIENCE_S):
                     return None
-            if lock.path.exists():
+            if path.exists():
                 return lock
             lock.close()  # the writer before removed it after it was found
+            is_new = True
     except BaseException:
         if lock is not None:
             lock.close()
-        _remove_if_left(folder / _WRITER)
+        if is_new:
+            with suppress(OSError):
+                path.unlink(missing_ok=True)
         raise
 
 

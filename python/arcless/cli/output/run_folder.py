@@ -32,18 +32,20 @@ def folder_of(scenario: "Scenario") -> Path:
     """Return the folder that takes the results of a scenario when none is named.
 
     That is ``runs/NAME``, followed by the fields that were set for the run, in the order of their
-    paths: ``runs/NAME-speed=280_km-h,line.contact_wire.tension=24_kN``. Blanks are underscores, and
-    what file names do not take is a hyphen. A longer name ends in a digest of the values.
+    paths: ``runs/NAME-speed=280_km-h,line.contact_wire.tension=24_kN``. Blanks of values are
+    underscores, and what file names do not take is a hyphen. A name that would be too long is cut,
+    and ends in a digest of the values.
     """
     from arcless.results.kept_runs.places import RUNS
 
-    name = _plain(scenario.name) or "scenario"
+    name = unicodedata.normalize("NFC", scenario.name)
+    name = re.sub(r"[^\w.-]+", "-", name).strip("-.") or "scenario"
     changes = ",".join(f"{path}={_plain(text)}" for path, text in scenario.changes.items())
     whole = f"{name}-{changes}" if changes else name
     if len(whole.encode()) > LONGEST:
         whole = _cut(whole, scenario)
     whole = whole.strip("-.")
-    return RUNS / (f"{whole}_" if _DEVICES.fullmatch(whole) else whole)
+    return RUNS / (f"_{whole}" if _DEVICES.fullmatch(whole) else whole)
 
 
 def for_run(path: Path, *, overwrite: bool, own: Path | None = None) -> OutputFolder:

@@ -11,7 +11,7 @@ RESULT_NAME = "result.nc"
 RUNS = Path("runs")
 # Files by which the folder of a study is known.
 STUDY_FILES = ("study.json", "journal.db", "journal.jsonl")
-_TABLE = "table.parquet"
+TABLE = "table.parquet"
 _A_RUN = f"the folder of a run, or the {RESULT_NAME} in it"
 _DESCRIPTIONS = (".yaml", ".yml", ".json")
 
@@ -45,7 +45,7 @@ def run_file(path: str | Path) -> Path:
     if place.is_dir() and not file.exists():
         raise _study(place, place) if is_study_folder(place) else _no_run_in(place)
     if place.is_file():
-        if place.name in (*STUDY_FILES, _TABLE) and is_study_folder(place.parent):
+        if place.name in (*STUDY_FILES, TABLE) and is_study_folder(place.parent):
             raise _study(place, place.parent)
         if place.suffix.lower() in _DESCRIPTIONS:
             raise _description(place)
@@ -69,7 +69,7 @@ def _study(given: Path, folder: Path) -> ResultFormatError:
         "study in place of a run",
         where=str(given),
         expected=_A_RUN,
-        hint=f"`arcless study report {folder}` shows all its variants, {folder / _TABLE} has their"
+        hint=f"`arcless study report {folder}` shows all its variants, {folder / TABLE} has their"
         " numbers",
     )
 
