@@ -37,7 +37,12 @@ if TYPE_CHECKING:
 
 FolderOption = Annotated[
     Path | None,
-    typer.Option("--out", metavar="DIR", help="Folder for the results.", show_default=False),
+    typer.Option(
+        "--out",
+        metavar="DIR",
+        help="Folder for the results; as above if not named.",
+        show_default=False,
+    ),
 ]
 PlotOption = Annotated[
     Path | None,

@@ -13,7 +13,7 @@ def runs(
     folder: Annotated[
         Path | None,
         typer.Argument(
-            metavar="[FOLDER]",
+            metavar="FOLDER",
             help="Where to look, with all folders in it; runs if not named.",
             show_default=False,
         ),

@@ -1,4 +1,4 @@
-"""What a path is: a run, by its folder or its file, or something else that a hint names."""
+"""Kind of a place: a run, by its folder or its file, or something else that a hint names."""
 
 from pathlib import Path
 

@@ -1,6 +1,6 @@
 """Result file → the run in a few words.
 
-The numbers are those of the assessment.json beside the file where that is the assessment of this
+The numbers are those of the assessment.json next to the file where that is the assessment of this
 very result by this version; else they are computed from the result, which takes longer.
 """
 
@@ -120,7 +120,7 @@ def judged(criteria: list[dict[str, Any]]) -> tuple[Verdict, str | None]:
 
 
 def _kept_numbers(file: Path, facts: Mapping[str, Any]) -> dict[str, Any] | None:
-    """Return the numbers of the assessment beside a result; None where it is another one's.
+    """Return the numbers of the assessment next to a result; None where it is another one's.
 
     It is of this result where it is not older, and all that both took over from the run is the
     same; of its own section and filter, where these are those of the scenario; by these criteria,
