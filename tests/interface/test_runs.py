@@ -150,6 +150,9 @@ def test_reports_replace_their_own(arcless: Arcless, finished: Path) -> None:
     Path("kept/report.html").write_text("old")
     assert arcless("report", "kept").exit_code == 0
     assert Path("kept/report.html").read_text("utf-8").rstrip().endswith("</html>")
+    for name in ("one", "other"):  # which do not have one page
+        shutil.copy("kept/result.nc", f"{name}.nc")
+        assert f"wrote {name}.html" in arcless("report", f"{name}.nc").stdout
 
 
 def test_a_folder_of_a_study_takes_no_run_and_the_reverse(

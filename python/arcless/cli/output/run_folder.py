@@ -93,10 +93,11 @@ def _refusal(path: Path, there: Sequence[str]) -> OutputError:
             expected="a folder without them",
             hint=hint,
         )
+    from arcless.results.kept_runs.kept_run import STOPPED
     from arcless.results.kept_runs.reading import read
 
     found = read(path / RESULT)
-    if found.verdict == "stopped early":
+    if found.verdict == STOPPED:
         hint = f"`arcless resume {path}` continues it, {hint}"
     return OutputError(
         "a run is in this folder",
@@ -108,11 +109,13 @@ def _refusal(path: Path, there: Sequence[str]) -> OutputError:
 
 
 def _told(found: "KeptRun") -> str:
-    if found.verdict == "unreadable":
+    from arcless.results.kept_runs.kept_run import STOPPED, UNREADABLE
+
+    if found.verdict == UNREADABLE:
         return f"{RESULT}, which cannot be read"
     date = (found.created or "")[:16].replace("T", " ")
     changes = "".join(f", {path}={text}" for path, text in found.changes.items())
-    state = ", stopped early" if found.verdict == "stopped early" else ""
+    state = ", stopped early" if found.verdict == STOPPED else ""
     return f"{found.name} of {date} UTC{changes}{state}"
 
 

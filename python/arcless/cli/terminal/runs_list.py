@@ -7,6 +7,7 @@ from rich.text import Text
 
 from arcless.assess.quantities import QUANTITIES
 from arcless.results import KeptRun
+from arcless.results.kept_runs.kept_run import STOPPED
 
 # Heads and widths of the columns.
 _COLUMNS = (
@@ -55,13 +56,13 @@ def _more(one: KeptRun, place: str) -> Iterator[str]:
     if one.worst is not None and len(one.pantographs) > 1:
         yield f"of {len(one.pantographs)} pantographs, the numbers of {one.worst.name}"
     if one.reason:
-        yield f"{one.verdict}: {one.reason}"
+        todo = f"; `arcless resume {one.path}` continues it" if one.verdict == STOPPED else ""
+        yield f"{one.verdict}: {one.reason}{todo}"
 
 
 def _place(one: KeptRun, top: Path) -> str:
-    path = Path(one.path)
-    place = str(path.relative_to(top)) if path.is_relative_to(top) else one.path
-    return str(top) if place == "." else place
+    place = one.path.relative_to(top) if one.path.is_relative_to(top) else one.path
+    return str(top if place == Path() else place)
 
 
 def _printed(text: str) -> str:

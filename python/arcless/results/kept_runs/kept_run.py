@@ -1,8 +1,11 @@
 """One run on the disk in a few words: verdict, main numbers, what was set for it."""
 
 from dataclasses import asdict, dataclass, field
+from pathlib import Path
 from typing import Any, Literal
 
+STOPPED: Literal["stopped early"] = "stopped early"
+UNREADABLE: Literal["unreadable"] = "unreadable"
 Verdict = Literal["met", "not met", "not judged", "stopped early", "unreadable"]
 
 
@@ -57,7 +60,7 @@ class KeptRun:
         Maximum uplift at a support inside the section.
     """
 
-    path: str
+    path: Path
     verdict: Verdict
     reason: str | None = None
     name: str | None = None
@@ -75,7 +78,7 @@ class KeptRun:
 
     def to_dict(self) -> dict[str, Any]:
         """Return it as plain values, ready for JSON."""
-        data = asdict(self)
+        data = asdict(self) | {"path": str(self.path)}
         data["pantographs"] = [asdict(one) for one in self.pantographs]
         data["worst"] = None if self.worst is None else self.worst.name
         return data

@@ -23,11 +23,18 @@ from arcless.assess import (
     verdict_of,
 )
 from arcless.dataset.metadata import metadata
-from arcless.dataset.netcdf.store import UNREADABLE, open_plain
+from arcless.dataset.netcdf.store import UNREADABLE as DAMAGE
+from arcless.dataset.netcdf.store import open_plain
 from arcless.dataset.plain_dataset import Plain
 from arcless.errors import ArclessError
 from arcless.model.scenario.as_typed import changes_of
-from arcless.results.kept_runs.kept_run import KeptRun, MainNumbers, Verdict
+from arcless.results.kept_runs.kept_run import (
+    STOPPED,
+    UNREADABLE,
+    KeptRun,
+    MainNumbers,
+    Verdict,
+)
 from arcless.results.kept_runs.places import RESULT_NAME
 
 # Head of the criteria whose limits were not read in a source.
@@ -59,7 +66,7 @@ def read(file: Path) -> KeptRun:
         return _described(path, file, dataset, metadata(dataset))
     except ArclessError as error:
         return unreadable(path, _without_place(error))
-    except UNREADABLE as error:
+    except DAMAGE as error:
         return unreadable(path, f"damaged: {type(error).__name__}: {error}".partition("\n")[0])
 
 
@@ -70,7 +77,7 @@ def unreadable(path: Path, reason: str) -> KeptRun:
         created: str | None = changed.isoformat(timespec="seconds")
     except OSError:
         created = None
-    return KeptRun(str(path), "unreadable", reason, created=created)
+    return KeptRun(path, UNREADABLE, reason, created=created)
 
 
 def _described(path: Path, file: Path, dataset: Plain, facts: Mapping[str, Any]) -> KeptRun:
@@ -83,10 +90,10 @@ def _described(path: Path, file: Path, dataset: Plain, facts: Mapping[str, Any])
     state = facts["state"]
     if state is not None:
         where = f"at {state['position_m']:.2f} m, {facts['simulated_time_s']:g} s"
-        return KeptRun(str(path), "stopped early", where, **known)
+        return KeptRun(path, STOPPED, where, **known)
     found = _kept_numbers(file, facts)
     numbers = _numbers(assess(dataset).to_dict()) if found is None else found
-    return KeptRun(str(path), **numbers, **known)
+    return KeptRun(path, **numbers, **known)
 
 
 def _numbers(assessment: Mapping[str, Any]) -> dict[str, Any]:

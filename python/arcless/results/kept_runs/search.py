@@ -60,7 +60,7 @@ def search(folder: str | Path | None = None) -> Found:
     refused: list[OSError] = []
     found.runs = [read(place) for place in _places(top, found.studies, refused)]
     found.runs += [unreadable(Path(one.filename), str(one.strerror)) for one in refused]
-    found.runs.sort(key=lambda one: (one.created or "", one.path))
+    found.runs.sort(key=lambda one: (one.created or "", str(one.path)))
     return found
 
 

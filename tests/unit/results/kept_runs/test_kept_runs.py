@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import arcless
+from arcless.dataset.schema import ATTRIBUTES
 from arcless.errors import ResultFormatError
 from arcless.model import load
 from arcless.results import KeptRun, Result
@@ -53,7 +54,7 @@ def test_numbers_are_those_of_the_assessment(tmp_path: Path) -> None:
     assessment = saved(tmp_path / "one").assessment
     (tmp_path / "one" / "assessment.json").unlink()
     found = only(tmp_path)
-    assert (found.path, found.name) == (str(tmp_path / "one"), "synthetic")
+    assert (found.path, found.name) == (tmp_path / "one", "synthetic")
     assert found.verdict == ("met" if assessment.passed else "not met") == "met"
     (own,), (pantograph,) = found.pantographs, assessment.pantographs
     for key in ("name", "mean_force_N", "std_force_N", "max_force_N", "min_force_N", "NQ_percent"):
@@ -198,7 +199,7 @@ def test_what_cannot_be_read_is_told_among_the_others(tmp_path: Path) -> None:
     (tmp_path / "lost.nc").symlink_to("nowhere")
     (tmp_path / "folder.nc").mkdir()
     (tmp_path / ".hidden.nc").write_bytes(b"")
-    found = {Path(one.path).name: one for one in arcless.runs(tmp_path)}
+    found = {one.path.name: one for one in arcless.runs(tmp_path)}
     bad = {*spoilt(good), "foreign.nc", "later.nc", "lost.nc"}
     assert set(found) == {"good", *bad}
     for name in bad:
@@ -219,13 +220,26 @@ def test_attributes_that_make_no_sense_are_damage(tmp_path: Path) -> None:
         assert only(tmp_path).verdict == "unreadable", attrs
 
 
+def test_a_result_with_nothing_but_what_every_version_has(tmp_path: Path) -> None:
+    data = load(scenario_data()).with_(speed="80 km/h").to_dict()
+    del data["provenance"]["speed"]["given"]  # of the time before values were kept as typed
+    result = saved(tmp_path, scenario=data, attrs={"arcless_version": "0.0.1"})
+    for name, attribute in ATTRIBUTES.items():
+        if not attribute.required:
+            result.dataset.attrs.pop(name, None)
+    result.save(tmp_path / "result.nc")
+    found = only(tmp_path)
+    assert (found.verdict, found.version) == ("met", "0.0.1")
+    assert float(found.changes["speed"]) == pytest.approx(80 / 3.6, rel=1e-12)
+
+
 def test_the_oldest_comes_first_and_studies_are_left_out(tmp_path: Path) -> None:
     for name, year in (("late", 2026), ("early", 2025)):
         saved(tmp_path / name, attrs={"created": f"{year}-01-01T00:00:00+00:00"})
     saved(tmp_path / "study" / "results")
     (tmp_path / "study" / "study.json").write_text("{}")
     found = arcless.runs(tmp_path)
-    assert [Path(one.path).name for one in found] == ["early", "late"]
+    assert [one.path.name for one in found] == ["early", "late"]
 
 
 def test_folders_that_are_none(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
