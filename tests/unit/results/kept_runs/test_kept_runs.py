@@ -181,7 +181,7 @@ def spoilt(good: bytes) -> dict[str, bytes]:
         "text.nc": b"hello",
         "half.nc": good[:middle],
         "zeros.nc": good[:middle] + bytes(512) + good[middle + 512 :],
-        "tail.nc": good[:-1] + b"0",
+        "tail.nc": good[:-1] + b"g",
     }
 
 
