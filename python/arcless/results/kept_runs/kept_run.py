@@ -2,10 +2,10 @@
 
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Final, Literal
 
-STOPPED: Literal["stopped early"] = "stopped early"
-UNREADABLE: Literal["unreadable"] = "unreadable"
+STOPPED: Final = "stopped early"
+UNREADABLE: Final = "unreadable"
 Verdict = Literal["met", "not met", "not judged", "stopped early", "unreadable"]
 
 

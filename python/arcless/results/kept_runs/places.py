@@ -1,5 +1,6 @@
 """Kind of a place: a run, by its folder or its file, or something else that a hint names."""
 
+import os
 from pathlib import Path
 
 from arcless.errors import ResultFormatError
@@ -24,7 +25,8 @@ def result_file(path: str | Path) -> Path:
 
 def is_study_folder(path: Path) -> bool:
     """Return whether a study was begun in a folder."""
-    return any((path / name).is_file() for name in STUDY_FILES)
+    # `Path.is_file` fails where nobody may look.
+    return any(os.path.isfile(path / name) for name in STUDY_FILES)  # noqa: PTH113
 
 
 def run_file(path: str | Path) -> Path:
