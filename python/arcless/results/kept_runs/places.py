@@ -14,7 +14,9 @@ RUNS = Path("runs")
 STUDY_FILES = ("study.json", "journal.db", "journal.jsonl")
 TABLE = "table.parquet"
 _A_RUN = f"the folder of a run, or the {RESULT_NAME} in it"
+_OF_STUDIES = (*STUDY_FILES, TABLE, "study.yaml", "report.html")
 _DESCRIPTIONS = (".yaml", ".yml", ".json")
+_PAGE = ".html"
 
 
 def result_file(path: str | Path) -> Path:
@@ -47,9 +49,9 @@ def run_file(path: str | Path) -> Path:
     if place.is_dir() and not file.exists():
         raise _study(place, place) if is_study_folder(place) else _no_run_in(place)
     if place.is_file():
-        if place.name in (*STUDY_FILES, TABLE) and is_study_folder(place.parent):
+        if place.name in _OF_STUDIES and is_study_folder(place.parent):
             raise _study(place, place.parent)
-        if place.suffix.lower() in _DESCRIPTIONS:
+        if place.suffix.lower() in (*_DESCRIPTIONS, _PAGE):
             raise _description(place)
     if not file.exists() and (hint := _meant(place)):
         raise ResultFormatError("no such run", where=str(path), expected=_A_RUN, hint=hint)
@@ -94,8 +96,11 @@ def _no_run_in(folder: Path) -> ResultFormatError:
 
 
 def _description(file: Path) -> ResultFormatError:
-    beside = file.with_name(RESULT_NAME)
-    hint = f"the run is {beside}" if beside.exists() else f"`arcless run {file}` makes a run of it"
+    own, hint = file.with_name(RESULT_NAME), None
+    if own.exists():
+        hint = f"the run is {own}"
+    elif file.suffix.lower() in _DESCRIPTIONS:
+        hint = f"`arcless run {file}` makes a run of it"
     return ResultFormatError(
         "file that describes what to run, or follows from it",
         where=str(file),

@@ -258,15 +258,17 @@ def test_folders_that_are_none(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) 
 def test_what_is_no_run_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     saved(Path("runs/one"))
-    for name in ("study/study.json", "study/table.parquet", "x.yaml", "many/a.nc", "empty/x.txt"):
+    study = [f"study/{name}" for name in ("study.json", "table.parquet", "report.html")]
+    for name in (*study, "x.yaml", "x.html", "runs/one/report.html", "many/a.nc", "empty/x.txt"):
         Path(name).parent.mkdir(exist_ok=True)
         Path(name).write_text("{}")
     for path, words in {
+        **dict.fromkeys(study, "study in place of a run"),
         "study": "study in place of a run.*arcless study report study",
-        "study/study.json": "study in place of a run",
-        "study/table.parquet": "study in place of a run",
         "x.yaml": "describes what to run.*arcless run x.yaml",
+        "x.html": r"or the result\.nc in it$",
         "runs/one/assessment.json": "the run is runs/one/result.nc",
+        "runs/one/report.html": "the run is runs/one/result.nc",
         "runs": "arcless runs runs",
         "many": "name the file, such as many/a.nc",
         "empty": "no run in this folder.*arcless run SCENARIO --out empty",
@@ -283,5 +285,5 @@ def test_files_of_a_study_are_known_by_the_names_that_it_writes() -> None:
     from arcless.results.kept_runs import places
     from arcless.study.folder.folder import NAMES, TABLE
 
-    assert set(places.STUDY_FILES) <= NAMES
+    assert set(places._OF_STUDIES) <= NAMES
     assert places.TABLE == TABLE
