@@ -6,7 +6,6 @@ import typer
 
 from arcless.cli.arguments.certainty import WithCertainty
 from arcless.cli.commands import (
-    assess,
     compare,
     export,
     model_files,
@@ -70,7 +69,7 @@ for _command in (
     run.statics,
     resume.resume,
     runs.runs,
-    assess.assess,
+    saved_results.assess,
     saved_results.report,
     compare.compare,
     export.export,
