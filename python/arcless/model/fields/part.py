@@ -27,6 +27,7 @@ from arcless.units import (
     MAX_TEXT,
     WRONG_VALUE,
     accepted,
+    pattern,
     plain,
     show,
     spell,
@@ -127,7 +128,9 @@ class Unit:
         values = (self.above, self.minimum, self.below, self.maximum)
         bounds = {key: value for key, value in zip(keys, values, strict=True) if value is not None}
         number = ({"type": "number"} if self.words else handler(schema)) | bounds
-        text = {"type": "string", "description": f"number and unit: {accepted(self.unit)}"}
+        wanted = f"number and unit: {accepted(self.unit)}"
+        text = {"type": "string", "description": wanted, "pattern": pattern(self.unit)}
+        text["patternErrorMessage"] = f"expected a {wanted}"  # of editors: else they show pattern
         plain = [number, text, *({"const": word} for word in self.words)]
         return {"anyOf": [*plain, wrapped_schema(plain)], "unit": self.label}
 
