@@ -7,8 +7,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from arcless.assess.loss_of_contact import arcing_percent, contact_loss_percent, longest_loss_s
 from arcless.assess.signals.filter import low_pass
+from arcless.assess.signals.loss_of_contact import (
+    arcing_percent,
+    contact_loss_percent,
+    longest_loss_s,
+)
 
 Array = NDArray[np.float64]
 
