@@ -187,6 +187,10 @@ def after_comma(name: object, data: Mapping[Any, Any]) -> str | None:
     return f"{DECIMAL_POINT}: {names[place - 1]}: {number}"
 
 
+# Characters of the fields that a prompt shows of a part.
+LONGEST_REPR = 150
+# Steps of reading a file, which are no use to a user of what was read.
+_OF_READING = frozenset({"card_parts", "field_names", "in_words", "prepare", "remember"})
 _OF_PYDANTIC = frozenset(name for name in dir(BaseModel) if not name.startswith("_"))
 
 
@@ -204,7 +208,18 @@ class Part(BaseModel):
     def __dir__(self) -> list[str]:
         """Return the names to complete: fields and methods of the model, not those of pydantic."""
         fields = type(self).model_fields
-        return [name for name in super().__dir__() if name in fields or name not in _OF_PYDANTIC]
+        hidden = _OF_PYDANTIC | _OF_READING
+        return [name for name in super().__dir__() if name in fields or name not in hidden]
+
+    def __repr__(self) -> str:
+        """Return the fields that were given, in a line that is never long."""
+        given = [name for name in type(self).model_fields if name in self.model_fields_set]
+        fields = ", ".join(f"{name}={getattr(self, name)!r}" for name in given)
+        fields = fields if len(fields) <= LONGEST_REPR else f"{fields[:LONGEST_REPR]}…"
+        return f"{type(self).__name__}({fields})"
+
+    def __str__(self) -> str:
+        return repr(self)
 
     if not TYPE_CHECKING:
 
