@@ -17,6 +17,7 @@ from arcless.cli.commands import (
     study,
     validate,
 )
+from arcless.cli.completion import scripts
 from arcless.cli.process.guard import GuardedGroup
 from arcless.cli.terminal.console import data
 
@@ -72,6 +73,7 @@ for _command in (
     compare.compare,
     export.export,
     replay.replay,
+    scripts.completion,
 ):
     app.command()(_command)
 
