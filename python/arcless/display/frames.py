@@ -42,7 +42,7 @@ def frame(tables: Tables, name: str, index: str | None = None) -> "pandas.DataFr
 
     columns = tables[name]()
     made = pandas.DataFrame({column.header: column.values for column in columns})
-    # What is None all over would be no column of numbers.
+    # A column that is None all over would be none of numbers.
     made = made.astype({column.header: float for column in columns if column.unit})
     made.attrs["units"] = {column.header: column.unit for column in columns}
     if index is None:

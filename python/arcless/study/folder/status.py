@@ -73,7 +73,7 @@ class StudyStatus:
 
     @property
     def sentence(self) -> str:
-        """How far it is, in a sentence."""
+        """Numbers of variants by outcome, in a sentence."""
         pruned = "" if self.steps_saved is None else f"{self.pruned} pruned, "
         return (
             f"{self.done} of {self.total} done, {pruned}{self.invalid} invalid, "

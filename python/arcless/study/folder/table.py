@@ -99,7 +99,8 @@ def data_frame(study: Study, rows: Iterable[Row]) -> "pandas.DataFrame":
     check_available()
     made = table(study, rows).to_pandas()
     units = {column.name: column.unit for column in _columns(study)}
-    headers = {name: f"{name} [{unit}]" if unit else name for name, unit in units.items()}
+    plain = ("", "1")  # numbers without a unit
+    headers = {n: n if unit in plain else f"{n} [{unit}]" for n, unit in units.items()}
     made = made.rename(columns=headers).set_index("variant")
     made.attrs["units"] = {headers[name]: unit for name, unit in units.items()}
     return made
