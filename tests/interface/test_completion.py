@@ -142,6 +142,17 @@ def test_as_other_shells_ask(
     assert (done.returncode, done.stderr) == (0, "")
 
 
+@pytest.mark.skipif(shutil.which("fish") is None, reason="there is no fish here")
+def test_in_fish(program: Path, place: Path) -> None:
+    script = "arcless completion fish | source; complete -C 'arcless run norway-s25-'"
+    done = subprocess.run(
+        ["fish", "--no-config", "-c", script], cwd=place,
+        env={**os.environ, "PATH": f"{program}:{os.environ['PATH']}"},
+        capture_output=True, text=True, timeout=60, check=True,
+    )  # fmt: skip
+    assert (done.stdout.split(), done.stderr) == (["norway-s25-250"], "")
+
+
 @pytest.mark.parametrize("shell", SHELLS)
 def test_a_script_is_one_that_its_shell_reads(arcless: Callable[..., object], shell: str) -> None:
     done = arcless("completion", shell)

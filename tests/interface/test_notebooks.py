@@ -65,6 +65,11 @@ def test_a_notebook_shows_a_card_that_holds_by_itself(kind: str) -> None:
     assert len(html) < 40_000  # a notebook is stored with all of its outputs
 
 
+def test_a_speed_is_shown_as_it_was_typed() -> None:
+    assert "90 mph" in objects()["scenario"].with_(speed="90 mph")._repr_html_()
+    assert "160 km/h" in objects()["scenario"]._repr_html_()
+
+
 def test_a_name_from_a_file_is_a_text() -> None:
     name = "<script>alert(1)</script> & more"
     scenario = objects()["scenario"].with_(name=name, **{"pantographs.0.name": "<b>P</b>"})

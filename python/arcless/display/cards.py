@@ -19,7 +19,7 @@ _STYLE = (
     ".arcless-card .arcless-title{font-weight:600;font-size:1.1em}"
     ".arcless-card .arcless-soft{opacity:.8}"
     ".arcless-card table.arcless-table{border-collapse:collapse;margin:.5em 0;border:0;"
-    "color:inherit}"
+    "color:inherit;table-layout:auto}"
     ".arcless-card .arcless-table tr{background:none}"
     ".arcless-card .arcless-table th,.arcless-card .arcless-table td{text-align:left;"
     "padding:.15em 1em .15em 0;border:0;border-bottom:1px solid rgba(128,128,128,.4);"
