@@ -27,6 +27,9 @@ def number_columns(compared: Compared) -> list[Column]:
             share = [one.percents[run] for one in found]
             columns.append(Column(f"{name}: difference", "", less))
             columns.append(Column(f"{name}: difference", "%", share))
+            sure = [one.difference_uncertainties[run] for one in found]
+            if any(one is not None for one in sure):
+                columns.append(Column(f"{name}: ± of the difference", "", sure))
     return columns
 
 
