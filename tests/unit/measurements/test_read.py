@@ -62,6 +62,15 @@ def test_units_are_converted(file: Path) -> None:
     assert found.height == pytest.approx(5.3 + count / 1000, rel=1e-12)
 
 
+def test_units_of_british_drawings(file: Path) -> None:
+    rows = [f"{i},60,{10 + i}" for i in range(20)]
+    head = "position [ft],speed [mph],contact_force [lbf]"
+    [found] = read(_written(file, text(*rows, head=head))).pantographs
+    # 1 ft = 0.3048 m, 60 mph = 88 ft/s, 1 lbf = 4.4482216152605 N: exact by definition.
+    assert found.time == pytest.approx(np.arange(20) / 88.0, rel=1e-12, abs=1e-12)
+    assert found.force == pytest.approx(4.4482216152605 * np.arange(10, 30), rel=1e-12)
+
+
 def test_comments_quotes_and_empty_lines_are_skipped(file: Path) -> None:
     head = '"time [s]","position [m]","contact_force [N]","remark, by hand"'
     rows = ["# a, b, c, d", "", *(f'{row},"a, b"' for row in ROWS), "   ", "# end"]
