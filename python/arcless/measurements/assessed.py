@@ -8,11 +8,18 @@ from typing import Any
 
 import numpy as np
 
-from arcless.assess.assessment import Assessment, checked_cutoff, checked_section
+from arcless.assess.assessment import Assessment
 from arcless.assess.criteria import OF_MEASUREMENT, evaluate
 from arcless.assess.facts import supply_notes, uplift_notes
 from arcless.assess.rules import ANY_SUPPLY, Facts
-from arcless.assess.section import MEASUREMENT_RATE_HZ, Section, part_notes, undershoot_notes
+from arcless.assess.section import (
+    MEASUREMENT_RATE_HZ,
+    Section,
+    checked_cutoff,
+    checked_section,
+    part_notes,
+    undershoot_notes,
+)
 from arcless.assess.statistics import ForceBands, PantographAssessment, pantograph_assessment
 from arcless.errors import MeasurementError
 from arcless.measurements.measurement import Measurement
@@ -61,8 +68,8 @@ def assess(
         Electrical supply, whose limits decide, such as ``"AC 25 kV"``. Without it those of AC 25 kV
         are shown, and decide nothing.
     section
-        From and to in m along the track; without one, or with None for an end, all that was
-        measured.
+        From and to in m along the track; without one, or with None for an end, the track that all
+        pantographs ran over.
     low_pass_Hz
         Cut-off of the low-pass in Hz.
 
@@ -124,11 +131,12 @@ def assess(
 
 
 def _section(measurement: Measurement, given: tuple[float | None, float | None] | None) -> Section:
-    ends = [(each.first_m, each.last_m) for each in measurement.pantographs]
+    """Complete a section: where one end is not given, it is that of the track that all ran over."""
+    ends = [sorted((each.first_m, each.last_m)) for each in measurement.pantographs]
     begin, end = (None, None) if given is None else given
     return checked_section((
-        min(map(min, ends)) if begin is None else begin,
-        max(map(max, ends)) if end is None else end,
+        max(low for low, _ in ends) if begin is None else begin,
+        min(high for _, high in ends) if end is None else end,
     ))  # fmt: skip
 
 

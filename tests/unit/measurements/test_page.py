@@ -88,6 +88,9 @@ def test_several_pantographs_and_falling_positions(file: Path) -> None:
     assert data.pantographs == ["P1", "P2"]
     drawn = figures(data)
     assert "height" not in drawn
+    # Where both ran: 200 to 899.9 m, and 150 to 849.9 m.
+    assert data.assessment.section_m == pytest.approx([200.14, 850.0], abs=1e-9)
+    assert not any("of the section only" in note for note in data.assessment.notes)
     low, high = drawn["force"][1].x.low, drawn["force"][1].x.high
     assert low < 151.0
     assert high > 899.0
