@@ -17,15 +17,18 @@ from arcless.assess.section import (
     Section,
     checked_cutoff,
     checked_section,
-    part_notes,
-    undershoot_notes,
 )
 from arcless.assess.statistics import ForceBands, PantographAssessment, pantograph_assessment
 from arcless.errors import MeasurementError
 from arcless.measurements.measurement import Measurement
-from arcless.measurements.samples.left_out import WORDS, LeftOut
+from arcless.measurements.remarks import (
+    MEASUREMENT_SPACING_M,
+    WITHOUT_ARCS,
+    about_record,
+    about_share,
+    counted_by_kind,
+)
 from arcless.measurements.samples.pantograph import MeasuredPantograph
-from arcless.measurements.samples.pieces import interpolation_loss
 from arcless.measurements.samples.settled import (
     BAND_SPLIT_HZ,
     LOW_PASS_HZ,
@@ -38,17 +41,9 @@ from arcless.measurements.samples.settled import (
 from arcless.model.line.parts.geometry import ASSUMED_SUPPLY
 from arcless.units import show
 
-# Largest distance of two samples in m (EN 50317, from memory: mark C).
-MEASUREMENT_SPACING_M = 0.40
 # Share of the time in the section that must be left. Less, and the numbers are those of another
 # section than the one they are given for; more would refuse records with many short gaps.
 LEAST_SHARE = 0.5
-# Range of the speed, as a share of its mean, from which it is told: limits are those of one speed.
-STEADY_SHARE = 0.1
-WITHOUT_ARCS = (
-    "loss of contact is where the unfiltered force is zero or less: arcs were not observed, and"
-    " noise of the sensors hides short losses or makes some up"
-)
 
 
 def assess(
@@ -104,8 +99,11 @@ def assess(
         uplift_mm=_uplift_mm(measurement, limits),
     )
     notes = list(measurement.notes)
-    for row in zip(measurement.pantographs, kept, filtered, shares, strict=True):
-        notes += _notes(*row[:3], limits, low_pass_Hz) + _about_share(row[0], row[3], edge)
+    for each, inside, force, share in zip(
+        measurement.pantographs, kept, filtered, shares, strict=True
+    ):
+        notes += about_record(each, inside, force, limits, low_pass_Hz)
+        notes += about_share(each, share, limits, edge)
     notes += [WITHOUT_ARCS, *supply_notes(facts, "the supply"), *uplift_notes(facts.uplift_mm)]
     return Assessment(
         scenario=measurement.name,
@@ -174,7 +172,7 @@ def _share(
         hint = f"the record goes from {low:g} to {high:g} m"
     else:
         got = f"{100 * share:.1f} % of the time from {section[0]:g} to {section[1]:g} m"
-        hint = _counted(each.left_out) or "choose a longer section"
+        hint = counted_by_kind(each.left_out) or "choose a longer section"
     raise MeasurementError(
         "too little is left of the record",
         where=f"{measurement.path}: pantograph {each.name}",
@@ -208,72 +206,6 @@ def _uplift_mm(measurement: Measurement, section: Section) -> float | None:
     ]
     largest = max(found, default=-np.inf)
     return float(largest) if np.isfinite(largest) else None
-
-
-def _notes(
-    each: MeasuredPantograph, kept: Mask, filtered: ForceBands, section: Section, low_pass_Hz: float
-) -> list[str]:
-    begin, end = sorted((each.first_m, each.last_m))
-    notes = part_notes(each.name, (begin, end), section)
-    notes += undershoot_notes(each.name, filtered.total[kept], each.force[kept])
-    rate = each.true_rate_Hz
-    if rate <= MEASUREMENT_RATE_HZ and each.spacing_m > MEASUREMENT_SPACING_M:
-        notes.append(
-            f"pantograph {each.name} was sampled at {rate:.4g} Hz, every {each.spacing_m:.2f} m:"
-            f" EN 50317 asks for more than {MEASUREMENT_RATE_HZ:g} Hz or every"
-            f" {MEASUREMENT_SPACING_M:.2f} m (from memory); what the sensors had above"
-            f" {rate - low_pass_Hz:.4g} Hz is folded below {low_pass_Hz:g} Hz, unless a filter"
-            " stood before the recorder"
-        )
-    if each.interpolated:
-        loss = interpolation_loss(low_pass_Hz, each.step_s)
-        notes.append(
-            f"pantograph {each.name}: interpolation takes {100 * loss:.1f} % off a wave at"
-            f" {low_pass_Hz:g} Hz, and less below"
-        )
-    if each.height is not None and (missing := np.isnan(each.height[kept]).mean()):
-        notes.append(
-            f"pantograph {each.name}: {100 * missing:.1f} % of the heights are missing, and their"
-            " range is that of the others"
-        )
-    speed = each.speed[kept]
-    low, high = 3.6 * float(speed.min()), 3.6 * float(speed.max())
-    if high - low > STEADY_SHARE * 3.6 * float(speed.mean()):
-        notes.append(
-            f"the speed of pantograph {each.name} went from {low:.0f} to {high:.0f} km/h; limits"
-            " are those of the mean speed"
-        )
-    return notes
-
-
-def _about_share(each: MeasuredPantograph, share: float, edge: float) -> list[str]:
-    """Say what was left out, and why."""
-    notes = []
-    for kind in dict.fromkeys(one.kind for one in each.left_out):
-        ones = [one for one in each.left_out if one.kind == kind]
-        first, count = ones[0], sum(one.samples for one in ones)
-        place = "" if np.isnan(first.begin_m) else f" at {first.begin_m:.1f} m"
-        where = f"line {first.line}{place}" if len(ones) == 1 else (
-            f"{len(ones)} places, the first one line {first.line}{place}"
-        )  # fmt: skip
-        samples = f", {count} sample{'s' * (count > 1)}" if count else ""
-        notes.append(f"pantograph {each.name}, left out because {WORDS[kind]}: {where}{samples}")
-    if share == 1.0:
-        return [*notes, f"pantograph {each.name}: nothing in the section is left out"]
-    pieces = len(each.pieces)
-    ends = "its ends" if pieces == 1 else f"the ends of {pieces} pieces without a gap"
-    notes.append(
-        f"pantograph {each.name}: {100 * (1 - share):.1f} % of the time in the section is left out,"
-        f" {edge:g} s at {ends} with it, where a filter without phase shift makes numbers up"
-    )
-    return notes
-
-
-def _counted(left_out: tuple[LeftOut, ...]) -> str:
-    counts: dict[str, int] = {}
-    for one in left_out:
-        counts[one.kind] = counts.get(one.kind, 0) + max(1, one.samples)
-    return "left out: " + ", ".join(f"{n} × {kind}" for kind, n in counts.items()) if counts else ""
 
 
 def _sampling(measurement: Measurement, shares: list[float], edge: float) -> dict[str, Any]:
