@@ -4,6 +4,8 @@ A quantity that was not measured is None, and its criterion is not judged. Sampl
 asks for: more than 200 samples a second, or one every 0.40 m (from memory, mark C).
 """
 
+from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -46,6 +48,16 @@ from arcless.units import show
 LEAST_SHARE = 0.5
 
 
+@dataclass(frozen=True)
+class _Part:
+    """Samples of a pantograph, those that count, its filtered force, share of time that is left."""
+
+    track: MeasuredPantograph
+    inside: Mask
+    bands: ForceBands
+    share: float
+
+
 def assess(
     measurement: Measurement,
     *,
@@ -80,35 +92,19 @@ def assess(
         raise MeasurementError("supply", got=show(supply), expected=", ".join(ANY_SUPPLY))
     low_pass_Hz = checked_cutoff(low_pass_Hz)
     limits = _section(measurement, section)
-    edge = edge_s(low_pass_Hz, BAND_SPLIT_HZ)
-    kept, shares, filtered = [], [], []
-    for each in measurement.pantographs:
-        _check_rate(measurement, each, low_pass_Hz)
-        inside = counted(each, limits, low_pass_Hz, BAND_SPLIT_HZ)
-        shares.append(_share(measurement, each, limits, inside))
-        kept.append(inside)
-        filtered.append(bands(each, low_pass_Hz, BAND_SPLIT_HZ))
-    pantographs = [
-        _of_pantograph(*one) for one in zip(measurement.pantographs, kept, filtered, strict=True)
-    ]
-    speed = measurement.pantographs[0].speed[kept[0]]
+    parts = [_part(measurement, each, limits, low_pass_Hz) for each in measurement.pantographs]
+    pantographs = [_of_pantograph(part) for part in parts]
+    speed = float(np.mean(parts[0].track.speed[parts[0].inside]))
     facts = Facts(
         supply=supply or ASSUMED_SUPPLY,
         supply_given=supply is not None,
-        speed_km_h=3.6 * float(np.mean(speed)),
+        speed_km_h=3.6 * speed,
         uplift_mm=_uplift_mm(measurement, limits),
     )
-    notes = list(measurement.notes)
-    for each, inside, force, share in zip(
-        measurement.pantographs, kept, filtered, shares, strict=True
-    ):
-        notes += about_record(each, inside, force, limits, low_pass_Hz)
-        notes += about_share(each, share, limits, edge)
-    notes += [WITHOUT_ARCS, *supply_notes(facts, "the supply"), *uplift_notes(facts.uplift_mm)]
     return Assessment(
         scenario=measurement.name,
         version=_version(),
-        speed_m_s=float(np.mean(speed)),
+        speed_m_s=speed,
         section_m=list(limits),
         low_pass_Hz=low_pass_Hz,
         band_split_Hz=BAND_SPLIT_HZ,
@@ -123,8 +119,8 @@ def assess(
         real_time_factor=None,
         supply=facts.supply,
         criteria=evaluate(facts, pantographs, reasons=OF_MEASUREMENT),
-        notes=notes,
-        measurement=_sampling(measurement, shares, edge),
+        notes=_notes(measurement, parts, facts, limits, low_pass_Hz),
+        measurement=_sampling(measurement, parts, edge_s(low_pass_Hz, BAND_SPLIT_HZ)),
     )
 
 
@@ -136,6 +132,31 @@ def _section(measurement: Measurement, given: tuple[float | None, float | None] 
         max(low for low, _ in ends) if begin is None else begin,
         min(high for _, high in ends) if end is None else end,
     ))  # fmt: skip
+
+
+def _part(
+    measurement: Measurement, each: MeasuredPantograph, section: Section, low_pass_Hz: float
+) -> _Part:
+    _check_rate(measurement, each, low_pass_Hz)
+    inside = counted(each, section, low_pass_Hz, BAND_SPLIT_HZ)
+    share = _share(measurement, each, section, inside)
+    return _Part(each, inside, bands(each, low_pass_Hz, BAND_SPLIT_HZ), share)
+
+
+def _notes(
+    measurement: Measurement,
+    parts: Sequence[_Part],
+    facts: Facts,
+    section: Section,
+    low_pass_Hz: float,
+) -> list[str]:
+    notes = list(measurement.notes)
+    for part in parts:
+        notes += about_record(part.track, part.inside, part.bands, section, low_pass_Hz)
+        notes += about_share(part.track, part.share, section, edge_s(low_pass_Hz, BAND_SPLIT_HZ))
+    return [
+        *notes, WITHOUT_ARCS, *supply_notes(facts, "the supply"), *uplift_notes(facts.uplift_mm)
+    ]  # fmt: skip
 
 
 def _inside(each: MeasuredPantograph, section: Section) -> Mask:
@@ -182,18 +203,17 @@ def _share(
     )
 
 
-def _of_pantograph(
-    each: MeasuredPantograph, inside: Mask, filtered: ForceBands
-) -> PantographAssessment:
+def _of_pantograph(part: _Part) -> PantographAssessment:
+    track = part.track
     return pantograph_assessment(
-        each.name,
-        inside,
-        force=each.force,
-        bands=filtered,
+        track.name,
+        part.inside,
+        force=track.force,
+        bands=part.bands,
         gap=None,
-        height=each.height,
-        step_s=each.step_s,
-        cuts=[piece.start for piece in each.pieces[1:]],
+        height=track.height,
+        step_s=track.step_s,
+        cuts=[piece.start for piece in track.pieces[1:]],
     )
 
 
@@ -208,22 +228,22 @@ def _uplift_mm(measurement: Measurement, section: Section) -> float | None:
     return float(largest) if np.isfinite(largest) else None
 
 
-def _sampling(measurement: Measurement, shares: list[float], edge: float) -> dict[str, Any]:
-    """Return as plain data how it was sampled, and what was left out."""
+def _sampling(measurement: Measurement, parts: Sequence[_Part], edge: float) -> dict[str, Any]:
+    """Return as plain data how it was sampled, and what was left out of the whole file."""
     return {
         "file": measurement.path.name,
         "edge_s": edge,
         "pantographs": [
             {
-                "name": each.name,
-                "rate_Hz": each.true_rate_Hz,
-                "spacing_m": each.spacing_m,
-                "interpolated": each.interpolated,
-                "pieces": len(each.pieces),
-                "left_out_percent": 100.0 * (1.0 - share),
-                "left_out": [one.to_dict() for one in each.left_out],
+                "name": part.track.name,
+                "rate_Hz": part.track.true_rate_Hz,
+                "spacing_m": part.track.spacing_m,
+                "interpolated": part.track.interpolated,
+                "pieces": len(part.track.pieces),
+                "left_out_percent": 100.0 * (1.0 - part.share),
+                "left_out": [one.to_dict() for one in part.track.left_out],
             }
-            for each, share in zip(measurement.pantographs, shares, strict=True)
+            for part in parts
         ],
     }
 
