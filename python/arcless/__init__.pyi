@@ -6,6 +6,7 @@ from arcless import (
     errors,
     figures,
     lcp,
+    measurements,
     model,
     report,
     results,
@@ -22,6 +23,7 @@ from arcless.errors import (
     EquilibriumError,
     ExecutorError,
     FigureError,
+    MeasurementError,
     MeshError,
     ModelError,
     OutputError,
@@ -29,7 +31,7 @@ from arcless.errors import (
     StudyError,
 )
 from arcless.model import Scenario, library, load, load_line, load_pantograph
-from arcless.results import Result, open
+from arcless.results import KeptRun, Result, open, runs
 from arcless.simulate.batches.batch import Outcome, batch
 from arcless.simulate.resonance import ResonanceSpeeds, resonance_speeds
 from arcless.simulate.run import resume, run
@@ -47,6 +49,8 @@ __all__ = [
     "EquilibriumError",
     "ExecutorError",
     "FigureError",
+    "KeptRun",
+    "MeasurementError",
     "MeshError",
     "ModelError",
     "Outcome",
@@ -70,6 +74,7 @@ __all__ = [
     "load",
     "load_line",
     "load_pantograph",
+    "measurements",
     "model",
     "open",
     "realtime",
@@ -78,6 +83,7 @@ __all__ = [
     "results",
     "resume",
     "run",
+    "runs",
     "simulate",
     "statics",
     "study",

@@ -13,11 +13,13 @@ from arcless.cli.commands import (
     replay,
     resume,
     run,
+    runs,
     saved_results,
     stress,
     study,
     validate,
 )
+from arcless.cli.completion import scripts
 from arcless.cli.process.guard import GuardedGroup
 from arcless.cli.terminal.console import data
 
@@ -68,12 +70,14 @@ for _command in (
     own_models.new,
     run.statics,
     resume.resume,
+    runs.runs,
     saved_results.assess,
     saved_results.report,
     compare.compare,
     export.export,
     stress.stress,
     replay.replay,
+    scripts.completion,
 ):
     app.command()(_command)
 

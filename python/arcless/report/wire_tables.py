@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from arcless.equilibrium.initial_configuration import InitialConfiguration
-from arcless.report.summary import number
+from arcless.display.numbers import number
 
 # Key of a row, title of its column with the unit, decimals.
 _SPAN_COLUMNS = (
