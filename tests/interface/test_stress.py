@@ -43,4 +43,4 @@ def test_what_is_refused(arcless: Run, finished: Path, words: list[str], message
 def test_what_is_no_run(arcless: Run, tmp_path: Path) -> None:
     done = arcless("stress", tmp_path)
     assert done.exit_code == 2
-    assert "no such result file" in done.stderr
+    assert "no run in this folder" in done.stderr

@@ -3,7 +3,7 @@
 use arcless_core::checkpoint::Checkpoint;
 use arcless_core::energy_terms::EnergyTerms;
 use arcless_core::simulation::recording::record::{Record, RecordPlan};
-use arcless_core::simulation::recording::support_loads::SupportParts;
+use arcless_core::simulation::recording::support_parts::SupportParts;
 use arcless_core::simulation::recording::window::{Near, SortedStations};
 use numpy::{IntoPyArray, ToPyArray};
 use pyo3::prelude::*;

@@ -15,7 +15,6 @@ from arcless.cli.commands import (
     run,
     runs,
     saved_results,
-    stress,
     study,
     validate,
 )
@@ -75,7 +74,7 @@ for _command in (
     saved_results.report,
     compare.compare,
     export.export,
-    stress.stress,
+    export.stress,
     replay.replay,
     scripts.completion,
 ):

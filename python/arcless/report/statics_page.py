@@ -11,8 +11,8 @@ import numpy as np
 from arcless.display.numbers import number
 from arcless.equilibrium.initial_configuration import InitialConfiguration
 from arcless.figures.statics import LineData, figures
+from arcless.report.at_rest.wire_tables import span_table, wire_table
 from arcless.report.template import render
-from arcless.report.wire_tables import span_table, wire_table
 from arcless.storage.whole_files import write_bytes
 
 # Key of a support, title of its column with the unit, decimals.

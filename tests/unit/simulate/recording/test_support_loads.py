@@ -133,8 +133,9 @@ def test_updated_kinematics_have_the_forces_of_linearised_ones() -> None:
             # Its change is of second order, as is the difference: a per cent of the force.
             np.testing.assert_allclose(a, b, rtol=0.01)
             continue
-        # Geometry that follows the uplift: some per cent.
-        assert np.std(a - b) < 0.15 * np.std(a), variable
+        # An arm of a metre turns by 3° at 5 cm of uplift, which changes a fifth of what changes;
+        # a force with the wrong sign or stiffness would be off by all of it.
+        assert np.std(a - b) < 0.25 * np.std(a), variable
 
 
 def test_near_and_streamed_rows_are_those_of_the_whole_record(

@@ -6,7 +6,7 @@
 use crate::constraint::contacts::Contacts;
 use crate::energy_terms::EnergyTerms;
 use crate::error::CoreError;
-use crate::simulation::recording::support_loads::SupportParts;
+use crate::simulation::recording::support_parts::SupportParts;
 use crate::simulation::recording::window::Near;
 use std::mem::{replace, take};
 

@@ -3,8 +3,8 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from arcless.equilibrium.initial_configuration import InitialConfiguration
 from arcless.display.numbers import number
+from arcless.equilibrium.initial_configuration import InitialConfiguration
 
 # Key of a row, title of its column with the unit, decimals.
 _SPAN_COLUMNS = (
