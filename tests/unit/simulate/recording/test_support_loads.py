@@ -156,6 +156,29 @@ def test_near_and_streamed_rows_are_those_of_the_whole_record(
         spatial.passage("support", "support 9", "dropper_force")
 
 
+def test_rows_near_the_pantographs_are_in_the_order_along_the_track() -> None:
+    """In an overlap the supports of two tension lengths alternate along the track."""
+    base = arcless.load("ac-simple-overlap-275")
+    begin, end = base.analysis_range()
+    middle = 0.5 * (begin + end)
+    changes = {
+        "travel": {"start": f"{middle - 80} m", "end": f"{middle + 80} m"},
+        "analysis": {"from": f"{middle - 60} m", "to": f"{middle + 60} m"},
+    }
+    whole = arcless.run(base.with_(**changes))
+    near = arcless.run(base.with_(**changes, **{"output.around": "90 m"}))
+    order = near.dataset["support_order"].values
+    assert list(order) != sorted(order)
+    assert near.dataset.sizes["near_support"] < len(order)
+    compared = 0
+    for name in whole.dataset["support"].values:
+        cut = near.passage("support", str(name), "support_force")
+        everything = whole.passage("support", str(name), "support_force")
+        np.testing.assert_array_equal(cut, everything.sel(line_time=cut["line_time"]))
+        compared += int(cut.size > 0 and not np.isnan(cut).any())
+    assert compared > 3
+
+
 def test_a_run_in_two_parts_has_the_same_rows(tmp_path: Path, spatial: Result) -> None:
     first = arcless.run(arcless.load(SPATIAL), until="500 m")
     first.save(tmp_path / "first.nc")

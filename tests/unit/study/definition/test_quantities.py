@@ -71,6 +71,13 @@ def test_keys_and_their_pantographs() -> None:
 
 
 def test_numbers_of_criteria_are_those_nearest_to_the_limit(two: Assessment) -> None:
+    # The second pantograph is the nearer one to every other limit.
+    rear = [
+        replace(item, pantograph="rear", value=item.value + (-1.0) ** place)
+        for place, item in enumerate(two.criteria)
+        if item.value is not None
+    ]
+    two = replace(two, criteria=[*two.criteria, *rear])
     found, known = values(two), keys(scenario())
     for name in {item.name for item in two.criteria}:
         items = [item for item in two.criteria if item.name == name]
@@ -90,8 +97,6 @@ def test_numbers_of_criteria_are_those_nearest_to_the_limit(two: Assessment) -> 
         nearest = next(item for item in judged if left[item.pantograph] == margin)
         assert found[f"criteria.{name}.value"] == nearest.value
         assert found[f"criteria.{name}.limit"] == nearest.limit
-        if all(item.passed for item in items):
-            assert margin >= -nearest.tolerance
     assert unit_of_key("criteria.statistical_max.margin") == "N"
     assert unit_of_key("criteria.statistical_max") == ""
     assert unit_of_key("criteria.wave_speed_use.limit") == ""
