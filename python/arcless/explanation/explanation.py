@@ -10,11 +10,11 @@ from arcless.assess import Assessment
 from arcless.assess.section import force_record
 from arcless.dataset.metadata import metadata
 from arcless.explanation.landmarks import Landmarks
-from arcless.explanation.line_coordinate import LineCoordinate
-from arcless.explanation.orders import ABOVE_LOW_PASS, MOST_ORDERS
 from arcless.explanation.pantograph_explanation import PantographExplanation, Passage, explained
 from arcless.explanation.sensitivity import Sensitivities
-from arcless.explanation.span_deviations import whole_spans
+from arcless.explanation.signals.line_coordinate import LineCoordinate
+from arcless.explanation.signals.orders import ABOVE_LOW_PASS, MOST_ORDERS
+from arcless.explanation.signals.span_deviations import whole_spans
 from arcless.model import Scenario
 from arcless.pantograph.natural_modes import Band, PantographMode, modes, why_no_modes
 

@@ -11,8 +11,6 @@ from numpy.typing import NDArray
 from arcless.errors import ExplanationError
 from arcless.explanation import places, words
 from arcless.explanation.landmarks import Landmarks
-from arcless.explanation.line_coordinate import LineCoordinate
-from arcless.explanation.orders import ABOVE_LOW_PASS, fit, orders
 from arcless.explanation.parts import (
     Group,
     Mode,
@@ -21,10 +19,12 @@ from arcless.explanation.parts import (
     SpanDeviation,
     Trace,
 )
-from arcless.explanation.remainder import Lines
 from arcless.explanation.sensitivity import Sensitivities
 from arcless.explanation.shares import Shares
-from arcless.explanation.span_deviations import deviations
+from arcless.explanation.signals.line_coordinate import LineCoordinate
+from arcless.explanation.signals.orders import ABOVE_LOW_PASS, fit, orders
+from arcless.explanation.signals.remainder import Lines
+from arcless.explanation.signals.span_deviations import deviations
 from arcless.pantograph.natural_modes import PantographMode
 
 Floats = NDArray[np.float64]

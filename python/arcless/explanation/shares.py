@@ -5,9 +5,9 @@ from math import sqrt
 import numpy as np
 from numpy.typing import NDArray
 
-from arcless.explanation.orders import Fit
 from arcless.explanation.parts import GROUPS, Group, GroupKey, Mode, OrderShare, Strongest
-from arcless.explanation.remainder import Lines, band, chance, mode_at
+from arcless.explanation.signals.orders import Fit
+from arcless.explanation.signals.remainder import Lines, band, chance, mode_at
 from arcless.pantograph.natural_modes import PantographMode
 
 Floats = NDArray[np.float64]

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from arcless.explanation import span_deviations
+from arcless.explanation.signals import span_deviations
 from arcless.figures.description import Area, Axis, Bars, Curve, Figure, Layer, Rules, Tip
 from arcless.figures.description.thinning import every
 from arcless.figures.description.tokens import of_pantograph

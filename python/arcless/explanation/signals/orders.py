@@ -29,7 +29,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from arcless.explanation.line_coordinate import LineCoordinate
+from arcless.explanation.signals.line_coordinate import LineCoordinate
 
 Floats = NDArray[np.float64]
 Source = Literal["span", "droppers"]
