@@ -22,6 +22,7 @@ _NAMES = {
         "ControlError",
         "EquilibriumError",
         "ExecutorError",
+        "ExplanationError",
         "FigureError",
         "MeshError",
         "ModelError",
@@ -30,7 +31,8 @@ _NAMES = {
         "StudyError",
     ),
     "model": ("Scenario", "library", "load", "load_line", "load_pantograph"),
-    "results": ("Result", "open"),
+    "results": ("Result", "explain", "open"),
+    "explanation": ("Explanation", "Sensitivities"),
     "comparison": ("Comparison", "compare"),
     "simulate": (
         "ControlInput",
@@ -43,6 +45,7 @@ _NAMES = {
         "resonance_speeds",
         "resume",
         "run",
+        "sensitivities",
         "statics",
     ),
 }

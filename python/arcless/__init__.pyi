@@ -4,6 +4,7 @@ from arcless import (
     assess,
     comparison,
     errors,
+    explanation,
     figures,
     lcp,
     model,
@@ -21,6 +22,7 @@ from arcless.errors import (
     ControlError,
     EquilibriumError,
     ExecutorError,
+    ExplanationError,
     FigureError,
     MeshError,
     ModelError,
@@ -28,11 +30,13 @@ from arcless.errors import (
     ResultFormatError,
     StudyError,
 )
+from arcless.explanation import Explanation, Sensitivities
 from arcless.model import Scenario, library, load, load_line, load_pantograph
-from arcless.results import Result, open
+from arcless.results import Result, explain, open
 from arcless.simulate.batches.batch import Outcome, batch
 from arcless.simulate.resonance import ResonanceSpeeds, resonance_speeds
 from arcless.simulate.run import resume, run
+from arcless.simulate.sensitivities import sensitivities
 from arcless.simulate.session.realtime import Realtime, RealtimeState, realtime
 from arcless.simulate.setup.controllers import ControlInput
 from arcless.simulate.statics import statics
@@ -46,6 +50,8 @@ __all__ = [
     "ControlInput",
     "EquilibriumError",
     "ExecutorError",
+    "Explanation",
+    "ExplanationError",
     "FigureError",
     "MeshError",
     "ModelError",
@@ -57,6 +63,7 @@ __all__ = [
     "Result",
     "ResultFormatError",
     "Scenario",
+    "Sensitivities",
     "StudyError",
     "__version__",
     "assess",
@@ -64,6 +71,8 @@ __all__ = [
     "compare",
     "comparison",
     "errors",
+    "explain",
+    "explanation",
     "figures",
     "lcp",
     "library",
@@ -78,6 +87,7 @@ __all__ = [
     "results",
     "resume",
     "run",
+    "sensitivities",
     "simulate",
     "statics",
     "study",

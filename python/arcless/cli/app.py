@@ -7,6 +7,7 @@ import typer
 from arcless.cli.arguments.certainty import WithCertainty
 from arcless.cli.commands import (
     compare,
+    explain,
     export,
     model_files,
     own_models,
@@ -70,6 +71,7 @@ for _command in (
     saved_results.assess,
     saved_results.report,
     compare.compare,
+    explain.explain,
     export.export,
     replay.replay,
 ):

@@ -145,6 +145,14 @@ def explained(passage: Passage, line: LineCoordinate, marks: Landmarks) -> Panto
     mean_span = (end - begin) / count
     highest = ABOVE_LOW_PASS * passage.low_pass_Hz
     taken = orders(line, begin, end, highest * mean_span / passage.speed)
+    if not taken:
+        raise ExplanationError(
+            "spans pass faster than the low-pass lets through",
+            where=f"pantograph {passage.name}",
+            got=f"{passage.speed / mean_span:.3g} spans a second",
+            expected=f"at most {highest:g}",
+            hint="raise `analysis.low_pass`",
+        )
     intervals = line.intervals(passage.position) if line.droppers.size > 1 else 0.0 * deviation
     split = fit(deviation, line.spans(passage.position), intervals, taken)
     own = [one for one in passage.modes if one.frequency.middle <= highest]

@@ -1,7 +1,11 @@
 """Sensitivities of σ, as data: computed by `arcless.sensitivities`, told by an explanation."""
 
 from dataclasses import asdict, dataclass
-from typing import Any
+from typing import Any, Literal
+
+# Least effect in % of σ per % that is one: less is rounding in the table. Larger, weak effects are
+# called none; smaller, a zero is called significant.
+LEAST = 0.01
 
 
 @dataclass(frozen=True)
@@ -19,9 +23,13 @@ class Effect:
     below, above
         One-sided differences over the whole step.
     significant
-        Whether it is larger than its uncertainty.
+        Whether it is larger than its uncertainty, and than `LEAST`.
     linear
         Whether the one-sided differences lie within half of it on either side.
+    lowers_percent
+        How much a whole step in the better direction lowers σ, %; negative where both raise it.
+    better
+        That direction: ``"less"`` or ``"more"`` of the parameter.
     """
 
     pantograph: str
@@ -31,6 +39,8 @@ class Effect:
     above: float
     significant: bool
     linear: bool
+    lowers_percent: float
+    better: Literal["less", "more"]
 
 
 @dataclass(frozen=True)
@@ -81,11 +91,16 @@ class Sensitivities:
         return asdict(self)
 
     def strongest(self, pantograph: str) -> tuple[Sensitivity, Effect] | None:
-        """Return the parameter with the largest significant effect on a pantograph's σ."""
+        """Return the parameter whose whole step lowers a pantograph's σ most.
+
+        None where no significant effect lowers it by more than the uncertainty over the step.
+        """
         found = [
             (one, effect)
             for one in self.parameters
             for effect in one.effects
-            if effect.pantograph == pantograph and effect.significant
+            if effect.pantograph == pantograph
+            and effect.significant
+            and effect.lowers_percent > self.step_percent * effect.uncertainty
         ]
-        return max(found, key=lambda pair: abs(pair[1].percent_per_percent), default=None)
+        return max(found, key=lambda pair: pair[1].lowers_percent, default=None)

@@ -66,12 +66,10 @@ def strongest_change(sensitivities: Sensitivities, pantograph: str) -> str:
     """Return which change lowers σ of a pantograph most."""
     found = sensitivities.strongest(pantograph)
     if found is None:
-        return "Nothing that was varied changes σ by more than the uncertainty of the difference."
+        return "Nothing that was varied lowers σ by more than the uncertainty of the difference."
     parameter, effect = found
-    size = abs(effect.percent_per_percent)
-    more = "less" if effect.percent_per_percent > 0.0 else "more"
-    curved = "" if effect.linear else "; the answer is not linear over the step"
+    step = sensitivities.step_percent
     return (
-        f"Of what was varied, {parameter.parameter} lowers σ most: 1 % {more} of it lowers σ by"
-        f" {size:.2f} ± {effect.uncertainty:.2f} %{curved}."
+        f"Of what was varied, {step:g} % {effect.better} {parameter.parameter} lowers σ most: by"
+        f" {effect.lowers_percent:.1f} ± {step * effect.uncertainty:.1f} %."
     )

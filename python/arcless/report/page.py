@@ -12,7 +12,7 @@ from arcless.figures.run import figures
 from arcless.figures.run.run_data import RunData
 from arcless.figures.run.track import MARKS
 from arcless.model import MARKS as MEANINGS
-from arcless.report import summary, tables
+from arcless.report import explanation_tables, summary, tables
 from arcless.report.model_data import groups, marks_used
 from arcless.report.reported_run import ReportedRun
 from arcless.report.template import render
@@ -26,6 +26,7 @@ MAX_WARNINGS = 50
 _SECTIONS: tuple[tuple[str, str, tuple[str | tuple[str, ...], ...]], ...] = (
     ("force", "Contact force along the track", ("force", "shares", "gap")),
     ("spans", "Contact force by span", (("folded", "by_span"),)),
+    ("contributions", "Contributions to σ", ("contributions", "irregular")),
     ("statistics", "Distribution and spectrum", (("histogram", "spectrum"), "spectrogram")),
     ("wire", "Contact wire and uplift", ("height", "uplift", "uplift_passages")),
     ("droppers", "Droppers", ("droppers", "dropper_map")),
@@ -33,7 +34,7 @@ _SECTIONS: tuple[tuple[str, str, tuple[str | tuple[str, ...], ...]], ...] = (
     ("rest", "Line at rest", ("side_view", "plan_view", "elasticity")),
 )  # fmt: skip
 # Figures over the whole track: of several pantographs one below the other, at the page's width.
-_STACKED = ("force", "shares", "gap", "height", "spectrogram", "lateral")
+_STACKED = ("force", "shares", "gap", "height", "spectrogram", "lateral", "irregular")
 
 
 def write(
@@ -75,10 +76,10 @@ def html(
     run = RunData(result.latest, assessment or result.assessment)
     drawn = figures(run)
     texts = _texts(result, run, drawn, reference_rows)
-    return render("run.html", drawn, track=_track(run), **texts)
+    return render("run.html", drawn, track=track(run), **texts)
 
 
-def _track(run: RunData) -> dict[str, Any]:
+def track(run: RunData) -> dict[str, Any]:
     """Return the section and the supports in m, for buttons and the cross hair."""
     supports = (
         run.supports
@@ -118,6 +119,7 @@ def _texts(
         "contents": contents,
         "sections": sections,
         "stacked": _STACKED,
+        "explained": explanation_tables.tables(run.explanation),
         "computation": tables.computation(run, facts),
         "numbers": tables.number_rows(run),
         "criteria": criteria,

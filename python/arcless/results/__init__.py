@@ -3,13 +3,14 @@
 from arcless.dataset.metadata import metadata
 from arcless.dataset.netcdf.store import open_dataset, save
 from arcless.dataset.plain_dataset import dataset_from
-from arcless.results.result import RESULT_NAME, Result, result_file
+from arcless.results.result import RESULT_NAME, Result, explain, result_file
 from arcless.results.result import open_result as open
 
 __all__ = [
     "RESULT_NAME",
     "Result",
     "dataset_from",
+    "explain",
     "metadata",
     "open",
     "open_dataset",
