@@ -34,9 +34,9 @@ from arcless.explanation import Explanation, Sensitivities
 from arcless.model import Scenario, library, load, load_line, load_pantograph
 from arcless.results import Result, explain, open
 from arcless.simulate.batches.batch import Outcome, batch
+from arcless.simulate.central_differences import sensitivities
 from arcless.simulate.resonance import ResonanceSpeeds, resonance_speeds
 from arcless.simulate.run import resume, run
-from arcless.simulate.sensitivities import sensitivities
 from arcless.simulate.session.realtime import Realtime, RealtimeState, realtime
 from arcless.simulate.setup.controllers import ControlInput
 from arcless.simulate.statics import statics

@@ -7,8 +7,8 @@ import numpy as np
 
 from arcless.explanation.landmarks import Landmark, Landmarks
 from arcless.explanation.pantograph_explanation import (
-    Passage,
     PantographExplanation,
+    Passage,
     explained,
 )
 from arcless.explanation.signals.line_coordinate import LineCoordinate

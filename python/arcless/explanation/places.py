@@ -15,9 +15,12 @@ WORST, IRREGULAR = 10, 5
 # Chance at which a random section has a place that stands out. Larger, quiet runs name places;
 # smaller, a single wrong dropper of a loud line stays unnamed.
 RISK = 0.01
-# Distance in mean spans within which one irregular place stands for all, and within which a part
-# that is not as built is told: a wave of the span is passed by then.
-REACH = 0.5
+# Distance in mean spans within which one irregular place stands for all: further on, it is another
+# half wave of the span.
+APART = 0.5
+# Distance in mean spans within which a part that is not as designed is told. Larger, parts are told
+# that have nothing to do with the place; smaller, not those whose waves come some droppers later.
+REACH = 0.25
 
 
 def excursions(deviation: Floats) -> NDArray[np.intp]:
@@ -62,13 +65,13 @@ def irregular(
     """
     rows = excursions(remainder)
     least = sqrt(2.0 * log(rows.size / RISK)) * float(remainder.std())
-    reach = REACH * mean_span
     chosen: list[int] = []
     for row in rows[np.argsort(-np.abs(remainder[rows]), kind="stable")]:
-        if all(abs(x[row] - x[other]) >= reach for other in chosen):
+        if all(abs(x[row] - x[other]) >= APART * mean_span for other in chosen):
             chosen.append(int(row))
         if len(chosen) == IRREGULAR:
             break
+    reach = REACH * mean_span
     return tuple(
         _place(marks, x[r], force[r], remainder[r], reach, stands_out=abs(remainder[r]) > least)
         for r in chosen

@@ -10,7 +10,7 @@ from tests.support.passages import EQUAL, MODE, UNEQUAL, explain_force, line_of,
 SPAN, DROPPER, MODAL = 20.0, 12.0, 6.0  # amplitudes, N
 
 
-def known(noise_N: float = 0.0, seed: int = 0):  # noqa: N803 - unit in the name
+def known(noise_N: float = 0.0, seed: int = 0):
     random = np.random.default_rng(seed)
 
     def force(t, x, xi, psi):
@@ -52,7 +52,7 @@ def test_noise_is_rest_and_chance_says_how_much_of_it_repeats(spans) -> None:
     wanted = 100.0 * 25.0 * (1.0 - taken - band) / total
     assert rest == pytest.approx(wanted, abs=2.0)  # leakage, as above
     for key, square in (("span", SPAN**2), ("droppers", DROPPER**2)):
-        group = [[one for one in each.groups if one.key == key][0] for each in found]
+        group = [next(one for one in each.groups if one.key == key) for each in found]
         by_chance = np.mean([one.chance_percent for one in group])
         mean = np.mean([one.share_percent for one in group])
         # Leakage, and the mean of twelve passages with an uncertainty of 2 % each, three times.

@@ -75,7 +75,7 @@ def explain(
 
 
 def _sensitivities(result: "Result", step: float | None, *, quiet: bool) -> "Sensitivities":
-    from arcless.simulate.sensitivities import STEP_PERCENT, sensitivities
+    from arcless.simulate.central_differences import STEP_PERCENT, sensitivities
 
     with console.progress(quiet=quiet) as progress:
         return compute(

@@ -60,21 +60,12 @@ class RunData:
 
     @cached_property
     def explanation(self) -> Explanation | None:
-        """Explanation of σ; None where there is none, and `why_unexplained` says why."""
-        return None if isinstance(self._explained, str) else self._explained
-
-    @property
-    def why_unexplained(self) -> str:
-        """Why σ is not explained; empty where it is."""
-        return self._explained if isinstance(self._explained, str) else ""
-
-    @cached_property
-    def _explained(self) -> Explanation | str:
+        """Explanation of σ; None where the section is too short for one, or a force constant."""
         scenario = load(json.loads(self.dataset.attrs["scenario"]))
         try:
             return explain(self.dataset, self.assessment, scenario)
-        except ExplanationError as error:
-            return str(error)
+        except ExplanationError:
+            return None
 
     @cached_property
     def pantographs(self) -> list[str]:

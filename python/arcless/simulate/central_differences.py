@@ -84,12 +84,7 @@ def sensitivities(
     chosen = list(parameters(scenario))
     step = step_percent / 100.0
     factors = (1.0 - step, 1.0 - step / 2.0, 1.0 + step / 2.0, 1.0 + step)
-    made, found = [scenario], dict[str, Sensitivity]()
-    for one in chosen:
-        try:
-            made += [one.varied(scenario, factor) for factor in factors]
-        except ModelError as error:
-            found[one.name] = Sensitivity(one.name, tuple(one.values), (), f"out of range: {error}")
+    made, found = _variants(scenario, chosen, factors)
     own, *varied = batch(made, workers=workers, progress=progress, cancel=cancel)
     if own.error is not None or own.assessment is None:
         raise own.error or AssertionError("a run that is not watched is not stopped")
@@ -100,6 +95,19 @@ def sensitivities(
             found[one.name] = _sensitivity(one, own.assessment, four, factors)
     told = tuple(found[one.name] for one in chosen)
     return Sensitivities(step_percent, len(made), told, tuple(_left_out(scenario)))
+
+
+def _variants(
+    scenario: Scenario, chosen: Sequence[Parameter], factors: Sequence[float]
+) -> tuple[list[Scenario], dict[str, Sensitivity]]:
+    """Return the scenario and its variants, and the parameters that cannot be varied."""
+    made, found = [scenario], dict[str, Sensitivity]()
+    for one in chosen:
+        try:
+            made += [one.varied(scenario, factor) for factor in factors]
+        except ModelError as error:
+            found[one.name] = Sensitivity(one.name, tuple(one.values), (), f"out of range: {error}")
+    return made, found
 
 
 def parameters(scenario: Scenario) -> Iterator[Parameter]:
