@@ -31,7 +31,7 @@ _NAMES = {
         "StudyError",
     ),
     "model": ("Scenario", "library", "load", "load_line", "load_pantograph"),
-    "results": ("Result", "explain", "open"),
+    "results": ("KeptRun", "Result", "explain", "open", "runs"),
     "explanation": ("Explanation", "Sensitivities"),
     "comparison": ("Comparison", "compare"),
     "simulate": (

@@ -32,7 +32,7 @@ from arcless.errors import (
 )
 from arcless.explanation import Explanation, Sensitivities
 from arcless.model import Scenario, library, load, load_line, load_pantograph
-from arcless.results import Result, explain, open
+from arcless.results import KeptRun, Result, explain, open, runs
 from arcless.simulate.batches.batch import Outcome, batch
 from arcless.simulate.central_differences import sensitivities
 from arcless.simulate.resonance import ResonanceSpeeds, resonance_speeds
@@ -53,6 +53,7 @@ __all__ = [
     "Explanation",
     "ExplanationError",
     "FigureError",
+    "KeptRun",
     "MeshError",
     "ModelError",
     "Outcome",
@@ -87,6 +88,7 @@ __all__ = [
     "results",
     "resume",
     "run",
+    "runs",
     "sensitivities",
     "simulate",
     "statics",

@@ -7,13 +7,13 @@ import typer
 from arcless.cli.arguments.certainty import WithCertainty
 from arcless.cli.commands import (
     compare,
-    explain,
     export,
     model_files,
     own_models,
     replay,
     resume,
     run,
+    runs,
     saved_results,
     study,
     validate,
@@ -68,10 +68,11 @@ for _command in (
     own_models.new,
     run.statics,
     resume.resume,
+    runs.runs,
     saved_results.assess,
     saved_results.report,
+    saved_results.explain,
     compare.compare,
-    explain.explain,
     export.export,
     replay.replay,
 ):

@@ -1,4 +1,4 @@
-"""What stands where on a line: supports, droppers, masses, inserts, overlaps, changes as built."""
+"""Parts of a line by their places: supports, droppers, masses, inserts, overlaps, changes as built."""
 
 from dataclasses import dataclass
 from itertools import pairwise

@@ -54,7 +54,7 @@ def sensitivities(
 ) -> Sensitivities:
     """Compute how σ of the contact force follows dropper stiffness, tensions and masses.
 
-    Four runs for each parameter and one as it is, each with a mean force found anew where the
+    Four runs for each parameter and one as it is, each with the mean force found again where the
     scenario gives one.
 
     Parameters

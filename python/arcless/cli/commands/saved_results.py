@@ -1,4 +1,4 @@
-"""`arcless assess` and `arcless report`: what follows from a saved result."""
+"""`arcless assess`, `report` and `explain`: what follows from a saved result."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -7,9 +7,11 @@ import typer
 
 from arcless.cli.arguments.scenario import JsonOption, QuietOption
 from arcless.cli.output.outcome import finish
+from arcless.cli.process.background import compute
 from arcless.cli.terminal import console
 
 if TYPE_CHECKING:
+    from arcless.explanation import Sensitivities
     from arcless.results import Result
 
 ResultArgument = Annotated[
@@ -84,18 +86,81 @@ def report(
         typer.Option(
             "--out",
             metavar="FILE",
-            help="The file to write; report.html beside the result if not named.",
+            help="The file to write; if not named, report.html next to a result.nc, and NAME.html"
+            " next to a NAME.nc.",
             show_default=False,
         ),
     ] = None,
 ) -> None:
     """Write the HTML report of a saved run again."""
+    from arcless.results import RESULT_NAME, result_file
     from arcless.results import open as open_result
-    from arcless.results import result_file
 
-    target = out or result_file(result).with_name("report.html")
+    file = result_file(result)
+    # Other names are those of several runs in one folder, whose pages must not be one.
+    own = file.with_name("report.html") if file.name == RESULT_NAME else file.with_suffix(".html")
+    target = out or own
     open_result(result).write_report(target)
     console.data(f"wrote {target}")
+
+
+def explain(
+    result: ResultArgument,
+    *,
+    sensitivity: Annotated[
+        bool,
+        typer.Option(
+            "--sensitivity",
+            help="Vary dropper stiffness, tensions and pantograph masses too: four runs for each.",
+        ),
+    ] = False,
+    step: Annotated[
+        float | None,
+        typer.Option(
+            "--step",
+            metavar="PERCENT",
+            help="Step of --sensitivity in % of each parameter; 5 without it.",
+            show_default=False,
+        ),
+    ] = None,
+    out: Annotated[
+        Path | None,
+        typer.Option(
+            "--out",
+            metavar="FILE",
+            help="Write one HTML page with figures to this file.",
+            show_default=False,
+        ),
+    ] = None,
+    json: JsonOption = False,
+    quiet: QuietOption = False,
+) -> None:
+    """Explain the standard deviation σ of a run's contact force.
+
+    Which part of the variance repeats with spans, which with droppers, which lies in the bands of
+    the pantograph's modes; σ by span; where the force deviates most, and what stands there. All of
+    it comes from result.nc; only --sensitivity runs the scenario again. The section is that of the
+    scenario, two spans at least.
+    """
+    from arcless.cli.terminal import explanation_tables
+    from arcless.results import open as open_result
+
+    opened = open_result(result)
+    opened.explain()  # a section that is too short is told before anything is run
+    known = _sensitivities(opened, step, quiet=quiet) if sensitivity else None
+    if step is not None and not sensitivity:
+        console.warn("--step has no effect without --sensitivity")
+    found = opened.explain(known)
+    if out is not None:
+        from arcless.report import explanation_page
+
+        explanation_page.write(opened, found, out)
+    if json:
+        console.data(console.json_text(found.to_dict()))
+        return
+    console.show(*explanation_tables.blocks(found))
+    if out is not None:
+        console.data(f"wrote {out}")
 
 
 def _quantity(option: str, text: str | None, unit: str) -> float | None:
@@ -117,3 +182,14 @@ def _section(
         return None
     own_start, own_end = result.metadata["section_m"]
     return own_start if start is None else start, own_end if end is None else end
+
+
+def _sensitivities(result: "Result", step: float | None, *, quiet: bool) -> "Sensitivities":
+    from arcless.simulate.central_differences import STEP_PERCENT, sensitivities
+
+    with console.progress(quiet=quiet) as progress:
+        return compute(
+            lambda cancel: sensitivities(
+                result, step_percent=step or STEP_PERCENT, progress=progress, cancel=cancel
+            )
+        )

@@ -77,7 +77,7 @@ class LineCoordinate:
 
 
 def _counted(x: Floats, marks: Floats) -> Floats:
-    """Return places counted in intervals between marks; beyond them the outer ones go on."""
+    """Return places counted in intervals between marks; beyond them, in the outermost ones."""
     count: Floats = np.interp(x, marks, np.arange(marks.size, dtype=np.float64))
     before, behind = x < marks[0], x > marks[-1]
     count[before] = (x[before] - marks[0]) / (marks[1] - marks[0])
