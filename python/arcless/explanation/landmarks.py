@@ -1,4 +1,4 @@
-"""Parts of a line by their places: supports, droppers, masses, inserts, overlaps, changes as built."""
+"""Parts of a line by their places: supports, droppers, masses, overlaps, changes as built."""
 
 from dataclasses import dataclass
 from itertools import pairwise

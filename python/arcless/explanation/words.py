@@ -26,8 +26,8 @@ def largest_share(std_force_N: float, groups: Sequence[Group]) -> str:
     wavelength = "" if found.wavelength_m is None else f", wavelength {found.wavelength_m:.1f} m"
     mode = "" if found.mode is None else f", in the band of pantograph mode {found.mode}"
     return (
-        f"{begin}; the largest share of its variance is {first.name}, {share(first)}, of which"
-        f" {found.share_percent:.0f} % at {found.frequency_Hz:.2f} Hz{wavelength}{mode}."
+        f"{begin}; the largest share of its variance is {first.name}, {share(first)}. Its strongest"
+        f" wave has {found.share_percent:.0f} % at {found.frequency_Hz:.2f} Hz{wavelength}{mode}."
     )
 
 
@@ -44,7 +44,7 @@ def where_worst(worst: Sequence[Place], irregular: Sequence[Place]) -> str:
     """Return where the force deviates most, and what differs from span to span."""
     place = worst[0]
     side = "above" if place.deviation_N > 0.0 else "below"
-    text = f"It deviates most at {place_words(place)}: {abs(place.deviation_N):.0f} N {side} F_m"
+    text = f"The force deviates most at {place_words(place)}: {abs(place.deviation_N):.0f} N {side} F_m"
     outstanding = [one for one in irregular if one.stands_out]
     if not outstanding:
         return f"{text}; no place stands out from what repeats."

@@ -46,7 +46,7 @@ def contributions(run: RunData) -> list[Figure]:
                 layers,
                 caption=f"The bars add up to σ². A wave that fits n times into the mean span of"
                 f" {length:.1f}\u00a0m is {length:.1f}\u00a0m/n long and passes at"
-                f" {_passing_Hz(one):.2f}\u00a0Hz times n.",
+                f" {_passing_Hz(one):.2f}\u00a0Hz times n.{_modes(one)}",
                 alt=f"Shares of the variance of the contact force of {one.name}: {words}.",
             )
         )
@@ -90,6 +90,14 @@ def irregular(run: RunData) -> list[Figure]:
             )
         )  # fmt: skip
     return found
+
+
+def _modes(one: PantographExplanation) -> str:
+    """Return the natural frequencies of the pantograph in a sentence."""
+    if not one.modes:
+        return ""
+    names = ", ".join(f"{mode.frequency_Hz:.2f}" for mode in one.modes)
+    return f" Natural frequencies of the pantograph on the line: {names}\u00a0Hz."
 
 
 def _passing_Hz(one: PantographExplanation) -> float:  # noqa: N802 - unit in the name
@@ -151,16 +159,15 @@ def _passing(one: PantographExplanation) -> list[Layer]:
         at = per_span * np.arange(1, int(highest / per_span) + 1)
         if at.size:
             spacing = known[0].wavelength_m * known[0].of_span / per_span
-            parts = " and parts" if at.size > 1 else ""
+            harmonics = " and harmonics" if at.size > 1 else ""
             layers.append(
                 Rules(axis="x", at=at, colour="dropper", dash="dotted", width=1.4,
-                      name=f"dropper passing, {spacing:.2f} m{parts}")
+                      name=f"dropper passing, {spacing:.2f} m{harmonics}")
             )  # fmt: skip
     if one.modes:
         at = np.array([mode.frequency_Hz for mode in one.modes]) / _passing_Hz(one)
-        names = ", ".join(f"{mode.frequency_Hz:.2f}" for mode in one.modes)
         layers.append(
             Rules(axis="x", at=at, colour="highlight", dash="dashed", width=1.2,
-                  name=f"natural frequency of the pantograph, {names} Hz")
+                  name="natural frequency")
         )  # fmt: skip
     return layers

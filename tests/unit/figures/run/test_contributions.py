@@ -56,7 +56,7 @@ def test_droppers_and_natural_frequencies_are_marked() -> None:
     assert dropper.name.startswith("dropper passing, 10.00 m")
     (own,) = [one.frequency_Hz for one in run.explanation.pantographs[0].modes]
     np.testing.assert_allclose(mode.at, own * SPAN_M / SPEED)
-    assert f"{own:.2f} Hz" in mode.name
+    assert f"{own:.2f}\u00a0Hz" in figure.caption
 
 
 def test_a_kick_stands_out_where_it_is() -> None:
