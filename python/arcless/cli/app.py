@@ -18,6 +18,7 @@ from arcless.cli.commands import (
     study,
     validate,
 )
+from arcless.cli.completion import scripts
 from arcless.cli.process.guard import GuardedGroup
 from arcless.cli.terminal.console import data
 
@@ -75,6 +76,7 @@ for _command in (
     compare.compare,
     export.export,
     replay.replay,
+    scripts.completion,
 ):
     app.command()(_command)
 

@@ -9,6 +9,8 @@ import numpy as np
 from arcless.assess import Assessment
 from arcless.assess.section import force_record
 from arcless.dataset.metadata import metadata
+from arcless.display import cards
+from arcless.explanation import tables
 from arcless.explanation.landmarks import Landmarks
 from arcless.explanation.pantograph_explanation import PantographExplanation, Passage, explained
 from arcless.explanation.sensitivity import Sensitivities
@@ -58,6 +60,21 @@ class Explanation:
             for one in self.pantographs
             for text in one.sentences(self.sensitivities)
         ]
+
+    def tables(self) -> list[dict[str, Any]]:
+        """Return sentences and tables of each pantograph as text, for pages."""
+        return tables.tables(self.pantographs, self.sensitivities)
+
+    def _repr_html_(self) -> str:
+        shown = [
+            part
+            for one in self.pantographs
+            for part in (
+                cards.listed([f"{one.name}: {text}" for text in one.sentences(self.sensitivities)]),
+                cards.table(tables.GROUPS, tables.group_rows(one), numbers=tables.GROUPS[1:]),
+            )
+        ]
+        return cards.card(f"Why σ is as it is: {self.scenario}", *shown)
 
     def to_dict(self) -> dict[str, Any]:
         """Return plain values, ready for JSON; see docs/guide/why-sigma.md."""

@@ -44,7 +44,8 @@ def where_worst(worst: Sequence[Place], irregular: Sequence[Place]) -> str:
     """Return where the force deviates most, and what differs from span to span."""
     place = worst[0]
     side = "above" if place.deviation_N > 0.0 else "below"
-    text = f"The force deviates most at {place_words(place)}: {abs(place.deviation_N):.0f} N {side} F_m"
+    size = f"{abs(place.deviation_N):.0f} N {side} F_m"
+    text = f"The force deviates most at {place_words(place)}: {size}"
     outstanding = [one for one in irregular if one.stands_out]
     if not outstanding:
         return f"{text}; no place stands out from what repeats."

@@ -4,9 +4,10 @@ from pathlib import Path
 from typing import Any
 
 from arcless.explanation import Explanation, Sensitivities
+from arcless.explanation.tables import sensitivity_rows
 from arcless.figures.run import contributions, spans
 from arcless.figures.run.run_data import RunData
-from arcless.report import explanation_tables, summary
+from arcless.report import summary
 from arcless.report.page import track
 from arcless.report.reported_run import ReportedRun
 from arcless.report.template import render
@@ -58,7 +59,7 @@ def html(result: ReportedRun, explanation: Explanation) -> str:
         track=track(run),
         title=f"Why σ is as it is: {result.scenario.name}",
         identity=summary.identity(result.scenario, result.assessment, facts),
-        explained=explanation_tables.tables(explanation),
+        explained=explanation.tables(),
         notes=explanation.notes,
         contents=contents,
         sections=sections,
@@ -72,7 +73,7 @@ def _sensitivities(known: Sensitivities | None) -> dict[str, Any]:
     if known is None:
         return {"sensitivities": [], "step": 0.0, "left_out": ()}
     return {
-        "sensitivities": explanation_tables.sensitivity_rows(known),
+        "sensitivities": sensitivity_rows(known),
         "step": known.step_percent,
         "left_out": known.left_out,
     }

@@ -12,7 +12,7 @@ from arcless.figures.run import figures
 from arcless.figures.run.run_data import RunData
 from arcless.figures.run.track import MARKS
 from arcless.model import MARKS as MEANINGS
-from arcless.report import explanation_tables, summary, tables
+from arcless.report import summary, tables
 from arcless.report.model_data import groups, marks_used
 from arcless.report.reported_run import ReportedRun
 from arcless.report.template import render
@@ -119,7 +119,7 @@ def _texts(
         "contents": contents,
         "sections": sections,
         "stacked": _STACKED,
-        "explained": explanation_tables.tables(run.explanation),
+        "explained": [] if run.explanation is None else run.explanation.tables(),
         "computation": tables.computation(run, facts),
         "numbers": tables.number_rows(run),
         "criteria": criteria,

@@ -84,7 +84,7 @@ def sensitivities(
     chosen = list(parameters(scenario))
     step = step_percent / 100.0
     factors = (1.0 - step, 1.0 - step / 2.0, 1.0 + step / 2.0, 1.0 + step)
-    made, found = _variants(scenario, chosen, factors)
+    made, found = variants(scenario, chosen, factors)
     own, *varied = batch(made, workers=workers, progress=progress, cancel=cancel)
     if own.error is not None or own.assessment is None:
         raise own.error or AssertionError("a run that is not watched is not stopped")
@@ -97,7 +97,7 @@ def sensitivities(
     return Sensitivities(step_percent, len(made), told, tuple(_left_out(scenario)))
 
 
-def _variants(
+def variants(
     scenario: Scenario, chosen: Sequence[Parameter], factors: Sequence[float]
 ) -> tuple[list[Scenario], dict[str, Sensitivity]]:
     """Return the scenario and its variants, and the parameters that cannot be varied."""

@@ -80,6 +80,14 @@ def test_a_line_whose_droppers_do_not_repeat_says_so() -> None:
     assert "the line has no droppers that repeat within a span" in lonely.notes
 
 
+def test_a_notebook_shows_sentences_and_parts() -> None:
+    found = explanation_of()
+    shown = found._repr_html_()
+    assert "Why σ is as it is: synthetic" in shown
+    assert found.sentences[0] in shown
+    assert "dropper passing" in shown
+
+
 def test_it_is_plain_data() -> None:
     data = json.loads(json.dumps(explanation_of().to_dict(), allow_nan=False))
     assert data["format"] == "arcless-explanation/1"

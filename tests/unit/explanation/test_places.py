@@ -46,9 +46,10 @@ def test_the_worst_place_has_position_span_force_and_neighbour() -> None:
 
 
 def test_a_part_that_is_not_as_designed_is_named_where_it_is_near() -> None:
-    force = 100.0 + bell(70.0, 30.0) - bell(20.0, 20.0)
-    near, far = places.worst(MARKS, X, force, 50.0)[:2]
+    force = 100.0 + bell(70.0, 30.0) - bell(20.0, 20.0) + bell(81.0, 25.0)
+    near, behind, far = places.worst(MARKS, X, force, 50.0)[:3]
     assert near.as_built == "span 2 dropper 3 missing, 5.0 m after it"
+    assert behind.as_built == "span 2 dropper 3 missing, 6.0 m before it"
     assert far.as_built is None
 
 

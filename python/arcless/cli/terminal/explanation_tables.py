@@ -6,16 +6,13 @@ from typing import TYPE_CHECKING
 from rich.table import Table
 
 from arcless.cli.terminal.tables import table
-from arcless.report import explanation_tables as rows
+from arcless.explanation import tables as rows
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
 
     from arcless.explanation import Explanation, PantographExplanation
 
-_GROUPS = (
-    "share of σ², %", "± %", "root, N", "strongest at, Hz", "wavelength, m", "its share, %",
-)  # fmt: skip
 _MODES = ("Hz", "band, Hz", "damping ratio", "share that does not repeat, %", "all in the band, %")
 _PLACES = ("position, m", "span", "force, N", "deviation, N")
 
@@ -25,7 +22,7 @@ def blocks(found: "Explanation") -> "Iterator[RenderableType]":
     yield "".join(f"{text}\n" for text in found.sentences)
     for one in found.pantographs:
         of = f", {one.name}" if len(found.pantographs) > 1 else ""
-        yield _filled(f"Parts of the variance σ²{of}", ("part", *_GROUPS), rows.group_rows(one))
+        yield _filled(f"Parts of the variance σ²{of}", rows.GROUPS, rows.group_rows(one))
         if one.modes:
             yield _filled(f"Natural modes of the pantograph{of}", ("mode", *_MODES),
                           rows.mode_rows(one))  # fmt: skip

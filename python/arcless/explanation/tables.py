@@ -3,28 +3,32 @@
 from collections.abc import Sequence
 from typing import Any
 
-from arcless.explanation import Explanation, PantographExplanation, Sensitivities
+from arcless.display.numbers import number
+from arcless.explanation.pantograph_explanation import PantographExplanation
 from arcless.explanation.parts import Place
-from arcless.explanation.sensitivity import LEAST
-from arcless.report.summary import number
+from arcless.explanation.sensitivity import LEAST, Sensitivities
 
 NONE = "–"
+# Titles of the columns of `group_rows`.
+GROUPS = (
+    "part", "share of σ², %", "± %", "root, N", "strongest at, Hz", "wavelength, m", "its share, %",
+)  # fmt: skip
 
 
-def tables(explanation: Explanation | None) -> list[dict[str, Any]]:
-    """Return the tables of each pantograph as rows of text."""
-    if explanation is None:
-        return []
+def tables(
+    pantographs: Sequence[PantographExplanation], known: Sensitivities | None
+) -> list[dict[str, Any]]:
+    """Return sentences and tables of each pantograph as rows of text."""
     return [
         {
             "name": one.name,
-            "sentences": one.sentences(explanation.sensitivities),
+            "sentences": one.sentences(known),
             "groups": group_rows(one),
             "modes": mode_rows(one),
             "worst": place_rows(one.worst),
             "irregular": place_rows(one.irregular),
         }
-        for one in explanation.pantographs
+        for one in pantographs
     ]
 
 
