@@ -62,7 +62,7 @@ class Order:
 
     source: Source
     of_span: float
-    waves: float
+    waves: int
     carrier: int = 0
 
 
@@ -165,11 +165,24 @@ def fit(deviation: Floats, spans: Floats, intervals: Floats, taken: tuple[Order,
 
 def _columns(taken: tuple[Order, ...], spans: Floats, intervals: Floats) -> Floats:
     """Return a column of ones, then cosine and sine of each order, (sample, column)."""
-    waves = np.array([one.waves for one in taken])
-    carriers = np.array([one.carrier for one in taken])
-    phase = 2.0 * np.pi * (np.outer(spans, waves) + np.outer(intervals, carriers))
+    of_spans = _powers(spans, max((abs(one.waves) for one in taken), default=0))
+    of_intervals = _powers(intervals, max((one.carrier for one in taken), default=0))
     found = np.ones((spans.size, 1 + 2 * len(taken)))
-    found[:, 1::2], found[:, 2::2] = np.cos(phase), np.sin(phase)
+    for place, one in enumerate(taken):
+        wave = of_spans[abs(one.waves)]
+        wave = wave.conj() if one.waves < 0 else wave
+        if one.carrier:
+            wave = wave * of_intervals[one.carrier]
+        found[:, 1 + 2 * place], found[:, 2 + 2 * place] = wave.real, wave.imag
+    return found
+
+
+def _powers(coordinate: Floats, most: int) -> list[NDArray[np.complex128]]:
+    """Return exp(2πi k θ) for k from 0 by products: an exponential for each takes longer."""
+    found = [np.ones(coordinate.size, dtype=np.complex128)]
+    first = np.exp(2j * np.pi * coordinate)
+    for _ in range(most):
+        found.append(found[-1] * first)
     return found
 
 
