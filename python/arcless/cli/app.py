@@ -15,6 +15,7 @@ from arcless.cli.commands import (
     run,
     saved_results,
     study,
+    table,
     validate,
 )
 from arcless.cli.process.guard import GuardedGroup
@@ -65,6 +66,7 @@ for _command in (
     model_files.schema,
     own_models.show,
     own_models.new,
+    table.table,
     run.statics,
     resume.resume,
     saved_results.assess,
