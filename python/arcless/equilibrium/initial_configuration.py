@@ -7,8 +7,9 @@ from typing import Any, Self
 import numpy as np
 
 from arcless.equilibrium import equilibrium
+from arcless.equilibrium.line_alone import LineAlone
 from arcless.mesh import SPATIAL, StitchPlace
-from arcless.model import Scenario
+from arcless.model import Line, Scenario
 from arcless.model.load import check_kind
 
 Progress = Callable[[float, str], None]
@@ -16,18 +17,22 @@ Progress = Callable[[float, str], None]
 
 @dataclass(frozen=True)
 class InitialConfiguration:
-    """The line of a scenario at rest. SI units unless named."""
+    """The line of a scenario, or a line alone, at rest. SI units unless named."""
 
-    scenario: Scenario
+    scenario: Scenario | LineAlone
     equilibrium: equilibrium.Equilibrium
     elasticity_x_m: list[float]
     elasticity_m_per_N: list[float]  # noqa: N815 - the unit is part of the name
     natural_frequencies_Hz: list[float]  # noqa: N815
 
     @classmethod
-    def of(cls, scenario: Scenario, progress: Progress | None = None) -> Self:
-        """Find the initial configuration of a scenario's line; see `arcless.statics`."""
-        check_kind(scenario)
+    def of(cls, source: Scenario | Line, progress: Progress | None = None) -> Self:
+        """Find the initial configuration of a line; see `arcless.statics`."""
+        if isinstance(source, Line):
+            scenario: Scenario | LineAlone = LineAlone(source)
+        else:
+            check_kind(source)
+            scenario = source
         tell = progress or (lambda _fraction, _text: None)
         tell(0.0, "static equilibrium")
         found = equilibrium.find(scenario)
@@ -191,7 +196,7 @@ def _entry(values: Any, row: int | None) -> float | None:
     return None if row is None else float(values[row])
 
 
-def wave_speed_of(scenario: Scenario, found: equilibrium.Equilibrium) -> float | None:
+def wave_speed_of(scenario: Scenario | LineAlone, found: equilibrium.Equilibrium) -> float | None:
     """Return the wave speed of the contact wire in m/s: of the design or, as built, the lowest.
 
     None of a rail without tension, which has no wave speed.

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from arcless.equilibrium.initial_configuration import InitialConfiguration
+from arcless.equilibrium.line_alone import LineAlone
 from arcless.figures.statics import LineData, figures
 from arcless.report.summary import number
 from arcless.report.template import render
@@ -84,9 +85,10 @@ def html(found: InitialConfiguration, *, resonance: Mapping[str, Any] | None = N
 def identity(found: InitialConfiguration) -> list[tuple[str, str]]:
     """Return what the page is about, as label and text."""
     places = found.equilibrium.support_places()
+    kind = "Line" if isinstance(found.scenario, LineAlone) else "Scenario"
     weather = "as designed" if found.as_built is None else "as built"
     return [
-        ("Scenario", found.scenario.name),
+        (kind, found.scenario.name),
         ("Length", f"{len(places) - 1} spans, {places[-1] - places[0]:.0f} m"),
         ("State", weather),
         ("Computed", _now()),

@@ -81,6 +81,21 @@ def apply(scenario: Model, changes: Mapping[str, Any]) -> Model:
     return changed
 
 
+def apply_to_line(line: Line, changes: Mapping[str, Any]) -> Line:
+    """Return a validated copy of a line with changed fields, with or without `line.` before them.
+
+    Raises
+    ------
+    ModelError
+        There is no such field, or the line is not valid with it.
+    """
+    data = line.model_dump(mode="json", by_alias=True)
+    own = {path.removeprefix("line."): value for path, value in changes.items()}
+    for path, value in own.items():
+        _set(data, path, value, set(own), {})
+    return build(data, "line", Line, Origin())
+
+
 def field_of(scenario: ScenarioData, path: str) -> tuple[str, Unit | None]:
     """Return the whole path of a field, nothing left out, and its unit or None.
 

@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 import arcless
+from arcless.equilibrium.line_alone import ALONE
 from arcless.mesh import build_mesh
 from arcless.model import Line
 from arcless.model.line.parts.masses_and_inserts import Insert, LumpedMass
@@ -16,7 +17,6 @@ from arcless.model.table_edit import edited_line
 from arcless.model.tables.files import read_tables, write_tables
 from arcless.model.tables.of_line import tables_of
 from arcless.model.tables.sheets import LISTS, SHEETS, Sheet
-from arcless.simulate.statics import ALONE
 from tests.support.line_tables import content, loaded, other_text
 from tests.support.random_lines import KINDS, data_of
 
