@@ -99,3 +99,15 @@ def test_bad_input_is_told_and_nothing_is_written(
     assert done.exit_code == 2
     assert told in done.stderr
     assert {path: path.read_bytes() for path in Path().rglob("*") if path.is_file()} == before
+
+
+def test_tables_that_are_read_twice_change_nothing_the_second_time(arcless: Command) -> None:
+    arcless("new", "ridge", "--from", "norway-s25")
+    arcless("table", "ridge.yaml", "--to", "ridge")
+    spans = Path("ridge/spans.csv")
+    spans.write_text(spans.read_text().replace("7,standard,60.0", "7,standard,60.5"))
+    assert "changed" in arcless("table", "ridge.yaml", "--from", "ridge").stdout
+    assert "nothing to change" in arcless("table", "ridge.yaml", "--from", "ridge").stdout
+    spans.write_text(spans.read_text().replace("7,standard,60.5", "7,standard,61"))
+    changed = arcless("table", "ridge.yaml", "--from", "ridge").stdout.splitlines()[0]
+    assert changed == "changed ridge.yaml: span_types.standard-7"

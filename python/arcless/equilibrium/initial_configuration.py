@@ -8,6 +8,7 @@ import numpy as np
 
 from arcless.equilibrium import equilibrium
 from arcless.equilibrium.line_alone import LineAlone
+from arcless.equilibrium.support_forces import SupportForces
 from arcless.mesh import SPATIAL, StitchPlace
 from arcless.model import Line, Scenario
 from arcless.model.load import check_kind
@@ -71,8 +72,12 @@ class InitialConfiguration:
 
     @property
     def supports(self) -> list[dict[str, Any]]:
-        """Supports: name, x_m, vertical force on the support, force in the steady arm."""
-        arrays = self.equilibrium.arrays
+        """Supports: name, x_m, forces on the support and in the steady arm, heights, stagger.
+
+        Lateral forces are those of the wire, positive to the left (`support_forces`).
+        """
+        arrays, points = self.equilibrium.arrays, self.equilibrium.positions
+        forces = SupportForces(self.equilibrium, self.scenario.line)
         alone = self.scenario.line.messenger_wire is None
         held = "contact_support_force_N" if alone else "messenger_force_N"
         return [
@@ -81,7 +86,10 @@ class InitialConfiguration:
                 "x_m": support.x,
                 held: _entry(arrays["spring_force"], support.messenger_spring),
                 "steady_arm_force_N": _entry(arrays["strut_tension"], support.steady_arm),
-                "contact_wire_height_m": float(self.equilibrium.positions[support.contact_node, 2]),
+                "contact_wire_height_m": float(points[support.contact_node, 2]),
+                "contact_wire_lateral_force_N": forces.of_contact_wire(support),
+                "messenger_wire_height_m": _entry(points[:, 2], forces.messenger_node(support)),
+                "messenger_wire_lateral_force_N": forces.of_messenger_wire(support),
             }
             for support in self.equilibrium.mesh.supports
         ]

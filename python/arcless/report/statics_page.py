@@ -19,8 +19,11 @@ from arcless.storage.whole_files import write_bytes
 _SUPPORT_COLUMNS = (
     ("contact_wire_height_m", "contact wire above rail, m", 4),
     ("stagger_m", "stagger, m", 3),
+    ("messenger_wire_height_m", "messenger wire above rail, m", 4),
     ("messenger_force_N", "messenger-wire force, N", 1),
     ("contact_support_force_N", "contact-support force, N", 1),
+    ("contact_wire_lateral_force_N", "lateral force of the contact wire, N", 1),
+    ("messenger_wire_lateral_force_N", "lateral force of the messenger wire, N", 1),
     ("steady_arm_force_N", "steady-arm force, N", 1),
 )
 _CONTENTS = (

@@ -47,7 +47,7 @@ class StaticsResult(InitialConfiguration):
         write_csv(path, dropper_schedule(self, allowance_m))
 
     def write_supports(self, path: str | Path) -> None:
-        """Write loads, steady-arm forces, heights and stagger at all supports as CSV.
+        """Write heights, stagger, loads, lateral and steady-arm forces at all supports as CSV.
 
         Raises
         ------

@@ -33,7 +33,7 @@ SupportsOption = Annotated[
     typer.Option(
         "--supports",
         metavar="FILE.csv",
-        help="Write loads, steady-arm forces, heights and stagger at all supports.",
+        help="Write heights, stagger, loads, lateral and arm forces at all supports.",
         show_default=False,
     ),
 ]

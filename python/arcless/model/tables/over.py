@@ -96,8 +96,8 @@ def _lay_spans(tables: Tables, line: Line, found: Laid) -> list[float]:
     ]
     spans, places = spans_of(table, *hung)
     known = {name: Span.of(own, **has) for name, own in line.span_types.items()}
-    names, types = named(spans, table.column("type"), known)
     before = [run.type for run in line.spans for _ in range(run.count)]
+    names, types = named(spans, table.column("type"), known, set(before))
     if names != before:
         found.changes["spans"] = runs(names)
     for name, span in types.items():

@@ -1,6 +1,6 @@
 """Sheets of spans, droppers and hangers → types of spans, and their order along the line."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 from typing import Any
@@ -147,7 +147,10 @@ def _of_span(table: Table, number: str, rows: Sequence[int]) -> Hung:
 
 
 def named(
-    spans: Sequence[Span], labels: Sequence[str | None], known: Mapping[str, Span]
+    spans: Sequence[Span],
+    labels: Sequence[str | None],
+    known: Mapping[str, Span],
+    in_use: Collection[str],
 ) -> tuple[list[str], dict[str, Span]]:
     """Return the name of the type of each span, and the types by name.
 
@@ -164,6 +167,9 @@ def named(
         Name of each in the table.
     known
         Types of the line, by name.
+    in_use
+        Names of those that spans of the line have. One that no row names any more may get the
+        content of such a span: tables that are read twice say the same.
     """
     pairs = list(zip(labels, spans, strict=True))
     types = {label: known[label] for label, span in pairs
@@ -180,7 +186,9 @@ def named(
         if label is None and span in names_of and _is_free(names_of[span], span, types):
             name = names_of[span]
         else:
-            name = _free(f"{label or 'span'}-{number}", {*types, *known})
+            kept = {name for name in known if name not in in_use and known[name] != span}
+            taken = {name for name, own in types.items() if own != span} | kept | set(labels)
+            name = _free(f"{label or 'span'}-{number}", taken)
         types[name] = span
         found[label, span] = name
     return [found[pair] for pair in pairs], types
@@ -190,7 +198,7 @@ def _is_free(name: str, span: Span, types: Mapping[str, Span]) -> bool:
     return types.get(name, span) == span
 
 
-def _free(name: str, taken: set[str]) -> str:
+def _free(name: str, taken: Collection[str | None]) -> str:
     found, count = name, 1
     while found in taken:
         count += 1

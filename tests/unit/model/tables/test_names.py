@@ -10,30 +10,40 @@ A, B, C = (Span(length, Hung((length / 2,)), None) for length in (50.0, 55.0, 60
 
 
 def test_spans_of_a_name_that_differ_become_types_of_their_own() -> None:
-    names, types = named([A, B, A, C, B], ["s"] * 5, {"s": A})
+    names, types = named([A, B, A, C, B], ["s"] * 5, {"s": A}, {"s"})
     assert names == ["s", "s-2", "s", "s-4", "s-2"]
     assert types == {"s": A, "s-2": B, "s-4": C}
 
 
 def test_a_name_stays_that_of_the_type_the_line_has() -> None:
     # The first span differs from the type of the line; a later one is as it was.
-    assert named([B, A], ["s", "s"], {"s": A})[0] == ["s-1", "s"]
+    assert named([B, A], ["s", "s"], {"s": A}, {"s"})[0] == ["s-1", "s"]
     # No span is as it was: the type itself changes.
-    assert named([B, B], ["s", "s"], {"s": A}) == (["s", "s"], {"s": B})
+    assert named([B, B], ["s", "s"], {"s": A}, {"s"}) == (["s", "s"], {"s": B})
 
 
 def test_spans_without_a_name_find_one() -> None:
-    assert named([A, B, B], [None] * 3, {"s": A})[0] == ["s", "span-2", "span-2"]
+    assert named([A, B, B], [None] * 3, {"s": A}, {"s"})[0] == ["s", "span-2", "span-2"]
     # Named further behind in the table.
-    assert named([B, B], [None, "t"], {"s": A})[0] == ["t", "t"]
+    assert named([B, B], [None, "t"], {"s": A}, {"s"})[0] == ["t", "t"]
     # The line's type of this content becomes another one, so its name is none of these spans'.
-    assert named([A, B], [None, "s"], {"s": A})[0] == ["span-1", "s"]
+    assert named([A, B], [None, "s"], {"s": A}, {"s"})[0] == ["span-1", "s"]
 
 
 def test_a_name_that_is_taken_is_not_given_again() -> None:
-    names, types = named([A, B], ["s", "s"], {"s": A, "s-2": C})
+    # No span of the line has the type s-2, which stays.
+    names, types = named([A, B], ["s", "s"], {"s": A, "s-2": C}, {"s"})
     assert names == ["s", "s-2-2"]
     assert types == {"s": A, "s-2-2": B}
+    # A row has the name.
+    assert named([A, B, C], ["s", "s", "s-2"], {"s": A}, {"s"})[0] == ["s", "s-2-2", "s-2"]
+
+
+def test_a_table_that_is_read_again_gives_the_same_names() -> None:
+    names, types = named([A, B], ["s", "s"], {"s": A}, {"s"})
+    assert named([A, B], ["s", "s"], types, set(names)) == (names, types)
+    # Changed further, the type of that span changes.
+    assert named([A, C], ["s", "s"], types, set(names)) == (names, {"s": A, "s-2": C})
 
 
 def test_runs_count_equal_spans() -> None:
