@@ -28,9 +28,9 @@ Floats = NDArray[np.float64]
 ACROSS = 1
 # Elements beyond the support, and before the next attachment, that the wire's stiffness bends.
 # Elements are longer than √(EI/T), 0.1 m, and the bend fades by 12 to 14 from one to the next.
-# After three, the force is that of a bar in the same place within 0.2 % on shipped lines. With fewer the
-# direction is that of the bend; with more, none are left before the first dropper, which itself
-# bends the wire across the track very little.
+# After three, the force is that of a bar in the same place within 0.2 % on shipped lines. With
+# fewer the direction is that of the bend; with more, none are left before the first dropper, which
+# itself bends the wire across the track very little.
 BENT_AT_SUPPORT, BENT_AT_DROPPER = 3, 1
 # Nodes that a parabola takes: with fewer, the direction is not known.
 FEWEST = 3
