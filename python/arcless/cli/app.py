@@ -8,17 +8,15 @@ from arcless.cli.arguments.certainty import WithCertainty
 from arcless.cli.commands import (
     compare,
     export,
-    model_files,
-    own_models,
     replay,
     resume,
     run,
     runs,
     saved_results,
     study,
-    table,
     validate,
 )
+from arcless.cli.commands.models import model_files, own_models, table
 from arcless.cli.process.guard import GuardedGroup
 from arcless.cli.terminal.console import data
 

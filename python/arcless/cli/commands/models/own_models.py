@@ -82,7 +82,7 @@ def new(
 
 def _with_table(name: str, files: dict[str, str], table: Path) -> dict[str, str]:
     """Return the file of the line with tables laid over it."""
-    from arcless.cli.commands.table import say_left_out
+    from arcless.cli.commands.models.table import say_left_out
     from arcless.errors import ModelError
     from arcless.model.table_edit import edited_line
 
