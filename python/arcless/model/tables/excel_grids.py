@@ -3,6 +3,7 @@
 import datetime
 import warnings
 import zipfile
+import zlib
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
@@ -89,9 +90,16 @@ def _load(path: Path, where: str, *, values: bool) -> Any:
 
 
 def _has_formulas(path: Path) -> bool:
-    with zipfile.ZipFile(path) as packed:
-        sheets = [name for name in packed.namelist() if name.startswith("xl/worksheets/")]
-        return any(b"<f>" in data or b"<f " in data for data in map(packed.read, sheets))
+    """Return whether some sheet has a formula: then their places are looked up, which takes long.
+
+    A sheet that cannot be unpacked is taken for one that has.
+    """
+    try:
+        with zipfile.ZipFile(path) as packed:
+            sheets = [name for name in packed.namelist() if name.startswith("xl/worksheets/")]
+            return any(b"<f>" in data or b"<f " in data for data in map(packed.read, sheets))
+    except (zipfile.BadZipFile, zlib.error, RuntimeError, OSError):
+        return True
 
 
 def _grid(sheet: Any, formulas: Any, where: str) -> Grid:

@@ -43,7 +43,7 @@ def table(
         ),
     ] = None,
 ) -> None:
-    """Write spans, supports and droppers of a line as tables, or read them into its file.
+    """Write a line as tables, or read tables into its file.
 
     There is a row for each span, support and dropper, and a unit in the header of each column.
     With --from, the file LINE is changed only where the tables say something else; its comments,
