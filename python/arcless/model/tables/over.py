@@ -103,7 +103,7 @@ def _lay_spans(tables: Tables, line: Line, found: Laid) -> list[float]:
     for name, span in types.items():
         if known.get(name) != span:
             found.span_types[name] = span.to_data()
-    found.span_types.update(dict.fromkeys(set(before) - set(types)))
+    found.span_types.update({name: None for name in before if name not in types})
     _note_spans(names, places, found)
     return [span.length for span in spans]
 

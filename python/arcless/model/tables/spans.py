@@ -191,7 +191,8 @@ def named(
             name = _free(f"{label or 'span'}-{number}", taken)
         types[name] = span
         found[label, span] = name
-    return [found[pair] for pair in pairs], types
+    names = [found[pair] for pair in pairs]
+    return names, {name: types[name] for name in names}
 
 
 def _is_free(name: str, span: Span, types: Mapping[str, Span]) -> bool:
