@@ -17,6 +17,7 @@ from arcless.cli.commands import (
     validate,
 )
 from arcless.cli.commands.models import model_files, own_models, table
+from arcless.cli.completion import scripts
 from arcless.cli.process.guard import GuardedGroup
 from arcless.cli.terminal.console import data
 
@@ -74,6 +75,7 @@ for _command in (
     compare.compare,
     export.export,
     replay.replay,
+    scripts.completion,
 ):
     app.command()(_command)
 

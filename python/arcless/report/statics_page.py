@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
+from arcless.display.numbers import number
 from arcless.equilibrium.initial_configuration import InitialConfiguration
 from arcless.equilibrium.line_alone import LineAlone
 from arcless.figures.statics import LineData, figures
-from arcless.report.summary import number
 from arcless.report.template import render
 from arcless.storage.whole_files import write_bytes
 

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from arcless.cli.completion import names
 from arcless.cli.process.start import permanent_objects
 from arcless.cli.terminal import console
 
@@ -17,6 +18,7 @@ ScenarioArgument = Annotated[
     typer.Argument(
         metavar="SCENARIO",
         help="The name of a shipped scenario, or a scenario file.",
+        autocompletion=names.scenarios,
         show_default=False,
     ),
 ]
@@ -26,6 +28,7 @@ AtRestArgument = Annotated[
         metavar="SCENARIO",
         help="A shipped scenario or line, or a file of either. Where both have the name it is the"
         " scenario; line/NAME means the line.",
+        autocompletion=names.lines,
         show_default=False,
     ),
 ]

@@ -6,6 +6,7 @@ from typing import Annotated
 import typer
 
 from arcless.cli.arguments.scenario import JsonOption, QuietOption
+from arcless.cli.completion import names
 from arcless.cli.terminal import console
 
 RunsArgument = Annotated[
@@ -14,6 +15,7 @@ RunsArgument = Annotated[
         metavar="RUN RUN ...",
         help="Two runs or more, each its folder or the result.nc in it. Differences are to the"
         " first one.",
+        autocompletion=names.runs,
         show_default=False,
     ),
 ]

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from arcless.cli.arguments.scenario import JsonOption, QuietOption
+from arcless.cli.completion import names
 from arcless.cli.output.outcome import finish
 from arcless.cli.terminal import console
 
@@ -17,6 +18,7 @@ ResultArgument = Annotated[
     typer.Argument(
         metavar="RUN",
         help="A run: the folder that `arcless run` wrote, or the result.nc in it.",
+        autocompletion=names.runs,
         show_default=False,
     ),
 ]

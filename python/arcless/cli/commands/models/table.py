@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from arcless.cli.completion import names
 from arcless.cli.terminal import console
 
 if TYPE_CHECKING:
@@ -18,6 +19,7 @@ def table(
         typer.Argument(
             metavar="LINE",
             help="A line: a shipped name or a file; of a scenario, its line.",
+            autocompletion=names.lines,
             show_default=False,
         ),
     ],
