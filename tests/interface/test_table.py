@@ -42,7 +42,7 @@ def test_a_workbook_goes_out_and_comes_in_again(arcless: Command) -> None:
 
 def test_the_line_of_a_scenario_is_written(arcless: Command) -> None:
     assert arcless("table", "norway-s25-250", "--to", "one").exit_code == 0
-    assert arcless("table", "norway-s25", "--to", "other").exit_code == 0
+    assert arcless("table", "line/norway-s25", "--to", "other").exit_code == 0
     for file in Path("one").iterdir():
         assert file.read_bytes() == (Path("other") / file.name).read_bytes()
 

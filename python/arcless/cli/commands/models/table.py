@@ -95,19 +95,16 @@ def _read(name: str, source: Path) -> None:
 def _line(name: str) -> "Line":
     """Return a line by its shipped name or file; of a scenario, its line."""
     from arcless import model
+    from arcless.errors import ModelError
     from arcless.model.shipped.library import find
 
-    if find("line", name):
-        return model.load_line(name)
+    own = name.removeprefix("line/")
+    if find("line", own):
+        return model.load_line(own)
     found = model.load_any(name)
-    return found if isinstance(found, model.Line) else model.load_line(_line_of(found, name))
-
-
-def _line_of(found: object, name: str) -> "Line":
-    from arcless.errors import ModelError
-    from arcless.model import Scenario
-
-    if isinstance(found, Scenario):
+    if isinstance(found, model.Line):
+        return found
+    if isinstance(found, model.Scenario):
         return found.line
     raise ModelError("no line", got=f"the pantograph {name}", expected="a line, or a scenario",
                      hint="arcless library line lists the shipped ones")  # fmt: skip
@@ -119,10 +116,11 @@ def _check_file(name: str) -> None:
     from arcless.model.files.yaml_reader import is_file, parse, read_text
     from arcless.model.shipped.library import find
 
-    if not is_file(Path(name)) and any(find(kind, name) for kind in ("line", "scenario")):
+    own = name.removeprefix("line/")
+    if not is_file(Path(name)) and any(find(kind, own) for kind in ("line", "scenario")):
         raise ModelError("no file of your own", got=f"the shipped {name}",
                          expected="a line file, which is changed",
-                         hint=f"arcless new my-{name} --from {name} makes one")  # fmt: skip
+                         hint=f"arcless new my-{own} --from {name} makes one")  # fmt: skip
     data, _ = parse(read_text(Path(name), name), name)
     if str(data.get("format")).startswith("arcless-scenario"):
         line = data.get("line")
