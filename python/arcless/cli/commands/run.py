@@ -110,7 +110,7 @@ def statics(
     json: JsonOption = False,
     quiet: QuietOption = False,
 ) -> None:
-    """Find a line at rest, without a run.
+    """Find the line at rest, without a run.
 
     Prints dropper lengths and forces of one span, sag, elasticity, wave speed and natural
     frequencies; --json has all spans. With --out, statics.json is written into that folder; with
