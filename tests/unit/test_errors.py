@@ -14,6 +14,7 @@ from arcless.errors import (
     ExecutorError,
     ExplanationError,
     FigureError,
+    MeasurementError,
     MeshError,
     ModelError,
     OutputError,
@@ -82,6 +83,11 @@ EXAMPLES = [
     (
         FigureError("unknown key of a figure", got="`leed`", expected="one of `lead`, `force`"),
         "unknown key of a figure: got `leed`, expected one of `lead`, `force`",
+        2,
+    ),
+    (
+        MeasurementError("time goes back", where="run.csv:7", got="0.03 s after 0.04 s"),
+        "run.csv:7: time goes back: got 0.03 s after 0.04 s",
         2,
     ),
     (

@@ -8,7 +8,7 @@ from arcless.explanation.tables import sensitivity_rows
 from arcless.figures.run import contributions, spans
 from arcless.figures.run.run_data import RunData
 from arcless.report import summary
-from arcless.report.page import track
+from arcless.report.page import track_of
 from arcless.report.reported_run import ReportedRun
 from arcless.report.template import render
 from arcless.storage.whole_files import write_bytes
@@ -56,7 +56,7 @@ def html(result: ReportedRun, explanation: Explanation) -> str:
     return render(
         "explanation.html",
         drawn,
-        track=track(run),
+        track=track_of(run),
         title=f"Why σ is as it is: {result.scenario.name}",
         identity=summary.identity(result.scenario, result.assessment, facts),
         explained=explanation.tables(),
