@@ -8,6 +8,7 @@ from arcless.cli.arguments.certainty import WithCertainty
 from arcless.cli.commands import (
     compare,
     export,
+    measure,
     model_files,
     own_models,
     replay,
@@ -71,6 +72,7 @@ for _command in (
     saved_results.report,
     compare.compare,
     export.export,
+    measure.measure,
     replay.replay,
 ):
     app.command()(_command)
