@@ -1,8 +1,8 @@
 """Measured test runs: read from CSV files, with what is wrong in them left out and told."""
 
-from arcless.measurements.inertia import Head
 from arcless.measurements.measurement import Measurement
 from arcless.measurements.read import read
+from arcless.measurements.samples.inertia import Head
 from arcless.measurements.samples.left_out import LeftOut
 from arcless.measurements.samples.pantograph import MeasuredPantograph
 

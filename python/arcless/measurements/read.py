@@ -7,8 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arcless.errors import MeasurementError
-from arcless.measurements.inertia import Head
 from arcless.measurements.measurement import Measurement
+from arcless.measurements.samples.inertia import Head
 from arcless.measurements.samples.pantograph import MeasuredPantograph
 from arcless.measurements.samples.prepare import Raw, prepared
 from arcless.measurements.table.columns import SENSORS, Column, columns_of
@@ -115,7 +115,9 @@ def _raw(name: str, values: Values, lines: NDArray[np.int64], label: str) -> Raw
                     sensors[column.channel][column.title] = numbers_of
                 else:
                     channels[column.channel] = numbers_of
-    return Raw(name, channels, sensors["sensor_force"], sensors["acceleration"], lines, label)
+    order = np.arange(lines.size)
+    parts = channels, sensors["sensor_force"], sensors["acceleration"]
+    return Raw(name, *parts, lines, order, label)
 
 
 def _about(dialect: Dialect, unused: list[str]) -> list[str]:

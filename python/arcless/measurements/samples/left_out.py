@@ -32,7 +32,7 @@ class LeftOut:
     kind
         A key of `WORDS`.
     line, last_line
-        First and last line of the file that it concerns; of a gap those beside it.
+        First and last line of the file that it concerns; of a gap those around it.
     samples
         Samples left out; of a gap those that are missing, by the usual step.
     begin_s, end_s, begin_m, end_m

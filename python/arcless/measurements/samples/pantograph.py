@@ -69,7 +69,7 @@ class MeasuredPantograph:
         return 1.0 / self.rate_Hz
 
     @property
-    def true_rate_Hz(self) -> float:
+    def true_rate_Hz(self) -> float:  # noqa: N802 - the unit is part of the name
         """Rate at which values change, in Hz: lower than `rate_Hz` where each is held."""
         return self.rate_Hz / self.held
 

@@ -46,7 +46,8 @@ class Breaks:
 
 def usual_step(reading: Floats) -> float:
     """Return the median distance of two samples."""
-    return float(np.median(np.diff(reading)))
+    median: np.float64 = np.median(np.diff(reading))
+    return float(median)
 
 
 def breaks(
@@ -83,7 +84,8 @@ def pieces_of(good: NDArray[np.bool_], cuts: Places) -> list[slice]:
 def common_step(time: Floats, pieces: list[slice]) -> float:
     """Return the mean time step in s over all pieces, each of two samples or more."""
     durations = [float(time[piece.stop - 1] - time[piece.start]) for piece in pieces]
-    return sum(durations) / sum(piece.stop - piece.start - 1 for piece in pieces)
+    steps = sum(int(piece.stop - piece.start) - 1 for piece in pieces)
+    return sum(durations) / steps
 
 
 def is_uniform(time: Floats, step_s: float) -> bool:
@@ -104,4 +106,4 @@ def resampled(time: Floats, step_s: float, columns: list[Floats]) -> tuple[Float
 
 def interpolation_loss(frequency_Hz: float, step_s: float) -> float:
     """Return the share that linear interpolation takes off a sine, on average."""
-    return 1.0 - float(np.sinc(frequency_Hz * step_s)) ** 2
+    return 1.0 - float(np.sinc(frequency_Hz * step_s) ** 2)

@@ -2,16 +2,17 @@
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
 from arcless.errors import MeasurementError
-from arcless.measurements import inertia
-from arcless.measurements.inertia import Head
+from arcless.measurements.samples import inertia
 from arcless.measurements.samples import left_out as kinds
 from arcless.measurements.samples.clock import Clock, clock
 from arcless.measurements.samples.faults import CLIPPED_SAMPLES, clipped, frozen, held
+from arcless.measurements.samples.inertia import Head
 from arcless.measurements.samples.left_out import LeftOut
 from arcless.measurements.samples.pantograph import MeasuredPantograph
 from arcless.measurements.samples.pieces import (
@@ -27,8 +28,8 @@ Floats = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
 CLOCKS = ("time", "position", "speed")
-# What is kept beside the force, where the file has it; a missing value of it takes no sample away.
-BESIDE = ("contact_height", "uplift")
+# Kept with the force, where the file has them; a missing value of theirs takes no sample away.
+OPTIONAL = ("contact_height", "uplift")
 
 
 @dataclass(frozen=True)
@@ -43,8 +44,8 @@ class Raw:
         Time, position, speed, contact_force, contact_height, uplift: those that the file has.
     sensors, accelerations
         By the titles of their columns.
-    lines
-        Line of the file of each sample.
+    lines, order
+        Line of the file of each sample, and its number among all samples, from 0.
     label
         The file, for messages.
     """
@@ -54,13 +55,17 @@ class Raw:
     sensors: Mapping[str, Floats]
     accelerations: Mapping[str, Floats]
     lines: NDArray[np.int64]
+    order: NDArray[np.int64]
     label: str
 
     def rows(self, chosen: NDArray[np.intp]) -> "Raw":
         """Return some of the samples."""
         parts = (self.channels, self.sensors, self.accelerations)
-        picked = [{key: values[chosen] for key, values in part.items()} for part in parts]
-        return Raw(self.name, *picked, self.lines[chosen], self.label)
+        channels, sensors, accelerations = (
+            {key: values[chosen] for key, values in part.items()} for part in parts
+        )
+        kept = self.lines[chosen], self.order[chosen]
+        return Raw(self.name, channels, sensors, accelerations, *kept, self.label)
 
     @property
     def measured(self) -> dict[str, Floats]:
@@ -94,9 +99,38 @@ def prepared(raw: Raw, speed: float | None, head: Head | None) -> MeasuredPantog
     known = {key: raw.channels[key] for key in CLOCKS if key in raw.channels}
     when = clock(known, speed, raw.lines, raw.label)
     force = _force(raw, when, speed, head)
-    good = np.isfinite(force)
-    told += _stretches(~good, kinds.EMPTY, raw, when)
     hold = max(map(held, raw.measured.values()))
+    good = _good(raw, when, force, hold, told)
+    pieces = _pieces(raw, when, good, told)
+    step = common_step(when.time, pieces)
+    columns = {"position": when.position, "force": force}
+    columns |= {} if when.speed is None else {"speed": when.speed}
+    columns |= {key: raw.channels[key] for key in OPTIONAL if key in raw.channels}
+    kept, places, interpolated = _joined(when, columns, pieces, step)
+    if when.speed is None:
+        kept["speed"] = _own_speed(kept["time"], kept["position"], places)
+    return MeasuredPantograph(
+        name=raw.name,
+        **{key: kept[key] for key in ("time", "position", "speed", "force")},
+        height=kept.get("contact_height"),
+        uplift=kept.get("uplift"),
+        pieces=places,
+        rate_Hz=1.0 / step,
+        held=hold,
+        interpolated=interpolated,
+        clock=when.by,
+        first_s=float(when.time[0]),
+        last_s=float(when.time[-1]),
+        first_m=float(when.position[0]),
+        last_m=float(when.position[-1]),
+        left_out=tuple(sorted(told, key=lambda one: one.line)),
+    )
+
+
+def _good(raw: Raw, when: Clock, force: Floats, hold: int, told: list[LeftOut]) -> Mask:
+    """Return samples that are numbers, neither clipped nor frozen, and tell of the others."""
+    good = np.isfinite(force)
+    told += _stretches(~good, kinds.EMPTY, raw, when, "force")
     step = usual_step(when.time)
     for title, values in raw.measured.items():
         ends = clipped(values, CLIPPED_SAMPLES * hold)
@@ -104,8 +138,7 @@ def prepared(raw: Raw, speed: float | None, head: Head | None) -> MeasuredPantog
         told += _stretches(ends, kinds.CLIPPED, raw, when, title)
         told += _stretches(dead, kinds.FROZEN, raw, when, title)
         good &= ~(ends | dead)
-    pieces = _pieces(raw, when, good, told)
-    return _in_pieces(raw, when, force, pieces, told, hold)
+    return good
 
 
 def _with_clock(raw: Raw, told: list[LeftOut]) -> Raw:
@@ -175,7 +208,9 @@ def _pieces(raw: Raw, when: Clock, good: Mask, told: list[LeftOut]) -> list[slic
     usual = usual_step(when.reading)
     for place in cut.gaps:
         missing = round((when.reading[place + 1] - when.reading[place]) / usual) - 1
-        told.append(_between(kinds.GAP, raw, when, int(place), missing))
+        missing -= int(raw.order[place + 1] - raw.order[place]) - 1  # told as empty cells
+        if missing > 0:
+            told.append(_between(kinds.GAP, raw, when, int(place), missing))
     told += [_between(kinds.JUMP, raw, when, int(place), 0) for place in cut.jumps]
     found = pieces_of(good, np.concatenate([cut.gaps, cut.jumps]))
     single = np.zeros(good.size, bool)
@@ -188,57 +223,40 @@ def _pieces(raw: Raw, when: Clock, good: Mask, told: list[LeftOut]) -> list[slic
     return kept
 
 
-def _in_pieces(
-    raw: Raw, when: Clock, force: Floats, pieces: list[slice], told: list[LeftOut], hold: int
-) -> MeasuredPantograph:
-    """Put the pieces one behind the other, at one time step."""
-    step = common_step(when.time, pieces)
-    speeds = when.speed if when.speed is not None else np.empty(0)
-    beside = [raw.channels[key] for key in BESIDE if key in raw.channels]
-    columns = [when.position, force, *([speeds] if speeds.size else []), *beside]
-    times, parts, stops, interpolated = [], [], [0], False
+def _joined(
+    when: Clock, columns: Mapping[str, Floats], pieces: list[slice], step_s: float
+) -> tuple[dict[str, Floats], tuple[slice, ...], bool]:
+    """Put the pieces one behind the other, at one time step.
+
+    Returns
+    -------
+    columns
+        The columns given, and `time`.
+    pieces
+        Where each piece now stands.
+    interpolated
+        True where one was not equally spaced in time.
+    """
+    parts: list[list[Floats]] = []
+    stops, interpolated = [0], False
     for piece in pieces:
-        time, values = when.time[piece], [column[piece] for column in columns]
-        if not is_uniform(time, step):
-            time, values = resampled(time, step, values)
+        time, values = when.time[piece], [column[piece] for column in columns.values()]
+        if not is_uniform(time, step_s):
+            time, values = resampled(time, step_s, values)
             interpolated = True
-        times.append(time)
-        parts.append(values)
+        parts.append([time, *values])
         stops.append(stops[-1] + time.size)
-    joined = [np.concatenate(column) for column in zip(*parts, strict=True)]
-    position, total, *rest = joined
-    own_speed = rest.pop(0) if speeds.size else None
-    names = [key for key in BESIDE if key in raw.channels]
-    found = dict(zip(names, rest, strict=True))
-    bounds = list(zip(stops[:-1], stops[1:], strict=True))
-    time = np.concatenate(times)
-    return MeasuredPantograph(
-        name=raw.name,
-        time=time,
-        position=position,
-        speed=_own_speed(time, position, bounds) if own_speed is None else own_speed,
-        force=total,
-        height=found.get("contact_height"),
-        uplift=found.get("uplift"),
-        pieces=tuple(slice(*bound) for bound in bounds),
-        rate_Hz=1.0 / step,
-        held=hold,
-        interpolated=interpolated,
-        clock=when.by,
-        first_s=float(when.time[0]),
-        last_s=float(when.time[-1]),
-        first_m=float(when.position[0]),
-        last_m=float(when.position[-1]),
-        left_out=tuple(sorted(told, key=lambda one: one.line)),
-    )
+    whole = [np.concatenate(column) for column in zip(*parts, strict=True)]
+    places = tuple(slice(*bounds) for bounds in pairwise(stops))
+    return dict(zip(("time", *columns), whole, strict=True)), places, interpolated
 
 
-def _own_speed(time: Floats, position: Floats, bounds: list[tuple[int, int]]) -> Floats:
+def _own_speed(time: Floats, position: Floats, pieces: tuple[slice, ...]) -> Floats:
     """Return the mean speed of each piece in m/s: positions are too coarse for a shorter time."""
     speed = np.empty(time.size)
-    for begin, end in bounds:
-        path = abs(position[end - 1] - position[begin])
-        speed[begin:end] = path / (time[end - 1] - time[begin])
+    for piece in pieces:
+        path = abs(position[piece.stop - 1] - position[piece.start])
+        speed[piece] = path / (time[piece.stop - 1] - time[piece.start])
     return speed
 
 

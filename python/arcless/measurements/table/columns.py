@@ -26,7 +26,7 @@ SENSORS = {"sensor_force": "N", "acceleration": "m/s2"}
 KNOWN = {**CHANNELS, **SENSORS}
 # Units that hints are written in.
 _USUAL = {"m/s": "km/h"}
-# How much alike a name must be to be taken for a misspelt one, from 0 to 1: lower, and names of
+# Likeness of names, from 0 to 1, from which one is taken for a misspelt other: lower, and names of
 # other channels are refused; higher, and `contact_froce` is left out with a remark.
 ALIKE = 0.8
 
