@@ -25,6 +25,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arcless.comparison.alignment.correlation import correlations, spectrum_of, vertex
+from arcless.comparison.alignment.place import Alignment, Search
 from arcless.comparison.alignment.trace import Trace
 from arcless.errors import ComparisonError
 
@@ -43,70 +44,6 @@ SCALE_STEP, HALVINGS = 0.25, 5
 ONE_IN_TWENTY = 1.645
 # A correlation of 1 has no transform; channels that are the same to rounding come this near.
 NEAREST_ONE = 1.0 - 1e-12
-
-
-@dataclass(frozen=True)
-class Search:
-    """Limits of a search.
-
-    Attributes
-    ----------
-    low_m, high_m
-        Least and largest offset in m; infinite for any.
-    scale_within
-        How far the scale may be from 1; 0 leaves it there.
-    """
-
-    low_m: float = -math.inf
-    high_m: float = math.inf
-    scale_within: float = 0.0
-
-
-@dataclass(frozen=True)
-class Alignment:
-    """Offset and scale of positions, and how sure they are.
-
-    Attributes
-    ----------
-    method
-        ``correlation``, ``supports``, ``given`` or ``none``.
-    origin_m
-        First position of the measurement in m.
-    falling
-        Whether its positions fall along the run.
-    offset_m
-        What is added to the position at the origin, in m.
-    scale
-        Metres on the line for one metre of the odometer.
-    correlation
-        Correlation coefficient of the channels there; None where nothing was searched.
-    next_offset_m, next_correlation
-        The next best maximum; None where there is no other one.
-    ambiguous
-        Whether noise alone can make the difference between the two.
-    beyond_offset_m, beyond_correlation
-        A better maximum out of the search, told from the best inside; None where there is none.
-    overlap_m
-        Common part in m on the line.
-    """
-
-    method: str
-    origin_m: float
-    falling: bool
-    offset_m: float
-    scale: float
-    correlation: float | None = None
-    next_offset_m: float | None = None
-    next_correlation: float | None = None
-    ambiguous: bool = False
-    beyond_offset_m: float | None = None
-    beyond_correlation: float | None = None
-    overlap_m: tuple[float, float] | None = None
-
-    def on_line(self, position_m: Floats) -> Floats:
-        """Return positions of the odometer as positions on the line, in m."""
-        run = np.abs(np.asarray(position_m, dtype=np.float64) - self.origin_m)
-        return self.origin_m + self.offset_m + self.scale * run
 
 
 @dataclass(frozen=True, eq=False)

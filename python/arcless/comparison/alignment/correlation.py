@@ -85,3 +85,17 @@ def vertex(before: float, top: float, after: float) -> tuple[float, float]:
         return 0.0, top
     place = 0.5 * (before - after) / bend
     return place, top - 0.25 * (before - after) * place
+
+
+def correlation(one: Floats, other: Floats) -> float | None:
+    """Return the correlation coefficient of two equally long channels; None where one is constant.
+
+    Parameters
+    ----------
+    one, other
+        The channels.
+    """
+    if one.size == 0 or np.ptp(one) == 0.0 or np.ptp(other) == 0.0:
+        return None
+    a, b = one - one.mean(), other - other.mean()
+    return float(np.sum(a * b) / np.sqrt(np.sum(a * a) * np.sum(b * b)))
