@@ -34,9 +34,9 @@ WEAR_KEYS = tuple(field.name for field in fields(WearRates))
 
 @dataclass(frozen=True)
 class Assessment:
-    """Indicators and criteria of a run over one section; the names carry the units.
+    """Indicators and criteria of a run, or of a measurement, over one section.
 
-    A number that the record does not hold is None, and `notes` says why.
+    The names carry the units. A number that the record does not hold is None, and `notes` says why.
     """
 
     scenario: str
@@ -50,10 +50,11 @@ class Assessment:
     slack_droppers_max: int | None
     min_dropper_force_N: float | None
     energy_residual_relative: float | None
-    steps: int
+    steps: int | None
+    """None of a measurement, as are the next three."""
     setup_time_s: float | None
-    wall_time_s: float
-    real_time_factor: float
+    wall_time_s: float | None
+    real_time_factor: float | None
     supply: str
     """Supply whose limits were taken."""
     criteria: list[Criterion]
@@ -62,6 +63,8 @@ class Assessment:
     """Spread and discretisation of the numbers of the run, by key; None where nobody asked."""
     certainty_method: dict[str, Any] | None = None
     """Method by which they were found, see `arcless.assess.certainty`."""
+    measurement: dict[str, Any] | None = None
+    """Sampling of a measurement, and what of it was left out; None of a run."""
 
     @property
     def passed(self) -> bool:
@@ -72,10 +75,10 @@ class Assessment:
         """Return the assessment as plain values, ready for JSON.
 
         Without coefficients of wear in the scenario there are no keys of wear; `certainty` is there
-        where somebody asked for it.
+        where somebody asked for it, `measurement` where it is one.
         """
         data = asdict(self)
-        asked = ("certainty", "certainty_method")
+        asked = ("certainty", "certainty_method", "measurement")
         for part in (data, *data["pantographs"], *data["criteria"]):
             for name in asked:
                 if name in part and part[name] is None:
@@ -119,7 +122,7 @@ def assess(
         A pantograph was never inside the section, or the low-pass does not fit the record.
     """
     facts = metadata(dataset)
-    limits = _checked(section if section is not None else facts["section_m"])
+    limits = checked_section(section if section is not None else facts["section_m"])
     cutoff_Hz, split_Hz = _frequencies(facts["scenario"], low_pass_Hz)
     record = force_record(dataset, limits, cutoff_Hz, split_Hz)
     pantographs = _pantographs(dataset, record, facts["scenario"])
@@ -205,7 +208,14 @@ def _absent(name: str) -> str:
     return f"{name} is not in the record"
 
 
-def _checked(section: Any) -> Section:
+def checked_section(section: Any) -> Section:
+    """Return a section whose begin lies before its end.
+
+    Raises
+    ------
+    ModelError
+        It is none.
+    """
     begin, end = (float(x) for x in section)
     if not (math.isfinite(begin) and math.isfinite(end) and begin < end):
         raise ModelError("analysis section", got=f"{begin:g} to {end:g} m", expected="from < to")
@@ -215,15 +225,26 @@ def _checked(section: Any) -> Section:
 def _frequencies(scenario: Mapping[str, Any], low_pass_Hz: float | None) -> tuple[float, float]:
     analysis = scenario["analysis"]
     cutoff = analysis["low_pass"] if low_pass_Hz is None else low_pass_Hz
-    if not cutoff >= LEAST_FREQUENCY:
+    return checked_cutoff(cutoff), float(analysis["band_split"])
+
+
+def checked_cutoff(cutoff_Hz: float) -> float:
+    """Return a frequency in Hz that a low-pass can have.
+
+    Raises
+    ------
+    ModelError
+        It is too low.
+    """
+    if not cutoff_Hz >= LEAST_FREQUENCY:
         raise ModelError(
             "the low-pass frequency is too low",
             where="analysis.low_pass",
-            got=f"{cutoff:g} Hz",
+            got=f"{cutoff_Hz:g} Hz",
             expected=f"at least {LEAST_FREQUENCY:g} Hz",
             hint="give a frequency with its unit, such as 20 Hz",
         )
-    return float(cutoff), float(analysis["band_split"])
+    return float(cutoff_Hz)
 
 
 def _pantographs(

@@ -91,20 +91,35 @@ def section_notes(
         )
     for column, name in enumerate(dataset["pantograph"].values):
         path, inside = position[:, column], record.inside[:, column]
-        if path[0] > section[0] or path[-1] < section[1]:
-            begin, end = max(path[0], section[0]), min(path[-1], section[1])
-            notes.append(f"pantograph {name} ran over {begin:g} to {end:g} m of the section only")
+        notes += part_notes(str(name), (path[0], path[-1]), section)
         samples = np.flatnonzero(inside)
         margin = min(time[samples[0]] - time[0], time[-1] - time[samples[-1]])
-        lowest = float(record.bands.total[samples, column].min())
-        if lowest < 0.0 <= float(record.force[samples, column].min()):
-            notes.append(
-                f"the minimum contact force of pantograph {name}, {lowest:.1f} N, is an undershoot "
-                "of the low-pass where contact is lost: the unfiltered force is never below zero"
-            )
+        filtered, force = record.bands.total[samples, column], record.force[samples, column]
+        notes += undershoot_notes(str(name), filtered, force)
         if margin < 1.0 / band_split_Hz:
             notes.append(
                 f"the section of pantograph {name} begins or ends {margin:.3g} s from an end of "
                 "the record, where a filter without phase shift makes numbers up"
             )
     return notes
+
+
+def part_notes(name: str, path: Section, section: Section) -> list[str]:
+    """Say that a pantograph ran over a part of the section only; its path from and to in m."""
+    if path[0] <= section[0] and path[1] >= section[1]:
+        return []
+    begin, end = max(path[0], section[0]), min(path[1], section[1])
+    return [f"pantograph {name} ran over {begin:g} to {end:g} m of the section only"]
+
+
+def undershoot_notes(
+    name: str, filtered: NDArray[np.float64], force: NDArray[np.float64]
+) -> list[str]:
+    """Say that a minimum below zero is made by the filter; forces inside the section in N."""
+    lowest = float(filtered.min())
+    if not lowest < 0.0 <= float(force.min()):
+        return []
+    return [
+        f"the minimum contact force of pantograph {name}, {lowest:.1f} N, is an undershoot "
+        "of the low-pass where contact is lost: the unfiltered force is never below zero"
+    ]

@@ -6,6 +6,7 @@ import typer
 
 from arcless.cli.arguments.certainty import WithCertainty
 from arcless.cli.commands import (
+    assess,
     compare,
     export,
     measure,
@@ -68,7 +69,7 @@ for _command in (
     own_models.new,
     run.statics,
     resume.resume,
-    saved_results.assess,
+    assess.assess,
     saved_results.report,
     compare.compare,
     export.export,

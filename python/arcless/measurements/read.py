@@ -21,6 +21,8 @@ Values = Mapping[Column, NDArray[np.float64]]
 
 # Name of a pantograph that the columns do not name; runs call their first one so.
 ONLY = "P1"
+# No train on rails was faster (574.8 km/h, France, 2007): a higher speed is in another unit. In m/s.
+FASTEST = 160.0
 # Names of columns that are not used, in a remark.
 NAMED = 5
 
@@ -63,6 +65,7 @@ def read(
     wanted = [column for column in columns if column.pantograph in (None, *names)]
     rows = scan(file, dialect)
     values = numbers(file, dialect, rows, wanted)
+    _check_speeds(values, str(file))
     raws = [_raw(name, values, rows.numbers, str(file)) for name in names]
     found = tuple(prepared(raw, constant, head) for raw in raws)
     notes = [*_about(dialect, unused), *_about_speed(raws[0], constant)]
@@ -74,9 +77,25 @@ def read(
 
 def _speed(speed: float | str) -> float:
     found = to_si(speed, "m/s")
-    if found <= 0.0:
-        raise MeasurementError("speed", got=show(speed), expected="more than 0")
-    return found
+    if 0.0 < found <= FASTEST:
+        return found
+    hint = "a number without a unit is in m/s" if found > 0.0 else None
+    raise MeasurementError(
+        "speed", got=f"{found:g} m/s ({3.6 * found:.0f} km/h)",
+        expected=f"more than 0, at most {3.6 * FASTEST:.0f} km/h", hint=hint,
+    )  # fmt: skip
+
+
+def _check_speeds(values: Values, label: str) -> None:
+    """Refuse a column of speeds in another unit than its header says."""
+    for column, speeds in values.items():
+        if column.channel == "speed" and (known := speeds[np.isfinite(speeds)]).size:
+            usual = float(np.median(known))
+            if usual > FASTEST:
+                raise MeasurementError(
+                    f"column {column.title}", where=label, got=f"{3.6 * usual:.0f} km/h",
+                    expected=f"at most {3.6 * FASTEST:.0f} km/h", hint="is its unit the right one?",
+                )  # fmt: skip
 
 
 def _chosen(columns: list[Column], wanted: str | None, label: str) -> list[str]:

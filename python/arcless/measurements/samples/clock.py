@@ -104,7 +104,7 @@ def _no_speed(what: str, label: str) -> MeasurementError:
         f"no speed, so there are no {what}",
         where=label,
         expected="a column speed [km/h], or a constant speed",
-        hint='give it, such as --speed "250 km/h"',
+        hint='give the speed, such as "250 km/h"',
     )
 
 
