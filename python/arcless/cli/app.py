@@ -9,7 +9,6 @@ from arcless.cli.commands import (
     assess,
     compare,
     export,
-    measure,
     model_files,
     own_models,
     replay,
@@ -19,6 +18,7 @@ from arcless.cli.commands import (
     study,
     validate,
 )
+from arcless.cli.commands.measurements import measure
 from arcless.cli.process.guard import GuardedGroup
 from arcless.cli.terminal.console import data
 

@@ -1,6 +1,8 @@
 """Numbers of a comparison as text, for the page and the terminal."""
 
 from arcless.comparison.indicators import Indicator, Judged
+from arcless.comparison.measured.acceptance import Accepted
+from arcless.comparison.measured.bands import Band
 from arcless.report.summary import number, pair
 
 # Quantities of the first screen: those by which runs are judged first.
@@ -45,3 +47,26 @@ def signed(found: float | None, decimals: int) -> str:
     if found is None or not any(digit in text for digit in "123456789"):
         return text.removeprefix("−")
     return text if text.startswith("−") else f"+{text}"
+
+
+def amount(found: float | None, unit: str) -> str:
+    """Return a force with its unit: ``12.3 N``."""
+    return NONE if found is None else f"{number(found, 1)}\u00a0{unit}"
+
+
+def band_difference(one: Band, run: int) -> str:
+    """Return the difference of a band to the first run with its sign and its percentage."""
+    text, share = signed(one.differences_N[run], 1), one.percents[run]
+    return text if share is None else f"{text} ({signed(share, 1)}\u00a0%)"
+
+
+def accepted(one: Accepted) -> tuple[str, str, str, str, str]:
+    """Return simulated and measured value, difference, tolerance with its mark, and verdict."""
+    difference = signed(one.difference, one.decimals)
+    if one.percent is not None:
+        difference = f"{difference} ({signed(one.percent, 1)}\u00a0%)"
+    words = {None: NONE, True: "yes", False: "no"}
+    return (
+        number(one.simulated, one.decimals), number(one.measured, one.decimals), difference,
+        NONE if one.tolerance is None else f"{one.tolerance} ({one.mark})", words[one.within],
+    )  # fmt: skip

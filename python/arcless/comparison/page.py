@@ -9,10 +9,10 @@ from typing import Any
 from arcless.comparison import cells
 from arcless.comparison.compared import Compared
 from arcless.comparison.indicators import Indicator
+from arcless.comparison.sides import drawn
 from arcless.figures.comparison import Overlaid
 from arcless.figures.description import Figure
 from arcless.figures.description.thinning import every
-from arcless.figures.run import RunData
 from arcless.figures.run.track import MARKS
 from arcless.report.template import render
 from arcless.storage.whole_files import write_bytes
@@ -78,20 +78,26 @@ def html(compared: Compared, figures: Mapping[str, Sequence[Figure]]) -> str:
 
 def _title(compared: Compared) -> str:
     """Return how many runs there are, and of which scenario, where that is one."""
-    scenarios = {one.scenario.name for one in compared.results}
-    of = f" of {scenarios.pop()}" if len(scenarios) == 1 else ""
-    return f"Comparison of {len(compared.names)} runs{of}"
+    runs = [one.result.scenario.name for one in compared.sides if one.result is not None]
+    measured = len(compared.sides) - len(runs)
+    of = f" of {runs[0]}" if len(set(runs)) == 1 else ""
+    counted = ((len(runs), "run"), (measured, "measurement"))
+    texts = [f"{count} {word}{'s' * (count > 1)}" for count, word in counted if count]
+    return f"Comparison of {' and '.join(texts)}{of}"
 
 
 def _runs(compared: Compared) -> list[dict[str, str]]:
     found = []
-    for name, result in zip(compared.names, compared.results, strict=True):
-        a, facts = result.assessment, result.metadata
+    for name, side in zip(compared.names, compared.sides, strict=True):
+        a, run = side.assessment, side.result
+        facts = {"arcless_version": None, "created": None} if run is None else run.metadata
         missed = sum(one.fails for one in a.criteria)
-        models = dict.fromkeys(one.model.name for one in result.scenario.pantographs)
+        models = [] if run is None else [one.model.name for one in run.scenario.pantographs]
         found.append({
-            "name": name, "scenario": result.scenario.name, "line": result.scenario.line.name,
-            "pantographs": ", ".join(models), "speed": f"{3.6 * a.speed_m_s:.4g} km/h",
+            "name": name, "scenario": "measurement" if run is None else run.scenario.name,
+            "line": cells.NONE if run is None else run.scenario.line.name,
+            "pantographs": ", ".join(dict.fromkeys(models)) or cells.NONE,
+            "speed": f"{3.6 * a.speed_m_s:.4g} km/h",
             "section": f"{a.section_m[0]:.0f} to {a.section_m[1]:.0f} m",
             "verdict": "met" if a.passed else f"{missed} not met",
             "state": "met" if a.passed else "missed",
@@ -133,8 +139,7 @@ def _verdicts(compared: Compared) -> list[dict[str, Any]]:
 
 def _track(compared: Compared) -> dict[str, Any]:
     """Return section and supports of the first run in m, for buttons and the cross hair."""
-    first = compared.results[0]
-    run = RunData(first.latest, first.assessment)
+    run = drawn(compared.sides)[0]
     supports = run.supports[every(run.supports.size, MARKS)] if run.supports.size else run.supports
     return {
         "section": [float(end) for end in run.assessment.section_m],

@@ -112,7 +112,7 @@ def assess(
 
     section = _quantity("--from", start, "m"), _quantity("--to", end, "m")
     cutoff = _quantity("--low-pass", low_pass, "Hz")
-    head = _head(head_mass, head_lift, acceleration_down)
+    head = head_of(head_mass, head_lift, acceleration_down)
     if subject.suffix.lower() in MEASURED and not subject.is_dir():
         found = _measured(
             subject, section, cutoff, supply, speed=speed, pantograph=pantograph, head=head
@@ -175,7 +175,8 @@ def _show(found: "Assessment") -> None:
     )
 
 
-def _head(mass: str | None, lift: str | None, down: bool) -> "Head | None":
+def head_of(mass: str | None, lift: str | None, down: bool) -> "Head | None":
+    """Return what is above the sensors, from the options; None where nobody gives it."""
     from arcless.errors import ModelError
 
     if mass is None and lift is None and not down:

@@ -1,7 +1,5 @@
 """Alignment that is given by hand, with the correlation that it has."""
 
-import numpy as np
-
 from arcless.comparison.alignment.correlation import correlation
 from arcless.comparison.alignment.place import Alignment
 from arcless.comparison.alignment.trace import Trace

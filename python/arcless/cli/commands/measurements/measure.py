@@ -16,8 +16,8 @@ if TYPE_CHECKING:
 _FIELDS = {
     "--rate": ("rate_Hz", "Hz"),
     "--low-pass": ("low_pass_Hz", "Hz"),
-    "--mass": ("mass_above_kg", "kg"),
-    "--lift": ("lift_N", "N"),
+    "--head-mass": ("mass_above_kg", "kg"),
+    "--head-lift": ("lift_N", "N"),
     "--force-noise": ("force_noise_N", "N"),
     "--force-resolution": ("force_resolution_N", "N"),
     "--force-min": ("force_min_N", "N"),
@@ -58,10 +58,12 @@ def measure(
     ] = None,
     mass: Annotated[
         str | None,
-        _option("--mass", "MASS", "Mass above the force sensors; that of the strips if not given."),
+        _option(
+            "--head-mass", "MASS", "Mass above the force sensors; that of the strips if not given."
+        ),
     ] = None,
     lift: Annotated[
-        str | None, _option("--lift", "FORCE", "Upward force of the air on that mass.")
+        str | None, _option("--head-lift", "FORCE", "Upward force of the air on that mass.")
     ] = None,
     force_noise: Annotated[
         str | None,

@@ -1,0 +1,87 @@
+"""Sentences on how a measurement lies on the line, and on what is doubtful about it."""
+
+from arcless.assess import Assessment
+from arcless.comparison.alignment import Alignment
+from arcless.comparison.measured.placed import Placed
+from arcless.measurements.samples.left_out import JUMP
+
+# Speeds that differ by less than this part are those of one test: the wire moves the force by as
+# little. More is told.
+SAME_SPEED = 0.02
+
+
+def remarks(name: str, placed: Placed, assessment: Assessment, speed_m_s: float) -> list[str]:
+    """Return the sentences on one measurement.
+
+    Parameters
+    ----------
+    name
+        What it is called.
+    placed
+        The measurement on the line.
+    assessment
+        Its numbers.
+    speed_m_s
+        Speed in m/s of what it is compared with.
+    """
+    found = []
+    several = len(placed.alignments) > 1
+    for one, by in zip(placed.measurement.pantographs, placed.alignments, strict=True):
+        whose = f"{name}, {one.name}" if several else name
+        found.append(f"{whose}: {_sentence(by)}")
+        found += [f"{whose}: {text}" for text in _doubts(by)]
+        jumps = sum(part.kind == JUMP for part in one.left_out)
+        if jumps:
+            found.append(
+                f"{whose}: the odometer jumps {jumps} time{'s' * (jumps > 1)}, and one offset"
+                " cannot fit both sides of a jump"
+            )
+    apart = assessment.speed_m_s / speed_m_s - 1.0
+    if abs(apart) > SAME_SPEED:
+        found.append(
+            f"{name}: measured at {3.6 * assessment.speed_m_s:.1f} km/h,"
+            f" {100.0 * apart:+.1f} % from {3.6 * speed_m_s:.1f} km/h: forces grow with the speed,"
+            " and the same frequency is another wavelength"
+        )
+    # How the force was made of its sensors, corrected or not, is in the notes of the reader.
+    return found + [f"{name}: {note}" for note in placed.measurement.notes if "sensor" in note]
+
+
+def _sentence(by: Alignment) -> str:
+    """Return how the positions lie on the line."""
+    if by.method == "reference":
+        return "its positions are those that the others are placed on"
+    ways = {
+        "correlation": "placed by the correlation of the filtered forces",
+        "supports": "placed by the part of the force that all spans have in common",
+        "given": "placed by the offset given",
+        "none": "its positions are taken as they are",
+    }
+    text = f"{ways[by.method]}: offset {by.offset_m:+.2f} m at {by.origin_m:.1f} m"
+    if by.scale != 1.0:
+        text += f", {1e3 * (by.scale - 1.0):+.2f} m for each km of the odometer"
+    if by.correlation is not None:
+        text += f"; correlation {by.correlation:.3f}"
+    if by.next_correlation is not None and by.next_offset_m is not None:
+        text += f", next best {by.next_correlation:.3f} at {by.next_offset_m:+.1f} m"
+    return text.replace("-", "−")
+
+
+def _doubts(by: Alignment) -> list[str]:
+    found = []
+    if by.falling:
+        found.append(
+            "its positions fall, so the distance run is taken: the line is modelled in the"
+            " direction of travel"
+        )
+    if by.ambiguous:
+        found.append(
+            "the offset is not sure: noise alone can make the difference between the two best"
+            " correlations, as where spans are alike; limit the search, or give the offset by hand"
+        )
+    if by.beyond_offset_m is not None and by.beyond_correlation is not None:
+        found.append(
+            f"an offset of {by.beyond_offset_m:+.1f} m, out of the search, fits better"
+            f" (correlation {by.beyond_correlation:.3f}): check the positions".replace("-", "−")
+        )
+    return found
