@@ -54,10 +54,12 @@ def _of_measurements(sides: Sequence[Side], names: Sequence[str]) -> list[str]:
         if one.placed is not None:
             found += remarks(name, one.placed, one.assessment, reference.assessment.speed_m_s)
     begin, end = sides[0].assessment.section_m
-    found.append(
-        f"all are compared from {begin:.1f} to {end:.1f} m of the line, {end - begin:.0f} m that"
-        " they share"
-    )
+    own = None if reference.result is None else reference.result.assessment.section_m
+    if own is not None and _section(own) != _section((begin, end)):
+        found.append(
+            f"all are compared from {begin:.1f} to {end:.1f} m, which they share: less than the"
+            f" analysis section of the run, {own[0]:.1f} to {own[1]:.1f} m"
+        )
     return found
 
 

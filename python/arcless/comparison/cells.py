@@ -1,5 +1,6 @@
 """Numbers of a comparison as text, for the page and the terminal."""
 
+from arcless.comparison.alignment import Alignment
 from arcless.comparison.indicators import Indicator, Judged
 from arcless.comparison.measured.acceptance import Accepted
 from arcless.comparison.measured.bands import Band
@@ -11,6 +12,11 @@ MAIN = (
     "contact_loss_percent", "max_uplift_at_support_mm", "min_dropper_force_N",
 )  # fmt: skip
 NONE = "–"
+# How positions of a measurement were put on the line.
+WAYS = {
+    "correlation": "correlation", "supports": "supports", "given": "offset given",
+    "none": "as they are", "reference": "others are placed on it",
+}  # fmt: skip
 # Of a difference that is no larger than its uncertainty, as of a criterion.
 TOO_CLOSE = "too close to tell"
 
@@ -69,4 +75,21 @@ def accepted(one: Accepted) -> tuple[str, str, str, str, str]:
     return (
         number(one.simulated, one.decimals), number(one.measured, one.decimals), difference,
         NONE if one.tolerance is None else f"{one.tolerance} ({one.mark})", words[one.within],
+    )  # fmt: skip
+
+
+def alignment(by: Alignment) -> tuple[str, str, str, str, str]:
+    """Return way, offset, drift, correlation, and the next best one with its offset."""
+    if by.method == "reference":
+        return WAYS[by.method], NONE, NONE, NONE, NONE
+    drift = f"{signed(1e3 * (by.scale - 1.0), 2)}\u00a0m/km" if by.scale != 1.0 else NONE
+    following = NONE
+    if by.next_correlation is not None and by.next_offset_m is not None:
+        following = (
+            f"{number(by.next_correlation, 3)} at {signed(by.next_offset_m, 1)}\u00a0m"
+            f"{', not sure' if by.ambiguous else ''}"
+        )
+    return (
+        WAYS[by.method], f"{signed(by.offset_m, 2)}\u00a0m", drift, number(by.correlation, 3),
+        following,
     )  # fmt: skip

@@ -24,7 +24,8 @@ _SECTIONS: tuple[tuple[str, str, tuple[str, ...], bool], ...] = (
     ("force", "Contact force along the track", ("force",), True),
     ("spans", "Contact force by span", ("folded", "by_span"), False),
     ("spectra", "Spectra", ("spectrum", "wavelengths"), False),
-    ("wire", "Uplift", ("uplift",), True),
+    ("distribution", "Distribution and bands", ("histogram", "octaves"), False),
+    ("wire", "Contact wire", ("height", "uplift"), True),
     ("droppers", "Droppers", ("droppers",), True),
 )
 
@@ -52,7 +53,13 @@ def html(compared: Compared, figures: Mapping[str, Sequence[Figure]]) -> str:
         if any(figures[name] for name in names)
     ]
     contents = [("summary", "Summary"), *((key, title) for key, title, _, _ in sections)]
-    contents += [("numbers", "Numbers"), ("criteria", "Criteria"), ("fields", "Changed fields")]
+    if compared.bands:
+        contents.append(("bands", "Bands"))
+    if compared.acceptance:
+        contents.append(("acceptance", "Simulation against line test"))
+    contents += [("numbers", "Numbers"), ("criteria", "Criteria")]
+    if sum(one.result is not None for one in compared.sides) > 1:
+        contents.append(("fields", "Changed fields"))
     return render(
         "comparison.html",
         figures,
@@ -67,6 +74,10 @@ def html(compared: Compared, figures: Mapping[str, Sequence[Figure]]) -> str:
         count=len(compared.fields),
         verdicts=_verdicts(compared),
         several=len(compared.pantographs) > 1,
+        placement=_placement(compared),
+        bands=_bands(compared),
+        acceptance=_acceptance(compared),
+        simulated=sum(one.result is not None for one in compared.sides),
         main=_rows([one for one in compared.indicators if one.key in cells.MAIN], compared),
         numbers=_rows(compared.indicators, compared),
         contents=contents,
@@ -82,7 +93,7 @@ def _title(compared: Compared) -> str:
     measured = len(compared.sides) - len(runs)
     of = f" of {runs[0]}" if len(set(runs)) == 1 else ""
     counted = ((len(runs), "run"), (measured, "measurement"))
-    texts = [f"{count} {word}{'s' * (count > 1)}" for count, word in counted if count]
+    texts = [f"a {word}" if count == 1 else f"{count} {word}s" for count, word in counted if count]
     return f"Comparison of {' and '.join(texts)}{of}"
 
 
@@ -119,6 +130,50 @@ def _rows(chosen: Sequence[Indicator], compared: Compared) -> list[dict[str, Any
             ],
         }
         for one in chosen
+    ]  # fmt: skip
+
+
+def _placement(compared: Compared) -> list[dict[str, Any]]:
+    """Return rows of how measurements lie on the line of the first run."""
+    return [
+        {"run": run, "pantograph": one.name, "cells": cells.alignment(by)}
+        for run, side in enumerate(compared.sides)
+        if side.placed is not None
+        for one, by in zip(side.placed.measurement.pantographs, side.placed.alignments, strict=True)
+    ]
+
+
+def _bands(compared: Compared) -> list[dict[str, Any]]:
+    """Return rows of the bands: deviation of each, difference and correlation of all but one."""
+    runs = range(len(compared.names))
+    return [
+        {
+            "label": one.label, "kind": one.kind, "pantograph": one.pantograph,
+            "cells": [
+                (cells.amount(one.deviations_N[run], "N"),
+                 cells.band_difference(one, run) if run and one.differences_N[run] is not None
+                 else "",
+                 f"r {one.correlations[run]:.3f}" if one.correlations[run] is not None else "")
+                for run in runs
+            ],
+        }
+        for one in compared.bands
+    ]  # fmt: skip
+
+
+def _acceptance(compared: Compared) -> list[dict[str, Any]]:
+    """Return the tables of each run against each measurement."""
+    pairs = dict.fromkeys((one.run, one.measurement) for one in compared.acceptance)
+    return [
+        {
+            "run": compared.names[run], "measurement": compared.names[measured],
+            "rows": [
+                {"label": one.label, "unit": one.unit, "pantograph": one.pantograph or "",
+                 "cells": cells.accepted(one), "within": one.within, "source": one.source or ""}
+                for one in compared.acceptance if (one.run, one.measurement) == (run, measured)
+            ],
+        }
+        for run, measured in pairs
     ]  # fmt: skip
 
 

@@ -127,9 +127,11 @@ def compare(
 
     for text in () if quiet else compared.warnings:
         console.warn(text)
-    same = "No field of the scenarios differs.\n"
+    several = sum(one.result is not None for one in compared.sides) > 1
+    same = ["No field of the scenarios differs.\n"] if several else []
     console.show(
-        tables.fields(compared) if compared.fields else same,
+        *([tables.fields(compared)] if compared.fields else same),
+        *tables.placement(compared),
         tables.numbers(compared),
         tables.verdicts(compared),
         *tables.bands(compared),

@@ -63,6 +63,23 @@ def verdicts(compared: "Comparison") -> Table:
     return made
 
 
+def placement(compared: "Comparison") -> list[Table]:
+    """Set how measurements lie on the line of the first run."""
+    placed = [(name, one.placed) for name, one in zip(compared.names, compared.sides, strict=True)
+              if one.placed is not None]  # fmt: skip
+    if not placed:
+        return []
+    made = table("Positions of measurements", "measurement", "placed by")
+    for heading in ("offset", "drift", "correlation", "next best"):
+        made.add_column(heading, justify="right")
+    for name, one in placed:
+        several = len(one.alignments) > 1
+        for pantograph, by in zip(one.measurement.pantographs, one.alignments, strict=True):
+            whose = f"{name}, {pantograph.name}" if several else name
+            made.add_row(whose, *cells.alignment(by))
+    return [made]
+
+
 def bands(compared: "Comparison") -> list[Table]:
     """Set the standard deviations of the bands side by side; third octaves are on the page."""
     if not compared.bands:

@@ -1,11 +1,8 @@
 """Standard deviation of the force band by band, and how alike the bands are along the line.
 
-    σ_b of the low-passes: the difference of the two at its ends, in each record's own time
-    σ_b of third octaves:  σ_b² = ∫ S(f) df from f_c 10^(−1/20) to f_c 10^(1/20)
-
-with the density S of windows of 4 s, and centres f_c = 10^(n/10) Hz (IEC 61260-1, base ten; from
-memory, mark C). The correlation is that of the two bands at the same places of the line: with other
-speeds, the same frequency is not the same wavelength.
+Bands of the filter are differences of the low-passes at their ends, in each record's own time;
+third octaves are those of the power spectral density. The correlation is that of two bands at the same
+places of the line: with other speeds, the same frequency is not the same wavelength.
 """
 # ruff: noqa: N815 - the names carry their units
 
@@ -15,14 +12,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from arcless.assess.signals.gapped import THIRD_OCTAVES, deviation_between, third_octave_Hz
 from arcless.comparison.alignment import correlation
 from arcless.comparison.measured.signal import Signal
 
 Floats = NDArray[np.float64]
 Values = tuple[float | None, ...]
-# Centres of the third octaves 10^(n/10) Hz: from the first that is wider than the resolution of the
-# windows, 0.25 Hz, to the last below 20 Hz.
-FIRST_OCTAVE, LAST_OCTAVE = 1, 12
 # End of the lowest band in Hz: what passes once or twice in a span, at any speed of a main line.
 SLOW_HZ = 2.0
 
@@ -89,9 +84,7 @@ def bands_of(
             for place, (one, part) in enumerate(zip(signals, parts, strict=True))
         )
         found.append(_band(pantograph, "filtered", (low, high), values, alike))
-    for number in range(FIRST_OCTAVE, LAST_OCTAVE + 1):
-        centre = 10.0 ** (number / 10.0)
-        low, high = centre * 10.0**-0.05, centre * 10.0**0.05
+    for low, high in map(third_octave_Hz, THIRD_OCTAVES):
         values = tuple(None if one is None else _power(one, low, high) for one in signals)
         found.append(_band(pantograph, "third octave", (low, high), values, (None,) * len(signals)))
     return found
@@ -116,14 +109,7 @@ def _deviation(signal: Signal | None, values: Floats | None) -> float | None:
 
 def _power(signal: Signal, low_Hz: float, high_Hz: float) -> float | None:
     """Return the square root of the power between two frequencies, in N."""
-    if signal.density is None or high_Hz > 0.5 * signal.rate_Hz:
-        return None
-    frequency, density = signal.density
-    # The integral up to each frequency, by trapezia: its differences are those of any ends.
-    steps = 0.5 * (density[1:] + density[:-1]) * np.diff(frequency)
-    summed = np.concatenate([[0.0], np.cumsum(steps)])
-    below, above = np.interp([low_Hz, high_Hz], frequency, summed)
-    return float(np.sqrt(max(above - below, 0.0)))
+    return None if signal.density is None else deviation_between(*signal.density, low_Hz, high_Hz)
 
 
 def _correlation(

@@ -1,10 +1,12 @@
-"""Sentences on how a measurement lies on the line, and on what is doubtful about it."""
+"""Sentences on what is doubtful about a measurement that was put on the line of a run."""
 
 from arcless.assess import Assessment
 from arcless.comparison.alignment import Alignment
 from arcless.comparison.measured.placed import Placed
 from arcless.measurements.samples.left_out import JUMP
 
+# Part of the reader's note on a force that misses the inertia of what is above the sensors.
+UNCORRECTED = "not corrected"
 # Speeds that differ by less than this part are those of one test: the wire moves the force by as
 # little. More is told.
 SAME_SPEED = 0.02
@@ -28,7 +30,6 @@ def remarks(name: str, placed: Placed, assessment: Assessment, speed_m_s: float)
     several = len(placed.alignments) > 1
     for one, by in zip(placed.measurement.pantographs, placed.alignments, strict=True):
         whose = f"{name}, {one.name}" if several else name
-        found.append(f"{whose}: {_sentence(by)}")
         found += [f"{whose}: {text}" for text in _doubts(by)]
         jumps = sum(part.kind == JUMP for part in one.left_out)
         if jumps:
@@ -43,28 +44,7 @@ def remarks(name: str, placed: Placed, assessment: Assessment, speed_m_s: float)
             f" {100.0 * apart:+.1f} % from {3.6 * speed_m_s:.1f} km/h: forces grow with the speed,"
             " and the same frequency is another wavelength"
         )
-    # How the force was made of its sensors, corrected or not, is in the notes of the reader.
-    return found + [f"{name}: {note}" for note in placed.measurement.notes if "sensor" in note]
-
-
-def _sentence(by: Alignment) -> str:
-    """Return how the positions lie on the line."""
-    if by.method == "reference":
-        return "its positions are those that the others are placed on"
-    ways = {
-        "correlation": "placed by the correlation of the filtered forces",
-        "supports": "placed by the part of the force that all spans have in common",
-        "given": "placed by the offset given",
-        "none": "its positions are taken as they are",
-    }
-    text = f"{ways[by.method]}: offset {by.offset_m:+.2f} m at {by.origin_m:.1f} m"
-    if by.scale != 1.0:
-        text += f", {1e3 * (by.scale - 1.0):+.2f} m for each km of the odometer"
-    if by.correlation is not None:
-        text += f"; correlation {by.correlation:.3f}"
-    if by.next_correlation is not None and by.next_offset_m is not None:
-        text += f", next best {by.next_correlation:.3f} at {by.next_offset_m:+.1f} m"
-    return text.replace("-", "−")
+    return found + [f"{name}: {note}" for note in placed.measurement.notes if UNCORRECTED in note]
 
 
 def _doubts(by: Alignment) -> list[str]:
