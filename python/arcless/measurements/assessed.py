@@ -155,9 +155,10 @@ def _share(
     measurement: Measurement, each: MeasuredPantograph, section: Section, kept: Mask
 ) -> float:
     """Return the share of the time in the section that is left; refuse too little."""
-    time = time_between_s(each, *section)
-    # The last sample of a record stands for a step that the times do not have.
-    share = float(min(1.0, np.count_nonzero(kept) * each.step_s / (time + each.step_s)))
+    time, known = time_between_s(each, *section), np.count_nonzero(kept) * each.step_s
+    # The ends of a section lie between samples: one step is no loss.
+    whole = known > 0.0 and time - known <= each.step_s
+    share = 1.0 if whole else float(known / max(time, each.step_s))
     if share >= LEAST_SHARE:
         return share
     if not _inside(each, section).any():

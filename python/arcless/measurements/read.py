@@ -21,7 +21,7 @@ Values = Mapping[Column, NDArray[np.float64]]
 
 # Name of a pantograph that the columns do not name; runs call their first one so.
 ONLY = "P1"
-# No train on rails was faster (574.8 km/h, France, 2007): a higher speed is in another unit. In m/s.
+# In m/s. No train on rails was faster (574.8 km/h, France, 2007): more is in another unit.
 FASTEST = 160.0
 # Names of columns that are not used, in a remark.
 NAMED = 5
@@ -81,7 +81,7 @@ def _speed(speed: float | str) -> float:
         return found
     hint = "a number without a unit is in m/s" if found > 0.0 else None
     raise MeasurementError(
-        "speed", got=f"{found:g} m/s ({3.6 * found:.0f} km/h)",
+        "speed of a train", got=f"{found:g} m/s ({3.6 * found:.0f} km/h)",
         expected=f"more than 0, at most {3.6 * FASTEST:.0f} km/h", hint=hint,
     )  # fmt: skip
 

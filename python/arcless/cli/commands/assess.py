@@ -71,7 +71,8 @@ def assess(
         typer.Option(
             "--head-mass",
             metavar="MASS",
-            help='Of a CSV file: mass above the force sensors, such as "5.2 kg"; its inertia is taken off.',
+            help='Of a CSV file: mass above the force sensors, such as "5.2 kg"; its inertia is'
+            " taken off.",
         ),
     ] = None,
     head_lift: Annotated[
@@ -79,8 +80,8 @@ def assess(
         typer.Option(
             "--head-lift",
             metavar="FORCE",
-            help='With --head-mass: lift of the air above the sensors, "8 N", or "0.002 N/(m/s)2" times the'
-            " speed squared.",
+            help='With --head-mass: lift of the air above the sensors, "8 N", or "0.002 N/(m/s)2"'
+            " times the speed squared.",
         ),
     ] = None,
     acceleration_down: Annotated[
@@ -148,13 +149,13 @@ def _measured(
     supply: str | None,
     **options: Any,
 ) -> "Assessment":
-    from arcless.errors import ModelError
+    from arcless.errors import MeasurementError, ModelError
     from arcless.measurements import assess as assess_measurement
     from arcless.measurements import read
 
     try:
         measurement = read(subject, **options)
-    except ModelError as error:
+    except (MeasurementError, ModelError) as error:  # all others name the file
         error.where = "--speed" if error.where is None else error.where
         raise
     given = {} if cutoff is None else {"low_pass_Hz": cutoff}

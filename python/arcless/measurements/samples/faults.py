@@ -7,9 +7,11 @@ Floats = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
 # Equal samples in a row, at the largest or smallest value of a record, that count as clipped. Fewer
-# would take the top of a slow wave for one, as a recorder's resolution flattens it; more would
-# leave short overloads in.
+# would take chance for it; more would leave short overloads in.
 CLIPPED_SAMPLES = 4
+# So many times as often as the value next to it an end of the range is seen. The top of a wave,
+# flattened by a recorder's resolution, has 1/(√2 − 1) = 2.4; more leaves mild overloads in.
+CLIPPED_RATIO = 4.0
 # Time in s after which a value that does not change counts as frozen: a force that is measured
 # has noise. Less would take resolution for it; more lets a dead sensor lower the deviation.
 FROZEN_S = 0.1
@@ -38,25 +40,31 @@ def held(values: Floats) -> int:
 
 
 def clipped(values: Floats, at_least: int = CLIPPED_SAMPLES) -> Mask:
-    """Return which samples lie in a stretch at the largest or smallest value of a record.
+    """Return which samples are at an end of the sensor's range.
+
+    That is the largest or smallest value of a record, where some samples in a row have it, and many
+    more than have the value next to it.
 
     Parameters
     ----------
     values
         One sensor; NaN where there is no sample.
     at_least
-        Equal samples in a row that make a stretch.
+        Equal samples in a row that tell an end of the range.
 
     Notes
     -----
     Zero is no end of a range: a contact force is zero while there is no contact.
     """
-    finite = values[np.isfinite(values)]
-    if not finite.size:
-        return np.zeros(values.size, bool)
-    ends = [value for value in (finite.max(), finite.min()) if value != 0.0]
     begins, lengths = stretches(values)
-    return _spread(np.isin(values[begins], ends) & (lengths >= at_least), lengths)
+    long = values[begins][lengths >= at_least]
+    levels, counts = np.unique(values[np.isfinite(values)], return_counts=True)
+    ends = [(levels[end], counts[end], counts[end + inwards : end + inwards + 1])
+            for end, inwards in ((0, 1), (levels.size - 1, -1)) if levels.size]  # fmt: skip
+    return np.isin(values, [
+        level for level, count, nearest in ends
+        if level != 0.0 and level in long and count >= CLIPPED_RATIO * nearest.sum()
+    ])  # fmt: skip
 
 
 def frozen(values: Floats, step_s: float) -> Mask:

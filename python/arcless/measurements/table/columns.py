@@ -119,7 +119,8 @@ def _refuse_misspelt(plain: str, title: str, where: str) -> None:
     """Refuse a name that is one of ours with its unit but no brackets, or with a slip."""
     first = re.sub(r"[\W_]*$", "", plain)
     for known, unit in KNOWN.items():
-        if first.startswith(f"{known}_") and _is_unit(first.removeprefix(f"{known}_"), unit):
+        behind = re.fullmatch(rf"(?:.*\.)?{known}[\s_-]+(\S+)", title, re.IGNORECASE)
+        if behind and _is_unit(behind[1], unit):
             hint = f"write the unit in brackets, such as {known} [{spell(_usual(unit))}]"
             raise MeasurementError(
                 f"column {known}: unit missing", where=where, got=show(title), hint=hint
@@ -136,7 +137,7 @@ def _refuse_misspelt(plain: str, title: str, where: str) -> None:
 
 def _is_unit(text: str, kind: str) -> bool:
     try:
-        to_si(f"1 {text.replace('_', ' ')}", kind)
+        to_si(f"1 {text}", kind)
     except ModelError:
         return False
     return True

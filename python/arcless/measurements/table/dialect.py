@@ -78,6 +78,12 @@ def examine(path: Path, *, largest_bytes: int = LARGEST_FILE) -> Dialect:
     return Dialect(delimiter, decimal, tuple(name.strip() for name in names), number)
 
 
+def line_too_long(where: str) -> MeasurementError:
+    """Return the error of a line that no table has; files without line ends have one."""
+    expected = f"lines of at most {HEAD_BYTES / 2**20:g} MiB"
+    return MeasurementError("line too long", where=where, expected=expected)
+
+
 def is_content(line: str) -> bool:
     """Return whether a line is neither empty nor a comment."""
     stripped = line.strip()
@@ -121,6 +127,8 @@ def _text(raw: bytes, label: str) -> str:
         got = "binary data"
         raise MeasurementError("not a text file", where=label, got=got, expected=EXPECTED)
     whole = raw if len(raw) < HEAD_BYTES else raw[: raw.rfind(b"\n") + 1]
+    if raw and not whole:
+        raise line_too_long(f"{label}:1")
     try:
         return whole.decode("utf-8-sig")
     except UnicodeDecodeError as error:

@@ -41,7 +41,6 @@ def numbers(
             na_values=list(MISSING),
             keep_default_na=False,
             skipinitialspace=True,
-            float_precision="round_trip",
             engine="c",
         )
     except (ValueError, pandas.errors.ParserError) as error:

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arcless.errors import MeasurementError
-from arcless.measurements.table.dialect import Dialect, is_content
+from arcless.measurements.table.dialect import Dialect, is_content, line_too_long
 
 # Bytes that are looked at together: the memory that it takes is a few times this.
 BLOCK_BYTES = 2**22
@@ -50,7 +50,7 @@ def scan(path: Path, dialect: Dialect) -> Rows:
     label, skipped = str(path), list(range(1, dialect.header_line + 1))
     wanted, done = len(dialect.header) - 1, 0
     delimiter = dialect.delimiter.encode()[0]
-    for block in _blocks(path):
+    for block in _blocks(path, label):
         if b"\0" in block:
             raise MeasurementError("not a text file", where=label, got="binary data")
         letters = np.frombuffer(block, np.uint8)
@@ -71,7 +71,7 @@ def scan(path: Path, dialect: Dialect) -> Rows:
     return Rows(done, tuple(skipped))
 
 
-def _blocks(path: Path) -> Iterator[bytes]:
+def _blocks(path: Path, label: str) -> Iterator[bytes]:
     """Yield the file in parts of whole lines; the last one ends in a newline, too."""
     rest = b""
     with path.open("rb") as file:
@@ -80,6 +80,8 @@ def _blocks(path: Path) -> Iterator[bytes]:
             rest = rest_of
             if newline:
                 yield whole + newline
+            elif len(rest) > BLOCK_BYTES:
+                raise line_too_long(label)
     if rest:
         yield rest + b"\n"
 
