@@ -58,8 +58,9 @@ def opened(
             hint="`arcless assess RUN` shows the numbers of one run",
         )
     files = [_file_of(one) for one in runs]
-    _refuse_twice([
-        id(one) if file is None else file.resolve() for one, file in zip(runs, files, strict=True)
+    refuse_twice([
+        file.resolve() if isinstance(one, str | Path) and file is not None else id(one)
+        for one, file in zip(runs, files, strict=True)
     ], [str(one) for one in runs])  # fmt: skip
     found: list[Subject] = []
     for one, file in zip(runs, files, strict=True):
@@ -172,7 +173,8 @@ def _file(path: Path) -> Path:
     return file
 
 
-def _refuse_twice(keys: Sequence[object], words: Sequence[str]) -> None:
+def refuse_twice(keys: Sequence[object], words: Sequence[str]) -> None:
+    """Refuse two equal keys, by the words of the second one."""
     for place, key in enumerate(keys):
         if key in keys[:place]:
             raise ComparisonError(

@@ -23,6 +23,8 @@ from arcless.results import Result
 
 # Ends of sections are the same within this, in m: less than any reading of a plan.
 SAME_PLACE_M = 1e-3
+# Beginning of the reader's note on a file without positions.
+COUNTED = "no positions in the file"
 
 
 @dataclass(frozen=True, eq=False)
@@ -164,7 +166,8 @@ def _placed(
         of_base = next((slot.places[there] for slot in slots if slot.places[here] == index), None)
         trace = trace_of(_whole_signal(base, of_base or 0, margin), cutoff)
         on = Reference(trace, _supports(base), cutoff, margin)
-        alignments.append(place(pantograph, on, how, str(one.path)))
+        counted = any(note.startswith(COUNTED) for note in one.notes)
+        alignments.append(place(pantograph, on, how, str(one.path), counted=counted))
     return Placed.of(one, alignments)
 
 

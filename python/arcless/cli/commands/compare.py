@@ -161,7 +161,7 @@ def _aligning(
 
 def _read(runs: list[Path], speed: str | None, head: "Head | None") -> "list[Subject | str | Path]":
     """Read measurements with the options for them; runs are read by the comparison."""
-    from arcless.comparison.runs import is_measured
+    from arcless.comparison.runs import is_measured, refuse_twice
     from arcless.errors import ComparisonError
     from arcless.measurements import read
 
@@ -172,5 +172,6 @@ def _read(runs: list[Path], speed: str | None, head: "Head | None") -> "list[Sub
             expected="a file that ends in .csv among those that are compared",
             hint="speed and masses of a run are those of its scenario",
         )
+    refuse_twice([one.resolve() for one in runs], [str(one) for one in runs])
     asked = None if speed is None else amount("--speed", speed, "m/s")
     return [read(one, speed=asked, head=head) if is_measured(one) else one for one in runs]

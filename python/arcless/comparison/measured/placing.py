@@ -41,7 +41,7 @@ class Aligning:
         Metres on the line for one of the odometer, for an offset that is given.
     search_m
         How far from zero the offset is searched, in m. None for half of the longest span where the
-        positions lie on the line, and for everything where they do not.
+        positions lie on the line, and for everything where they do not, or where the file has none.
     scale_within
         How far the scale may be from 1.
     """
@@ -104,7 +104,9 @@ def trace_of(signal: Signal, low_pass_Hz: float) -> Trace:
     return signal.trace(signal.low_passed(low_pass_Hz), signal.speed_m_s / low_pass_Hz)
 
 
-def place(measured: MeasuredPantograph, on: Reference, how: Aligning, label: str) -> Alignment:
+def place(
+    measured: MeasuredPantograph, on: Reference, how: Aligning, label: str, *, counted: bool
+) -> Alignment:
     """Return where a measured pantograph lies on the line of a reference.
 
     Parameters
@@ -117,6 +119,8 @@ def place(measured: MeasuredPantograph, on: Reference, how: Aligning, label: str
         By which method and within which limits.
     label
         The file, for messages.
+    counted
+        Whether its positions are counted by the speed, from the first sample of the file.
 
     Raises
     ------
@@ -124,6 +128,7 @@ def place(measured: MeasuredPantograph, on: Reference, how: Aligning, label: str
         Nothing overlaps, or there is nothing to align by.
     """
     falls = measured.last_m < measured.first_m
+    _check_order(measured, label)
     run = measured.first_m + np.abs(measured.position - measured.first_m)
     signal = signal_of(measured, run, on.margin_s)
     mine = _from_origin(trace_of(signal, on.low_pass_Hz), measured)
@@ -133,11 +138,28 @@ def place(measured: MeasuredPantograph, on: Reference, how: Aligning, label: str
         elif how.method == "supports":
             found = _by_supports(mine, on, how)
         else:
-            found = aligned(on.trace, mine, _search(mine, on, how))
+            found = aligned(on.trace, mine, _search(mine, on, how, counted=counted))
     except ComparisonError as error:
         error.where = error.where or f"{label}: pantograph {measured.name}"
         raise
     return replace(found, origin_m=measured.first_m, falling=falls)
+
+
+def _check_order(measured: MeasuredPantograph, label: str) -> None:
+    """Refuse an odometer that jumps back: places between would be there twice."""
+    run = np.abs(measured.position - measured.first_m)
+    back = np.flatnonzero(np.diff(run) < 0.0)
+    if not back.size:
+        return
+    before, here = measured.position[back[0]], measured.position[back[0] + 1]
+    raise ComparisonError(
+        "the odometer jumps back",
+        where=f"{label}: pantograph {measured.name}",
+        got=f"{here:.1f} m after {before:.1f} m",
+        expected="positions that go one way",
+        hint="cut the file there, or leave its column of positions out: they are then counted by"
+        " the speed",
+    )
 
 
 def _from_origin(mine: Trace, measured: MeasuredPantograph) -> Trace:
@@ -179,13 +201,17 @@ def _by_supports(mine: Trace, on: Reference, how: Aligning) -> Alignment:
     return aligned(template, mine, search, "supports")
 
 
-def _search(mine: Trace, on: Reference, how: Aligning) -> Search:
+def _search(mine: Trace, on: Reference, how: Aligning, *, counted: bool) -> Search:
     """Return the limits of a search by correlation."""
     if how.search_m is not None:
         return Search(-how.search_m, how.search_m, how.scale_within)
     begin, end = (float(mine.position_m[place]) for place in (0, -1))
     on_line = min(end, float(on.trace.position_m[-1])) - max(begin, float(on.trace.position_m[0]))
-    known = on.supports_m.size > 1 and on_line >= 0.5 * min(mine.length_m, on.trace.length_m)
+    known = (
+        not counted
+        and on.supports_m.size > 1
+        and on_line >= 0.5 * min(mine.length_m, on.trace.length_m)
+    )
     if not known:
         return Search(-math.inf, math.inf, how.scale_within)
     half = 0.5 * float(np.diff(on.supports_m).max())

@@ -5,8 +5,10 @@ from arcless.comparison.alignment import Alignment
 from arcless.comparison.measured.placed import Placed
 from arcless.measurements.samples.left_out import JUMP
 
-# Part of the reader's note on a force that misses the inertia of what is above the sensors.
-UNCORRECTED = "not corrected"
+# Parts of the reader's notes that hold for every file, or say that all is as it should be.
+USUAL = ("read as CSV", "is taken off")
+# Share of the section in % that may be left out without a word: the ends of a record or so.
+UNTOLD_PERCENT = 0.05
 # Speeds that differ by less than this part are those of one test: the wire moves the force by as
 # little. More is told.
 SAME_SPEED = 0.02
@@ -44,7 +46,27 @@ def remarks(name: str, placed: Placed, assessment: Assessment, speed_m_s: float)
             f" {100.0 * apart:+.1f} % from {3.6 * speed_m_s:.1f} km/h: forces grow with the speed,"
             " and the same frequency is another wavelength"
         )
-    return found + [f"{name}: {note}" for note in placed.measurement.notes if UNCORRECTED in note]
+    notes = [note for note in placed.measurement.notes if not any(usual in note for usual in USUAL)]
+    return found + [f"{name}: {note}" for note in [*notes, *_left_out(placed, assessment)]]
+
+
+def _left_out(placed: Placed, assessment: Assessment) -> list[str]:
+    """Return how much of the section was left out, and why."""
+    found = []
+    shares = (assessment.measurement or {}).get("pantographs", [])
+    for one, share in zip(placed.measurement.pantographs, shares, strict=True):
+        if share["left_out_percent"] <= UNTOLD_PERCENT:
+            continue
+        begin, end = assessment.section_m
+        counts: dict[str, int] = {}
+        for part in one.left_out:
+            counts[part.kind] = counts.get(part.kind, 0) + max(part.samples, 1)
+        why = ", ".join(f"{count} × {kind}" for kind, count in counts.items()) or "ends of pieces"
+        found.append(
+            f"{share['left_out_percent']:.1f} % of the time from {begin:.0f} to {end:.0f} m is left"
+            f" out; of the whole file: {why}"
+        )
+    return found
 
 
 def _doubts(by: Alignment) -> list[str]:
