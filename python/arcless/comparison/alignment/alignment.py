@@ -90,7 +90,7 @@ def aligned(line: Trace, measured: Trace, search: Search, method: str = "correla
     """
     shortest = max(line.shortest_m, measured.shortest_m)
     step = shortest / STEPS_A_WAVE
-    least = max(LEAST_OVERLAP * min(line.length_m, measured.length_m), FEWEST_WAVES * shortest)
+    least = max(LEAST_OVERLAP * min(line.known_m, measured.known_m), FEWEST_WAVES * shortest)
     _check(line, measured, least)
     scales, each = _scales(search, shortest, min(line.length_m, measured.length_m))
 
@@ -118,10 +118,10 @@ def aligned(line: Trace, measured: Trace, search: Search, method: str = "correla
 def _check(line: Trace, measured: Trace, least_m: float) -> None:
     for name, one in (("run", line), ("measurement", measured)):
         values = one.values[one.valid]
-        if one.length_m < least_m:
+        if one.known_m < least_m:
             raise ComparisonError(
                 f"the {name} is too short to be aligned",
-                got=f"{one.length_m:.0f} m",
+                got=f"{one.known_m:.0f} m that count",
                 expected=f"at least {least_m:.0f} m, {FEWEST_WAVES:g} of the shortest waves",
                 hint="give the offset by hand: --offset",
             )

@@ -38,6 +38,13 @@ class Trace:
         """Distance in m from the first sample that counts to the last one."""
         return float(np.ptp(self.position_m[self.valid])) if self.valid.any() else 0.0
 
+    @property
+    def known_m(self) -> float:
+        """Length in m of what counts, gaps left out."""
+        if self.position_m.size < 2:  # noqa: PLR2004 - one sample has no length
+            return 0.0
+        return float(np.median(np.diff(self.position_m))) * np.count_nonzero(self.valid)
+
     def at(self, places: Floats) -> tuple[Floats, Flags]:
         """Return values at places in m, linear between samples, and which of them are known.
 
