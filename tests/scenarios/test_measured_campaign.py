@@ -1,4 +1,4 @@
-"""A campaign of test runs whose truth is known: a simulated run, measured, beside itself.
+"""A campaign of test runs whose truth is known: a simulated run, and it measured.
 
 Sensors below the strips, 200 samples a second behind a low-pass of 50 Hz, an odometer that is wrong
 by metres. The force corrected for inertia, as EN 50317 asks (from memory, mark C), has the numbers
@@ -34,7 +34,7 @@ def inside(run: Result) -> np.ndarray:
 
 
 def measured(run: Result, folder: Path, *, corrected: bool = True, **sensors: Any) -> Comparison:
-    """Return the run beside its own measurement."""
+    """Return the comparison of the run with its own measurement."""
     readings = run.as_measured(Instrument(**sensors))
     readings.save(folder / "campaign.csv")
     head = Head(readings.mass_above_kg) if corrected else None

@@ -1,9 +1,9 @@
-"""How often test runs with noise are put in the right place: on a line whose spans are alike.
+"""Share of test runs with noise that are put in the right place, on a line of equal spans.
 
-The force is that of a run at 320 km/h, 93 % of whose variance repeats from span to span. A test run is
-a part of it, at a random place and with a random error of position within half a span, and has white
-noise in the band of the filter. `python -m tests.support.alignment_rates` prints the table of the
-guide.
+The force is that of a run at 320 km/h, 93 % of whose variance repeats from span to span. A test run
+is a part of it, at a random place and with a random error of position within half a span, and has
+white noise in the band of the filter. `python -m tests.support.alignment_rates` prints the table of
+the guide.
 """
 
 from collections.abc import Iterator

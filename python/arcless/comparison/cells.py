@@ -12,7 +12,7 @@ MAIN = (
     "contact_loss_percent", "max_uplift_at_support_mm", "min_dropper_force_N",
 )  # fmt: skip
 NONE = "–"
-# How positions of a measurement were put on the line.
+# Ways by which positions of a measurement were put on the line.
 WAYS = {
     "correlation": "correlation", "supports": "supports", "given": "offset given",
     "none": "as they are", "reference": "others are placed on it",

@@ -20,7 +20,7 @@ FORMAT = "arcless-comparison/1"
 
 @dataclass(frozen=True, eq=False)
 class Compared:
-    """Runs side by side, as data; a measurement may stand in the place of any run.
+    """Runs and measurements side by side, as data.
 
     Attributes
     ----------

@@ -172,7 +172,7 @@ def _placed(
 
 
 def _whole_signal(base: Subject, pantograph: int, margin_s: float) -> Signal:
-    """Return the force of a pantograph over all of its record, but for the ends."""
+    """Return the force of a pantograph over all of its record without the ends."""
     if isinstance(base, Result):
         position = base.latest["position"].values[:, pantograph]
         signal = _signal_of_run(base, pantograph, (float(position[0]), float(position[-1])))

@@ -110,7 +110,7 @@ def compare(
     """Compare runs: numbers with differences, changed fields, verdicts, overlays.
 
     Nothing is simulated: all of it comes from the result files. Criteria do not set the exit code.
-    A measured test run may stand in the place of any run: it is put on the line of the first run,
+    A run may also be the CSV file of a measured test run: it is put on the line of the first run,
     and compared band by band and with the tolerances of EN 50318 (from memory).
     """
     from arcless.comparison import compare as compare_runs

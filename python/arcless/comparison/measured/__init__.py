@@ -1,1 +1,1 @@
-"""Measured test runs beside simulated ones: placed on the line, band by band, accepted or not."""
+"""Measured test runs against simulated ones: on the line of a run, band by band, tolerances."""

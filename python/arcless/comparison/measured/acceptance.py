@@ -16,7 +16,7 @@ SOURCE = "EN 50318:2002, from memory: the standard was not read"
 
 @dataclass(frozen=True)
 class Tolerance:
-    """How far a simulated number may be from the measured one.
+    """Largest distance of a simulated number from the measured one.
 
     Attributes
     ----------

@@ -18,7 +18,7 @@ from arcless.measurements import MeasuredPantograph, Measurement
 from arcless.measurements.samples.settled import bands
 
 Floats = NDArray[np.float64]
-# Channels of a record that go on between two pieces; all others are not known there.
+# Channels of a record that are known between two pieces; all others are not.
 ALONG = ("time", "position")
 
 
@@ -134,7 +134,7 @@ def _apart(channels: Sequence[Floats], pieces: Sequence[slice]) -> list[Floats]:
 def _beside(columns: Sequence[Floats], *, held: bool) -> Floats:
     """Return columns as one array, (time, pantograph).
 
-    Shorter ones go on as they end where they are held, and without values where not.
+    Shorter ones keep their last value where they are held, and have no values where not.
     """
     longest = max(column.size for column in columns)
     filled = [

@@ -28,7 +28,7 @@ SCALE_WITHIN = 0.005
 
 @dataclass(frozen=True)
 class Aligning:
-    """How measurements are aligned.
+    """Method and limits by which measurements are aligned.
 
     Attributes
     ----------
@@ -67,7 +67,7 @@ class Aligning:
 
 @dataclass(frozen=True, eq=False)
 class Reference:
-    """What measurements are aligned with: the filtered force of a pantograph over its position.
+    """Filtered force of a pantograph over its position, with which measurements are aligned.
 
     Attributes
     ----------

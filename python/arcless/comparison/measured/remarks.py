@@ -6,7 +6,7 @@ from arcless.comparison.measured.placed import Placed
 from arcless.measurements.samples.left_out import JUMP
 
 # Parts of the reader's notes that hold for every file, or say that all is as it should be.
-USUAL = ("read as CSV", "is taken off")
+USUAL = ("read as CSV", "columns that are not used", "is taken off")
 # Share of the section in % that may be left out without a word: the ends of a record or so.
 UNTOLD_PERCENT = 0.05
 # Speeds that differ by less than this part are those of one test: the wire moves the force by as

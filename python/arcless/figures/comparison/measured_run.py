@@ -1,4 +1,4 @@
-"""Measured forces, ready to be drawn beside those of runs.
+"""Measured forces, ready to be drawn together with those of runs.
 
 Between two pieces of a record stands a sample without a value, so that curves have a gap there.
 """
