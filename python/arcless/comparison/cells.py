@@ -14,9 +14,12 @@ MAIN = (
 NONE = "–"
 # Ways by which positions of a measurement were put on the line.
 WAYS = {
-    "correlation": "correlation", "supports": "supports", "given": "offset given",
-    "none": "as they are", "reference": "others are placed on it",
-}  # fmt: skip
+    "correlation": "correlation of the {}",
+    "supports": "supports, by the {}",
+    "given": "offset given",
+    "none": "as they are",
+    "reference": "others are placed on it",
+}
 # Of a difference that is no larger than its uncertainty, as of a criterion.
 TOO_CLOSE = "too close to tell"
 
@@ -89,7 +92,5 @@ def alignment(by: Alignment) -> tuple[str, str, str, str, str]:
             f"{number(by.next_correlation, 3)} at {signed(by.next_offset_m, 1)}\u00a0m"
             f"{', not sure' if by.ambiguous else ''}"
         )
-    return (
-        WAYS[by.method], f"{signed(by.offset_m, 2)}\u00a0m", drift, number(by.correlation, 3),
-        following,
-    )  # fmt: skip
+    way, offset = WAYS[by.method].format(by.channel), f"{signed(by.offset_m, 2)}\u00a0m"
+    return way, offset, drift, number(by.correlation, 3), following

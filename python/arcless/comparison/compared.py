@@ -99,6 +99,7 @@ class Compared:
             "arcless_version": None if run is None else run.metadata["arcless_version"],
             "created": None if run is None else run.metadata["created"],
             "passed": assessment.passed,
+            "measurement": assessment.measurement,
             "alignments": None
             if side.placed is None
             else [asdict(one) for one in side.placed.alignments],

@@ -11,7 +11,7 @@ from arcless.assess import assess as assess_dataset
 from arcless.assess.signals.filter import sample_rate_Hz
 from arcless.comparison.alignment import Alignment
 from arcless.comparison.measured.placed import Placed
-from arcless.comparison.measured.placing import Aligning, Reference, place, trace_of
+from arcless.comparison.measured.placing import Aligning, Reference, place, signal_of, trace_of
 from arcless.comparison.measured.signal import Signal, settled
 from arcless.comparison.runs import Slot, Subject
 from arcless.errors import ComparisonError
@@ -70,11 +70,16 @@ def drawn(sides: Sequence[Side]) -> list[RunData]:
     sides
         The runs and measurements.
     """
-    supports = _supports(_reference_of([one.subject for one in sides]))
+    base = _reference_of([one.subject for one in sides])
+    supports, reach = _supports(base), (-np.inf, np.inf)
+    if isinstance(base, Result):
+        position = base.latest["position"].values
+        reach = float(position.min()), float(position.max())
     found: list[RunData] = []
     for one in sides:
         if one.placed is not None:
-            found.append(one.placed.drawn(one.assessment, supports, _margin_s(one.assessment)))
+            margin = _margin_s(one.assessment)
+            found.append(one.placed.drawn(one.assessment, supports, margin, reach))
         else:
             assert isinstance(one.subject, Result)
             found.append(RunData(one.subject.latest, one.assessment))
@@ -164,27 +169,25 @@ def _placed(
     alignments = []
     for index, pantograph in enumerate(one.pantographs):
         of_base = next((slot.places[there] for slot in slots if slot.places[here] == index), None)
-        trace = trace_of(_whole_signal(base, of_base or 0, margin), cutoff)
+        trace = trace_of(_whole_signal(base, of_base or 0, how.channel, margin), cutoff)
         on = Reference(trace, _supports(base), cutoff, margin)
         counted = any(note.startswith(COUNTED) for note in one.notes)
         alignments.append(place(pantograph, on, how, str(one.path), counted=counted))
     return Placed.of(one, alignments)
 
 
-def _whole_signal(base: Subject, pantograph: int, margin_s: float) -> Signal:
-    """Return the force of a pantograph over all of its record without the ends."""
-    if isinstance(base, Result):
-        position = base.latest["position"].values[:, pantograph]
-        signal = _signal_of_run(base, pantograph, (float(position[0]), float(position[-1])))
-        counted = settled(signal.force_N.size, signal.pieces, signal.rate_Hz, margin_s)
-    else:
-        one = base.pantographs[pantograph]
-        position = one.first_m + np.abs(one.position - one.first_m)
-        counted = settled(one.force.size, one.pieces, one.rate_Hz, margin_s)
-        signal = Signal(position, one.force, one.rate_Hz, one.pieces, counted,
-                        float(one.speed.mean()))  # fmt: skip
-    return Signal(signal.position_m, signal.force_N, signal.rate_Hz, signal.pieces, counted,
-                  signal.speed_m_s)  # fmt: skip
+def _whole_signal(base: Subject, pantograph: int, channel: str, margin_s: float) -> Signal:
+    """Return a channel of a pantograph over all of its record without the ends."""
+    if isinstance(base, Measurement):
+        return signal_of(base.pantographs[pantograph], channel, margin_s, str(base.path))
+    data = base.latest
+    key = {"force": "contact_force", "height": "contact_height"}[channel]
+    values, rate = data[key].values[:, pantograph], sample_rate_Hz(data["time"].values)
+    pieces = (slice(0, values.size),)
+    return Signal(
+        data["position"].values[:, pantograph], values, rate, pieces,
+        settled(values.size, pieces, rate, margin_s), float(data["speed"].values.mean()),
+    )  # fmt: skip
 
 
 def _signal_of_run(run: Result, pantograph: int, section_m: tuple[float, float]) -> Signal:

@@ -47,6 +47,14 @@ def compare(
             " forces, by `supports` (what all spans have in common), or `none`.",
         ),
     ] = "correlation",
+    align_by: Annotated[
+        str,
+        typer.Option(
+            "--align-by",
+            metavar="CHANNEL",
+            help="The channel that is aligned: `force`, or `height` of the contact point.",
+        ),
+    ] = "force",
     offset: Annotated[
         str | None,
         typer.Option(
@@ -115,7 +123,7 @@ def compare(
     """
     from arcless.comparison import compare as compare_runs
 
-    how = _aligning(align, offset, scale, search=search, drift=drift)
+    how = _aligning((align, align_by), offset, scale, search=search, drift=drift)
     head = head_of(head_mass, head_lift, acceleration_down)
     compared = compare_runs(_read(runs, speed, head), aligning=how)
     if out is not None:
@@ -142,7 +150,12 @@ def compare(
 
 
 def _aligning(
-    align: str, offset: str | None, scale: float | None, *, search: str | None, drift: float | None
+    ways: tuple[str, str],
+    offset: str | None,
+    scale: float | None,
+    *,
+    search: str | None,
+    drift: float | None,
 ) -> "Aligning":
     """Return how measurements are aligned, from the options."""
     from arcless.comparison.measured.placing import SCALE_WITHIN, Aligning
@@ -151,7 +164,7 @@ def _aligning(
     if scale is not None and offset is None:
         raise ComparisonError("--scale without --offset", expected="the offset, such as 0 m")
     return Aligning(
-        align,
+        *ways,
         None if offset is None else amount("--offset", offset, "m"),
         1.0 if scale is None else scale,
         None if search is None else amount("--search", search, "m"),

@@ -109,8 +109,8 @@ def acceptance(compared: "Comparison") -> list[Table]:
     found = []
     for run, measured in dict.fromkeys((a.run, a.measurement) for a in compared.acceptance):
         names = compared.names[run], compared.names[measured]
-        made = table(f"{names[0]} against {names[1]} (tolerances of EN 50318 from memory, mark C:"
-                     " they decide nothing)", "quantity", "unit")  # fmt: skip
+        title = f"{names[0]} against {names[1]}: tolerances from memory (mark C) decide nothing"
+        made = table(title, "quantity", "unit")
         for heading in ("simulated", "measured", "difference", "tolerance"):
             made.add_column(heading, justify="right")
         made.add_column("within")

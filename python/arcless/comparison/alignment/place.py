@@ -34,6 +34,8 @@ class Alignment:
     ----------
     method
         ``correlation``, ``supports``, ``given`` or ``none``.
+    channel
+        ``force`` or ``height``, of which the correlation is.
     origin_m
         First position of the measurement in m.
     falling
@@ -66,6 +68,7 @@ class Alignment:
     beyond_offset_m: float | None = None
     beyond_correlation: float | None = None
     overlap_m: tuple[float, float] | None = None
+    channel: str = "force"
 
     def on_line(self, position_m: Floats) -> Floats:
         """Return positions of the odometer as positions on the line, in m."""

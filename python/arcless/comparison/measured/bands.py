@@ -1,8 +1,8 @@
 """Standard deviation of the force band by band, and how alike the bands are along the line.
 
 Bands of the filter are differences of the low-passes at their ends, in each record's own time;
-third octaves are those of the power spectral density. The correlation is that of two bands at the same
-places of the line: with other speeds, the same frequency is not the same wavelength.
+third octaves are those of the power spectral density. The correlation is that of two bands at the
+same places of the line: with other speeds, the same frequency is not the same wavelength.
 """
 # ruff: noqa: N815 - the names carry their units
 

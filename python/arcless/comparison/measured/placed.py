@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from arcless.assess import Assessment
 from arcless.assess.section import ForceRecord
+from arcless.assess.signals.gapped import stretches
 from arcless.assess.statistics import ForceBands
 from arcless.comparison.alignment import Alignment
 from arcless.comparison.measured.signal import Signal, settled
@@ -69,7 +70,13 @@ class Placed:
         speed = float(one.speed[counted].mean()) if counted.any() else float(one.speed.mean())
         return Signal(one.position, one.force, one.rate_Hz, one.pieces, counted, speed)
 
-    def drawn(self, assessment: Assessment, supports_m: Floats, margin_s: float) -> MeasuredRun:
+    def drawn(
+        self,
+        assessment: Assessment,
+        supports_m: Floats,
+        margin_s: float,
+        reach_m: tuple[float, float],
+    ) -> MeasuredRun:
         """Return the measurement as figures take it.
 
         Parameters
@@ -80,6 +87,8 @@ class Placed:
             Supports of the line in m.
         margin_s
             Time at the ends of a piece at which samples do not count.
+        reach_m
+            From and to in m: what was measured beyond is not drawn.
         """
         begin, end = assessment.section_m
         parts = []
@@ -94,7 +103,8 @@ class Placed:
             height = np.full(one.force.size, np.nan) if one.height is None else one.height
             channels = (one.time, one.position, one.force, *shown, counted.astype(np.float64),
                         height)  # fmt: skip
-            parts.append(_apart(channels, one.pieces))
+            near = (one.position >= reach_m[0]) & (one.position <= reach_m[1])
+            parts.append(_apart(channels, stretches(near, one.pieces)))
         columns = [
             _beside([part[number] for part in parts], held=number < len(ALONG))
             for number in range(len(parts[0]))
@@ -122,12 +132,15 @@ def _moved(one: MeasuredPantograph, by: Alignment) -> MeasuredPantograph:
 
 def _apart(channels: Sequence[Floats], pieces: Sequence[slice]) -> list[Floats]:
     """Return channels with a sample between pieces: NaN, but time and position half-way."""
-    ends = [piece.stop for piece in pieces[:-1]]
     found = []
     for number, values in enumerate(channels):
-        along = number < len(ALONG)
-        middle = [0.5 * (values[end - 1] + values[end]) if along else np.nan for end in ends]
-        found.append(np.insert(values, ends, middle))
+        parts: list[Floats] = []
+        for before, piece in zip([None, *pieces[:-1]], pieces, strict=True):
+            if before is not None:
+                middle = 0.5 * (values[before.stop - 1] + values[piece.start])
+                parts.append(np.array([middle if number < len(ALONG) else np.nan]))
+            parts.append(values[piece])
+        found.append(np.concatenate(parts))
     return found
 
 

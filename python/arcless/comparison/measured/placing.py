@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from arcless.assess.signals.gapped import stretches
 from arcless.comparison.alignment import (
     Alignment,
     Search,
@@ -21,6 +22,7 @@ from arcless.measurements import MeasuredPantograph
 
 Floats = NDArray[np.float64]
 METHODS = ("correlation", "supports", "none")
+CHANNELS = ("force", "height")
 # Scale of an odometer that is searched without being told to: worn wheels are some 0.1 % smaller
 # than they were taken for. More would let a wrong speed pass for a drift.
 SCALE_WITHIN = 0.005
@@ -33,8 +35,10 @@ class Aligning:
     Attributes
     ----------
     method
-        ``correlation`` of the filtered force with that of the run; ``supports``, with the part of
+        ``correlation`` of the filtered channel with that of the run; ``supports``, with the part of
         it that all spans have in common; ``none``, as the positions stand.
+    channel
+        ``force``, or ``height`` of the contact point, which inertia of the strips does not change.
     offset_m
         What is added to the first position, in m; nothing is searched then. None to search.
     scale
@@ -47,6 +51,7 @@ class Aligning:
     """
 
     method: str = "correlation"
+    channel: str = "force"
     offset_m: float | None = None
     scale: float = 1.0
     search_m: float | None = None
@@ -56,6 +61,9 @@ class Aligning:
         if self.method not in METHODS:
             expected = f"one of {', '.join(METHODS)}"
             raise ComparisonError("method of alignment", got=f'"{self.method}"', expected=expected)
+        if self.channel not in CHANNELS:
+            expected = f"one of {', '.join(CHANNELS)}"
+            raise ComparisonError("channel to align by", got=f'"{self.channel}"', expected=expected)
         if self.search_m is not None and not self.search_m > 0.0:
             raise ComparisonError("search", got=f"{self.search_m:g} m", expected="above 0 m")
         if not self.scale > 0.0:
@@ -67,12 +75,12 @@ class Aligning:
 
 @dataclass(frozen=True, eq=False)
 class Reference:
-    """Filtered force of a pantograph over its position, with which measurements are aligned.
+    """Filtered channel of a pantograph over its position, with which measurements are aligned.
 
     Attributes
     ----------
     trace
-        The force.
+        The channel.
     supports_m
         Positions of the supports in m; empty where they are not known.
     low_pass_Hz
@@ -87,20 +95,41 @@ class Reference:
     margin_s: float
 
 
-def signal_of(measured: MeasuredPantograph, position_m: Floats, margin_s: float) -> Signal:
-    """Return the force of a measured pantograph at positions in m that rise.
+def signal_of(measured: MeasuredPantograph, channel: str, margin_s: float, label: str) -> Signal:
+    """Return a channel of a measured pantograph over the distance run.
 
-    Samples count that are further from the ends of their piece than a time in s.
+    Parameters
+    ----------
+    measured
+        Its samples; the distance begins at the first position of the file.
+    channel
+        ``force`` or ``height``.
+    margin_s
+        Samples count that are further from the ends of their piece than this, in s.
+    label
+        The file, for messages.
+
+    Raises
+    ------
+    ComparisonError
+        The file has no heights.
     """
-    counted = settled(measured.force.size, measured.pieces, measured.rate_Hz, margin_s)
-    return Signal(
-        position_m, measured.force, measured.rate_Hz, measured.pieces, counted,
-        float(measured.speed.mean()),
-    )  # fmt: skip
+    values = measured.force if channel == "force" else measured.height
+    if values is None:
+        raise ComparisonError(
+            "no heights to align by",
+            where=f"{label}: pantograph {measured.name}",
+            expected="a column contact_height [m]",
+            hint="align by the force",
+        )
+    pieces = stretches(np.isfinite(values), measured.pieces)
+    run = measured.first_m + np.abs(measured.position - measured.first_m)
+    counted = settled(values.size, pieces, measured.rate_Hz, margin_s)
+    return Signal(run, values, measured.rate_Hz, pieces, counted, float(measured.speed.mean()))
 
 
 def trace_of(signal: Signal, low_pass_Hz: float) -> Trace:
-    """Return the filtered force of a pantograph along the line."""
+    """Return the filtered channel of a pantograph along the line."""
     return signal.trace(signal.low_passed(low_pass_Hz), signal.speed_m_s / low_pass_Hz)
 
 
@@ -129,8 +158,7 @@ def place(
     """
     falls = measured.last_m < measured.first_m
     _check_order(measured, label)
-    run = measured.first_m + np.abs(measured.position - measured.first_m)
-    signal = signal_of(measured, run, on.margin_s)
+    signal = signal_of(measured, how.channel, on.margin_s, label)
     mine = _from_origin(trace_of(signal, on.low_pass_Hz), measured)
     try:
         if how.offset_m is not None or how.method == "none":
@@ -142,7 +170,7 @@ def place(
     except ComparisonError as error:
         error.where = error.where or f"{label}: pantograph {measured.name}"
         raise
-    return replace(found, origin_m=measured.first_m, falling=falls)
+    return replace(found, origin_m=measured.first_m, falling=falls, channel=how.channel)
 
 
 def _check_order(measured: MeasuredPantograph, label: str) -> None:

@@ -1,4 +1,4 @@
-"""Force of one pantograph along the line, simulated or measured."""
+"""Channel of one pantograph along the line, simulated or measured."""
 # ruff: noqa: N815 - the names carry their units
 
 from collections.abc import Sequence
@@ -24,8 +24,8 @@ class Signal:
     ----------
     position_m
         Positions on the line in m, rising.
-    force_N
-        Contact force in N, unfiltered.
+    values
+        Of the channel, unfiltered: contact force in N, or height of the contact point in m.
     rate_Hz
         Samples in a second.
     pieces
@@ -37,25 +37,27 @@ class Signal:
     """
 
     position_m: Floats
-    force_N: Floats
+    values: Floats
     rate_Hz: float
     pieces: Sequence[slice]
     counted: Flags
     speed_m_s: float
 
     def low_passed(self, cutoff_Hz: float) -> Floats:
-        """Return the force in N after a low-pass, piece by piece: nothing reaches over a gap.
+        """Return the channel after a low-pass, piece by piece: nothing reaches over a gap.
 
         Raises
         ------
         ModelError
             The cut-off is not below half the rate.
         """
-        parts = [low_pass(self.force_N[piece], self.rate_Hz, cutoff_Hz) for piece in self.pieces]
-        return np.concatenate(parts)
+        found = np.zeros_like(self.values)  # of samples between pieces, which do not count
+        for piece in self.pieces:
+            found[piece] = low_pass(self.values[piece], self.rate_Hz, cutoff_Hz)
+        return found
 
     def band(self, low_Hz: float, high_Hz: float) -> Floats | None:
-        """Return the force in N between two frequencies; None where the rate is too low for it.
+        """Return the channel between two frequencies; None where the rate is too low for it.
 
         It is the difference of two low-passes, so that bands side by side add up.
         """
@@ -70,9 +72,9 @@ class Signal:
 
     @cached_property
     def density(self) -> tuple[Floats, Floats] | None:
-        """Frequencies in Hz and spectral density in N²/Hz of the force; None without samples."""
+        """Frequencies in Hz and power spectral density, such as N²/Hz; None without samples."""
         parts = [one for one in stretches(self.counted, self.pieces) if one.stop - one.start > 1]
-        return spectrum_of_stretches(self.force_N, self.rate_Hz, parts) if parts else None
+        return spectrum_of_stretches(self.values, self.rate_Hz, parts) if parts else None
 
 
 def settled(size: int, pieces: Sequence[slice], rate_Hz: float, margin_s: float) -> Flags:
