@@ -7,14 +7,12 @@ from pathlib import Path
 from typing import TypeAlias
 
 from arcless.errors import ComparisonError
-from arcless.measurements import Measurement, read
+from arcless.measurements import Measurement, is_measured, read
 from arcless.results import Result, result_file
 from arcless.results import open as open_result
 
 Subject: TypeAlias = Result | Measurement
 FEWEST = 2
-# Endings of files that hold a measurement.
-MEASURED = (".csv", ".tsv", ".txt", ".dat", ".asc")
 # Most characters of a run's name in legends and columns.
 LONGEST_NAME = 48
 # Files that a study writes into its folder, and endings of files that describe what to run.
@@ -78,11 +76,6 @@ def opened(
             )
         found.append(subject)
     return found, files
-
-
-def is_measured(path: Path) -> bool:
-    """Say whether a path is that of a measurement: a file with one of the usual endings."""
-    return path.suffix.lower() in MEASURED and not path.is_dir()
 
 
 def _file_of(one: Subject | str | Path) -> Path | None:

@@ -24,8 +24,8 @@ from arcless.measurements.samples.settled import (
     LOW_PASS_HZ,
     Mask,
     bands,
+    counted,
     edge_s,
-    settled,
     time_between_s,
 )
 from arcless.model.line.parts.geometry import ASSUMED_SUPPLY
@@ -82,7 +82,7 @@ def assess(
     kept, shares, filtered = [], [], []
     for each in measurement.pantographs:
         _check_rate(measurement, each, low_pass_Hz)
-        inside = _inside(each, limits) & settled(each, edge)
+        inside = counted(each, limits, low_pass_Hz, BAND_SPLIT_HZ)
         shares.append(_share(measurement, each, limits, inside))
         kept.append(inside)
         filtered.append(bands(each, low_pass_Hz, BAND_SPLIT_HZ))

@@ -10,7 +10,8 @@ from arcless.errors import MeasurementError
 from arcless.measurements.measurement import Measurement
 from arcless.measurements.samples.inertia import Head
 from arcless.measurements.samples.pantograph import MeasuredPantograph
-from arcless.measurements.samples.prepare import Raw, prepared
+from arcless.measurements.samples.prepare import prepared
+from arcless.measurements.samples.raw import Raw
 from arcless.measurements.table.columns import SENSORS, Column, columns_of
 from arcless.measurements.table.dialect import LARGEST_FILE, Dialect, examine
 from arcless.measurements.table.numbers import numbers
@@ -19,12 +20,19 @@ from arcless.units import show, to_si
 
 Values = Mapping[Column, NDArray[np.float64]]
 
+# Endings of files that hold a measurement.
+ENDINGS = (".csv", ".tsv", ".txt", ".dat", ".asc")
 # Name of a pantograph that the columns do not name; runs call their first one so.
 ONLY = "P1"
 # In m/s. No train on rails was faster (574.8 km/h, France, 2007): more is in another unit.
 FASTEST = 160.0
 # Names of columns that are not used, in a remark.
 NAMED = 5
+
+
+def is_measured(path: Path) -> bool:
+    """Say whether a path is that of a measurement: a file with one of the usual endings."""
+    return path.suffix.lower() in ENDINGS and not path.is_dir()
 
 
 def read(
@@ -176,6 +184,11 @@ def _about_sampling(found: MeasuredPantograph) -> list[str]:
         notes.append(
             f"pantograph {found.name}: each value is held over {found.held} samples, so the rate "
             f"is {found.true_rate_Hz:.4g} Hz instead of {found.rate_Hz:.4g} Hz"
+        )
+    if found.rounded_s and not found.interpolated:
+        notes.append(
+            f"pantograph {found.name}: times are rounded to {1e3 * found.rounded_s:.3g} ms, and"
+            f" were taken as equally spaced, at {found.rate_Hz:.4g} Hz"
         )
     if found.interpolated:
         notes.append(

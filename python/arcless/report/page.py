@@ -1,6 +1,6 @@
 """Figures and tables of a run → one HTML file that needs no network."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping, Sequence, Set
 from pathlib import Path
 from typing import Any
 
@@ -75,10 +75,10 @@ def html(
     run = RunData(result.latest, assessment or result.assessment)
     drawn = figures(run)
     texts = _texts(result, run, drawn, reference_rows)
-    return render("run.html", drawn, track=_track(run), **texts)
+    return render("run.html", drawn, track=track_of(run), **texts)
 
 
-def _track(run: RunData) -> dict[str, Any]:
+def track_of(run: RunData) -> dict[str, Any]:
     """Return the section and the supports in m, for buttons and the cross hair."""
     supports = (
         run.supports
@@ -96,31 +96,24 @@ def _texts(
 ) -> dict[str, Any]:
     facts, assessment, scenario = result.metadata, run.assessment, result.scenario
     data = groups(scenario)
-    criteria = tables.criterion_rows(assessment)
     certainty = tables.certainty_rows(assessment)
-    used = marks_used(data) | {
-        row["mark"] for row in (*criteria, *reference_rows) if row.get("mark")
-    }
-    sections = _sections(drawn)
+    used = marks_used(data) | {row["mark"] for row in reference_rows if row.get("mark")}
+    sections = sections_of(drawn)
     contents = [("summary", "Summary"), ("criteria", "Criteria"), ("numbers", "Numbers")]
     contents += [(key, title) for key, title, _ in sections]
     contents += [("certainty", "Certainty")] if certainty else []
     contents += [("model", "Model data"), ("computation", "Computation")]
     return {
+        "title": facts["scenario_name"],
         "facts": facts,
+        "version": facts["arcless_version"],
         "date": str(facts["created"])[:16].replace("T", " "),
         "description": scenario.description,
-        "assessment": assessment,
         "identity": summary.identity(scenario, assessment, facts),
-        "verdict": summary.verdict(assessment),
-        "worst": summary.worst_place(run),
-        "bullets": summary.grouped(summary.bullets(assessment)),
+        **first_screen(run, drawn),
         "contents": contents,
-        "sections": sections,
-        "stacked": _STACKED,
         "computation": tables.computation(run, facts),
         "numbers": tables.number_rows(run),
-        "criteria": criteria,
         "certainty": certainty,
         "certainty_words": explained(assessment.certainty_method or {})
         if assessment.certainty_method
@@ -128,12 +121,32 @@ def _texts(
         "reference_rows": tables.reference_cells(reference_rows),
         "energies": tables.energy_rows(run),
         "groups": data,
-        "marks": {mark: meaning for mark, meaning in MEANINGS.items() if mark in used},
+        "marks": marks_of(assessment, used),
         "warnings": (facts["warnings"] or [])[:MAX_WARNINGS],
     }
 
 
-def _sections(drawn: Mapping[str, Sequence[Figure]]) -> list[tuple[str, str, list[Any]]]:
+def first_screen(run: RunData, drawn: Mapping[str, Sequence[Figure]]) -> dict[str, Any]:
+    """Return what pages of simulated and of measured runs show alike: verdict, bars, figures."""
+    assessment = run.assessment
+    return {
+        "assessment": assessment,
+        "verdict": summary.verdict(assessment),
+        "worst": summary.worst_place(run),
+        "bullets": summary.grouped(summary.bullets(assessment)),
+        "criteria": tables.criterion_rows(assessment),
+        "sections": sections_of(drawn),
+        "stacked": _STACKED,
+    }
+
+
+def marks_of(assessment: Assessment, used: Set[str] = frozenset()) -> dict[str, str]:
+    """Return the meanings of the marks of criteria, and of others that are used."""
+    shown = used | {one.mark for one in assessment.criteria}
+    return {mark: meaning for mark, meaning in MEANINGS.items() if mark in shown}
+
+
+def sections_of(drawn: Mapping[str, Sequence[Figure]]) -> list[tuple[str, str, list[Any]]]:
     """Return the sections that have figures, without the figures that there are none of.
 
     Figures that stand next to each other do so for one pantograph; of several, each kind has a row.
@@ -142,9 +155,10 @@ def _sections(drawn: Mapping[str, Sequence[Figure]]) -> list[tuple[str, str, lis
     for key, title, names in _SECTIONS:
         rows: list[Any] = []
         for name in names:
-            inner = [one for one in (name if isinstance(name, tuple) else (name,)) if drawn[one]]
-            together = isinstance(name, tuple) and all(len(drawn[one]) == 1 for one in inner)
-            rows += [inner] if together and len(inner) > 1 else inner
+            each = name if isinstance(name, tuple) else (name,)
+            inner = [one for one in each if drawn.get(one)]
+            paired = len(inner) > 1 and all(len(drawn[one]) == 1 for one in inner)
+            rows += [inner] if paired else inner
         if rows:
             found.append((key, title, rows))
     return found

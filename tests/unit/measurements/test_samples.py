@@ -1,4 +1,4 @@
-"""What is left out of a measured record: each fault is drawn into a clean one, and told alone."""
+"""Faults of a measured record: each is drawn into a clean one, left out, and told alone."""
 
 from pathlib import Path
 
@@ -126,8 +126,8 @@ def test_values_held_by_a_recorder_lower_the_rate(file: Path) -> None:
 
 
 def test_faults_of_single_signals() -> None:
-    signal = np.array([5.0, 9, 9, 9, 9, 3, 1, 1, 1, 1, 2, NAN, NAN])
-    assert list(np.flatnonzero(clipped(signal))) == [1, 2, 3, 4, 6, 7, 8, 9]
+    signal = np.array([5.0, 9, 9, 7, 9, 9, 3, 1, 1, 1, 1, 2, NAN, NAN])
+    assert list(np.flatnonzero(clipped(signal))) == [1, 2, 4, 5, 7, 8, 9, 10]
     assert not clipped(np.array([5.0, 9, 9, 9, 3])).any()
     assert not clipped(np.array([NAN])).any()
     # A resolution of 1 N flattens the top of a slow wave to 60 equal samples, and clips nothing.
@@ -158,6 +158,23 @@ def test_uneven_times_are_interpolated_within_pieces_only(file: Path) -> None:
     # Linear interpolation of a sine: at most (2πfΔ)²/8 of its amplitude, Δ up to 1.4 steps.
     most = 30.0 * (2.0 * np.pi * 2.0 * 1.4 / RATE) ** 2 / 8.0
     assert np.abs(found.force - 100.0 - slow(found.time)).max() < most
+
+
+@pytest.mark.parametrize("rate", [512.0, 700.0])
+def test_rounded_times_are_equally_spaced_and_missing_samples_seen(file: Path, rate: float) -> None:
+    exact = times(10.0, rate)
+    rows = np.delete(np.arange(exact.size), [1000, 1001, *range(3000, 3100)])
+    columns = {"time [s]": np.round(exact, 3), "contact_force [N]": force(exact)}
+    loaded = read(write(file, {k: v[rows] for k, v in columns.items()}), speed="252 km/h")
+    [found] = loaded.pantographs
+    assert [one.kind for one in found.left_out] == [kinds.GAP, kinds.GAP]
+    # Times of both ends of a gap are wrong by half a millisecond, less than a sample together.
+    assert [one.samples for one in found.left_out] == pytest.approx([2, 100], abs=1)
+    assert not found.interpolated
+    # Nothing was interpolated: the very numbers; times are right to half of the last decimal.
+    assert np.array_equal(found.force, force(exact[rows]))
+    assert np.abs(found.time - exact[rows]).max() < 0.6e-3
+    assert any("times are rounded to 1 ms" in note for note in loaded.notes)
 
 
 def test_loss_by_interpolation_is_that_of_the_formula() -> None:

@@ -1,4 +1,4 @@
-"""Spectra of records with gaps: of each stretch without one, averaged; power in third octaves.
+"""Stretches of a record that count, and the power of a signal in third octaves.
 
     σ_b² = ∫ S(f) df from f_c 10^(−1/20) to f_c 10^(1/20),    f_c = 10^(n/10) Hz
 
@@ -10,13 +10,10 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from arcless.assess.signals.filter import spectrum
-
 Floats = NDArray[np.float64]
 
-# Length in s of the windows that are averaged, where a stretch is as long: it resolves 0.25 Hz.
-WINDOW_S = 4.0
-# Third octaves by n: from the first that is wider than that resolution to the last below 20 Hz.
+# Third octaves by n: from the first that is wider than the resolution of windows of 4 s, 0.25 Hz,
+# to the last below 20 Hz.
 THIRD_OCTAVES = range(1, 13)
 
 
@@ -37,36 +34,6 @@ def stretches(counted: NDArray[np.bool_], pieces: Sequence[slice] = (slice(None)
         found += [slice(begin + int(first), begin + int(last))
                   for first, last in zip(edges[::2], edges[1::2], strict=True)]  # fmt: skip
     return found
-
-
-def spectrum_of_stretches(
-    signal: Floats, rate_Hz: float, parts: Sequence[slice], window_s: float = WINDOW_S
-) -> tuple[Floats, Floats]:
-    """Return frequencies in Hz and the one-sided power spectral density of a record with gaps.
-
-    Stretches shorter than a window are left out; where all are, the window is the longest one.
-
-    Parameters
-    ----------
-    signal
-        One-dimensional, at equal time steps in each stretch.
-    rate_Hz
-        Recording rate in Hz.
-    parts
-        The stretches; at least one of two samples or more.
-    window_s
-        Length in s of the overlapping windows that are averaged.
-    """
-    sizes = [part.stop - part.start for part in parts]
-    length = min(max(sizes), max(2, round(window_s * rate_Hz)))
-    hop = length - length // 2
-    total, windows, frequency = 0.0, 0, np.empty(0)
-    for part, size in zip(parts, sizes, strict=True):
-        if size >= length:
-            frequency, density = spectrum(signal[part], rate_Hz, length / rate_Hz)
-            count = 1 + (size - length) // hop
-            total, windows = total + count * density, windows + count
-    return frequency, np.asarray(total / windows, dtype=np.float64)
 
 
 def third_octave_Hz(number: int) -> tuple[float, float]:  # noqa: N802 - the unit is in the name

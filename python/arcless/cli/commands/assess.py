@@ -1,5 +1,6 @@
 """`arcless assess`: a saved run again, or a measured one."""
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -13,9 +14,6 @@ if TYPE_CHECKING:
     from arcless.assess import Assessment
     from arcless.measurements import Head
     from arcless.results import Result
-
-# Endings of files that hold a measurement.
-MEASURED = (".csv", ".tsv", ".txt", ".dat", ".asc")
 
 
 def assess(
@@ -95,6 +93,10 @@ def assess(
         Path | None,
         typer.Option("--out", metavar="FILE", help="Write the assessment as JSON to this file."),
     ] = None,
+    report: Annotated[
+        Path | None,
+        typer.Option("--report", metavar="FILE", help="Of a CSV file: write an HTML page of it."),
+    ] = None,
     json: JsonOption = False,
     quiet: QuietOption = False,
 ) -> None:
@@ -109,18 +111,18 @@ def assess(
 
     Exit code 3 means that a criterion is not met.
     """
+    from arcless.measurements import is_measured
     from arcless.storage.whole_files import write_bytes
 
     section = _quantity("--from", start, "m"), _quantity("--to", end, "m")
     cutoff = _quantity("--low-pass", low_pass, "Hz")
     head = head_of(head_mass, head_lift, acceleration_down)
-    if subject.suffix.lower() in MEASURED and not subject.is_dir():
-        found = _measured(
-            subject, section, cutoff, supply, speed=speed, pantograph=pantograph, head=head
-        )
+    if is_measured(subject):
+        options = {"speed": speed, "pantograph": pantograph, "head": head}
+        found = _measured(subject, options, section, cutoff, supply=supply, report=report)
     else:
         given = {"--speed": speed, "--supply": supply, "--pantograph": pantograph,
-                 "--head-mass": head_mass}  # fmt: skip
+                 "--head-mass": head_mass, "--report": report}  # fmt: skip
         _refuse_options(subject, [name for name, value in given.items() if value is not None])
         found = _of_run(subject, section, cutoff)
     if out is not None:
@@ -129,6 +131,8 @@ def assess(
         console.data(found.to_json())
     else:
         _show(found)
+    if report is not None and not json:
+        console.data(f"wrote {report}")
     finish(found.to_dict(), quiet=quiet)
 
 
@@ -144,14 +148,16 @@ def _of_run(
 
 def _measured(
     subject: Path,
+    options: Mapping[str, Any],
     section: tuple[float | None, float | None],
     cutoff: float | None,
+    *,
     supply: str | None,
-    **options: Any,
+    report: Path | None,
 ) -> "Assessment":
     from arcless.errors import MeasurementError, ModelError
     from arcless.measurements import assess as assess_measurement
-    from arcless.measurements import read
+    from arcless.measurements import read, write_report
 
     try:
         measurement = read(subject, **options)
@@ -159,7 +165,10 @@ def _measured(
         error.where = "--speed" if error.where is None else error.where
         raise
     given = {} if cutoff is None else {"low_pass_Hz": cutoff}
-    return assess_measurement(measurement, supply=supply, section=section, **given)
+    found = assess_measurement(measurement, supply=supply, section=section, **given)
+    if report is not None:
+        write_report(measurement, found, report)
+    return found
 
 
 def _show(found: "Assessment") -> None:
@@ -205,7 +214,8 @@ def _refuse_options(subject: Path, given: list[str]) -> None:
             f"{', '.join(given)} of a run",
             where=str(subject),
             expected="a measured run, a file that ends in .csv",
-            hint="speed and supply of a run are those of its scenario",
+            hint="speed and supply of a run are those of its scenario, and `arcless report` writes"
+            " its page",
         )
 
 

@@ -174,9 +174,9 @@ def _aligning(
 
 def _read(runs: list[Path], speed: str | None, head: "Head | None") -> "list[Subject | str | Path]":
     """Read measurements with the options for them; runs are read by the comparison."""
-    from arcless.comparison.runs import is_measured, refuse_twice
+    from arcless.comparison.runs import refuse_twice
     from arcless.errors import ComparisonError
-    from arcless.measurements import read
+    from arcless.measurements import is_measured, read
 
     if not any(map(is_measured, runs)) and (speed is not None or head is not None):
         given = "--speed" if head is None else "--head-mass"

@@ -2,25 +2,22 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from arcless.assess import Assessment
-from arcless.assess.section import ForceRecord
 from arcless.assess.signals.gapped import stretches
 from arcless.assess.statistics import ForceBands
 from arcless.comparison.alignment import Alignment
 from arcless.comparison.measured.signal import Signal, settled
-from arcless.dataset.plain_dataset import Plain
-from arcless.figures.comparison.measured_run import MeasuredRun
+from arcless.figures.measured import Kept, MeasuredData
 from arcless.measurements import MeasuredPantograph, Measurement
 from arcless.measurements.samples.settled import bands
 
 Floats = NDArray[np.float64]
-# Channels of a record that are known between two pieces; all others are not.
-ALONG = ("time", "position")
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,7 +73,7 @@ class Placed:
         supports_m: Floats,
         margin_s: float,
         reach_m: tuple[float, float],
-    ) -> MeasuredRun:
+    ) -> MeasuredData:
         """Return the measurement as figures take it.
 
         Parameters
@@ -90,38 +87,18 @@ class Placed:
         reach_m
             From and to in m: what was measured beyond is not drawn.
         """
-        begin, end = assessment.section_m
-        parts = []
-        for place, one in enumerate(self.measurement.pantographs):
-            filtered = bands(one, assessment.low_pass_Hz, assessment.band_split_Hz)
-            counted = self.signal(place, (begin, end), margin_s).counted
-            near_end = ~settled(one.force.size, one.pieces, one.rate_Hz, margin_s)
-            shown = [
-                np.where(near_end, np.nan, band)
-                for band in (filtered.total, filtered.low, filtered.high)
-            ]
-            height = np.full(one.force.size, np.nan) if one.height is None else one.height
-            channels = (one.time, one.position, one.force, *shown, counted.astype(np.float64),
-                        height)  # fmt: skip
-            near = (one.position >= reach_m[0]) & (one.position <= reach_m[1])
-            parts.append(_apart(channels, stretches(near, one.pieces)))
-        columns = [
-            _beside([part[number] for part in parts], held=number < len(ALONG))
-            for number in range(len(parts[0]))
-        ]
-        time, position, force, total, low, high, counts, height = columns
-        record = ForceRecord(
-            self.measurement.pantographs[0].rate_Hz, force, ForceBands(total, low, high),
-            counts == 1.0,
-        )  # fmt: skip
-        both = ("time", "pantograph")
-        channels_of: dict[str, Any] = {
-            "position": (both, position, {}), "contact_height": (both, height, {}),
-            "support_x": (("support",), supports_m, {}),
-        }  # fmt: skip
-        names = np.array([one.name for one in self.measurement.pantographs], dtype=object)
-        dataset = Plain(channels_of, {"pantograph": (("pantograph",), names, {})}, {})
-        return MeasuredRun(dataset, assessment, record, time)
+        kept = []
+        for one in self.measurement.pantographs:
+            near = _cut(one, reach_m)
+            filtered = bands(near, assessment.low_pass_Hz, assessment.band_split_Hz)
+            far = settled(near.force.size, near.pieces, near.rate_Hz, margin_s)
+            shown = [np.where(far, band, np.nan) for band in (
+                filtered.total, filtered.low, filtered.high
+            )]  # fmt: skip
+            begin, end = assessment.section_m
+            inside = far & (near.position >= begin) & (near.position <= end)
+            kept.append(Kept(near, ForceBands(*shown), inside))
+        return MeasuredData(kept, assessment, supports_m)
 
 
 def _moved(one: MeasuredPantograph, by: Alignment) -> MeasuredPantograph:
@@ -130,30 +107,18 @@ def _moved(one: MeasuredPantograph, by: Alignment) -> MeasuredPantograph:
     return replace(one, position=places, first_m=first, last_m=last)
 
 
-def _apart(channels: Sequence[Floats], pieces: Sequence[slice]) -> list[Floats]:
-    """Return channels with a sample between pieces: NaN, but time and position half-way."""
-    found = []
-    for number, values in enumerate(channels):
-        parts: list[Floats] = []
-        for before, piece in zip([None, *pieces[:-1]], pieces, strict=True):
-            if before is not None:
-                middle = 0.5 * (values[before.stop - 1] + values[piece.start])
-                parts.append(np.array([middle if number < len(ALONG) else np.nan]))
-            parts.append(values[piece])
-        found.append(np.concatenate(parts))
-    return found
-
-
-def _beside(columns: Sequence[Floats], *, held: bool) -> Floats:
-    """Return columns as one array, (time, pantograph).
-
-    Shorter ones keep their last value where they are held, and have no values where not.
-    """
-    longest = max(column.size for column in columns)
-    filled = [
-        np.concatenate([
-            column, np.full(longest - column.size, column[-1] if held else np.nan)
-        ])
-        for column in columns
-    ]  # fmt: skip
-    return np.stack(filled, axis=1)
+def _cut(one: MeasuredPantograph, reach_m: tuple[float, float]) -> MeasuredPantograph:
+    """Return the samples between two places in m."""
+    near = (one.position >= reach_m[0]) & (one.position <= reach_m[1])
+    if near.all():
+        return one
+    parts = stretches(near, one.pieces)
+    ends = np.cumsum([0, *(part.stop - part.start for part in parts)])
+    names = ("time", "position", "speed", "force", "height", "uplift")
+    columns: dict[str, Any] = {
+        name: np.concatenate([values[part] for part in parts])
+        for name in names
+        if (values := getattr(one, name)) is not None
+    }
+    pieces = tuple(slice(int(begin), int(end)) for begin, end in pairwise(ends))
+    return replace(one, pieces=pieces, **columns)

@@ -8,8 +8,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from arcless.assess.signals.filter import low_pass
-from arcless.assess.signals.gapped import spectrum_of_stretches, stretches
+from arcless.assess.signals.filter import low_pass, spectrum_of
+from arcless.assess.signals.gapped import stretches
 from arcless.comparison.alignment import Trace
 
 Floats = NDArray[np.float64]
@@ -73,8 +73,9 @@ class Signal:
     @cached_property
     def density(self) -> tuple[Floats, Floats] | None:
         """Frequencies in Hz and power spectral density, such as N²/Hz; None without samples."""
-        parts = [one for one in stretches(self.counted, self.pieces) if one.stop - one.start > 1]
-        return spectrum_of_stretches(self.values, self.rate_Hz, parts) if parts else None
+        parts = [self.values[one] for one in stretches(self.counted, self.pieces)]
+        parts = [part for part in parts if part.size > 1]
+        return spectrum_of(parts, self.rate_Hz) if parts else None
 
 
 def settled(size: int, pieces: Sequence[slice], rate_Hz: float, margin_s: float) -> Flags:

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from arcless.assess.signals.gapped import spectrum_of_stretches, stretches
+from arcless.assess.signals.filter import spectrum_of
 from arcless.figures.comparison.forces import Places
 from arcless.figures.comparison.overlaid import Overlaid
 from arcless.figures.description import Axis, Curve, Figure, Layer, Tip
@@ -16,11 +16,11 @@ def densities(many: Overlaid, places: Places) -> list[tuple[int, Floats, Floats]
     for k, place in enumerate(places):
         if place is None:
             continue
-        record = many.runs[k].record
-        parts = [one for one in stretches(record.inside[:, place]) if one.stop - one.start > 1]
+        run = many.runs[k]
+        parts = [part for part in run.stretches(place) if part.size > 1]
         if not parts:
             continue
-        frequency, density = spectrum_of_stretches(record.force[:, place], record.rate_Hz, parts)
+        frequency, density = spectrum_of(parts, run.record.rate_Hz)
         shown = (frequency > 0.0) & (frequency <= HIGHEST_HZ) & (density > 0.0)
         if shown.any():
             found.append((k, frequency[shown], density[shown]))

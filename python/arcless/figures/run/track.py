@@ -41,10 +41,16 @@ def axis(run: RunData) -> Axis:
 
 
 def ground(run: RunData) -> list[Layer]:
-    """Return what lies below all figures along the track: the analysis section, the supports."""
+    """Return what lies below all figures along the track: section, gaps of it, supports."""
     begin, end = run.assessment.section_m
     section = Strip(axis="x", low=begin, high=end, colour="section", alpha=0.06)
-    return [section, *supports(run)]
+    gaps = [run.left_out[row] for row in every(len(run.left_out), MARKS)] if run.left_out else []
+    omitted = [
+        Strip(axis="x", low=low, high=high, colour="open", alpha=0.18,
+              name="" if place else "left out")
+        for place, (low, high) in enumerate(gaps)
+    ]  # fmt: skip
+    return [section, *omitted, *supports(run)]
 
 
 def supports(run: RunData) -> list[Layer]:

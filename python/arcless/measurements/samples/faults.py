@@ -6,8 +6,8 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
-# Equal samples in a row, at the largest or smallest value of a record, that count as clipped. Fewer
-# would take chance for it; more would leave short overloads in.
+# Samples at the largest or smallest value of a record that count as clipped. Fewer would take
+# chance for it; more would leave short overloads in.
 CLIPPED_SAMPLES = 4
 # So many times as often as the value next to it an end of the range is seen. The top of a wave,
 # flattened by a recorder's resolution, has 1/(√2 − 1) = 2.4; more leaves mild overloads in.
@@ -42,29 +42,27 @@ def held(values: Floats) -> int:
 def clipped(values: Floats, at_least: int = CLIPPED_SAMPLES) -> Mask:
     """Return which samples are at an end of the sensor's range.
 
-    That is the largest or smallest value of a record, where some samples in a row have it, and many
-    more than have the value next to it.
+    That is the largest or smallest value of a record, where it is seen much more often than the
+    value next to it.
 
     Parameters
     ----------
     values
         One sensor; NaN where there is no sample.
     at_least
-        Equal samples in a row that tell an end of the range.
+        Samples that tell an end of the range.
 
     Notes
     -----
     Zero is no end of a range: a contact force is zero while there is no contact.
     """
-    begins, lengths = stretches(values)
-    long = values[begins][lengths >= at_least]
     levels, counts = np.unique(values[np.isfinite(values)], return_counts=True)
-    ends = [(levels[end], counts[end], counts[end + inwards : end + inwards + 1])
-            for end, inwards in ((0, 1), (levels.size - 1, -1)) if levels.size]  # fmt: skip
-    return np.isin(values, [
-        level for level, count, nearest in ends
-        if level != 0.0 and level in long and count >= CLIPPED_RATIO * nearest.sum()
-    ])  # fmt: skip
+    ends = [(levels[:1], counts[:1], counts[1:2]), (levels[-1:], counts[-1:], counts[-2:-1])]
+    found = np.zeros(values.size, bool)
+    for level, count, nearest in ends:
+        often = count.sum() >= max(at_least, CLIPPED_RATIO * nearest.sum())
+        found |= often & np.isin(values, level[level != 0.0])
+    return found
 
 
 def frozen(values: Floats, step_s: float) -> Mask:

@@ -37,6 +37,9 @@ class MeasuredPantograph:
         Samples over which the recorder holds each value; 1 where it does not.
     interpolated
         True where a piece was not equally spaced in time, and was interpolated.
+    rounded_s
+        Last decimal of the times in the file, where steps differ by it alone; they are then taken
+        as equally spaced. 0 where that is not so.
     clock
         Column that samples were taken by: ``time`` or ``position``.
     first_s, last_s, first_m, last_m
@@ -56,6 +59,7 @@ class MeasuredPantograph:
     rate_Hz: float
     held: int
     interpolated: bool
+    rounded_s: float
     clock: str
     first_s: float
     last_s: float
