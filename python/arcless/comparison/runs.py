@@ -8,16 +8,13 @@ from typing import TypeAlias
 
 from arcless.errors import ComparisonError
 from arcless.measurements import Measurement, is_measured, read
-from arcless.results import Result, result_file
+from arcless.results import RESULT_NAME, Result, run_file
 from arcless.results import open as open_result
 
 Subject: TypeAlias = Result | Measurement
 FEWEST = 2
 # Most characters of a run's name in legends and columns.
 LONGEST_NAME = 48
-# Files that a study writes into its folder, and endings of files that describe what to run.
-_OF_STUDY = ("journal.db", "study.json", "journal.jsonl")
-_DESCRIPTIONS = (".yaml", ".yml", ".json")
 
 
 @dataclass(frozen=True)
@@ -44,9 +41,9 @@ def opened(
     Raises
     ------
     ComparisonError
-        There are fewer than two, one is named twice, or one is not a finished run.
+        There are fewer than two, one is named twice, or one stopped early.
     ResultFormatError, MeasurementError
-        A file is missing or damaged.
+        A file is missing or damaged, or one is no run.
     """
     if len(runs) < FEWEST:
         raise ComparisonError(
@@ -83,7 +80,7 @@ def _file_of(one: Subject | str | Path) -> Path | None:
         return None
     if isinstance(one, Measurement):
         return one.path
-    return Path(one) if is_measured(Path(one)) else _file(Path(one))
+    return Path(one) if is_measured(Path(one)) else run_file(one)
 
 
 def names_of(
@@ -146,26 +143,6 @@ def matched(subjects: Sequence[Subject]) -> tuple[list[Slot], bool]:
     return slots, False
 
 
-def _file(path: Path) -> Path:
-    """Return the file of a run; a study, or what describes a run, is refused with a hint."""
-    file = result_file(path)
-    if path.is_dir() and not file.exists() and any((path / one).exists() for one in _OF_STUDY):
-        raise ComparisonError(
-            "study in place of a run",
-            where=str(path),
-            expected="folders or result files of runs",
-            hint="`arcless study report` compares the variants of a study",
-        )
-    if path.suffix.lower() in _DESCRIPTIONS:
-        raise ComparisonError(
-            "file that describes what to run, or follows from it",
-            where=str(path),
-            expected="the folder of a run, or the result.nc in it",
-            hint="`arcless run` makes one",
-        )
-    return file
-
-
 def refuse_twice(keys: Sequence[object], words: Sequence[str]) -> None:
     """Refuse two equal keys, by the words of the second one."""
     for place, key in enumerate(keys):
@@ -178,7 +155,7 @@ def refuse_twice(keys: Sequence[object], words: Sequence[str]) -> None:
 
 def _folder(file: Path) -> str:
     """Return the name of the folder of a result, or of a file that is called otherwise."""
-    return file.resolve().parent.name if file.name == "result.nc" else file.stem
+    return file.resolve().parent.name if file.name == RESULT_NAME else file.stem
 
 
 def _told_apart(names: Sequence[str]) -> list[str]:

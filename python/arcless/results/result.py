@@ -9,6 +9,7 @@ from arcless.dataset.metadata import metadata
 from arcless.dataset.netcdf.store import open_plain, save
 from arcless.dataset.plain_dataset import Plain
 from arcless.dataset.recorded_series import CHANNELS, Place, passage
+from arcless.results.kept_runs.places import run_file
 
 if TYPE_CHECKING:
     import xarray
@@ -22,10 +23,6 @@ if TYPE_CHECKING:
     from arcless.model import Scenario
     from arcless.results.instrument.instrument import Instrument
     from arcless.results.instrument.readings import Readings
-
-
-# Name of a run's own file in its folder.
-RESULT_NAME = "result.nc"
 
 
 @dataclass(frozen=True, eq=False)
@@ -202,12 +199,6 @@ class Result:
         return f"<Result {facts['scenario_name']}: {facts['simulated_time_s']:.2f} s simulated>"
 
 
-def result_file(path: str | Path) -> Path:
-    """Return the file of a run that is named by its folder or by its file."""
-    place = Path(path)
-    return place / RESULT_NAME if place.is_dir() else place
-
-
 def open_result(path: str | Path) -> Result:
     """Open a saved result.
 
@@ -219,12 +210,13 @@ def open_result(path: str | Path) -> Result:
     Raises
     ------
     ResultFormatError
-        The file is missing, damaged, or of another format version.
+        The file is missing, damaged, or of another format version, or the place is no run: a study,
+        say.
     """
     from arcless.model import load
     from arcless.model.scenario.as_typed import restore
 
-    dataset = open_plain(result_file(path))
+    dataset = open_plain(run_file(path))
     facts = metadata(dataset)
     scenario = load(facts["scenario"])
     restore(scenario, facts["as_typed"])

@@ -1,8 +1,6 @@
 """From the arguments of a command to a scenario."""
 
-import re
 import warnings
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -74,9 +72,3 @@ def check_speed(scenario: "Scenario", file: str | None) -> None:
     except ModelError as error:
         error.where = "--speed" if file is None else f"{file}: speed"
         raise
-
-
-def folder_of(scenario: "Scenario") -> Path:
-    """Return the folder that takes the results of a scenario when none is named."""
-    plain = re.sub(r"[^\w.-]+", "-", scenario.name).strip("-.")
-    return Path("runs") / (plain or "scenario")

@@ -24,15 +24,19 @@ def report(
         typer.Option(
             "--out",
             metavar="FILE",
-            help="The file to write; report.html beside the result if not named.",
+            help="The file to write; if not named, report.html next to a result.nc, and NAME.html"
+            " next to a NAME.nc.",
             show_default=False,
         ),
     ] = None,
 ) -> None:
     """Write the HTML report of a saved run again."""
+    from arcless.results import RESULT_NAME, result_file
     from arcless.results import open as open_result
-    from arcless.results import result_file
 
-    target = out or result_file(result).with_name("report.html")
+    file = result_file(result)
+    # Other names are those of several runs in one folder, whose pages must not be one.
+    own = file.with_name("report.html") if file.name == RESULT_NAME else file.with_suffix(".html")
+    target = out or own
     open_result(result).write_report(target)
     console.data(f"wrote {target}")

@@ -8,6 +8,7 @@ from pydantic import ConfigDict, model_validator
 
 from arcless.model.pantograph.placement import placed
 from arcless.model.scenario.as_built_rules import check_as_built
+from arcless.model.scenario.as_typed import changes_of
 from arcless.model.scenario.overrides import apply
 from arcless.model.scenario.scenario_data import ScenarioData
 from arcless.model.scenario.scenario_rules import check_scenario, check_speed
@@ -69,6 +70,11 @@ class Scenario(ScenarioData):
     def time_step_s(self) -> float:
         """Time step in s, also when it is given as one element or left to auto."""
         return time_step_of(self, self.stepping)
+
+    @property
+    def changes(self) -> dict[str, str]:
+        """Fields that were set since the scenario was read, by dotted path, values as typed."""
+        return changes_of(self.to_dict())
 
     def with_(self, **changes: Any) -> "Scenario":
         """Return a changed copy; this scenario stays as it is.

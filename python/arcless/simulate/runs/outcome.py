@@ -1,6 +1,6 @@
 """Outcome of a member of a batch."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Literal
 
@@ -50,6 +50,9 @@ class Outcome:
     steps, steps_of_run
         Where it was looked at: the steps of all runs of a search for a static force (of a coarse
         copy as many as cost the same), and those of one run to its end.
+    changes
+        Fields that were set for it, by dotted path, values as typed: see `Scenario.changes`. They
+        tell members with one name apart.
     """
 
     index: int
@@ -63,6 +66,7 @@ class Outcome:
     stopped: Stopped | None = None
     steps: int = 0
     steps_of_run: int = 0
+    changes: dict[str, str] = field(default_factory=dict)
 
 
 def told(error: Exception) -> ArclessError:

@@ -5,6 +5,7 @@ from pathlib import Path
 
 from arcless.errors import ArclessError, StudyError
 from arcless.model.shipped.library import shipped
+from arcless.results import RESULT_NAME
 from arcless.study.definition.load import load, of_contents
 from arcless.study.definition.study import Study
 from arcless.study.folder.folder import NAMES, STATE, StudyFolder, read_state, unreadable
@@ -40,6 +41,8 @@ def begun(folder: Path) -> Study:
         None was, or its state cannot be read.
     """
     state = read_state(folder)
+    if state is None and (folder / RESULT_NAME).exists():
+        raise _run_at(folder)
     if state is None:
         raise StudyError(
             "no study was begun here",
@@ -62,4 +65,15 @@ def _folder(source: Path) -> Path | None:
         return None
     if source.is_dir():
         return source
+    if source.name == RESULT_NAME and source.is_file():
+        raise _run_at(source)
     return source.parent if source.name in NAMES and (source.parent / STATE).is_file() else None
+
+
+def _run_at(place: Path) -> StudyError:
+    return StudyError(
+        "run in place of a study",
+        where=str(place),
+        expected="the folder of a study, or a study file",
+        hint=f"`arcless report {place}` is for runs, and so are assess, compare and export",
+    )
