@@ -5,7 +5,7 @@
 (IEC 61260-1, base ten; from memory, mark C).
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +15,22 @@ Floats = NDArray[np.float64]
 # Third octaves by n: from the first that is wider than the resolution of windows of 4 s, 0.25 Hz,
 # to the last below 20 Hz.
 THIRD_OCTAVES = range(1, 13)
+# Length in s of the windows of spectra that are compared, where all records have as long a stretch.
+WINDOW_S = 4.0
+
+
+def common_window_s(longest_s: Iterable[float]) -> float:
+    """Return the length in s of windows that every record has a stretch for.
+
+    A window smears a wave over its neighbours, the shorter the more: only spectra of one length of
+    windows are alike.
+
+    Parameters
+    ----------
+    longest_s
+        Longest stretch of each record in s.
+    """
+    return min([WINDOW_S, *longest_s])
 
 
 def stretches(counted: NDArray[np.bool_], pieces: Sequence[slice] = (slice(None),)) -> list[slice]:

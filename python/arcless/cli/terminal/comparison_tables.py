@@ -111,7 +111,7 @@ def acceptance(compared: "Comparison") -> list[Table]:
         names = compared.names[run], compared.names[measured]
         title = f"{names[0]} against {names[1]}: tolerances from memory (mark C) decide nothing"
         made = table(title, "quantity", "unit")
-        for heading in ("simulated", "measured", "difference", "tolerance"):
+        for heading in ("simulated", "measured", "less measured", "tolerance"):
             made.add_column(heading, justify="right")
         made.add_column("within")
         several = len(compared.pantographs) > 1

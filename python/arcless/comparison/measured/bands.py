@@ -12,7 +12,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from arcless.assess.signals.gapped import THIRD_OCTAVES, deviation_between, third_octave_Hz
+from arcless.assess.signals.gapped import (
+    THIRD_OCTAVES,
+    common_window_s,
+    deviation_between,
+    third_octave_Hz,
+)
 from arcless.comparison.alignment import correlation
 from arcless.comparison.measured.signal import Signal
 
@@ -84,8 +89,15 @@ def bands_of(
             for place, (one, part) in enumerate(zip(signals, parts, strict=True))
         )
         found.append(_band(pantograph, "filtered", (low, high), values, alike))
+    window_s = common_window_s(one.longest_s for one in signals if one is not None and one.parts)
+    densities = [None if one is None else one.density(window_s) for one in signals]
     for low, high in map(third_octave_Hz, THIRD_OCTAVES):
-        values = tuple(None if one is None else _power(one, low, high) for one in signals)
+        # A band that the windows do not resolve has the power of its neighbours.
+        narrow = high - low < 1.0 / window_s
+        values = tuple(
+            None if one is None or narrow else deviation_between(*one, low, high)
+            for one in densities
+        )
         found.append(_band(pantograph, "third octave", (low, high), values, (None,) * len(signals)))
     return found
 
@@ -105,11 +117,6 @@ def _deviation(signal: Signal | None, values: Floats | None) -> float | None:
     if signal is None or values is None or not signal.counted.any():
         return None
     return float(values[signal.counted].std())
-
-
-def _power(signal: Signal, low_Hz: float, high_Hz: float) -> float | None:
-    """Return the square root of the power between two frequencies, in N."""
-    return None if signal.density is None else deviation_between(*signal.density, low_Hz, high_Hz)
 
 
 def _correlation(

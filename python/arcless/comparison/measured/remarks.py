@@ -3,7 +3,7 @@
 from arcless.assess import Assessment
 from arcless.comparison.alignment import Alignment
 from arcless.comparison.measured.placed import Placed
-from arcless.measurements.samples.left_out import JUMP
+from arcless.measurements.samples.left_out import JUMP, WORDS
 
 # Parts of the reader's notes that hold for every file, or say that all is as it should be.
 USUAL = ("read as CSV", "columns that are not used", "is taken off")
@@ -61,10 +61,10 @@ def _left_out(placed: Placed, assessment: Assessment) -> list[str]:
         counts: dict[str, int] = {}
         for part in one.left_out:
             counts[part.kind] = counts.get(part.kind, 0) + max(part.samples, 1)
-        why = ", ".join(f"{count} × {kind}" for kind, count in counts.items()) or "ends of pieces"
+        why = "; ".join(f"{WORDS[kind]}, {count} of the file" for kind, count in counts.items())
         found.append(
             f"{share['left_out_percent']:.1f} % of the time from {begin:.0f} to {end:.0f} m is left"
-            f" out; of the whole file: {why}"
+            f" out{f' ({why})' if why else ''}"
         )
     return found
 

@@ -71,11 +71,25 @@ class Signal:
         return Trace(self.position_m, values, self.counted, shortest_m)
 
     @cached_property
-    def density(self) -> tuple[Floats, Floats] | None:
-        """Frequencies in Hz and power spectral density, such as N²/Hz; None without samples."""
-        parts = [self.values[one] for one in stretches(self.counted, self.pieces)]
-        parts = [part for part in parts if part.size > 1]
-        return spectrum_of(parts, self.rate_Hz) if parts else None
+    def parts(self) -> list[Floats]:
+        """Values that count, one array for each stretch without a gap."""
+        found = [self.values[one] for one in stretches(self.counted, self.pieces)]
+        return [part for part in found if part.size > 1]
+
+    @property
+    def longest_s(self) -> float:
+        """Length in s of the longest stretch that counts."""
+        return max((part.size for part in self.parts), default=0) / self.rate_Hz
+
+    def density(self, window_s: float) -> tuple[Floats, Floats] | None:
+        """Return frequencies in Hz and power spectral density; None without samples.
+
+        Parameters
+        ----------
+        window_s
+            Length of the windows in s.
+        """
+        return spectrum_of(self.parts, self.rate_Hz, window_s) if self.parts else None
 
 
 def settled(size: int, pieces: Sequence[slice], rate_Hz: float, margin_s: float) -> Flags:

@@ -87,7 +87,12 @@ def octaves(many: Overlaid, places: Places, key: str, title: str) -> list[Figure
     alt = []
     for order, (k, frequency, density) in reversed(list(enumerate(known))):
         ends = map(third_octave_Hz, THIRD_OCTAVES)
-        found = [deviation_between(frequency, density, low, high) for low, high in ends]
+        # What the windows do not resolve has the power of its neighbours.
+        resolved = frequency[1] - frequency[0]
+        found = [
+            deviation_between(frequency, density, low, high) if high - low >= resolved else None
+            for low, high in ends
+        ]
         high = np.array([0.0 if one is None else one for one in found])
         left = places_at - 0.42 + width * order
         tips = (Tip("", [many.names[k]] * high.size, form=""),

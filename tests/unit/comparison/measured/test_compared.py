@@ -238,6 +238,26 @@ def test_samples_that_were_left_out_do_not_count(file: Path) -> None:
     assert bars[0].high.size == 2  # of four spans, those without a gap
 
 
+def test_spectra_of_a_record_with_gaps_have_the_windows_of_both(file: Path) -> None:
+    # Pieces of 45 m, of which 1.85 s count: windows of 4 s have no place.
+    found = compare([run(), test_run(file, kept=lambda x: x % 50.0 > 5.0)])
+    whole = compare([run(), test_run(file.with_name("whole.csv"))])
+    for label in ("2 Hz", "7.94 Hz"):
+        octave = band(found, label, "third octave")
+        if octave.deviations_N[0] is None:
+            # Windows of 1.85 s resolve 0.54 Hz, more than the third octave about 2 Hz is wide.
+            assert (label, octave.deviations_N) == ("2 Hz", (None, None))
+            assert band(whole, label, "third octave").deviations_N[0] is not None
+        else:
+            # A wave of 6 N alone in its octave, over whole and broken periods.
+            assert octave.deviations_N[1] == pytest.approx(octave.deviations_N[0], rel=0.05)
+    assert band(found, "7.94 Hz", "third octave").deviations_N[0] is not None
+    for figure in found.figures["spectrum"]:
+        curves = [one for one in figure.layers if isinstance(one, Curve)]
+        steps = {round(float(one.x[1] - one.x[0]), 2) for one in curves}
+        assert len(steps) == 1
+
+
 def test_odometer_that_jumps_back(file: Path) -> None:
     written = test_run(file)
     rows = written.read_text("utf-8").splitlines()
