@@ -73,6 +73,14 @@ def test_json_goes_to_a_file_too(arcless: Command, file: Path) -> None:
     assert (told["file"], told["pantographs"][0]["pieces"]) == ("run.csv", 1)
 
 
+def test_a_page_is_written(arcless: Command, file: Path) -> None:
+    done = arcless("assess", file, "--report", "page.html")
+    assert done.stdout.endswith("wrote page.html\n")
+    assert "A measured run." in Path("page.html").read_text("utf-8")
+    done = arcless("assess", file, "--report", "none/page.html")
+    assert (done.exit_code, "none" in done.stderr) == (2, True)
+
+
 def test_speed_and_mass_are_given_on_the_command_line(arcless: Command, tmp_path: Path) -> None:
     acceleration = wave(6.0, 3.0)(times())
     columns = {

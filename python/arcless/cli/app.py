@@ -6,7 +6,6 @@ import typer
 
 from arcless.cli.arguments.certainty import WithCertainty
 from arcless.cli.commands import (
-    assess,
     compare,
     export,
     model_files,
@@ -20,6 +19,7 @@ from arcless.cli.commands import (
     validate,
 )
 from arcless.cli.commands.measurements import measure
+from arcless.cli.completion import scripts
 from arcless.cli.process.guard import GuardedGroup
 from arcless.cli.terminal.console import data
 
@@ -71,12 +71,13 @@ for _command in (
     run.statics,
     resume.resume,
     runs.runs,
-    assess.assess,
+    saved_results.assess,
     saved_results.report,
     compare.compare,
     export.export,
     measure.measure,
     replay.replay,
+    scripts.completion,
 ):
     app.command()(_command)
 

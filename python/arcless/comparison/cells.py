@@ -4,7 +4,7 @@ from arcless.comparison.alignment import Alignment
 from arcless.comparison.indicators import Indicator, Judged
 from arcless.comparison.measured.acceptance import Accepted
 from arcless.comparison.measured.bands import Band
-from arcless.report.summary import number, pair
+from arcless.display.numbers import number, pair
 
 # Quantities of the first screen: those by which runs are judged first.
 MAIN = (

@@ -73,11 +73,11 @@ def read(
     wanted = [column for column in columns if column.pantograph in (None, *names)]
     rows = scan(file, dialect)
     values = numbers(file, dialect, rows, wanted)
-    _check_speeds(values, str(file))
     raws = [_raw(name, values, rows.numbers, str(file)) for name in names]
     found = tuple(prepared(raw, constant, head) for raw in raws)
     notes = [*_about(dialect, unused), *_about_speed(raws[0], constant)]
     for raw, one in zip(raws, found, strict=True):
+        _check_speed(one, str(file))
         notes += _about_force(raw, head)
         notes += _about_sampling(one)
     return Measurement(file.stem, file, found, tuple(notes))
@@ -94,16 +94,15 @@ def _speed(speed: float | str) -> float:
     )  # fmt: skip
 
 
-def _check_speeds(values: Values, label: str) -> None:
-    """Refuse a column of speeds in another unit than its header says."""
-    for column, speeds in values.items():
-        if column.channel == "speed" and (known := speeds[np.isfinite(speeds)]).size:
-            usual = float(np.median(known))
-            if usual > FASTEST:
-                raise MeasurementError(
-                    f"column {column.title}", where=label, got=f"{3.6 * usual:.0f} km/h",
-                    expected=f"at most {3.6 * FASTEST:.0f} km/h", hint="is its unit the right one?",
-                )  # fmt: skip
+def _check_speed(found: MeasuredPantograph, label: str) -> None:
+    """Refuse a record whose speed no train has: a column is in another unit than it says."""
+    usual = float(np.median(found.speed))
+    if usual > FASTEST:
+        raise MeasurementError(
+            f"speed of pantograph {found.name}", where=label, got=f"{3.6 * usual:.0f} km/h",
+            expected=f"at most {3.6 * FASTEST:.0f} km/h",
+            hint="are the units of time, position and speed the right ones?",
+        )  # fmt: skip
 
 
 def _chosen(columns: list[Column], wanted: str | None, label: str) -> list[str]:

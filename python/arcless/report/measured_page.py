@@ -7,10 +7,10 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
+from arcless.display.numbers import number
 from arcless.figures.measured import MeasuredData, figures
 from arcless.report import tables
 from arcless.report.page import first_screen, marks_of, sections_of, track_of
-from arcless.report.summary import number
 from arcless.report.template import render
 from arcless.storage.whole_files import write_bytes
 

@@ -3,15 +3,19 @@
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 from arcless.dataset.metadata import metadata
 from arcless.dataset.netcdf.store import open_plain, save
 from arcless.dataset.plain_dataset import Plain
 from arcless.dataset.recorded_series import CHANNELS, Place, passage
+from arcless.display import cards
+from arcless.display.frames import frame
+from arcless.errors import ModelError
 from arcless.results.kept_runs.places import run_file
 
 if TYPE_CHECKING:
+    import pandas
     import xarray
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure as Drawing
@@ -109,6 +113,57 @@ class Result:
 
         report.write(self, path, **options)
 
+    def filtered_force(self) -> "xarray.DataArray":
+        """Return the contact force in N after the low-pass of the scenario.
+
+        Indicators of the assessment are of this force; `dataset` has the unfiltered one.
+
+        Returns
+        -------
+        xarray.DataArray
+            Over time and pantograph, with the cut-off in Hz as the attribute `low_pass_Hz`.
+
+        Raises
+        ------
+        ModelError
+            The low-pass does not fit the record.
+        """
+        from arcless.results.export.tables import FILTERED, filtered_force
+
+        force = self.dataset["contact_force"]
+        cutoff_Hz = self.scenario.analysis.low_pass
+        made = force.copy(data=filtered_force(self.latest, self.scenario)).rename(FILTERED)
+        made.attrs = {
+            "units": "N", "long_name": f"contact force, {cutoff_Hz:g} Hz low-pass",
+            "low_pass_Hz": cutoff_Hz,
+        }  # fmt: skip
+        return made
+
+    def to_dataframe(
+        self, table: Literal["contact channels", "droppers", "supports"] = "contact channels"
+    ) -> "pandas.DataFrame":
+        """Return a table of the run as a data frame; columns are named as in exported files.
+
+        Parameters
+        ----------
+        table
+            ``"contact channels"``: channels of each pantograph over time, the filtered contact
+            force among them. ``"droppers"``, ``"supports"``: what is known of each.
+
+        Raises
+        ------
+        OutputError
+            There is no such table.
+        """
+        from arcless.results.export import tables
+
+        made = {
+            "contact channels": lambda: tables.contact_channels(self),
+            "droppers": lambda: tables.places(self, "dropper"),
+            "supports": lambda: tables.places(self, "support"),
+        }
+        return frame(made, table, "time" if table == "contact channels" else None)
+
     def passage(self, place: Place, name: str) -> "xarray.DataArray":
         """Return the force of one dropper in N or the uplift at one support in m over time.
 
@@ -197,6 +252,19 @@ class Result:
     def __repr__(self) -> str:
         facts = self.metadata
         return f"<Result {facts['scenario_name']}: {facts['simulated_time_s']:.2f} s simulated>"
+
+    def _repr_html_(self) -> str:
+        from arcless.assess.tables import headline, parts, title_of
+
+        facts = self.metadata
+        about = f"{facts['simulated_time_s']:.2f} s simulated, Arcless {facts['arcless_version']}"
+        if not self.is_complete:
+            about += "; stopped early, arcless.resume continues it"
+        try:
+            told, over_all = self.assessment.to_dict(), headline(self.assessment.criteria)
+        except ModelError as error:
+            return cards.card(facts["scenario_name"], about=f"{about}; not assessed: {error}")
+        return cards.card(title_of(told), *parts(told, over_all), about=about)
 
 
 def open_result(path: str | Path) -> Result:

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from arcless.assess.loss_of_contact import arcing_percent, longest_loss_s
+from arcless.assess.signals.loss_of_contact import arcing_percent, longest_loss_s
 from arcless.errors import MeasurementError, ModelError
 from arcless.measurements import Measurement, assess, read
 from arcless.measurements.samples.settled import bands, settled

@@ -51,6 +51,22 @@ def test_no_curve_reaches_over_a_gap(file: Path) -> None:
         assert "nan" not in figure.alt
 
 
+def test_thinned_curves_stay_open_in_short_gaps(file: Path) -> None:
+    # At 4 kHz one sample of 12 is drawn, and one sample of 20 000 is missing.
+    time = times(5.0, 4000.0)
+    rows = np.delete(np.arange(time.size), 10_003)
+    columns = {"time [s]": time[rows], "contact_force [N]": force(time)[rows]}
+    data = data_of(read(write(file, columns), speed="252 km/h"))
+    assert data.sampled is not None
+    assert data.sampled[0].rows.size < 2500
+    (figure,) = figures(data)["force"]
+    for curve in [layer for layer in figure.layers if isinstance(layer, Curve)]:
+        missing = np.flatnonzero(np.isnan(np.asarray(curve.y)))
+        assert missing.size == 1, curve.name
+        neighbours = np.asarray(curve.x)[missing[0] - 1 : missing[0] + 2]
+        assert neighbours == pytest.approx(SPEED * 10_003 / 4000.0, abs=0.25)
+
+
 def test_left_out_stretches_are_shaded(file: Path) -> None:
     (figure,) = figures(data_of(measured(file)))["force"]
     strips = [one for one in figure.layers if isinstance(one, Strip) and one.colour == "open"]

@@ -62,6 +62,15 @@ def test_units_are_converted(file: Path) -> None:
     assert found.height == pytest.approx(5.3 + count / 1000, rel=1e-12)
 
 
+def test_units_of_british_drawings(file: Path) -> None:
+    rows = [f"{i},60,{10 + i}" for i in range(20)]
+    head = "position [ft],speed [mph],contact_force [lbf]"
+    [found] = read(_written(file, text(*rows, head=head))).pantographs
+    # 1 ft = 0.3048 m, 60 mph = 88 ft/s, 1 lbf = 4.4482216152605 N: exact by definition.
+    assert found.time == pytest.approx(np.arange(20) / 88.0, rel=1e-12, abs=1e-12)
+    assert found.force == pytest.approx(4.4482216152605 * np.arange(10, 30), rel=1e-12)
+
+
 def test_comments_quotes_and_empty_lines_are_skipped(file: Path) -> None:
     head = '"time [s]","position [m]","contact_force [N]","remark, by hand"'
     rows = ["# a, b, c, d", "", *(f'{row},"a, b"' for row in ROWS), "   ", "# end"]
@@ -176,7 +185,7 @@ REFUSED = {
             *(f"{i / 500},250,{i}" for i in range(9)),
             head=HEAD.replace("position [m]", "speed [m/s]"),
         ),
-        r"column speed \[m/s\]: got 900 km/h",
+        "speed of pantograph P1: got 900 km/h",
     ),
 }  # fmt: skip
 
@@ -208,6 +217,23 @@ def test_what_is_no_text_is_refused(file: Path, content: bytes, message: str) ->
         read(file)
 
 
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        (text(*ROWS).replace("\n", "\r"), r"run\.csv:1: line end: got a carriage return alone"),
+        (text(*ROWS[:3], ROWS[3].replace(",", ",\r", 1), *ROWS[4:]), r"run\.csv:5: line end"),
+        (text(*ROWS[:3], ROWS[3] + '"', *ROWS[4:9], ROWS[9] + '"'), "quote|got .*103"),
+        (text(*ROWS[:3], ROWS[3].replace("103.0", '"103.0'), *ROWS[4:]), "not a CSV file|quote"),
+        (text(*ROWS[:3], "0.006,0.42,1e300"), r"run\.csv:5: .*got 1e\+300, expected a number that"),
+        (text(ROWS[0]), "no samples are left: got one sample"),
+        (text(",,", ",,"), "no samples are left: got time, position or speed is missing in every"),
+    ],
+)
+def test_found_by_spoiling_files(file: Path, content: str, message: str) -> None:
+    with pytest.raises(MeasurementError, match=message):
+        read(_written(file, content))
+
+
 def test_a_file_beyond_memory_is_refused_before_it_is_read(file: Path) -> None:
     _written(file, text(*ROWS))
     os.truncate(file, 2 * 2**30)  # takes no room on the disk
@@ -216,6 +242,14 @@ def test_a_file_beyond_memory_is_refused_before_it_is_read(file: Path) -> None:
     ):
         read(file)
     assert file.stat().st_size > LARGEST_FILE
+
+
+def test_too_many_rows_are_refused_while_they_are_counted(
+    file: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("arcless.measurements.table.rows.MOST_LINES", 20)
+    with pytest.raises(MeasurementError, match="too many rows: got more than 20 lines"):
+        read(_written(file, text(*ROWS)))
 
 
 def test_no_file_and_a_folder(tmp_path: Path) -> None:

@@ -99,10 +99,16 @@ def test_clipped_samples_are_left_out(file: Path) -> None:
     over = force(times()) >= 160.0
     # The 40 Hz wave takes the force to the limit for moments as well, which are clipped no less.
     found = measured(file, contact_force=limited)
-    assert {one.kind for one in found.left_out} == {kinds.CLIPPED}
-    assert sum(one.samples for one in found.left_out) == np.count_nonzero(over)
+    clips = [one for one in found.left_out if one.kind == kinds.CLIPPED]
+    assert sum(one.samples for one in clips) == np.count_nonzero(over)
     assert found.force.max() < 160.0
-    assert all(one.channel == "contact_force" for one in found.left_out)
+    assert all(one.channel == "contact_force" for one in clips)
+    # One or two samples between two clips are no piece.
+    short = [one for one in found.left_out if one.kind == kinds.SHORT]
+    assert len(clips) + len(short) == len(found.left_out)
+    assert {one.samples for one in short} <= {1, 2}
+    kept = 5000 - np.count_nonzero(over) - sum(one.samples for one in short)
+    assert found.force.size == kept
 
 
 def test_lost_contact_is_neither_clipped_nor_frozen(file: Path) -> None:

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from arcless.cli.completion import names
 from arcless.cli.process.start import permanent_objects
 from arcless.cli.terminal import console
 
@@ -16,6 +17,7 @@ ScenarioArgument = Annotated[
     typer.Argument(
         metavar="SCENARIO",
         help="The name of a shipped scenario, or a scenario file.",
+        autocompletion=names.scenarios,
         show_default=False,
     ),
 ]

@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from arcless.cli.arguments.amounts import amount
+from arcless.cli.arguments.head import head_of
 from arcless.cli.arguments.scenario import JsonOption, QuietOption
-from arcless.cli.commands.assess import head_of
+from arcless.cli.completion import names
 from arcless.cli.terminal import console
 
 if TYPE_CHECKING:
@@ -21,6 +22,7 @@ RunsArgument = Annotated[
         metavar="RUN RUN ...",
         help="Two runs or more, each its folder or the result.nc in it, or the CSV file of a"
         " measured test run. Differences are to the first one.",
+        autocompletion=names.runs,
         show_default=False,
     ),
 ]
@@ -79,11 +81,11 @@ def compare(
         ),
     ] = None,
     drift: Annotated[
-        float | None,
+        str | None,
         typer.Option(
             "--drift",
             metavar="PART",
-            help="How far the scale of the odometer may be from 1; 0.005 if not given.",
+            help="How far the scale of the odometer may be from 1; 0.5 % if not given.",
         ),
     ] = None,
     speed: Annotated[
@@ -155,7 +157,7 @@ def _aligning(
     scale: float | None,
     *,
     search: str | None,
-    drift: float | None,
+    drift: str | None,
 ) -> "Aligning":
     """Return how measurements are aligned, from the options."""
     from arcless.comparison.measured.placing import SCALE_WITHIN, Aligning
@@ -168,7 +170,7 @@ def _aligning(
         None if offset is None else amount("--offset", offset, "m"),
         1.0 if scale is None else scale,
         None if search is None else amount("--search", search, "m"),
-        SCALE_WITHIN if drift is None else drift,
+        SCALE_WITHIN if drift is None else amount("--drift", drift, "1"),
     )
 
 

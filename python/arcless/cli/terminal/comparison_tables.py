@@ -7,7 +7,7 @@ from rich.text import Text
 
 from arcless.cli.terminal.tables import table
 from arcless.comparison import cells
-from arcless.report.summary import number
+from arcless.display.numbers import number
 
 if TYPE_CHECKING:
     from arcless.comparison import Comparison

@@ -87,7 +87,7 @@ def octaves(many: Overlaid, places: Places, key: str, title: str) -> list[Figure
     alt = []
     for order, (k, frequency, density) in reversed(list(enumerate(known))):
         ends = map(third_octave_Hz, THIRD_OCTAVES)
-        # What the windows do not resolve has the power of its neighbours.
+        # A band that the windows do not resolve has the power of its neighbours.
         resolved = frequency[1] - frequency[0]
         found = [
             deviation_between(frequency, density, low, high) if high - low >= resolved else None

@@ -175,6 +175,8 @@ def height(run: RunData) -> list[Figure]:
     axis = Axis("height above rail", "m", *_padded(lowest, highest), form="0.00")
     found = []
     for i, name in enumerate(run.pantographs):
+        if np.isnan(heights[:, i]).all():
+            continue  # not measured
         curve = filtered(run, i, heights[:, i], "height m 0.000", name="contact point")
         found.append(
             along(

@@ -117,7 +117,10 @@ def spectrogram(run: RunData) -> list[Figure]:
         levels.append(10.0 * np.log10(np.maximum(density, 1e-12)).T)
         middle = np.arange(len(pieces)) * hop + length // 2
         places.append(run.position[middle, i])
-    high = float(np.ceil(max(float(np.nanmax(level)) for level in levels)))
+    known = [level[np.isfinite(level)] for level in levels]
+    if not all(part.size for part in known):
+        return []  # no window between two gaps of a measurement
+    high = float(np.ceil(max(float(part.max()) for part in known)))
     scale = Scale("density", "dB re 1 N²/Hz", high - DEPTH_DB, high)
     step = float(frequency[1])
     heights = (float(frequency[kept][0]) - 0.5 * step, float(frequency[kept][-1]) + 0.5 * step)

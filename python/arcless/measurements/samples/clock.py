@@ -15,6 +15,10 @@ from arcless.errors import MeasurementError
 
 Floats = NDArray[np.float64]
 
+# In m/s. Below, a train as good as stands, and positions say nothing about times; higher would
+# refuse a train that starts.
+LEAST_SPEED = 0.01
+
 
 @dataclass(frozen=True)
 class Clock:
@@ -83,12 +87,12 @@ def clock(
         raise _no_speed("times", label)
     distance = position if position[-1] >= position[0] else -position
     _check_rises(distance, "position", lines, label)
-    if (slow := np.flatnonzero(speeds <= 0.0)).size:
+    if (slow := np.flatnonzero(speeds < LEAST_SPEED)).size:
         raise MeasurementError(
             "speed of a record without times",
             where=f"{label}:{lines[slow[0]]}",
             got=f"{speeds[slow[0]]:g} m/s",
-            expected="more than 0",
+            expected=f"at least {LEAST_SPEED:g} m/s",
             hint="give a column time [s], or cut off where the train stands",
         )
     return Clock(_summed(1.0 / speeds, np.diff(distance)), position, speeds, distance, "position")

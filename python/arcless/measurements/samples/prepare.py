@@ -37,6 +37,9 @@ from arcless.measurements.samples.raw import (
 Floats = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
+# Steps of time that a piece has at least: fewer may be a single sample at equal steps. Statistics
+# leave out more at the ends of pieces.
+SHORTEST_STEPS = 1.5
 # Kept with the force, where the file has them; a missing value of theirs takes no sample away.
 OPTIONAL = ("contact_height", "uplift")
 
@@ -62,6 +65,8 @@ def prepared(raw: Raw, speed: float | None, head: Head | None) -> MeasuredPantog
     told: list[LeftOut] = []
     raw = with_clock(raw, told)
     raw = without_duplicates(raw, told)
+    if raw.lines.size < 2:  # noqa: PLR2004 - two samples have a distance
+        raise nothing_left(raw, "one sample")
     known = {key: raw.channels[key] for key in CLOCKS if key in raw.channels}
     when = clock(known, speed, raw.lines, raw.label)
     force = _force(raw, when, speed, head)
@@ -161,11 +166,12 @@ def _pieces(raw: Raw, when: Clock, good: Mask, rounded: float, told: list[LeftOu
             told.append(place_between(kinds.GAP, raw, when, int(place), missing))
     told += [place_between(kinds.JUMP, raw, when, int(place), 0) for place in cut.jumps]
     found = pieces_of(good, np.concatenate([cut.gaps, cut.jumps]))
-    single = np.zeros(good.size, bool)
+    least = SHORTEST_STEPS * usual_step(when.time)
+    short = np.zeros(good.size, bool)
     for piece in found:
-        single[piece] = piece.stop - piece.start == 1
-    told += stretches_of(single, kinds.SHORT, raw, when)
-    kept = [piece for piece in found if piece.stop - piece.start > 1]
+        short[piece] = when.time[piece.stop - 1] - when.time[piece.start] < least
+    told += stretches_of(short, kinds.SHORT, raw, when)
+    kept = [piece for piece in found if not short[piece.start]]
     if not kept:
         raise nothing_left(raw, _summary(told))
     return kept

@@ -63,11 +63,14 @@ def examine(path: Path, *, largest_bytes: int = LARGEST_FILE) -> Dialect:
         There is no such file, it is too large, empty, binary, not UTF-8, or has one column only.
     """
     label = str(path)
-    lines = _text(_head(path, largest_bytes), label).splitlines()
+    lines = _text(_head(path, largest_bytes), label).split("\n")
     content = [(n, line) for n, line in enumerate(lines, 1) if is_content(line)]
     if not content:
         raise MeasurementError("empty file", where=label, got="no header", expected=EXPECTED)
     number, header = content[0]
+    header = header.rstrip("\r")
+    if "\r" in header or "\0" in header:
+        raise lone_return(f"{label}:{number}")
     rows = [line for _, line in content[1 : TRIED_ROWS + 1]]
     delimiter = _delimiter(header, f"{label}:{number}")
     names = next(csv.reader([header], delimiter=delimiter, skipinitialspace=True))
@@ -82,6 +85,12 @@ def line_too_long(where: str) -> MeasurementError:
     """Return the error of a line that no table has; files without line ends have one."""
     expected = f"lines of at most {HEAD_BYTES / 2**20:g} MiB"
     return MeasurementError("line too long", where=where, expected=expected)
+
+
+def lone_return(where: str) -> MeasurementError:
+    """Return the error of a line end that is not one in a text file of today."""
+    got, hint = "a carriage return alone", "save the file with line ends of Unix or Windows"
+    return MeasurementError("line end", where=where, got=got, hint=hint)
 
 
 def is_content(line: str) -> bool:

@@ -12,6 +12,8 @@ from arcless.measurements.table.dialect import Dialect
 from arcless.measurements.table.rows import Rows
 from arcless.units import show
 
+# Numbers beyond are no measurement, in SI: with them sums of squares are beyond all numbers.
+LARGEST = 1e12
 # Texts that stand for a missing sample.
 MISSING = ("", "NaN", "nan", "NAN", "NA", "N/A", "-")
 
@@ -46,11 +48,30 @@ def numbers(
     except (ValueError, pandas.errors.ParserError) as error:
         _refuse_text(path, dialect, rows, columns)
         raise MeasurementError(f"not a CSV file: {error}", where=str(path)) from None
+    if len(frame) != rows.numbers.size:
+        raise _quote_left_open(path, rows)
     found = {}
     for column in columns:
-        values = frame[column.place].to_numpy(np.float64, copy=True) * column.factor
-        found[column] = np.where(np.isfinite(values), values, np.nan)
+        with np.errstate(over="ignore"):  # beyond all numbers is beyond the largest
+            values = frame[column.place].to_numpy(np.float64, copy=True) * column.factor
+        values[np.isinf(frame[column.place])] = np.nan
+        if (beyond := np.flatnonzero(np.abs(values) > LARGEST)).size:
+            raise MeasurementError(
+                f"column {column.title}",
+                where=f"{path}:{rows.numbers[beyond[0]]}",
+                got=f"{frame[column.place].iloc[beyond[0]]:g}",
+                expected="a number that can be measured",
+            )
+        found[column] = values
     return found
+
+
+def _quote_left_open(path: Path, rows: Rows) -> MeasurementError:
+    """Return the error of a quote that a line does not close, so that it swallows the next ones."""
+    with path.open(encoding="utf-8-sig", errors="replace", newline="") as file:
+        odd = (n for n, line in enumerate(file, 1) if n in rows.numbers and line.count('"') % 2)
+        where = f"{path}:{next(odd, rows.lines)}"
+    return MeasurementError("quote that is not closed", where=where)
 
 
 def _refuse_text(path: Path, dialect: Dialect, rows: Rows, columns: list[Column]) -> None:
@@ -62,7 +83,7 @@ def _refuse_text(path: Path, dialect: Dialect, rows: Rows, columns: list[Column]
                 continue
             cells = next(csv.reader([line], delimiter=dialect.delimiter, skipinitialspace=True))
             for column in columns:
-                cell = cells[column.place].strip()
+                cell = cells[column.place].strip() if column.place < len(cells) else ""
                 if cell not in MISSING and not _is_number(cell, dialect.decimal):
                     raise MeasurementError(
                         f"column {column.title}",

@@ -10,11 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arcless.errors import MeasurementError
-from arcless.measurements.table.dialect import Dialect, is_content, line_too_long
+from arcless.measurements.table.dialect import Dialect, is_content, line_too_long, lone_return
 
 # Bytes that are looked at together: the memory that it takes is a few times this.
 BLOCK_BYTES = 2**22
-_NEWLINE, _HASH = b"\n"[0], b"#"[0]
+# Lines of a file, by which memory is bounded as well: eleven hours at 500 Hz.
+MOST_LINES = 20_000_000
+_NEWLINE, _RETURN, _HASH = b"\n"[0], b"\r"[0], b"#"[0]
 
 
 @dataclass(frozen=True)
@@ -45,7 +47,8 @@ def scan(path: Path, dialect: Dialect) -> Rows:
     Raises
     ------
     MeasurementError
-        A line has another number of cells than the header, or binary data.
+        A line has another number of cells than the header, another end, or binary data, or there
+        are too many.
     """
     label, skipped = str(path), list(range(1, dialect.header_line + 1))
     wanted, done = len(dialect.header) - 1, 0
@@ -56,6 +59,9 @@ def scan(path: Path, dialect: Dialect) -> Rows:
         letters = np.frombuffer(block, np.uint8)
         ends = np.flatnonzero(letters == _NEWLINE)
         starts = np.concatenate([[0], ends[:-1] + 1])
+        returns = np.flatnonzero(letters == _RETURN)
+        if (alone := returns[letters[returns + 1] != _NEWLINE]).size:
+            raise lone_return(f"{label}:{done + int(np.searchsorted(ends, alone[0])) + 1}")
         places = np.flatnonzero(letters == delimiter)
         cuts = np.searchsorted(places, ends)
         counts = np.diff(cuts, prepend=0)
@@ -68,6 +74,12 @@ def scan(path: Path, dialect: Dialect) -> Rows:
                 else:
                     _check(text, dialect, f"{label}:{number}")
         done += len(ends)
+        if done > MOST_LINES:
+            raise MeasurementError(
+                "too many rows", where=label, got=f"more than {MOST_LINES} lines",
+                expected=f"at most {MOST_LINES}, for they are held in memory",
+                hint="split the record by place",
+            )  # fmt: skip
     return Rows(done, tuple(skipped))
 
 

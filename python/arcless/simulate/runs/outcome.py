@@ -7,6 +7,7 @@ from typing import Literal
 from arcless.assess import Assessment
 from arcless.errors import ArclessError
 from arcless.results import Result
+from arcless.units import plain
 
 Keep = Literal["assessment", "result"]
 
@@ -67,6 +68,11 @@ class Outcome:
     steps: int = 0
     steps_of_run: int = 0
     changes: dict[str, str] = field(default_factory=dict)
+
+    def __repr__(self) -> str:
+        told = self.error or self.stopped or self.assessment
+        about = "done" if told is None else f"{told!r:.80}"
+        return f"<Outcome {self.index} {plain(self.name)}: {about}>"
 
 
 def told(error: Exception) -> ArclessError:

@@ -32,6 +32,28 @@ def located(source: Path, out: Path | None = None) -> tuple[Study, Path | None]:
     return (load(source), out) if folder is None else (begun(folder), out or folder)
 
 
+def open_study(source: str | os.PathLike[str]) -> StudyFolder:
+    """Return a study that was begun, with its table.
+
+    Parameters
+    ----------
+    source
+        The folder of the study or a file in it; or its study file, where the study is in its usual
+        folder, ``runs/studies/NAME``.
+
+    Raises
+    ------
+    ModelError
+        The study file is wrong.
+    StudyError
+        No study was begun there, or it cannot be read.
+    """
+    study, folder = located(Path(source))
+    place = StudyFolder(study, folder)
+    place.check_same()
+    return place
+
+
 def begun(folder: Path) -> Study:
     """Return the study that was begun in a folder, as it was asked then.
 

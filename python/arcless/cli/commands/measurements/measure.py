@@ -91,7 +91,7 @@ def measure(
     ] = None,
     drift: Annotated[
         str | None,
-        _option("--drift", "PART", "What it shows too much for each metre: 0.001 for 0.1 %."),
+        _option("--drift", "PART", "What it shows too much for each metre, such as 0.1 %."),
     ] = None,
     seed: Annotated[int, _option("--seed", "NUMBER", "Of the noise.")] = 0,
 ) -> None:
