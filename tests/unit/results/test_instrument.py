@@ -134,6 +134,9 @@ def test_other_pantographs_and_records() -> None:
     ]})  # fmt: skip
     behind = run.as_measured(Instrument(), "P2")
     assert behind.position_m[0] == pytest.approx(-100.0)
+    assert [one.name for one in behind.columns()][:4] == [
+        "time", "P2.position", "speed", "P2.sensor_force",
+    ]  # fmt: skip
     with pytest.raises(ModelError, match="one of P1, P2"):
         run.as_measured(Instrument(), "P3")
     with pytest.raises(ResultFormatError, match="not recorded"):

@@ -26,6 +26,8 @@ class Readings:
 
     Attributes
     ----------
+    pantograph
+        Name of the pantograph where the run has several, which columns begin with; else empty.
     instrument
         The sensors.
     mass_above_kg
@@ -45,6 +47,7 @@ class Readings:
         train was so long before.
     """
 
+    pantograph: str
     instrument: Instrument
     mass_above_kg: float
     time_s: Floats
@@ -57,14 +60,15 @@ class Readings:
     delay_s: float
 
     def columns(self) -> list[Column]:
-        """Return the channels as columns with units."""
+        """Return the channels as columns with units, such as ``P2.sensor_force [N]``."""
+        of = f"{self.pantograph}." if self.pantograph else ""
         return [
             Column("time", "s", self.time_s),
-            Column("position", "m", self.position_m),
+            Column(f"{of}position", "m", self.position_m),
             Column("speed", "m/s", self.speed_m_s),
-            Column("sensor_force", "N", self.force_N),
-            Column("acceleration", "m/s2", self.acceleration_m_s2),
-            Column("contact_height", "m", self.height_m),
+            Column(f"{of}sensor_force", "N", self.force_N),
+            Column(f"{of}acceleration", "m/s2", self.acceleration_m_s2),
+            Column(f"{of}contact_height", "m", self.height_m),
         ]
 
     def save(self, path: str | Path) -> None:
@@ -131,9 +135,11 @@ def read_off(
     digits, clipped = _digitised(noisy[0], instrument)
     true = sampled(dataset["position"].values[:, place])
     shown = true + instrument.position_offset_m + instrument.odometer_drift * (true - true[0])
+    names = [str(name) for name in dataset["pantograph"].values]
+    name = names[place] if len(names) > 1 else ""
     return Readings(
-        instrument, mass, at, shown, sampled(dataset["speed"].values), digits, noisy[1], noisy[2],
-        clipped, instrument.delay_s(rate),
+        name, instrument, mass, at, shown, sampled(dataset["speed"].values), digits, noisy[1],
+        noisy[2], clipped, instrument.delay_s(rate),
     )  # fmt: skip
 
 
