@@ -3,8 +3,8 @@
 from collections.abc import Sequence
 
 from arcless.comparison.measured.remarks import remarks
-from arcless.comparison.runs import Slot
-from arcless.comparison.sides import SAME_PLACE_M, Side
+from arcless.comparison.subjects.runs import Slot
+from arcless.comparison.subjects.sides import SAME_PLACE_M, Side
 from arcless.results import Result
 
 

@@ -11,8 +11,8 @@ from arcless.comparison.indicators import Indicator, Judged, indicators, judged
 from arcless.comparison.measured.acceptance import Accepted, acceptance
 from arcless.comparison.measured.bands import Band, bands_of
 from arcless.comparison.measured.placing import Aligning
-from arcless.comparison.runs import Slot, Subject, matched, names_of
-from arcless.comparison.sides import Side, sides_of
+from arcless.comparison.subjects.runs import Slot, Subject, matched, names_of
+from arcless.comparison.subjects.sides import Side, sides_of
 from arcless.results import Result
 
 FORMAT = "arcless-comparison/1"

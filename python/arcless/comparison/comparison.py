@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Literal
 from arcless.comparison import tables
 from arcless.comparison.compared import Compared, data_of
 from arcless.comparison.measured.placing import Aligning
-from arcless.comparison.runs import Subject, opened
-from arcless.comparison.sides import drawn
+from arcless.comparison.subjects.runs import Subject, opened
+from arcless.comparison.subjects.sides import drawn
 from arcless.display.frames import frame
 from arcless.errors import ComparisonError
 from arcless.measurements import Measurement

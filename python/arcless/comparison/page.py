@@ -9,7 +9,7 @@ from typing import Any
 from arcless.comparison import cells
 from arcless.comparison.compared import Compared
 from arcless.comparison.indicators import Indicator
-from arcless.comparison.sides import drawn
+from arcless.comparison.subjects.sides import drawn
 from arcless.figures.comparison import Overlaid
 from arcless.figures.description import Figure
 from arcless.figures.description.thinning import every

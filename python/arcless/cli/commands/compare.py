@@ -13,7 +13,7 @@ from arcless.cli.terminal import console
 
 if TYPE_CHECKING:
     from arcless.comparison.measured.placing import Aligning
-    from arcless.comparison.runs import Subject
+    from arcless.comparison.subjects.runs import Subject
     from arcless.measurements import Head
 
 RunsArgument = Annotated[
@@ -176,7 +176,7 @@ def _aligning(
 
 def _read(runs: list[Path], speed: str | None, head: "Head | None") -> "list[Subject | str | Path]":
     """Read measurements with the options for them; runs are read by the comparison."""
-    from arcless.comparison.runs import refuse_twice
+    from arcless.comparison.subjects.runs import refuse_twice
     from arcless.errors import ComparisonError
     from arcless.measurements import is_measured, read
 

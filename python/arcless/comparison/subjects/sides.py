@@ -13,7 +13,7 @@ from arcless.comparison.alignment import Alignment
 from arcless.comparison.measured.placed import Placed
 from arcless.comparison.measured.placing import Aligning, Reference, place, signal_of, trace_of
 from arcless.comparison.measured.signal import Signal, settled
-from arcless.comparison.runs import Slot, Subject
+from arcless.comparison.subjects.runs import Slot, Subject
 from arcless.errors import ComparisonError
 from arcless.figures.run import RunData
 from arcless.measurements import Measurement
