@@ -2,7 +2,6 @@
 # ruff: noqa: N815 - the names carry their units
 
 import json
-import math
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, fields, replace
 from typing import TYPE_CHECKING, Any, Literal
@@ -15,6 +14,8 @@ from arcless.assess.facts import criteria_facts, lateral_mm, supply_notes, uplif
 from arcless.assess.section import (
     ForceRecord,
     Section,
+    checked_cutoff,
+    checked_section,
     extreme_inside,
     force_record,
     section_notes,
@@ -23,8 +24,7 @@ from arcless.assess.statistics import PantographAssessment, pantograph_assessmen
 from arcless.assess.tables import card, data_frame, headline, title_of
 from arcless.assess.wear import WearRates, wear_notes, wear_rates
 from arcless.dataset.metadata import metadata
-from arcless.errors import ModelError, ResultFormatError
-from arcless.model.fields.extremes import LEAST_FREQUENCY
+from arcless.errors import ResultFormatError
 
 if TYPE_CHECKING:
     import pandas
@@ -229,43 +229,10 @@ def _absent(name: str) -> str:
     return f"{name} is not in the record"
 
 
-def checked_section(section: Any) -> Section:
-    """Return a section whose begin lies before its end.
-
-    Raises
-    ------
-    ModelError
-        It is none.
-    """
-    begin, end = (float(x) for x in section)
-    if not (math.isfinite(begin) and math.isfinite(end) and begin < end):
-        raise ModelError("analysis section", got=f"{begin:g} to {end:g} m", expected="from < to")
-    return begin, end
-
-
 def _frequencies(scenario: Mapping[str, Any], low_pass_Hz: float | None) -> tuple[float, float]:
     analysis = scenario["analysis"]
     cutoff = analysis["low_pass"] if low_pass_Hz is None else low_pass_Hz
     return checked_cutoff(cutoff), float(analysis["band_split"])
-
-
-def checked_cutoff(cutoff_Hz: float) -> float:
-    """Return a frequency in Hz that a low-pass can have.
-
-    Raises
-    ------
-    ModelError
-        It is too low.
-    """
-    if not cutoff_Hz >= LEAST_FREQUENCY:
-        raise ModelError(
-            "the low-pass frequency is too low",
-            where="analysis.low_pass",
-            got=f"{cutoff_Hz:g} Hz",
-            expected=f"at least {LEAST_FREQUENCY:g} Hz",
-            hint="give a frequency with its unit, such as 20 Hz",
-        )
-    return float(cutoff_Hz)
 
 
 def _pantographs(

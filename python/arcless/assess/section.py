@@ -1,8 +1,9 @@
 """Part of a record inside the analysis section."""
 # ruff: noqa: N815 - the names carry their units
 
+import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,6 +11,7 @@ from numpy.typing import NDArray
 from arcless.assess.signals.filter import sample_rate_Hz
 from arcless.assess.statistics import ForceBands, force_bands
 from arcless.errors import ModelError
+from arcless.model.fields.extremes import LEAST_FREQUENCY
 
 if TYPE_CHECKING:
     from arcless.dataset.plain_dataset import Dataset
@@ -38,6 +40,39 @@ class ForceRecord:
     force: NDArray[np.float64]
     bands: ForceBands
     inside: NDArray[np.bool_]
+
+
+def checked_section(section: Any) -> Section:
+    """Return a section whose begin lies before its end.
+
+    Raises
+    ------
+    ModelError
+        It is none.
+    """
+    begin, end = (float(x) for x in section)
+    if not (math.isfinite(begin) and math.isfinite(end) and begin < end):
+        raise ModelError("analysis section", got=f"{begin:g} to {end:g} m", expected="from < to")
+    return begin, end
+
+
+def checked_cutoff(cutoff_Hz: float) -> float:
+    """Return a frequency in Hz that a low-pass can have.
+
+    Raises
+    ------
+    ModelError
+        It is too low.
+    """
+    if not cutoff_Hz >= LEAST_FREQUENCY:
+        raise ModelError(
+            "the low-pass frequency is too low",
+            where="analysis.low_pass",
+            got=f"{cutoff_Hz:g} Hz",
+            expected=f"at least {LEAST_FREQUENCY:g} Hz",
+            hint="give a frequency with its unit, such as 20 Hz",
+        )
+    return float(cutoff_Hz)
 
 
 def force_record(

@@ -189,6 +189,17 @@ def test_each_fault_is_in_the_notes(file: Path) -> None:
     ]
 
 
+def test_only_what_touches_the_section_is_in_the_notes(file: Path) -> None:
+    signal = force(times())
+    signal[1000:1010] = NAN
+    signal[3000:3010] = NAN
+    rows = np.delete(np.arange(5000), [2000, 2001])
+    notes = assess(measured(file, rows, contact_force=signal), section=(300.0, 650.0)).notes
+    [told] = [note for note in notes if "left out because" in note]
+    assert "line 3000 at 420.0 m, 10 samples" in told
+    assert any("at the ends of 2 pieces" in note for note in notes)
+
+
 def test_a_changing_speed_is_told(file: Path) -> None:
     columns = record(speed=np.linspace(60.0, 80.0, 5000))
     del columns["position [m]"]

@@ -88,6 +88,14 @@ def test_several_pantographs_and_falling_positions(file: Path) -> None:
     assert data.pantographs == ["P1", "P2"]
     drawn = figures(data)
     assert "height" not in drawn
+    # Where both ran: 200 to 899.9 m, and 150 to 849.9 m.
+    assert data.assessment.section_m == pytest.approx([200.14, 850.0], abs=1e-9)
+    assert not any("of the section only" in note for note in data.assessment.notes)
+    # The empty cells of P2, at times of 0.2 to 0.3 s, are shaded in its own figure.
+    shaded = [[(one.low, one.high) for one in figure.layers if isinstance(one, Strip)]
+              for figure in drawn["force"]]  # fmt: skip
+    assert len(shaded[0]) == len(shaded[1])
+    assert shaded[0] != shaded[1]
     low, high = drawn["force"][1].x.low, drawn["force"][1].x.high
     assert low < 151.0
     assert high > 899.0

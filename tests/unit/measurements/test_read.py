@@ -79,6 +79,12 @@ def test_comments_quotes_and_empty_lines_are_skipped(file: Path) -> None:
     assert found.notes[1] == "columns that are not used: remark, by hand"
 
 
+def test_a_line_for_excel_and_delimiters_at_the_end_of_lines(file: Path) -> None:
+    rows = [f"{row};".replace(",", ";") for row in (HEAD, *ROWS)]
+    [found] = read(_written(file, "sep=;\r\n" + "\r\n".join(rows))).pantographs
+    assert found.force.size == 20
+
+
 def test_lines_of_messages_count_comments(file: Path) -> None:
     rows = ["# one", *ROWS[:3], "", "0.006,0.5,ten", *ROWS[4:]]
     with pytest.raises(MeasurementError, match=r'run\.csv:7: column contact_force.*got "ten"'):

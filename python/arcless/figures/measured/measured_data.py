@@ -133,17 +133,12 @@ class MeasuredData(RunData):
         parts = (one.track.force[piece][one.inside[piece]] for piece in one.track.pieces)
         return [part for part in parts if part.size]
 
-    @cached_property
-    def left_out(self) -> list[tuple[float, float]]:
-        """Stretches of the track in m that no pantograph's numbers hold, section or not."""
-        begin, end = self.assessment.section_m
-        counted: list[tuple[float, float]] = []
-        for one in self.kept:
-            for piece in one.track.pieces:
-                x = one.track.position[piece][one.inside[piece]]
-                counted += [(float(x.min()), float(x.max()))] if x.size else []
-        found, reached = [], begin
-        for low, high in sorted(counted):
+    def left_out(self, pantograph: int) -> list[tuple[float, float]]:
+        """Return stretches of the section in m without samples that count."""
+        one, (reached, end) = self.kept[pantograph], self.assessment.section_m
+        counted = [one.track.position[piece][one.inside[piece]] for piece in one.track.pieces]
+        found = []
+        for low, high in sorted((float(x.min()), float(x.max())) for x in counted if x.size):
             if low > reached:
                 found.append((reached, low))
             reached = max(reached, high)

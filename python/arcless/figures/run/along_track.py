@@ -10,6 +10,7 @@ from arcless.figures.run.run_data import RunData
 from arcless.figures.run.track import (
     along,
     filtered,
+    gaps,
     place_name,
     span_at,
     span_numbers,
@@ -104,7 +105,12 @@ def force(run: RunData) -> list[Figure]:
     for i, numbers in enumerate(run.assessment.pantographs):
         curve = filtered(run, i, run.record.bands.total[:, i], "contact force N 0.0",
                          name=_filtered_name(run))  # fmt: skip
-        layers = [*_unfiltered(run, i), *_statistics(run, i, limit_up_to=high), curve]
+        layers = [
+            *gaps(run, i),
+            *_unfiltered(run, i),
+            *_statistics(run, i, limit_up_to=high),
+            curve,
+        ]
         found.append(
             along(
                 run, f"force-{i + 1}", titled(run, "Contact force", i),
@@ -181,7 +187,7 @@ def height(run: RunData) -> list[Figure]:
         found.append(
             along(
                 run, f"height-{i + 1}", titled(run, "Height of the contact point", i), axis,
-                [*rest, curve],
+                [*gaps(run, i), *rest, curve],
                 alt=f"Height of the contact point of {name}, from {np.nanmin(heights[:, i]):.3f}"
                 f" to {np.nanmax(heights[:, i]):.3f} m above rail.",
             )

@@ -17,7 +17,7 @@ from arcless.figures.description import (
 from arcless.figures.description.tokens import of_pantograph
 from arcless.figures.run.run_data import RunData
 from arcless.figures.run.track import axis as track_axis
-from arcless.figures.run.track import ground, titled
+from arcless.figures.run.track import gaps, supports, titled
 
 BINS = 40
 HIGHEST_HZ = 50.0
@@ -137,7 +137,8 @@ def spectrogram(run: RunData) -> list[Figure]:
             Figure(
                 f"spectrogram-{i + 1}",
                 titled(run, "Spectrogram of the unfiltered contact force", i),
-                track_axis(run), Axis("frequency", "Hz", *heights), [grid, *ground(run)[1:]],
+                track_axis(run), Axis("frequency", "Hz", *heights),
+                [grid, *gaps(run, i), *supports(run)],
                 caption=f"Power spectral density in windows of {WINDOW_S:g}\u00a0s, equal to"
                 f" {WINDOW_S * run.assessment.speed_m_s:.0f}\u00a0m along the track.",
                 alt=f"Spectrogram of the contact force of {run.pantographs[i]} along the track.",

@@ -113,9 +113,8 @@ class RunData:
             for i in range(len(self.pantographs))
         ]
 
-    @property
-    def left_out(self) -> list[tuple[float, float]]:
-        """Stretches of the section in m that the numbers leave out; none of a simulated run."""
+    def left_out(self, _pantograph: int) -> list[tuple[float, float]]:
+        """Return stretches of the section in m that numbers leave out; none of a simulated run."""
         return []
 
     def stretches(self, pantograph: int) -> list[Floats]:

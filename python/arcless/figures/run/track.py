@@ -41,16 +41,20 @@ def axis(run: RunData) -> Axis:
 
 
 def ground(run: RunData) -> list[Layer]:
-    """Return what lies below all figures along the track: section, gaps of it, supports."""
+    """Return what lies below all figures along the track: the analysis section, the supports."""
     begin, end = run.assessment.section_m
     section = Strip(axis="x", low=begin, high=end, colour="section", alpha=0.06)
-    gaps = [run.left_out[row] for row in every(len(run.left_out), MARKS)] if run.left_out else []
-    omitted = [
-        Strip(axis="x", low=low, high=high, colour="open", alpha=0.18,
+    return [section, *supports(run)]
+
+
+def gaps(run: RunData, pantograph: int) -> list[Layer]:
+    """Return stretches of the section that the numbers of a pantograph leave out, as shades."""
+    found = run.left_out(pantograph)
+    return [
+        Strip(axis="x", low=found[row][0], high=found[row][1], colour="open", alpha=0.18,
               name="" if place else "left out")
-        for place, (low, high) in enumerate(gaps)
+        for place, row in enumerate(every(len(found), MARKS) if found else ())
     ]  # fmt: skip
-    return [section, *omitted, *supports(run)]
 
 
 def supports(run: RunData) -> list[Layer]:

@@ -67,6 +67,12 @@ class MeasuredPantograph:
     last_m: float
     left_out: tuple[LeftOut, ...]
 
+    def __repr__(self) -> str:
+        return (
+            f"<MeasuredPantograph {self.name}: {self.force.size} samples at {self.rate_Hz:g} Hz,"
+            f" {len(self.pieces)} piece{'s' * (len(self.pieces) > 1)}>"
+        )
+
     @property
     def step_s(self) -> float:
         """Time between two samples of a piece, in s."""

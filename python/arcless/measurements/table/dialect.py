@@ -25,6 +25,8 @@ _BEGINNINGS = {
     b"\x89HDF": "an HDF5 or NetCDF file",
 }
 _DECIMAL_COMMA = re.compile(r"\s*[+-]?\d+,\d+([eE][+-]?\d+)?\s*")
+# Line in front of the header by which Excel is told the delimiter.
+_OF_EXCEL = re.compile(r"sep=.", re.IGNORECASE)
 _NAMES = {",": "comma", ";": "semicolon", "\t": "tab"}
 
 
@@ -65,6 +67,8 @@ def examine(path: Path, *, largest_bytes: int = LARGEST_FILE) -> Dialect:
     label = str(path)
     lines = _text(_head(path, largest_bytes), label).split("\n")
     content = [(n, line) for n, line in enumerate(lines, 1) if is_content(line)]
+    if content and _OF_EXCEL.fullmatch(content[0][1].strip()):
+        del content[0]
     if not content:
         raise MeasurementError("empty file", where=label, got="no header", expected=EXPECTED)
     number, header = content[0]
