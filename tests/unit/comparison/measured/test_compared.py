@@ -73,6 +73,19 @@ def test_bands_are_those_of_the_waves(file: Path) -> None:
     assert octave.correlations == (None, None)
 
 
+def test_only_the_section_counts(file: Path) -> None:
+    def rough(x: np.ndarray) -> np.ndarray:
+        # 10 m, half a second, beyond the section the filter does not see any more.
+        return along(x) + np.where((x < 190.0) | (x > 410.0), 40.0 * np.sin(2.5 * x), 0.0)
+
+    found = compare([run(), test_run(file, rough)])
+    for label in ("0–20 Hz", "5–20 Hz"):
+        own, other = band(found, label).deviations_N
+        assert other == pytest.approx(own, rel=0.01)
+    octave = band(found, "7.94 Hz", "third octave")
+    assert octave.deviations_N[1] == pytest.approx(octave.deviations_N[0], rel=0.01)
+
+
 def test_the_other_way_round(file: Path) -> None:
     found = compare(
         [test_run(file, offset_m=5.0, end_m=450.0), run(), run(lambda x: along(x) + 10.0)]
