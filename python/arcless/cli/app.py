@@ -17,6 +17,7 @@ from arcless.cli.commands import (
     study,
     validate,
 )
+from arcless.cli.commands.measurements import measure
 from arcless.cli.commands.models import model_files, own_models, table
 from arcless.cli.completion import scripts
 from arcless.cli.process.guard import GuardedGroup
@@ -76,6 +77,7 @@ for _command in (
     explain.explain,
     compare.compare,
     export.export,
+    measure.measure,
     replay.replay,
     scripts.completion,
 ):
