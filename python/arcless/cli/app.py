@@ -7,9 +7,8 @@ import typer
 from arcless.cli.arguments.certainty import WithCertainty
 from arcless.cli.commands import (
     compare,
+    explain,
     export,
-    model_files,
-    own_models,
     replay,
     resume,
     run,
@@ -18,6 +17,8 @@ from arcless.cli.commands import (
     study,
     validate,
 )
+from arcless.cli.commands.measurements import measure
+from arcless.cli.commands.models import model_files, own_models, table
 from arcless.cli.completion import scripts
 from arcless.cli.process.guard import GuardedGroup
 from arcless.cli.terminal.console import data
@@ -67,14 +68,17 @@ for _command in (
     model_files.schema,
     own_models.show,
     own_models.new,
+    table.table,
     run.statics,
     resume.resume,
     runs.runs,
     saved_results.assess,
     saved_results.report,
+    explain.explain,
     compare.compare,
     export.export,
     export.stress,
+    measure.measure,
     replay.replay,
     scripts.completion,
 ):

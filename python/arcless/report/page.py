@@ -26,6 +26,7 @@ MAX_WARNINGS = 50
 _SECTIONS: tuple[tuple[str, str, tuple[str | tuple[str, ...], ...]], ...] = (
     ("force", "Contact force along the track", ("force", "shares", "gap")),
     ("spans", "Contact force by span", (("folded", "by_span"),)),
+    ("contributions", "Contributions to σ", ("contributions", "irregular")),
     ("statistics", "Distribution and spectrum", (("histogram", "spectrum"), "spectrogram")),
     ("wire", "Contact wire and uplift", ("height", "uplift", "uplift_passages")),
     ("droppers", "Droppers", ("droppers", "dropper_map")),
@@ -33,7 +34,7 @@ _SECTIONS: tuple[tuple[str, str, tuple[str | tuple[str, ...], ...]], ...] = (
     ("rest", "Line at rest", ("side_view", "plan_view", "elasticity")),
 )  # fmt: skip
 # Figures over the whole track: of several pantographs one below the other, at the page's width.
-_STACKED = ("force", "shares", "gap", "height", "spectrogram", "lateral")
+_STACKED = ("force", "shares", "gap", "height", "spectrogram", "lateral", "irregular")
 
 
 def write(
@@ -112,6 +113,7 @@ def _texts(
         "identity": summary.identity(scenario, assessment, facts),
         **first_screen(run, drawn),
         "contents": contents,
+        "explained": [] if run.explanation is None else run.explanation.tables(),
         "computation": tables.computation(run, facts),
         "numbers": tables.number_rows(run),
         "certainty": certainty,

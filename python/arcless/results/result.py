@@ -24,9 +24,12 @@ if TYPE_CHECKING:
     from arcless.assess import Assessment
     from arcless.assess.wire_stress import WireStress
     from arcless.dataset.plain_dataset import Dataset
+    from arcless.explanation import Explanation, Sensitivities
     from arcless.figures.description import Figure
     from arcless.figures.description.tokens import Scheme
     from arcless.model import Scenario
+    from arcless.results.instrument.instrument import Instrument
+    from arcless.results.instrument.readings import Readings
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,6 +72,28 @@ class Result:
         from arcless.figures.run import RunData, figures
 
         return figures(RunData(self.latest, self.assessment))
+
+    def explain(self, sensitivities: "Sensitivities | None" = None) -> "Explanation":
+        """Explain the standard deviation σ of the contact force over the analysis section.
+
+        Parameters
+        ----------
+        sensitivities
+            As `arcless.sensitivities` returns them, told with the rest.
+
+        Returns
+        -------
+        Explanation
+            Parts of σ² by what repeats, deviation by span, places, sentences.
+
+        Raises
+        ------
+        ExplanationError
+            The section has less than two spans, or a force is constant.
+        """
+        from arcless.explanation import explain
+
+        return explain(self.latest, self.assessment, self.scenario, sensitivities)
 
     def plot(
         self,
@@ -254,6 +279,27 @@ class Result:
 
         export(self, path)
 
+    def as_measured(self, instrument: "Instrument", pantograph: str | None = None) -> "Readings":
+        """Return the run as an instrumented pantograph would have measured it.
+
+        Parameters
+        ----------
+        instrument
+            The sensors, such as ``Instrument(force_noise_N=2.0)`` of `arcless.results`.
+        pantograph
+            Name of the pantograph; the first in the direction of travel without.
+
+        Raises
+        ------
+        ModelError
+            There is no such pantograph, or the instrument does not fit it or the record.
+        ResultFormatError
+            The displacements of the pantograph's masses were not recorded.
+        """
+        from arcless.results.instrument.readings import read_off
+
+        return read_off(self.latest, self.scenario, instrument, pantograph)
+
     def __repr__(self) -> str:
         facts = self.metadata
         return f"<Result {facts['scenario_name']}: {facts['simulated_time_s']:.2f} s simulated>"
@@ -294,3 +340,26 @@ def open_result(path: str | Path) -> Result:
     scenario = load(facts["scenario"])
     restore(scenario, facts["as_typed"])
     return Result(dataset, scenario)
+
+
+def explain(
+    run: Result | str | Path, sensitivities: "Sensitivities | None" = None
+) -> "Explanation":
+    """Explain the standard deviation σ of a run's contact force.
+
+    Parameters
+    ----------
+    run
+        A result, the folder of a run, or its file.
+    sensitivities
+        As `arcless.sensitivities` returns them, told with the rest.
+
+    Raises
+    ------
+    ExplanationError
+        The section has less than two spans, or a force is constant.
+    ResultFormatError
+        The file is missing, damaged, or of another format version.
+    """
+    found = run if isinstance(run, Result) else open_result(run)
+    return found.explain(sensitivities)

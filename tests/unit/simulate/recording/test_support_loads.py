@@ -44,6 +44,10 @@ def test_the_first_row_is_the_line_at_rest(spatial: Result) -> None:
     ):
         # The pantograph far away stretches the wires between their fixed ends: 0.07 N of 1300.
         np.testing.assert_allclose(data[name][0, far], data[at_rest][far], atol=0.1)
+    lateral = [one["messenger_wire_lateral_force_N"] for one in arcless.statics(spatial.scenario).supports]
+    np.testing.assert_allclose(
+        data["support_lateral_force"][0, far], np.array(lateral, dtype=float)[far], atol=0.1
+    )
     slope = spatial.scenario.line.steady_arm.slope
     # The design keeps the arm's slope at its node; wires settle by micrometres on 1 m.
     np.testing.assert_allclose(data["steady_arm_angle"][0, far], slope, atol=1e-3)
