@@ -44,9 +44,12 @@ def test_the_first_row_is_the_line_at_rest(spatial: Result) -> None:
     ):
         # The pantograph far away stretches the wires between their fixed ends: 0.07 N of 1300.
         np.testing.assert_allclose(data[name][0, far], data[at_rest][far], atol=0.1)
-    lateral = [one["messenger_wire_lateral_force_N"] for one in arcless.statics(spatial.scenario).supports]
+    lateral = [
+        one["messenger_wire_lateral_force_N"] for one in arcless.statics(spatial.scenario).supports
+    ]
+    # By the same stretch, 0.2 N of 16 kN · 4 · 0.2 m/55 m.
     np.testing.assert_allclose(
-        data["support_lateral_force"][0, far], np.array(lateral, dtype=float)[far], atol=0.1
+        data["support_lateral_force"][0, far], np.array(lateral, dtype=float)[far], atol=0.4
     )
     slope = spatial.scenario.line.steady_arm.slope
     # The design keeps the arm's slope at its node; wires settle by micrometres on 1 m.
