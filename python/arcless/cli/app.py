@@ -62,29 +62,29 @@ def arcless(
         data(context.get_help())
 
 
+# In the order of the work, as `--help` lists them: models, runs, results, evidence, help.
 for _command in (
     model_files.library,
-    model_files.check,
-    model_files.schema,
     own_models.show,
     own_models.new,
     table.table,
+    model_files.check,
+    model_files.schema,
     run.statics,
+    run.run,
     resume.resume,
     runs.runs,
     saved_results.assess,
     saved_results.report,
     explain.explain,
     compare.compare,
-    export.export,
     export.stress,
+    export.export,
     measure.measure,
+    validate.validate,
     replay.replay,
     scripts.completion,
 ):
-    app.command()(_command)
-
-for _asked in (run.run, validate.validate):
-    app.command(cls=WithCertainty)(_asked)
+    app.command(cls=WithCertainty if _command in (run.run, validate.validate) else None)(_command)
 
 app.add_typer(study.app, name="study")

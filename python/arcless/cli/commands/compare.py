@@ -117,11 +117,12 @@ def compare(
     json: JsonOption = False,
     quiet: QuietOption = False,
 ) -> None:
-    """Compare runs: numbers with differences, changed fields, verdicts, overlays.
+    """Compare runs, simulated or measured, with the first.
 
-    Nothing is simulated: all of it comes from the result files. Criteria do not set the exit code.
-    A run may also be the CSV file of a measured test run: it is put on the line of the first run,
-    and compared band by band and with the tolerances of EN 50318 (from memory).
+    There are numbers with differences, changed fields, verdicts, overlays. Nothing is simulated:
+    all of it comes from the result files. Criteria do not set the exit code. A run may also be the
+    CSV file of a measured test run: it is put on the line of the first run, and compared band by
+    band and with the tolerances of EN 50318 (from memory).
     """
     from arcless.comparison import compare as compare_runs
 

@@ -23,7 +23,7 @@ def export(
         ),
     ],
 ) -> None:
-    """Write a saved run for other programs, by the ending of the file.
+    """Write a saved run as CSV, Excel, MATLAB or Parquet.
 
     .csv and .parquet have contact channels over time, the filtered contact force among them, with
     units in the header; .mat has droppers and supports as well, and what supports carry over time;
@@ -69,11 +69,11 @@ def stress(
     ] = None,
     json: JsonOption = False,
 ) -> None:
-    """Tell the stress of the contact wire at clamps and supports, and its cycles.
+    """Show the stress of the contact wire and count its cycles.
 
-    Nothing is simulated. The stress is T/A and the bending by the forces of droppers, steady arms
-    and strips at the place; cycles are counted by the rainflow method. There is no verdict: the
-    Wöhler line of the wire is yours.
+    Places are clamps of droppers and supports. Nothing is simulated. The stress is T/A and the
+    bending by the forces of droppers, steady arms and strips at the place; cycles are counted by
+    the rainflow method. There is no verdict: the Wöhler line of the wire is yours.
     """
     from arcless.cli.terminal.stress_tables import stress_tables
     from arcless.results import open as open_result

@@ -39,9 +39,10 @@ def replay(
         ),
     ],
 ) -> None:
-    """Solve the problem of a failed time step again, from the file that the run named.
+    """Solve the problem of a failed time step again.
 
-    The problem is the complementarity problem of contacts and droppers, y = Hx + w.
+    The run named its file. The problem is the complementarity problem of contacts and droppers,
+    y = Hx + w.
 
     Exit code 1 means that it still has no solution.
     """

@@ -21,7 +21,9 @@ def runs(
     *,
     json: JsonOption = False,
 ) -> None:
-    """List the runs below a folder: verdict, main numbers, and what was set for each.
+    """List the runs below a folder, with verdicts and numbers.
+
+    Each run has its main numbers and the fields that were set for it.
 
     From the oldest to the newest. Of several pantographs, the numbers are those of the one with the
     largest standard deviation; --json has all of them. A file that cannot be read is listed with

@@ -111,10 +111,10 @@ def assess(
     json: JsonOption = False,
     quiet: QuietOption = False,
 ) -> None:
-    """Assess a saved run again, over another section or with another filter, or a measured one.
+    """Assess a saved run again, or a measured run.
 
-    Nothing is simulated: the statistics and criteria are computed from result.nc. The section
-    and the low-pass filter are those of the scenario unless others are given.
+    Nothing is simulated: the statistics and criteria are computed from result.nc. Section
+    and low-pass filter are those of the scenario unless others are given.
 
     A CSV file is assessed in the same way: time or position, speed, and contact force, with units
     in the header. Gaps, jumps and clipped samples are left out, and told; without --from and --to

@@ -71,7 +71,9 @@ _LEAVES_WITHIN_S = {"threads": 0.8, "dask": 20.0}
 
 @app.callback()
 def study() -> None:
-    """Compute many variants of a scenario: a grid, a list or a sample, described in a study file.
+    """Compute many variants of a scenario.
+
+    A study file describes them: a grid, a list or a sample.
 
     A study has a folder with its table (table.parquet), which grows while it is computed. Whatever
     ends a study, `arcless study resume` computes what is missing and nothing else.

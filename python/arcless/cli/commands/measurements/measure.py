@@ -95,7 +95,7 @@ def measure(
     ] = None,
     seed: Annotated[int, _option("--seed", "NUMBER", "Of the noise.")] = 0,
 ) -> None:
-    """Write a saved run as an instrumented pantograph would have measured it.
+    """Write a saved run as a pantograph with sensors measures it.
 
     Force sensors below the strips miss the inertia of what is above them. The file has time,
     position, speed, sensor force, acceleration of the strips and contact height;

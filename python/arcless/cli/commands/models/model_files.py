@@ -109,7 +109,7 @@ def _check_at_rest(file: str, checked: "Scenario | Line") -> None:
 
 
 def schema() -> None:
-    """Print the JSON Schema of model files and study files, for editors."""
+    """Print the JSON Schema of model and study files, for editors."""
     from arcless import study
 
     console.data(console.json_text(study.json_schema()))
