@@ -1,37 +1,18 @@
 """Figures and tables of a run → one HTML file that needs no network."""
 
-from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from arcless.assess import Assessment
-from arcless.assess.certainty_words import explained
-from arcless.figures.description import Figure
 from arcless.figures.description.thinning import every
 from arcless.figures.run import figures
 from arcless.figures.run.run_data import RunData
 from arcless.figures.run.track import MARKS
-from arcless.model import MARKS as MEANINGS
-from arcless.report import summary, tables
-from arcless.report.model_data import groups, marks_used
 from arcless.report.reported_run import ReportedRun
+from arcless.report.run_content import Rows, run_content
 from arcless.report.template import render
 from arcless.storage.whole_files import write_bytes
 
-Rows = Sequence[Mapping[str, Any]]
-
-MAX_WARNINGS = 50
-
-# Address, title, figures of a section; those of an inner tuple stand next to each other.
-_SECTIONS: tuple[tuple[str, str, tuple[str | tuple[str, ...], ...]], ...] = (
-    ("force", "Contact force along the track", ("force", "shares", "gap")),
-    ("spans", "Contact force by span", (("folded", "by_span"),)),
-    ("statistics", "Distribution and spectrum", (("histogram", "spectrum"), "spectrogram")),
-    ("wire", "Contact wire and uplift", ("height", "uplift", "uplift_passages")),
-    ("droppers", "Droppers", ("droppers", "dropper_map")),
-    ("head", "Collector head", ("lateral", "wear_pattern")),
-    ("rest", "Line at rest", ("side_view", "plan_view", "elasticity")),
-)  # fmt: skip
 # Figures over the whole track: of several pantographs one below the other, at the page's width.
 _STACKED = ("force", "shares", "gap", "height", "spectrogram", "lateral")
 
@@ -74,8 +55,14 @@ def html(
     """Return the report as one HTML text; see `write`."""
     run = RunData(result.latest, assessment or result.assessment)
     drawn = figures(run)
-    texts = _texts(result, run, drawn, reference_rows)
-    return render("run.html", drawn, track=_track(run), **texts)
+    content = run_content(result, run, drawn, reference_rows)
+    contents = [("summary", "Summary"), ("criteria", "Criteria"), ("numbers", "Numbers")]
+    contents += [(key, title) for key, title, _ in content["sections"]]
+    contents += [("certainty", "Certainty")] if content["certainty"] else []
+    contents += [("model", "Model data"), ("computation", "Computation")]
+    return render(
+        "run.html", drawn, track=_track(run), contents=contents, stacked=_STACKED, **content
+    )
 
 
 def _track(run: RunData) -> dict[str, Any]:
@@ -89,62 +76,3 @@ def _track(run: RunData) -> dict[str, Any]:
         "section": [float(end) for end in run.assessment.section_m],
         "supports": [round(float(x), 2) for x in supports],
     }
-
-
-def _texts(
-    result: ReportedRun, run: RunData, drawn: Mapping[str, Sequence[Figure]], reference_rows: Rows
-) -> dict[str, Any]:
-    facts, assessment, scenario = result.metadata, run.assessment, result.scenario
-    data = groups(scenario)
-    criteria = tables.criterion_rows(assessment)
-    certainty = tables.certainty_rows(assessment)
-    used = marks_used(data) | {
-        row["mark"] for row in (*criteria, *reference_rows) if row.get("mark")
-    }
-    sections = _sections(drawn)
-    contents = [("summary", "Summary"), ("criteria", "Criteria"), ("numbers", "Numbers")]
-    contents += [(key, title) for key, title, _ in sections]
-    contents += [("certainty", "Certainty")] if certainty else []
-    contents += [("model", "Model data"), ("computation", "Computation")]
-    return {
-        "facts": facts,
-        "date": str(facts["created"])[:16].replace("T", " "),
-        "description": scenario.description,
-        "assessment": assessment,
-        "identity": summary.identity(scenario, assessment, facts),
-        "verdict": summary.verdict(assessment),
-        "worst": summary.worst_place(run),
-        "bullets": summary.grouped(summary.bullets(assessment)),
-        "contents": contents,
-        "sections": sections,
-        "stacked": _STACKED,
-        "computation": tables.computation(run, facts),
-        "numbers": tables.number_rows(run),
-        "criteria": criteria,
-        "certainty": certainty,
-        "certainty_words": explained(assessment.certainty_method or {})
-        if assessment.certainty_method
-        else [],
-        "reference_rows": tables.reference_cells(reference_rows),
-        "energies": tables.energy_rows(run),
-        "groups": data,
-        "marks": {mark: meaning for mark, meaning in MEANINGS.items() if mark in used},
-        "warnings": (facts["warnings"] or [])[:MAX_WARNINGS],
-    }
-
-
-def _sections(drawn: Mapping[str, Sequence[Figure]]) -> list[tuple[str, str, list[Any]]]:
-    """Return the sections that have figures, without the figures that there are none of.
-
-    Figures that stand next to each other do so for one pantograph; of several, each kind has a row.
-    """
-    found = []
-    for key, title, names in _SECTIONS:
-        rows: list[Any] = []
-        for name in names:
-            inner = [one for one in (name if isinstance(name, tuple) else (name,)) if drawn[one]]
-            together = isinstance(name, tuple) and all(len(drawn[one]) == 1 for one in inner)
-            rows += [inner] if together and len(inner) > 1 else inner
-        if rows:
-            found.append((key, title, rows))
-    return found

@@ -5,6 +5,7 @@ drawing; it comes with ``arcless[plots]``.
 """
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -91,6 +92,32 @@ def save(
     write(figure, Path(path), scheme, width_mm)
 
 
+def svg(figure: Figure, *, width_mm: float = PAGE_MM, factor: float = 1.0) -> str:
+    """Draw a figure for a document that sets title and caption itself: an SVG without them.
+
+    Parameters
+    ----------
+    figure
+        Its description.
+    width_mm
+        Width in mm.
+    factor
+        Its height over that of a page.
+
+    Raises
+    ------
+    FigureError
+        Matplotlib is not installed.
+    """
+    _needs_matplotlib()
+    from arcless.figures.paper.files import picture
+
+    height = round(factor * figure.height)
+    told = figure.alt or figure.title
+    bare = replace(figure, title="", caption="", alt=told, height=height)
+    return picture(bare, "svg", "light", width_mm).decode()
+
+
 def plot(
     figures: Mapping[str, Sequence[Figure]],
     key: str,
@@ -152,4 +179,4 @@ def _needs_matplotlib() -> None:
         )
 
 
-__all__ = ["COLUMN_MM", "PAGE_MM", "choose", "draw", "plot", "save"]
+__all__ = ["COLUMN_MM", "PAGE_MM", "choose", "draw", "plot", "save", "svg"]

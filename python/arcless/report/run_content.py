@@ -1,0 +1,91 @@
+"""Content of a run's report, the same for the page and for paper: texts, tables, sections."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from arcless.assess.certainty_words import explained
+from arcless.figures.description import Figure
+from arcless.figures.run.run_data import RunData
+from arcless.model import MARKS as MEANINGS
+from arcless.report import summary, tables, wording
+from arcless.report.model_data import groups, marks_used
+from arcless.report.reported_run import ReportedRun
+
+Rows = Sequence[Mapping[str, Any]]
+
+MAX_WARNINGS = 50
+
+# Address, title, figures of a section; those of an inner tuple stand next to each other.
+_SECTIONS: tuple[tuple[str, str, tuple[str | tuple[str, ...], ...]], ...] = (
+    ("force", "Contact force along the track", ("force", "shares", "gap")),
+    ("spans", "Contact force by span", (("folded", "by_span"),)),
+    ("statistics", "Distribution and spectrum", (("histogram", "spectrum"), "spectrogram")),
+    ("wire", "Contact wire and uplift", ("height", "uplift", "uplift_passages")),
+    ("droppers", "Droppers", ("droppers", "dropper_map")),
+    ("head", "Collector head", ("lateral", "wear_pattern")),
+    ("rest", "Line at rest", ("side_view", "plan_view", "elasticity")),
+)  # fmt: skip
+
+
+def run_content(
+    result: ReportedRun, run: RunData, drawn: Mapping[str, Sequence[Figure]], reference_rows: Rows
+) -> dict[str, Any]:
+    """Return what a report of a run tells, by names as the templates of pages have them.
+
+    Parameters
+    ----------
+    result, run
+        The run, and what its figures are made of.
+    drawn
+        Its figures by their keys.
+    reference_rows
+        Published values beside the run's own; see `report.write`.
+    """
+    facts, assessment, scenario = result.metadata, run.assessment, result.scenario
+    data = groups(scenario)
+    criteria = tables.criterion_rows(assessment)
+    method = assessment.certainty_method
+    used = marks_used(data) | {
+        row["mark"] for row in (*criteria, *reference_rows) if row.get("mark")
+    }
+    return {
+        "facts": facts,
+        "date": str(facts["created"])[:16].replace("T", " "),
+        "description": scenario.description,
+        "assessment": assessment,
+        "identity": summary.identity(scenario, assessment, facts),
+        "verdict": summary.verdict(assessment),
+        "worst": summary.worst_place(run),
+        "bullets": summary.grouped(summary.bullets(assessment)),
+        "sections": _sections(drawn),
+        "computation": tables.computation(run, facts),
+        "numbers": tables.number_rows(run),
+        "numbers_of": wording.numbers_of(assessment),
+        "marks_mean": wording.MARKS_MEAN,
+        "criteria": criteria,
+        "certainty": tables.certainty_rows(assessment),
+        "certainty_words": explained(method) if method else [],
+        "certainty_reads": wording.CERTAINTY_READS,
+        "reference_rows": tables.reference_cells(reference_rows),
+        "energies": tables.energy_rows(run),
+        "groups": data,
+        "marks": {mark: meaning for mark, meaning in MEANINGS.items() if mark in used},
+        "warnings": (facts["warnings"] or [])[:MAX_WARNINGS],
+    }
+
+
+def _sections(drawn: Mapping[str, Sequence[Figure]]) -> list[tuple[str, str, list[Any]]]:
+    """Return the sections that have figures, without the figures that there are none of.
+
+    Figures that stand next to each other do so for one pantograph; of several, each kind has a row.
+    """
+    found = []
+    for key, title, names in _SECTIONS:
+        rows: list[Any] = []
+        for name in names:
+            inner = [one for one in (name if isinstance(name, tuple) else (name,)) if drawn[one]]
+            together = isinstance(name, tuple) and all(len(drawn[one]) == 1 for one in inner)
+            rows += [inner] if together and len(inner) > 1 else inner
+        if rows:
+            found.append((key, title, rows))
+    return found
