@@ -132,12 +132,12 @@ def _limit(criterion: Criterion, decimals: int) -> str:
 
 
 def _margin(criterion: Criterion, decimals: int) -> str:
-    """Return how far the value is from the limit, less than zero beyond it."""
+    """Return the distance of the value to the limit with its tolerance, negative beyond it."""
     value, limit = criterion.value, criterion.limit
     if value is None or limit is None:
         return "–"
     room = limit - value if criterion.relation == "<=" else value - limit
-    return number(room, decimals)
+    return number(room + criterion.tolerance, decimals)
 
 
 def _reason(criterion: Criterion) -> str:

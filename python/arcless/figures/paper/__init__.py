@@ -93,7 +93,7 @@ def save(
 
 
 def svg(figure: Figure, *, width_mm: float = PAGE_MM, factor: float = 1.0) -> str:
-    """Draw a figure for a document that sets title and caption itself: an SVG without them.
+    """Draw a figure as an SVG without title, caption and alternative text.
 
     Parameters
     ----------
@@ -113,8 +113,7 @@ def svg(figure: Figure, *, width_mm: float = PAGE_MM, factor: float = 1.0) -> st
     from arcless.figures.paper.files import picture
 
     height = round(factor * figure.height)
-    told = figure.alt or figure.title
-    bare = replace(figure, title="", caption="", alt=told, height=height)
+    bare = replace(figure, title="", caption="", alt="", height=height)
     return picture(bare, "svg", "light", width_mm).decode()
 
 
