@@ -6,9 +6,8 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
-from arcless.comparison import cells
 from arcless.comparison.compared import Compared
-from arcless.comparison.indicators import Indicator
+from arcless.comparison.content import comparison_content
 from arcless.figures.comparison import Overlaid
 from arcless.figures.description import Figure
 from arcless.figures.description.thinning import every
@@ -16,17 +15,6 @@ from arcless.figures.run import RunData
 from arcless.figures.run.track import MARKS
 from arcless.report.template import render
 from arcless.storage.whole_files import write_bytes
-
-# Changed fields on the first screen, and in the whole table.
-FEW_FIELDS, MOST_FIELDS = 8, 400
-
-_SECTIONS: tuple[tuple[str, str, tuple[str, ...], bool], ...] = (
-    ("force", "Contact force along the track", ("force",), True),
-    ("spans", "Contact force by span", ("folded", "by_span"), False),
-    ("spectra", "Spectra", ("spectrum", "wavelengths"), False),
-    ("wire", "Uplift", ("uplift",), True),
-    ("droppers", "Droppers", ("droppers",), True),
-)
 
 
 def write(compared: Compared, figures: Mapping[str, Sequence[Figure]], path: str | Path) -> None:
@@ -46,89 +34,19 @@ def write(compared: Compared, figures: Mapping[str, Sequence[Figure]], path: str
 
 def html(compared: Compared, figures: Mapping[str, Sequence[Figure]]) -> str:
     """Return the page of a comparison as one HTML text; see `write`."""
-    sections = [
-        (key, title, [name for name in names if figures[name]], stacked)
-        for key, title, names, stacked in _SECTIONS
-        if any(figures[name] for name in names)
-    ]
-    contents = [("summary", "Summary"), *((key, title) for key, title, _, _ in sections)]
+    content = comparison_content(compared, figures)
+    contents = [("summary", "Summary"), *((key, title) for key, title, *_ in content["sections"])]
     contents += [("numbers", "Numbers"), ("criteria", "Criteria"), ("fields", "Changed fields")]
     return render(
         "comparison.html",
         figures,
         track=_track(compared),
-        title=_title(compared),
-        names=compared.names,
         colours=[Overlaid((), ()).colour(k).replace("_", "-") for k in range(len(compared.names))],
-        runs=_runs(compared),
-        warnings=compared.warnings,
-        few=compared.fields[:FEW_FIELDS],
-        fields=compared.fields[:MOST_FIELDS],
-        count=len(compared.fields),
-        verdicts=_verdicts(compared),
-        several=len(compared.pantographs) > 1,
-        main=_rows([one for one in compared.indicators if one.key in cells.MAIN], compared),
-        numbers=_rows(compared.indicators, compared),
         contents=contents,
-        sections=sections,
         version=version("arcless"),
         date=f"{datetime.now(UTC):%Y-%m-%d %H:%M}",
+        **content,
     )
-
-
-def _title(compared: Compared) -> str:
-    """Return how many runs there are, and of which scenario, where that is one."""
-    scenarios = {one.scenario.name for one in compared.results}
-    of = f" of {scenarios.pop()}" if len(scenarios) == 1 else ""
-    return f"Comparison of {len(compared.names)} runs{of}"
-
-
-def _runs(compared: Compared) -> list[dict[str, str]]:
-    found = []
-    for name, result in zip(compared.names, compared.results, strict=True):
-        a, facts = result.assessment, result.metadata
-        missed = sum(one.fails for one in a.criteria)
-        models = dict.fromkeys(one.model.name for one in result.scenario.pantographs)
-        found.append({
-            "name": name, "scenario": result.scenario.name, "line": result.scenario.line.name,
-            "pantographs": ", ".join(models), "speed": f"{3.6 * a.speed_m_s:.4g} km/h",
-            "section": f"{a.section_m[0]:.0f} to {a.section_m[1]:.0f} m",
-            "verdict": "met" if a.passed else f"{missed} not met",
-            "state": "met" if a.passed else "missed",
-            "version": str(facts["arcless_version"] or cells.NONE),
-            "computed": str(facts["created"] or cells.NONE)[:16].replace("T", " "),
-        })  # fmt: skip
-    return found
-
-
-def _rows(chosen: Sequence[Indicator], compared: Compared) -> list[dict[str, Any]]:
-    """Return rows of a table of indicators: value of each run, and difference of all but one."""
-    return [
-        {
-            "label": one.label, "unit": one.unit, "pantograph": one.pantograph or "",
-            "cells": [
-                (cells.value(one, run),
-                 cells.difference(one, run) if run and one.differences[run] is not None else "")
-                for run in range(len(compared.names))
-            ],
-        }
-        for one in chosen
-    ]  # fmt: skip
-
-
-def _verdicts(compared: Compared) -> list[dict[str, Any]]:
-    """Return rows of criteria: verdict of each run, with value and limit."""
-    return [
-        {
-            "title": one.title, "unit": one.unit, "pantograph": one.pantograph or "",
-            "cells": [
-                (word or cells.NONE, "missed" if fails else (word or "absent").split(" (")[0],
-                 cells.limit(one, run))
-                for run, (word, fails) in enumerate(zip(one.verdicts, one.fails, strict=True))
-            ],
-        }
-        for one in compared.criteria
-    ]  # fmt: skip
 
 
 def _track(compared: Compared) -> dict[str, Any]:

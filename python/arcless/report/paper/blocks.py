@@ -47,18 +47,20 @@ class Column:
 
 @dataclass(frozen=True)
 class Paragraph:
-    """A text; parts between backticks are code."""
+    """A text, `soft` where it only explains; of a `coded` one parts between backticks are code."""
 
     text: str
     soft: bool = False
+    coded: bool = False
 
 
 @dataclass(frozen=True)
 class Points:
-    """Texts in a list, below a title."""
+    """Texts in a list, below a title; of `coded` ones parts between backticks are code."""
 
     items: Sequence[str]
     title: str = ""
+    coded: bool = False
 
 
 @dataclass(frozen=True)
@@ -88,7 +90,7 @@ class Judgement:
     """The verdict in a frame, with sentences below it."""
 
     verdict: Verdict
-    texts: Sequence[str] = ()
+    texts: Sequence[Paragraph] = ()
 
 
 @dataclass(frozen=True)

@@ -99,7 +99,8 @@ def tone_of(state: str) -> Tone:
 
 
 def _summary(content: Mapping[str, Any], drawn: Mapping[str, Sequence[Figure]]) -> list[Block]:
-    texts = [f"Worst place: {content['worst']}", SURE if content["certainty"] else UNSURE]
+    sure = Paragraph(SURE) if content["certainty"] else Paragraph(UNSURE, coded=True)
+    texts = [Paragraph(f"Worst place: {content['worst']}"), sure]
     blocks: list[Block] = [Judgement(content["verdict"], texts)]
     if content["warnings"]:
         blocks.append(Points(content["warnings"], "Warnings"))
@@ -126,11 +127,11 @@ def _criteria(content: Mapping[str, Any]) -> list[Block]:
     notes = content["assessment"].notes
     blocks: list[Block] = [
         Table(columns, rows),
-        Paragraph("Margin: distance to the limit with its tolerance, negative beyond it.", True),
+        Paragraph("Margin: distance to the limit with its tolerance, negative beyond it.", soft=True),
     ]
     if notes:
-        blocks.append(Points(notes, "Notes"))
-    return [*blocks, Paragraph(content["marks_mean"], True), _pairs(content["marks"])]
+        blocks.append(Points(notes, "Notes", coded=True))
+    return [*blocks, Paragraph(content["marks_mean"], soft=True), _pairs(content["marks"])]
 
 
 def _numbers(content: Mapping[str, Any]) -> list[Block]:
@@ -143,7 +144,7 @@ def _numbers(content: Mapping[str, Any]) -> list[Block]:
         for part in content["numbers"]
         for label, unit, values in part
     ]
-    blocks: list[Block] = [Paragraph(content["numbers_of"], True), Table(columns, rows)]
+    blocks: list[Block] = [Paragraph(content["numbers_of"], soft=True), Table(columns, rows)]
     if content["reference_rows"]:
         blocks += [Heading("Published ranges"), _published(content["reference_rows"])]
     return blocks
@@ -186,7 +187,7 @@ def _certainty(content: Mapping[str, Any]) -> list[Block]:
     ]
     return [
         *(Paragraph(text) for text in content["certainty_words"]),
-        Paragraph(content["certainty_reads"], True),
+        Paragraph(content["certainty_reads"], soft=True),
         Table(columns, rows),
     ]
 
@@ -194,22 +195,22 @@ def _certainty(content: Mapping[str, Any]) -> list[Block]:
 def _model(content: Mapping[str, Any]) -> Iterator[Block]:
     yield Paragraph(
         "Values as given in the files, and in SI units below where these are others. Marks are"
-        " explained under Criteria, sources at the end.", True,
+        " explained under Criteria, sources at the end.", soft=True,
     )  # fmt: skip
     for group in content["groups"]:
         yield Heading(group.title)
         if group.description:
-            yield Paragraph(_plain(group.description), True)
+            yield Paragraph(group.description, soft=True)
         if group.given:
             yield _values(group.given)
         if group.left_out:
-            yield Paragraph(f"{group.left_out} more values are in the result file.", True)
+            yield Paragraph(f"{group.left_out} more values are in the result file.", soft=True)
 
 
 def _defaults(content: Mapping[str, Any]) -> Iterator[Block]:
     groups: list[Group] = content["groups"]
     if any(group.defaults for group in groups):
-        yield Paragraph("Values that nobody gave.", True)
+        yield Paragraph("Values that nobody gave.", soft=True)
     for group in groups:
         if group.defaults:
             yield from (Heading(group.title), _values(group.defaults))
@@ -237,7 +238,7 @@ def _computation(
             Paragraph("The command that computes this run:"), Code(content["facts"]["command"])
         ]  # fmt: skip
     if content["energies"]:
-        columns = [Column("term", 1.0), Column("meaning", 2.0), Column("at the end, J", 0.0, True)]
+        columns = [Column("term", 1.0), Column("meaning", 2.0), Column("at the end, J", is_number=True)]
         blocks += [
             *(Pictures([one]) for one in drawn["energy"]),
             Table(columns, [list(row) for row in content["energies"]]),
@@ -259,8 +260,3 @@ def _sources(content: Mapping[str, Any]) -> list[Block]:
 
 def _pairs(found: Mapping[str, str]) -> Pairs:
     return Pairs(list(found.items()))
-
-
-def _plain(text: str) -> str:
-    """Return a user's text without marks of code."""
-    return text.replace("`", "'")

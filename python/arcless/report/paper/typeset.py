@@ -28,8 +28,9 @@ SUFFIX = ".pdf"
 STANDARDS = ["a-2a", "ua-1"]
 # Width of the text, and of figures of which so many stand next to each other, in mm.
 WIDTH_MM, GAP_MM = 170.0, 6.0
-# Height of figures over that on a page of the screen: three have room on a page of paper.
-HEIGHT = 0.72
+# Height of figures over that on a page of the screen: alone, where three have room on a page of
+# paper, and next to others.
+HEIGHT, PAIRED_HEIGHT = 0.72, 0.62
 # Letters that are missing are named up to this number.
 _MOST_NAMED = 10
 _TEMPLATE = Path(__file__).with_name("document.typ")
@@ -162,11 +163,12 @@ def _drawn(figures: Sequence[Figure]) -> Iterator[dict[str, Any]]:
     """Draw figures that stand next to each other."""
     count = len(figures)
     width = (WIDTH_MM - (count - 1) * GAP_MM) / count
+    height = HEIGHT if count == 1 else PAIRED_HEIGHT
     for figure in figures:
         with warnings.catch_warnings():
             # Letters that are missing are told once for the whole document.
             warnings.filterwarnings("ignore", message="Glyph .* missing from", category=UserWarning)
-            drawn = paper.svg(figure, width_mm=width, factor=HEIGHT)
+            drawn = paper.svg(figure, width_mm=width, factor=height)
         yield {
             "svg": drawn,
             "width": width,
