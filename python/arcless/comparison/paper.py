@@ -147,7 +147,9 @@ def _changes(content: Mapping[str, Any]) -> list[Block]:
     blocks.append(_fields(content["fields"], content))
     more = content["count"] - len(content["fields"])
     if more:
-        blocks.append(Paragraph(f"{more} more are in the output of `arcless compare --json`.", coded=True))
+        blocks.append(
+            Paragraph(f"{more} more are in the output of `arcless compare --json`.", coded=True)
+        )
     return blocks
 
 

@@ -114,9 +114,7 @@ class Heading:
     title: str
 
 
-Block = (
-    Paragraph | Points | Pairs | Code | Table | Judgement | Bars | Pictures | Heading
-)
+Block = Paragraph | Points | Pairs | Code | Table | Judgement | Bars | Pictures | Heading
 
 
 @dataclass(frozen=True)

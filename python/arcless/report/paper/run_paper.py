@@ -30,13 +30,11 @@ from arcless.report.paper.blocks import (
 from arcless.report.reported_run import ReportedRun
 from arcless.report.run_content import Rows, run_content
 
-UNSURE = (
-    "The certainty of the numbers was not determined; `arcless run --certainty` does that."
-)
+UNSURE = "The certainty of the numbers was not determined; `arcless run --certainty` does that."
 SURE = "± is the spread over starts and the error of discretisation, see Certainty of the numbers."
 # Verdict on a criterion, or place in a published range → meaning of its colour.
 _TONES: dict[str, Tone] = {
-    "met": "met", "inside": "met", "missed": "not_met", "outside": "not_met"
+    "met": "met", "inside": "met", "missed": "not_met", "outside": "not_met", "absent": ""
 }  # fmt: skip
 
 
@@ -67,10 +65,7 @@ def document(
         Section("Summary", _summary(content, drawn)),
         Section(f"Criteria, {run.assessment.supply}", _criteria(content)),
         Section("Numbers", _numbers(content)),
-        *(
-            Section(title, list(_pictures(names, drawn)))
-            for _, title, names in content["sections"]
-        ),
+        *(Section(title, list(_pictures(names, drawn))) for _, title, names in content["sections"]),
     ]
     if content["certainty"]:
         sections.append(Section("Certainty of the numbers", _certainty(content)))
@@ -127,7 +122,9 @@ def _criteria(content: Mapping[str, Any]) -> list[Block]:
     notes = content["assessment"].notes
     blocks: list[Block] = [
         Table(columns, rows),
-        Paragraph("Margin: distance to the limit with its tolerance, negative beyond it.", soft=True),
+        Paragraph(
+            "Margin: distance to the limit with its tolerance, negative beyond it.", soft=True
+        ),
     ]
     if notes:
         blocks.append(Points(notes, "Notes", coded=True))
@@ -229,16 +226,18 @@ def _values(rows: Sequence[Row]) -> Table:
     return Table([columns[k] for k in used], [[row[k] for k in used] for row in cells])
 
 
-def _computation(
-    content: Mapping[str, Any], drawn: Mapping[str, Sequence[Figure]]
-) -> list[Block]:
+def _computation(content: Mapping[str, Any], drawn: Mapping[str, Sequence[Figure]]) -> list[Block]:
     blocks: list[Block] = [Pairs(content["computation"])]
     if content["facts"]["command"]:
         blocks += [
             Paragraph("The command that computes this run:"), Code(content["facts"]["command"])
         ]  # fmt: skip
     if content["energies"]:
-        columns = [Column("term", 1.0), Column("meaning", 2.0), Column("at the end, J", is_number=True)]
+        columns = [
+            Column("term", 1.0),
+            Column("meaning", 2.0),
+            Column("at the end, J", is_number=True),
+        ]
         blocks += [
             *(Pictures([one]) for one in drawn["energy"]),
             Table(columns, [list(row) for row in content["energies"]]),
