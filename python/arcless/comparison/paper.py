@@ -154,7 +154,7 @@ def _changes(content: Mapping[str, Any]) -> list[Block]:
 
 
 def _fields(rows: Sequence[Field], content: Mapping[str, Any]) -> Table:
-    cells = [
+    cells: list[list[Cell | str]] = [
         [one.path, *(_value(one, run) for run in range(len(content["names"])))] for one in rows
     ]
     return Table(_heads(content, Column("field", 1.8, is_code=True), is_number=False), cells)

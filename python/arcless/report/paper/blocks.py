@@ -7,6 +7,7 @@ from typing import Literal
 from arcless.figures.description import Figure
 from arcless.report.summary import Bullet, Verdict
 
+TableRows = Sequence[Sequence["Cell | str"]]
 Tone = Literal["", "met", "not_met", "open", "soft"]
 
 
@@ -37,12 +38,15 @@ class Column:
         Whether it stands to the right.
     is_code
         Whether its texts are names of fields or commands.
+    below
+        Smaller text below the title, such as the unit.
     """
 
     title: str
     share: float = 0.0
     is_number: bool = False
     is_code: bool = False
+    below: str = ""
 
 
 @dataclass(frozen=True)
@@ -82,7 +86,7 @@ class Table:
     """A table, which goes on over as many pages as it needs."""
 
     columns: Sequence[Column]
-    rows: Sequence[Sequence[Cell | str]]
+    rows: TableRows
 
 
 @dataclass(frozen=True)
@@ -119,10 +123,11 @@ Block = Paragraph | Points | Pairs | Code | Table | Judgement | Bars | Pictures 
 
 @dataclass(frozen=True)
 class Section:
-    """A section with its number, or an appendix with its letter."""
+    """A section with its number, or an appendix with its letter; maybe on pages on their side."""
 
     title: str
     blocks: Sequence[Block]
+    on_side: bool = False
 
 
 @dataclass(frozen=True)

@@ -45,7 +45,7 @@ def settable_text(text: str) -> str:
 def _set(found: re.Match[str]) -> str:
     letter = found[0]
     if letter in "\t\n\r":
-        return " "
+        return "\n" if letter == "\n" else " "
     is_letter = unicodedata.category(letter) not in _NO_LETTERS and ord(letter) in _known()
     return letter if is_letter else INSTEAD
 

@@ -152,7 +152,7 @@ def _published(rows: Sequence[Mapping[str, str]]) -> Table:
         Column("quantity", 2.0), Column("this run", is_number=True), Column("from", is_number=True),
         Column("to", is_number=True), Column("verdict", 1.0), Column("mark"), Column("source", 2.0),
     ]  # fmt: skip
-    cells = [
+    cells: list[list[Cell | str]] = [
         [
             row["quantity"], row["value"], row["low"], row["high"],
             Cell(row["verdict"], tone=tone_of(row["verdict"])), row["mark"], row["source"],
@@ -218,7 +218,9 @@ def _values(rows: Sequence[Row]) -> Table:
         Column("field", 2.6, is_code=True), Column("value", 2.0), Column("mark"),
         Column("source", 1.1), Column("note", 2.0),
     ]  # fmt: skip
-    cells = [[row.path, Cell(row.value, row.si), row.mark, row.source, row.note] for row in rows]
+    cells: list[list[Cell | str]] = [
+        [row.path, Cell(row.value, row.si), row.mark, row.source, row.note] for row in rows
+    ]
     used = [
         place for place, column in enumerate(columns)
         if column.title in ("field", "value") or any(row[place] for row in cells)

@@ -1,8 +1,9 @@
 """Document → PDF by typst: PDF/UA-1 and PDF/A-2a, the same bytes on every machine.
 
 All texts go to the template `document.typ` as data, none as markup. PDF/UA-1 (ISO 14289-1) and
-PDF/A-2a (ISO 19005-2) want tags, embedded fonts, and words for each figure: typst refuses a document
-that lacks them. Fonts of the system are not looked at, the date is that of what is reported.
+PDF/A-2a (ISO 19005-2) want tags, embedded fonts, and words for each figure: typst refuses a
+document that lacks them. Fonts of the system are not looked at, the date is that of what is
+reported.
 """
 
 import json
@@ -13,19 +14,22 @@ from datetime import UTC, datetime
 from functools import singledispatch
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from arcless.errors import OutputError
 from arcless.figures import paper
-from arcless.figures.description import Figure
+from arcless.figures.description import Figure, Map, Texts
 from arcless.figures.description.tokens import tokens
 from arcless.report.paper import blocks, letters
 from arcless.report.paper import fields as cover
 from arcless.storage.whole_files import check_writable, write_bytes
 from arcless.units import show
 
+if TYPE_CHECKING:
+    from typst import PDFStandard
+
 SUFFIX = ".pdf"
-STANDARDS = ["a-2a", "ua-1"]
+STANDARDS: "list[PDFStandard]" = ["a-2a", "ua-1"]
 # Width of the text, and of figures of which so many stand next to each other, in mm.
 WIDTH_MM, GAP_MM = 170.0, 6.0
 # Height of figures over that on a page of the screen: alone, where three have room on a page of
@@ -163,8 +167,8 @@ def _drawn(figures: Sequence[Figure]) -> Iterator[dict[str, Any]]:
     """Draw figures that stand next to each other."""
     count = len(figures)
     width = (WIDTH_MM - (count - 1) * GAP_MM) / count
-    height = HEIGHT if count == 1 else PAIRED_HEIGHT
     for figure in figures:
+        height = PAIRED_HEIGHT if count > 1 else 1.0 if _is_lettered_map(figure) else HEIGHT
         with warnings.catch_warnings():
             # Letters that are missing are told once for the whole document.
             warnings.filterwarnings("ignore", message="Glyph .* missing from", category=UserWarning)
@@ -176,3 +180,9 @@ def _drawn(figures: Sequence[Figure]) -> Iterator[dict[str, Any]]:
             "caption": figure.caption,
             "alt": figure.alt or figure.title,
         }
+
+
+def _is_lettered_map(figure: Figure) -> bool:
+    """Return whether a figure has texts in cells of a map, which need their room."""
+    kinds = {type(layer) for layer in figure.layers}
+    return {Map, Texts} <= kinds

@@ -21,7 +21,6 @@ from arcless.study.report.figures.scatters import (
 from arcless.study.report.figures.speeds import SpeedMarks, marks
 from arcless.study.report.sensitivity import sections
 
-
 Groups = list[tuple[Column | None, list[Figure]]]
 
 GRIDS = (
@@ -101,6 +100,7 @@ def study_content(record: Record) -> StudyContent:
             "stops": wording.STOPS,
             "reasons": wording.reasons(record.study.file),
         },
+        "again": wording.again(record.study.file),
     }
     return StudyContent(texts, figures, canvas)
 

@@ -1,5 +1,7 @@
 """Sentences of a study's report that page and paper have in common; between backticks is code."""
 
+import shlex
+
 from arcless.study.definition.study import Study
 from arcless.study.folder.status import StudyStatus
 
@@ -87,4 +89,16 @@ def reasons(file: str | None) -> str:
     return (
         "invalid: the values make no scenario that can be computed; failed: the computation"
         f" failed{again}."
+    )
+
+
+def again(file: str | None) -> str:
+    """Return the commands that compute a study again; empty for one without a file."""
+    if not file:
+        return ""
+    name = shlex.quote(file)
+    return (
+        f"arcless study run {name} --out NEW_FOLDER\n"
+        f"arcless study variant {name} NUMBER --to variant.yaml"
+        "   # any variant, as `arcless run` takes it"
     )
