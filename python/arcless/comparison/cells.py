@@ -9,6 +9,8 @@ MAIN = (
     "contact_loss_percent", "max_uplift_at_support_mm", "min_dropper_force_N",
 )  # fmt: skip
 NONE = "–"
+# Of a difference that is no larger than its uncertainty, as of a criterion.
+TOO_CLOSE = "too close to tell"
 
 
 def value(one: Indicator, run: int) -> str:
@@ -17,8 +19,16 @@ def value(one: Indicator, run: int) -> str:
 
 
 def difference(one: Indicator, run: int) -> str:
-    """Return the difference to the first run with its sign and its percentage, where it has one."""
+    """Return the difference to the first run with its sign, and its ± and percentage if known.
+
+    One that is smaller than its ± has the words for that and no percentage.
+    """
     text = signed(one.differences[run], one.decimals)
+    sure = number(one.difference_uncertainties[run], one.decimals)
+    if one.difference_uncertainties[run] is not None and float(sure):
+        text = f"{text} ± {sure}"
+    if one.too_close_to_tell(run):
+        return f"{text} ({TOO_CLOSE})"
     share = one.percents[run]
     return text if share is None else f"{text} ({signed(share, 1)}\u00a0%)"
 

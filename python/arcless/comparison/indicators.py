@@ -1,7 +1,18 @@
-"""Indicators of runs side by side, their differences to the first run, and verdicts."""
+"""Indicators of runs side by side, their differences to the first run, and verdicts.
 
-from collections.abc import Sequence
+With the spreads s₁, s₂ and the errors of discretisation e₁, e₂ of two numbers, as
+assess/certainty.py defines them, their difference is sure to
+
+    u = √(s₁² + s₂²) + e₁ + e₂.
+
+Spreads are of draws that know nothing of each other, so their squares add up; errors of
+discretisation have a size and a sign each, which may be opposite (GUM, JCGM 100:2008, 5.1.2 and
+F.2.4.5, from memory). A difference that is no larger than u is too close to tell.
+"""
+
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
+from math import hypot
 from typing import Any
 
 from arcless.assess import Assessment, Criterion, decimals_of, uncertainty_of, verdict_of
@@ -32,6 +43,9 @@ class Indicator:
     percents
         Differences in % of the size of the first value; None also where that is zero, and for
         quantities that are percentages.
+    difference_uncertainties
+        Half widths of the differences in the same unit; None where one of the two runs has no
+        certainty, and for the first run.
     """
 
     key: str
@@ -43,6 +57,15 @@ class Indicator:
     uncertainties: Values
     differences: Values
     percents: Values
+    difference_uncertainties: Values
+
+    def too_close_to_tell(self, run: int) -> bool:
+        """Return whether the difference of a run is no larger than its uncertainty.
+
+        Numbers that are sure and equal, such as two zeros, are equal: nothing is to tell.
+        """
+        difference, most = self.differences[run], self.difference_uncertainties[run]
+        return bool(difference is not None and most and abs(difference) <= most)
 
 
 @dataclass(frozen=True)
@@ -109,18 +132,32 @@ def _indicator(
     first: Assessment, key: str, quantity: Quantity, pantograph: str | None, parts: Sequence[Any]
 ) -> Indicator:
     values = tuple(None if part is None else getattr(part, key) for part in parts)
-    sure = tuple(
-        None if part is None else uncertainty_of((part.certainty or {}).get(key)) for part in parts
-    )
+    certainties = [None if part is None else (part.certainty or {}).get(key) for part in parts]
+    sure = tuple(uncertainty_of(one) for one in certainties)
+    unsure = tuple(_unsure(certainties[0], one) if run else None
+                   for run, one in enumerate(certainties))  # fmt: skip
     differences = tuple(_difference(values[0], value) for value in values)
     percents = tuple(_percent(values[0], one, quantity.unit) for one in differences)
     label = label_of(key, low_pass_Hz=first.low_pass_Hz, band_split_Hz=first.band_split_Hz)
     return Indicator(key, label, quantity.unit, quantity.decimals, pantograph, values, sure,
-                     differences, percents)  # fmt: skip
+                     differences, percents, unsure)  # fmt: skip
 
 
 def _difference(first: float | None, value: float | None) -> float | None:
     return None if first is None or value is None else value - first
+
+
+def _unsure(
+    first: Mapping[str, float | None] | None, other: Mapping[str, float | None] | None
+) -> float | None:
+    """Return u of the difference of two numbers; None where one has no certainty."""
+    if uncertainty_of(first) is None or uncertainty_of(other) is None:
+        return None
+    (s1, e1), (s2, e2) = (
+        ((one or {}).get("spread") or 0.0, (one or {}).get("discretisation") or 0.0)
+        for one in (first, other)
+    )
+    return hypot(s1, s2) + e1 + e2
 
 
 def _percent(first: float | None, difference: float | None, unit: str) -> float | None:

@@ -1,6 +1,7 @@
 """Comparisons of results that were written down, not computed: every number is known."""
 
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -9,8 +10,10 @@ import pytest
 
 import arcless
 from arcless.comparison import compare
-from arcless.comparison.cells import signed
+from arcless.comparison.cells import difference, signed
 from arcless.comparison.fields import changed_fields
+from arcless.comparison.indicators import indicators
+from arcless.comparison.runs import Slot
 from arcless.errors import ComparisonError
 from arcless.figures.description import Bars, Curve, Figure
 from arcless.model import load
@@ -231,3 +234,44 @@ def test_more_runs_than_colours_have_tables_only() -> None:
 )
 def test_differences_have_their_sign(value: float | None, text: str) -> None:
     assert signed(value, 1) == text
+
+
+def sure(result: Result, spread: float | None, discretisation: float | None) -> Any:
+    """Return the assessment with a certainty of its mean force, as `--certainty` adds it."""
+    assessed = result.assessment
+    known = {"mean_force_N": {"spread": spread, "discretisation": discretisation}}
+    return replace(
+        assessed, pantographs=[replace(one, certainty=known) for one in assessed.pantographs]
+    )
+
+
+@pytest.mark.parametrize(
+    ("shift", "text"),
+    [
+        # u = √(3² + 4²) + 1 + 0.5 = 6.5.
+        (6.0, "+6.0 ± 6.5 (too close to tell)"),
+        (7.0, "+7.0 ± 6.5 (+7.0\u00a0%)"),
+        (-7.0, "−7.0 ± 6.5 (−7.0\u00a0%)"),
+    ],
+)
+def test_a_difference_within_its_uncertainty_is_too_close_to_tell(shift: float, text: str) -> None:
+    first, other = sure(made(100.0), 3.0, 1.0), sure(made(100.0 + shift), 4.0, 0.5)
+    found = indicators([first, other], [Slot("P1", (0, 0))])
+    mean = next(one for one in found if one.key == "mean_force_N")
+    assert mean.difference_uncertainties == (None, pytest.approx(6.5))
+    assert difference(mean, 1) == text
+
+
+def test_equal_numbers_without_uncertainty_are_equal() -> None:
+    first, other = sure(made(), 0.0, 0.0), sure(made(), 0.0, 0.0)
+    mean = indicators([first, other], [Slot("P1", (0, 0))])[0]
+    assert not mean.too_close_to_tell(1)
+    assert difference(mean, 1) == "0.0 (0.0\u00a0%)"
+
+
+def test_without_the_certainty_of_both_runs_a_difference_has_none() -> None:
+    first, other = sure(made(100.0), 3.0, 1.0), made(101.0).assessment
+    mean = indicators([first, other], [Slot("P1", (0, 0))])[0]
+    assert mean.key == "mean_force_N"
+    assert mean.difference_uncertainties == (None, None)
+    assert difference(mean, 1) == "+1.0 (+1.0\u00a0%)"
