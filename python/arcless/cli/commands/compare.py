@@ -5,6 +5,7 @@ from typing import Annotated
 
 import typer
 
+from arcless.cli.arguments.paper import FieldOption, PdfOption, fields_for
 from arcless.cli.arguments.scenario import JsonOption, QuietOption
 from arcless.cli.terminal import console
 
@@ -31,6 +32,8 @@ def compare(
             show_default=False,
         ),
     ] = None,
+    pdf: PdfOption = None,
+    field: FieldOption = None,
     json: JsonOption = False,
     quiet: QuietOption = False,
 ) -> None:
@@ -40,9 +43,12 @@ def compare(
     """
     from arcless.comparison import compare as compare_runs
 
+    fields = fields_for(pdf, field)
     compared = compare_runs(runs)
     if out is not None:
         compared.write_report(out)
+    if pdf is not None:
+        compared.write_pdf(pdf, fields=fields)
     if json:
         console.data(console.json_text(compared.to_dict()))
         return
@@ -56,5 +62,6 @@ def compare(
         tables.numbers(compared),
         tables.verdicts(compared),
     )
-    if out is not None:
-        console.data(f"wrote {out}")
+    for file in (out, pdf):
+        if file is not None:
+            console.data(f"wrote {file}")

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from arcless.cli.arguments.paper import FieldOption, PdfOption, fields_for
 from arcless.cli.arguments.scenario import JsonOption, QuietOption
 from arcless.cli.output.outcome import finish
 from arcless.cli.terminal import console
@@ -84,18 +85,32 @@ def report(
         typer.Option(
             "--out",
             metavar="FILE",
-            help="The file to write; report.html beside the result if not named.",
+            help="The page to write; report.html beside the result if neither it nor --pdf is"
+            " named.",
             show_default=False,
         ),
     ] = None,
+    pdf: PdfOption = None,
+    field: FieldOption = None,
 ) -> None:
-    """Write the HTML report of a saved run again."""
+    """Write the report of a saved run again: the HTML page, or a PDF file, or both.
+
+    With --pdf alone only the PDF file is written.
+    """
+    from arcless.cli.output.outcome import reference_rows
     from arcless.results import open as open_result
     from arcless.results import result_file
 
-    target = out or result_file(result).with_name("report.html")
-    open_result(result).write_report(target)
-    console.data(f"wrote {target}")
+    fields = fields_for(pdf, field)
+    opened = open_result(result)
+    rows = reference_rows(opened.scenario, opened.assessment.to_dict())
+    page = out if out or pdf else result_file(result).with_name("report.html")
+    if page is not None:
+        opened.write_report(page, reference_rows=rows)
+        console.data(f"wrote {page}")
+    if pdf is not None:
+        opened.write_pdf(pdf, fields=fields, reference_rows=rows)
+        console.data(f"wrote {pdf}")
 
 
 def _quantity(option: str, text: str | None, unit: str) -> float | None:
