@@ -52,8 +52,9 @@ def _set(found: re.Match[str]) -> str:
 
 def lacking(texts: Iterable[str]) -> str:
     """Return the letters of some texts that are not in the typeface, each once, in order."""
-    known = _known()
-    found = {c for text in texts if not text.isascii() for c in text}
+    known, found = _known(), set[str]()
+    for text in texts:
+        found.update("" if text.isascii() else text)
     return "".join(sorted(c for c in found if c.isprintable() and ord(c) not in known))
 
 

@@ -91,23 +91,13 @@ def pdf(document: blocks.Document, fields: Mapping[str, str]) -> bytes:
     """
     import typst
 
-    cover.check_fields(fields)
-    data = _data(document, fields)
-    missing = letters.lacking(letters.texts_of(data))
-    if missing:
-        named = " ".join(missing[:_MOST_NAMED]) + (" …" if missing[_MOST_NAMED:] else "")
-        warnings.warn(
-            f"{len(missing)} letters are not in the typeface of the document, and shown as"
-            f" {letters.INSTEAD}: {named}",
-            letters.MissingLettersWarning,
-            stacklevel=2,
-        )
+    given = inputs(document, fields)
     try:
         made = typst.compile(
             _TEMPLATE,
             root=_TEMPLATE.parent,
             format="pdf",
-            sys_inputs={"data": json.dumps(letters.settable(data), ensure_ascii=False)},
+            sys_inputs=given,
             font_paths=[letters.fonts()],
             ignore_system_fonts=True,
             pdf_standards=STANDARDS,
@@ -115,11 +105,34 @@ def pdf(document: blocks.Document, fields: Mapping[str, str]) -> bytes:
         )
     except typst.TypstError as error:
         raise OutputError(
-            "the document cannot be typeset", got=f"`{error.message}` of typst",
-            hint="the page (`--out`) tells the same; please report this",
-        ) from error  # fmt: skip
+            "the document cannot be typeset",
+            got=f"`{error}` of typst",
+            hint="the HTML page tells the same; please report this",
+        ) from error
     assert isinstance(made, bytes), "typst gives a document of one file"
     return made
+
+
+def inputs(document: blocks.Document, fields: Mapping[str, str]) -> dict[str, str]:
+    """Return what the template reads: all texts and drawings, as JSON.
+
+    Raises
+    ------
+    OutputError
+        A field is empty or too long.
+    """
+    cover.check_fields(fields)
+    data = _data(document, fields)
+    missing = letters.lacking(letters.texts_of(data))
+    if missing:
+        named = " ".join(missing[:_MOST_NAMED]) + (" …" if missing[_MOST_NAMED:] else "")
+        warnings.warn(
+            f"letters that the typeface of the document lacks are shown as {letters.INSTEAD}:"
+            f" {named}",
+            letters.MissingLettersWarning,
+            stacklevel=2,
+        )
+    return {"data": json.dumps(letters.settable(data), ensure_ascii=False)}
 
 
 def _seconds(date: str) -> int:
