@@ -1,4 +1,4 @@
-"""PDF files as tests read them: by poppler's programs where they are, and by what typst was given."""
+"""PDF files as tests read them: by poppler's programs where they are; texts of documents."""
 
 import shutil
 import subprocess

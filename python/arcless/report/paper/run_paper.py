@@ -134,8 +134,10 @@ def _criteria(content: Mapping[str, Any]) -> list[Block]:
 def _numbers(content: Mapping[str, Any]) -> list[Block]:
     names = [one.name for one in content["assessment"].pantographs]
     columns = [
-        Column("quantity", 1.0), *(Column(name, is_number=True) for name in names), Column("unit")
-    ]  # fmt: skip
+        Column("quantity", 1.0),
+        *(Column(name, 0.35, is_number=True) for name in names),
+        Column("unit"),
+    ]
     rows = [
         [label, *(Cell(value, wide=len(names) // len(values)) for value in values), unit]
         for part in content["numbers"]

@@ -33,7 +33,5 @@ def test_tabs_are_blanks() -> None:
 
 
 def test_letters_of_other_faces_are_told_once_each() -> None:
-    assert settable({"name": ["中文", 1.5, None, True]}) == {
-        "name": [INSTEAD * 2, 1.5, None, True]
-    }
+    assert settable({"name": ["中文", 1.5, None, True]}) == {"name": [INSTEAD * 2, 1.5, None, True]}
     assert lacking(texts_of({"a": "中文中", "b": ["文", 3]})) == "中文"

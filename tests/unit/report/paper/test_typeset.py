@@ -1,4 +1,4 @@
-"""PDF files: accessible, for the archive, the same bytes anywhere, with users' texts as they are."""
+"""PDF files: accessible, for archives, the same bytes anywhere, users' texts as they are."""
 
 import json
 import os
