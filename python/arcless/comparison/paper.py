@@ -24,7 +24,7 @@ from arcless.report.paper.blocks import (
 )
 from arcless.report.paper.run_paper import tone_of
 
-# What the table of runs tells of each, by key and label.
+# Facts in the table of runs, by key and label.
 _OF_RUNS = {
     "scenario": "scenario", "line": "line", "pantographs": "pantographs", "speed": "speed",
     "section": "section", "computed": "computed", "version": "Arcless",

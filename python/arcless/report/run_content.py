@@ -39,7 +39,7 @@ def run_content(
     drawn
         Its figures by their keys.
     reference_rows
-        Published values beside the run's own; see `report.write`.
+        Published values to compare with; see `report.write`.
     """
     facts, assessment, scenario = result.metadata, run.assessment, result.scenario
     data = groups(scenario)

@@ -123,7 +123,7 @@ class Result:
         fields
             Fields of the cover by their names, in the order in which they are to stand there:
             ``author`` also stands in the properties of the file, ``document`` in the head of each
-            page; ``prepared``, ``checked`` and ``approved`` beside the lines for signatures.
+            page; ``prepared``, ``checked`` and ``approved`` at the lines for signatures.
         **options
             `assessment` and `reference_rows` of `arcless.report.write`.
 

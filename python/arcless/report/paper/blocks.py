@@ -33,7 +33,7 @@ class Column:
     title
         Title; it is repeated on each page.
     share
-        Part of the width that it takes beside the others; 0 for as much as its texts need.
+        Part of the width that it takes of those with one; 0 for as much as its texts need.
     is_number
         Whether it stands to the right.
     is_code
@@ -83,7 +83,7 @@ class Code:
 
 @dataclass(frozen=True)
 class Table:
-    """A table, which goes on over as many pages as it needs."""
+    """A table, on as many pages as it needs."""
 
     columns: Sequence[Column]
     rows: TableRows

@@ -7,7 +7,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-# What is set in place of a letter that cannot be.
+# Set in place of a letter that cannot be.
 INSTEAD = "\ufffd"
 # Categories of Unicode that are no letters: they steer, are private, or nothing. PDF/A refuses some
 # of them, and a name in which the order of letters is turned round could be read as another one.

@@ -81,7 +81,7 @@ def pdf(document: blocks.Document, fields: Mapping[str, str]) -> bytes:
         What it says.
     fields
         Fields of the cover by their names: ``author`` also stands in the properties of the file,
-        ``document`` in the head of each page, ``prepared``, ``checked`` and ``approved`` beside the
+        ``document`` in the head of each page, ``prepared``, ``checked`` and ``approved`` at the
         lines for signatures; all others are listed as they are.
 
     Raises

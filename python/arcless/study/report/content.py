@@ -50,7 +50,7 @@ class Section:
 
 @dataclass(frozen=True)
 class StudyContent:
-    """What a report of a study shows.
+    """Content of a report of a study.
 
     Attributes
     ----------
