@@ -191,7 +191,7 @@ def test_the_same_bytes_on_any_machine(tmp_path: Path) -> None:
     other = tmp_path / "other"
     for folder in (".fonts", ".config/matplotlib", ".local/share/fonts", "tmp"):
         (other / folder).mkdir(parents=True)
-    (other / ".config/matplotlib/matplotlibrc").write_text("font.size: 30\nsvg.fonttype: path\n")
+    (other / ".config/matplotlib/matplotlibrc").write_text("xtick.direction: in\nfont.weight: bold\nsvg.fonttype: path\n")
     serif = TTFont(fonts() / "DejaVuSerif.ttf")  # a font that says it is the one of the document
     for record in serif["name"].names:
         record.string = str(record).replace("Serif", "Sans")
@@ -205,6 +205,17 @@ def test_the_same_bytes_on_any_machine(tmp_path: Path) -> None:
     first, second = (_made_under(one) for one in (given, changed))
     assert len(first) > 10_000
     assert first == second
+
+
+def test_fonts_of_the_system_are_not_looked_at(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: dict[str, Any] = {}
+    compiled = typst.compile
+    monkeypatch.setattr(
+        typst, "compile", lambda *words, **named: asked.update(named) or compiled(*words, **named)
+    )
+    typeset.pdf(everything(), {})
+    assert asked["ignore_system_fonts"] is True
+    assert asked["font_paths"] == [fonts()]
 
 
 def _made_under(environment: dict[str, str]) -> bytes:
