@@ -45,7 +45,7 @@ build: $(VENV)/.built ## make the environment in .venv with the command .venv/bi
 
 demo: build ## run the reference case AC simple at 320 km/h, say how sure it is; write its report
 	@rm -f runs/$(DEMO)/report.html
-	@$(BIN)/arcless run $(DEMO) --certainty \
+	@$(BIN)/arcless run $(DEMO) --certainty --overwrite \
 	|| { test $$? -eq 3 && test -s runs/$(DEMO)/report.html; } # a criterion not met is a result
 
 test: build $(BROWSER)/installed.json ## run every test: the Rust core, then the Python package

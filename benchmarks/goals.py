@@ -62,7 +62,7 @@ def of_spans(count: int) -> Scenario:
 def processes() -> list[list[str]]:
     """Whole processes, from the shell's point of view."""
     with TemporaryDirectory() as folder:
-        out = ("--out", str(Path(folder) / "out"))
+        out = ("--out", str(Path(folder) / "out"), "--overwrite")
         run = [*COMMAND, "run", REFERENCE, "--no-report", *out]
         helped, ran = process([*COMMAND, "--help"]), process(run)
         sure = process([*run, "--set", f"certainty={STARTS}"])

@@ -4,11 +4,21 @@ from arcless.assess.criteria import markdown_table
 from arcless.dataset.schema import markdown_tables
 from arcless.figures.run import FIGURES
 from arcless.model import MARKS
+from arcless.units import KINDS, spell
 
 
 def marks() -> str:
     rows = [f"| {mark} | {meaning} |" for mark, meaning in MARKS.items()]
     return "\n".join(["| mark | meaning |", "|---|---|", *rows])
+
+
+def units() -> str:
+    """Return the units of each physical kind, SI first."""
+    rows = []
+    for kind in KINDS.values():
+        shown = ", ".join(f"`{spell(unit)}`" for unit in kind.units if unit)
+        rows.append(f"| {kind.name.partition(' ')[2]} | {shown} |")
+    return "\n".join(["| kind | units |", "|---|---|", *rows])
 
 
 def figure_keys() -> str:
@@ -21,7 +31,7 @@ def figure_keys() -> str:
 
 
 QUICK = {
-    "reference/model-files": {"marks": marks},
+    "reference/model-files": {"marks": marks, "units": units},
     "reference/results": {"contents": markdown_tables},
     "guide/figures": {"keys": figure_keys},
     "guide/assessment": {"criteria": markdown_table},

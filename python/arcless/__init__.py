@@ -30,7 +30,7 @@ _NAMES = {
         "StudyError",
     ),
     "model": ("Scenario", "library", "load", "load_line", "load_pantograph"),
-    "results": ("Result", "open"),
+    "results": ("KeptRun", "Result", "open", "runs"),
     "comparison": ("Comparison", "compare"),
     "simulate": (
         "ControlInput",

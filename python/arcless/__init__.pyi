@@ -29,7 +29,7 @@ from arcless.errors import (
     StudyError,
 )
 from arcless.model import Scenario, library, load, load_line, load_pantograph
-from arcless.results import Result, open
+from arcless.results import KeptRun, Result, open, runs
 from arcless.simulate.batches.batch import Outcome, batch
 from arcless.simulate.resonance import ResonanceSpeeds, resonance_speeds
 from arcless.simulate.run import resume, run
@@ -47,6 +47,7 @@ __all__ = [
     "EquilibriumError",
     "ExecutorError",
     "FigureError",
+    "KeptRun",
     "MeshError",
     "ModelError",
     "Outcome",
@@ -78,6 +79,7 @@ __all__ = [
     "results",
     "resume",
     "run",
+    "runs",
     "simulate",
     "statics",
     "study",

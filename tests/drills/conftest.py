@@ -26,7 +26,7 @@ QUICK = {
 }
 # Where the folder holds an older run, it was slower: files of two runs cannot be mistaken.
 OLD, NEW = "140 km/h", "160 km/h"
-RUN = ["run", str(SHORT), "--out", "out", "--quiet", "--speed", NEW]
+RUN = ["run", str(SHORT), "--out", "out", "--overwrite", "--quiet", "--speed", NEW]
 RUN += [word for field, value in QUICK.items() for word in ("--set", f"{field}={value}")]
 
 Stop = Callable[[Job], End]

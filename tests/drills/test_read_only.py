@@ -112,6 +112,27 @@ def test_what_it_holds_can_be_read(
     assert check_whole(folder / "out") == OLD
 
 
+def test_what_nobody_may_look_into_is_listed_with_the_reason(
+    powerless: Callable[..., subprocess.CompletedProcess[str]], folder: Path
+) -> None:
+    folder.chmod(0o755)
+    modes = {"closed": 0o000, "names-only": 0o444}
+    for name, mode in modes.items():
+        (folder / name).mkdir()
+        (folder / name / "result.nc").touch()
+        (folder / name).chmod(mode)
+    done = powerless(folder, "-m", "arcless", "runs", ".", "--json")
+    for name in modes:
+        (folder / name).chmod(0o755)
+    assert done.returncode == 0, done.stderr
+    found = {one["path"]: one for one in json.loads(done.stdout)}
+    assert set(found) == {"out", *modes}
+    assert found["out"]["verdict"] in ("met", "not met")
+    for name in modes:
+        assert found[name]["verdict"] == "unreadable"
+        assert "Permission denied" in found[name]["reason"]
+
+
 @pytest.mark.parametrize("state", [pytest.param("at rest", marks=pytest.mark.evidence), "killed"])
 def test_a_study_can_be_looked_at(
     powerless: Callable[..., subprocess.CompletedProcess[str]], tmp_path: Path, state: str

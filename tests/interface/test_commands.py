@@ -66,6 +66,7 @@ COMMANDS = [
     "statics",
     "run",
     "resume",
+    "runs",
     "assess",
     "report",
     "validate",
@@ -187,7 +188,7 @@ def test_run_json_is_the_assessment_and_nothing_else(arcless: Arcless, short: Pa
     assert assessment["speed_m_s"] == pytest.approx(50.0, rel=1e-6)
     missed = any(item["passed"] is False for item in assessment["criteria"])
     assert done.exit_code == (3 if missed else 0)
-    assert sorted(path.name for path in Path("runs/short").iterdir()) == [
+    assert sorted(path.name for path in Path("runs/short-speed=180_km-h").iterdir()) == [
         "assessment.json",
         "result.nc",
     ]
@@ -314,7 +315,7 @@ def test_a_run_is_named_by_its_folder_or_its_file(
     (tmp_path / "empty").mkdir()
     refused = arcless(command, "empty")
     assert refused.exit_code == 2
-    assert "empty/result.nc" in refused.stderr
+    assert "empty: no run in this folder: got no result.nc" in refused.stderr
 
 
 def test_the_library_is_short_and_has_its_sources_on_demand(arcless: Arcless) -> None:

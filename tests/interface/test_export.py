@@ -167,12 +167,12 @@ def test_a_place_is_refused_before_anything_is_read(arcless: Command, to: str, w
 def test_what_is_no_run_is_refused(arcless: Command, finished: Path) -> None:
     Path("text.nc").write_text("no result")
     Path("sweep").mkdir()
-    Path("sweep/table.parquet").write_bytes(b"")
+    Path("sweep/study.json").write_bytes(b"")
     for source, words in (
         ("text.nc", "text.nc"),
         ("absent", "absent"),
-        ("sweep", "the folder of a study"),
-        ("speed-sweep", "a study file"),
+        ("sweep", "study in place of a run"),
+        ("speed-sweep", "this is a shipped study: `arcless study run speed-sweep`"),
     ):
         done = arcless("export", source, "--to", "run.csv")
         assert done.exit_code == 2, source

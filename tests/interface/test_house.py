@@ -41,6 +41,11 @@ def test_every_target_is_listed_and_expands() -> None:
     assert make("--dry-run", *TARGETS).returncode == 0
 
 
+def test_the_demo_replaces_its_own_run() -> None:
+    said = make("--dry-run", "demo").stdout
+    assert "arcless run en50318-ac-simple-320 " in said and " --overwrite " in said
+
+
 @pytest.mark.parametrize("tool", ["python", "rust"])
 def test_a_tool_that_is_missing_stops_make(poor_path: Path, tool: str) -> None:
     done = make(f"check-{tool}", path=str(poor_path))

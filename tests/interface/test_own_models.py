@@ -45,8 +45,8 @@ def test_what_is_shown_is_a_model_file(arcless: Command) -> None:
         (["show", "absent.yaml"], "absent.yaml"),
         (["show", "other.yaml"], "format"),
         (["new", "mine", "--from", "norway-s25-25"], "did you mean norway-s25-250"),
-        (["new", "mine", "--from", "dsa-250"], "arcless show dsa-250 > my-dsa-250.yaml"),
-        (["new", "mine", "--from", "speed-sweep"], "the shipped study speed-sweep"),
+        (["new", "mine", "--from", "dsa-250", "--with-pantographs"], "begin with a scenario"),
+        (["new", "mine", "--from", "pantograph/norway-s25"], "did you mean norway-s25"),
         (["new", "mine", "--from", "other.yaml"], "the file other.yaml"),
         (["new", "mine", "--from", "norway-s25", "--with-pantographs"], "begin with a scenario"),
         (["new", "mine", "--from", "norway-s25", "--to", "absent"], "no folder"),
@@ -77,8 +77,12 @@ def test_every_shipped_scenario_and_line_is_copied(name: str) -> None:
         assert new[0] + "\n" == HEADER
         changed = [line for line, was in zip(new[1:], old, strict=True) if line != was]
         assert all(line.strip(" -{").startswith(("name:", "line:", "model:")) for line in changed)
-    for source in shipped("line"):
-        assert list(copies(name, f"line/{source}")) == [f"{name}.yaml"]
+    for kind in ("line", "pantograph", "study"):
+        for source, file in shipped(kind).items():
+            ((own, text),) = copies(name, f"{kind}/{source}").items()
+            assert own == f"{name}.yaml"
+            assert text.startswith(HEADER)
+            assert text.count("\n") == file.read_text("utf-8").count("\n") + 1
 
 
 @pytest.mark.parametrize("extra", [[], ["--with-pantographs"]])
@@ -103,6 +107,18 @@ def test_a_line_is_copied_and_checked(arcless: Command) -> None:
     made = arcless("new", "mine", "--from", "norway-s25", "--to", "lines")
     assert "line: mine.yaml" in made.stdout
     assert arcless("check", "lines/mine.yaml").exit_code == 0
+
+
+def test_a_pantograph_is_copied_and_checked(arcless: Command) -> None:
+    made = arcless("new", "mine", "--from", "dsa-250")
+    assert "pantographs: [{model: mine.yaml}]" in made.stdout
+    assert arcless("check", "mine.yaml").exit_code == 0
+
+
+def test_a_study_is_copied_and_checked(arcless: Command) -> None:
+    made = arcless("new", "mine", "--from", "speed-sweep")
+    assert "and: arcless study run mine.yaml" in made.stdout
+    assert arcless("check", "mine.yaml").exit_code == 0
 
 
 def test_the_schema_stands_beside_and_editors_find_it(arcless: Command) -> None:

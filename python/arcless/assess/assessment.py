@@ -5,7 +5,7 @@ import json
 import math
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, fields, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
@@ -20,12 +20,15 @@ from arcless.assess.section import (
     section_notes,
 )
 from arcless.assess.statistics import PantographAssessment, pantograph_assessment
+from arcless.assess.tables import card, data_frame, headline, title_of
 from arcless.assess.wear import WearRates, wear_notes, wear_rates
 from arcless.dataset.metadata import metadata
 from arcless.errors import ModelError, ResultFormatError
 from arcless.model.fields.extremes import LEAST_FREQUENCY
 
 if TYPE_CHECKING:
+    import pandas
+
     from arcless.dataset.plain_dataset import Dataset
 
 
@@ -89,6 +92,24 @@ class Assessment:
     def to_json(self) -> str:
         """Return the assessment as JSON text; it never holds a NaN."""
         return json.dumps(self.to_dict(), indent=2, ensure_ascii=False, allow_nan=False)
+
+    def to_dataframe(
+        self, table: Literal["quantities", "criteria"] = "quantities"
+    ) -> "pandas.DataFrame":
+        """Return quantities over pantographs by their keys, or the criteria, as a data frame.
+
+        Raises
+        ------
+        OutputError
+            There is no such table.
+        """
+        return data_frame(self.to_dict(), table)
+
+    def __repr__(self) -> str:
+        return f"<Assessment {title_of(vars(self))}: {headline(self.criteria).text}>"
+
+    def _repr_html_(self) -> str:
+        return card(self.to_dict(), headline(self.criteria))
 
 
 def assess(

@@ -7,6 +7,7 @@ from typing import Any
 from arcless.assess.certainty import Certainty, Draws
 from arcless.assess.rules import ANY_SUPPLY, RULES, Facts, Rule, decides, mark_of, quantity_of
 from arcless.assess.statistics import PantographAssessment
+from arcless.display.numbers import number
 
 MET, NOT_MET = "met", "not met"
 # Beyond a limit that is only remembered or assumed.
@@ -45,6 +46,14 @@ class Criterion:
     def fails(self) -> bool:
         """True when it is not met, by a limit that decides: one that was not merely remembered."""
         return self.passed is False and decides(self.mark)
+
+    def __repr__(self) -> str:
+        data, decimals = asdict(self), decimals_of(asdict(self))
+        of = "" if self.pantograph is None else f" of {self.pantograph}"
+        unit = "" if self.unit == "1" else f" {self.unit}"
+        limit = f"{RELATION_SIGNS[self.relation]} {number(self.limit, decimals)}{allowance(data)}"
+        value = f"{number(self.value, decimals)}{unit}, limit {limit}{unit}"
+        return f"<Criterion {self.name}{of}: {value}: {verdict_of(data)}>"
 
 
 def verdict_of(criterion: Mapping[str, Any]) -> str:

@@ -7,8 +7,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from arcless.assess.loss_of_contact import arcing_percent, contact_loss_percent, longest_loss_s
 from arcless.assess.signals.filter import low_pass
+from arcless.assess.signals.loss_of_contact import (
+    arcing_percent,
+    contact_loss_percent,
+    longest_loss_s,
+)
+from arcless.display.numbers import number
 
 Array = NDArray[np.float64]
 
@@ -46,6 +51,10 @@ class PantographAssessment:
     wear_total_mm3_km: float | None = None
     certainty: dict[str, dict[str, float | None]] | None = None
     """Spread and discretisation by key; None where nobody asked."""
+
+    def __repr__(self) -> str:
+        forces = f"F_m {number(self.mean_force_N)} N, σ {number(self.std_force_N)} N"
+        return f"<PantographAssessment {self.name}: {forces}>"
 
 
 @dataclass(frozen=True)

@@ -15,6 +15,9 @@ def main() -> None:
     try:
         with start.permanent_objects():
             from arcless.cli.app import app
+            from arcless.cli.completion import scripts
+
+        scripts.listen()
 
         app(prog_name="arcless")
     except KeyboardInterrupt:  # while the commands themselves are still being imported

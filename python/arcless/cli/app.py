@@ -13,10 +13,12 @@ from arcless.cli.commands import (
     replay,
     resume,
     run,
+    runs,
     saved_results,
     study,
     validate,
 )
+from arcless.cli.completion import scripts
 from arcless.cli.process.guard import GuardedGroup
 from arcless.cli.terminal.console import data
 
@@ -67,11 +69,13 @@ for _command in (
     own_models.new,
     run.statics,
     resume.resume,
+    runs.runs,
     saved_results.assess,
     saved_results.report,
     compare.compare,
     export.export,
     replay.replay,
+    scripts.completion,
 ):
     app.command()(_command)
 

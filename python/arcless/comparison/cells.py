@@ -1,7 +1,7 @@
 """Numbers of a comparison as text, for the page and the terminal."""
 
 from arcless.comparison.indicators import Indicator, Judged
-from arcless.report.summary import number, pair
+from arcless.display.numbers import number, pair
 
 # Quantities of the first screen: those by which runs are judged first.
 MAIN = (

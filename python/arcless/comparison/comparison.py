@@ -3,14 +3,17 @@
 from collections.abc import Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
+from arcless.comparison import tables
 from arcless.comparison.compared import Compared, data_of
 from arcless.comparison.runs import opened
+from arcless.display.frames import frame
 from arcless.errors import ComparisonError
 from arcless.results import Result
 
 if TYPE_CHECKING:
+    import pandas
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure as Drawing
 
@@ -85,6 +88,26 @@ class Comparison(Compared):
         from arcless.comparison.paper import write
 
         write(self, self.figures, path, fields)
+
+    def to_dataframe(
+        self, table: Literal["numbers", "criteria", "fields"] = "numbers"
+    ) -> "pandas.DataFrame":
+        """Return numbers with their differences, criteria, or changed fields, as a data frame.
+
+        Raises
+        ------
+        OutputError
+            There is no such table.
+        """
+        made = {
+            "numbers": lambda: tables.number_columns(self),
+            "criteria": lambda: tables.criterion_columns(self),
+            "fields": lambda: tables.field_columns(self),
+        }
+        return frame(made, table)
+
+    def _repr_html_(self) -> str:
+        return tables.card(self)
 
     def __repr__(self) -> str:
         return f"<Comparison of {len(self.names)} runs: {'; '.join(self.names)}>"

@@ -6,15 +6,12 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from arcless.errors import ComparisonError
-from arcless.results import Result, result_file
+from arcless.results import RESULT_NAME, Result, run_file
 from arcless.results import open as open_result
 
 FEWEST = 2
 # Most characters of a run's name in legends and columns.
 LONGEST_NAME = 48
-# Files that a study writes into its folder, and endings of files that describe what to run.
-_OF_STUDY = ("journal.db", "study.json", "journal.jsonl")
-_DESCRIPTIONS = (".yaml", ".yml", ".json")
 
 
 @dataclass(frozen=True)
@@ -39,9 +36,9 @@ def opened(runs: Sequence[Result | str | Path]) -> tuple[list[Result], list[Path
     Raises
     ------
     ComparisonError
-        There are fewer than two, one is named twice, or one is not a finished run.
+        There are fewer than two, one is named twice, or one stopped early.
     ResultFormatError
-        A file is missing or damaged.
+        A file is missing or damaged, or one is no run.
     """
     if len(runs) < FEWEST:
         raise ComparisonError(
@@ -50,7 +47,7 @@ def opened(runs: Sequence[Result | str | Path]) -> tuple[list[Result], list[Path
             expected="at least two",
             hint="`arcless assess RUN` shows the numbers of one run",
         )
-    files = [None if isinstance(one, Result) else _file(Path(one)) for one in runs]
+    files = [None if isinstance(one, Result) else run_file(one) for one in runs]
     _refuse_twice([
         id(one) if file is None else file.resolve() for one, file in zip(runs, files, strict=True)
     ], [str(one) for one in runs])  # fmt: skip
@@ -114,26 +111,6 @@ def matched(results: Sequence[Result]) -> tuple[list[Slot], bool]:
     return slots, False
 
 
-def _file(path: Path) -> Path:
-    """Return the file of a run; a study, or what describes a run, is refused with a hint."""
-    file = result_file(path)
-    if path.is_dir() and not file.exists() and any((path / one).exists() for one in _OF_STUDY):
-        raise ComparisonError(
-            "study in place of a run",
-            where=str(path),
-            expected="folders or result files of runs",
-            hint="`arcless study report` compares the variants of a study",
-        )
-    if path.suffix.lower() in _DESCRIPTIONS:
-        raise ComparisonError(
-            "file that describes what to run, or follows from it",
-            where=str(path),
-            expected="the folder of a run, or the result.nc in it",
-            hint="`arcless run` makes one",
-        )
-    return file
-
-
 def _refuse_twice(keys: Sequence[object], words: Sequence[str]) -> None:
     for place, key in enumerate(keys):
         if key in keys[:place]:
@@ -145,7 +122,7 @@ def _refuse_twice(keys: Sequence[object], words: Sequence[str]) -> None:
 
 def _folder(file: Path) -> str:
     """Return the name of the folder of a result, or of a file that is called otherwise."""
-    return file.resolve().parent.name if file.name == "result.nc" else file.stem
+    return file.resolve().parent.name if file.name == RESULT_NAME else file.stem
 
 
 def _told_apart(names: Sequence[str]) -> list[str]:

@@ -10,9 +10,12 @@ from arcless.model.line.line import Line
 from arcless.model.pantograph.pantograph import Pantograph
 from arcless.model.scenario.scenario import Scenario
 from arcless.model.shipped.wire_catalogue import GIVES
+from arcless.units import KINDS, pattern
 
 _PLAIN = {"name", "description", "sources", "provenance", "line", "model", "scenario"}
 _LABELS = {"title", "description", "default", "unit"}
+# Pattern of a text with a unit → name of its schema.
+_AMOUNTS = {pattern(unit): kind.name.replace(" ", "-") for unit, kind in KINDS.items()}
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
 
 
@@ -48,12 +51,25 @@ def json_schema(*others: type[Document]) -> dict[str, Any]:
     for name, definition in definitions.items():
         if name != Provenance.__name__:
             _accept_provenance(definition.get("properties", {}))
+    amounts: dict[str, dict[str, Any]] = {}
+    _name_amounts(definitions, amounts)
     return {
         "$schema": DIALECT,
         "title": "Arcless model files",
         "oneOf": [references[(model, "validation")] for model in models],
-        "$defs": definitions,
+        "$defs": definitions | amounts,
     }
+
+
+def _name_amounts(schema: Any, amounts: dict[str, dict[str, Any]]) -> None:
+    """Refer to texts with a unit by their kind, such as ``a-force``: hundreds are the same."""
+    for key, part in schema.items() if isinstance(schema, dict) else enumerate(schema):
+        if isinstance(part, dict) and part.get("pattern") in _AMOUNTS:
+            name = _AMOUNTS[part["pattern"]]
+            amounts[name] = part
+            schema[key] = {"$ref": f"#/$defs/{name}"}
+        elif isinstance(part, dict | list):
+            _name_amounts(part, amounts)
 
 
 def _accept_named_wire(definition: dict[str, Any]) -> None:

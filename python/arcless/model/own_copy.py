@@ -56,7 +56,7 @@ def copies(name: str, source: str, *, with_pantographs: bool = False) -> dict[st
     name
         The new name, which is that of the first file too.
     source
-        The name of a shipped scenario or line.
+        The name of a shipped scenario, line, pantograph or study; see `text_of`.
     with_pantographs
         Also copy the scenario's pantographs.
 
@@ -69,10 +69,10 @@ def copies(name: str, source: str, *, with_pantographs: bool = False) -> dict[st
     kind, file = _of_source(source)
     text = change(read_text(file, source), "name", name, source)
     made = {f"{name}.yaml": text.apply(read_text(file, source))}
-    if kind == "line":
+    if kind != "scenario":
         if with_pantographs:
             hint = "leave --with-pantographs out, or begin with a scenario"
-            raise ModelError("no pantographs to copy", got=f"line {source}",
+            raise ModelError("no pantographs to copy", got=f"{kind} {source}",
                              expected="a scenario", hint=hint)  # fmt: skip
         return {file: HEADER + text for file, text in made.items()}
     data = parse(made[f"{name}.yaml"], source)[0]
@@ -147,19 +147,14 @@ def _check_name(name: str) -> None:
 
 def _of_source(source: str) -> tuple[str, Path]:
     kind, _, name = source.rpartition("/")
-    for own in ("scenario", "line"):
+    for own in KINDS:
         if kind in ("", own) and (file := find(own, name)):
             return own, file
-    for other in ("pantograph", "study"):
-        if kind in ("", other) and name in shipped(other):
-            hint = f"arcless show {source} > my-{name}.yaml copies it"
-            raise ModelError("no model to begin with", got=f"the shipped {other} {name}",
-                             expected="a shipped scenario or line", hint=hint)  # fmt: skip
     if is_file(Path(source)):
         raise ModelError("no model to begin with", got=f"the file {source}",
-                         expected="the name of a shipped scenario or line",
+                         expected="the name of a shipped model",
                          hint="a file of your own is copied by the system")  # fmt: skip
-    raise _unknown(source, ("scenario", "line"))
+    raise _unknown(source, KINDS)
 
 
 def _shipped_file(source: str) -> Path | None:

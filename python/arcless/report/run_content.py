@@ -3,17 +3,29 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from arcless.assess import Assessment
 from arcless.assess.certainty_words import explained
 from arcless.figures.description import Figure
 from arcless.figures.run.run_data import RunData
 from arcless.model import MARKS as MEANINGS
-from arcless.report import summary, tables, wording
+from arcless.report import summary, tables
 from arcless.report.model_data import groups, marks_used
 from arcless.report.reported_run import ReportedRun
 
 Rows = Sequence[Mapping[str, Any]]
 
 MAX_WARNINGS = 50
+
+MARKS_MEAN = (
+    "The mark says how well a number is known. A limit that was not checked in a source (marks C,"
+    " C*, assumed) does not count."
+)
+CERTAINTY_READS = (
+    "A run that begins elsewhere within a span gives other numbers. The pantograph is the same at"
+    " every start; the static force is that of the run, carried over by the base spring. A"
+    " criterion is too close to tell where the distance between value and limit is smaller than"
+    " their uncertainty; it then does not count."
+)
 
 # Address, title, figures of a section; those of an inner tuple stand next to each other.
 _SECTIONS: tuple[tuple[str, str, tuple[str | tuple[str, ...], ...]], ...] = (
@@ -60,18 +72,28 @@ def run_content(
         "sections": _sections(drawn),
         "computation": tables.computation(run, facts),
         "numbers": tables.number_rows(run),
-        "numbers_of": wording.numbers_of(assessment),
-        "marks_mean": wording.MARKS_MEAN,
+        "numbers_of": _numbers_of(assessment),
+        "marks_mean": MARKS_MEAN,
         "criteria": criteria,
         "certainty": tables.certainty_rows(assessment),
         "certainty_words": explained(method) if method else [],
-        "certainty_reads": wording.CERTAINTY_READS,
+        "certainty_reads": CERTAINTY_READS,
         "reference_rows": tables.reference_cells(reference_rows),
         "energies": tables.energy_rows(run),
         "groups": data,
         "marks": {mark: meaning for mark, meaning in MEANINGS.items() if mark in used},
         "warnings": (facts["warnings"] or [])[:MAX_WARNINGS],
     }
+
+
+def _numbers_of(assessment: Assessment) -> str:
+    """Return what the numbers of an assessment are of: section, filter, loss of contact."""
+    begin, end = assessment.section_m
+    return (
+        f"Over the analysis section, {begin:.0f} to {end:.0f} m. Forces are after the"
+        f" {assessment.low_pass_Hz:g} Hz low-pass, without phase shift, unless they are called"
+        " unfiltered. Loss of contact is that of the unfiltered force."
+    )
 
 
 def _sections(drawn: Mapping[str, Sequence[Figure]]) -> list[tuple[str, str, list[Any]]]:

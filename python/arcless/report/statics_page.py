@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
+from arcless.display.numbers import number
 from arcless.equilibrium.initial_configuration import InitialConfiguration
 from arcless.figures.statics import LineData, figures
-from arcless.report.summary import number
 from arcless.report.template import render
 from arcless.storage.whole_files import write_bytes
 

@@ -8,8 +8,6 @@ from typing import Any
 from arcless.assess import (
     MET,
     NOT_JUDGED,
-    NOT_MET,
-    NOT_MET_UNVERIFIED,
     RELATION_SIGNS,
     RULES,
     TOO_CLOSE,
@@ -20,6 +18,9 @@ from arcless.assess import (
     uncertainty_of,
     verdict_of,
 )
+from arcless.assess.tables import headline
+from arcless.display.cards import SIGNS
+from arcless.display.numbers import number, pair
 from arcless.figures.run.along_track import worst
 from arcless.figures.run.run_data import RunData
 from arcless.figures.run.track import place_name
@@ -29,19 +30,6 @@ from arcless.model import Scenario
 MOST_PERCENT = 200.0
 # Length of a bar in the drawing, places of upper and lower limits on it, the least that is drawn.
 LENGTH, UPPER, LOWER, LEAST = 1000.0, 800.0, 200.0, 4.0
-
-
-# Verdict on a criterion → class, sign and headline of a page on which it is the least favourable.
-_STATES = {
-    NOT_MET: ("missed", "✘", "Not met"),
-    NOT_MET_UNVERIFIED: ("open", "≈", "Beyond a limit that is not verified"),
-    TOO_CLOSE: ("open", "≈", "Too close to tell"),
-    MET: ("met", "✔", "Met"),
-    NOT_JUDGED: ("open", "≈", "Not judged"),
-}
-
-# Words for a number of criteria with a verdict, where they are not the verdict itself.
-_REST = {NOT_MET_UNVERIFIED: "beyond a limit that is not verified"}
 
 
 @dataclass(frozen=True)
@@ -81,20 +69,6 @@ class Bullet:
     bar: Bar | None
 
 
-def number(value: float | None, decimals: int = 1) -> str:
-    """Return a number with a real minus sign, a dash when there is none."""
-    if value is None:
-        return "–"
-    return f"{value:.{decimals}f}".replace("-", "−")
-
-
-def pair(value: float | None, uncertainty: float | None, decimals: int) -> str:
-    """Return a number with the text after its ±, where there is any that its decimals show."""
-    text = number(value, decimals)
-    sure = number(uncertainty, decimals)
-    return text if uncertainty is None or not float(sure) else f"{text} ± {sure}"
-
-
 def identity(
     scenario: Scenario, assessment: Assessment, facts: Mapping[str, Any]
 ) -> list[tuple[str, str]]:
@@ -120,19 +94,12 @@ def identity(
 
 def verdict(assessment: Assessment) -> Verdict:
     """Return the verdict over all criteria: the least favourable one, then how many have which."""
-    groups: dict[str, list[Criterion]] = {word: [] for word in _STATES}
-    for one in assessment.criteria:
-        groups[verdict_of(asdict(one))].append(one)
-    word = next((word for word in _STATES if groups[word]), NOT_JUDGED)
-    state, sign, title = _STATES[word]
-    count, total = len(groups[word]), len(assessment.criteria)
-    share = f"all {total}" if count == total else f"{count} of {total}"
-    rest = [f"{len(groups[other])} {_REST.get(other, other)}"
-            for other in _STATES if other != word and groups[other]]  # fmt: skip
+    over_all = headline(assessment.criteria)
     alone = len(assessment.pantographs) == 1
     items = [_item(replace(one, pantograph=None) if alone else one) for one in assessment.criteria
              if verdict_of(asdict(one)) not in (MET, NOT_JUDGED)]  # fmt: skip
-    return Verdict(state, sign, f"{title}: {share} criteria", "; ".join(rest), items)
+    sign = SIGNS[over_all.state]
+    return Verdict(over_all.state, sign, over_all.text, over_all.rest, items)
 
 
 def worst_place(run: RunData) -> str:

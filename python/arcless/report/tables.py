@@ -15,9 +15,9 @@ from arcless.assess import (
     verdict_of,
 )
 from arcless.assess.quantities import OF_LINE, OF_PANTOGRAPH, WEAR, label_of
+from arcless.display.numbers import number, pair
 from arcless.figures.run.energy import energy_terms, settled
 from arcless.figures.run.run_data import RunData
-from arcless.report.summary import number, pair
 
 REFERENCE_KEYS = ("quantity", "value", "low", "high", "verdict", "mark", "source")
 

@@ -8,6 +8,7 @@ from importlib.metadata import version
 from pathlib import Path
 
 from arcless.assess import decides, telling_decimals
+from arcless.display.numbers import number, pair
 from arcless.figures.description import Figure
 from arcless.figures.run import RunData
 from arcless.figures.validation import (
@@ -19,7 +20,7 @@ from arcless.figures.validation import (
     state_of,
 )
 from arcless.model import MARKS as MEANINGS
-from arcless.report.summary import Verdict, number, pair
+from arcless.report.summary import Verdict
 from arcless.report.template import render
 from arcless.report.validation_subject import Evidence, Subject
 from arcless.storage.whole_files import write_bytes

@@ -3,16 +3,23 @@
 from arcless.dataset.metadata import metadata
 from arcless.dataset.netcdf.store import open_dataset, save
 from arcless.dataset.plain_dataset import dataset_from
-from arcless.results.result import RESULT_NAME, Result, result_file
+from arcless.results.kept_runs.kept_run import KeptRun, MainNumbers
+from arcless.results.kept_runs.places import RESULT_NAME, result_file, run_file
+from arcless.results.kept_runs.search import runs
+from arcless.results.result import Result
 from arcless.results.result import open_result as open
 
 __all__ = [
     "RESULT_NAME",
+    "KeptRun",
+    "MainNumbers",
     "Result",
     "dataset_from",
     "metadata",
     "open",
     "open_dataset",
     "result_file",
+    "run_file",
+    "runs",
     "save",
 ]

@@ -4,14 +4,19 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 from arcless.dataset.metadata import metadata
 from arcless.dataset.netcdf.store import open_plain, save
 from arcless.dataset.plain_dataset import Plain
 from arcless.dataset.recorded_series import CHANNELS, Place, passage
+from arcless.display import cards
+from arcless.display.frames import frame
+from arcless.errors import ModelError
+from arcless.results.kept_runs.places import run_file
 
 if TYPE_CHECKING:
+    import pandas
     import xarray
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure as Drawing
@@ -21,10 +26,6 @@ if TYPE_CHECKING:
     from arcless.figures.description import Figure
     from arcless.figures.description.tokens import Scheme
     from arcless.model import Scenario
-
-
-# Name of a run's own file in its folder.
-RESULT_NAME = "result.nc"
 
 
 @dataclass(frozen=True, eq=False)
@@ -137,6 +138,57 @@ class Result:
 
         run_paper.write(self, path, fields=fields, **options)
 
+    def filtered_force(self) -> "xarray.DataArray":
+        """Return the contact force in N after the low-pass of the scenario.
+
+        Indicators of the assessment are of this force; `dataset` has the unfiltered one.
+
+        Returns
+        -------
+        xarray.DataArray
+            Over time and pantograph, with the cut-off in Hz as the attribute `low_pass_Hz`.
+
+        Raises
+        ------
+        ModelError
+            The low-pass does not fit the record.
+        """
+        from arcless.results.export.tables import FILTERED, filtered_force
+
+        force = self.dataset["contact_force"]
+        cutoff_Hz = self.scenario.analysis.low_pass
+        made = force.copy(data=filtered_force(self.latest, self.scenario)).rename(FILTERED)
+        made.attrs = {
+            "units": "N", "long_name": f"contact force, {cutoff_Hz:g} Hz low-pass",
+            "low_pass_Hz": cutoff_Hz,
+        }  # fmt: skip
+        return made
+
+    def to_dataframe(
+        self, table: Literal["contact channels", "droppers", "supports"] = "contact channels"
+    ) -> "pandas.DataFrame":
+        """Return a table of the run as a data frame; columns are named as in exported files.
+
+        Parameters
+        ----------
+        table
+            ``"contact channels"``: channels of each pantograph over time, the filtered contact
+            force among them. ``"droppers"``, ``"supports"``: what is known of each.
+
+        Raises
+        ------
+        OutputError
+            There is no such table.
+        """
+        from arcless.results.export import tables
+
+        made = {
+            "contact channels": lambda: tables.contact_channels(self),
+            "droppers": lambda: tables.places(self, "dropper"),
+            "supports": lambda: tables.places(self, "support"),
+        }
+        return frame(made, table, "time" if table == "contact channels" else None)
+
     def passage(self, place: Place, name: str) -> "xarray.DataArray":
         """Return the force of one dropper in N or the uplift at one support in m over time.
 
@@ -205,11 +257,18 @@ class Result:
         facts = self.metadata
         return f"<Result {facts['scenario_name']}: {facts['simulated_time_s']:.2f} s simulated>"
 
+    def _repr_html_(self) -> str:
+        from arcless.assess.tables import headline, parts, title_of
 
-def result_file(path: str | Path) -> Path:
-    """Return the file of a run that is named by its folder or by its file."""
-    place = Path(path)
-    return place / RESULT_NAME if place.is_dir() else place
+        facts = self.metadata
+        about = f"{facts['simulated_time_s']:.2f} s simulated, Arcless {facts['arcless_version']}"
+        if not self.is_complete:
+            about += "; stopped early, arcless.resume continues it"
+        try:
+            told, over_all = self.assessment.to_dict(), headline(self.assessment.criteria)
+        except ModelError as error:
+            return cards.card(facts["scenario_name"], about=f"{about}; not assessed: {error}")
+        return cards.card(title_of(told), *parts(told, over_all), about=about)
 
 
 def open_result(path: str | Path) -> Result:
@@ -223,12 +282,13 @@ def open_result(path: str | Path) -> Result:
     Raises
     ------
     ResultFormatError
-        The file is missing, damaged, or of another format version.
+        The file is missing, damaged, or of another format version, or the place is no run: a study,
+        say.
     """
     from arcless.model import load
     from arcless.model.scenario.as_typed import restore
 
-    dataset = open_plain(result_file(path))
+    dataset = open_plain(run_file(path))
     facts = metadata(dataset)
     scenario = load(facts["scenario"])
     restore(scenario, facts["as_typed"])

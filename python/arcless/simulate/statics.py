@@ -3,8 +3,9 @@
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
+from arcless.display.frames import frame
 from arcless.equilibrium import equilibrium
 from arcless.equilibrium.initial_configuration import InitialConfiguration, Progress
 from arcless.model import Line, Scenario
@@ -12,9 +13,16 @@ from arcless.model.scenario.other_family import CUBIC, CUBIC_STEP
 from arcless.model.settings.run_settings import Solver
 from arcless.model.settings.schemes import GeneralisedAlpha
 from arcless.simulate.schedules import dropper_schedule, support_schedule
-from arcless.storage.csv_files import write_csv
+from arcless.storage.csv_files import Column, write_csv
+from arcless.units import plain
 
 if TYPE_CHECKING:
+    import pandas
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure as Drawing
+
+    from arcless.figures.description import Figure
+    from arcless.figures.description.tokens import Scheme
     from arcless.simulate.resonance import ResonanceSpeeds
 
 # Elements of a line that nobody runs on: cubic ones, fine enough for forces at rest within 0.3 %.
@@ -38,6 +46,60 @@ class StaticsResult(InitialConfiguration):
         from arcless.simulate.resonance import resonance_speeds
 
         return resonance_speeds(self)
+
+    @cached_property
+    def figures(self) -> "dict[str, list[Figure]]":
+        """Figures of the line at rest by their keys; without such parts a key has none."""
+        from arcless.figures.statics import LineData, figures
+
+        return figures(LineData(self))
+
+    def plot(
+        self,
+        key: str = "side_view",
+        axes: "Axes | None" = None,
+        *,
+        scheme: "Scheme" = "light",
+        width_mm: float | None = None,
+    ) -> "Drawing":
+        """Draw one of the figures by matplotlib; the arguments are those of `Result.plot`."""
+        from arcless.figures import paper
+
+        width = paper.PAGE_MM if width_mm is None else width_mm
+        return paper.plot(self.figures, key, axes, scheme=scheme, width_mm=width)
+
+    def to_dataframe(
+        self, table: Literal["droppers", "supports", "elasticity"] = "droppers"
+    ) -> "pandas.DataFrame":
+        """Return droppers, supports, or the elasticity of the middle span, as a data frame.
+
+        Raises
+        ------
+        ModelError
+            The line has no droppers.
+        OutputError
+            There is no such table.
+        """
+        elasticity = [1e3 * one for one in self.elasticity_m_per_N]
+        tables = {
+            "droppers": lambda: dropper_schedule(self),
+            "supports": lambda: support_schedule(self),
+            "elasticity": lambda: [
+                Column("position", "m", self.elasticity_x_m),
+                Column("elasticity", "mm/N", elasticity),
+            ],
+        }
+        return frame(tables, table, "position" if table == "elasticity" else None)
+
+    def __repr__(self) -> str:
+        spans = self.scenario.line.in_words()[0]
+        droppers = len(self.equilibrium.mesh.droppers)
+        return f"<StaticsResult {plain(self.scenario.line.name)}: {spans}, {droppers} droppers>"
+
+    def _repr_html_(self) -> str:
+        from arcless.report.statics_card import card
+
+        return card(self)
 
     def write_droppers(self, path: str | Path, allowance_m: float = 0.0) -> None:
         """Write the dropper schedule as CSV: positions, lengths, cut lengths, forces at rest.

@@ -18,6 +18,10 @@ PREFIX = ".arcless-unfinished-"
 _LOCK = ".lock"
 # A sweeper holds a lock while it removes a name: some milliseconds.
 _PATIENCE_S = 10.0
+# The lock of who writes the files of a folder together, and the wait for it. Too short, and a
+# sweeper is taken for a writer; too long, and who is refused waits for the refusal.
+_WRITER = f"{PREFIX}writer"
+_WRITER_PATIENCE_S = 0.5
 
 
 class Claim:
@@ -87,6 +91,42 @@ def create_folder(path: Path) -> Claim:
             path.rmdir()
         claim.close()
         raise
+
+
+def claim_folder(folder: Path) -> Lock | None:
+    """Return the lock of the one writer of a folder's files; None while somebody else has it.
+
+    `release` gives it back. On a file system without locks everybody is the one writer.
+
+    Raises
+    ------
+    OSError
+        Nothing can be written there.
+    """
+    path = folder / f"{_WRITER}{_LOCK}"
+    is_new, lock = not path.exists(), None
+    try:
+        while True:
+            lock = Lock(path)
+            with suppress(OSError):
+                if not lock.take(_WRITER_PATIENCE_S):
+                    return None
+            if path.exists():
+                return lock
+            lock.close()  # the writer before removed it after it was found
+            is_new = True
+    except BaseException:
+        if lock is not None:
+            lock.close()
+        if is_new:
+            with suppress(OSError):
+                path.unlink(missing_ok=True)
+        raise
+
+
+def release(lock: Lock) -> None:
+    """Give back what `claim_folder` gave."""
+    _remove_file(lock)
 
 
 def sweep(folder: Path) -> None:

@@ -5,6 +5,7 @@ from arcless.study.definition.load import execution, is_study, load
 from arcless.study.definition.study import Execution, Study
 from arcless.study.folder.folder import StudyFolder
 from arcless.study.folder.row_writer import Progress
+from arcless.study.folder.started_studies import open_study as open
 from arcless.study.folder.status import StudyStatus, status
 from arcless.study.optimisation.optimise import Optimise
 from arcless.study.run import run
@@ -20,6 +21,7 @@ __all__ = [
     "is_study",
     "json_schema",
     "load",
+    "open",
     "run",
     "status",
 ]

@@ -7,6 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from arcless.errors import OutputError, StudyError
+from arcless.results import RESULT_NAME
 from arcless.study.analysis import findings, sensitivity
 from arcless.study.definition.study import Execution, Study
 from arcless.study.evaluation.evaluate import Cancel, Task
@@ -129,6 +130,13 @@ def _rounds(study: Study, place: StudyFolder) -> Iterator[tuple[Sequence[int], M
 
 def _check_new(place: StudyFolder) -> None:
     """Refuse a folder with rows; say how far its study is, and what to do with it."""
+    if (place.path / RESULT_NAME).exists():
+        raise StudyError(
+            "a run is in this folder",
+            where=str(place.path),
+            expected="a folder of its own for a study",
+            hint="choose another one with `--out`",
+        )
     there, total = sum(1 for _ in place.rows()), place.study.plan.count
     if not there and not place.damage.found:
         return

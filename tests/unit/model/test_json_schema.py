@@ -1,6 +1,7 @@
 """The JSON Schema accepts what the loader accepts, as far as a schema can tell."""
 
 import json
+import re
 from typing import Any
 
 import pytest
@@ -8,6 +9,7 @@ import pytest
 from arcless.model.files.yaml_reader import parse, read_text
 from arcless.model.shipped.library import FOLDER
 from arcless.study import json_schema
+from arcless.units import KINDS
 
 SCHEMA = json_schema()  # of models and studies
 TYPES: dict[str, Any] = {
@@ -34,6 +36,8 @@ def accepts(schema: dict[str, Any], value: Any) -> bool:
     if "type" in schema:
         is_bool = isinstance(value, bool) and schema["type"] != "boolean"
         checks.append(isinstance(value, TYPES[schema["type"]]) and not is_bool)
+    if isinstance(value, str) and "pattern" in schema:
+        checks += [re.search(schema["pattern"], value) is not None]
     if isinstance(value, (int, float)):
         checks += [value > schema.get("exclusiveMinimum", float("-inf"))]
         checks += [value >= schema.get("minimum", float("-inf"))]
@@ -61,13 +65,29 @@ def test_shipped_files_are_valid(path: Any) -> None:
 
 def test_a_number_with_a_unit_is_a_number_a_text_or_carries_its_provenance() -> None:
     tension = SCHEMA["$defs"]["Wire"]["properties"]["tension"]
-    kinds = [choice["type"] for choice in tension["anyOf"]]
-    assert kinds == ["number", "string", "object"]
+    number, text, wrapped = tension["anyOf"]
+    assert (number["type"], text["$ref"]) == ("number", "#/$defs/a-force")
+    assert wrapped["type"] == "object"
     assert tension["unit"] == "N"
-    assert "a force (N, kN" in tension["anyOf"][1]["description"]
-    assert accepts(tension, 22e3) and accepts(tension, "22 kN")
+    assert "a force (N, kN" in SCHEMA["$defs"]["a-force"]["description"]
+    assert accepts(tension, 22e3) and accepts(tension, "22 kN") and accepts(tension, "5000 lbf")
     assert accepts(tension, {"value": "22 kN", "mark": "A", "source": "S1"})
     assert not accepts(tension, 0) and not accepts(tension, {"value": "22 kN", "marc": "A"})
+
+
+@pytest.mark.parametrize("given", ["10 kg", "22 kn", "10,5 kN", "22 000 N", "taut", "", "22 kN m"])
+def test_a_text_with_another_unit_is_flagged(given: str) -> None:
+    tension = SCHEMA["$defs"]["Wire"]["properties"]["tension"]
+    assert not accepts(tension, given)
+    assert not accepts(tension, {"value": given, "mark": "A", "source": "S1"})
+
+
+def test_texts_with_units_are_described_once() -> None:
+    """One schema for each kind of amount: written out at each field, they were half of the file."""
+    kinds = {kind.name.replace(" ", "-") for kind in KINDS.values()}
+    texts = {name for name, one in SCHEMA["$defs"].items() if one["type"] == "string"}
+    assert texts == kinds
+    assert json.dumps(SCHEMA).count("number and unit") == 2 * len(kinds)  # and its message
 
 
 def test_a_word_may_stand_for_a_number() -> None:
@@ -85,7 +105,7 @@ def test_a_word_may_stand_for_a_number() -> None:
 def test_every_field_has_a_description() -> None:
     for name, definition in SCHEMA["$defs"].items():
         assert definition["description"], name
-        for field, schema in definition["properties"].items():
+        for field, schema in definition.get("properties", {}).items():
             assert schema["description"], f"{name}.{field}"
 
 

@@ -11,18 +11,10 @@ from arcless.report.summary import (
     LENGTH,
     bullets,
     grouped,
-    number,
-    pair,
     verdict,
     worst_place,
 )
 from tests.support.synthetic import scenario_data, synthetic_dataset
-
-
-def test_numbers() -> None:
-    assert number(None) == "–"
-    assert number(-1.25, 2) == "−1.25"
-    assert number(0.12345, 3) == "0.123"
 
 
 def test_an_unverified_limit_is_no_failure() -> None:
@@ -80,13 +72,6 @@ def test_a_bar_has_its_uncertainty_and_its_words() -> None:
     low, high = bullet.bar.sure
     # From 18.5 to 21.5 N on a bar whose limit, 30 N, stands at 800.
     assert (low, high) == pytest.approx((800.0 * 18.5 / 30.0, 800.0 * 21.5 / 30.0), abs=0.06)
-
-
-def test_an_uncertainty_that_the_decimals_do_not_show_is_left_out() -> None:
-    assert pair(169.29, 0.11, 2) == "169.29 ± 0.11"
-    assert pair(0.696, 0.0004, 3) == "0.696"
-    assert pair(0.0, 0.0, 2) == "0.00"
-    assert pair(None, None, 2) == "–"
 
 
 def test_a_criterion_without_a_limit_has_no_bar() -> None:

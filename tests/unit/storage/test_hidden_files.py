@@ -56,12 +56,19 @@ def claim_folder(folder: Path) -> None:
     claim.close()
 
 
-@pytest.mark.parametrize("work", [claim_file, claim_folder])
+def write_alone(folder: Path) -> None:
+    lock = hidden_files.claim_folder(folder)
+    assert lock is not None
+    hidden_files.release(lock)
+
+
+@pytest.mark.parametrize("work", [claim_file, claim_folder, write_alone])
 def test_interrupted_at_each_place(
     tmp_path: Path, work: Callable[[Path], None], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     # The cleaning up is not interrupted: a second signal within a second is none.
-    for module, name in ((hidden_files, "_remove_file"), (hidden_files.Claim, "close")):
+    cleaning = [(hidden_files, name) for name in ("_remove_file", "release")]
+    for module, name in (*cleaning, (hidden_files.Claim, "close")):
         monkeypatch.setattr(module, name, untraced(getattr(module, name)))
     stopped = 0
     while interrupted(lambda: work(tmp_path), stopped):
@@ -81,3 +88,23 @@ def untraced(work: Callable[..., Any]) -> Callable[..., Any]:
             sys.settrace(trace)
 
     return call
+
+
+def test_a_folder_has_one_writer(tmp_path: Path) -> None:
+    first = hidden_files.claim_folder(tmp_path)
+    assert first is not None
+    hidden_files.sweep(tmp_path)  # which leaves what is in use
+    assert hidden_files.claim_folder(tmp_path) is None
+    hidden_files.release(first)
+    assert list(tmp_path.iterdir()) == []
+    again = hidden_files.claim_folder(tmp_path)
+    assert again is not None
+    hidden_files.release(again)
+
+
+def test_a_writer_that_was_killed_keeps_nobody_out(tmp_path: Path) -> None:
+    (tmp_path / f"{hidden_files.PREFIX}writer.lock").touch()
+    lock = hidden_files.claim_folder(tmp_path)
+    assert lock is not None
+    hidden_files.release(lock)
+    assert list(tmp_path.iterdir()) == []

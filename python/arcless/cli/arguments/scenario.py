@@ -1,12 +1,11 @@
 """From the arguments of a command to a scenario."""
 
-import re
 import warnings
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from arcless.cli.completion import names
 from arcless.cli.process.start import permanent_objects
 from arcless.cli.terminal import console
 
@@ -18,6 +17,7 @@ ScenarioArgument = Annotated[
     typer.Argument(
         metavar="SCENARIO",
         help="The name of a shipped scenario, or a scenario file.",
+        autocompletion=names.scenarios,
         show_default=False,
     ),
 ]
@@ -74,9 +74,3 @@ def check_speed(scenario: "Scenario", file: str | None) -> None:
     except ModelError as error:
         error.where = "--speed" if file is None else f"{file}: speed"
         raise
-
-
-def folder_of(scenario: "Scenario") -> Path:
-    """Return the folder that takes the results of a scenario when none is named."""
-    plain = re.sub(r"[^\w.-]+", "-", scenario.name).strip("-.")
-    return Path("runs") / (plain or "scenario")

@@ -7,6 +7,7 @@ import typer
 
 from arcless.cli.arguments.paper import FieldOption, PdfOption, fields_for
 from arcless.cli.arguments.scenario import JsonOption, QuietOption
+from arcless.cli.completion import names
 from arcless.cli.terminal import console
 
 RunsArgument = Annotated[
@@ -15,6 +16,7 @@ RunsArgument = Annotated[
         metavar="RUN RUN ...",
         help="Two runs or more, each its folder or the result.nc in it. Differences are to the"
         " first one.",
+        autocompletion=names.runs,
         show_default=False,
     ),
 ]

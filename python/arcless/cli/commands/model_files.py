@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from arcless.cli.arguments.scenario import JsonOption, check_speed
+from arcless.cli.completion import names
 from arcless.cli.terminal import console
 
 if TYPE_CHECKING:
@@ -55,6 +56,7 @@ def check(
         typer.Argument(
             metavar="FILE",
             help="A line, pantograph, scenario or study: a file or a shipped name.",
+            autocompletion=names.models,
             show_default=False,
         ),
     ],

@@ -5,6 +5,7 @@ from typing import Annotated
 
 import typer
 
+from arcless.cli.completion import names
 from arcless.cli.terminal import console
 
 
@@ -15,6 +16,7 @@ def show(
             metavar="MODEL",
             help="A shipped line, pantograph, scenario or study, or a file. Where kinds share a "
             "name it is the scenario; line/NAME and pantograph/NAME mean the others.",
+            autocompletion=names.models,
             show_default=False,
         ),
     ],
@@ -36,7 +38,9 @@ def new(
         typer.Option(
             "--from",
             metavar="MODEL",
-            help="A shipped scenario or line; line/NAME where both have the name.",
+            help="A shipped scenario, line, pantograph or study; line/NAME and the like where "
+            "kinds share a name.",
+            autocompletion=names.shipped_models,
             show_default=False,
         ),
     ],
@@ -49,12 +53,12 @@ def new(
 ) -> None:
     """Begin a model of one's own with a shipped one.
 
-    Of a scenario, NAME.yaml and its line NAME-line.yaml are written, with all comments and
-    sources, and arcless.schema.json, by which an editor knows fields and units. No file is
+    NAME.yaml is written with all comments and sources, of a scenario also its line,
+    NAME-line.yaml, and arcless.schema.json, by which an editor knows fields and units. No file is
     replaced.
     """
     from arcless import study
-    from arcless.model.own_copy import copies, write_copies
+    from arcless.model.own_copy import KINDS, copies, write_copies
 
     files = copies(name, source, with_pantographs=with_pantographs)
     schema = console.json_text(study.json_schema()) + "\n"
@@ -62,7 +66,11 @@ def new(
         console.data(f"wrote {path}")
     first = to / f"{name}.yaml"
     console.data(f"next: edit it, then arcless check {first}")
-    if "format: arcless-scenario" in files[f"{name}.yaml"]:
-        console.data(f"and: arcless run {first}")
-    else:
-        console.data(f"and name it in a scenario: line: {name}.yaml")
+    kind = next(kind for kind in KINDS if f"format: arcless-{kind}/" in files[f"{name}.yaml"])
+    then = {
+        "scenario": f": arcless run {first}",
+        "study": f": arcless study run {first}",
+        "line": f" name it in a scenario: line: {name}.yaml",
+        "pantograph": f" name it in a scenario: pantographs: [{{model: {name}.yaml}}]",
+    }
+    console.data(f"and{then[kind]}")

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+PATTERN = "arcless-lcp-*.json"  # as failed runs name them
 MAX_BYTES = 256 * 1024 * 1024  # far above any step's problem; a larger file is another file
 
 
@@ -32,7 +33,9 @@ def replay(
     file: Annotated[
         Path,
         typer.Argument(
-            metavar="FILE", help="The JSON file that a failed run left.", show_default=False
+            metavar="FILE",
+            help="The JSON file that a failed run left, or a folder with one of them.",
+            show_default=False,
         ),
     ],
 ) -> None:
@@ -44,6 +47,7 @@ def replay(
     """
     from arcless import lcp
 
+    file = _file_in(file) if file.is_dir() else file
     problem = read_problem(file)
     try:
         x, y, info = lcp.solve(problem.H, problem.w, symmetric=False)
@@ -58,6 +62,21 @@ def replay(
     console.data(f"status: {info.status}, pivots: {info.pivots}, residual: {info.residual:.1e}")
     for name, force, gap in zip(problem.links, x, y, strict=True):
         console.data(f"{name}: x = {force:.9g}, y = {gap:.9g}")
+
+
+def _file_in(folder: Path) -> Path:
+    """Return the one saved problem in a folder."""
+    found = sorted(folder.glob(PATTERN))
+    if len(found) == 1:
+        return found[0]
+    got = f"{len(found)} of them, such as {found[-1].name}" if found else "none"
+    raise ModelError(
+        "no single problem to replay in this folder",
+        where=str(folder),
+        got=got,
+        expected=f"one file {PATTERN}, or its name",
+        hint="a failed run names the file that it left; `arcless report` and `assess` take runs",
+    )
 
 
 def _heading(problem: SavedProblem) -> str:

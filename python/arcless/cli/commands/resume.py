@@ -8,8 +8,8 @@ import typer
 from arcless.cli.arguments.scenario import JsonOption, QuietOption
 from arcless.cli.commands.saved_results import ResultArgument
 from arcless.cli.output import outcome
-from arcless.cli.output.folder import OutputFolder
 from arcless.cli.output.outcome import NoReportOption, UntilOption
+from arcless.cli.output.run_folder import OverwriteOption, for_run
 from arcless.cli.process.background import compute
 from arcless.cli.terminal import console
 
@@ -30,6 +30,7 @@ def resume(
             show_default=False,
         ),
     ] = None,
+    overwrite: OverwriteOption = False,
     json: JsonOption = False,
     no_report: NoReportOption = False,
     quiet: QuietOption = False,
@@ -37,7 +38,8 @@ def resume(
     """Continue a run that `arcless run --until` stopped.
 
     Writes and prints what `arcless run` would have done without stopping: the result is the same,
-    bit for bit. Without --out, result.nc in the folder of RUN is replaced when all is done.
+    bit for bit. Without --out, result.nc in the folder of RUN is replaced when all is done;
+    another folder that holds a run is refused without --overwrite.
 
     Exit codes are those of `arcless run`; 2 when RUN holds no state to continue from, or one of
     another version or scenario.
@@ -46,7 +48,8 @@ def resume(
     from arcless.results import result_file
 
     opened = open_result(result)
-    with OutputFolder(out or result_file(result).parent, *outcome.FILES) as folder:
+    own = result_file(result)
+    with for_run(out or own.parent, overwrite=overwrite, own=own) as folder:
         whole = _go_on(opened, until, folder.file(outcome.RESULT), quiet=quiet)
         written = outcome.write(whole, folder, report=not no_report)
     outcome.tell(whole, written, json=json, quiet=quiet)

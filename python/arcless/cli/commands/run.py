@@ -14,7 +14,6 @@ from arcless.cli.arguments.scenario import (
     ScenarioArgument,
     SetOption,
     SpeedOption,
-    folder_of,
     load,
 )
 from arcless.cli.arguments.schedules import (
@@ -26,6 +25,7 @@ from arcless.cli.arguments.schedules import (
 from arcless.cli.output import outcome
 from arcless.cli.output.folder import OutputFolder, check_place
 from arcless.cli.output.outcome import NoReportOption, UntilOption
+from arcless.cli.output.run_folder import OverwriteOption, folder_of, for_run
 from arcless.cli.process.background import compute
 from arcless.cli.process.start import permanent_objects
 from arcless.cli.terminal import console
@@ -37,7 +37,12 @@ if TYPE_CHECKING:
 
 FolderOption = Annotated[
     Path | None,
-    typer.Option("--out", metavar="DIR", help="Folder for the results.", show_default=False),
+    typer.Option(
+        "--out",
+        metavar="DIR",
+        help="Folder for the results; as above if not named.",
+        show_default=False,
+    ),
 ]
 PlotOption = Annotated[
     Path | None,
@@ -59,15 +64,19 @@ def run(
     json: JsonOption = False,
     until: UntilOption = None,
     certainty: CertaintyOption = None,
+    overwrite: OverwriteOption = False,
     no_report: NoReportOption = False,
     quiet: QuietOption = False,
 ) -> None:
     """Simulate a scenario: line at rest, run, assessment, report.
 
-    Writes result.nc, assessment.json and report.html into a folder, runs/NAME unless --out names
-    another, and prints the numbers with the criteria and, for a shipped reference case, the
-    ranges published for it. With --until, only result.nc, from which `arcless resume` continues.
-    With --certainty, every number with its spread over starts and its error of discretisation.
+    Writes result.nc, assessment.json and report.html into a folder: runs/NAME or, where fields are
+    set for the run, runs/NAME-speed=280_km-h and the like, unless --out names another. A folder
+    that holds a run is refused before anything is computed, unless --overwrite is given.
+
+    Prints the numbers with the criteria and, for a shipped reference case, the ranges published for
+    it. With --until, only result.nc is written, from which `arcless resume` continues. With
+    --certainty, every number comes with its spread over starts and its error of discretisation.
 
     Exit code 1: the computation failed, and nothing is written. Exit code 3: everything is written,
     and a criterion is not met. Limits that were not read in a source (marks C, C* and assumed) are
@@ -76,7 +85,7 @@ def run(
     """
     check_whole(certainty, until)
     chosen = asked_for(load(scenario, speed=speed, changes=set_, quiet=quiet), certainty)
-    with OutputFolder(out or folder_of(chosen), *outcome.FILES) as folder:
+    with for_run(out or folder_of(chosen), overwrite=overwrite) as folder:
         command = _command(scenario, speed, set_, certainty)
         result = _simulate(
             chosen, until, folder.file(outcome.RESULT), command, quiet=quiet,

@@ -7,6 +7,7 @@ import typer
 
 from arcless.cli.arguments.paper import FieldOption, PdfOption, fields_for
 from arcless.cli.arguments.scenario import JsonOption, QuietOption
+from arcless.cli.completion import names
 from arcless.cli.output.outcome import finish
 from arcless.cli.terminal import console
 
@@ -18,6 +19,7 @@ ResultArgument = Annotated[
     typer.Argument(
         metavar="RUN",
         help="A run: the folder that `arcless run` wrote, or the result.nc in it.",
+        autocompletion=names.runs,
         show_default=False,
     ),
 ]
@@ -85,8 +87,8 @@ def report(
         typer.Option(
             "--out",
             metavar="FILE",
-            help="The page to write; report.html beside the result if neither it nor --pdf is"
-            " named.",
+            help="The page to write; if neither it nor --pdf is named, report.html next to a"
+            " result.nc, and NAME.html next to a NAME.nc.",
             show_default=False,
         ),
     ] = None,
@@ -98,13 +100,16 @@ def report(
     With --pdf alone only the PDF file is written.
     """
     from arcless.cli.output.outcome import reference_rows
+    from arcless.results import RESULT_NAME, result_file
     from arcless.results import open as open_result
-    from arcless.results import result_file
 
     fields = fields_for(pdf, field)
+    file = result_file(result)
+    # Other names are those of several runs in one folder, whose pages must not be one.
+    own = file.with_name("report.html") if file.name == RESULT_NAME else file.with_suffix(".html")
     opened = open_result(result)
     rows = reference_rows(opened.scenario, opened.assessment.to_dict())
-    page = out if out or pdf else result_file(result).with_name("report.html")
+    page = out if out or pdf else own
     if page is not None:
         opened.write_report(page, reference_rows=rows)
         console.data(f"wrote {page}")

@@ -8,6 +8,7 @@ import typer
 
 from arcless.cli.arguments.paper import FieldOption, PdfOption, fields_for
 from arcless.cli.arguments.scenario import JsonOption, QuietOption
+from arcless.cli.completion import names
 from arcless.cli.process.background import compute, unfinished
 from arcless.cli.process.guard import FAILED
 from arcless.cli.terminal import console, study_texts
@@ -19,13 +20,19 @@ if TYPE_CHECKING:
 
 app = typer.Typer(rich_markup_mode=None, add_completion=False, no_args_is_help=True)
 FileArgument = Annotated[
-    Path, typer.Argument(metavar="FILE", help="A study file, or the name of a shipped study.")
+    Path,
+    typer.Argument(
+        metavar="FILE",
+        help="A study file, or the name of a shipped study.",
+        autocompletion=names.studies,
+    ),
 ]
 BegunArgument = Annotated[
     Path,
     typer.Argument(
         metavar="STUDY",
         help="A study file, the name of a shipped study, or the folder or journal of a study.",
+        autocompletion=names.begun_studies,
     ),
 ]
 FolderOption = Annotated[

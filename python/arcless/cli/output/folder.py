@@ -3,6 +3,7 @@
 import os
 import shutil
 import time
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from pathlib import Path
 from types import TracebackType
@@ -14,6 +15,10 @@ from arcless.units import show
 
 if TYPE_CHECKING:
     from arcless.storage.hidden_files import Claim
+    from arcless.storage.lock import Lock
+
+# Makes the error for a folder that holds some of the files already.
+Refusal = Callable[[Path, Sequence[str]], OutputError]
 
 _OLD = "old-"
 # Intervals for an interrupted run to notice that its folder is gone: 0.2 s in all.
@@ -43,26 +48,44 @@ class OutputFolder:
     that belong together the others follow from the first: those of an older run go when it is
     replaced, so that none ever tells of another run than the first does. A link that has the
     name of a file is itself replaced, not the file it leads to. A folder there is refused.
+
+    Two processes cannot have one folder at the same time: the second one is refused.
+
+    Parameters
+    ----------
+    path
+        The folder.
+    *files
+        Names of the files that belong together.
+    refusal
+        Makes the error where any of the files is there, before the computing and when the files
+        are moved. Without it they are replaced.
     """
 
-    def __init__(self, path: Path, *files: str) -> None:
+    def __init__(self, path: Path, *files: str, refusal: Refusal | None = None) -> None:
         self.path = path
         self._files = files
+        self._refusal = refusal
         self._made: list[Path] = []  # folders that did not exist before, outermost first
         self._claim: Claim | None = None
+        self._lock: Lock | None = None
 
     def __enter__(self) -> Self:
         """Make the folder and a hidden one inside it."""
         from arcless.storage import hidden_files
 
         self._staging = self.path / hidden_files.new_name()
-        self._refuse_folders()
+        self._check_free()
         try:
             for folder in reversed([self.path, *self.path.parents]):
                 if not os.path.exists(folder):  # noqa: PTH110 - `Path.exists` fails on long names
                     self._made.append(folder)
                     folder.mkdir(exist_ok=True)
             hidden_files.sweep(self.path)
+            self._lock = hidden_files.claim_folder(self.path)
+            if self._lock is None:
+                raise self._in_use()
+            self._check_free()  # another process may have been faster
             self._claim = hidden_files.create_folder(self._staging)
         except BaseException as error:
             self._clear()
@@ -93,7 +116,7 @@ class OutputFolder:
         try:
             published = sorted(self.path / staged.name for staged in self._staging.iterdir())
             with interrupts.deferred_signals():
-                self._refuse_folders()
+                self._check_free()
                 self._move()
             sync_folder(self.path)
         except OSError as error:
@@ -117,8 +140,8 @@ class OutputFolder:
         for name in made:
             (self._staging / name).replace(self.path / name)
 
-    def _refuse_folders(self) -> None:
-        """Refuse folders where files are to be: their content is not ours to move or to remove."""
+    def _check_free(self) -> None:
+        """Refuse folders where files are to be, which are not ours to move, and files to keep."""
         for name in self._files:
             if os.path.isdir(self.path / name):  # noqa: PTH112 - `Path.is_dir` fails on long names
                 raise OutputError(
@@ -128,12 +151,27 @@ class OutputFolder:
                     expected="a file, or nothing",
                     hint="move it away, or choose another folder with `--out`",
                 )
+        there = [name for name in self._files if os.path.lexists(self.path / name)]
+        if there and self._refusal is not None:
+            raise self._refusal(self.path, there)
+
+    def _in_use(self) -> OutputError:
+        return OutputError(
+            "another process writes into the output folder",
+            where=str(self.path),
+            expected="a folder of its own for each run",
+            hint="wait for the other one, or choose another folder with `--out`",
+        )
 
     def _clear(self) -> None:
+        from arcless.storage import hidden_files
+
         with interrupts.deferred_signals():
             self._remove()
             if self._claim is not None:
                 self._claim.close()
+            if self._lock is not None:
+                hidden_files.release(self._lock)
             for folder in reversed(self._made):
                 with suppress(OSError):  # it holds published files, or was not made after all
                     folder.rmdir()

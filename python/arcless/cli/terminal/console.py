@@ -37,9 +37,12 @@ def json_text(value: Any) -> str:
     return json.dumps(value, indent=2, ensure_ascii=False, allow_nan=False)
 
 
-def show(*blocks: "RenderableType") -> None:
-    """Write tables and text to standard output, coloured only on a terminal."""
-    write(sys.stdout, _render(sys.stdout, *blocks, fold=True))
+def show(*blocks: "RenderableType", fold: bool = True) -> None:
+    """Write tables and text to standard output, coloured only on a terminal.
+
+    Without `fold` lines are as long as they are, and names in them can be copied as a whole.
+    """
+    write(sys.stdout, _render(sys.stdout, *blocks, fold=fold))
 
 
 def note(text: str) -> None:

@@ -86,12 +86,7 @@ def show_done(facts: dict[str, Any]) -> None:
 
 def show_status(found: "StudyStatus") -> None:
     """Print the status of a study."""
-    going = "being computed now" if found.running else "not being computed"
-    pruned = "" if found.steps_saved is None else f"{found.pruned} pruned, "
-    console.data(
-        f"{found.name}: {found.done} of {found.total} done, {pruned}{found.invalid} invalid, "
-        f"{found.failed} failed, {found.missing} missing; {going}"
-    )
+    console.data(f"{found.name}: {found.sentence}")
     if found.pruned:
         console.data(f"pruning saved some {found.steps_saved} steps; {found.steps_taken} taken")
     for error, count in list(found.errors.items())[:10]:

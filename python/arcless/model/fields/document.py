@@ -138,6 +138,14 @@ class Document(Part):
                 return entry
         return None
 
+    def __repr__(self) -> str:
+        about = "; ".join(self.in_words())
+        return f"<{type(self).__name__} {plain(self.name)}{': ' if about else ''}{about}>"
+
+    def in_words(self) -> list[str]:
+        """Return what it is, in a few words each, for a prompt."""
+        return []
+
     def to_dict(self) -> dict[str, Any]:
         """Return plain data (SI, provenance included) from which loading makes an equal model."""
         return self.model_dump(mode="json", by_alias=True)

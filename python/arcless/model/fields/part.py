@@ -27,6 +27,7 @@ from arcless.units import (
     MAX_TEXT,
     WRONG_VALUE,
     accepted,
+    pattern,
     plain,
     show,
     spell,
@@ -127,7 +128,9 @@ class Unit:
         values = (self.above, self.minimum, self.below, self.maximum)
         bounds = {key: value for key, value in zip(keys, values, strict=True) if value is not None}
         number = ({"type": "number"} if self.words else handler(schema)) | bounds
-        text = {"type": "string", "description": f"number and unit: {accepted(self.unit)}"}
+        wanted = f"number and unit: {accepted(self.unit)}"
+        text = {"type": "string", "description": wanted, "pattern": pattern(self.unit)}
+        text["patternErrorMessage"] = f"expected a {wanted}"  # of editors: else they show pattern
         plain = [number, text, *({"const": word} for word in self.words)]
         return {"anyOf": [*plain, wrapped_schema(plain)], "unit": self.label}
 
@@ -184,6 +187,10 @@ def after_comma(name: object, data: Mapping[Any, Any]) -> str | None:
     return f"{DECIMAL_POINT}: {names[place - 1]}: {number}"
 
 
+# Characters of the fields that a prompt shows of a part.
+LONGEST_REPR = 150
+# Steps of reading a file, which are no use to a user of what was read.
+_OF_READING = frozenset({"card_parts", "field_names", "in_words", "prepare", "remember"})
 _OF_PYDANTIC = frozenset(name for name in dir(BaseModel) if not name.startswith("_"))
 
 
@@ -201,7 +208,18 @@ class Part(BaseModel):
     def __dir__(self) -> list[str]:
         """Return the names to complete: fields and methods of the model, not those of pydantic."""
         fields = type(self).model_fields
-        return [name for name in super().__dir__() if name in fields or name not in _OF_PYDANTIC]
+        hidden = _OF_PYDANTIC | _OF_READING
+        return [name for name in super().__dir__() if name in fields or name not in hidden]
+
+    def __repr__(self) -> str:
+        """Return the fields that were given, in a line that is never long."""
+        given = [name for name in type(self).model_fields if name in self.model_fields_set]
+        fields = ", ".join(f"{name}={getattr(self, name)!r}" for name in given)
+        fields = fields if len(fields) <= LONGEST_REPR else f"{fields[:LONGEST_REPR]}…"
+        return f"{type(self).__name__}({fields})"
+
+    def __str__(self) -> str:
+        return repr(self)
 
     if not TYPE_CHECKING:
 

@@ -4,6 +4,7 @@ from typing import Any
 
 from pydantic import ConfigDict, model_validator
 
+from arcless.display import cards
 from arcless.model.line.height_rules import check_heights
 from arcless.model.line.line_data import LineData
 from arcless.model.line.mass_and_insert_rules import check_on_wires
@@ -38,6 +39,37 @@ class Line(LineData):
     def prepare(cls, data: dict[str, Any]) -> dict[str, Any]:
         """Return the data with the wires that are named instead of written out."""
         return with_catalogue(cls, data)
+
+    def in_words(self) -> list[str]:
+        """Return number of spans and length, in words."""
+        count = len(self.span_list())
+        return [f"{count} {'span' if count == 1 else 'spans'}, {self.total_length:g} m"]
+
+    def card_parts(self) -> list[str]:
+        """Return what the line is, and its wires, as parts of a card."""
+        lengths = [span.length for span in self.span_list()]
+        low, high = f"{min(lengths):g}", f"{max(lengths):g}"
+        height, system = self.geometry.contact_wire_height, self.geometry.encumbrance
+        lengths_of_wire = len(self.tension_length_list())
+        speed = self.wave_speed
+        rows = [
+            ("Length", self.in_words()[0]),
+            ("Span length", f"{' – '.join(dict.fromkeys([low, high]))} m"),
+            ("Tension lengths", f"{lengths_of_wire}" if lengths_of_wire > 1 else ""),
+            ("Height of the contact wire above rail", "" if height is None else f"{height:g} m"),
+            ("System height", "" if system is None else f"{system:g} m"),
+            ("Wave speed of the contact wire", "" if speed is None else f"{3.6 * speed:.0f} km/h"),
+            ("Supply", self.design.supply or "not given"),
+        ]  # fmt: skip
+        titles = ("wire", "tension, kN", "mass, kg/m")
+        wires = [
+            (name.replace("_", " "), f"{1e-3 * wire.tension:g}", f"{wire.mass:g}")
+            for name, wire in self.wires()
+        ]
+        return [cards.facts(rows), cards.table(titles, wires, numbers=titles[1:])]
+
+    def _repr_html_(self) -> str:
+        return cards.card(f"Line {self.name}", *self.card_parts(), about=self.description)
 
     @model_validator(mode="after")
     def _check(self) -> "Line":

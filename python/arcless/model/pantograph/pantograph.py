@@ -4,6 +4,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field, model_validator
 
+from arcless.display import cards
 from arcless.errors import ModelError
 from arcless.model.fields import extremes
 from arcless.model.fields.document import Document
@@ -92,6 +93,32 @@ class Pantograph(Document):
         default=None, description="Static force, used when a scenario gives no force."
     )
 
+    def in_words(self) -> list[str]:
+        """Return of how many masses or coordinates it is, in words."""
+        if self.matrices is not None:
+            return [f"matrices, {self.size} coordinates"]
+        count = len(self.masses)
+        return [f"{count} {'mass' if count == 1 else 'masses'}"]
+
+    def _repr_html_(self) -> str:
+        force, width = self.static_force, self.head_width
+        kind = f"{self.in_words()[0]}{'' if self.head is None else ', collector head with strips'}"
+        lateral = "" if self.lateral_limit is None else f"{self.lateral_limit:g} m"
+        rows = [
+            ("Model", kind),
+            ("Static force", "" if force is None else f"{force:g} N"),
+            ("Width of the collector head", "" if width is None else f"{width:g} m"),
+            ("Lateral range of the contact wire", lateral),
+        ]
+        titles = ("mass", "mass, kg", "stiffness below, N/m", "damping below, N s/m")
+        masses = [
+            (str(place), f"{one.mass:g}", _number(one.stiffness), _number(one.damping))
+            for place, one in enumerate(self.masses, start=1)
+        ]
+        shown = [cards.table(titles, masses, numbers=titles)] if masses else []
+        title = f"Pantograph {self.name}"
+        return cards.card(title, cards.facts(rows), *shown, about=self.description)
+
     @property
     def lateral_limit(self) -> float | None:
         """Lateral range of the contact wire from the middle of the head, m; None if not known."""
@@ -164,3 +191,8 @@ class Pantograph(Document):
         if self.head is not None:
             squared += self.head.strips * self.head.aerodynamic
         return squared * speed**2 + tables
+
+
+def _number(value: float | None) -> str:
+    """Return a spring or a damper as text, where it is a number."""
+    return "table" if value is None else f"{value:g}"

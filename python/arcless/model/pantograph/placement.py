@@ -73,6 +73,12 @@ class PantographPlacement(Part):
         assert self._found is not None  # a scenario sets it before anything asks
         return self._found
 
+    def in_words(self) -> str:
+        """Return model, force, and distance behind the first pantograph, in words."""
+        kind = "static" if self.mean_force is None else "mean"
+        behind = f", {self.distance:g} m behind the first" if self.distance else ""
+        return f"{self.model.name}, {kind} force {self.start_force:g} N{behind}"
+
     def at(self, distance: float) -> "PantographPlacement":
         """Return a copy that knows its distance behind the first pantograph in m."""
         placed = self.model_copy()

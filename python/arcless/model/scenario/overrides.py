@@ -13,7 +13,7 @@ from arcless.model.files.yaml_nodes import scalar
 from arcless.model.files.yaml_reader import Origin, parse
 from arcless.model.line.line import Line
 from arcless.model.pantograph.pantograph import Pantograph
-from arcless.model.scenario.as_typed import carry
+from arcless.model.scenario.as_typed import SET_FOR_RUN, carry
 from arcless.model.scenario.references import build, load_named
 from arcless.model.scenario.scenario_data import ScenarioData
 from arcless.model.shipped.wire_catalogue import GIVES
@@ -149,7 +149,7 @@ def _renew_provenance(provenance: dict[str, Any], path: str, value: Any) -> None
         if known == path or known.startswith(f"{path}."):
             del provenance[known]
     given = value.name if hasattr(value, "name") else written(value)
-    provenance[path] = {"note": "set for this run", "given": given}
+    provenance[path] = {"note": SET_FOR_RUN, "given": given}
 
 
 def _full_path(data: dict[str, Any], path: str) -> list[str | int]:

@@ -1,16 +1,16 @@
 """The shipped lines, pantographs, scenarios, studies and wires."""
 
-from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 from warnings import warn
 
 from arcless.model.files.yaml_reader import parse, read_text
 from arcless.model.shipped.wire_catalogue import catalogue
+from arcless.storage.shipped_files import FOLDER, FOLDERS, shipped
 
-FOLDER = Path(__file__).resolve().parent.parent.parent / "models"
-_FOLDERS = {"line": "lines", "pantograph": "pantographs", "scenario": "scenarios",
-            "study": "studies"}  # fmt: skip
+__all__ = ["FOLDER", "RENAMED", "LibraryEntry", "ModelRenamed", "find", "library", "shipped"]
+
+
 # Earlier names of shipped models, which load until version 0.3: old name → new name.
 RENAMED = {
     "scenario": {
@@ -33,12 +33,6 @@ class LibraryEntry(NamedTuple):
     source: str
 
 
-@cache
-def shipped(kind: str) -> dict[str, Path]:
-    """Return the files of the shipped models of a kind, by name."""
-    return {path.stem: path for path in sorted((FOLDER / _FOLDERS[kind]).glob("*.yaml"))}
-
-
 def find(kind: str, name: str) -> Path | None:
     """Return the file of the shipped model of a kind and a name, also of an earlier name.
 
@@ -58,7 +52,7 @@ def find(kind: str, name: str) -> Path | None:
 def library() -> list[LibraryEntry]:
     """Return what is shipped: lines, pantographs, scenarios, studies, wires lines may name."""
     entries = []
-    for kind in _FOLDERS:
+    for kind in FOLDERS:
         for name, path in shipped(kind).items():
             data, _ = parse(read_text(path, str(path)), str(path))
             entries.append(LibraryEntry(kind, name, data["description"], _cited(data["sources"])))

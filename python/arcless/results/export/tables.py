@@ -4,9 +4,10 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 
-from arcless.assess.quantities import QUANTITIES, label_of
 from arcless.assess.signals.filter import low_pass, sample_rate_Hz
+from arcless.assess.tables import criterion_columns, quantity_columns
 from arcless.dataset.schema import VARIABLES
 from arcless.errors import ModelError
 from arcless.storage.csv_files import Column
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
     from arcless.assess import Assessment
     from arcless.dataset.plain_dataset import Dataset
     from arcless.model import Scenario
+
 
 FILTERED = "contact_force_filtered"
 
@@ -39,7 +41,7 @@ class Run(Protocol):
         """Indicators and criteria over the run's own section."""
 
 
-def filtered_force(result: Run) -> Any:
+def filtered_force(data: "Dataset", scenario: "Scenario") -> NDArray[np.float64]:
     """Return the contact force in N after the low-pass of the scenario, (time, pantograph).
 
     Raises
@@ -47,9 +49,8 @@ def filtered_force(result: Run) -> Any:
     ModelError
         The low-pass does not fit the record.
     """
-    data = result.latest
     rate = sample_rate_Hz(data["time"].values)
-    return low_pass(data["contact_force"].values, rate, result.scenario.analysis.low_pass)
+    return low_pass(data["contact_force"].values, rate, scenario.analysis.low_pass)
 
 
 def contact_channels(result: Run) -> list[Column]:
@@ -61,7 +62,7 @@ def contact_channels(result: Run) -> list[Column]:
     data = result.latest
     columns = [Column("time", "s", data["time"].values)]
     columns += [Column("speed", "m/s", data["speed"].values)] if "speed" in data else []
-    filtered = filtered_force(result)
+    filtered = filtered_force(data, result.scenario)
     for index, name in enumerate(data["pantograph"].values):
         columns += _of_pantograph(data, str(name), index, filtered[:, index])
     if "contact" in data:
@@ -123,32 +124,13 @@ def assessment(result: Run) -> list[Column]:
         found = result.assessment
     except ModelError as error:
         return [Column("not assessed", "", [str(error)])]
-    told = found.to_dict()
-    parts = [*told["pantographs"], told]
-    keys = [key for key in QUANTITIES if any(key in part for part in parts)]
-    bands = {"low_pass_Hz": found.low_pass_Hz, "band_split_Hz": found.band_split_Hz}
-    names = [*(f"pantograph {one['name']}" for one in told["pantographs"]), "run"]
-    return [
-        Column("key", "", keys),
-        Column("quantity", "", [label_of(key, **bands) for key in keys]),
-        Column("unit", "", [QUANTITIES[key].unit for key in keys]),
-        *(
-            Column(name, "", [part.get(key) for key in keys])
-            for name, part in zip(names, parts, strict=True)
-        ),
-    ]
+    return quantity_columns(found.to_dict())
 
 
 def criteria(result: Run) -> list[Column]:
     """Return the criteria, one in a row, with value, limit, verdict, reason, source, mark."""
     try:
-        found = result.assessment.to_dict()["criteria"]
+        found = result.assessment
     except ModelError as error:
         return [Column("not assessed", "", [str(error)])]
-    keys = list(dict.fromkeys(key for one in found for key in one))
-    return [Column(key, "", [_cell(one.get(key)) for one in found]) for key in keys]
-
-
-def _cell(value: Any) -> Any:
-    """Return a value that fits a cell: lists and mappings as text."""
-    return str(value) if isinstance(value, list | dict) else value
+    return criterion_columns(found.to_dict())

@@ -12,7 +12,7 @@ from arcless.model.load import check_kind
 from arcless.simulate.batches.fingerprints import SharedKeys, member_key
 from arcless.simulate.batches.groups import Groups, Member
 from arcless.simulate.batches.monitored_runs import Look, Watching
-from arcless.simulate.batches.store import Folder
+from arcless.simulate.batches.store import Folder, Listed
 from arcless.simulate.batches.workers import Watch, WorkerPool
 from arcless.simulate.runs.job import Cancel, Progress
 from arcless.simulate.runs.outcome import Keep, Outcome, Stopped
@@ -117,7 +117,7 @@ class _Source:
     def __init__(self, scenarios: Iterable[Scenario], folder: Folder | None) -> None:
         self._scenarios, self._folder = iter(scenarios), folder
         self.begun, self.goes_on = 0, True
-        self.listed: list[tuple[int, str, str]] = []
+        self.listed: list[Listed] = []
 
     def refill(self, groups: Groups, waiting: int, enough: int) -> Iterator[Outcome]:
         """Let members wait until there are enough; give those that are done."""
@@ -141,7 +141,8 @@ class _Source:
         member = Member(self.begun, scenario, key)
         self.begun += 1
         if self._folder is not None:
-            self.listed.append((member.index, scenario.name, key))
+            changes = "; ".join(f"{path}={text}" for path, text in scenario.changes.items())
+            self.listed.append((member.index, scenario.name, key, changes))
         return member
 
     def _found(self, member: Member) -> Outcome | None:
@@ -156,6 +157,7 @@ class _Source:
             path=self._folder.file(member.key),
             wall_time_s=wall,
             was_there=True,
+            changes=member.scenario.changes,
         )
 
 

@@ -4,7 +4,7 @@ A member's file has the fingerprint of the member for a name. So a batch that is
 into the same folder finds the finished members, in whatever order; a changed member is another one.
 
 ```
-members.csv                  index, name and file of each member begun
+members.csv                  index, name, file and changed fields of each member begun
 ab/cdef….json                assessment of the member with the fingerprint abcdef…
 ab/cdef….nc                  its result, where results are kept
 ```
@@ -27,6 +27,8 @@ FORMAT = "arcless-member/1"
 LIST = "members.csv"
 # Digits of the fingerprint in names: by chance two of 10⁸ members meet once in 10²².
 DIGITS = 32
+# Index, name, key and changed fields of a member.
+Listed = tuple[int, str, str, str]
 
 
 class Folder:
@@ -91,13 +93,13 @@ class Folder:
         write_bytes(self.file(key, "json"), text.encode())
         return target
 
-    def write_list(self, members: Iterable[tuple[int, str, str]]) -> None:
-        """Write which file is whose, given index, name and key of the members."""
+    def write_list(self, members: Iterable[Listed]) -> None:
+        """Write which file is whose."""
         text = io.StringIO()
         rows = csv.writer(text, lineterminator="\n")
-        rows.writerow(["index", "name", "file"])
-        for index, name, key in members:
-            rows.writerow([index, name, self.file(key).relative_to(self._path)])
+        rows.writerow(["index", "name", "file", "changes"])
+        for index, name, key, changes in members:
+            rows.writerow([index, name, self.file(key).relative_to(self._path), changes])
         write_bytes(self._path / LIST, text.getvalue().encode())
 
 

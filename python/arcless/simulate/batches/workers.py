@@ -108,6 +108,7 @@ class WorkerPool:
         else:
             outcome = self._kept(member, done, time.perf_counter() - started)
         wall_time_s = outcome.wall_time_s or time.perf_counter() - started
+        outcome = replace(outcome, changes=member.scenario.changes)
         if course is None or not course.steps:
             return replace(outcome, wall_time_s=wall_time_s)
         steps, of_run = course.steps, course.of_run

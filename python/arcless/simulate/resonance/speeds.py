@@ -114,6 +114,11 @@ class ResonanceSpeeds:
     speeds: tuple[ResonanceSpeed, ...]
     notes: tuple[str, ...]
 
+    def __repr__(self) -> str:
+        speeds = [f"{3.6 * one.speed.middle:.0f}" for one in self.speeds]
+        span = f": {speeds[0]} to {speeds[-1]} km/h" if speeds else ""
+        return f"<ResonanceSpeeds, {len(speeds)}{span}>"
+
     def to_dict(self) -> dict[str, Any]:
         """Return plain values, ready for JSON."""
         return {"speeds": [one.to_dict() for one in self.speeds], "notes": list(self.notes)}

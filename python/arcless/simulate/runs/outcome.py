@@ -1,12 +1,13 @@
 """Outcome of a member of a batch."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Literal
 
 from arcless.assess import Assessment
 from arcless.errors import ArclessError
 from arcless.results import Result
+from arcless.units import plain
 
 Keep = Literal["assessment", "result"]
 
@@ -50,6 +51,9 @@ class Outcome:
     steps, steps_of_run
         Where it was looked at: the steps of all runs of a search for a static force (of a coarse
         copy as many as cost the same), and those of one run to its end.
+    changes
+        Fields that were set for it, by dotted path, values as typed: see `Scenario.changes`. They
+        tell members with one name apart.
     """
 
     index: int
@@ -63,6 +67,12 @@ class Outcome:
     stopped: Stopped | None = None
     steps: int = 0
     steps_of_run: int = 0
+    changes: dict[str, str] = field(default_factory=dict)
+
+    def __repr__(self) -> str:
+        told = self.error or self.stopped or self.assessment
+        about = "done" if told is None else f"{told!r:.80}"
+        return f"<Outcome {self.index} {plain(self.name)}: {about}>"
 
 
 def told(error: Exception) -> ArclessError:

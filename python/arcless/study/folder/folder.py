@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from datetime import UTC, datetime
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 from uuid import uuid4
 
 from arcless.errors import OutputError, StudyError
@@ -21,6 +21,9 @@ from arcless.study.journal.journal import Journal
 from arcless.study.journal.row import Row
 from arcless.study.journal.salvage import Damage, add
 from arcless.study.optimisation.search import Search
+
+if TYPE_CHECKING:
+    import pandas
 
 STATE, _COPY, _JOURNAL, _RESULTS = "study.json", "study.yaml", "journal.db", "results"
 TABLE = "table.parquet"
@@ -238,6 +241,21 @@ class StudyFolder:
             both |= {row.variant: row for row in found}
             found = (both[number] for number in sorted(both) if first <= number <= end)
         yield from found
+
+    def to_dataframe(self) -> "pandas.DataFrame":
+        """Return the rows that are there as a data frame, by variant, with units in the columns.
+
+        Raises
+        ------
+        StudyError
+            The package pyarrow is not installed.
+        """
+        from arcless.study.folder import table
+
+        return table.data_frame(self.study, self.rows())
+
+    def __repr__(self) -> str:
+        return f"<StudyFolder {self.study.name}: {self.path}>"
 
     def recall(self) -> None:
         """Let an optimisation know the values of the variants that have rows."""

@@ -5,6 +5,7 @@ from pathlib import Path
 
 from arcless.errors import ArclessError, StudyError
 from arcless.model.shipped.library import shipped
+from arcless.results import RESULT_NAME
 from arcless.study.definition.load import load, of_contents
 from arcless.study.definition.study import Study
 from arcless.study.folder.folder import NAMES, STATE, StudyFolder, read_state, unreadable
@@ -31,6 +32,28 @@ def located(source: Path, out: Path | None = None) -> tuple[Study, Path | None]:
     return (load(source), out) if folder is None else (begun(folder), out or folder)
 
 
+def open_study(source: str | os.PathLike[str]) -> StudyFolder:
+    """Return a study that was begun, with its table.
+
+    Parameters
+    ----------
+    source
+        The folder of the study or a file in it; or its study file, where the study is in its usual
+        folder, ``runs/studies/NAME``.
+
+    Raises
+    ------
+    ModelError
+        The study file is wrong.
+    StudyError
+        No study was begun there, or it cannot be read.
+    """
+    study, folder = located(Path(source))
+    place = StudyFolder(study, folder)
+    place.check_same()
+    return place
+
+
 def begun(folder: Path) -> Study:
     """Return the study that was begun in a folder, as it was asked then.
 
@@ -40,6 +63,8 @@ def begun(folder: Path) -> Study:
         None was, or its state cannot be read.
     """
     state = read_state(folder)
+    if state is None and (folder / RESULT_NAME).exists():
+        raise _run_at(folder)
     if state is None:
         raise StudyError(
             "no study was begun here",
@@ -62,4 +87,15 @@ def _folder(source: Path) -> Path | None:
         return None
     if source.is_dir():
         return source
+    if source.name == RESULT_NAME and source.is_file():
+        raise _run_at(source)
     return source.parent if source.name in NAMES and (source.parent / STATE).is_file() else None
+
+
+def _run_at(place: Path) -> StudyError:
+    return StudyError(
+        "run in place of a study",
+        where=str(place),
+        expected="the folder of a study, or a study file",
+        hint=f"`arcless report {place}` is for runs, and so are assess, compare and export",
+    )

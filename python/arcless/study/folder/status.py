@@ -6,6 +6,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
+from arcless.display import cards
 from arcless.study.definition.study import Study
 from arcless.study.folder.folder import StudyFolder
 from arcless.study.journal import journal
@@ -69,6 +70,27 @@ class StudyStatus:
         what = "its file" if self.damaged is None else f"rows left out: {self.damaged}"
         todo = "`arcless study resume` computes again what is missing"
         return f"the journal is damaged, {what}; {todo}"
+
+    @property
+    def sentence(self) -> str:
+        """Numbers of variants by outcome, in a sentence."""
+        pruned = "" if self.steps_saved is None else f"{self.pruned} pruned, "
+        return (
+            f"{self.done} of {self.total} done, {pruned}{self.invalid} invalid, "
+            f"{self.failed} failed, {self.missing} missing; "
+            f"{'being computed now' if self.running else 'not being computed'}"
+        )
+
+    def __repr__(self) -> str:
+        return f"<StudyStatus {self.name}: {self.sentence}>"
+
+    def _repr_html_(self) -> str:
+        titles = ("variants", "error")
+        errors = [(str(count), text) for text, count in self.errors.items()]
+        parts = [cards.table(titles, errors, numbers=titles[:1])] if errors else []
+        parts += [] if self.damage is None else [cards.listed([self.damage])]
+        about = f"{self.sentence}; {self.folder}"
+        return cards.card(f"Study {self.name}", *parts, about=about)
 
     def to_dict(self) -> dict[str, Any]:
         """Return it as plain values."""

@@ -14,6 +14,7 @@ from arcless.study.journal.row import Row
 from arcless.study.variables.variables import Axis
 
 if TYPE_CHECKING:
+    import pandas
     import pyarrow
 
 # Rows that are in memory at once; a group of rows of the file. Some tens of MB.
@@ -91,6 +92,18 @@ def table(study: Study, rows: Iterable[Row]) -> "pyarrow.Table":
     ]
     about = {"study": study.name, "description": study.description}
     return pyarrow.Table.from_arrays(arrays, schema=pyarrow.schema(fields, metadata=about))
+
+
+def data_frame(study: Study, rows: Iterable[Row]) -> "pandas.DataFrame":
+    """Return rows as a data frame; columns are named with their units."""
+    check_available()
+    made = table(study, rows).to_pandas()
+    units = {column.name: column.unit for column in _columns(study)}
+    plain = ("", "1")  # numbers without a unit
+    headers = {n: n if unit in plain else f"{n} [{unit}]" for n, unit in units.items()}
+    made = made.rename(columns=headers).set_index("variant")
+    made.attrs["units"] = {headers[name]: unit for name, unit in units.items()}
+    return made
 
 
 class _Column(NamedTuple):

@@ -61,7 +61,10 @@ def test_a_file_may_say_where_it_comes_from(files: Path) -> None:
     ("text", "message"),
     [
         ("time s\n0\n", "gusts.csv:1 (named in scenario.yaml:9): missing column: got no speed"),
-        ("time s, speed\n0, 1\n", "column speed: unit missing: expected a speed (m/s, km/h)"),
+        (
+            "time s, speed\n0, 1\n",
+            "column speed: unit missing: expected a speed (m/s, km/h, mph, ft/s)",
+        ),
         ("time s, speed m\n0, 1\n", "m is the unit of a length"),
         ("time s, speed m/s\n0, 1\n2,\n", "gusts.csv:3 (named in"),
         ("time s, speed m/s\n0, 1\n", "too few readings: got 1, expected at least 2"),

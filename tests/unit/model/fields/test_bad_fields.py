@@ -17,32 +17,33 @@ Refused = Callable[..., str]
         (
             "tension: 22 kN",
             "tension: 22 kg",
-            'line.yaml:7: contact_wire.tension: got "22 kg", expected a force (N, kN, daN, MN);'
-            " hint: kg is the unit of a mass",
+            'line.yaml:7: contact_wire.tension: got "22 kg", expected a force (N, kN, daN, MN,'
+            " kgf, tf, lbf); hint: kg is the unit of a mass: did you mean kgf?",
         ),
         (
             "tension: 22 kN",
             "tension: 22 kn",
-            'line.yaml:7: contact_wire.tension: got "22 kn", expected a force (N, kN, daN, MN);'
-            " hint: did you mean kN?",
+            'line.yaml:7: contact_wire.tension: got "22 kn", expected a force (N, kN, daN, MN,'
+            " kgf, tf, lbf); hint: did you mean kN?",
         ),
         (
             "tension: 22 kN",
             "tension: 0",
-            "line.yaml:7: contact_wire.tension: got 0 N, expected a force (N, kN, daN, MN),"
-            " at least 0.001 N; hint: only a conductor rail (kind: conductor_rail) is without"
-            " tension",
+            "line.yaml:7: contact_wire.tension: got 0 N, expected a force (N, kN, daN, MN, kgf,"
+            " tf, lbf), at least 0.001 N; hint: only a conductor rail (kind: conductor_rail)"
+            " is without tension",
         ),
         (
             "tension: 22 kN",
             "tension: .nan",
-            "line.yaml:7: contact_wire.tension: got nan, expected a force (N, kN, daN, MN), finite",
+            "line.yaml:7: contact_wire.tension: got nan, expected a force (N, kN, daN, MN, kgf,"
+            " tf, lbf), finite",
         ),
         (
             "  tension: 22 kN\n",
             "",
             "line.yaml:3: contact_wire.tension: missing field: expected Tension; 0 only in a"
-            " rail: a force (N, kN, daN, MN), at least 0 N and at most 1e+09 N",
+            " rail: a force (N, kN, daN, MN, kgf, tf, lbf), at least 0 N and at most 1e+09 N",
         ),
         (
             "tension: 22 kN",
@@ -54,7 +55,7 @@ Refused = Callable[..., str]
             "mass: 1.35 kg/m",
             "mass: -1.35 kg/m",
             'line.yaml:4: contact_wire.mass: got "-1.35 kg/m", expected a mass per length (kg/m,'
-            " g/m, kg/km, t/km), at least 1e-06 kg/m and at most 10000 kg/m",
+            " g/m, kg/km, t/km, lb/ft), at least 1e-06 kg/m and at most 10000 kg/m",
         ),
         (
             "[10, 20, 35, 45]",
@@ -191,8 +192,8 @@ def test_line(refused: Refused, old: str, new: str, message: str) -> None:
     [
         (
             "speed: 200 km/h",
-            "speed: 200 kmph",
-            'scenario.yaml:6: speed: got "200 kmph", expected a speed (m/s, km/h); hint:'
+            "speed: 200 kn/h",
+            'scenario.yaml:6: speed: got "200 kn/h", expected a speed (m/s, km/h, mph, ft/s); hint:'
             " did you mean km/h?",
         ),
         (
@@ -333,15 +334,15 @@ def test_line(refused: Refused, old: str, new: str, message: str) -> None:
             "speed:",
             "solver: {contact_wire_element: automatic}\nspeed:",
             'scenario.yaml:6: solver.contact_wire_element: got "automatic", expected a length (m,'
-            ' mm, cm, km), at least 0.05 m and at most 20 m, or "auto"; hint: write a number, then'
-            " its unit, such as 1.5 m",
+            ' mm, cm, km, in, ft, yd, chain, mi), at least 0.05 m and at most 20 m, or "auto";'
+            " hint: write a number, then its unit, such as 1.5 m",
         ),
         (
             "speed:",
             "solver: {messenger_wire_element: one element}\nspeed:",
             'scenario.yaml:6: solver.messenger_wire_element: got "one element", expected a length'
-            ' (m, mm, cm, km), at least 0.05 m and at most 20 m, or "auto"; hint: write a number,'
-            " then its unit, such as 1.5 m",
+            ' (m, mm, cm, km, in, ft, yd, chain, mi), at least 0.05 m and at most 20 m, or "auto";'
+            " hint: write a number, then its unit, such as 1.5 m",
         ),
         (
             "speed:",

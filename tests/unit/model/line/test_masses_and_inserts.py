@@ -65,12 +65,14 @@ def test_round_trip() -> None:
         ),
         (
             {"inserts": [{**INSULATOR, "mass": 0}]},
-            "inserts.0.mass: got 0, expected a mass (kg, g, t), above 0 kg and at most 1e+06 kg",
+            "inserts.0.mass: got 0, expected a mass (kg, g, t, lb), above 0 kg and at most 1e+06"
+            " kg",
         ),
         (
             {"inserts": [INSERT]},
             "inserts.0.bending_stiffness: missing field: expected Bending stiffness EI: a bending"
-            " stiffness (N m², kN m²), at least 0 N m² and at most 1e+13 N m²",
+            " stiffness (N m², kN m², N mm²,"
+            " kgf m², lbf ft², lbf in²), at least 0 N m² and at most 1e+13 N m²",
         ),
     ],
 )
@@ -112,8 +114,8 @@ def test_inserts_of_two_wires_may_be_side_by_side() -> None:
         ),
         (
             {"contact_wire__ends": "weights", "contact_wire__end_efficiency": 1.03},
-            "contact_wire.end_efficiency: got 1.03, expected a number without unit, above 0.5 and"
-            " at most 1",
+            "contact_wire.end_efficiency: got 1.03, expected a number without unit, or in % or"
+            " ‰, above 0.5 and at most 1",
         ),
         (
             {"spans": [{"type": "span"}], "midpoint_anchor": ANCHOR},
@@ -133,7 +135,8 @@ def test_inserts_of_two_wires_may_be_side_by_side() -> None:
         (
             {"contact_wire__ends": "spring"},
             "contact_wire.end_stiffness: missing field: expected Stiffness of a tensioning spring;"
-            " only with ends: spring: a stiffness (N/m, kN/m, N/mm, MN/m), above 0 N/m"
+            " only with ends: spring: a stiffness (N/m, kN/m, N/mm, MN/m, kN/mm, daN/m, kgf/m,"
+            " kgf/mm, lbf/ft, lbf/in), above 0 N/m"
             " and at most 1e+13 N/m",
         ),
         (

@@ -89,9 +89,9 @@ def test_a_rail_has_no_wave_speed_to_be_warned_of() -> None:
         ),
         (
             {"contact_wire__tension": 0},
-            "contact_wire.tension: got 0 N, expected a force (N, kN, daN, MN), at least"
-            " 0.001 N; hint: only"
-            " a conductor rail (kind: conductor_rail) is without tension",
+            "contact_wire.tension: got 0 N, expected a force (N, kN, daN, MN, kgf, tf, lbf),"
+            " at least 0.001 N; hint: only a conductor rail (kind: conductor_rail) is"
+            " without tension",
         ),
         (
             {"contact_wire__joints": {"mass": 2.0, "spacing": 12.0}},
@@ -176,7 +176,8 @@ def test_a_rail_without_tension_must_resist_bending() -> None:
         (
             {"geometry__encumbrance": None},
             "geometry.encumbrance: missing field: expected Messenger wire above contact wire at the"
-            " supports (system height): a length (m, mm, cm, km), above 0 m and at most 10 m",
+            " supports (system height): a length (m, mm, cm, km, in, ft, yd, chain, mi),"
+            " above 0 m and at most 10 m",
         ),
         (
             {"steady_arm": None},

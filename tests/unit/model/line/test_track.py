@@ -94,7 +94,11 @@ def test_a_span_lies_aside_as_its_track_turns() -> None:
         ({"to": 100}, "curves.0.to: empty curve: got 100 m to 100 m"),
         ({"transition": 101}, "curves.0.transition: transitions longer than the curve: got two of"),
         ({"transition": 0}, "curves.0.transition: cant without transition: got 0.12 m"),
-        ({"radius": 0}, "curves.0.radius: got 0, expected a length (m, mm, cm, km), at least 20 m"),
+        (
+            {"radius": 0},
+            "curves.0.radius: got 0, expected a length (m, mm, cm, km, in, ft, yd, chain, mi), at"
+            " least 20 m",
+        ),
         ({"radius": "800 kg"}, "kg is the unit of a mass"),
         ({"side": "inside"}, "curves.0.side"),
         ({"cant": "120 m"}, "curves.0.cant: got"),

@@ -44,7 +44,8 @@ def test_friction_is_a_steep_damper_up_to_the_sliding_speed() -> None:
         (
             chain(stiffness=None),
             "masses.0.stiffness: missing field: expected Spring to the mass below, or to the base"
-            " frame: a stiffness (N/m, kN/m, N/mm, MN/m), at least 0 N/m and at most"
+            " frame: a stiffness (N/m, kN/m, N/mm, MN/m, kN/mm, daN/m, kgf/m, kgf/mm, lbf/ft,"
+            " lbf/in), at least 0 N/m and at most"
             " 1e+13 N/m, or stiffness_table",
         ),
         (

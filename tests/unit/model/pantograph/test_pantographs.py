@@ -151,7 +151,8 @@ def chain(**more: Any) -> Data:
         ),
         (
             chain(stops={"below": "-1 mm", "stiffness": 1e6}),
-            'masses.0.stops.below: got "-1 mm", expected a length (m, mm, cm, km), at least 0 m',
+            'masses.0.stops.below: got "-1 mm", expected a length (m, mm, cm, km, in, ft, yd,'
+            " chain, mi), at least 0 m",
         ),
         (
             chain(stops={"below": 0.1, "stiffness": "hard"}),

@@ -191,7 +191,8 @@ def test_the_same_bytes_on_any_machine(tmp_path: Path) -> None:
     other = tmp_path / "other"
     for folder in (".fonts", ".config/matplotlib", ".local/share/fonts", "tmp"):
         (other / folder).mkdir(parents=True)
-    (other / ".config/matplotlib/matplotlibrc").write_text("xtick.direction: in\nfont.weight: bold\nsvg.fonttype: path\n")
+    settings = "xtick.direction: in\nfont.weight: bold\nsvg.fonttype: path\n"
+    (other / ".config/matplotlib/matplotlibrc").write_text(settings)
     serif = TTFont(fonts() / "DejaVuSerif.ttf")  # a font that says it is the one of the document
     for record in serif["name"].names:
         record.string = str(record).replace("Serif", "Sans")

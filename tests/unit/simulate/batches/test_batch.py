@@ -148,6 +148,24 @@ def test_a_folder_goes_on_where_it_stopped(short: Make, tmp_path: Path) -> None:
     listed = (tmp_path / "other" / "members.csv").read_text().splitlines()
     assert listed == (tmp_path / "whole" / "members.csv").read_text().splitlines()
     assert listed[1].startswith(f"0,{scenarios[0].name},")
+    assert "; speed=120 km/h; " in listed[1]
+
+
+def test_members_with_one_name_are_told_apart_by_what_was_set(short: Make, tmp_path: Path) -> None:
+    scenarios = [short().with_(speed=f"{speed} km/h") for speed in (120, 130)]
+    scenarios.append(short().with_(**{"line.contact_wire.tension": "1 N"}))  # which fails
+    last = {"line.contact_wire.tension": "1 N"}
+    own = [{"speed": "120 km/h"}, {"speed": "130 km/h"}, last]
+    expected = [short().changes | one for one in own]
+    taken: dict[int, dict[str, str]] = {}
+    for _ in range(2):  # the second time they are there
+        outcomes = arcless.batch(
+            scenarios, folder=tmp_path, take=lambda one: taken.update({one.index: one.changes})
+        )
+        assert [one.changes for one in outcomes] == expected
+        assert [taken[index] for index in range(3)] == expected
+    assert [one.was_there for one in outcomes] == [True, True, False]
+    assert len({one.name for one in outcomes}) == 1
 
 
 def test_what_was_changed_or_damaged_is_run_again(short: Make, tmp_path: Path) -> None:

@@ -19,7 +19,7 @@ def test_a_study_is_one_of_the_formats() -> None:
 def test_every_field_has_a_description() -> None:
     for name, definition in SCHEMA["$defs"].items():
         assert definition["description"], name
-        for field, schema in definition["properties"].items():
+        for field, schema in definition.get("properties", {}).items():
             assert schema["description"], f"{name}.{field}"
 
 

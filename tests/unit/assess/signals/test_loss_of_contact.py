@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from arcless.assess.loss_of_contact import contact_loss_percent, longest_loss_s
+from arcless.assess.signals.loss_of_contact import contact_loss_percent, longest_loss_s
 
 STEP = 1e-3
 

@@ -1,0 +1,1 @@
+"""Numbers, tables and objects as a reader sees them in pages and notebooks."""

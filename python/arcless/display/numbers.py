@@ -1,0 +1,15 @@
+"""Numbers as text."""
+
+
+def number(value: float | None, decimals: int = 1) -> str:
+    """Return a number with a real minus sign, a dash when there is none."""
+    if value is None:
+        return "–"
+    return f"{value:.{decimals}f}".replace("-", "−")
+
+
+def pair(value: float | None, uncertainty: float | None, decimals: int) -> str:
+    """Return a number with the text after its ±, where there is any that its decimals show."""
+    text = number(value, decimals)
+    sure = number(uncertainty, decimals)
+    return text if uncertainty is None or not float(sure) else f"{text} ± {sure}"

@@ -1,0 +1,17 @@
+"""Numbers as text."""
+
+from arcless.display.numbers import number, pair
+
+
+def test_a_number_has_a_real_minus_sign_and_a_dash_where_there_is_none() -> None:
+    assert number(None) == "–"
+    assert number(-1.25, 2) == "−1.25"
+    assert number(0.12345, 3) == "0.123"
+
+
+def test_an_uncertainty_is_shown_where_the_decimals_show_it() -> None:
+    assert pair(60.82, 1.46, 1) == "60.8 ± 1.5"
+    assert pair(60.82, 0.04, 1) == "60.8"
+    assert pair(60.82, None, 1) == "60.8"
+    assert pair(0.0, 0.0, 2) == "0.00"
+    assert pair(None, None, 2) == "–"
