@@ -157,3 +157,9 @@ class StudyError(ArclessError):
 
 class ExecutorError(ArclessError):
     """The executor that computes the variants of a study does not answer, or went away."""
+
+
+class MeasurementError(ArclessError):
+    """A measured record cannot be read or assessed: its file, its clock, or its sensors say no."""
+
+    exit_code = 2

@@ -263,7 +263,7 @@ def test_library_lists_one_kind(arcless: Arcless, kind: str) -> None:
 
 
 def test_a_line_where_a_scenario_is_wanted_is_told_apart(arcless: Arcless) -> None:
-    done = arcless("statics", "norway-s25")
+    done = arcless("run", "norway-s25")
     assert done.exit_code == 2
     assert "norway-s25 is a shipped line; did you mean norway-s25-250?" in done.stderr
 
@@ -351,3 +351,54 @@ def test_notes_and_tolerances_stand_on_the_terminal(
     assert "+ 1 " in done.stdout
     assert "warning: line.design.supply: not given" in done.stderr
     assert "not met (unverified)" in done.stdout or "not met" not in done.stdout
+
+
+def test_statics_of_a_line_alone(arcless: Arcless) -> None:
+    done = arcless("statics", "norway-s25", "--json", "--quiet")
+    found = strict_json(done.stdout)
+    assert (found["scenario"], found["line"], done.stderr) == (None, "norway-s25", "")
+    assert set(strict_json(arcless("statics", "norway-s25-250", "--json").stdout)) == set(found)
+    printed = arcless("statics", "norway-s25").stdout
+    assert "norway-s25: initial configuration" in printed
+    assert "Resonance speeds" not in printed
+
+
+def test_statics_of_a_line_takes_what_that_of_a_scenario_takes(arcless: Arcless) -> None:
+    arcless("new", "ridge", "--from", "norway-s25")
+    words = ("--plot", "p.html", "--droppers", "d.csv", "--supports", "s.csv", "--out", "out")
+    change = ("--set", "contact_wire.tension=12 kN")
+    done = arcless("statics", "ridge.yaml", *words, *change, "--quiet")
+    assert done.stdout.endswith("wrote s.csv\n")
+    found = strict_json(Path("out/statics.json").read_text("utf-8"))
+    assert found["wave_speed_m_s"] == pytest.approx((12e3 / 1.091) ** 0.5, rel=1e-3)
+    # With the name that the field has in a scenario, too.
+    words = ("--set", "line.contact_wire.tension=12 kN", "--json", "--quiet")
+    same = strict_json(arcless("statics", "ridge.yaml", *words).stdout)
+    assert same == found
+
+
+def test_a_name_of_both_is_the_scenario(arcless: Arcless) -> None:
+    name = "china-stitched-350"
+    for given, scenario in ((name, name), (f"scenario/{name}", name), (f"line/{name}", None)):
+        found = strict_json(arcless("statics", given, "--json", "--quiet").stdout)
+        assert (found["scenario"], found["line"]) == (scenario, name)
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (("run", "ridge.yaml"), "this is a line: `arcless statics ridge.yaml`"),
+        (("statics", "dsa-250"), "dsa-250 is a shipped pantograph"),
+        (("statics", "ridge.yaml", "--set", "contact_wire.tention=1"), "did you mean tension?"),
+        (("statics", "ridge.yaml", "--set", "speed=1"), "expected a field of the line"),
+        (("statics", "bad.yaml"), "bad.yaml:3"),
+    ],
+)
+def test_statics_of_a_line_says_what_is_wrong(
+    arcless: Arcless, words: tuple[str, ...], told: str
+) -> None:
+    arcless("new", "ridge", "--from", "norway-s25")
+    Path("bad.yaml").write_text("format: arcless-line/1\nname: [\n")
+    done = arcless(*words)
+    assert done.exit_code == 2
+    assert told in done.stderr

@@ -76,6 +76,8 @@ def complete(place: Path, program: Path) -> Complete:
         (["run", "norway-s25-"], ["norway-s25-250"]),
         (["run", "mi"], ["mine.yaml"]),
         (["statics", "en50318-2002-3"], ["en50318-2002-300"]),
+        (["statics", "line/norway-s25"], ["line/norway-s25"]),
+        (["table", "norway-s25"], ["norway-s25", "norway-s25-250"]),
         (["show", "line/norway-s25"], ["line/norway-s25"]),
         (["new", "x", "--from", "dsa"], ["dsa-250", "dsa-380"]),
         (["assess", "runs/"], ["runs/a"]),

@@ -102,16 +102,6 @@ def test_excel_has_a_sheet_for_each_table(arcless: Command, finished: Path) -> N
     assert book["supports"]["A2"].value == str(result.dataset["support"].values[0])
 
 
-def test_a_name_is_no_formula_in_excel(tmp_path: Path) -> None:
-    openpyxl = pytest.importorskip("openpyxl")
-    book = openpyxl.Workbook(write_only=True)
-    files._fill(book.create_sheet("s"), [tables.Column("=1+1", "", ["=2+2", "a\x07b"])])
-    book.save(tmp_path / "x.xlsx")
-    sheet = openpyxl.load_workbook(tmp_path / "x.xlsx")["s"]
-    assert [sheet[f"A{row}"].data_type for row in (1, 2)] == ["s", "s"]
-    assert sheet["A3"].value == "a?b"
-
-
 def test_a_run_that_stopped_before_its_section_is_exported(arcless: Command, short: Path) -> None:
     openpyxl = pytest.importorskip("openpyxl")
     arcless("run", short, "--until", "70 m", "--quiet", "--out", "part")

@@ -21,7 +21,8 @@ PACKAGE = Path(arcless.__file__).parent
 # Packages and modules of the top folder; each imports only from itself and from its left.
 ORDER = (
     "errors", "units", "storage", "display", "model", "mesh", "equilibrium", "lcp", "dataset",
-    "assess", "figures", "report", "results", "comparison", "simulate", "study", "validate", "cli",
+    "assess", "figures", "report", "results", "measurements", "comparison", "simulate", "study",
+    "validate", "cli",
 )  # fmt: skip
 CORE = "arcless._core"
 CORE_USERS = {"equilibrium", "lcp", "assess", "simulate"}

@@ -13,6 +13,7 @@ from arcless.errors import (
     EquilibriumError,
     ExecutorError,
     FigureError,
+    MeasurementError,
     MeshError,
     ModelError,
     OutputError,
@@ -76,6 +77,11 @@ EXAMPLES = [
     (
         FigureError("unknown key of a figure", got="`leed`", expected="one of `lead`, `force`"),
         "unknown key of a figure: got `leed`, expected one of `lead`, `force`",
+        2,
+    ),
+    (
+        MeasurementError("time goes back", where="run.csv:7", got="0.03 s after 0.04 s"),
+        "run.csv:7: time goes back: got 0.03 s after 0.04 s",
         2,
     ),
     (

@@ -2,7 +2,6 @@
 # ruff: noqa: N815 - the names carry their units
 
 import json
-import math
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, fields, replace
 from typing import TYPE_CHECKING, Any, Literal
@@ -15,6 +14,8 @@ from arcless.assess.facts import criteria_facts, lateral_mm, supply_notes, uplif
 from arcless.assess.section import (
     ForceRecord,
     Section,
+    checked_cutoff,
+    checked_section,
     extreme_inside,
     force_record,
     section_notes,
@@ -23,8 +24,7 @@ from arcless.assess.statistics import PantographAssessment, pantograph_assessmen
 from arcless.assess.tables import card, data_frame, headline, title_of
 from arcless.assess.wear import WearRates, wear_notes, wear_rates
 from arcless.dataset.metadata import metadata
-from arcless.errors import ModelError, ResultFormatError
-from arcless.model.fields.extremes import LEAST_FREQUENCY
+from arcless.errors import ResultFormatError
 
 if TYPE_CHECKING:
     import pandas
@@ -37,9 +37,9 @@ WEAR_KEYS = tuple(field.name for field in fields(WearRates))
 
 @dataclass(frozen=True)
 class Assessment:
-    """Indicators and criteria of a run over one section; the names carry the units.
+    """Indicators and criteria of a run, or of a measurement, over one section.
 
-    A number that the record does not hold is None, and `notes` says why.
+    The names carry the units. A number that the record does not hold is None, and `notes` says why.
     """
 
     scenario: str
@@ -53,10 +53,11 @@ class Assessment:
     slack_droppers_max: int | None
     min_dropper_force_N: float | None
     energy_residual_relative: float | None
-    steps: int
+    steps: int | None
+    """None of a measurement, as are the next three."""
     setup_time_s: float | None
-    wall_time_s: float
-    real_time_factor: float
+    wall_time_s: float | None
+    real_time_factor: float | None
     supply: str
     """Supply whose limits were taken."""
     criteria: list[Criterion]
@@ -65,6 +66,8 @@ class Assessment:
     """Spread and discretisation of the numbers of the run, by key; None where nobody asked."""
     certainty_method: dict[str, Any] | None = None
     """Method by which they were found, see `arcless.assess.certainty`."""
+    measurement: dict[str, Any] | None = None
+    """Sampling of a measurement, and what of it was left out; None of a run."""
 
     @property
     def passed(self) -> bool:
@@ -75,10 +78,10 @@ class Assessment:
         """Return the assessment as plain values, ready for JSON.
 
         Without coefficients of wear in the scenario there are no keys of wear; `certainty` is there
-        where somebody asked for it.
+        where somebody asked for it, `measurement` where it is one.
         """
         data = asdict(self)
-        asked = ("certainty", "certainty_method")
+        asked = ("certainty", "certainty_method", "measurement")
         for part in (data, *data["pantographs"], *data["criteria"]):
             for name in asked:
                 if name in part and part[name] is None:
@@ -140,7 +143,7 @@ def assess(
         A pantograph was never inside the section, or the low-pass does not fit the record.
     """
     facts = metadata(dataset)
-    limits = _checked(section if section is not None else facts["section_m"])
+    limits = checked_section(section if section is not None else facts["section_m"])
     cutoff_Hz, split_Hz = _frequencies(facts["scenario"], low_pass_Hz)
     record = force_record(dataset, limits, cutoff_Hz, split_Hz)
     pantographs = _pantographs(dataset, record, facts["scenario"])
@@ -226,25 +229,10 @@ def _absent(name: str) -> str:
     return f"{name} is not in the record"
 
 
-def _checked(section: Any) -> Section:
-    begin, end = (float(x) for x in section)
-    if not (math.isfinite(begin) and math.isfinite(end) and begin < end):
-        raise ModelError("analysis section", got=f"{begin:g} to {end:g} m", expected="from < to")
-    return begin, end
-
-
 def _frequencies(scenario: Mapping[str, Any], low_pass_Hz: float | None) -> tuple[float, float]:
     analysis = scenario["analysis"]
     cutoff = analysis["low_pass"] if low_pass_Hz is None else low_pass_Hz
-    if not cutoff >= LEAST_FREQUENCY:
-        raise ModelError(
-            "the low-pass frequency is too low",
-            where="analysis.low_pass",
-            got=f"{cutoff:g} Hz",
-            expected=f"at least {LEAST_FREQUENCY:g} Hz",
-            hint="give a frequency with its unit, such as 20 Hz",
-        )
-    return float(cutoff), float(analysis["band_split"])
+    return checked_cutoff(cutoff), float(analysis["band_split"])
 
 
 def _pantographs(

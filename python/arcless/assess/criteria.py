@@ -98,15 +98,40 @@ def telling_decimals(value: float | None, bounds: Sequence[float | None], least:
     return _MOST_DECIMALS
 
 
-# Why a criterion has no value, or no limit, where that can be said more closely.
-ABSENT = {
-    "lateral_position": "the run is planar, so the wire has no lateral position",
-    "wave_speed_use": "a rail has no wave speed, and older results do not name that of a wire",
-}
-WITHOUT_LIMIT = {
-    "lateral_position": "limits are known for a head_width of 1.60 m and 1.95 m only; the"
-    " pantograph gives no such head_width and no lateral_range",
-}
+@dataclass(frozen=True)
+class Reasons:
+    """Reasons why a criterion is not judged, by its name where that can be said more closely.
+
+    Attributes
+    ----------
+    absent, without_limit
+        Why there is no value, and no limit.
+    usual_absent, usual_limit
+        The same for criteria that are not named.
+    """
+
+    absent: Mapping[str, str]
+    without_limit: Mapping[str, str]
+    usual_absent: str = "the value is not in the record"
+    usual_limit: str = "the line's design data give no limit"
+
+
+OF_RUN = Reasons(
+    absent={
+        "lateral_position": "the run is planar, so the wire has no lateral position",
+        "wave_speed_use": "a rail has no wave speed, and older results do not name that of a wire",
+    },
+    without_limit={
+        "lateral_position": "limits are known for a head_width of 1.60 m and 1.95 m only; the"
+        " pantograph gives no such head_width and no lateral_range",
+    },
+)
+OF_MEASUREMENT = Reasons(
+    absent={},
+    without_limit={},
+    usual_absent="the file has no column for it",
+    usual_limit="a measurement knows no design data of the line",
+)
 
 # Relations as printed.
 RELATION_SIGNS: Mapping[str, str] = {"<=": "≤", ">=": "≥", ">": ">"}
@@ -118,7 +143,10 @@ RELATIONS: dict[str, Callable[[float, float, float], bool]] = {
 
 
 def evaluate(
-    facts: Facts, pantographs: list[PantographAssessment], draws: Draws | None = None
+    facts: Facts,
+    pantographs: list[PantographAssessment],
+    draws: Draws | None = None,
+    reasons: Reasons = OF_RUN,
 ) -> list[Criterion]:
     """Judge every rule that applies, for every pantograph where it is the pantograph's.
 
@@ -130,9 +158,11 @@ def evaluate(
         Their indicators; at least one.
     draws
         The runs that say how sure the numbers are; None where there are none.
+    reasons
+        Texts for criteria that are not judged.
     """
     return [
-        _sure(rule, _judge(rule, facts, pantograph), draws)
+        _sure(rule, _judge(rule, facts, pantograph, reasons), draws)
         for rule in _rules_for(facts)
         for pantograph in (pantographs[:1] if rule.whole_run else pantographs)
     ]
@@ -152,14 +182,16 @@ def _rules_for(facts: Facts) -> Iterator[Rule]:
             yield rule
 
 
-def _judge(rule: Rule, facts: Facts, pantograph: PantographAssessment) -> Criterion:
+def _judge(
+    rule: Rule, facts: Facts, pantograph: PantographAssessment, reasons: Reasons
+) -> Criterion:
     value = quantity_of(rule.quantity, facts, pantograph)
     limit = rule.limit.value(facts, pantograph)
     passed, note, reason = None, rule.note, None
     if value is None:
-        reason = ABSENT.get(rule.name, "the value is not in the record")
+        reason = reasons.absent.get(rule.name, reasons.usual_absent)
     elif limit is None:
-        reason = WITHOUT_LIMIT.get(rule.name, "the line's design data give no limit")
+        reason = reasons.without_limit.get(rule.name, reasons.usual_limit)
     else:
         passed = RELATIONS[rule.relation](value, limit, rule.tolerance)
     return Criterion(

@@ -45,12 +45,12 @@ def criteria_facts(facts: Mapping[str, Any], speed: Any, uplift_mm: float | None
     )
 
 
-def supply_notes(facts: Facts) -> list[str]:
-    """Say that the limits are those of a supply that nobody gave."""
+def supply_notes(facts: Facts, field: str = "line.design.supply") -> list[str]:
+    """Say that the limits are those of a supply that nobody gave in a field."""
     if facts.supply_given:
         return []
     return [
-        f"line.design.supply is not given: the limits of force are those of {facts.supply}, and"
+        f"{field} is not given: the limits of force are those of {facts.supply}, and"
         " decide nothing (mark assumed)"
     ]
 

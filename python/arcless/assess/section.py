@@ -1,8 +1,9 @@
 """Part of a record inside the analysis section."""
 # ruff: noqa: N815 - the names carry their units
 
+import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,6 +11,7 @@ from numpy.typing import NDArray
 from arcless.assess.signals.filter import sample_rate_Hz
 from arcless.assess.statistics import ForceBands, force_bands
 from arcless.errors import ModelError
+from arcless.model.fields.extremes import LEAST_FREQUENCY
 
 if TYPE_CHECKING:
     from arcless.dataset.plain_dataset import Dataset
@@ -38,6 +40,39 @@ class ForceRecord:
     force: NDArray[np.float64]
     bands: ForceBands
     inside: NDArray[np.bool_]
+
+
+def checked_section(section: Any) -> Section:
+    """Return a section whose begin lies before its end.
+
+    Raises
+    ------
+    ModelError
+        It is none.
+    """
+    begin, end = (float(x) for x in section)
+    if not (math.isfinite(begin) and math.isfinite(end) and begin < end):
+        raise ModelError("analysis section", got=f"{begin:g} to {end:g} m", expected="from < to")
+    return begin, end
+
+
+def checked_cutoff(cutoff_Hz: float) -> float:
+    """Return a frequency in Hz that a low-pass can have.
+
+    Raises
+    ------
+    ModelError
+        It is too low.
+    """
+    if not cutoff_Hz >= LEAST_FREQUENCY:
+        raise ModelError(
+            "the low-pass frequency is too low",
+            where="analysis.low_pass",
+            got=f"{cutoff_Hz:g} Hz",
+            expected=f"at least {LEAST_FREQUENCY:g} Hz",
+            hint="give a frequency with its unit, such as 20 Hz",
+        )
+    return float(cutoff_Hz)
 
 
 def force_record(
@@ -91,20 +126,35 @@ def section_notes(
         )
     for column, name in enumerate(dataset["pantograph"].values):
         path, inside = position[:, column], record.inside[:, column]
-        if path[0] > section[0] or path[-1] < section[1]:
-            begin, end = max(path[0], section[0]), min(path[-1], section[1])
-            notes.append(f"pantograph {name} ran over {begin:g} to {end:g} m of the section only")
+        notes += part_notes(str(name), (path[0], path[-1]), section)
         samples = np.flatnonzero(inside)
         margin = min(time[samples[0]] - time[0], time[-1] - time[samples[-1]])
-        lowest = float(record.bands.total[samples, column].min())
-        if lowest < 0.0 <= float(record.force[samples, column].min()):
-            notes.append(
-                f"the minimum contact force of pantograph {name}, {lowest:.1f} N, is an undershoot "
-                "of the low-pass where contact is lost: the unfiltered force is never below zero"
-            )
+        filtered, force = record.bands.total[samples, column], record.force[samples, column]
+        notes += undershoot_notes(str(name), filtered, force)
         if margin < 1.0 / band_split_Hz:
             notes.append(
                 f"the section of pantograph {name} begins or ends {margin:.3g} s from an end of "
                 "the record, where a filter without phase shift makes numbers up"
             )
     return notes
+
+
+def part_notes(name: str, path: Section, section: Section) -> list[str]:
+    """Say that a pantograph ran over a part of the section only; its path from and to in m."""
+    if path[0] <= section[0] and path[1] >= section[1]:
+        return []
+    begin, end = max(path[0], section[0]), min(path[1], section[1])
+    return [f"pantograph {name} ran over {begin:g} to {end:g} m of the section only"]
+
+
+def undershoot_notes(
+    name: str, filtered: NDArray[np.float64], force: NDArray[np.float64]
+) -> list[str]:
+    """Say that a minimum below zero is made by the filter; forces inside the section in N."""
+    lowest = float(filtered.min())
+    if not lowest < 0.0 <= float(force.min()):
+        return []
+    return [
+        f"the minimum contact force of pantograph {name}, {lowest:.1f} N, is an undershoot "
+        "of the low-pass where contact is lost: the unfiltered force is never below zero"
+    ]

@@ -1,6 +1,7 @@
 """Indicators of one pantograph over the analysis section."""
 # ruff: noqa: N815 - the names carry their units
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -38,8 +39,9 @@ class PantographAssessment:
     contact_loss_percent: float
     NQ_percent: float
     longest_loss_s: float
-    max_gap_mm: float
-    contact_point_range_mm: float
+    max_gap_mm: float | None
+    """None of a measurement, as is the next one where heights were not measured."""
+    contact_point_range_mm: float | None
     unfiltered_max_force_N: float
     unfiltered_min_force_N: float
     max_lateral_position_mm: float | None = None
@@ -71,7 +73,11 @@ class ForceBands:
 
 
 def force_bands(
-    force: Array, rate_Hz: float, low_pass_Hz: float, band_split_Hz: float
+    force: Array,
+    rate_Hz: float,
+    low_pass_Hz: float,
+    band_split_Hz: float,
+    pieces: Sequence[slice] = (slice(None),),
 ) -> ForceBands:
     """Split a whole record of the contact force into its two bands.
 
@@ -84,14 +90,19 @@ def force_bands(
         Recording rate in Hz.
     low_pass_Hz, band_split_Hz
         Upper end of the upper band, and the frequency between the two bands.
+    pieces
+        Stretches without a gap, which are filtered one by one; one behind the other they are the
+        whole record.
 
     Notes
     -----
     The upper band is the total minus the lower band: with zero phase and Butterworth gains this
     is the band-pass, and nothing is counted twice.
     """
-    total = low_pass(force, rate_Hz, low_pass_Hz)
-    low = low_pass(force, rate_Hz, min(band_split_Hz, low_pass_Hz))
+    total, low = (
+        np.concatenate([low_pass(force[piece], rate_Hz, cutoff) for piece in pieces])
+        for cutoff in (low_pass_Hz, min(band_split_Hz, low_pass_Hz))
+    )
     return ForceBands(total, low, total - low)
 
 
@@ -101,10 +112,11 @@ def pantograph_assessment(
     *,
     force: Array,
     bands: ForceBands,
-    gap: Array,
-    height: Array,
+    gap: Array | None,
+    height: Array | None,
     step_s: float,
     lateral_mm: float | None = None,
+    cuts: Sequence[int] = (),
 ) -> PantographAssessment:
     """Return the indicators of one pantograph.
 
@@ -117,11 +129,14 @@ def pantograph_assessment(
     force, bands
         Unfiltered and filtered contact force in N, whole record.
     gap, height
-        Contact gap and height of the contact point in m, whole record.
+        Contact gap and height of the contact point in m, whole record; None where there is none. A
+        height that is missing is NaN.
     step_s
         Recording step in s.
     lateral_mm
         Largest lateral position of the contact wire, sway included; None of a planar run.
+    cuts
+        Samples at which a new piece begins, of a record with gaps.
     """
     total = bands.total[inside]
     mean, std = float(np.mean(total)), float(np.std(total))
@@ -135,12 +150,20 @@ def pantograph_assessment(
         "statistical_max_N": mean + 3.0 * std,
         "statistical_min_N": mean - 3.0 * std,
         "contact_loss_percent": contact_loss_percent(force[inside]),
-        "NQ_percent": arcing_percent(force, inside, step_s),
-        "longest_loss_s": longest_loss_s(force[inside], step_s),
-        "max_gap_mm": 1e3 * np.max(gap[inside]),
-        "contact_point_range_mm": 1e3 * np.ptp(height[inside]),
+        "NQ_percent": arcing_percent(force, inside, step_s, cuts),
+        "longest_loss_s": longest_loss_s(force, step_s, inside, cuts),
+        "max_gap_mm": None if gap is None else 1e3 * np.max(gap[inside]),
+        "contact_point_range_mm": None if height is None else _range_mm(height[inside]),
         "unfiltered_max_force_N": np.max(force[inside]),
         "unfiltered_min_force_N": np.min(force[inside]),
     }
-    numbers: dict[str, Any] = {key: float(value) for key, value in values.items()}
+    numbers: dict[str, Any] = {
+        key: None if value is None else float(value) for key, value in values.items()
+    }
     return PantographAssessment(name, **numbers, max_lateral_position_mm=lateral_mm)
+
+
+def _range_mm(height: Array) -> float | None:
+    """Return the range of the heights that are known, in mm."""
+    known = height[~np.isnan(height)]
+    return 1e3 * float(np.ptp(known)) if known.size else None

@@ -8,8 +8,6 @@ from arcless.cli.arguments.certainty import WithCertainty
 from arcless.cli.commands import (
     compare,
     export,
-    model_files,
-    own_models,
     replay,
     resume,
     run,
@@ -18,6 +16,7 @@ from arcless.cli.commands import (
     study,
     validate,
 )
+from arcless.cli.commands.models import model_files, own_models, table
 from arcless.cli.completion import scripts
 from arcless.cli.process.guard import GuardedGroup
 from arcless.cli.terminal.console import data
@@ -67,6 +66,7 @@ for _command in (
     model_files.schema,
     own_models.show,
     own_models.new,
+    table.table,
     run.statics,
     resume.resume,
     runs.runs,

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from arcless import _core
 from arcless.equilibrium.design_failures import check_arms
 from arcless.equilibrium.failure_hints import check_carried, why_loose, why_pushing
+from arcless.equilibrium.line_alone import LineAlone
 from arcless.equilibrium.sliding_ends import SlidingEnds, undecided
 from arcless.errors import ArclessError, EquilibriumError
 from arcless.mesh import SPATIAL, Mesh, alteration, build_mesh, end_forces, without
@@ -90,10 +91,21 @@ class Equilibrium:
         # By hand: `np.unique` imports masked arrays, which takes longer than all of this.
         for lanes in sorted(set(map(tuple, within.tolist()))):
             here = np.flatnonzero((within == lanes).all(axis=1))
+            if sum(lanes) > 1:  # at their anchors, where none yields, the core finds no shares
+                anchors = self._anchors
+                here = here[[place not in anchors for place in x[here].tolist()]]
             touched = [lane for lane, is_in in zip(self.mesh.lanes, lanes, strict=True) if is_in]
             with named(self.mesh):
                 found[here] = self.core.elasticity(touched, x[here].tolist(), force)
         return found
+
+    @property
+    def _anchors(self) -> set[float]:
+        """Positions in m at which contact wires are held, so that their elasticity is zero."""
+        fixed = self.mesh.parts["fixed"]
+        held = set(fixed["node"][fixed["component"] == self.mesh.dimension - 1].tolist())
+        ends = {wire[end] for wire in self.mesh.contact_wires for end in (0, -1)}
+        return {float(self.positions[node, 0]) for node in ends & held}
 
     def _within_reach(self, x: Floats) -> NDArray[np.bool_]:
         """Tell for each position and lane whether a strip below touches its wire."""
@@ -189,8 +201,8 @@ class Equilibrium:
         return np.linspace(left, right, count)
 
 
-def find(scenario: Scenario) -> Equilibrium:
-    """Find the static equilibrium of a scenario's line.
+def find(scenario: Scenario | LineAlone) -> Equilibrium:
+    """Find the static equilibrium of a scenario's line, or of a line alone as it was designed.
 
     Raises
     ------
@@ -202,7 +214,7 @@ def find(scenario: Scenario) -> Equilibrium:
     given = scenario.as_built.measured_heights
     heights = matched(scenario.line, given) if given else {}
     mesh, core = designed(scenario.line, scenario.stepping, heights)
-    if not scenario.as_built.is_empty:
+    if isinstance(scenario, Scenario) and not scenario.as_built.is_empty:
         mesh, core = _as_built(scenario, mesh, core)
     return Equilibrium(mesh, core, core.arrays())
 

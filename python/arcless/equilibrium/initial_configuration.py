@@ -7,8 +7,10 @@ from typing import Any, Self
 import numpy as np
 
 from arcless.equilibrium import equilibrium
+from arcless.equilibrium.line_alone import LineAlone
+from arcless.equilibrium.support_forces import SupportForces
 from arcless.mesh import SPATIAL, StitchPlace
-from arcless.model import Scenario
+from arcless.model import Line, Scenario
 from arcless.model.load import check_kind
 
 Progress = Callable[[float, str], None]
@@ -16,18 +18,22 @@ Progress = Callable[[float, str], None]
 
 @dataclass(frozen=True)
 class InitialConfiguration:
-    """The line of a scenario at rest. SI units unless named."""
+    """The line of a scenario, or a line alone, at rest. SI units unless named."""
 
-    scenario: Scenario
+    scenario: Scenario | LineAlone
     equilibrium: equilibrium.Equilibrium
     elasticity_x_m: list[float]
     elasticity_m_per_N: list[float]  # noqa: N815 - the unit is part of the name
     natural_frequencies_Hz: list[float]  # noqa: N815
 
     @classmethod
-    def of(cls, scenario: Scenario, progress: Progress | None = None) -> Self:
-        """Find the initial configuration of a scenario's line; see `arcless.statics`."""
-        check_kind(scenario)
+    def of(cls, source: Scenario | Line, progress: Progress | None = None) -> Self:
+        """Find the initial configuration of a line; see `arcless.statics`."""
+        if isinstance(source, Line):
+            scenario: Scenario | LineAlone = LineAlone(source)
+        else:
+            check_kind(source)
+            scenario = source
         tell = progress or (lambda _fraction, _text: None)
         tell(0.0, "static equilibrium")
         found = equilibrium.find(scenario)
@@ -66,8 +72,12 @@ class InitialConfiguration:
 
     @property
     def supports(self) -> list[dict[str, Any]]:
-        """Supports: name, x_m, vertical force on the support, force in the steady arm."""
-        arrays = self.equilibrium.arrays
+        """Supports: name, x_m, forces on the support and in the steady arm, heights, stagger.
+
+        Lateral forces are those of the wire, positive to the left (`support_forces`).
+        """
+        arrays, points = self.equilibrium.arrays, self.equilibrium.positions
+        forces = SupportForces(self.equilibrium, self.scenario.line)
         alone = self.scenario.line.messenger_wire is None
         held = "contact_support_force_N" if alone else "messenger_force_N"
         return [
@@ -76,7 +86,10 @@ class InitialConfiguration:
                 "x_m": support.x,
                 held: _entry(arrays["spring_force"], support.messenger_spring),
                 "steady_arm_force_N": _entry(arrays["strut_tension"], support.steady_arm),
-                "contact_wire_height_m": float(self.equilibrium.positions[support.contact_node, 2]),
+                "contact_wire_height_m": float(points[support.contact_node, 2]),
+                "contact_wire_lateral_force_N": forces.of_contact_wire(support),
+                "messenger_wire_height_m": _entry(points[:, 2], forces.messenger_node(support)),
+                "messenger_wire_lateral_force_N": forces.of_messenger_wire(support),
             }
             for support in self.equilibrium.mesh.supports
         ]
@@ -191,7 +204,7 @@ def _entry(values: Any, row: int | None) -> float | None:
     return None if row is None else float(values[row])
 
 
-def wave_speed_of(scenario: Scenario, found: equilibrium.Equilibrium) -> float | None:
+def wave_speed_of(scenario: Scenario | LineAlone, found: equilibrium.Equilibrium) -> float | None:
     """Return the wave speed of the contact wire in m/s: of the design or, as built, the lowest.
 
     None of a rail without tension, which has no wave speed.

@@ -15,7 +15,15 @@ from typing import Any
 
 from arcless.errors import ModelError, OutputError
 from arcless.model.fields.part import Path
-from arcless.model.files.text_patches import NodePath, Patch, added, find, removed, replaced
+from arcless.model.files.text_patches import (
+    NodePath,
+    Patch,
+    added,
+    find,
+    folded,
+    removed,
+    replaced,
+)
 from arcless.model.files.yaml_nodes import compose
 from arcless.model.files.yaml_reader import parse, read_text
 from arcless.units import plain
@@ -23,7 +31,9 @@ from arcless.units import plain
 _BOM = b"\xef\xbb\xbf"
 
 
-def change(text: str, path: str, value: Any, label: str = "model file") -> Patch:
+def change(
+    text: str, path: str, value: Any, label: str = "model file", *, is_folded: bool = False
+) -> Patch:
     r"""Return the patch that gives a field a value; a field that is not there yet is added.
 
     Parameters
@@ -38,6 +48,8 @@ def change(text: str, path: str, value: Any, label: str = "model file") -> Patch
         A text as one would type it (``"12 kN"``), a number, true, false, None, a list or a mapping.
     label
         Name of the file, for messages.
+    is_folded
+        Whether a long list or mapping goes over several lines.
 
     Raises
     ------
@@ -57,6 +69,7 @@ def change(text: str, path: str, value: Any, label: str = "model file") -> Patch
         patch = added(text, found, value) if found.missing else replaced(text, found, value)
     except ModelError as error:
         raise _about(error, path, label) from None
+    patch = folded(patch, text) if is_folded else patch
     _check(patch, text, _with(data, found, value), path, label)
     return patch
 
@@ -107,7 +120,7 @@ def edit_file(
     for path in removing:
         patches.append(remove(text, path, label))
         text = patches[-1].apply(text)
-    _write(FilePath(os.path.realpath(file)), text)
+    write_text(FilePath(os.path.realpath(file)), text)
     return patches
 
 
@@ -122,7 +135,7 @@ def undo_in_file(file: str | os.PathLike[str], patches: Sequence[Patch]) -> None
     text = read_text(FilePath(file), str(file))
     for patch in reversed(patches):
         text = patch.undo.apply(text)
-    _write(FilePath(os.path.realpath(file)), text)
+    write_text(FilePath(os.path.realpath(file)), text)
 
 
 def _read(text: str, label: str) -> tuple[Any, dict[str, Any]]:
@@ -226,7 +239,7 @@ def _without(data: dict[str, Any], place: Path) -> dict[str, Any]:
     return whole
 
 
-def _write(file: FilePath, text: str) -> None:
+def write_text(file: FilePath, text: str) -> None:
     """Replace a file as a whole; its rights and its byte-order mark stay."""
     temporary: str | None = None
     try:

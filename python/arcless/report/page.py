@@ -8,13 +8,12 @@ from arcless.figures.description.thinning import every
 from arcless.figures.run import figures
 from arcless.figures.run.run_data import RunData
 from arcless.figures.run.track import MARKS
-from arcless.report.reported_run import ReportedRun
-from arcless.report.run_content import Rows, run_content
+from arcless.report.run_content import ReportedRun, Rows, run_content
 from arcless.report.template import render
 from arcless.storage.whole_files import write_bytes
 
 # Figures over the whole track: of several pantographs one below the other, at the page's width.
-_STACKED = ("force", "shares", "gap", "height", "spectrogram", "lateral")
+STACKED = ("force", "shares", "gap", "height", "spectrogram", "lateral")
 
 
 def write(
@@ -61,11 +60,11 @@ def html(
     contents += [("certainty", "Certainty")] if content["certainty"] else []
     contents += [("model", "Model data"), ("computation", "Computation")]
     return render(
-        "run.html", drawn, track=_track(run), contents=contents, stacked=_STACKED, **content
+        "run.html", drawn, track=track_of(run), contents=contents, stacked=STACKED, **content
     )
 
 
-def _track(run: RunData) -> dict[str, Any]:
+def track_of(run: RunData) -> dict[str, Any]:
     """Return the section and the supports in m, for buttons and the cross hair."""
     supports = (
         run.supports

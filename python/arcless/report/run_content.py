@@ -1,16 +1,17 @@
 """Content of a run's report, the same for the page and for paper: texts, tables, sections."""
 
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Mapping, Sequence, Set
+from typing import Any, Protocol
 
 from arcless.assess import Assessment
 from arcless.assess.certainty_words import explained
+from arcless.dataset.plain_dataset import Dataset
 from arcless.figures.description import Figure
 from arcless.figures.run.run_data import RunData
 from arcless.model import MARKS as MEANINGS
+from arcless.model import Scenario
 from arcless.report import summary, tables
 from arcless.report.model_data import groups, marks_used
-from arcless.report.reported_run import ReportedRun
 
 Rows = Sequence[Mapping[str, Any]]
 
@@ -39,6 +40,26 @@ _SECTIONS: tuple[tuple[str, str, tuple[str | tuple[str, ...], ...]], ...] = (
 )  # fmt: skip
 
 
+class ReportedRun(Protocol):
+    """A run with its assessment; `arcless.Result` is one."""
+
+    @property
+    def scenario(self) -> Scenario:
+        """The scenario that was run."""
+
+    @property
+    def latest(self) -> Dataset:
+        """Everything that was recorded."""
+
+    @property
+    def assessment(self) -> Assessment:
+        """Indicators and criteria over the scenario's own section."""
+
+    @property
+    def metadata(self) -> dict[str, Any]:
+        """The attributes of the dataset."""
+
+
 def run_content(
     result: ReportedRun, run: RunData, drawn: Mapping[str, Sequence[Figure]], reference_rows: Rows
 ) -> dict[str, Any]:
@@ -55,35 +76,48 @@ def run_content(
     """
     facts, assessment, scenario = result.metadata, run.assessment, result.scenario
     data = groups(scenario)
-    criteria = tables.criterion_rows(assessment)
     method = assessment.certainty_method
-    used = marks_used(data) | {
-        row["mark"] for row in (*criteria, *reference_rows) if row.get("mark")
-    }
+    used = marks_used(data) | {row["mark"] for row in reference_rows if row.get("mark")}
     return {
+        "title": facts["scenario_name"],
         "facts": facts,
+        "version": facts["arcless_version"],
         "date": str(facts["created"])[:16].replace("T", " "),
         "description": scenario.description,
-        "assessment": assessment,
         "identity": summary.identity(scenario, assessment, facts),
-        "verdict": summary.verdict(assessment),
-        "worst": summary.worst_place(run),
-        "bullets": summary.grouped(summary.bullets(assessment)),
-        "sections": _sections(drawn),
+        **first_screen(run, drawn),
         "computation": tables.computation(run, facts),
         "numbers": tables.number_rows(run),
-        "numbers_of": _numbers_of(assessment),
-        "marks_mean": MARKS_MEAN,
-        "criteria": criteria,
         "certainty": tables.certainty_rows(assessment),
         "certainty_words": explained(method) if method else [],
         "certainty_reads": CERTAINTY_READS,
         "reference_rows": tables.reference_cells(reference_rows),
         "energies": tables.energy_rows(run),
         "groups": data,
-        "marks": {mark: meaning for mark, meaning in MEANINGS.items() if mark in used},
+        "marks": marks_of(assessment, used),
         "warnings": (facts["warnings"] or [])[:MAX_WARNINGS],
     }
+
+
+def first_screen(run: RunData, drawn: Mapping[str, Sequence[Figure]]) -> dict[str, Any]:
+    """Return what reports of simulated and of measured runs show alike: verdict, bars, figures."""
+    assessment = run.assessment
+    return {
+        "assessment": assessment,
+        "verdict": summary.verdict(assessment),
+        "worst": summary.worst_place(run),
+        "bullets": summary.grouped(summary.bullets(assessment)),
+        "criteria": tables.criterion_rows(assessment),
+        "marks_mean": MARKS_MEAN,
+        "numbers_of": _numbers_of(assessment),
+        "sections": sections_of(drawn),
+    }
+
+
+def marks_of(assessment: Assessment, used: Set[str] = frozenset()) -> dict[str, str]:
+    """Return the meanings of the marks of criteria, and of others that are used."""
+    shown = used | {one.mark for one in assessment.criteria}
+    return {mark: meaning for mark, meaning in MEANINGS.items() if mark in shown}
 
 
 def _numbers_of(assessment: Assessment) -> str:
@@ -96,7 +130,7 @@ def _numbers_of(assessment: Assessment) -> str:
     )
 
 
-def _sections(drawn: Mapping[str, Sequence[Figure]]) -> list[tuple[str, str, list[Any]]]:
+def sections_of(drawn: Mapping[str, Sequence[Figure]]) -> list[tuple[str, str, list[Any]]]:
     """Return the sections that have figures, without the figures that there are none of.
 
     Figures that stand next to each other do so for one pantograph; of several, each kind has a row.
@@ -105,9 +139,10 @@ def _sections(drawn: Mapping[str, Sequence[Figure]]) -> list[tuple[str, str, lis
     for key, title, names in _SECTIONS:
         rows: list[Any] = []
         for name in names:
-            inner = [one for one in (name if isinstance(name, tuple) else (name,)) if drawn[one]]
-            together = isinstance(name, tuple) and all(len(drawn[one]) == 1 for one in inner)
-            rows += [inner] if together and len(inner) > 1 else inner
+            each = name if isinstance(name, tuple) else (name,)
+            inner = [one for one in each if drawn.get(one)]
+            paired = len(inner) > 1 and all(len(drawn[one]) == 1 for one in inner)
+            rows += [inner] if paired else inner
         if rows:
             found.append((key, title, rows))
     return found

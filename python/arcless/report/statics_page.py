@@ -10,6 +10,7 @@ import numpy as np
 
 from arcless.display.numbers import number
 from arcless.equilibrium.initial_configuration import InitialConfiguration
+from arcless.equilibrium.line_alone import LineAlone
 from arcless.figures.statics import LineData, figures
 from arcless.report.template import render
 from arcless.storage.whole_files import write_bytes
@@ -18,8 +19,11 @@ from arcless.storage.whole_files import write_bytes
 _SUPPORT_COLUMNS = (
     ("contact_wire_height_m", "contact wire above rail, m", 4),
     ("stagger_m", "stagger, m", 3),
+    ("messenger_wire_height_m", "messenger wire above rail, m", 4),
     ("messenger_force_N", "messenger-wire force, N", 1),
     ("contact_support_force_N", "contact-support force, N", 1),
+    ("contact_wire_lateral_force_N", "lateral force of the contact wire, N", 1),
+    ("messenger_wire_lateral_force_N", "lateral force of the messenger wire, N", 1),
     ("steady_arm_force_N", "steady-arm force, N", 1),
 )
 _CONTENTS = (
@@ -84,9 +88,10 @@ def html(found: InitialConfiguration, *, resonance: Mapping[str, Any] | None = N
 def identity(found: InitialConfiguration) -> list[tuple[str, str]]:
     """Return what the page is about, as label and text."""
     places = found.equilibrium.support_places()
+    kind = "Line" if isinstance(found.scenario, LineAlone) else "Scenario"
     weather = "as designed" if found.as_built is None else "as built"
     return [
-        ("Scenario", found.scenario.name),
+        (kind, found.scenario.name),
         ("Length", f"{len(places) - 1} spans, {places[-1] - places[0]:.0f} m"),
         ("State", weather),
         ("Computed", _now()),

@@ -56,13 +56,14 @@ def dropper_schedule(line: "InitialConfiguration", allowance_m: float = 0.0) -> 
 
 
 def support_schedule(line: "InitialConfiguration") -> list[Column]:
-    """Return the supports of a line at rest, one in a row: loads, arm forces, heights, stagger.
+    """Return the supports of a line at rest, one in a row: heights, stagger, loads, arm forces.
 
     Without a messenger wire the load is that of the contact wire or its bridle, and there is no
-    height of a messenger wire. Where wires are anchored nothing is held, and the cells are empty.
+    height of a messenger wire. Where wires are anchored nothing is held, and the cells of forces
+    are empty. Lateral forces, of lines in space, are those of the wires, positive to the left.
     """
     supports, mesh = line.supports, line.equilibrium.mesh
-    points, springs = line.equilibrium.positions, mesh.parts["springs"]
+    points, is_spatial = line.equilibrium.positions, mesh.dimension == SPATIAL
     alone = line.scenario.line.messenger_wire is None
     held = "contact_support_force_N" if alone else "messenger_force_N"
     columns = _columns(
@@ -73,18 +74,21 @@ def support_schedule(line: "InitialConfiguration") -> list[Column]:
             "contact_wire_height_m": ("height of contact wire", "m"),
         },
     )
-    if mesh.dimension == SPATIAL:
+    if is_spatial:
         stagger = [float(points[place.contact_node, 1]) for place in mesh.supports]
         columns.append(_column("stagger", "m", stagger))
     if not alone:
-        rows = [place.messenger_spring for place in mesh.supports]
-        heights = [None if r is None else float(points[springs["node"][r], 2]) for r in rows]
-        columns.append(_column("height of messenger wire", "m", heights))
+        columns += _columns(
+            supports, {"messenger_wire_height_m": ("height of messenger wire", "m")}
+        )
     load = "vertical load of contact wire" if alone else "vertical load of messenger wire"
-    return [
-        *columns,
-        *_columns(supports, {held: (load, "N"), "steady_arm_force_N": ("steady-arm force", "N")}),
-    ]
+    titles = {held: (load, "N")}
+    if is_spatial:
+        titles["contact_wire_lateral_force_N"] = ("lateral force of contact wire", "N")
+    if is_spatial and not alone:
+        titles["messenger_wire_lateral_force_N"] = ("lateral force of messenger wire", "N")
+    titles["steady_arm_force_N"] = ("steady-arm force", "N")
+    return [*columns, *_columns(supports, titles)]
 
 
 def _columns(

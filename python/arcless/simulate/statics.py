@@ -8,10 +8,8 @@ from typing import TYPE_CHECKING, Any, Literal
 from arcless.display.frames import frame
 from arcless.equilibrium import equilibrium
 from arcless.equilibrium.initial_configuration import InitialConfiguration, Progress
+from arcless.equilibrium.line_alone import LineAlone
 from arcless.model import Line, Scenario
-from arcless.model.scenario.other_family import CUBIC, CUBIC_STEP
-from arcless.model.settings.run_settings import Solver
-from arcless.model.settings.schemes import GeneralisedAlpha
 from arcless.simulate.schedules import dropper_schedule, support_schedule
 from arcless.storage.csv_files import Column, write_csv
 from arcless.units import plain
@@ -25,16 +23,6 @@ if TYPE_CHECKING:
     from arcless.figures.description.tokens import Scheme
     from arcless.simulate.resonance import ResonanceSpeeds
 
-# Elements of a line that nobody runs on: cubic ones, fine enough for forces at rest within 0.3 %.
-ALONE = Solver(
-    scheme=GeneralisedAlpha(name="generalised-alpha"),
-    time_step=CUBIC_STEP,
-    wire_model="hermite",
-    residual_flexibility=True,
-    contact_wire_element=CUBIC,
-    messenger_wire_element=CUBIC,
-)
-
 
 @dataclass(frozen=True)
 class StaticsResult(InitialConfiguration):
@@ -42,7 +30,7 @@ class StaticsResult(InitialConfiguration):
 
     @cached_property
     def resonance_speeds(self) -> "ResonanceSpeeds":
-        """Speeds at which this line and the scenario's pantographs may resonate."""
+        """Speeds at which line and pantographs may resonate; none of a line without these."""
         from arcless.simulate.resonance import resonance_speeds
 
         return resonance_speeds(self)
@@ -121,7 +109,7 @@ class StaticsResult(InitialConfiguration):
         write_csv(path, dropper_schedule(self, allowance_m))
 
     def write_supports(self, path: str | Path) -> None:
-        """Write loads, steady-arm forces, heights and stagger at all supports as CSV.
+        """Write heights, stagger, loads, lateral and steady-arm forces at all supports as CSV.
 
         Raises
         ------
@@ -133,7 +121,7 @@ class StaticsResult(InitialConfiguration):
     def to_dict(self) -> dict[str, Any]:
         """Return plain values, ready for JSON."""
         return {
-            "scenario": self.scenario.name,
+            "scenario": self.scenario.name if isinstance(self.scenario, Scenario) else None,
             "line": self.scenario.line.name,
             "middle_span": self.middle_span,
             "droppers": self.droppers,
@@ -154,13 +142,14 @@ class StaticsResult(InitialConfiguration):
         }
 
 
-def statics(scenario: Scenario, progress: Progress | None = None) -> StaticsResult:
-    """Find the initial configuration of a scenario's line.
+def statics(source: Scenario | Line, progress: Progress | None = None) -> StaticsResult:
+    """Find the initial configuration of a scenario's line, or of a line alone.
 
     Parameters
     ----------
-    scenario
-        Its line and solver settings are used.
+    source
+        A scenario, whose line, elements and `as_built` are used; or a line, which is found as it
+        was designed, on cubic elements.
     progress
         Called with the fraction done and what is being done.
 
@@ -169,7 +158,7 @@ def statics(scenario: Scenario, progress: Progress | None = None) -> StaticsResu
     MeshError, EquilibriumError
         See `arcless.equilibrium.equilibrium.find`.
     """
-    return StaticsResult.of(scenario, progress)
+    return StaticsResult.of(source, progress)
 
 
 def check_at_rest(checked: Scenario | Line) -> None:
@@ -180,7 +169,4 @@ def check_at_rest(checked: Scenario | Line) -> None:
     MeshError, EquilibriumError
         See `arcless.equilibrium.equilibrium.find`.
     """
-    if isinstance(checked, Scenario):
-        equilibrium.find(checked)
-    else:
-        equilibrium.designed(checked, ALONE, {})
+    equilibrium.find(checked if isinstance(checked, Scenario) else LineAlone(checked))

@@ -3,10 +3,11 @@
 import csv
 import io
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Any, BinaryIO, TypeAlias
 
 from arcless.storage.whole_files import replacing
 
@@ -56,14 +57,30 @@ def write_csv(path: str | Path, columns: Sequence[Column]) -> None:
     OutputError
         The file cannot be written.
     """
-    with replacing(path) as file:
-        text = io.TextIOWrapper(file, encoding="utf-8", newline="", write_through=True)
-        writer = csv.writer(text, lineterminator="\n")
-        writer.writerow([column.header for column in columns])
-        for start in range(0, len(columns[0].values), ROWS_AT_ONCE):
-            portion = [_written(column, start) for column in columns]
-            writer.writerows(zip(*portion, strict=True))
-        text.detach()
+    write_csv_files({Path(path): columns})
+
+
+def write_csv_files(tables: Mapping[Path, Sequence[Column]]) -> None:
+    """Write several tables, by file: none takes its place before all are written; see `write_csv`.
+
+    Raises
+    ------
+    OutputError
+        One of the files cannot be written.
+    """
+    with ExitStack() as stack:
+        for path, columns in tables.items():
+            _write(stack.enter_context(replacing(path)), columns)
+
+
+def _write(file: BinaryIO, columns: Sequence[Column]) -> None:
+    text = io.TextIOWrapper(file, encoding="utf-8", newline="", write_through=True)
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow([column.header for column in columns])
+    for start in range(0, len(columns[0].values), ROWS_AT_ONCE):
+        portion = [_written(column, start) for column in columns]
+        writer.writerows(zip(*portion, strict=True))
+    text.detach()
 
 
 def _written(column: Column, start: int) -> list[Any]:

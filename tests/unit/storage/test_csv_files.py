@@ -9,7 +9,7 @@ import pytest
 
 from arcless.errors import OutputError
 from arcless.storage import csv_files
-from arcless.storage.csv_files import Column, write_csv
+from arcless.storage.csv_files import Column, write_csv, write_csv_files
 
 
 def test_numbers_are_read_with_the_same_bits(
@@ -53,3 +53,14 @@ def test_columns_of_unequal_length_leave_the_old_file(tmp_path: Path) -> None:
 def test_a_folder_that_is_missing_is_told(tmp_path: Path) -> None:
     with pytest.raises(OutputError, match="cannot be written"):
         write_csv(tmp_path / "absent" / "x.csv", [Column("a", "", [1])])
+
+
+def test_several_files_are_replaced_together_or_not_at_all(tmp_path: Path) -> None:
+    good, bad = [Column("x", "m", [1.0])], [Column("x", "m", [object()])]
+    files = [tmp_path / f"{number}.csv" for number in range(8)]
+    write_csv_files(dict.fromkeys(files, good))
+    assert {file.read_text() for file in files} == {"x [m]\n1.0\n"}
+    with pytest.raises(OutputError):
+        write_csv_files({files[0]: [Column("y", "m", [2.0])], tmp_path / "absent/9.csv": bad})
+    assert {file.read_text() for file in files} == {"x [m]\n1.0\n"}
+    assert sorted(tmp_path.iterdir()) == files

@@ -8,6 +8,8 @@ that is, it falls as a filter of order 2n and halves a sine at the cut-off inste
 3 dB off it. The order here is that of one pass, 6 (EN 50317).
 """
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -101,3 +103,30 @@ def spectrum(
     density[1 : (length + 1) // 2] *= 2.0
     frequency = np.fft.rfftfreq(length, 1.0 / rate_Hz).astype(np.float64)
     return frequency, density
+
+
+def spectrum_of(
+    pieces: Sequence[NDArray[np.float64]], rate_Hz: float, window_s: float = 4.0
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return frequencies in Hz and the density of a signal with gaps, as `spectrum` does.
+
+    No window reaches over a gap. Densities are averaged by the length of their piece; pieces that
+    are shorter than a window are left out, and where all are, windows are as long as the longest.
+
+    Parameters
+    ----------
+    pieces
+        Parts of the signal without a gap, at least one.
+    rate_Hz
+        Recording rate in Hz.
+    window_s
+        Length in s of the overlapping windows that are averaged.
+    """
+    longest = max(piece.size for piece in pieces)
+    window_s = min(window_s, longest / rate_Hz)
+    whole = [piece for piece in pieces if piece.size >= min(longest, round(window_s * rate_Hz))]
+    found = [spectrum(piece, rate_Hz, window_s) for piece in whole]
+    if len(found) == 1:
+        return found[0]
+    weights = [piece.size for piece in whole]
+    return found[0][0], np.average([density for _, density in found], axis=0, weights=weights)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Self
 import typer
 
 if TYPE_CHECKING:
-    from arcless.model import Scenario
+    from arcless.model import Line
     from arcless.simulate.statics import StaticsResult
 
 DroppersOption = Annotated[
@@ -33,7 +33,7 @@ SupportsOption = Annotated[
     typer.Option(
         "--supports",
         metavar="FILE.csv",
-        help="Write loads, steady-arm forces, heights and stagger at all supports.",
+        help="Write heights, stagger, loads, lateral and arm forces at all supports.",
         show_default=False,
     ),
 ]
@@ -53,7 +53,7 @@ class Schedules:
         droppers: Path | None,
         supports: Path | None,
         allowance: str | None,
-        scenario: "Scenario",
+        line: "Line",
     ) -> Self:
         """Check what was asked for before the line at rest is computed.
 
@@ -77,7 +77,6 @@ class Schedules:
             hint = "add --droppers FILE.csv, such as --droppers droppers.csv"
             raise ModelError("--allowance", got="no --droppers", expected="both", hint=hint)
         length = 0.0 if allowance is None else _length(allowance)
-        line = scenario.line
         if droppers is not None and line.messenger_wire is None:
             raise ModelError(
                 "--droppers", got=f"line `{line.name}`", expected="a line with droppers",

@@ -9,12 +9,15 @@ import typer
 
 from arcless.cli.arguments.certainty import CertaintyOption, asked_for, check_whole
 from arcless.cli.arguments.scenario import (
+    AtRestArgument,
     JsonOption,
     QuietOption,
     ScenarioArgument,
     SetOption,
     SpeedOption,
+    line_of,
     load,
+    load_at_rest,
 )
 from arcless.cli.arguments.schedules import (
     AllowanceOption,
@@ -31,7 +34,7 @@ from arcless.cli.process.start import permanent_objects
 from arcless.cli.terminal import console
 
 if TYPE_CHECKING:
-    from arcless.model import Scenario
+    from arcless.model import Line, Scenario
     from arcless.results import Result
     from arcless.simulate import StaticsResult
 
@@ -96,7 +99,7 @@ def run(
 
 
 def statics(
-    scenario: ScenarioArgument,
+    scenario: AtRestArgument,
     *,
     set_: SetOption = None,
     out: FolderOption = None,
@@ -113,16 +116,16 @@ def statics(
     frequencies; --json has all spans. With --out, statics.json is written into that folder; with
     --plot, a page with views, elasticity, forces and tables of all spans; with --droppers and
     --supports, schedules for workshop and site. The speed is ignored; pantographs only mark
-    resonance speeds.
+    resonance speeds, which a line alone has not: it is found as designed, on fine cubic elements.
     """
     from arcless.cli.terminal import statics_tables
     from arcless.storage.whole_files import write_bytes
 
-    chosen = load(scenario, changes=set_, quiet=quiet)
+    chosen = load_at_rest(scenario, changes=set_, quiet=quiet)
     written: list[Path] = []
     if plot is not None:
         check_place(plot, ".html", "--plot")
-    wanted = Schedules.of(droppers, supports, allowance, chosen)
+    wanted = Schedules.of(droppers, supports, allowance, line_of(chosen))
     if out is None:
         result = _find_statics(chosen, quiet=quiet)
     else:
@@ -167,12 +170,12 @@ def _simulate(
         )
 
 
-def _find_statics(scenario: "Scenario", *, quiet: bool) -> "StaticsResult":
+def _find_statics(source: "Scenario | Line", *, quiet: bool) -> "StaticsResult":
     with permanent_objects():
         from arcless import simulate
 
     with console.progress(quiet=quiet) as progress:
-        return compute(lambda _cancel: simulate.statics(scenario, progress=progress))
+        return compute(lambda _cancel: simulate.statics(source, progress=progress))
 
 
 def _command(

@@ -1,7 +1,8 @@
-"""`arcless assess` and `arcless report`: what follows from a saved result."""
+"""`arcless assess` and `arcless report`: what follows from a saved result, or a measured run."""
 
+from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -12,6 +13,8 @@ from arcless.cli.output.outcome import finish
 from arcless.cli.terminal import console
 
 if TYPE_CHECKING:
+    from arcless.assess import Assessment
+    from arcless.measurements import Head
     from arcless.results import Result
 
 ResultArgument = Annotated[
@@ -24,9 +27,20 @@ ResultArgument = Annotated[
     ),
 ]
 
+# Endings of files that hold a measurement.
+MEASURED = (".csv", ".tsv", ".txt", ".dat", ".asc")
+
 
 def assess(
-    result: ResultArgument,
+    subject: Annotated[
+        Path,
+        typer.Argument(
+            metavar="RUN|FILE.csv",
+            help="A run: the folder that `arcless run` wrote, or the result.nc in it. Or a measured"
+            " test run: a CSV file with units in its header.",
+            show_default=False,
+        ),
+    ],
     *,
     start: Annotated[
         str | None,
@@ -41,42 +55,98 @@ def assess(
             "--low-pass", metavar="FREQUENCY", help='Cut-off of the filter, such as "20 Hz".'
         ),
     ] = None,
+    speed: Annotated[
+        str | None,
+        typer.Option(
+            "--speed",
+            metavar="SPEED",
+            help='Of a CSV file without speeds: the constant speed, such as "250 km/h".',
+        ),
+    ] = None,
+    supply: Annotated[
+        str | None,
+        typer.Option(
+            "--supply",
+            metavar="SUPPLY",
+            help='Of a CSV file: the supply whose limits decide, such as "AC 25 kV" or "DC 3 kV".',
+        ),
+    ] = None,
+    pantograph: Annotated[
+        str | None,
+        typer.Option(
+            "--pantograph",
+            metavar="NAME",
+            help="Of a CSV file: the pantograph to assess; all without it.",
+        ),
+    ] = None,
+    head_mass: Annotated[
+        str | None,
+        typer.Option(
+            "--head-mass",
+            metavar="MASS",
+            help='Of a CSV file: mass above the force sensors, such as "5.2 kg"; its inertia is'
+            " taken off.",
+        ),
+    ] = None,
+    head_lift: Annotated[
+        str | None,
+        typer.Option(
+            "--head-lift",
+            metavar="FORCE",
+            help='With --head-mass: lift of the air above the sensors, "8 N", or "0.002 N/(m/s)2"'
+            " times the speed squared.",
+        ),
+    ] = None,
+    acceleration_down: Annotated[
+        bool,
+        typer.Option(
+            "--acceleration-down",
+            help="With --head-mass: accelerations are positive downwards; upwards without it.",
+        ),
+    ] = False,
     out: Annotated[
         Path | None,
         typer.Option("--out", metavar="FILE", help="Write the assessment as JSON to this file."),
     ] = None,
+    report: Annotated[
+        Path | None,
+        typer.Option("--report", metavar="FILE", help="Of a CSV file: write an HTML page of it."),
+    ] = None,
     json: JsonOption = False,
     quiet: QuietOption = False,
 ) -> None:
-    """Assess a saved run again, over another section or with another filter.
+    """Assess a saved run again, over another section or with another filter, or a measured one.
 
     Nothing is simulated: the statistics and criteria are computed from result.nc. The section
     and the low-pass filter are those of the scenario unless others are given.
+
+    A CSV file is assessed in the same way: time or position, speed, and contact force, with units
+    in the header. Gaps, jumps and clipped samples are left out, and told; without --from and --to
+    it is assessed as a whole.
+
     Exit code 3 means that a criterion is not met.
     """
-    from arcless.assess import assess as assess_dataset
-    from arcless.cli.terminal import tables
-    from arcless.results import open as open_result
     from arcless.storage.whole_files import write_bytes
 
     section = _quantity("--from", start, "m"), _quantity("--to", end, "m")
     cutoff = _quantity("--low-pass", low_pass, "Hz")
-    opened = open_result(result)
-    found = assess_dataset(opened.latest, section=_section(opened, *section), low_pass_Hz=cutoff)
+    head = _head(head_mass, head_lift, acceleration_down)
+    if subject.suffix.lower() in MEASURED and not subject.is_dir():
+        options = {"speed": speed, "pantograph": pantograph, "head": head}
+        found = _measured(subject, options, section, cutoff, supply=supply, report=report)
+    else:
+        given = {"--speed": speed, "--supply": supply, "--pantograph": pantograph,
+                 "--head-mass": head_mass, "--report": report}  # fmt: skip
+        _refuse_options(subject, [name for name, value in given.items() if value is not None])
+        found = _of_run(subject, section, cutoff)
     if out is not None:
         write_bytes(out, found.to_json().encode())
     if json:
         console.data(found.to_json())
     else:
-        section_text = f"Section: {found.section_m[0]:.1f} m to {found.section_m[1]:.1f} m.\n"
-        assessment = found.to_dict()
-        console.show(
-            tables.statistics(assessment),
-            tables.criteria(assessment),
-            *tables.certainty(assessment),
-            *tables.notes(assessment),
-            section_text,
-        )
+        _show(found)
+    if report is not None and not json:
+        console.data(f"wrote {report}")
     finish(found.to_dict(), quiet=quiet)
 
 
@@ -116,6 +186,88 @@ def report(
     if pdf is not None:
         opened.write_pdf(pdf, fields=fields, reference_rows=rows)
         console.data(f"wrote {pdf}")
+
+
+def _of_run(
+    subject: Path, section: tuple[float | None, float | None], cutoff: float | None
+) -> "Assessment":
+    from arcless.assess import assess as assess_dataset
+    from arcless.results import open as open_result
+
+    opened = open_result(subject)
+    return assess_dataset(opened.latest, section=_section(opened, *section), low_pass_Hz=cutoff)
+
+
+def _measured(
+    subject: Path,
+    options: Mapping[str, Any],
+    section: tuple[float | None, float | None],
+    cutoff: float | None,
+    *,
+    supply: str | None,
+    report: Path | None,
+) -> "Assessment":
+    from arcless.errors import MeasurementError, ModelError
+    from arcless.measurements import assess as assess_measurement
+    from arcless.measurements import read, write_report
+
+    try:
+        measurement = read(subject, **options)
+    except (MeasurementError, ModelError) as error:  # all others name the file
+        error.where = "--speed" if error.where is None else error.where
+        raise
+    given = {} if cutoff is None else {"low_pass_Hz": cutoff}
+    found = assess_measurement(measurement, supply=supply, section=section, **given)
+    if report is not None:
+        write_report(measurement, found, report)
+    return found
+
+
+def _show(found: "Assessment") -> None:
+    from arcless.cli.terminal import tables
+
+    section = f"Section: {found.section_m[0]:.1f} m to {found.section_m[1]:.1f} m.\n"
+    assessment = found.to_dict()
+    console.show(
+        tables.statistics(assessment),
+        tables.criteria(assessment),
+        *tables.certainty(assessment),
+        *tables.notes(assessment),
+        section,
+    )
+
+
+def _head(mass: str | None, lift: str | None, down: bool) -> "Head | None":
+    from arcless.errors import ModelError
+
+    if mass is None and lift is None and not down:
+        return None
+    from arcless.measurements import Head
+
+    if mass is None:
+        alone = "--head-lift" if lift is not None else "--acceleration-down"
+        raise ModelError(
+            f"{alone} without --head-mass", expected="the mass above the force sensors"
+        )
+    try:
+        return Head.of(mass, lift, acceleration_down=down)
+    except ModelError as error:
+        error.where = "--head-mass, --head-lift" if error.where is None else error.where
+        raise
+
+
+def _refuse_options(subject: Path, given: list[str]) -> None:
+    """Refuse options that a run has no use for: its scenario says it."""
+    from arcless.errors import ModelError
+
+    if given:
+        raise ModelError(
+            f"{', '.join(given)} of a run",
+            where=str(subject),
+            expected="a measured run, a file that ends in .csv",
+            hint="speed and supply of a run are those of its scenario, and `arcless report` writes"
+            " its page",
+        )
 
 
 def _quantity(option: str, text: str | None, unit: str) -> float | None:

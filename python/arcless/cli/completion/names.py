@@ -24,6 +24,14 @@ def scenarios(incomplete: str) -> list[str]:
     return _fitting(incomplete, [*shipped("scenario"), *_files(MODELS)])
 
 
+def lines(incomplete: str) -> list[str]:
+    """Return shipped scenarios and lines, and model files here; behind ``line/`` those of lines."""
+    if incomplete.startswith("line/"):
+        return _fitting(incomplete, [f"line/{name}" for name in shipped("line")])
+    known = dict.fromkeys([*shipped("scenario"), *shipped("line")])
+    return _fitting(incomplete, [*known, *_files(MODELS)])
+
+
 def shipped_models(incomplete: str) -> list[str]:
     """Return shipped models of any kind; behind ``line/`` and the like those of one."""
     kind, slash, _ = incomplete.partition("/")

@@ -34,6 +34,7 @@ if TYPE_CHECKING:
 
 # Numbers of the whole run, by their keys in the assessment.
 _RUN = [*OF_LINE, *(key for key in OF_COMPUTATION if key != "setup_time_s")]
+_NOTHING = "–"
 _STYLES = {
     "inside": "green",
     "outside": "bold red",
@@ -61,7 +62,7 @@ def table(title: str, *columns: str, numbers: Sequence[str] = (), lines: bool = 
 def number(value: float | None, digits: int) -> str:
     """Print a number with so many digits after the point; -1 means one significant digit."""
     if value is None:
-        return "–"
+        return _NOTHING
     return f"{value:.1e}" if digits < 0 else f"{value:.{digits}f}"
 
 
@@ -76,9 +77,12 @@ def statistics(assessment: dict[str, Any], published: "Sequence[Row]" = ()) -> T
     worn = next(iter(WEAR)) in pantographs[0]
     of_each = [*OF_PANTOGRAPH, *(WEAR if worn else ())]
     columns = _columns(((of_each, pantographs), (_RUN, [assessment])), len(names))
+    measured = "measurement" in assessment
     for keys in (of_each, _RUN):
         for key in keys:
             values = [column[key] for column in columns]
+            if measured and all(value in ("", _NOTHING) for value in values):
+                continue  # no column of the file has it
             label = label_of(
                 key,
                 low_pass_Hz=assessment["low_pass_Hz"],

@@ -10,9 +10,9 @@ def envelope(values: NDArray[np.float64], points: int) -> NDArray[np.intp]:
     Parameters
     ----------
     values
-        One series; a peak of a single sample survives.
+        One series; a peak of a single sample survives, and a gap (NaN) stays one.
     points
-        How many samples may remain, at least 4. Shorter series are kept whole.
+        How many samples may remain besides gaps, at least 4. Shorter series are kept whole.
 
     Returns
     -------
@@ -24,11 +24,16 @@ def envelope(values: NDArray[np.float64], points: int) -> NDArray[np.intp]:
         return np.arange(count)
     buckets = (points - 2) // 2
     size = -(-count // buckets)
-    padded = np.full(buckets * size, values[-1])
-    padded[:count] = values
-    grid = padded.reshape(buckets, size)
-    starts = size * np.arange(buckets)
-    picked = [starts + grid.argmin(axis=1), starts + grid.argmax(axis=1), [0, count - 1]]
+    starts, missing = size * np.arange(buckets), np.isnan(values)
+
+    def grid(missed: float) -> NDArray[np.float64]:
+        padded = np.full(buckets * size, missed if missing[-1] else values[-1])
+        padded[:count] = np.where(missing, missed, values)
+        return padded.reshape(buckets, size)
+
+    lowest, highest = grid(np.inf).argmin(axis=1), grid(-np.inf).argmax(axis=1)
+    gaps = np.flatnonzero(missing & ~np.concatenate([[False], missing[:-1]]))
+    picked = [starts + lowest, starts + highest, [0, count - 1], gaps]
     indices: NDArray[np.intp] = np.unique(np.minimum(np.concatenate(picked), count - 1))
     return indices
 

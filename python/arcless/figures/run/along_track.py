@@ -10,6 +10,7 @@ from arcless.figures.run.run_data import RunData
 from arcless.figures.run.track import (
     along,
     filtered,
+    gaps,
     place_name,
     span_at,
     span_numbers,
@@ -23,6 +24,8 @@ from arcless.figures.run.wire_points import wire_points
 Bools = NDArray[np.bool_]
 
 FORCE = "contact force"
+# Half of the first figure in m where there are no spans.
+AROUND_M = 150.0
 # Spans of the first figure on either side of that with the worst place, and its extra height.
 BESIDE, HEADROOM, FOOTROOM = 1, 0.16, 0.07
 LEAD_HEIGHT, TALL = 330, 320
@@ -102,7 +105,12 @@ def force(run: RunData) -> list[Figure]:
     for i, numbers in enumerate(run.assessment.pantographs):
         curve = filtered(run, i, run.record.bands.total[:, i], "contact force N 0.0",
                          name=_filtered_name(run))  # fmt: skip
-        layers = [*_unfiltered(run, i), *_statistics(run, i, limit_up_to=high), curve]
+        layers = [
+            *gaps(run, i),
+            *_unfiltered(run, i),
+            *_statistics(run, i, limit_up_to=high),
+            curve,
+        ]
         found.append(
             along(
                 run, f"force-{i + 1}", titled(run, "Contact force", i),
@@ -173,13 +181,15 @@ def height(run: RunData) -> list[Figure]:
     axis = Axis("height above rail", "m", *_padded(lowest, highest), form="0.00")
     found = []
     for i, name in enumerate(run.pantographs):
+        if np.isnan(heights[:, i]).all():
+            continue  # not measured
         curve = filtered(run, i, heights[:, i], "height m 0.000", name="contact point")
         found.append(
             along(
                 run, f"height-{i + 1}", titled(run, "Height of the contact point", i), axis,
-                [*rest, curve],
-                alt=f"Height of the contact point of {name}, from {heights[:, i].min():.3f} to"
-                f" {heights[:, i].max():.3f} m above rail.",
+                [*gaps(run, i), *rest, curve],
+                alt=f"Height of the contact point of {name}, from {np.nanmin(heights[:, i]):.3f}"
+                f" to {np.nanmax(heights[:, i]):.3f} m above rail.",
             )
         )  # fmt: skip
     return found
@@ -227,8 +237,8 @@ def _force_range(run: RunData, shown: list[Bools]) -> tuple[float, float]:
     """Return the ends of the force axis: what is shown, mean ± 3σ, and limits that are near."""
     force = [run.record.force[rows, i] for i, rows in enumerate(shown)]
     numbers = run.assessment.pantographs
-    low = min(0.0, *(p.statistical_min_N for p in numbers), *(float(f.min()) for f in force))
-    high = max(*(p.statistical_max_N for p in numbers), *(float(f.max()) for f in force))
+    low = min(0.0, *(p.statistical_min_N for p in numbers), *(float(np.nanmin(f)) for f in force))
+    high = max(*(p.statistical_max_N for p in numbers), *(float(np.nanmax(f)) for f in force))
     limits = [run.limit("statistical_max", i) for i in range(len(numbers))]
     high = max([high, *(one for one in limits if one is not None and one <= FAR_LIMIT * high)])
     margin = 0.04 * (high - low)
@@ -236,11 +246,12 @@ def _force_range(run: RunData, shown: list[Bools]) -> tuple[float, float]:
 
 
 def _worst_window(run: RunData) -> tuple[float, float]:
-    """Return the ends of the spans around the worst place; of a line without spans, of the run."""
+    """Return the ends of the spans around the worst place; without spans some metres around it."""
     _, _, x, _ = worst(run)
     number = span_at(run, x)
     if number is None:
-        return float(run.position.min()), float(run.position.max())
+        begin, end = float(run.position.min()), float(run.position.max())
+        return max(begin, x - AROUND_M), min(end, x + AROUND_M)
     first, last = max(0, number - 1 - BESIDE), min(run.supports.size - 1, number + BESIDE)
     return float(run.supports[first]), float(run.supports[last])
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from arcless.assess.signals.filter import spectrum
+from arcless.assess.signals.filter import spectrum_of
 from arcless.figures.description import (
     Axis,
     Bars,
@@ -17,7 +17,7 @@ from arcless.figures.description import (
 from arcless.figures.description.tokens import of_pantograph
 from arcless.figures.run.run_data import RunData
 from arcless.figures.run.track import axis as track_axis
-from arcless.figures.run.track import ground, titled
+from arcless.figures.run.track import gaps, supports, titled
 
 BINS = 40
 HIGHEST_HZ = 50.0
@@ -26,6 +26,9 @@ DECADES = 6
 # over the low-pass, and the range of densities below the largest one, in dB.
 WINDOW_S, COLUMNS, ABOVE_LOW_PASS, DEPTH_DB = 1.0, 400, 1.5, 40.0
 HARMONICS = 3
+# Columns of the spectrogram from its nearest window up to which a place is drawn. Fewer would leave
+# holes where the speed changes; more would fill gaps of a measurement.
+GAP_COLUMNS = 2.0
 
 
 def histogram(run: RunData) -> list[Figure]:
@@ -71,8 +74,7 @@ def force_spectrum(run: RunData) -> list[Figure]:
     found = []
     densities = []
     for i in range(len(run.pantographs)):
-        values = run.record.force[run.record.inside[:, i], i]
-        frequency, density = spectrum(values, run.record.rate_Hz)
+        frequency, density = spectrum_of(run.stretches(i), run.record.rate_Hz)
         shown = (frequency > 0.0) & (frequency <= HIGHEST_HZ) & (density > 0.0)
         densities.append((frequency[shown], density[shown]))
     top = max(float(density.max(initial=0.0)) for _, density in densities) or 1.0
@@ -115,7 +117,10 @@ def spectrogram(run: RunData) -> list[Figure]:
         levels.append(10.0 * np.log10(np.maximum(density, 1e-12)).T)
         middle = np.arange(len(pieces)) * hop + length // 2
         places.append(run.position[middle, i])
-    high = float(np.ceil(max(float(level.max()) for level in levels)))
+    known = [level[np.isfinite(level)] for level in levels]
+    if not all(part.size for part in known):
+        return []  # no window between two gaps of a measurement
+    high = float(np.ceil(max(float(part.max()) for part in known)))
     scale = Scale("density", "dB re 1 N²/Hz", high - DEPTH_DB, high)
     step = float(frequency[1])
     heights = (float(frequency[kept][0]) - 0.5 * step, float(frequency[kept][-1]) + 0.5 * step)
@@ -124,13 +129,16 @@ def spectrogram(run: RunData) -> list[Figure]:
         even = np.linspace(x[0], x[-1], x.size)
         nearest = np.clip(np.searchsorted(x, even), 0, x.size - 1)
         half = 0.5 * (even[1] - even[0])
-        grid = Map((even[0] - half, even[-1] + half), heights, level[:, nearest],
+        apart = np.abs(x[nearest] - even) > 2.0 * GAP_COLUMNS * half
+        shown = np.where(apart, np.nan, level[:, nearest])
+        grid = Map((even[0] - half, even[-1] + half), heights, shown,
                    tips=(Tip("density", "x", "dB"),))  # fmt: skip
         found.append(
             Figure(
                 f"spectrogram-{i + 1}",
                 titled(run, "Spectrogram of the unfiltered contact force", i),
-                track_axis(run), Axis("frequency", "Hz", *heights), [grid, *ground(run)[1:]],
+                track_axis(run), Axis("frequency", "Hz", *heights),
+                [grid, *gaps(run, i), *supports(run)],
                 caption=f"Power spectral density in windows of {WINDOW_S:g}\u00a0s, equal to"
                 f" {WINDOW_S * run.assessment.speed_m_s:.0f}\u00a0m along the track.",
                 alt=f"Spectrogram of the contact force of {run.pantographs[i]} along the track.",

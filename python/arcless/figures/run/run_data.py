@@ -113,6 +113,14 @@ class RunData:
             for i in range(len(self.pantographs))
         ]
 
+    def left_out(self, _pantograph: int) -> list[tuple[float, float]]:
+        """Return stretches of the section in m that numbers leave out; none of a simulated run."""
+        return []
+
+    def stretches(self, pantograph: int) -> list[Floats]:
+        """Return the unfiltered force in N inside the section, one for each part without a gap."""
+        return [self.record.force[self.record.inside[:, pantograph], pantograph]]
+
     def has(self, *names: str) -> bool:
         """Say whether the dataset holds all these variables."""
         return all(name in self.dataset for name in names)

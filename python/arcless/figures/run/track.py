@@ -47,6 +47,16 @@ def ground(run: RunData) -> list[Layer]:
     return [section, *supports(run)]
 
 
+def gaps(run: RunData, pantograph: int) -> list[Layer]:
+    """Return stretches of the section that the numbers of a pantograph leave out, as shades."""
+    found = run.left_out(pantograph)
+    return [
+        Strip(axis="x", low=found[row][0], high=found[row][1], colour="open", alpha=0.18,
+              name="" if place else "left out")
+        for place, row in enumerate(every(len(found), MARKS) if found else ())
+    ]  # fmt: skip
+
+
 def supports(run: RunData) -> list[Layer]:
     """Return the supports as lines from edge to edge."""
     if not run.supports.size:

@@ -20,6 +20,12 @@ from arcless.units import show
 # A text of these, that begins and ends with none that means something to YAML, stands bare.
 _BARE = re.compile(r"[A-Za-z0-9_.°µ²³][A-Za-z0-9_.°µ²³·()/+ -]*")
 _ANCHOR = re.compile(r"&\S+\s*")
+# A list or mapping in brackets may continue in the next line behind each of these; quoted texts
+# stay whole.
+_PIECE = re.compile(r"""(?:"(?:[^"\\]|\\.)*"|'[^']*'|[^"',]|,(?! ))*(?:, |$)""", re.S)
+# Lines of shipped models end about here; continued ones begin so much further in. In characters.
+_WIDTH = 100
+_INWARDS = 4
 _REST_OF_LINE = re.compile(r"[^\r\n]*(?:\r\n|\n|\r)?")
 
 
@@ -181,8 +187,29 @@ def _new_line(text: str, node: Node, end: int, entry: str) -> Patch:
     return Patch(rest.end(), "", f"{line_end}{new}")
 
 
-def removed(text: str, found: NodePath) -> Patch:
-    """Return the patch that takes the node at the end of a path away, with its key."""
+def folded(patch: Patch, text: str) -> Patch:
+    """Return a patch whose new text, a value in brackets, goes over several lines if it is long."""
+    line = _line_start(text, patch.start)
+    column = patch.start - line
+    before = (text[line : patch.start] + patch.after).lstrip("\r\n")
+    inwards = " " * (len(before) - len(before.lstrip(" ")) + _INWARDS)
+    line_end = "\r\n" if "\r\n" in text else "\n"
+    made = list[str]()
+    for piece in _PIECE.findall(patch.after):
+        if made and made[-1].endswith(", ") and column + len(piece.rstrip()) > _WIDTH:
+            made[-1] = made[-1][:-1]
+            made.append(line_end + inwards)
+            column = len(inwards)
+        made.append(piece)
+        column += len(piece)
+    return Patch(patch.start, patch.before, "".join(made))
+
+
+def removed(text: str, found: NodePath, *, others_come: bool = False) -> Patch:
+    """Return the patch that takes the node at the end of a path away, with its key.
+
+    The only entry of a group leaves ``{}`` or ``[]``, unless others come in its place.
+    """
     node, parent, key = found.nodes[-1], found.nodes[-2], found.keys[-1]
     if parent.is_alias:
         raise refused("the value of an alias", found.place, node)
@@ -191,7 +218,7 @@ def removed(text: str, found: NodePath) -> Patch:
         for first, item in _entries(parent)
     ]
     place = next(index for index, (_, item) in enumerate(entries) if item is node)
-    if len(entries) == 1:
+    if len(entries) == 1 and not others_come:
         upper = NodePath(found.nodes[:-1], found.keys[:-1], found.place[:-1], ())
         return replaced(text, upper, [] if key is None else {})
     start, end = entries[place][0], len(text[: max(node.end, node.start)].rstrip())

@@ -57,9 +57,8 @@ def is_file(path: FilePath) -> bool:
         return False
 
 
-def read_text(path: FilePath, label: str) -> str:
-    """Return the text of a model file; refuse what cannot be one before reading it all."""
-    expected = "a text file in YAML"
+def read_text(path: FilePath, label: str, expected: str = "a text file in YAML") -> str:
+    """Return the text of a file; refuse what cannot be a text before reading it all."""
     try:
         if not is_file(path) and path.exists():
             got = "a folder" if path.is_dir() else "a device or a pipe"

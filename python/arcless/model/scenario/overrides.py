@@ -81,6 +81,21 @@ def apply(scenario: Model, changes: Mapping[str, Any]) -> Model:
     return changed
 
 
+def apply_to_line(line: Line, changes: Mapping[str, Any]) -> Line:
+    """Return a validated copy of a line with changed fields, with or without `line.` before them.
+
+    Raises
+    ------
+    ModelError
+        There is no such field, or the line is not valid with it.
+    """
+    data = line.model_dump(mode="json", by_alias=True)
+    own = {path.removeprefix("line."): value for path, value in changes.items()}
+    for path, value in own.items():
+        _set(data, path, value, set(own), {})
+    return build(data, "line", Line, Origin())
+
+
 def field_of(scenario: ScenarioData, path: str) -> tuple[str, Unit | None]:
     """Return the whole path of a field, nothing left out, and its unit or None.
 
@@ -175,7 +190,8 @@ def _step(place: Any, name: str, above: list[str], path: str) -> str | int:
             return name
         known = [key for key in place if key != "provenance"]
         hint = nearest(name, known)
-        title = f"a field of {where}" if where else "a field of the scenario"
+        whole = "the line" if place.get("format") == "arcless-line/1" else "the scenario"
+        title = f"a field of {where or whole}"
         raise ModelError(f"{path}: unknown field", got=show(name), expected=title, hint=hint)
     if isinstance(place, list):
         if name.isdecimal() and int(name) < len(place):

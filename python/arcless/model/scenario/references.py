@@ -29,7 +29,7 @@ KINDS: tuple[Kind, ...] = ("scenario", "line", "pantograph")
 # Hints for a file of a format that was not asked for.
 _COMMANDS = {
     "scenario": "`arcless run {}`",
-    "line": "`arcless check {}`, or name it as the line of a scenario",
+    "line": "`arcless statics {}`, or name it as the line of a scenario",
     "pantograph": "`arcless check {}`, or name it as a model of a scenario's pantographs",
     "study": "`arcless study run {}`",
 }

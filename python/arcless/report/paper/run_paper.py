@@ -27,8 +27,7 @@ from arcless.report.paper.blocks import (
     Table,
     Tone,
 )
-from arcless.report.reported_run import ReportedRun
-from arcless.report.run_content import Rows, run_content
+from arcless.report.run_content import ReportedRun, Rows, run_content
 
 UNSURE = "The certainty of the numbers was not determined; `arcless run --certainty` does that."
 SURE = "± is the spread over starts and the error of discretisation, see Certainty of the numbers."

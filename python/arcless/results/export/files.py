@@ -11,12 +11,11 @@ import numpy as np
 from arcless.errors import OutputError
 from arcless.results.export import tables
 from arcless.results.export.tables import Run
-from arcless.storage.csv_files import Column, cells, write_csv
+from arcless.storage.csv_files import Column, write_csv
+from arcless.storage.excel_files import MOST_ROWS, write_excel
 from arcless.storage.whole_files import check_writable, replacing
 from arcless.units import show
 
-# Rows of a sheet, its header among them (ECMA-376, as Excel has it).
-MOST_ROWS = 1_048_576
 # Characters of a variable's name in MATLAB.
 LONGEST_NAME = 63
 
@@ -59,8 +58,6 @@ def _csv(result: Run, path: Path) -> None:
 
 
 def _xlsx(result: Run, path: Path) -> None:
-    from openpyxl import Workbook
-
     channels = tables.contact_channels(result)
     rows = 1 + len(channels[0].values)
     if rows > MOST_ROWS:
@@ -78,35 +75,7 @@ def _xlsx(result: Run, path: Path) -> None:
         "droppers": tables.places(result, "dropper"),
         "supports": tables.places(result, "support"),
     }
-    with replacing(path) as file:  # which tells of a full disk, too: rows go to a file at once
-        book = Workbook(write_only=True)
-        for title, columns in sheets.items():
-            _fill(book.create_sheet(title), columns)
-        book.save(file)
-
-
-def _fill(sheet: Any, columns: Sequence[Column]) -> None:
-    """Write a table with its header in bold, which stays when one scrolls."""
-    from openpyxl.cell import WriteOnlyCell
-    from openpyxl.cell.cell import ILLEGAL_CHARACTERS_RE
-    from openpyxl.styles import Font
-    from openpyxl.utils import get_column_letter
-
-    def cell(value: Any, *, bold: bool = False) -> Any:
-        if not isinstance(value, str):
-            return value
-        made = WriteOnlyCell(sheet, ILLEGAL_CHARACTERS_RE.sub("?", value))
-        made.data_type = "s"  # a name that begins with `=` is no formula
-        if bold:
-            made.font = Font(bold=True)
-        return made
-
-    sheet.freeze_panes = "A2"
-    for place, column in enumerate(columns, 1):
-        sheet.column_dimensions[get_column_letter(place)].width = max(12, len(column.header) + 2)
-    sheet.append([cell(column.header, bold=True) for column in columns])
-    for row in zip(*(cells(column.values) for column in columns), strict=True):
-        sheet.append([cell(value) for value in row])
+    write_excel(path, sheets)
 
 
 def _mat(result: Run, path: Path) -> None:

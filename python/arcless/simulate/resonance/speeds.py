@@ -18,6 +18,7 @@ from math import floor, inf, sqrt
 from typing import TYPE_CHECKING, Any, Literal
 
 from arcless.equilibrium.initial_configuration import InitialConfiguration
+from arcless.equilibrium.line_alone import LineAlone
 from arcless.simulate.resonance.pantographs import PantographMode, modes, why_no_modes
 from arcless.simulate.resonance.spans import Band, Span, spans
 
@@ -127,6 +128,8 @@ class ResonanceSpeeds:
 def resonance_speeds(source: "Scenario | InitialConfiguration") -> ResonanceSpeeds:
     """Return the speeds at which line and pantographs of a scenario may resonate.
 
+    A line at rest that no scenario names has none: they take pantographs.
+
     Parameters
     ----------
     source
@@ -139,6 +142,8 @@ def resonance_speeds(source: "Scenario | InitialConfiguration") -> ResonanceSpee
     """
     rest = source if isinstance(source, InitialConfiguration) else InitialConfiguration.of(source)
     scenario, notes = rest.scenario, list[str]()
+    if isinstance(scenario, LineAlone):
+        return ResonanceSpeeds((), ("a line without pantographs has no resonance speeds",))
     force = scenario.pantographs[0].start_force or 0.0
     told = spans(rest.equilibrium, scenario.line.span_list(), force)
     if len({round(s.length, 3) for s in scenario.line.span_list()}) > len(told):

@@ -171,7 +171,7 @@ def write_half(path: Path) -> None:
     ("write", "said"),
     [
         (lambda path: None, "no such result file"),
-        (lambda path: path.mkdir(), "no such result file"),
+        (lambda path: path.mkdir(), "no run in this folder"),
         (lambda path: path.write_bytes(b""), "cannot read"),
         (lambda path: path.write_text("speed: 300 km/h"), "cannot read"),
         (lambda path: path.write_bytes(bytes(range(256)) * 50), "cannot read"),

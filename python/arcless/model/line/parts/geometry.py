@@ -6,8 +6,10 @@ from pydantic import Field
 
 from arcless.model.fields.part import Part, Unit
 from arcless.model.line.parts.heights import HeightChange
+from arcless.model.line.parts.spans import MAX_SPANS
 
-MAX_PATTERN = 1000
+# One for each support.
+MAX_PATTERN = MAX_SPANS + 1
 
 
 Staggers = Annotated[

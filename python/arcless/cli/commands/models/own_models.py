@@ -50,6 +50,16 @@ def new(
     with_pantographs: Annotated[
         bool, typer.Option("--with-pantographs", help="Copy the scenario's pantographs, too.")
     ] = False,
+    table: Annotated[
+        Path | None,
+        typer.Option(
+            "--table",
+            metavar="TABLES",
+            help="Spans, supports and droppers of the line: a workbook (.xlsx), or a folder of CSV "
+            "files, as `arcless table` writes them.",
+            show_default=False,
+        ),
+    ] = None,
 ) -> None:
     """Begin a model of one's own with a shipped one.
 
@@ -61,6 +71,8 @@ def new(
     from arcless.model.own_copy import KINDS, copies, write_copies
 
     files = copies(name, source, with_pantographs=with_pantographs)
+    if table is not None:
+        files |= _with_table(name, files, table)
     schema = console.json_text(study.json_schema()) + "\n"
     for path in write_copies(to, files, schema):
         console.data(f"wrote {path}")
@@ -74,3 +86,18 @@ def new(
         "pantograph": f" name it in a scenario: pantographs: [{{model: {name}.yaml}}]",
     }
     console.data(f"and{then[kind]}")
+
+
+def _with_table(name: str, files: dict[str, str], table: Path) -> dict[str, str]:
+    """Return the file of the line with tables laid over it."""
+    from arcless.cli.commands.models.table import say_left_out
+    from arcless.errors import ModelError
+    from arcless.model.table_edit import edited_line
+
+    file = next(own for own in (f"{name}-line.yaml", f"{name}.yaml") if own in files)
+    if "format: arcless-line/" not in files[file]:
+        raise ModelError("--table", got="a model without a line file of its own",
+                         expected="a line, or a scenario that names one")  # fmt: skip
+    found = edited_line(files[file], file, table)
+    say_left_out(found)
+    return {file: found.text}

@@ -1,0 +1,1 @@
+"""A CSV file of a measurement: its dialect, the rows it has, its columns, their numbers."""
