@@ -16,6 +16,7 @@ from arcless.cli.commands import (
     study,
     validate,
 )
+from arcless.cli.commands.measurements import measure
 from arcless.cli.commands.models import model_files, own_models, table
 from arcless.cli.completion import scripts
 from arcless.cli.process.guard import GuardedGroup
@@ -74,6 +75,7 @@ for _command in (
     saved_results.report,
     compare.compare,
     export.export,
+    measure.measure,
     replay.replay,
     scripts.completion,
 ):

@@ -1,5 +1,6 @@
-"""Results → Comparison: numbers side by side, changed fields, overlays."""
+"""Results and measurements → Comparison: numbers, bands, changed fields, overlays."""
 
 from arcless.comparison.comparison import Comparison, compare
+from arcless.comparison.measured.placing import Aligning
 
-__all__ = ["Comparison", "compare"]
+__all__ = ["Aligning", "Comparison", "compare"]

@@ -2,25 +2,26 @@
 
 from collections.abc import Sequence
 
-from arcless.comparison.runs import Slot
+from arcless.comparison.measured.remarks import remarks
+from arcless.comparison.subjects.runs import Slot
+from arcless.comparison.subjects.sides import SAME_PLACE_M, Side
 from arcless.results import Result
-
-# Ends of sections, and places of supports, are the same within this, in m: less than any reading
-# of a plan, far more than rounding.
-SAME_PLACE_M = 1e-3
 
 
 def cautions(
-    results: Sequence[Result], names: Sequence[str], slots: Sequence[Slot], by_name: bool
+    sides: Sequence[Side], names: Sequence[str], slots: Sequence[Slot], by_name: bool
 ) -> list[str]:
-    """Return what differs between the runs besides what was changed on purpose."""
-    found = []
-    assessments = [one.assessment for one in results]
+    """Return what differs between runs and measurements besides what was changed on purpose."""
+    found = _of_measurements(sides, names)
+    assessments = [one.assessment for one in sides]
+    results = [one.result for one in sides if one.result is not None]
+    runs = [name for name, one in zip(names, sides, strict=True) if one.result is not None]
     facts = [one.metadata for one in results]
 
     def told(what: str, texts: Sequence[str], why: str = "") -> None:
         if len(set(texts)) > 1:
-            each = "; ".join(f"{name}: {text}" for name, text in zip(names, texts, strict=True))
+            whose = names if len(texts) == len(names) else runs
+            each = "; ".join(f"{name}: {text}" for name, text in zip(whose, texts, strict=True))
             found.append(f"{what} ({each}){why}")
 
     told("the analysis sections differ", [_section(a.section_m) for a in assessments],
@@ -40,6 +41,25 @@ def cautions(
     if not by_name and len(slots) > 0:
         pairs = ", ".join(slot.name for slot in slots)
         found.append(f"no pantograph has the same name in all runs: matched by order ({pairs})")
+    return found
+
+
+def _of_measurements(sides: Sequence[Side], names: Sequence[str]) -> list[str]:
+    """Return remarks on measurements: how they lie on the line, and what they are compared over."""
+    if all(one.placed is None for one in sides):
+        return []
+    found = []
+    reference = next((one for one in sides if one.placed is None), sides[0])
+    for name, one in zip(names, sides, strict=True):
+        if one.placed is not None:
+            found += remarks(name, one.placed, one.assessment, reference.assessment.speed_m_s)
+    begin, end = sides[0].assessment.section_m
+    own = None if reference.result is None else reference.result.assessment.section_m
+    if own is not None and _section(own) != _section((begin, end)):
+        found.append(
+            f"all are compared from {begin:.1f} to {end:.1f} m, which they share: less than the"
+            f" analysis section of the run, {own[0]:.1f} to {own[1]:.1f} m"
+        )
     return found
 
 

@@ -1,6 +1,9 @@
 """Numbers of a comparison as text, for the page and the terminal."""
 
+from arcless.comparison.alignment import Alignment
 from arcless.comparison.indicators import Indicator, Judged
+from arcless.comparison.measured.acceptance import Accepted
+from arcless.comparison.measured.bands import Band
 from arcless.display.numbers import number, pair
 
 # Quantities of the first screen: those by which runs are judged first.
@@ -9,6 +12,14 @@ MAIN = (
     "contact_loss_percent", "max_uplift_at_support_mm", "min_dropper_force_N",
 )  # fmt: skip
 NONE = "–"
+# Ways by which positions of a measurement were put on the line.
+WAYS = {
+    "correlation": "correlation of the {}",
+    "supports": "supports, by the {}",
+    "given": "offset given",
+    "none": "as they are",
+    "reference": "others are placed on it",
+}
 # Of a difference that is no larger than its uncertainty, as of a criterion.
 TOO_CLOSE = "too close to tell"
 
@@ -45,3 +56,41 @@ def signed(found: float | None, decimals: int) -> str:
     if found is None or not any(digit in text for digit in "123456789"):
         return text.removeprefix("−")
     return text if text.startswith("−") else f"+{text}"
+
+
+def amount(found: float | None, unit: str) -> str:
+    """Return a force with its unit: ``12.3 N``."""
+    return NONE if found is None else f"{number(found, 1)}\u00a0{unit}"
+
+
+def band_difference(one: Band, run: int) -> str:
+    """Return the difference of a band to the first run with its sign and its percentage."""
+    text, share = signed(one.differences_N[run], 1), one.percents[run]
+    return text if share is None else f"{text} ({signed(share, 1)}\u00a0%)"
+
+
+def accepted(one: Accepted) -> tuple[str, str, str, str, str]:
+    """Return simulated and measured value, difference, tolerance with its mark, and verdict."""
+    difference = signed(one.difference, one.decimals)
+    if one.percent is not None:
+        difference = f"{difference} ({signed(one.percent, 1)}\u00a0%)"
+    words = {None: NONE, True: "yes", False: "no"}
+    return (
+        number(one.simulated, one.decimals), number(one.measured, one.decimals), difference,
+        NONE if one.tolerance is None else f"{one.tolerance} ({one.mark})", words[one.within],
+    )  # fmt: skip
+
+
+def alignment(by: Alignment) -> tuple[str, str, str, str, str]:
+    """Return way, offset, drift, correlation, and the next best one with its offset."""
+    if by.method == "reference":
+        return WAYS[by.method], NONE, NONE, NONE, NONE
+    drift = f"{signed(1e3 * (by.scale - 1.0), 2)}\u00a0m/km" if by.scale != 1.0 else NONE
+    following = NONE
+    if by.next_correlation is not None and by.next_offset_m is not None:
+        following = (
+            f"{number(by.next_correlation, 3)} at {signed(by.next_offset_m, 1)}\u00a0m"
+            f"{', not sure' if by.ambiguous else ''}"
+        )
+    way, offset = WAYS[by.method].format(by.channel), f"{signed(by.offset_m, 2)}\u00a0m"
+    return way, offset, drift, number(by.correlation, 3), following

@@ -7,9 +7,12 @@ from typing import TYPE_CHECKING, Literal
 
 from arcless.comparison import tables
 from arcless.comparison.compared import Compared, data_of
-from arcless.comparison.runs import opened
+from arcless.comparison.measured.placing import Aligning
+from arcless.comparison.subjects.runs import Subject, opened
+from arcless.comparison.subjects.sides import drawn
 from arcless.display.frames import frame
 from arcless.errors import ComparisonError
+from arcless.measurements import Measurement
 from arcless.results import Result
 
 if TYPE_CHECKING:
@@ -34,17 +37,15 @@ class Comparison(Compared):
             There are more runs than a reader tells apart in one figure.
         """
         from arcless.figures.comparison import MOST_RUNS, Overlaid, figures
-        from arcless.figures.run import RunData
 
-        if len(self.results) > MOST_RUNS:
+        if len(self.sides) > MOST_RUNS:
             raise ComparisonError(
                 "runs in one figure",
-                got=str(len(self.results)),
+                got=str(len(self.sides)),
                 expected=f"at most {MOST_RUNS}",
                 hint="compare fewer runs, or leave the page out: the tables take any number",
             )
-        runs = [RunData(one.latest, one.assessment) for one in self.results]
-        many = Overlaid(self.names, runs)
+        many = Overlaid(self.names, drawn(self.sides))
         return figures(many, [(one.name, one.places) for one in self.pantographs])
 
     def plot(
@@ -113,20 +114,29 @@ class Comparison(Compared):
         return f"<Comparison of {len(self.names)} runs: {'; '.join(self.names)}>"
 
 
-def compare(runs: Sequence[Result | str | Path]) -> Comparison:
-    """Compare runs with the first of them.
+def compare(
+    runs: Sequence[Subject | str | Path], *, aligning: Aligning | None = None
+) -> Comparison:
+    """Compare runs and measurements with the first of them.
 
     Parameters
     ----------
     runs
-        At least two results, folders of runs, or result files.
+        At least two: results, folders of runs, result files, measurements, or CSV files of
+        measurements.
+    aligning
+        How measurements are put on the line of the first run; by correlation without.
 
     Raises
     ------
     ComparisonError
-        There are fewer than two, one is there twice, or one is not a finished run.
+        There are fewer than two, one is there twice, one is not a finished run, or a measurement
+        cannot be aligned.
+    MeasurementError
+        A CSV file is no measurement, or too little of it is left in the section.
     ResultFormatError
         A file is missing, damaged, or of another format version.
     """
-    results, files = opened([runs] if isinstance(runs, str | Path | Result) else list(runs))
-    return Comparison(**data_of(results, files))
+    single = isinstance(runs, str | Path | Result | Measurement)
+    subjects, files = opened([runs] if single else list(runs))  # type: ignore[list-item]
+    return Comparison(**data_of(subjects, files, aligning or Aligning()))

@@ -17,7 +17,7 @@ from typing import Any
 
 from arcless.assess import Assessment, Criterion, decimals_of, uncertainty_of, verdict_of
 from arcless.assess.quantities import OF_LINE, OF_PANTOGRAPH, WEAR, Quantity, label_of
-from arcless.comparison.runs import Slot
+from arcless.comparison.subjects.runs import Slot
 
 Values = tuple[float | None, ...]
 # A first value below this part of its unit has no percentage: it is zero with rounding errors.

@@ -8,10 +8,10 @@ from typing import Any
 
 from arcless.comparison.compared import Compared
 from arcless.comparison.content import comparison_content
+from arcless.comparison.subjects.sides import drawn
 from arcless.figures.comparison import Overlaid
 from arcless.figures.description import Figure
 from arcless.figures.description.thinning import every
-from arcless.figures.run import RunData
 from arcless.figures.run.track import MARKS
 from arcless.report.template import render
 from arcless.storage.whole_files import write_bytes
@@ -36,7 +36,10 @@ def html(compared: Compared, figures: Mapping[str, Sequence[Figure]]) -> str:
     """Return the page of a comparison as one HTML text; see `write`."""
     content = comparison_content(compared, figures)
     contents = [("summary", "Summary"), *((key, title) for key, title, *_ in content["sections"])]
-    contents += [("numbers", "Numbers"), ("criteria", "Criteria"), ("fields", "Changed fields")]
+    contents += [("bands", "Bands")] if content["bands"] else []
+    contents += [("acceptance", "Simulation against line test")] if content["acceptance"] else []
+    contents += [("numbers", "Numbers"), ("criteria", "Criteria")]
+    contents += [("fields", "Changed fields")] if content["simulated"] > 1 else []
     return render(
         "comparison.html",
         figures,
@@ -51,8 +54,7 @@ def html(compared: Compared, figures: Mapping[str, Sequence[Figure]]) -> str:
 
 def _track(compared: Compared) -> dict[str, Any]:
     """Return section and supports of the first run in m, for buttons and the cross hair."""
-    first = compared.results[0]
-    run = RunData(first.latest, first.assessment)
+    run = drawn(compared.sides)[0]
     supports = run.supports[every(run.supports.size, MARKS)] if run.supports.size else run.supports
     return {
         "section": [float(end) for end in run.assessment.section_m],

@@ -61,7 +61,7 @@ def card(compared: Compared) -> str:
     names = list(compared.names)
     fields = [[one.path, *(cells.NONE if value is None else value for value in one.values)]
               for one in compared.fields]  # fmt: skip
-    overall = [headline(one.assessment.criteria) for one in compared.results]
+    overall = [headline(one.assessment.criteria) for one in compared.sides]
     over_all: list[cards.Cell] = [cards.Badge(one.state, one.text) for one in overall]
     verdicts = [["all criteria", *over_all], *map(_verdicts, compared.criteria)]
     main = [one for one in compared.indicators if one.key in cells.MAIN]

@@ -20,12 +20,19 @@ from arcless.units import show, to_si
 
 Values = Mapping[Column, NDArray[np.float64]]
 
+# Endings of files that hold a measurement.
+ENDINGS = (".csv", ".tsv", ".txt", ".dat", ".asc")
 # Name of a pantograph that the columns do not name; runs call their first one so.
 ONLY = "P1"
 # In m/s. No train on rails was faster (574.8 km/h, France, 2007): more is in another unit.
 FASTEST = 160.0
 # Names of columns that are not used, in a remark.
 NAMED = 5
+
+
+def is_measured(path: Path) -> bool:
+    """Say whether a path is that of a measurement: a file with one of the usual endings."""
+    return path.suffix.lower() in ENDINGS and not path.is_dir()
 
 
 def read(

@@ -26,6 +26,8 @@ if TYPE_CHECKING:
     from arcless.figures.description import Figure
     from arcless.figures.description.tokens import Scheme
     from arcless.model import Scenario
+    from arcless.results.instrument.instrument import Instrument
+    from arcless.results.instrument.readings import Readings
 
 
 @dataclass(frozen=True, eq=False)
@@ -252,6 +254,27 @@ class Result:
         from arcless.results.export.files import export
 
         export(self, path)
+
+    def as_measured(self, instrument: "Instrument", pantograph: str | None = None) -> "Readings":
+        """Return the run as an instrumented pantograph would have measured it.
+
+        Parameters
+        ----------
+        instrument
+            The sensors, such as ``Instrument(force_noise_N=2.0)`` of `arcless.results`.
+        pantograph
+            Name of the pantograph; the first in the direction of travel without.
+
+        Raises
+        ------
+        ModelError
+            There is no such pantograph, or the instrument does not fit it or the record.
+        ResultFormatError
+            The displacements of the pantograph's masses were not recorded.
+        """
+        from arcless.results.instrument.readings import read_off
+
+        return read_off(self.latest, self.scenario, instrument, pantograph)
 
     def __repr__(self) -> str:
         facts = self.metadata

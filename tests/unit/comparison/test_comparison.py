@@ -13,7 +13,7 @@ from arcless.comparison import compare
 from arcless.comparison.cells import difference, signed
 from arcless.comparison.fields import changed_fields
 from arcless.comparison.indicators import indicators
-from arcless.comparison.runs import Slot
+from arcless.comparison.subjects.runs import Slot
 from arcless.errors import ComparisonError
 from arcless.figures.description import Bars, Curve, Figure
 from arcless.model import load

@@ -1,21 +1,28 @@
-"""`arcless compare`: runs side by side."""
+"""`arcless compare`: runs, and measured test runs, side by side."""
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from arcless.cli.arguments.amounts import amount
+from arcless.cli.arguments.head import head_of
 from arcless.cli.arguments.paper import FieldOption, PdfOption, fields_for
 from arcless.cli.arguments.scenario import JsonOption, QuietOption
 from arcless.cli.completion import names
 from arcless.cli.terminal import console
 
+if TYPE_CHECKING:
+    from arcless.comparison.measured.placing import Aligning
+    from arcless.comparison.subjects.runs import Subject
+    from arcless.measurements import Head
+
 RunsArgument = Annotated[
     list[Path],
     typer.Argument(
         metavar="RUN RUN ...",
-        help="Two runs or more, each its folder or the result.nc in it. Differences are to the"
-        " first one.",
+        help="Two runs or more, each its folder or the result.nc in it, or the CSV file of a"
+        " measured test run. Differences are to the first one.",
         autocompletion=names.runs,
         show_default=False,
     ),
@@ -36,17 +43,95 @@ def compare(
     ] = None,
     pdf: PdfOption = None,
     field: FieldOption = None,
+    align: Annotated[
+        str,
+        typer.Option(
+            "--align",
+            metavar="WAY",
+            help="How measurements are put on the line of the first run: by `correlation` of the"
+            " forces, by `supports` (what all spans have in common), or `none`.",
+        ),
+    ] = "correlation",
+    align_by: Annotated[
+        str,
+        typer.Option(
+            "--align-by",
+            metavar="CHANNEL",
+            help="The channel that is aligned: `force`, or `height` of the contact point.",
+        ),
+    ] = "force",
+    offset: Annotated[
+        str | None,
+        typer.Option(
+            "--offset",
+            metavar="LENGTH",
+            help='By hand: what is added to the first measured position, such as "3.2 m".',
+        ),
+    ] = None,
+    scale: Annotated[
+        float | None,
+        typer.Option(
+            "--scale", metavar="NUMBER", help="With --offset: metres on the line for one measured."
+        ),
+    ] = None,
+    search: Annotated[
+        str | None,
+        typer.Option(
+            "--search",
+            metavar="LENGTH",
+            help="How far from zero the offset is searched; half of a span if not given, and"
+            " everything where the positions are not those of the line.",
+        ),
+    ] = None,
+    drift: Annotated[
+        str | None,
+        typer.Option(
+            "--drift",
+            metavar="PART",
+            help="How far the scale of the odometer may be from 1; 0.5 % if not given.",
+        ),
+    ] = None,
+    speed: Annotated[
+        str | None,
+        typer.Option(
+            "--speed", metavar="SPEED", help='Of a CSV file without speeds, such as "250 km/h".'
+        ),
+    ] = None,
+    head_mass: Annotated[
+        str | None,
+        typer.Option(
+            "--head-mass",
+            metavar="MASS",
+            help="Of a CSV file: mass above the force sensors; its inertia is taken off.",
+        ),
+    ] = None,
+    head_lift: Annotated[
+        str | None,
+        typer.Option(
+            "--head-lift", metavar="FORCE", help="With --head-mass: lift of the air on that mass."
+        ),
+    ] = None,
+    acceleration_down: Annotated[
+        bool,
+        typer.Option(
+            "--acceleration-down", help="With --head-mass: accelerations are positive downwards."
+        ),
+    ] = False,
     json: JsonOption = False,
     quiet: QuietOption = False,
 ) -> None:
     """Compare runs: numbers with differences, changed fields, verdicts, overlays.
 
     Nothing is simulated: all of it comes from the result files. Criteria do not set the exit code.
+    A run may also be the CSV file of a measured test run: it is put on the line of the first run,
+    and compared band by band and with the tolerances of EN 50318 (from memory).
     """
     from arcless.comparison import compare as compare_runs
 
     fields = fields_for(pdf, field)
-    compared = compare_runs(runs)
+    how = _aligning((align, align_by), offset, scale, search=search, drift=drift)
+    head = head_of(head_mass, head_lift, acceleration_down)
+    compared = compare_runs(_read(runs, speed, head), aligning=how)
     if out is not None:
         compared.write_report(out)
     if pdf is not None:
@@ -58,12 +143,57 @@ def compare(
 
     for text in () if quiet else compared.warnings:
         console.warn(text)
-    same = "No field of the scenarios differs.\n"
+    several = sum(one.result is not None for one in compared.sides) > 1
+    same = ["No field of the scenarios differs.\n"] if several else []
     console.show(
-        tables.fields(compared) if compared.fields else same,
+        *([tables.fields(compared)] if compared.fields else same),
+        *tables.placement(compared),
         tables.numbers(compared),
         tables.verdicts(compared),
+        *tables.bands(compared),
+        *tables.acceptance(compared),
     )
     for file in (out, pdf):
         if file is not None:
             console.data(f"wrote {file}")
+
+
+def _aligning(
+    ways: tuple[str, str],
+    offset: str | None,
+    scale: float | None,
+    *,
+    search: str | None,
+    drift: str | None,
+) -> "Aligning":
+    """Return how measurements are aligned, from the options."""
+    from arcless.comparison.measured.placing import SCALE_WITHIN, Aligning
+    from arcless.errors import ComparisonError
+
+    if scale is not None and offset is None:
+        raise ComparisonError("--scale without --offset", expected="the offset, such as 0 m")
+    return Aligning(
+        *ways,
+        None if offset is None else amount("--offset", offset, "m"),
+        1.0 if scale is None else scale,
+        None if search is None else amount("--search", search, "m"),
+        SCALE_WITHIN if drift is None else amount("--drift", drift, "1"),
+    )
+
+
+def _read(runs: list[Path], speed: str | None, head: "Head | None") -> "list[Subject | str | Path]":
+    """Read measurements with the options for them; runs are read by the comparison."""
+    from arcless.comparison.subjects.runs import refuse_twice
+    from arcless.errors import ComparisonError
+    from arcless.measurements import is_measured, read
+
+    if not any(map(is_measured, runs)) and (speed is not None or head is not None):
+        given = "--speed" if head is None else "--head-mass"
+        raise ComparisonError(
+            f"{given} without a measurement",
+            expected="a file that ends in .csv among those that are compared",
+            hint="speed and masses of a run are those of its scenario",
+        )
+    refuse_twice([one.resolve() for one in runs], [str(one) for one in runs])
+    asked = None if speed is None else amount("--speed", speed, "m/s")
+    return [read(one, speed=asked, head=head) if is_measured(one) else one for one in runs]

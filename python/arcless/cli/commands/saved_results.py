@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from arcless.cli.arguments.head import head_of
 from arcless.cli.arguments.paper import FieldOption, PdfOption, fields_for
 from arcless.cli.arguments.scenario import JsonOption, QuietOption
 from arcless.cli.completion import names
@@ -14,7 +15,6 @@ from arcless.cli.terminal import console
 
 if TYPE_CHECKING:
     from arcless.assess import Assessment
-    from arcless.measurements import Head
     from arcless.results import Result
 
 ResultArgument = Annotated[
@@ -26,9 +26,6 @@ ResultArgument = Annotated[
         show_default=False,
     ),
 ]
-
-# Endings of files that hold a measurement.
-MEASURED = (".csv", ".tsv", ".txt", ".dat", ".asc")
 
 
 def assess(
@@ -126,12 +123,13 @@ def assess(
 
     Exit code 3 means that a criterion is not met.
     """
+    from arcless.measurements import is_measured
     from arcless.storage.whole_files import write_bytes
 
     section = _quantity("--from", start, "m"), _quantity("--to", end, "m")
     cutoff = _quantity("--low-pass", low_pass, "Hz")
-    head = _head(head_mass, head_lift, acceleration_down)
-    if subject.suffix.lower() in MEASURED and not subject.is_dir():
+    head = head_of(head_mass, head_lift, acceleration_down)
+    if is_measured(subject):
         options = {"speed": speed, "pantograph": pantograph, "head": head}
         found = _measured(subject, options, section, cutoff, supply=supply, report=report)
     else:
@@ -235,25 +233,6 @@ def _show(found: "Assessment") -> None:
         *tables.notes(assessment),
         section,
     )
-
-
-def _head(mass: str | None, lift: str | None, down: bool) -> "Head | None":
-    from arcless.errors import ModelError
-
-    if mass is None and lift is None and not down:
-        return None
-    from arcless.measurements import Head
-
-    if mass is None:
-        alone = "--head-lift" if lift is not None else "--acceleration-down"
-        raise ModelError(
-            f"{alone} without --head-mass", expected="the mass above the force sensors"
-        )
-    try:
-        return Head.of(mass, lift, acceleration_down=down)
-    except ModelError as error:
-        error.where = "--head-mass, --head-lift" if error.where is None else error.where
-        raise
 
 
 def _refuse_options(subject: Path, given: list[str]) -> None:

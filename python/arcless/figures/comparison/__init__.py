@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from arcless.figures.comparison import forces, line, spectra
+from arcless.figures.comparison import distribution, forces, line, spectra
 from arcless.figures.comparison.overlaid import Overlaid
 from arcless.figures.description import Figure
 
@@ -15,6 +15,9 @@ _OF_PANTOGRAPHS = {
     "by_span": (forces.by_span, "Standard deviation in each span"),
     "spectrum": (spectra.over_frequency, "Spectrum over frequency"),
     "wavelengths": (spectra.over_wavelength, "Spectrum over wavelength"),
+    "octaves": (distribution.octaves, "Standard deviation in third octaves"),
+    "histogram": (distribution.histogram, "Distribution of the contact force"),
+    "height": (distribution.height, "Height of the contact point"),
 }
 
 

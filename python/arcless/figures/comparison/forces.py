@@ -61,6 +61,10 @@ def folded(many: Overlaid, places: Places, key: str, title: str) -> list[Figure]
         place = places[k]
         assert place is not None, "only runs with this pantograph are shown"
         forces = by_place(many.runs[k], place, chosen[k], along)
+        # A span with a gap of the measurement is not whole.
+        forces = forces[~np.isnan(forces).any(axis=1)]
+        if len(forces) < FEWEST:
+            continue
         mean = forces.mean(axis=0)
         tips = (Tip("", [many.names[k]] * x.size, form=""), Tip("mean", "y", "N"),
                 Tip("deviation", forces.std(axis=0), "N"),
@@ -69,6 +73,8 @@ def folded(many: Overlaid, places: Places, key: str, title: str) -> list[Figure]
             Curve(x, mean, colour=many.colour(k), name=many.names[k], width=2.2, tips=tips)
         )
         alt.append(f"{many.names[k]}: from {mean.min():.0f} to {mean.max():.0f} N")
+    if not layers:
+        return []
     return [
         Figure(
             key, title, Axis("distance from the support", unit, 0.0, float(x[-1])),
@@ -94,6 +100,10 @@ def by_span(many: Overlaid, places: Places, key: str, title: str) -> list[Figure
         assert place is not None, "only runs with this pantograph are shown"
         high = deviations_by_span(many.runs[k], place, chosen[k])
         numbers = np.array([number for number, _, _ in chosen[k]], dtype=float)
+        known = ~np.isnan(high)
+        high, numbers = high[known], numbers[known]
+        if not high.size:
+            continue
         left = numbers - 0.42 + width * order
         tips = (Tip("", [many.names[k]] * high.size, form=""),
                 Tip("standard deviation", high, "N"), Tip("span", numbers, "", "0"))  # fmt: skip
@@ -104,6 +114,8 @@ def by_span(many: Overlaid, places: Places, key: str, title: str) -> list[Figure
         worst = int(high.argmax())
         alt.append(f"{many.names[k]}: largest in span {numbers[worst]:.0f}, {high[worst]:.1f} N")
         ends += [float(numbers[0]), float(numbers[-1])]
+    if not layers:
+        return []
     remark = "" if many.same_supports else " The lines differ: a number is not the same span."
     return [
         Figure(

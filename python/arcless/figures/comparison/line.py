@@ -7,6 +7,7 @@ import numpy as np
 from arcless.figures.comparison.overlaid import Overlaid
 from arcless.figures.description import Axis, Figure, Layer, Points, Rules, Segments, Tip
 from arcless.figures.description.thinning import every
+from arcless.figures.measured import MeasuredData
 from arcless.figures.run.track import MARKS
 
 # Marks of the runs, which tell them apart without colour as well.
@@ -82,7 +83,8 @@ def droppers(many: Overlaid) -> list[Figure]:
             Points(drawn, high, colour=colour, size=4.0, tips=tips),
         ]  # fmt: skip
         alt.append(f"{many.names[k]}: {low.min():.1f} to {high.max():.1f} N")
-    without = [many.names[k] for k in range(len(many.runs)) if k not in shown]
+    without = [many.names[k] for k, run in enumerate(many.runs)
+               if k not in shown and not isinstance(run, MeasuredData)]  # fmt: skip
     said = f" Without droppers: {', '.join(without)}." if without else ""
     return [
         Figure(

@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from arcless.assess.signals.filter import spectrum
+from arcless.assess.signals.filter import spectrum_of
+from arcless.assess.signals.gapped import common_window_s
 from arcless.figures.comparison.forces import Places
 from arcless.figures.comparison.overlaid import Overlaid
 from arcless.figures.description import Axis, Curve, Figure, Layer, Tip
@@ -12,13 +13,19 @@ from arcless.figures.run.run_data import Floats
 
 def densities(many: Overlaid, places: Places) -> list[tuple[int, Floats, Floats]]:
     """Return number of the run, frequencies in Hz and densities in N²/Hz, where there are some."""
+    parts = {
+        k: [part for part in many.runs[k].stretches(place) if part.size > 1]
+        for k, place in enumerate(places)
+        if place is not None
+    }
+    parts = {k: stretches for k, stretches in parts.items() if stretches}
+    window_s = common_window_s(
+        max(part.size for part in stretches) / many.runs[k].record.rate_Hz
+        for k, stretches in parts.items()
+    )
     found = []
-    for k, place in enumerate(places):
-        if place is None:
-            continue
-        record = many.runs[k].record
-        values = record.force[record.inside[:, place], place]
-        frequency, density = spectrum(values, record.rate_Hz)
+    for k, stretches in parts.items():
+        frequency, density = spectrum_of(stretches, many.runs[k].record.rate_Hz, window_s)
         shown = (frequency > 0.0) & (frequency <= HIGHEST_HZ) & (density > 0.0)
         if shown.any():
             found.append((k, frequency[shown], density[shown]))

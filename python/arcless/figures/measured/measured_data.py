@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from arcless.assess import Assessment
 from arcless.assess.section import ForceRecord
 from arcless.assess.statistics import ForceBands
+from arcless.dataset.build import Entry
 from arcless.dataset.plain_dataset import Plain
 from arcless.figures.run.run_data import RunData, Sampled
 
@@ -74,9 +75,21 @@ class Kept:
 
 
 class MeasuredData(RunData):
-    """Measurement and assessment, ready to be drawn by the figures of a run."""
+    """Measurement and assessment, ready to be drawn by the figures of a run.
 
-    def __init__(self, kept: Sequence[Kept], assessment: Assessment) -> None:
+    Parameters
+    ----------
+    kept
+        Samples of each pantograph.
+    assessment
+        Their assessment.
+    supports_m
+        Positions of the supports in m, where they are known.
+    """
+
+    def __init__(
+        self, kept: Sequence[Kept], assessment: Assessment, supports_m: Floats | None = None
+    ) -> None:
         rows = max(one.track.force.size + len(one.track.pieces) - 1 for one in kept)
         columns = [_columns(one, rows) for one in kept]
         stacked = {name: np.stack([each[name] for each in columns], axis=1) for name in columns[0]}
@@ -84,9 +97,11 @@ class MeasuredData(RunData):
         bands = ForceBands(total, stacked["low"], total - stacked["low"])
         record = ForceRecord(kept[0].track.rate_Hz, stacked["force"], bands, inside)
         over = ("time", "pantograph")
-        data = {"position": (over, stacked["position"], {"units": "m"})}
+        data: dict[str, Entry] = {"position": (over, stacked["position"], {"units": "m"})}
         if not np.isnan(stacked["height"]).all():
             data["contact_height"] = (over, stacked["height"], {"units": "m"})
+        if supports_m is not None:
+            data["support_x"] = (("support",), supports_m, {"units": "m"})
         coords = {
             "pantograph": (("pantograph",), np.array([one.track.name for one in kept]), {}),
             "time": (("time",), stacked["time"][:, 0], {"units": "s"}),

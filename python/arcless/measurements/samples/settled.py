@@ -53,7 +53,7 @@ def settled(measured: MeasuredPantograph, edge: float) -> Mask:
     far = np.zeros(measured.force.size, bool)
     count = round(edge * measured.rate_Hz)
     for piece in measured.pieces:
-        far[piece.start + count : piece.stop - count] = True
+        far[piece.start + count : max(piece.stop - count, 0)] = True
     return far
 
 

@@ -1,14 +1,17 @@
-"""Runs that are compared: read, checked, called by what distinguishes them, pantographs matched."""
+"""Runs and measurements that are compared: read, checked, named, pantographs matched."""
 
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TypeAlias
 
 from arcless.errors import ComparisonError
+from arcless.measurements import Measurement, is_measured, read
 from arcless.results import RESULT_NAME, Result, run_file
 from arcless.results import open as open_result
 
+Subject: TypeAlias = Result | Measurement
 FEWEST = 2
 # Most characters of a run's name in legends and columns.
 LONGEST_NAME = 48
@@ -30,14 +33,16 @@ class Slot:
     places: tuple[int | None, ...]
 
 
-def opened(runs: Sequence[Result | str | Path]) -> tuple[list[Result], list[Path | None]]:
-    """Return the runs, each read once, and the files of those that were named by their place.
+def opened(
+    runs: Sequence[Subject | str | Path],
+) -> tuple[list[Subject], list[Path | None]]:
+    """Return runs and measurements, each read once, and the files of those that have one.
 
     Raises
     ------
     ComparisonError
         There are fewer than two, one is named twice, or one stopped early.
-    ResultFormatError
+    ResultFormatError, MeasurementError
         A file is missing or damaged, or one is no run.
     """
     if len(runs) < FEWEST:
@@ -47,55 +52,82 @@ def opened(runs: Sequence[Result | str | Path]) -> tuple[list[Result], list[Path
             expected="at least two",
             hint="`arcless assess RUN` shows the numbers of one run",
         )
-    files = [None if isinstance(one, Result) else run_file(one) for one in runs]
-    _refuse_twice([
-        id(one) if file is None else file.resolve() for one, file in zip(runs, files, strict=True)
+    files = [_file_of(one) for one in runs]
+    refuse_twice([
+        file.resolve() if isinstance(one, str | Path) and file is not None else id(one)
+        for one, file in zip(runs, files, strict=True)
     ], [str(one) for one in runs])  # fmt: skip
-    found = []
+    found: list[Subject] = []
     for one, file in zip(runs, files, strict=True):
-        result = one if isinstance(one, Result) else open_result(file or one)
-        if not result.is_complete:
+        if isinstance(one, Result | Measurement):
+            subject: Subject = one
+        else:
+            place = file or Path(one)
+            subject = read(place) if is_measured(place) else open_result(place)
+        if isinstance(subject, Result) and not subject.is_complete:
             raise ComparisonError(
                 "run that stopped early",
-                where=result.scenario.name if file is None else str(file),
+                where=subject.scenario.name if file is None else str(file),
                 expected="a finished run",
                 hint="`arcless resume RUN` goes on with it",
             )
-        found.append(result)
+        found.append(subject)
     return found, files
 
 
+def _file_of(one: Subject | str | Path) -> Path | None:
+    if isinstance(one, Result):
+        return None
+    if isinstance(one, Measurement):
+        return one.path
+    return Path(one) if is_measured(Path(one)) else run_file(one)
+
+
 def names_of(
-    results: Sequence[Result], files: Sequence[Path | None], only_field: Sequence[str] | None
+    subjects: Sequence[Subject],
+    files: Sequence[Path | None],
+    only_field: Sequence[str | None] | None,
 ) -> list[str]:
-    """Return a short name of each run, no two the same.
+    """Return a short name of each run and measurement, no two the same.
 
     That is the changed field, where just one differs; else the name of the scenario, or of the
-    folder, whichever differs; else both are followed by a number.
+    folder, whichever differs; else both are followed by a number. A measurement has that of its
+    file.
 
     Parameters
     ----------
-    results, files
-        The runs, and their files where they have some.
+    subjects, files
+        Runs and measurements, and their files where they have some.
     only_field
         Text of the one field that differs, for each run; None where none or several do.
     """
-    names = [one.scenario.name for one in results]
+    names = [title_of(one) for one in subjects]
     folders = [None if file is None else _folder(file) for file in files]
     known = [folder for folder in folders if folder]
     if only_field is not None:
-        names = list(only_field)
+        names = [own or name for own, name in zip(only_field, names, strict=True)]
     elif len(set(names)) < len(names) and len(set(known)) == len(names):
         names = known
     return _told_apart([re.sub(r"[\r\n\t]+", " ", name) for name in names])
 
 
-def matched(results: Sequence[Result]) -> tuple[list[Slot], bool]:
+def title_of(one: Subject) -> str:
+    """Return the name of a run's scenario, or of a measurement's file."""
+    return one.name if isinstance(one, Measurement) else one.scenario.name
+
+
+def _pantographs(one: Subject) -> list[str]:
+    if isinstance(one, Measurement):
+        return [each.name for each in one.pantographs]
+    return [str(name) for name in one.latest["pantograph"].values]
+
+
+def matched(subjects: Sequence[Subject]) -> tuple[list[Slot], bool]:
     """Return the pantographs side by side, and whether that is by their names.
 
-    Without a name that all runs have they are matched by their order.
+    Without a name that all have they are matched by their order.
     """
-    named = [[str(name) for name in one.latest["pantograph"].values] for one in results]
+    named = [_pantographs(one) for one in subjects]
     common = set(named[0]).intersection(*named[1:])
     if common:
         every = list(dict.fromkeys(name for names in named for name in names))
@@ -111,7 +143,8 @@ def matched(results: Sequence[Result]) -> tuple[list[Slot], bool]:
     return slots, False
 
 
-def _refuse_twice(keys: Sequence[object], words: Sequence[str]) -> None:
+def refuse_twice(keys: Sequence[object], words: Sequence[str]) -> None:
+    """Refuse two equal keys, by the words of the second one."""
     for place, key in enumerate(keys):
         if key in keys[:place]:
             raise ComparisonError(

@@ -1,0 +1,1 @@
+"""Commands about measured test runs."""

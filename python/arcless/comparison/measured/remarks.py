@@ -1,0 +1,89 @@
+"""Sentences on what is doubtful about a measurement that was put on the line of a run."""
+
+from arcless.assess import Assessment
+from arcless.comparison.alignment import Alignment
+from arcless.comparison.measured.placed import Placed
+from arcless.measurements.samples.left_out import JUMP, WORDS
+
+# Parts of the reader's notes that hold for every file, or say that all is as it should be.
+USUAL = ("read as CSV", "columns that are not used", "is taken off")
+# Share of the section in % that may be left out without a word: the ends of a record or so.
+UNTOLD_PERCENT = 0.05
+# Speeds that differ by less than this part are those of one test: the wire moves the force by as
+# little. More is told.
+SAME_SPEED = 0.02
+
+
+def remarks(name: str, placed: Placed, assessment: Assessment, speed_m_s: float) -> list[str]:
+    """Return the sentences on one measurement.
+
+    Parameters
+    ----------
+    name
+        What it is called.
+    placed
+        The measurement on the line.
+    assessment
+        Its numbers.
+    speed_m_s
+        Speed in m/s of what it is compared with.
+    """
+    found = []
+    several = len(placed.alignments) > 1
+    for one, by in zip(placed.measurement.pantographs, placed.alignments, strict=True):
+        whose = f"{name}, {one.name}" if several else name
+        found += [f"{whose}: {text}" for text in _doubts(by)]
+        jumps = sum(part.kind == JUMP for part in one.left_out)
+        if jumps:
+            found.append(
+                f"{whose}: the odometer jumps {jumps} time{'s' * (jumps > 1)}, and one offset"
+                " cannot fit both sides of a jump"
+            )
+    apart = assessment.speed_m_s / speed_m_s - 1.0
+    if abs(apart) > SAME_SPEED:
+        found.append(
+            f"{name}: measured at {3.6 * assessment.speed_m_s:.1f} km/h,"
+            f" {100.0 * apart:+.1f} % from {3.6 * speed_m_s:.1f} km/h: forces grow with the speed,"
+            " and the same frequency is another wavelength"
+        )
+    notes = [note for note in placed.measurement.notes if not any(usual in note for usual in USUAL)]
+    return found + [f"{name}: {note}" for note in [*notes, *_left_out(placed, assessment)]]
+
+
+def _left_out(placed: Placed, assessment: Assessment) -> list[str]:
+    """Return how much of the section was left out, and why."""
+    found = []
+    shares = (assessment.measurement or {}).get("pantographs", [])
+    for one, share in zip(placed.measurement.pantographs, shares, strict=True):
+        if share["left_out_percent"] <= UNTOLD_PERCENT:
+            continue
+        begin, end = assessment.section_m
+        counts: dict[str, int] = {}
+        for part in one.left_out:
+            counts[part.kind] = counts.get(part.kind, 0) + max(part.samples, 1)
+        why = "; ".join(f"{WORDS[kind]}, {count} of the file" for kind, count in counts.items())
+        found.append(
+            f"{share['left_out_percent']:.1f} % of the time from {begin:.0f} to {end:.0f} m is left"
+            f" out{f' ({why})' if why else ''}"
+        )
+    return found
+
+
+def _doubts(by: Alignment) -> list[str]:
+    found = []
+    if by.falling:
+        found.append(
+            "its positions fall, so the distance run is taken: the line is modelled in the"
+            " direction of travel"
+        )
+    if by.ambiguous:
+        found.append(
+            "the offset is not sure: noise alone can make the difference between the two best"
+            " correlations, as where spans are alike; limit the search, or give the offset by hand"
+        )
+    if by.beyond_offset_m is not None and by.beyond_correlation is not None:
+        found.append(
+            f"an offset of {by.beyond_offset_m:+.1f} m, out of the search, fits better"
+            f" (correlation {by.beyond_correlation:.3f}): check the positions".replace("-", "−")
+        )
+    return found

@@ -1,0 +1,1 @@
+"""A run as an instrumented pantograph would measure it."""
