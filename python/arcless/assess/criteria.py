@@ -1,7 +1,7 @@
 """Judging a run by the table of rules."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, dataclass, field, replace
 from typing import Any
 
 from arcless.assess.certainty import Certainty, Draws
@@ -108,12 +108,15 @@ class Reasons:
         Why there is no value, and no limit.
     usual_absent, usual_limit
         The same for criteria that are not named.
+    of_pantograph
+        Why nothing of a pantograph is judged, by its name: its forces are not contact forces.
     """
 
     absent: Mapping[str, str]
     without_limit: Mapping[str, str]
     usual_absent: str = "the value is not in the record"
     usual_limit: str = "the line's design data give no limit"
+    of_pantograph: Mapping[str, str] = field(default_factory=dict)
 
 
 OF_RUN = Reasons(
@@ -192,6 +195,8 @@ def _judge(
         reason = reasons.absent.get(rule.name, reasons.usual_absent)
     elif limit is None:
         reason = reasons.without_limit.get(rule.name, reasons.usual_limit)
+    elif not rule.whole_run and pantograph.name in reasons.of_pantograph:
+        reason = reasons.of_pantograph[pantograph.name]
     else:
         passed = RELATIONS[rule.relation](value, limit, rule.tolerance)
     return Criterion(

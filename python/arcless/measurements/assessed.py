@@ -5,13 +5,13 @@ asks for: more than 200 samples a second, or one every 0.40 m (from memory, mark
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from arcless.assess.assessment import Assessment
-from arcless.assess.criteria import OF_MEASUREMENT, evaluate
+from arcless.assess.criteria import OF_MEASUREMENT, Reasons, evaluate
 from arcless.assess.facts import supply_notes, uplift_notes
 from arcless.assess.rules import ANY_SUPPLY, Facts
 from arcless.assess.section import (
@@ -26,6 +26,7 @@ from arcless.measurements.measurement import Measurement
 from arcless.measurements.remarks import (
     MEASUREMENT_SPACING_M,
     WITHOUT_ARCS,
+    WITHOUT_INERTIA,
     about_record,
     about_share,
     counted_by_kind,
@@ -118,9 +119,21 @@ def assess(
         wall_time_s=None,
         real_time_factor=None,
         supply=facts.supply,
-        criteria=evaluate(facts, pantographs, reasons=OF_MEASUREMENT),
+        criteria=evaluate(facts, pantographs, reasons=_reasons(measurement)),
         notes=_notes(measurement, parts, facts, limits, low_pass_Hz),
         measurement=_sampling(measurement, parts, edge_s(low_pass_Hz, BAND_SPLIT_HZ)),
+    )
+
+
+def _reasons(measurement: Measurement) -> Reasons:
+    """Return why criteria are not judged: limits are those of contact forces, not of sensors."""
+    return replace(
+        OF_MEASUREMENT,
+        of_pantograph={
+            each.name: WITHOUT_INERTIA
+            for each in measurement.pantographs
+            if not each.is_contact_force
+        },
     )
 
 

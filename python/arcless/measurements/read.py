@@ -173,7 +173,8 @@ def _about_force(raw: Raw, head: Head | None) -> list[str]:
     count = len(raw.sensors)
     what = f"contact force of pantograph {raw.name}: sum of {count} sensor{'s' * (count > 1)}"
     if head is None:
-        return [f"{what} below the strips, not corrected for the inertia of what is above them"]
+        return [f"{what} below the strips, not corrected for the inertia of what is above them; its"
+                " criteria are not judged"]  # fmt: skip
     return [f"{what} below the strips; {head.words}"]
 
 

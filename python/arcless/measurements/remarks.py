@@ -19,6 +19,10 @@ WITHOUT_ARCS = (
     "loss of contact is where the unfiltered force is zero or less: arcs were not observed, and"
     " noise of the sensors hides short losses or makes some up"
 )
+WITHOUT_INERTIA = (
+    "the sensors are below the strips, and the inertia of what is above them is not taken off:"
+    " give `--head-mass`, or call the column contact_force where the recorder took it off"
+)
 
 
 def about_record(

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from arcless.errors import MeasurementError, ModelError
-from arcless.measurements import Head, read
+from arcless.measurements import Head, assess, read
 from arcless.measurements.samples.inertia import contact_force
 from tests.support.measured import SPEED, force, record, times, write
 
@@ -100,6 +100,18 @@ def test_without_a_mass_it_is_said_that_nothing_is_corrected(file: Path) -> None
     assert "not corrected for the inertia" in loaded.notes[-1]
     expected = force(times()) + MASS * 3.0 * np.sin(2.0 * np.pi * 6.0 * times())
     assert loaded.pantographs[0].force == pytest.approx(expected, rel=1e-12)
+
+
+def test_without_a_mass_no_force_is_judged(file: Path) -> None:
+    write(file, sensors())
+    bare = assess(read(file), supply="AC 25 kV")
+    of_force = [one for one in bare.criteria if one.pantograph == "P1"]
+    judged = {one.name: one for one in of_force if one.value is not None}
+    assert {"mean_force", "standard_deviation"} <= set(judged)
+    assert all(one.passed is None and not one.fails for one in judged.values())
+    assert all("--head-mass" in (one.reason or "") for one in judged.values())
+    corrected = assess(read(file, head=Head(MASS)), supply="AC 25 kV")
+    assert next(one for one in corrected.criteria if one.name == "standard_deviation").passed is not None
 
 
 def test_heights_are_not_differentiated(file: Path) -> None:

@@ -26,6 +26,8 @@ class MeasuredPantograph:
         In s, m and m/s, for each sample. Times rise; positions rise or fall.
     force
         Contact force in N, unfiltered.
+    is_contact_force
+        False where it is the sum of sensors below the strips, without the inertia of what is above.
     height, uplift
         Height of the contact point and uplift of the contact wire in m, NaN where a value is
         missing; None where the file has no such column.
@@ -53,6 +55,7 @@ class MeasuredPantograph:
     position: Floats
     speed: Floats
     force: Floats
+    is_contact_force: bool
     height: Floats | None
     uplift: Floats | None
     pieces: tuple[slice, ...]

@@ -85,6 +85,7 @@ def prepared(raw: Raw, speed: float | None, head: Head | None) -> MeasuredPantog
     return MeasuredPantograph(
         name=raw.name,
         **{key: kept[key] for key in ("time", "position", "speed", "force")},
+        is_contact_force="contact_force" in raw.channels or head is not None,
         height=kept.get("contact_height"),
         uplift=kept.get("uplift"),
         pieces=places,
