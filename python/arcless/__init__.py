@@ -22,6 +22,7 @@ _NAMES = {
         "ControlError",
         "EquilibriumError",
         "ExecutorError",
+        "ExplanationError",
         "FigureError",
         "MeasurementError",
         "MeshError",
@@ -31,7 +32,8 @@ _NAMES = {
         "StudyError",
     ),
     "model": ("Scenario", "library", "load", "load_line", "load_pantograph"),
-    "results": ("KeptRun", "Result", "open", "runs"),
+    "results": ("KeptRun", "Result", "explain", "open", "runs"),
+    "explanation": ("Explanation", "Sensitivities"),
     "comparison": ("Comparison", "compare"),
     "simulate": (
         "ControlInput",
@@ -44,6 +46,7 @@ _NAMES = {
         "resonance_speeds",
         "resume",
         "run",
+        "sensitivities",
         "statics",
     ),
 }

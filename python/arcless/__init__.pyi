@@ -4,6 +4,7 @@ from arcless import (
     assess,
     comparison,
     errors,
+    explanation,
     figures,
     lcp,
     measurements,
@@ -22,6 +23,7 @@ from arcless.errors import (
     ControlError,
     EquilibriumError,
     ExecutorError,
+    ExplanationError,
     FigureError,
     MeasurementError,
     MeshError,
@@ -30,9 +32,11 @@ from arcless.errors import (
     ResultFormatError,
     StudyError,
 )
+from arcless.explanation import Explanation, Sensitivities
 from arcless.model import Scenario, library, load, load_line, load_pantograph
-from arcless.results import KeptRun, Result, open, runs
+from arcless.results import KeptRun, Result, explain, open, runs
 from arcless.simulate.batches.batch import Outcome, batch
+from arcless.simulate.central_differences import sensitivities
 from arcless.simulate.resonance import ResonanceSpeeds, resonance_speeds
 from arcless.simulate.run import resume, run
 from arcless.simulate.session.realtime import Realtime, RealtimeState, realtime
@@ -48,6 +52,8 @@ __all__ = [
     "ControlInput",
     "EquilibriumError",
     "ExecutorError",
+    "Explanation",
+    "ExplanationError",
     "FigureError",
     "KeptRun",
     "MeasurementError",
@@ -61,6 +67,7 @@ __all__ = [
     "Result",
     "ResultFormatError",
     "Scenario",
+    "Sensitivities",
     "StudyError",
     "__version__",
     "assess",
@@ -68,6 +75,8 @@ __all__ = [
     "compare",
     "comparison",
     "errors",
+    "explain",
+    "explanation",
     "figures",
     "lcp",
     "library",
@@ -84,6 +93,7 @@ __all__ = [
     "resume",
     "run",
     "runs",
+    "sensitivities",
     "simulate",
     "statics",
     "study",

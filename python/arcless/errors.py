@@ -149,6 +149,12 @@ class ComparisonError(ArclessError):
     exit_code = 2
 
 
+class ExplanationError(ArclessError):
+    """A standard deviation cannot be explained: the section is too short, or the force constant."""
+
+    exit_code = 2
+
+
 class StudyError(ArclessError):
     """A study cannot be begun or continued as asked: its folder or a package says no."""
 

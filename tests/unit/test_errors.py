@@ -12,6 +12,7 @@ from arcless.errors import (
     ControlError,
     EquilibriumError,
     ExecutorError,
+    ExplanationError,
     FigureError,
     MeasurementError,
     MeshError,
@@ -42,6 +43,11 @@ EXAMPLES = [
     (
         OutputError("folder cannot be written", where="runs/x", hint="choose another with --out"),
         "runs/x: folder cannot be written; hint: choose another with --out",
+        2,
+    ),
+    (
+        ExplanationError("the contact force is constant", where="pantograph P1", got="σ = 0 N"),
+        "pantograph P1: the contact force is constant: got σ = 0 N",
         2,
     ),
     (

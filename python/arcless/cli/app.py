@@ -7,6 +7,7 @@ import typer
 from arcless.cli.arguments.certainty import WithCertainty
 from arcless.cli.commands import (
     compare,
+    explain,
     export,
     replay,
     resume,
@@ -73,6 +74,7 @@ for _command in (
     runs.runs,
     saved_results.assess,
     saved_results.report,
+    explain.explain,
     compare.compare,
     export.export,
     measure.measure,

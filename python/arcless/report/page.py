@@ -13,7 +13,7 @@ from arcless.report.template import render
 from arcless.storage.whole_files import write_bytes
 
 # Figures over the whole track: of several pantographs one below the other, at the page's width.
-STACKED = ("force", "shares", "gap", "height", "spectrogram", "lateral")
+STACKED = ("force", "shares", "gap", "height", "spectrogram", "lateral", "irregular")
 
 
 def write(

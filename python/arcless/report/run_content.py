@@ -6,6 +6,7 @@ from typing import Any, Protocol
 from arcless.assess import Assessment
 from arcless.assess.certainty_words import explained
 from arcless.dataset.plain_dataset import Dataset
+from arcless.explanation.tables import READS
 from arcless.figures.description import Figure
 from arcless.figures.run.run_data import RunData
 from arcless.model import MARKS as MEANINGS
@@ -32,6 +33,7 @@ CERTAINTY_READS = (
 _SECTIONS: tuple[tuple[str, str, tuple[str | tuple[str, ...], ...]], ...] = (
     ("force", "Contact force along the track", ("force", "shares", "gap")),
     ("spans", "Contact force by span", (("folded", "by_span"),)),
+    ("contributions", "Contributions to σ", ("contributions", "irregular")),
     ("statistics", "Distribution and spectrum", (("histogram", "spectrum"), "spectrogram")),
     ("wire", "Contact wire and uplift", ("height", "uplift", "uplift_passages")),
     ("droppers", "Droppers", ("droppers", "dropper_map")),
@@ -86,6 +88,8 @@ def run_content(
         "description": scenario.description,
         "identity": summary.identity(scenario, assessment, facts),
         **first_screen(run, drawn),
+        "explained": [] if run.explanation is None else run.explanation.tables(),
+        "explained_reads": READS,
         "computation": tables.computation(run, facts),
         "numbers": tables.number_rows(run),
         "certainty": tables.certainty_rows(assessment),

@@ -8,7 +8,7 @@ from arcless.results.instrument.readings import Readings
 from arcless.results.kept_runs.kept_run import KeptRun, MainNumbers
 from arcless.results.kept_runs.places import RESULT_NAME, result_file, run_file
 from arcless.results.kept_runs.search import runs
-from arcless.results.result import Result
+from arcless.results.result import Result, explain
 from arcless.results.result import open_result as open
 
 __all__ = [
@@ -19,6 +19,7 @@ __all__ = [
     "Readings",
     "Result",
     "dataset_from",
+    "explain",
     "metadata",
     "open",
     "open_dataset",

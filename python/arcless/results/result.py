@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
     from arcless.assess import Assessment
     from arcless.dataset.plain_dataset import Dataset
+    from arcless.explanation import Explanation, Sensitivities
     from arcless.figures.description import Figure
     from arcless.figures.description.tokens import Scheme
     from arcless.model import Scenario
@@ -70,6 +71,28 @@ class Result:
         from arcless.figures.run import RunData, figures
 
         return figures(RunData(self.latest, self.assessment))
+
+    def explain(self, sensitivities: "Sensitivities | None" = None) -> "Explanation":
+        """Explain the standard deviation σ of the contact force over the analysis section.
+
+        Parameters
+        ----------
+        sensitivities
+            As `arcless.sensitivities` returns them, told with the rest.
+
+        Returns
+        -------
+        Explanation
+            Parts of σ² by what repeats, deviation by span, places, sentences.
+
+        Raises
+        ------
+        ExplanationError
+            The section has less than two spans, or a force is constant.
+        """
+        from arcless.explanation import explain
+
+        return explain(self.latest, self.assessment, self.scenario, sensitivities)
 
     def plot(
         self,
@@ -316,3 +339,26 @@ def open_result(path: str | Path) -> Result:
     scenario = load(facts["scenario"])
     restore(scenario, facts["as_typed"])
     return Result(dataset, scenario)
+
+
+def explain(
+    run: Result | str | Path, sensitivities: "Sensitivities | None" = None
+) -> "Explanation":
+    """Explain the standard deviation σ of a run's contact force.
+
+    Parameters
+    ----------
+    run
+        A result, the folder of a run, or its file.
+    sensitivities
+        As `arcless.sensitivities` returns them, told with the rest.
+
+    Raises
+    ------
+    ExplanationError
+        The section has less than two spans, or a force is constant.
+    ResultFormatError
+        The file is missing, damaged, or of another format version.
+    """
+    found = run if isinstance(run, Result) else open_result(run)
+    return found.explain(sensitivities)

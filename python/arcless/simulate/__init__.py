@@ -10,6 +10,7 @@ from arcless.simulate.statics import StaticsResult, check_at_rest, statics
 
 if TYPE_CHECKING:
     from arcless.simulate.batches.batch import Look, Outcome, Stopped, Watching, batch
+    from arcless.simulate.central_differences import sensitivities
     from arcless.simulate.resonance import ResonanceSpeeds, resonance_speeds
     from arcless.simulate.session.realtime import Realtime, RealtimeState, realtime
 
@@ -30,6 +31,7 @@ __all__ = [
     "resonance_speeds",
     "resume",
     "run",
+    "sensitivities",
     "statics",
 ]
 
@@ -37,6 +39,7 @@ __all__ = [
 _LATER = {
     **dict.fromkeys(("Look", "Outcome", "Stopped", "Watching", "batch"), "batches.batch"),
     **dict.fromkeys(("Realtime", "RealtimeState", "realtime"), "session.realtime"),
+    "sensitivities": "central_differences",
     **dict.fromkeys(("ResonanceSpeeds", "resonance_speeds"), "resonance"),
 }
 

@@ -102,6 +102,17 @@ def test_every_section_is_there_and_in_the_contents(page: str) -> None:
     assert len(targets) > len(SECTIONS)
 
 
+def test_contributions_are_a_section_where_there_is_something_to_tell(page: str) -> None:
+    def force(t: np.ndarray) -> np.ndarray:
+        return 100.0 + 20.0 * np.sin(0.8 * np.pi * t) + 5.0 * np.sin(1.1 * t)
+
+    seen = Page(report.html(result_of(synthetic_dataset(force=force))))
+    assert "Contributions to σ" in seen.titles
+    assert "Contributions to the variance of the contact force" in seen.titles
+    assert "the largest share of its variance is span passing" in seen.text
+    assert "Contributions to σ" not in Page(page).titles  # its force is constant
+
+
 def test_the_first_screen_says_what_was_run_and_what_came_of_it(page: str) -> None:
     before = Page(page[: page.index('id="criteria"')]).text
     for words in (

@@ -5,6 +5,7 @@ from collections.abc import Callable, Mapping
 from arcless.figures.description import Figure
 from arcless.figures.run import (
     along_track,
+    contributions,
     distribution,
     energy,
     head,
@@ -28,6 +29,8 @@ FIGURES: Mapping[str, Callable[[RunData], list[Figure]]] = {
     "dropper_map": response.dropper_map,
     "folded": spans.folded,
     "by_span": spans.by_span,
+    "contributions": contributions.contributions,
+    "irregular": contributions.irregular,
     "histogram": distribution.histogram,
     "spectrum": distribution.force_spectrum,
     "spectrogram": distribution.spectrogram,

@@ -10,6 +10,9 @@ from numpy.typing import NDArray
 
 from arcless.assess import Assessment, Criterion
 from arcless.assess.section import ForceRecord, force_record
+from arcless.errors import ExplanationError
+from arcless.explanation import Explanation, explain
+from arcless.model import load
 
 if TYPE_CHECKING:
     from arcless.dataset.plain_dataset import Dataset
@@ -54,6 +57,15 @@ class RunData:
         a = self.assessment
         begin, end = a.section_m
         return force_record(self.dataset, (begin, end), a.low_pass_Hz, a.band_split_Hz)
+
+    @cached_property
+    def explanation(self) -> Explanation | None:
+        """Explanation of σ; None where the section is too short for one, or a force constant."""
+        scenario = load(json.loads(self.dataset.attrs["scenario"]))
+        try:
+            return explain(self.dataset, self.assessment, scenario)
+        except ExplanationError:
+            return None
 
     @cached_property
     def pantographs(self) -> list[str]:

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from arcless.explanation.signals import span_deviations
 from arcless.figures.description import Area, Axis, Bars, Curve, Figure, Layer, Rules, Tip
 from arcless.figures.description.thinning import every
 from arcless.figures.description.tokens import of_pantograph
@@ -96,14 +97,8 @@ def by_span(run: RunData) -> list[Figure]:
 def whole_spans(run: RunData) -> list[tuple[int, float, float]]:
     """Return number and ends of the spans that lie inside the section wholly."""
     begin, end = run.assessment.section_m
-    margin = 1e-6 * max(1.0, abs(end))
-    pairs = zip(run.supports[:-1], run.supports[1:], strict=True)
-    return [
-        (number, float(left), float(right))
-        for number, (left, right) in enumerate(pairs, start=1)
-        if left >= begin - margin and right <= end + margin
-        and left >= run.position[0].max() and right <= run.position[-1].min()
-    ]  # fmt: skip
+    ran = (float(run.position[0].max()), float(run.position[-1].min()))
+    return span_deviations.whole_spans(run.supports, (begin, end), ran)
 
 
 def by_place(
@@ -123,9 +118,7 @@ def deviations_by_span(
 ) -> Floats:
     """Return the standard deviation of the filtered force in each span, in N."""
     x, force = run.position[:, pantograph], run.record.bands.total[:, pantograph]
-    ends = np.array([(left, right) for _, left, right in chosen])
-    rows = np.searchsorted(x, ends)
-    return np.array([force[first:last].std() for first, last in rows])
+    return span_deviations.deviations(x, force, chosen)
 
 
 def _droppers(run: RunData, chosen: list[tuple[int, float, float]], equal: bool) -> list[Layer]:

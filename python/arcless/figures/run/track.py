@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from arcless.explanation.landmarks import beside
 from arcless.figures.description import Axis, Curve, Figure, Layer, Rules, Strip, Texts, Tip
 from arcless.figures.description.thinning import envelope, every
 from arcless.figures.description.tokens import of_pantograph
@@ -19,8 +20,6 @@ RAW_POINTS = 6000
 EXTREMES = 8000
 # Most supports or droppers that are marked.
 MARKS = 1000
-# A dropper further away than this part of a span does not name a place.
-NEAR = 0.5
 # Two spans are as long as each other within this.
 SAME_LENGTH = 0.01
 
@@ -154,10 +153,8 @@ def _nearest(run: RunData, x: float, span: int | None) -> str:
         nearest = int(np.argmin(np.abs(droppers - x)))
         name = str(names[nearest]).removeprefix(f"span {span} ")
         places.append((abs(x - droppers[nearest]), x - droppers[nearest], name))
-    distance, signed, name = min(places, key=lambda place: place[0])
-    if distance < NEAR / 2:
-        return f"at {name}"
-    return f"{distance:.1f} m {'after' if signed > 0 else 'before'} {name}"
+    _, signed, name = min(places, key=lambda place: place[0])
+    return beside(signed, name)
 
 
 def span_numbers(run: RunData, low: float, high: float, y: float) -> list[Layer]:

@@ -27,6 +27,7 @@ from arcless.report.paper.blocks import (
     Table,
     Tone,
 )
+from arcless.report.paper.explained import explained_tables, said
 from arcless.report.run_content import ReportedRun, Rows, run_content
 
 UNSURE = "The certainty of the numbers was not determined; `arcless run --certainty` does that."
@@ -64,7 +65,10 @@ def document(
         Section("Summary", _summary(content, drawn)),
         Section(f"Criteria, {run.assessment.supply}", _criteria(content)),
         Section("Numbers", _numbers(content)),
-        *(Section(title, list(_pictures(names, drawn))) for _, title, names in content["sections"]),
+        *(
+            Section(title, list(_section(key, names, content, drawn)))
+            for key, title, names in content["sections"]
+        ),
     ]
     if content["certainty"]:
         sections.append(Section("Certainty of the numbers", _certainty(content)))
@@ -161,6 +165,19 @@ def _published(rows: Sequence[Mapping[str, str]]) -> Table:
         for row in rows
     ]  # fmt: skip
     return Table(columns, cells)
+
+
+def _section(
+    key: str,
+    names: Sequence[str | Sequence[str]],
+    content: Mapping[str, Any],
+    drawn: Mapping[str, Sequence[Figure]],
+) -> Iterator[Block]:
+    """Yield the figures of a section; those on σ have sentences before and tables after them."""
+    explained = content["explained"] if key == "contributions" else []
+    yield from said(explained)
+    yield from _pictures(names, drawn)
+    yield from explained_tables(explained, content["explained_reads"])
 
 
 def _pictures(

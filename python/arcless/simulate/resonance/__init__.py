@@ -1,6 +1,6 @@
 """Resonance speeds of a line and its pantographs, from the line at rest."""
 
-from arcless.simulate.resonance.spans import Band
+from arcless.pantograph.natural_modes import Band
 from arcless.simulate.resonance.speeds import ResonanceSpeed, ResonanceSpeeds, resonance_speeds
 
 __all__ = ["Band", "ResonanceSpeed", "ResonanceSpeeds", "resonance_speeds"]

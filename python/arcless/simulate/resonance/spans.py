@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 
 from arcless.equilibrium.equilibrium import ELASTICITY_SPACING, Equilibrium, named
 from arcless.model.line.parts.spans import SpanType
+from arcless.pantograph.natural_modes import Band
 
 Floats = NDArray[np.float64]
 
@@ -37,19 +38,6 @@ LEAST_SHARE = 0.01
 MOST_LENGTHS = 3
 # Waves of the path in a span that are looked at: shorter ones are those between droppers.
 ORDERS = range(1, 4)
-
-
-@dataclass(frozen=True)
-class Band:
-    """A value with the lowest and the highest that it stands for, in one unit."""
-
-    low: float
-    middle: float
-    high: float
-
-    def scaled(self, factor: float) -> "Band":
-        """Return it times a positive factor."""
-        return Band(factor * self.low, factor * self.middle, factor * self.high)
 
 
 @dataclass(frozen=True)

@@ -7,9 +7,9 @@
     f d/v = k    the trailing pantograph pushes a span that the leading one left d/v before: after
                  whole periods it adds to the swing, after n + ½ it takes from it
 
-with f of the span (see `spans`) or of the pantograph on the line (see `pantographs`). None of them
-is a resonance without damping: a span hands its swing on to its neighbours, and waves leave the
-contact. They say where to look, not how high a peak is.
+with f of the span (see `spans`) or of the pantograph on the line (see `natural_modes`). None of
+them is a resonance without damping: a span hands its swing on to its neighbours, and waves leave
+the contact. They say where to look, not how high a peak is.
 """
 
 from dataclasses import dataclass
@@ -19,8 +19,8 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from arcless.equilibrium.initial_configuration import InitialConfiguration
 from arcless.equilibrium.line_alone import LineAlone
-from arcless.simulate.resonance.pantographs import PantographMode, modes, why_no_modes
-from arcless.simulate.resonance.spans import Band, Span, spans
+from arcless.pantograph.natural_modes import Band, PantographMode, modes, why_no_modes
+from arcless.simulate.resonance.spans import Span, spans
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

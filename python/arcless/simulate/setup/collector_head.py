@@ -12,12 +12,12 @@ the same vector as the height it feels. Small angles; the last mass itself does 
 """
 
 from dataclasses import dataclass
-from math import pi
 
 import numpy as np
 from numpy.typing import NDArray
 
 from arcless.model.pantograph.head import CollectorHead
+from arcless.pantograph.equation_of_motion import mode_shapes
 from arcless.simulate.setup.core_data import StripData
 
 Floats = NDArray[np.float64]
@@ -28,53 +28,29 @@ SHAPE_KNOTS = 81
 
 
 @dataclass(frozen=True)
-class HeadRows:
-    """Rows that a head adds to a chain of `below` masses; matrices are those of all coordinates."""
+class HeadParts:
+    """Parts that a head adds to a chain besides its matrices; the chain's coordinates come first.
 
-    mass: Floats
-    damping: Floats
-    stiffness: Floats
+    `lift` has the aerodynamic coefficients of all coordinates.
+    """
+
     lift: Floats
     strips: list[StripData]
 
 
-def add_head(head: CollectorHead, below: int) -> HeadRows:
-    """Return matrices (n × n), aerodynamic coefficients (n) and strips of a head.
+def add_head(head: CollectorHead, below: int) -> HeadParts:
+    """Return aerodynamic coefficients (n) and strips of a head.
 
     Parameters
     ----------
     head
-        Its strips.
+        Its strips; their matrices are those of `arcless.pantograph.equation_of_motion`.
     below
-        Number of masses of the chain it stands on; their rows are zero except for the suspension.
+        Number of masses of the chain it stands on.
     """
-    size = below + head.size
-    mass, damping, stiffness = (np.zeros((size, size)) for _ in range(3))
-    lift = np.zeros(size)
-    for number in range(head.strips):
-        first = below + number * head.strip_size
-        joint = np.zeros(size)
-        joint[first], joint[below - 1] = 1.0, -1.0
-        mass[first, first] = head.mass
-        damping += head.damping * np.outer(joint, joint)
-        stiffness += head.stiffness * np.outer(joint, joint)
-        lift[first] = head.aerodynamic
-        for row, (inertia, viscosity, spring) in enumerate(_own(head), start=first + 1):
-            mass[row, row], damping[row, row], stiffness[row, row] = inertia, viscosity, spring
-    strips = [_strip(head, below, number) for number in range(head.strips)]
-    return HeadRows(mass, damping, stiffness, lift, strips)
-
-
-def _own(head: CollectorHead) -> list[tuple[float, float, float]]:
-    """Return inertia, damping and stiffness of roll and modes of a strip."""
-    own = []
-    if head.roll is not None:
-        own.append((head.roll.inertia, head.roll.damping, head.roll.stiffness))
-    for mode in head.modes:
-        omega = 2.0 * pi * mode.frequency
-        viscosity = 2.0 * mode.damping_ratio * omega * mode.modal_mass
-        own.append((mode.modal_mass, viscosity, mode.modal_mass * omega**2))
-    return own
+    lift = np.zeros(below + head.size)
+    lift[[below + number * head.strip_size for number in range(head.strips)]] = head.aerodynamic
+    return HeadParts(lift, [_strip(head, below, number) for number in range(head.strips)])
 
 
 def _strip(head: CollectorHead, below: int, number: int) -> StripData:
@@ -82,7 +58,7 @@ def _strip(head: CollectorHead, below: int, number: int) -> StripData:
     shapes = [np.ones(len(places))]
     if head.roll is not None:
         shapes.append(places)
-    shapes.extend(_mode_shapes(head, places))
+    shapes.extend(mode_shapes(head, places))
     vectors = np.zeros((len(places), below + head.size))
     first = below + number * head.strip_size
     vectors[:, first : first + head.strip_size] = np.column_stack(shapes)
@@ -100,11 +76,3 @@ def _knots(head: CollectorHead) -> Floats:
     if head.roll is not None:
         return np.array([-head.half_length, head.half_length])
     return np.zeros(1)
-
-
-def _mode_shapes(head: CollectorHead, places: Floats) -> list[Floats]:
-    if not head.modes:
-        return []
-    from scipy.interpolate import CubicSpline
-
-    return [np.asarray(CubicSpline(head.shape_positions, m.shape)(places)) for m in head.modes]

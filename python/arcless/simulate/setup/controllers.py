@@ -16,9 +16,9 @@ from arcless.errors import ControlError, ResultFormatError
 from arcless.model import Scenario
 from arcless.model.pantograph.controller import Controller
 from arcless.model.pantograph.placement import PantographPlacement
+from arcless.pantograph.equation_of_motion import Numbers, unit_vector
 from arcless.simulate.setup.core_data import ActuatorData
 from arcless.simulate.setup.pid import Limit, PidLaw
-from arcless.simulate.setup.stops_and_friction import Numbers, unit_vector
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,6 +10,7 @@ from arcless.model import Scenario
 from arcless.model.pantograph.pantograph import Pantograph
 from arcless.model.pantograph.placement import PantographPlacement
 from arcless.model.pantograph.roof import RoofMotion
+from arcless.pantograph.equation_of_motion import matrices, unit_vector
 from arcless.simulate.setup import stops_and_friction
 from arcless.simulate.setup.collector_head import add_head
 from arcless.simulate.setup.core_data import (
@@ -20,7 +21,6 @@ from arcless.simulate.setup.core_data import (
     PantographData,
     StripData,
 )
-from arcless.simulate.setup.stops_and_friction import elongation, unit_vector
 from arcless.simulate.setup.trajectory import Motion
 
 Floats = NDArray[np.float64]
@@ -48,19 +48,16 @@ def data(
     """
     if pantograph.matrices is not None:
         parts = pantograph.matrices
-        matrices = [np.array(m) for m in (parts.mass, parts.damping, parts.stiffness)]
-        # A matrix that is symmetric apart from rounding is made so; any other keeps its bits.
-        matrices = [(m + m.T) / 2.0 for m in matrices]
         lift = list(parts.lift or (0.0,) * len(parts.strip))
         strips, preload = [plain(parts.strip, pantograph.half_length)], list(parts.preload)
     else:
-        matrices, lift, strips = _chain(pantograph)
+        lift, strips = _lift_and_strips(pantograph)
         preload = unit_vector(pantograph.size, 0)
-    mass, damping, stiffness = (m.ravel().tolist() for m in matrices)
+    own = matrices(pantograph)
     return PantographData(
-        mass=mass,
-        damping=damping,
-        stiffness=stiffness,
+        mass=own.mass.ravel().tolist(),
+        damping=own.damping.ravel().tolist(),
+        stiffness=own.stiffness.ravel().tolist(),
         strips=strips,
         preload=preload,
         lift=lift,
@@ -77,26 +74,18 @@ def plain(vector: Sequence[float], half_length: float | None) -> StripData:
     return StripData(offset=0.0, half_width=half_length or inf, knots=[0.0], vectors=[list(vector)])
 
 
-def _chain(pantograph: Pantograph) -> tuple[list[Floats], list[float], list[StripData]]:
-    """Return M, C and K; the aerodynamic coefficients; the strips.
+def _lift_and_strips(pantograph: Pantograph) -> tuple[list[float], list[StripData]]:
+    """Return the aerodynamic coefficients and the strips.
 
-    Spring i joins mass i to the one below, the first to the base. The strip is the last mass, where
-    no head stands on it.
+    The strip is the last mass, where no head stands on it.
     """
     masses, size = pantograph.masses, pantograph.size
-    mass = np.diag([part.mass for part in masses] + [0.0] * (size - len(masses)))
-    stiffness, damping = np.zeros((size, size)), np.zeros((size, size))
-    for i, part in enumerate(masses):
-        joint = np.array(elongation(size, i))
-        stiffness += (part.stiffness or 0.0) * np.outer(joint, joint)
-        damping += (part.damping or 0.0) * np.outer(joint, joint)
     lift = np.array([part.aerodynamic for part in masses] + [0.0] * (size - len(masses)))
     if pantograph.head is None:
         strip = plain(unit_vector(size, size - 1), pantograph.half_length)
-        return [mass, damping, stiffness], lift.tolist(), [strip]
+        return lift.tolist(), [strip]
     head = add_head(pantograph.head, len(masses))
-    matrices = [mass + head.mass, damping + head.damping, stiffness + head.stiffness]
-    return matrices, (lift + head.lift).tolist(), head.strips
+    return (lift + head.lift).tolist(), head.strips
 
 
 def excitations(scenario: Scenario, travel: Motion) -> list[Excitation]:

@@ -7,6 +7,7 @@ from math import inf
 from arcless.model.pantograph.joint import Joint
 from arcless.model.pantograph.pantograph import Pantograph
 from arcless.model.pantograph.placement import PantographPlacement
+from arcless.pantograph.equation_of_motion import elongation
 from arcless.simulate.setup.core_data import BumpStopData, PiecewiseForceData
 
 Numbers = list[float]
@@ -34,19 +35,6 @@ class PiecewiseLinearForce:
     def unit(self) -> str:
         """Unit of what it looks at."""
         return "m/s" if self.data.is_damper else "m"
-
-
-def unit_vector(size: int, i: int) -> Numbers:
-    """Return a vector of zeros with a one at `i`."""
-    return [float(k == i) for k in range(size)]
-
-
-def elongation(size: int, i: int) -> Numbers:
-    """Return the elongation between mass i of a chain and the mass below, or the base."""
-    joint = unit_vector(size, i)
-    if i > 0:
-        joint[i - 1] = -1.0
-    return joint
 
 
 def joints(pantograph: Pantograph) -> Iterator[tuple[str, Numbers, Joint]]:

@@ -9,8 +9,8 @@ import pytest
 
 import arcless
 from arcless.model import Scenario, load, load_pantograph
+from arcless.pantograph.natural_modes import modes
 from arcless.simulate.resonance import Band, ResonanceSpeed
-from arcless.simulate.resonance.pantographs import modes
 from arcless.simulate.resonance.spans import modes_moved, spans
 from tests.support.line_types import scenario_data
 from tests.support.one_wire import MASS, SPAN, TENSION, one_wire

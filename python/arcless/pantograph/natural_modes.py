@@ -15,17 +15,28 @@ from math import inf, pi
 import numpy as np
 from numpy.typing import NDArray
 
+from arcless.model.pantograph.joint import Joint
 from arcless.model.pantograph.pantograph import Pantograph
-from arcless.simulate.resonance.spans import Band
-from arcless.simulate.setup import stops_and_friction
-from arcless.simulate.setup.core_data import StripData
-from arcless.simulate.setup.pantographs import data as pantograph_data
+from arcless.pantograph.equation_of_motion import matrices, raising_the_strips
 
 Floats = NDArray[np.float64]
 
 # Share of a mode's elastic energy that is the line's: with less, the line neither makes it nor
 # moves it.
 LEAST_SHARE = 0.01
+
+
+@dataclass(frozen=True)
+class Band:
+    """A value with the lowest and the highest that it stands for, in one unit."""
+
+    low: float
+    middle: float
+    high: float
+
+    def scaled(self, factor: float) -> "Band":
+        """Return it times a positive factor."""
+        return Band(factor * self.low, factor * self.middle, factor * self.high)
 
 
 @dataclass(frozen=True)
@@ -50,13 +61,14 @@ class PantographMode:
 
 def why_no_modes(pantograph: Pantograph) -> str | None:
     """Return why a pantograph has no natural frequencies of its own; None where it has."""
-    tables = [
-        law.field
-        for law in stops_and_friction.piecewise_forces(pantograph)
-        if not law.data.is_damper
-    ]
-    if tables:
-        return f"{tables[0]} is no constant: it has no natural frequency for all amplitudes"
+    joints: dict[str, Joint] = {f"masses.{i}": one for i, one in enumerate(pantograph.masses)}
+    if pantograph.matrices is not None:
+        of_matrices = enumerate(pantograph.matrices.joints)
+        joints = {f"matrices.joints.{i}": joint for i, joint in of_matrices}
+    for place, joint in joints.items():
+        if joint.stiffness_table is not None:
+            field = f"{place}.stiffness_table"
+            return f"{field} is no constant: it has no natural frequency for all amplitudes"
     return None
 
 
@@ -74,20 +86,20 @@ def modes(
     contact_stiffness
         Of one contact in N/m, infinite for a rigid one.
     """
-    data = pantograph_data(pantograph, 0.0)
-    matrices = (data.mass, data.damping, data.stiffness)
-    size = pantograph.size
-    m, c, k = (np.reshape(values, (size, size)) for values in matrices)
-    height = np.mean([_in_the_middle(strip) for strip in data.strips], axis=0)
-    contact = 0.0 if contact_stiffness == inf else 1.0 / (len(data.strips) * contact_stiffness)
-    found = [
+    found = matrices(pantograph)
+    m, c, k = found.mass, found.damping, found.stiffness
+    height, strips = raising_the_strips(pantograph), 1
+    if pantograph.head is not None:
+        strips = pantograph.head.strips
+    contact = 0.0 if contact_stiffness == inf else 1.0 / (strips * contact_stiffness)
+    rows = [
         _modes(m, c, k, height, 1.0 / (value + contact))
         for value in (elasticity.high, elasticity.middle, elasticity.low)
     ]
-    slow, mean, fast = (rows[:, 0] for rows in found)
+    slow, mean, fast = (each[:, 0] for each in rows)
     return [
         PantographMode(Band(*map(float, ends)), float(zeta), float(share))
-        for ends, (_, zeta, share) in zip(zip(slow, mean, fast, strict=True), found[1], strict=True)
+        for ends, (_, zeta, share) in zip(zip(slow, mean, fast, strict=True), rows[1], strict=True)
         if share >= LEAST_SHARE
     ]
 
@@ -104,9 +116,3 @@ def _modes(m: Floats, c: Floats, k: Floats, height: Floats, spring: float) -> Fl
     zeta = np.einsum("ij,ik,kj->j", shapes, c, shapes) / (2.0 * omega)
     share = spring * (height @ shapes) ** 2 / omega**2
     return np.column_stack([omega / (2.0 * pi), zeta, share])
-
-
-def _in_the_middle(strip: StripData) -> list[float]:
-    """Return the coordinates that raise the middle of a strip."""
-    columns = np.array(strip.vectors).T
-    return [float(np.interp(0.0, strip.knots, column)) for column in columns]

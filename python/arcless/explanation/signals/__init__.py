@@ -1,0 +1,1 @@
+"""Force along the line → orders, spectral lines, deviations by span."""
