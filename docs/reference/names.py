@@ -63,9 +63,10 @@ def _of_studies() -> Iterator[str]:
                 yield from getattr(field.annotation, "__args__", ())
     yield from (*COLUMNS, *WATCHED, *RISING, *FALLING)
     base = arcless.load("en50318-ac-simple-320-planar")
-    # Keys of one pantograph, and of the worst: the page explains the words before them.
+    # Keys of one pantograph, of the worst, and numbers of a criterion: the page explains the words.
     of_each = ("P1.", f"{WORST}.")
-    yield from (k.removeprefix("criteria.") for k in keys(base) if not k.startswith(of_each))
+    named = (k for k in keys(base) if not k.startswith(of_each) and k.count(".") < 2)
+    yield from (k.removeprefix("criteria.") for k in named)
 
 
 def models(*annotations: Any) -> list[Any]:

@@ -203,7 +203,8 @@ PANTOGRAPH = PantographData(
     actuator=ActuatorData([1.0], 1, 0),
 )  # fmt: skip
 PLAN = RecordPlan(
-    contact_every=1, line_every=1, links=True, nodes=[], points=[], ledger=False, ledger_every=1,
+    contact_every=1, line_every=1, links=True, nodes=[], supports=[], points=[], ledger=False,
+    ledger_every=1,
     near=RecordingWindow(50.0, Stations([0], [10.0], 1), Stations([], [], 0)),
 )  # fmt: skip
 START = SessionStart(60.0, 50.0, 0.0)

@@ -87,7 +87,14 @@ def test_excel_has_a_sheet_for_each_table(arcless: Command, finished: Path) -> N
     openpyxl = pytest.importorskip("openpyxl")
     assert arcless("export", finished, "--to", "run.xlsx").exit_code == 0
     book = openpyxl.load_workbook("run.xlsx")
-    assert book.sheetnames == ["assessment", "criteria", "contact channels", "droppers", "supports"]
+    assert book.sheetnames == [
+        "assessment",
+        "criteria",
+        "contact channels",
+        "droppers",
+        "supports",
+        "support channels",
+    ]
     result = package.open(finished)
     rows = {row[0]: row for row in book["assessment"].values}
     told = result.assessment.pantographs[0]

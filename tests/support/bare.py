@@ -87,6 +87,7 @@ def run(
         line_every=1,
         links=False,
         nodes=asked.nodes,
+        supports=[],
         points=asked.points,
         ledger=asked.ledger,
         ledger_every=1,

@@ -74,7 +74,7 @@ class Travel:
             friction=0.0,
             loads=[],
             plan=RecordPlan(
-                contact_every=1, line_every=1, links=False, nodes=[], points=[],
+                contact_every=1, line_every=1, links=False, nodes=[], supports=[], points=[],
                 ledger=False, ledger_every=1,
             ),
             observe=lambda _step: True,

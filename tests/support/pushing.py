@@ -92,6 +92,7 @@ def press(
         line_every=1,
         links=True,
         nodes=nodes,
+        supports=[],
         points=points,
         ledger=False,
         ledger_every=1,

@@ -25,6 +25,7 @@ fn plan(points: Vec<f64>) -> RecordPlan {
         line_every: 1,
         links: true,
         nodes: Vec::new(),
+        supports: Vec::new(),
         points,
         ledger: false,
         ledger_every: 1,

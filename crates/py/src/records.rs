@@ -3,6 +3,7 @@
 use arcless_core::checkpoint::Checkpoint;
 use arcless_core::energy_terms::EnergyTerms;
 use arcless_core::simulation::recording::record::{Record, RecordPlan};
+use arcless_core::simulation::recording::support_parts::SupportParts;
 use arcless_core::simulation::recording::window::{Near, SortedStations};
 use numpy::{IntoPyArray, ToPyArray};
 use pyo3::prelude::*;
@@ -14,10 +15,28 @@ pub struct PlanData {
     line_every: usize,
     links: bool,
     nodes: Vec<usize>,
+    supports: Vec<SupportData>,
     points: Vec<f64>,
     ledger: bool,
     ledger_every: usize,
     near: Option<NearData>,
+}
+
+#[derive(FromPyObject)]
+struct SupportData {
+    vertical: Option<usize>,
+    lateral: Option<usize>,
+    arm: Option<usize>,
+}
+
+impl From<SupportData> for SupportParts {
+    fn from(data: SupportData) -> Self {
+        Self {
+            vertical: data.vertical,
+            lateral: data.lateral,
+            arm: data.arm,
+        }
+    }
 }
 
 #[derive(FromPyObject)]
@@ -51,6 +70,7 @@ impl From<PlanData> for RecordPlan {
             line_every: data.line_every,
             links: data.links,
             nodes: data.nodes,
+            supports: data.supports.into_iter().map(Into::into).collect(),
             points: data.points,
             ledger: data.ledger,
             ledger_every: data.ledger_every,

@@ -77,6 +77,7 @@ for _command in (
     explain.explain,
     compare.compare,
     export.export,
+    export.stress,
     measure.measure,
     replay.replay,
     scripts.completion,

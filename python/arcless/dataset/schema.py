@@ -77,6 +77,41 @@ def _wire_number(wire: str) -> Variable:
     return Variable((f"{wire}_wire_node",), "1", meaning, integer=True)
 
 
+# Name, channel of the core, unit and meaning of what holds the wires at supports.
+_HOLDING = (
+    ("support_force", "support_force", "N", "vertical force on the support, positive downwards"),
+    (
+        "support_lateral_force",
+        "support_lateral",
+        "N",
+        "lateral force of the wires on the support, positive to the left",
+    ),
+    ("messenger_uplift", "held_uplift", "m", "uplift of the messenger wire at the support"),
+    ("steady_arm_force", "arm_force", "N", "force of the steady arm, tension positive"),
+    (
+        "steady_arm_angle",
+        "arm_angle",
+        "rad",
+        "angle of the steady arm to the horizontal, positive with its hinge higher",
+    ),
+)
+
+
+def _holding(dim: str) -> dict[str, Variable]:
+    """Return the variables of all supports, or of those near the pantographs."""
+    near = dim.removesuffix("support")
+    return {
+        f"{near}{name}": Variable(
+            ("line_time", dim),
+            units,
+            f"{meaning}{', near the pantographs' if near else ''}; NaN where there is none",
+            absent=True,
+            channel=channel,
+        )
+        for name, channel, units, meaning in _HOLDING
+    }
+
+
 VARIABLES: dict[str, Variable] = {
     "contact_force": Variable(_CONTACT, "N", "contact force", required=True),
     "contact_gap": Variable(
@@ -128,6 +163,7 @@ VARIABLES: dict[str, Variable] = {
     "support_uplift": Variable(
         ("line_time", "support"), "m", "uplift of the contact wire", channel="uplift"
     ),
+    **_holding("support"),
     "near_dropper_force": Variable(
         ("line_time", "near_dropper"),
         "N",
@@ -147,6 +183,7 @@ VARIABLES: dict[str, Variable] = {
         "uplift at the supports near the pantographs",
         channel="uplift",
     ),
+    **_holding("near_support"),
     "near_support_first": Variable(
         _LINE,
         "1",

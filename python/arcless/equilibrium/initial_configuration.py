@@ -6,7 +6,7 @@ from typing import Any, Self
 
 import numpy as np
 
-from arcless.equilibrium import equilibrium
+from arcless.equilibrium import equilibrium, wires_at_rest
 from arcless.equilibrium.line_alone import LineAlone
 from arcless.equilibrium.support_forces import SupportForces
 from arcless.mesh import SPATIAL, StitchPlace
@@ -93,6 +93,16 @@ class InitialConfiguration:
             }
             for support in self.equilibrium.mesh.supports
         ]
+
+    @property
+    def spans(self) -> list[dict[str, Any]]:
+        """Spans: sag below the chord and heights of messenger and contact wire."""
+        return wires_at_rest.spans(self.equilibrium)
+
+    @property
+    def wires(self) -> list[dict[str, Any]]:
+        """Wires: tension and axial stress σ = T/A along each."""
+        return wires_at_rest.wires(self.equilibrium, self.scenario.line)
 
     @property
     def stitch_wires(self) -> list[dict[str, Any]]:

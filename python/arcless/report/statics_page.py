@@ -12,6 +12,7 @@ from arcless.display.numbers import number
 from arcless.equilibrium.initial_configuration import InitialConfiguration
 from arcless.equilibrium.line_alone import LineAlone
 from arcless.figures.statics import LineData, figures
+from arcless.report.at_rest.wire_tables import span_table, wire_table
 from arcless.report.template import render
 from arcless.storage.whole_files import write_bytes
 
@@ -29,6 +30,7 @@ _SUPPORT_COLUMNS = (
 _CONTENTS = (
     ("summary", "Summary"), ("views", "Line at rest"), ("elasticity", "Elasticity"),
     ("droppers", "Droppers"), ("supports", "Supports"), ("clamped", "Stitch wires and bridles"),
+    ("wires", "Wires"),
     ("dynamics", "Waves and resonance"),
 )  # fmt: skip
 
@@ -63,6 +65,8 @@ def html(found: InitialConfiguration, *, resonance: Mapping[str, Any] | None = N
         "droppers": dropper_table(found),
         "supports": support_table(line),
         "clamped": clamped_tables(found),
+        "spans": span_table(found),
+        "wires": wire_table(found),
     }
     there = {"summary", "views", "elasticity", "dynamics"}
     there |= {key for key, rows in texts.items() if rows}

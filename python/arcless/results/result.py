@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any, Literal
 from arcless.dataset.metadata import metadata
 from arcless.dataset.netcdf.store import open_plain, save
 from arcless.dataset.plain_dataset import Plain
-from arcless.dataset.recorded_series import CHANNELS, Place, passage
+from arcless.dataset.recorded_series import CHANNELS, Place, is_recorded, passage, series_of
+from arcless.dataset.schema import VARIABLES
 from arcless.display import cards
 from arcless.display.frames import frame
 from arcless.errors import ModelError
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure as Drawing
 
     from arcless.assess import Assessment
+    from arcless.assess.wire_stress import WireStress
     from arcless.dataset.plain_dataset import Dataset
     from arcless.explanation import Explanation, Sensitivities
     from arcless.figures.description import Figure
@@ -214,8 +216,8 @@ class Result:
         }
         return frame(made, table, "time" if table == "contact channels" else None)
 
-    def passage(self, place: Place, name: str) -> "xarray.DataArray":
-        """Return the force of one dropper in N or the uplift at one support in m over time.
+    def passage(self, place: Place, name: str, quantity: str | None = None) -> "xarray.DataArray":
+        """Return a quantity of one dropper or one support over time.
 
         Parameters
         ----------
@@ -223,6 +225,10 @@ class Result:
             "dropper" or "support".
         name
             As the dimension of that name has it, such as "span 3 dropper 5".
+        quantity
+            Of a support ``support_uplift`` in m (without a name), ``support_force``,
+            ``support_lateral_force`` and ``steady_arm_force`` in N, ``steady_arm_angle`` in rad,
+            ``messenger_uplift`` in m; of a dropper ``dropper_force`` in N.
 
         Returns
         -------
@@ -239,11 +245,32 @@ class Result:
         names = self.dataset[place].values.tolist()
         if name not in names:
             raise KeyError(name)
-        rows, values = passage(self.dataset, place, names.index(name))
+        channel = quantity or CHANNELS[place]
+        if channel not in series_of(place) or not is_recorded(self.dataset, place, channel):
+            raise KeyError(channel)
+        rows, values = passage(self.dataset, place, names.index(name), channel)
         times = self.dataset["line_time"][rows]
-        units = {"dropper": "N", "support": "m"}[place]
+        units = VARIABLES[channel].units
         return xarray.DataArray(
-            values, {"line_time": times}, ("line_time",), CHANNELS[place], {"units": units}
+            values, {"line_time": times}, ("line_time",), channel, {"units": units}
+        )
+
+    def wire_stress(
+        self,
+        *,
+        area: float | None = None,
+        tension: float | None = None,
+        exponent: float | None = None,
+    ) -> "WireStress":
+        """Return the stress of the contact wire at clamps and supports, and its cycles.
+
+        See `arcless.assess.wire_stress.wire_stress`: area in m², tension in N, exponent m of a
+        Wöhler line, and what is refused.
+        """
+        from arcless.assess.wire_stress import wire_stress
+
+        return wire_stress(
+            self.latest, self.scenario, area=area, tension=tension, exponent=exponent
         )
 
     @cached_property
@@ -266,8 +293,9 @@ class Result:
         Parameters
         ----------
         path
-            ``.csv`` and ``.parquet`` have contact channels over time, ``.mat`` droppers and
-            supports too, ``.xlsx`` assessment and criteria as well. A file that exists is replaced.
+            ``.csv`` and ``.parquet`` have contact channels over time, ``.mat`` droppers, supports
+            and these over time too, ``.xlsx`` assessment and criteria as well. A file that exists
+            is replaced.
 
         Raises
         ------

@@ -126,6 +126,8 @@ class StaticsResult(InitialConfiguration):
             "middle_span": self.middle_span,
             "droppers": self.droppers,
             "supports": self.supports,
+            "spans": self.spans,
+            "wires": self.wires,
             "stitch_wires": self.stitch_wires,
             "bridles": self.bridles,
             "elasticity": [

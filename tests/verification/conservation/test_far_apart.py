@@ -36,7 +36,7 @@ CHANGES = {
     "analysis": {},
 }
 PLAN = RecordPlan(
-    contact_every=1, line_every=100, links=False, nodes=[], points=[], ledger=False,
+    contact_every=1, line_every=100, links=False, nodes=[], supports=[], points=[], ledger=False,
     ledger_every=1,
 )  # fmt: skip
 

@@ -382,6 +382,24 @@ impl<const DIM: usize, const D: usize> WireModel<DIM, D> {
         }
     }
 
+    /// Returns the velocity of a node at the time of balance, m/s, with the increment of the
+    /// current step; of explicit steps, for a component across the track.
+    pub(crate) fn velocity_at_balance(
+        &self,
+        state: &WireState<D>,
+        node: usize,
+        component: usize,
+    ) -> f64 {
+        if let Some((steps, chain)) = self.explicit_state(state) {
+            return steps.velocity(chain, node)[component];
+        }
+        let c = &self.coefficients;
+        let of = |field: &[[f64; D]]| field[node][component];
+        c.damping * of(&state.delta)
+            + c.velocity_from_v * of(&state.v)
+            + c.velocity_from_a * of(state.acceleration())
+    }
+
     /// Requests the motion of nodes for the coming step.
     pub(crate) fn request_nodes(
         &self,

@@ -10,3 +10,4 @@ pub(crate) mod masses;
 pub mod model;
 pub(crate) mod natural_frequencies;
 pub mod static_response;
+pub mod supports;

@@ -19,6 +19,7 @@ use crate::linear::damping_rest::{damping_rest, subtract_stretching};
 use crate::linear::island::{Island, Lists};
 use crate::linear::link::LinearLink;
 use crate::linear::masses;
+use crate::linear::supports::{LinearSpring, LinearStrut};
 use crate::statics::assembly::{Geometry, LinkLaw, Shape};
 use crate::structure::Rayleigh;
 use std::ops::Range;
@@ -42,8 +43,10 @@ pub struct LinearModel<const DIM: usize, const D: usize> {
     pub damping_rest: Vec<(usize, usize, Block<D>)>,
     /// Links.
     pub links: Vec<LinearLink<DIM>>,
-    /// Dampers to ground: node, component, N·s/m.
-    pub ground_dampers: Vec<(usize, usize, f64)>,
+    /// Springs and dampers to ground.
+    pub springs: Vec<LinearSpring>,
+    /// Steady arms.
+    pub struts: Vec<LinearStrut<DIM>>,
     /// True when nothing moves along the track.
     pub across_only: bool,
 }
@@ -92,10 +95,11 @@ impl<const DIM: usize, const D: usize> LinearModel<DIM, D> {
             free: free_components(geometry),
             across_only: s.across_only,
             damping_rest: damping_rest(geometry, &shape, common.beta, &mut geometry.empty_matrix()),
-            ground_dampers: s
-                .springs
+            springs: springs(geometry, &shape),
+            struts: s
+                .struts
                 .iter()
-                .map(|p| (p.node, p.component, p.viscosity))
+                .map(|t| LinearStrut::new(t, &shape))
                 .collect(),
             links: s.links.iter().map(|l| LinearLink::new(l, &shape)).collect(),
             mass_damping_rest: (!uniform).then_some(mass_rest),
@@ -277,6 +281,21 @@ impl<const DIM: usize, const D: usize> LinearModel<DIM, D> {
             }
         }
     }
+}
+
+/// Returns the springs about equilibrium.
+fn springs<const DIM: usize, const D: usize>(
+    geometry: &Geometry<DIM, D>,
+    shape: &Shape<D>,
+) -> Vec<LinearSpring> {
+    let s = &geometry.structure;
+    let all = s.springs.iter().enumerate();
+    all.map(|(row, spring)| {
+        let residual = s.residual.as_ref();
+        let alone = residual.map_or(spring.stiffness, |r| r.springs[row]);
+        LinearSpring::new(spring, alone, shape)
+    })
+    .collect()
 }
 
 /// Returns the components of each node that can move.

@@ -393,6 +393,7 @@ pub fn everything() -> RecordPlan {
         line_every: 1,
         links: true,
         nodes: Vec::new(),
+        supports: Vec::new(),
         points: Vec::new(),
         ledger: true,
         ledger_every: 1,

@@ -123,6 +123,7 @@ pub fn plan(nodes: Vec<usize>) -> RecordPlan {
         line_every: 1,
         links: true,
         nodes,
+        supports: Vec::new(),
         points: Vec::new(),
         ledger: false,
         ledger_every: 1,

@@ -63,6 +63,7 @@ pub fn plan(feed: &mut Feed<'_>, nodes: usize) -> RecordPlan {
         line_every: 1,
         links: true,
         nodes: vec![1],
+        supports: Vec::new(),
         points: vec![4.0],
         ledger: feed.flag(),
         ledger_every: 1,

@@ -99,12 +99,21 @@ def _resonance(found: dict[str, Any]) -> "RenderableType":
 
 def _summary(name: str, found: dict[str, Any]) -> "RenderableType":
     made = table(f"{name}: initial configuration", "quantity", "unit", "value", numbers=("value",))
-    span = f"span {found['middle_span']}"
+    middle = found["middle_span"]
+    span = f"span {middle}"
     sag = f"sag of the contact wire, maximum less minimum height in {span}"
     made.add_row(sag, "m", number(found["contact_wire_sag_m"], 4))
+    sags = [one["messenger_wire_sag_m"] for one in found["spans"] if one["span"] == middle]
+    if any(sag is not None for sag in sags):
+        lowest = max(sag for sag in sags if sag is not None)
+        made.add_row(f"sag of the messenger wire in {span}", "m", number(lowest, 4))
     lateral = found["contact_wire_lateral_max_m"]
     if lateral is not None:
         made.add_row("largest lateral position of the contact wire", "m", number(lateral, 3))
+    for wire in found["wires"]:
+        if wire["stress_max_MPa"] is not None:
+            words = f"maximum stress T/A of the {wire['wire'].replace('_', ' ')}"
+            made.add_row(words, "MPa", number(wire["stress_max_MPa"], 1))
     elasticity = [point["mm_per_N"] for point in found["elasticity"]]
     if elasticity:
         made.add_row("minimum elasticity", "mm/N", number(min(elasticity), 3))

@@ -1,5 +1,7 @@
 """Supports of the wires of a system → rows of the tables."""
 
+from typing import TypeAlias
+
 from arcless.mesh.division.chain import Chains
 from arcless.mesh.division.wire_names import BRIDLE, CONTACT
 from arcless.mesh.division.wires import Stations
@@ -8,6 +10,10 @@ from arcless.mesh.tables.context import Kit
 from arcless.mesh.tables.mesh_types import SupportPlace
 from arcless.model.line.parts.components import MessengerSupport, NoSteadyArm, SteadyArmBar
 from arcless.model.line.parts.contact_supports import ContactSupport
+
+# Rows of the vertical and of the lateral spring of a support.
+_Springs: TypeAlias = tuple[int | None, int | None]
+_NOTHING: _Springs = (None, None)
 
 
 class Holding:
@@ -25,16 +31,15 @@ class Holding:
         for index, x in enumerate(system.supports):
             inside = 0 < index < last
             messenger = chains.messenger
-            spring = self._hold_messenger(messenger.at(x)) if inside and messenger else None
+            held = self._hold_messenger(messenger.at(x)) if inside and messenger else _NOTHING
             for name, contact in chains.contacts.items():
                 node = contact.at(x)
                 arm = self._hold_contact_wire(node, name, index) if inside else None
                 which = self._name(index, name)
                 if inside and messenger is None:
-                    spring = self._hold_alone(
-                        chains.of(BRIDLE, x).at(x) if chains.bridles else node
-                    )
-                found.append(SupportPlace(which, x, node, spring, arm))
+                    held = self._hold_alone(chains.of(BRIDLE, x).at(x) if chains.bridles else node)
+                vertical, lateral = held
+                found.append(SupportPlace(which, x, node, vertical, arm, lateral))
             if inside and chains.auxiliary is not None and self.kit.spatial:
                 # A pull-off keeps its lateral position; it hangs on droppers alone.
                 self.parts.fix(chains.auxiliary.at(x), 1)
@@ -45,33 +50,34 @@ class Holding:
         name = self.system.named(f"support {self.system.first + index}")
         return name + contact_wire.removeprefix(CONTACT).replace(" ", " wire ")
 
-    def _hold_alone(self, node: int) -> int:
+    def _hold_alone(self, node: int) -> _Springs:
         """Hold a contact wire without messenger wire, or its bridle, at a support."""
         assert self.line.contact_support is not None
         return self._hold(node, self.line.contact_support)
 
-    def _hold_messenger(self, node: int) -> int:
+    def _hold_messenger(self, node: int) -> _Springs:
         support = self.line.support
         assert support is not None
-        row = self._hold(node, support)
+        rows = self._hold(node, support)
         if support.longitudinal_stiffness > 0.0:
             self.parts.add_spring(node, 0, UNLOADED, stiffness=support.longitudinal_stiffness)
-        return row
+        return rows
 
-    def _hold(self, node: int, support: ContactSupport | MessengerSupport) -> int:
-        """Hold a node up, and across in space; return the row of the vertical spring."""
-        row = self.parts.add_spring(
+    def _hold(self, node: int, support: ContactSupport | MessengerSupport) -> _Springs:
+        """Hold a node up, and across in space; return the rows of both springs."""
+        vertical = self.parts.add_spring(
             node,
             self.kit.up,
             HELD,
             stiffness=support.vertical_stiffness,
             viscosity=support.vertical_damping,
         )
+        across = None
         if self.kit.spatial:
             lateral = support.lateral_stiffness or support.vertical_stiffness
-            self.parts.add_spring(node, 1, HELD, stiffness=lateral)
+            across = self.parts.add_spring(node, 1, HELD, stiffness=lateral)
         self.parts.add_mass(node, support.mass)
-        return row
+        return vertical, across
 
     def _hold_contact_wire(self, node: int, name: str, index: int) -> int | None:
         arm = self.line.steady_arm

@@ -33,9 +33,10 @@ class DropperPlace:
 class SupportPlace:
     """A support of a contact wire: its name, where it stands (m), and what holds the wires there.
 
-    `messenger_spring` (without a messenger wire what holds the contact wire or its bridle) and
-    `steady_arm` are rows of the springs and struts tables, None where the wires are anchored (both
-    ends of the line) or the arm is no bar.
+    `messenger_spring` (without a messenger wire what holds the contact wire or its bridle),
+    `lateral_spring` at the same node and `steady_arm` are rows of the springs and struts tables,
+    None where the wires are anchored (both ends of the line), the line is planar (the lateral one)
+    or the arm is no bar.
     """
 
     name: str
@@ -43,6 +44,7 @@ class SupportPlace:
     contact_node: int
     messenger_spring: int | None
     steady_arm: int | None
+    lateral_spring: int | None = None
 
 
 @dataclass(frozen=True)

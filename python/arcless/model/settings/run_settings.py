@@ -217,7 +217,11 @@ class Output(Part):
         default=5, ge=1, le=10_000, strict=True, description="Steps between records of the line."
     )
     droppers: bool = Field(default=True, strict=True, description="Record dropper forces.")
-    supports: bool = Field(default=True, strict=True, description="Record uplift at supports.")
+    supports: bool = Field(
+        default=True,
+        strict=True,
+        description="Record at supports uplift, forces, force and angle of steady arms.",
+    )
     around: Annotated[
         float | Literal["auto", "whole line"],
         Unit("m", above=0, maximum=1e6, words=(AUTO, WHOLE_LINE)),

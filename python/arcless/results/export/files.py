@@ -74,6 +74,7 @@ def _xlsx(result: Run, path: Path) -> None:
         "contact channels": channels,
         "droppers": tables.places(result, "dropper"),
         "supports": tables.places(result, "support"),
+        "support channels": tables.support_channels(result),
     }
     write_excel(path, sheets)
 
@@ -87,6 +88,7 @@ def _mat(result: Run, path: Path) -> None:
         "contact_channels": _struct(tables.contact_channels(result)),
         "droppers": _struct(tables.places(result, "dropper")),
         "supports": _struct(tables.places(result, "support")),
+        "support_channels": _struct(tables.support_channels(result)),
     }
     with replacing(path) as file:
         savemat(file, content, long_field_names=True, do_compression=True, oned_as="column")

@@ -1,4 +1,4 @@
-"""Tables of a result: contact channels over time, droppers, supports, assessment, criteria."""
+"""Tables of a result: channels over time, droppers, supports, assessment, criteria."""
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, Protocol
@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from arcless.assess.signals.filter import low_pass, sample_rate_Hz
 from arcless.assess.tables import criterion_columns, quantity_columns
+from arcless.dataset.recorded_series import series_of
 from arcless.dataset.schema import VARIABLES
 from arcless.errors import ModelError
 from arcless.storage.csv_files import Column
@@ -112,6 +113,25 @@ def places(result: Run, place: str) -> list[Column]:
         if not key.endswith("_order"):
             unit = VARIABLES[key].units
             columns.append(Column(key, "" if unit == "1" else unit, data[key].values))
+    return columns
+
+
+def support_channels(result: Run) -> list[Column]:
+    """Return every channel of each support over time, such as ``support 5.support_force [N]``.
+
+    Supports where nothing holds the wire have no column of that. Nothing of a long line, of which a
+    row holds only what is near the pantographs.
+    """
+    data = result.latest
+    keys = [key for key in series_of("support") if key in data]
+    if not keys:
+        return []
+    columns = [Column("line_time", "s", data["line_time"].values)]
+    for index, name in enumerate(data["support"].values):
+        for key in keys:
+            values = data[key].values[:, index]
+            if not np.isnan(values).all():
+                columns.append(Column(f"{name}.{key}", VARIABLES[key].units, values))
     return columns
 
 

@@ -24,7 +24,9 @@ OF_ROWS = {n: v for n, v in VARIABLES.items() if v.channel and v.dims[0] in SERI
 OF_STEPS = {n: v for n, v in VARIABLES.items() if v.channel and v.dims[0] not in SERIES}
 # Variables of the whole line, and of the part near the pantographs.
 OF_DROPPERS = ("dropper_force", "near_dropper_force", "near_dropper_first")
-OF_SUPPORTS = ("support_uplift", "near_support_uplift", "near_support_first")
+OF_SUPPORTS = tuple(
+    name for name, v in OF_ROWS.items() if v.dims[-1].endswith("support") or "support" in name
+)
 
 
 def dynamic_variables(
@@ -40,7 +42,7 @@ def series(
     """Return the time series of a run or of a piece of it, shaped as the result wants them."""
     count = len(scenario.pantographs)
     out = contacts.channels(raw, count)
-    wanted = _wanted(raw, scenario, controlled=controlled)
+    wanted = _wanted(raw, found, scenario, controlled=controlled)
     out |= _channels(raw, found, {name: OF_ROWS[name] for name in wanted})
     models = [placement.model for placement in scenario.pantographs]
     moved = _of_each(raw["masses"], [model.size for model in models])
@@ -64,7 +66,9 @@ def extremes(raw: dict[str, Any], found: Equilibrium) -> dict[str, Floats]:
     return _channels(raw, found, OF_STEPS)
 
 
-def _wanted(raw: dict[str, Any], scenario: Scenario, *, controlled: bool) -> list[str]:
+def _wanted(
+    raw: dict[str, Any], found: Equilibrium, scenario: Scenario, *, controlled: bool
+) -> list[str]:
     """Return the names of `OF_ROWS` that a result has."""
     output = scenario.output
     # Where only what is near was recorded, every row says where it begins.
@@ -74,7 +78,22 @@ def _wanted(raw: dict[str, Any], scenario: Scenario, *, controlled: bool) -> lis
         **{name: output.droppers and ("near_" in name) == is_near for name in OF_DROPPERS},
         **{name: output.supports and ("near_" in name) == is_near for name in OF_SUPPORTS},
     }
+    for name in _without_value(found):
+        wanted[name] = wanted[f"near_{name}"] = False
     return [name for name in OF_ROWS if wanted.get(name, True)]
+
+
+def _without_value(found: Equilibrium) -> list[str]:
+    """Return the series of supports that no support of a line has a value for."""
+    supports = found.mesh.supports
+    alone = not found.mesh.messenger_nodes
+    return [
+        *(["support_force"] if all(s.messenger_spring is None for s in supports) else []),
+        *(["support_lateral_force"] if all(s.lateral_spring is None for s in supports) else []),
+        *(["messenger_uplift"] if alone else []),
+        *(["steady_arm_force"] if all(s.steady_arm is None for s in supports) else []),
+        *(["steady_arm_angle"] if all(s.steady_arm is None for s in supports) else []),
+    ]
 
 
 def _channels(

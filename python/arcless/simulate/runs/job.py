@@ -18,7 +18,7 @@ from arcless.simulate.runs.checkpoint import State
 from arcless.simulate.runs.failures import preparing, stepping
 from arcless.simulate.setup import gust_loads, pantographs, trajectory
 from arcless.simulate.setup.controllers import Controllers
-from arcless.simulate.setup.core_data import Excitation, LoadData, RecordPlan
+from arcless.simulate.setup.core_data import Excitation, LoadData, RecordPlan, SupportParts
 
 Progress = Callable[[float, str], None]
 Cancel = Callable[[], bool]
@@ -114,11 +114,22 @@ class Job:
             line_every=output.line_every if full else self.travel.steps + 1,
             links=full and output.droppers,
             nodes=[support.contact_node for support in self.found.mesh.supports],
+            supports=self._support_parts() if full and output.supports else [],
             points=list(output.points),
             ledger=keeps_ledger(self.scenario) and (full or measured_every(self.scenario) > 1),
             ledger_every=measured_every(self.scenario),
             near=None if self.nearby is None else self.nearby.plan(self.found.mesh),
         )
+
+    def _support_parts(self) -> list[SupportParts]:
+        """Return what holds the wires at supports, in the order in which rows hold them."""
+        supports = self.found.mesh.supports
+        if self.nearby is not None:
+            supports = [supports[i] for i in self.nearby.supports]
+        return [
+            SupportParts(place.messenger_spring, place.lateral_spring, place.steady_arm)
+            for place in supports
+        ]
 
     @cached_property
     def nearby(self) -> Nearby | None:

@@ -119,6 +119,17 @@ class Stations(NamedTuple):
     """Number of them in a row."""
 
 
+class SupportParts(NamedTuple):
+    """Parts that hold the wires at a support: rows of the tables of springs and struts."""
+
+    vertical: int | None
+    """Vertical spring of the messenger wire, without one of the contact wire or its bridle."""
+    lateral: int | None
+    """Lateral spring at the same node."""
+    arm: int | None
+    """Steady arm."""
+
+
 class RecordingWindow(NamedTuple):
     """Droppers and supports of which only those near the pantographs are recorded."""
 
@@ -139,6 +150,8 @@ class RecordPlan(NamedTuple):
     """True when the forces of droppers are recorded."""
     nodes: Sequence[int]
     """Nodes whose uplift is recorded."""
+    supports: Sequence[SupportParts]
+    """Parts that hold the wires at each of these, or of those in `near`; empty for no forces."""
     points: Numbers
     """Coordinates along the track at which the uplift of the contact wire is recorded, m."""
     ledger: bool

@@ -139,11 +139,12 @@ class Expression:
 
 
 def _dotted(node: ast.AST) -> str | None:
-    """Return the name that a node is, such as ``P2.mean_force_N``."""
+    """Return the name that a node is, such as ``P2.mean_force_N`` or one with more dots."""
     if isinstance(node, ast.Name):
         return node.id
-    if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
-        return f"{node.value.id}.{node.attr}"
+    if isinstance(node, ast.Attribute):
+        before = _dotted(node.value)
+        return None if before is None else f"{before}.{node.attr}"
     return None
 
 

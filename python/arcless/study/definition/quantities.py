@@ -3,7 +3,8 @@
 A key of a pantograph (`mean_force_N`) is that of the leading one; `P2.mean_force_N` is that of the
 second one, by number or by name; `worst.std_force_N` is that of the pantograph where it is worst.
 `criteria.NAME` is 1 where a criterion is met, 0 where not, and nothing where it is too close
-to tell.
+to tell; `criteria.NAME.margin` is what its limit leaves, negative beyond it, of the pantograph with
+the smallest margin, and `criteria.NAME.value` and `criteria.NAME.limit` are its value and limit.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -34,6 +35,10 @@ _WORST: Mapping[str, Callable[[list[float]], float]] = {
     key: min if key in _LOW else max for key in _PANTOGRAPH if key not in _NEITHER
 }
 _CRITERIA = sorted({rule.name for rule in RULES})
+_CRITERION_UNITS = {rule.name: rule.unit for rule in reversed(RULES)}
+CRITERIA = "criteria."
+MARGIN = "margin"
+NUMBERS_OF_CRITERIA = ("value", "limit", MARGIN)
 # Units by the endings of keys; longest first.
 _UNITS = {
     "_mm3_km": "mm³/km", "_percent": "%",
@@ -46,7 +51,9 @@ def keys(scenario: Scenario) -> list[str]:
     own = [key for key in _PANTOGRAPH if scenario.wear is not None or key not in WEAR_KEYS]
     placed = [f"{name}.{key}" for names in _names(scenario) for name in names for key in own]
     worst = [f"{WORST}.{key}" for key in own if key in _WORST]
-    found = [*own, *_RUN, "passed", *(f"criteria.{name}" for name in _CRITERIA), *placed, *worst]
+    criteria = [f"{CRITERIA}{name}" for name in _CRITERIA]
+    numbers = [f"{key}.{number}" for key in criteria for number in NUMBERS_OF_CRITERIA]
+    found = [*own, *_RUN, "passed", *criteria, *numbers, *placed, *worst]
     return list(dict.fromkeys(found))  # a pantograph may be called worst
 
 
@@ -65,8 +72,35 @@ def values(assessment: Assessment) -> dict[str, float | None]:
             found[f"P{index + 1}.{key}"] = found[f"{pantograph.name}.{key}"] = value
             found.setdefault(key, value)
     for name in _CRITERIA:
-        found[f"criteria.{name}"] = _all_met([c for c in assessment.criteria if c.name == name])
+        items = [item for item in assessment.criteria if item.name == name]
+        found[f"{CRITERIA}{name}"] = _all_met(items)
+        for number, value in zip(NUMBERS_OF_CRITERIA, _nearest(items), strict=True):
+            found[f"{CRITERIA}{name}.{number}"] = value
     return found
+
+
+def _nearest(criteria: Sequence[Criterion]) -> tuple[float | None, float | None, float | None]:
+    """Return value, limit and margin of the criterion that is nearest to its limit or beyond."""
+    known = [
+        (item.limit - item.value if item.relation.startswith("<") else item.value - item.limit,
+         item.value, item.limit)
+        for item in criteria
+        if item.value is not None and item.limit is not None
+    ]  # fmt: skip
+    if not known:
+        return None, None, None
+    margin, value, limit = min(known)
+    return value, limit, margin
+
+
+def criterion_of(key: str) -> tuple[str, str] | None:
+    """Return the criterion of a key and which of its numbers it is; "" for the verdict.
+
+    None of a text that is no key of a criterion.
+    """
+    name, _, number = key.removeprefix(CRITERIA).partition(".")
+    known = key.startswith(CRITERIA) and name in _CRITERIA
+    return (name, number) if known and number in ("", *NUMBERS_OF_CRITERIA) else None
 
 
 def reasons(assessment: Assessment) -> dict[str, str]:
@@ -103,7 +137,11 @@ def owner_of_key(key: str, scenario: Scenario) -> int | str | None:
 
 
 def unit_of_key(key: str) -> str:
-    """Return the unit that the name of a key carries, empty for none."""
+    """Return the unit of a key, empty for none: of a criterion's number, or that of its name."""
+    criterion = criterion_of(key)
+    if criterion is not None:
+        unit = _CRITERION_UNITS[criterion[0]] if criterion[1] else ""
+        return "" if unit == "1" else unit
     return next((unit for ending, unit in _UNITS.items() if key.endswith(ending)), "")
 
 

@@ -7,7 +7,14 @@ import pytest
 import arcless
 from arcless.assess import Assessment
 from arcless.model import Scenario
-from arcless.study.definition.quantities import WORST, keys, owner_of_key, values
+from arcless.study.definition.quantities import (
+    WORST,
+    criterion_of,
+    keys,
+    owner_of_key,
+    unit_of_key,
+    values,
+)
 from tests.support.studies import study
 
 
@@ -61,6 +68,39 @@ def test_keys_and_their_pantographs() -> None:
         "criteria.mean_force": None,
     }  # fmt: skip
     assert {key: owner_of_key(key, made) for key in owners} == owners
+
+
+def test_numbers_of_criteria_are_those_nearest_to_the_limit(two: Assessment) -> None:
+    # The second pantograph is the nearer one to every other limit.
+    rear = [
+        replace(item, pantograph="rear", value=item.value + (-1.0) ** place)
+        for place, item in enumerate(two.criteria)
+        if item.value is not None
+    ]
+    two = replace(two, criteria=[*two.criteria, *rear])
+    found, known = values(two), keys(scenario())
+    for name in {item.name for item in two.criteria}:
+        items = [item for item in two.criteria if item.name == name]
+        judged = [item for item in items if item.value is not None and item.limit is not None]
+        margin = found[f"criteria.{name}.margin"]
+        assert {f"criteria.{name}.{key}" for key in ("value", "limit", "margin")} <= set(known)
+        if not judged:
+            assert margin is None
+            continue
+        left = {
+            item.pantograph: item.limit - item.value
+            if item.relation == "<="
+            else item.value - item.limit
+            for item in judged
+        }
+        assert margin == min(left.values())
+        nearest = next(item for item in judged if left[item.pantograph] == margin)
+        assert found[f"criteria.{name}.value"] == nearest.value
+        assert found[f"criteria.{name}.limit"] == nearest.limit
+    assert unit_of_key("criteria.statistical_max.margin") == "N"
+    assert unit_of_key("criteria.statistical_max") == ""
+    assert unit_of_key("criteria.wave_speed_use.limit") == ""
+    assert criterion_of("criteria.statistical_max.middle") is None
 
 
 def test_an_output_may_be_the_worst() -> None:

@@ -11,15 +11,11 @@ use crate::linear::link::LinearLink;
 impl<const DIM: usize, const D: usize> ExplicitBalance<DIM, D> {
     /// Returns the dampers of a line at rest; springs without damping are left out.
     pub(crate) fn ground_dampers(wires: &WireModel<DIM, D>) -> Vec<GroundDamper> {
-        let dampers = wires
-            .line
-            .ground_dampers
-            .iter()
-            .filter(|damper| damper.2 != 0.0);
-        let at_rest = dampers.map(|&(node, component, viscosity)| GroundDamper {
-            node,
-            component,
-            viscosity,
+        let dampers = wires.line.springs.iter().filter(|p| p.viscosity != 0.0);
+        let at_rest = dampers.map(|spring| GroundDamper {
+            node: spring.node,
+            component: spring.component,
+            viscosity: spring.viscosity,
             rate: 0.0,
         });
         at_rest.collect()

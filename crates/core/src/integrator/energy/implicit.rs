@@ -259,8 +259,9 @@ impl<const D: usize> ImplicitBalance<D> {
         wires: &WireModel<DIM, D>,
         state: &WireState<D>,
     ) {
-        for &(node, component, viscosity) in &wires.line.ground_dampers {
-            let lost = viscosity * self.rate[node][component] * state.delta[node][component];
+        for spring in &wires.line.springs {
+            let (node, component) = (spring.node, spring.component);
+            let lost = spring.viscosity * self.rate[node][component] * state.delta[node][component];
             self.terms.dissipated_springs += lost;
             self.terms.dissipated_line -= lost;
         }

@@ -277,6 +277,12 @@ impl<const DIM: usize> Explicit<DIM> {
         motion
     }
 
+    /// Returns the velocity of a node at the end of the step, m/s, by component.
+    pub(crate) fn velocity(&self, chain: &ChainState, node: usize) -> [f64; DIM] {
+        self.motion_at(chain, self.points[node])
+            .map(|[_, velocity]| velocity)
+    }
+
     /// Advances an island by one step, and finds the forces of its wires for the next one.
     pub(in crate::integrator::explicit) fn advance_island(
         &self,

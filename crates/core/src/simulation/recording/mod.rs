@@ -4,4 +4,6 @@ pub(crate) mod energy_balance;
 pub mod record;
 pub(crate) mod recorder;
 pub(crate) mod subgrid_height;
+pub(crate) mod support_loads;
+pub mod support_parts;
 pub mod window;

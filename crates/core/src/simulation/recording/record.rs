@@ -6,6 +6,7 @@
 use crate::constraint::contacts::Contacts;
 use crate::energy_terms::EnergyTerms;
 use crate::error::CoreError;
+use crate::simulation::recording::support_parts::SupportParts;
 use crate::simulation::recording::window::Near;
 use std::mem::{replace, take};
 
@@ -20,6 +21,9 @@ pub struct RecordPlan {
     pub links: bool,
     /// Nodes whose uplift is recorded and watched (supports).
     pub nodes: Vec<usize>,
+    /// Parts whose forces are recorded, in the order of `nodes`, or of those in `near` where it is
+    /// given; empty for none.
+    pub supports: Vec<SupportParts>,
     /// Coordinates along the track at which the uplift of the contact wire is recorded, m.
     pub points: Vec<f64>,
     /// Keep the energy balance.
@@ -29,6 +33,33 @@ pub struct RecordPlan {
     pub ledger_every: usize,
     /// Record links and nodes near the pantographs only; `None` for all of them.
     pub near: Option<Near>,
+}
+
+impl RecordPlan {
+    /// Checks the parts at supports against the numbers of watched nodes, springs and struts.
+    ///
+    /// # Errors
+    /// [`CoreError::Input`].
+    pub(crate) fn check_supports(&self, springs: usize, struts: usize) -> Result<(), CoreError> {
+        let watched = self
+            .near
+            .as_ref()
+            .map_or(&self.nodes, |near| &near.nodes.of);
+        let count = self.supports.len();
+        let is_sound = count == 0 || count == watched.len();
+        if is_sound
+            && self
+                .supports
+                .iter()
+                .all(|parts| parts.fits(springs, struts))
+        {
+            return Ok(());
+        }
+        Err(CoreError::Input {
+            array: "plan",
+            reason: "parts at supports are not there, or not one for each watched node".into(),
+        })
+    }
 }
 
 /// Defines a record by the one table of its channels: its fields, and all that goes through them.
@@ -114,6 +145,17 @@ channels! {
         link_force,
         /// Uplift of the watched nodes, or of those near the pantographs, m.
         uplift,
+        /// Vertical force on the support of each watched node, or of those near the pantographs,
+        /// N: positive downwards.
+        support_force,
+        /// Lateral force of the wires on the same supports, N: positive to the left.
+        support_lateral,
+        /// Uplift of what the same supports hold, m.
+        held_uplift,
+        /// Tension of the steady arms at the same supports, N.
+        arm_force,
+        /// Angle of the same arms to the horizontal plane, rad.
+        arm_angle,
         /// Place in the order of links of the first one of each row, where near ones alone are
         /// recorded.
         link_first,

@@ -12,6 +12,7 @@ use crate::simulation::motion::Motion;
 use crate::simulation::recording::energy_balance::EnergyBalance;
 use crate::simulation::recording::record::{Record, RecordPlan};
 use crate::simulation::recording::subgrid_height::{Probe, spots};
+use crate::simulation::recording::support_loads;
 use crate::slideline::Slideline;
 use crate::slideline::point::{Nodal, SlidelinePoint};
 use std::collections::BTreeMap;
@@ -66,8 +67,13 @@ impl<const DIM: usize, const D: usize> Recorder<DIM, D> {
         let points = points(&line.slidelines, &plan.points)?;
         let near = plan.near.iter().flat_map(|near| &near.nodes.of);
         let at_points = points.iter().flat_map(|place| &place.nodes);
+        let held = plan
+            .supports
+            .iter()
+            .flat_map(|parts| parts.nodes(&line.line));
         let read = plan.nodes.iter().chain(near).chain(at_points);
-        line.track_nodes(&mut motion.wires, read.copied());
+        let read = read.copied().chain(held);
+        line.track_nodes(&mut motion.wires, read);
         let mut watched = vec![Vec::new(); line.islands.len()];
         for (k, &node) in plan.nodes.iter().enumerate() {
             watched[line.island_of(node)].push(k);
@@ -264,12 +270,19 @@ impl<const DIM: usize, const D: usize> Recorder<DIM, D> {
             record
                 .uplift
                 .extend(near.nodes.row(first).iter().map(uplift));
+            let row = first..first + near.nodes.count;
+            for parts in plan.supports.get(row).unwrap_or_default() {
+                support_loads::record(parts, model, motion, record);
+            }
         } else {
             if plan.links {
                 let links = 0..model.wires.line.links.len();
                 record.link_force.extend(links.map(|link| tension(&link)));
             }
             record.uplift.extend(plan.nodes.iter().map(uplift));
+            for parts in &plan.supports {
+                support_loads::record(parts, model, motion, record);
+            }
         }
         let ([u, delta], keep) = (
             motion.wires.at_balance(),

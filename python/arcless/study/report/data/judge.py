@@ -10,8 +10,15 @@ from collections.abc import Iterable, Mapping, Sequence
 import numpy as np
 
 from arcless.assess import MET, NOT_JUDGED, NOT_MET, NOT_MET_UNVERIFIED, RULES, TOO_CLOSE, decides
+from arcless.assess.criteria import RELATIONS
 from arcless.assess.rules import Rule, mark_of
-from arcless.study.definition.quantities import WORST, owner_of_key
+from arcless.study.definition.quantities import (
+    CRITERIA,
+    MARGIN,
+    WORST,
+    criterion_of,
+    owner_of_key,
+)
 from arcless.study.report.data.judged import CODES, Codes, Judged, Verdicts, code_of
 from arcless.study.report.data.limits import MEAN, Limits, judges, known_of, rule_of
 from arcless.study.report.data.record import Column, Floats, Record
@@ -43,8 +50,12 @@ def _outputs(record: Record, scenes: Sequence[Scene | None]) -> Iterable[Judged]
     for output in record.outputs:
         expression = record.study.expressions[output.name]
         text = "".join(expression.text.split())
-        if text.startswith("criteria."):
-            yield _told(record, output, text.partition(".")[2], scenes)
+        criterion = criterion_of(text)
+        if criterion is not None and criterion[1] in ("", MARGIN):
+            name, number = criterion
+            judged = _margin if number else _told
+            yield judged(record, output, name, scenes)
+        if text.startswith(CRITERIA):
             continue
         prefix, quantity = _split(text)
         if expression.names == {text}:
@@ -94,16 +105,38 @@ def _limited(
     ]  # fmt: skip
 
 
-def _told(record: Record, output: Column, name: str, scenes: Sequence[Scene | None]) -> Judged:
-    """Return a criterion whose verdict is an output."""
-    rule = _RULES[name]
-    owners = tuple(range(len(record.study.base.pantographs)))
-    marks = {
+def _marks(
+    record: Record, name: str, scenes: Sequence[Scene | None], owners: tuple[int, ...]
+) -> set[str]:
+    """Return the marks of the limits of a criterion in the variants."""
+    return {
         mark_of(found, scene.facts, known_of(record, place))
         for scene in scenes
         for place in owners
         if scene is not None and (found := rule_of(name, scene.facts)) is not None
     }
+
+
+def _margin(record: Record, output: Column, name: str, scenes: Sequence[Scene | None]) -> Judged:
+    """Return a criterion whose margin is an output: it is met where that is 0 or more."""
+    rule = _RULES[name]
+    owners = tuple(range(len(record.study.base.pantographs)))
+    marks = _marks(record, name, scenes, owners)
+    sure = all(decides(mark) for mark in marks)
+    holds = RELATIONS[rule.relation.replace("<", ">")]
+    met = [holds(margin, 0.0, rule.tolerance) for margin in output.values.tolist()]
+    codes = np.where(met, CODES[MET], CODES[NOT_MET if sure else NOT_MET_UNVERIFIED])
+    codes[~np.isfinite(output.values)] = CODES[NOT_JUDGED]
+    return Judged(name, rule.title, output, ">=", output.values, np.zeros(len(codes)),
+                  codes.astype(np.int8), output.unit, np.full(len(codes), sure),
+                  tuple(sorted(marks)), rule.source, "the margin is an output", owners)  # fmt: skip
+
+
+def _told(record: Record, output: Column, name: str, scenes: Sequence[Scene | None]) -> Judged:
+    """Return a criterion whose verdict is an output."""
+    rule = _RULES[name]
+    owners = tuple(range(len(record.study.base.pantographs)))
+    marks = _marks(record, name, scenes, owners)
     unsure = any(not decides(mark) for mark in marks)
     codes = _codes_of(output, record)
     if unsure:

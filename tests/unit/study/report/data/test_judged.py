@@ -158,6 +158,19 @@ def test_verdicts_that_are_outputs(tmp_path: Path) -> None:
     assert words(item(found, "standard_deviation").codes) == [MET, NOT_MET, TOO_CLOSE]
 
 
+def test_margins_that_are_outputs(tmp_path: Path) -> None:
+    rows = {150: {"m": 4.0}, 250: {"m": -0.1}, 321: {"m": None}}
+    found = verdicts(tmp_path, {"m": "criteria.statistical_max.margin"}, rows)
+    margin = item(found, "statistical_max")
+    assert words(margin.codes) == [MET, NOT_MET, NOT_JUDGED]
+    assert (margin.unit, margin.relation) == ("N", ">=")
+    assert margin.limits.tolist() == [0.0, 0.0, 0.0]
+    # A number of a criterion that says nothing by itself, and a sum of verdicts, are not judged.
+    for text in ("criteria.statistical_max.limit", "criteria.statistical_max * passed"):
+        told = verdicts(tmp_path / text[-5:].strip("* "), {"m": text}, rows)
+        assert "statistical_max" not in [one.name for one in told.items]
+
+
 def test_the_speed_over_the_wave_speed_needs_no_output(tmp_path: Path) -> None:
     speeds = {"v": {"field": "speed", "values": ["150 km/h", "321 km/h", "400 km/h"]}}
     rows = {v: {"h": 1.0} for v in (150, 321, 400)}

@@ -1,0 +1,114 @@
+"""Stress of a passage whose forces are known, and lines that are refused."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+import arcless
+from arcless.errors import ModelError
+from arcless.results import Result
+from tests.support.synthetic import scenario_data, synthetic_dataset
+
+SPATIAL = "en50318-ac-simple-320"
+
+
+def drawn(**changes: Any) -> Result:
+    """A force of 100 N at 20 m/s; droppers carry 50 N less a bell of 60 N, none below 0."""
+    data = scenario_data(**changes)
+    return Result(synthetic_dataset(scenario=data), arcless.load(data))
+
+
+def test_clamps_of_a_drawn_passage() -> None:
+    result = drawn()
+    found = result.wire_stress(exponent=5.0)
+    wire, per_newton = found.wire, found.wire.stress_per_newton()
+    axial = wire.axial_stress
+    assert axial == pytest.approx(10e3 / (4e-5 * np.pi))  # A = 4π · 100/10⁷
+    inside = [one for one in found.places if 210.0 < one.x_m < 390.0]
+    assert found.section_m == (150.0, 450.0) and len(found.places) == 30
+    assert len(inside) == 18
+    for one in inside:
+        assert one.fibre == "top"
+        assert 1e6 * one.at_rest_MPa == pytest.approx(axial + 50.0 * per_newton)
+        # Below the pantograph the dropper is slack and the strip alone bends the wire.
+        strip = 100.0 * wire.stress_per_newton(20.0)
+        assert 1e6 * one.max_MPa == pytest.approx(axial + max(50.0 * per_newton, strip), rel=1e-9)
+        # Away from both by more than three layers it is slack, or nearly: 60 N of the bell.
+        assert 1e6 * one.min_MPa == pytest.approx(axial, abs=4.0 * per_newton)
+        assert one.equivalent_range_MPa is not None
+        assert one.equivalent_range_MPa >= one.largest_range_MPa * 0.5**0.2
+    assert found.worst.largest_range_MPa == max(one.largest_range_MPa for one in found.places)
+
+
+def test_the_instant_of_the_passage_is_among_the_rows() -> None:
+    """Rows 0.1 s apart are 2 m of travel: without that instant the strip would be missed."""
+    coarse = Result(
+        synthetic_dataset(scenario=scenario_data(), line_every=100), arcless.load(scenario_data())
+    )
+    fine = drawn().wire_stress()
+    for one, other in zip(coarse.wire_stress().places, fine.places, strict=True):
+        assert one.max_MPa == pytest.approx(other.max_MPa, rel=2e-3)
+
+
+def test_numbers_for_json() -> None:
+    told = drawn().wire_stress(area=1.5e-4, tension=12e3).to_dict()
+    assert (told["area_mm2"], told["area_from"]) == (pytest.approx(150.0), "stated")
+    assert told["axial_stress_MPa"] == pytest.approx(80.0)
+    assert told["exponent"] is None
+    assert told["places"][0]["equivalent_range_MPa"] is None
+
+
+@pytest.fixture(scope="module")
+def staggered() -> Result:
+    scenario = arcless.load(SPATIAL).with_(
+        **{
+            "line.spans": [{"type": "standard", "count": 8}],
+            "travel": {"start": "60 m", "end": "380 m"},
+            "analysis": {"from": "110 m", "to": "330 m"},
+        }
+    )
+    return arcless.run(scenario)
+
+
+def test_steady_arms_bend_the_wire_towards_themselves(staggered: Result) -> None:
+    found = staggered.wire_stress()
+    arms = [one for one in found.places if one.name.startswith("support")]
+    assert [one.fibre for one in arms[:2]] == ["top", "arm"]
+    per_newton, axial = found.wire.stress_per_newton(), found.wire.axial_stress
+    force = float(staggered.dataset["steady_arm_force_static"][4])
+    # 22 kN · 4 · 0.2 m/55 m = 320 N: the arm's horizontal part, at its slope of 10°.
+    assert force * np.cos(np.radians(10.0)) == pytest.approx(320.0, rel=0.01)
+    side = next(one for one in arms if one.name == "support 5" and one.fibre == "arm")
+    assert 1e6 * side.at_rest_MPa == pytest.approx(axial + per_newton * force)
+    assert side.min_MPa < side.at_rest_MPa < side.max_MPa
+
+
+def test_elements_of_half_the_length_change_little(staggered: Result) -> None:
+    fine = arcless.run(
+        staggered.scenario.with_(**{"solver.contact_wire_element": "0.225 m"})
+    ).wire_stress()
+    ranges = [
+        np.array([one.largest_range_MPa for one in found.places])
+        for found in (staggered.wire_stress(), fine)
+    ]
+    # Forces of droppers converge to 1 % of their change; the curvature of a mesh would by 30 %.
+    assert np.median(np.abs(ranges[1] / ranges[0] - 1.0)) < 0.03
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"as_built": {"temperature_difference": 20.0}}, "a line as built"),
+        ({"line__contact_wire__bending_stiffness": 0.0}, "EI = 0 N m²"),
+    ],
+)
+def test_what_cannot_be_known_is_refused(changes: dict[str, Any], words: str) -> None:
+    with pytest.raises(ModelError, match=words):
+        drawn(**changes).wire_stress()
+
+
+def test_a_run_without_forces_is_refused(staggered: Result) -> None:
+    bare = staggered.dataset.drop_vars(["dropper_force", "steady_arm_force"])
+    with pytest.raises(ModelError, match="no force of a dropper"):
+        Result(bare, staggered.scenario).wire_stress()
