@@ -1,6 +1,6 @@
 """Results → Comparison: a pure function of runs that are finished."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
@@ -75,6 +75,20 @@ class Comparison(Compared):
         from arcless.comparison.page import write
 
         write(self, self.figures, path)
+
+    def write_pdf(self, path: str | Path, *, fields: Mapping[str, str] | None = None) -> None:
+        """Write the comparison on paper: one PDF file, as `Result.write_pdf` does for a run.
+
+        Raises
+        ------
+        ComparisonError
+            There are more runs than can be overlaid.
+        OutputError
+            As in `Result.write_pdf`.
+        """
+        from arcless.comparison.paper import write
+
+        write(self, self.figures, path, fields)
 
     def to_dataframe(
         self, table: Literal["numbers", "criteria", "fields"] = "numbers"

@@ -13,6 +13,14 @@ NONE = "–"
 GROUPS = (
     "part", "share of σ², %", "± %", "root, N", "strongest at, Hz", "wavelength, m", "its share, %",
 )  # fmt: skip
+# Explanation of the tables, the same on pages and on paper.
+READS = (
+    "Parts are of the variance σ², and add up to it; their roots do not. Waves that repeat from "
+    "span to span are span passing where they are longer than two intervals between droppers, "
+    "dropper passing where they are shorter. What does not repeat is in the bands of pantograph "
+    "modes or the rest; modes amplify what repeats as well, and the last column has all of it. ± "
+    "is the standard uncertainty that follows from the length of the section."
+)
 
 
 def tables(

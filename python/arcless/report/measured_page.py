@@ -10,7 +10,8 @@ from typing import Any
 from arcless.display.numbers import number
 from arcless.figures.measured import MeasuredData, figures
 from arcless.report import tables
-from arcless.report.page import first_screen, marks_of, sections_of, track_of
+from arcless.report.page import STACKED, track_of
+from arcless.report.run_content import first_screen, marks_of, sections_of
 from arcless.report.template import render
 from arcless.storage.whole_files import write_bytes
 
@@ -75,6 +76,7 @@ def html(data: MeasuredData, facts: Facts) -> str:
         sampling=_sampling(data, facts),
         version=version("arcless"),
         date=f"{datetime.now(UTC):%Y-%m-%d %H:%M}",
+        stacked=STACKED,
         **first_screen(data, drawn),
     )
 

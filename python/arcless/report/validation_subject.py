@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from arcless.figures.validation import Compared, state_of
-from arcless.report.reported_run import ReportedRun
+from arcless.report.run_content import ReportedRun
 
 
 @dataclass(frozen=True)

@@ -4,12 +4,12 @@ from pathlib import Path
 from typing import Any
 
 from arcless.explanation import Explanation, Sensitivities
-from arcless.explanation.tables import sensitivity_rows
+from arcless.explanation.tables import READS, sensitivity_rows
 from arcless.figures.run import contributions, spans
 from arcless.figures.run.run_data import RunData
 from arcless.report import summary
 from arcless.report.page import track_of
-from arcless.report.reported_run import ReportedRun
+from arcless.report.run_content import ReportedRun
 from arcless.report.template import render
 from arcless.storage.whole_files import write_bytes
 
@@ -60,6 +60,7 @@ def html(result: ReportedRun, explanation: Explanation) -> str:
         title=f"Why σ is as it is: {result.scenario.name}",
         identity=summary.identity(result.scenario, result.assessment, facts),
         explained=explanation.tables(),
+        explained_reads=READS,
         notes=explanation.notes,
         contents=contents,
         sections=sections,

@@ -1,5 +1,6 @@
 """The object that `arcless.run` and `arcless.open` return."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -137,6 +138,32 @@ class Result:
         from arcless import report
 
         report.write(self, path, **options)
+
+    def write_pdf(
+        self, path: str | Path, *, fields: Mapping[str, str] | None = None, **options: Any
+    ) -> None:
+        """Write the report on paper: one PDF file, PDF/UA-1 and PDF/A-2a, the same bytes anywhere.
+
+        Parameters
+        ----------
+        path
+            The file to write, which ends with ``.pdf``; one that exists is replaced.
+        fields
+            Fields of the cover by their names, in the order in which they are to stand there:
+            ``author`` also stands in the properties of the file, ``document`` in the head of each
+            page; ``prepared``, ``checked`` and ``approved`` at the lines for signatures.
+        **options
+            `assessment` and `reference_rows` of `arcless.report.write`.
+
+        Raises
+        ------
+        OutputError
+            The file does not end with ``.pdf``, a package is not installed, a field is empty or too
+            long, or the file cannot be written; nothing half-written stays behind.
+        """
+        from arcless.report.paper import run_paper
+
+        run_paper.write(self, path, fields=fields, **options)
 
     def filtered_force(self) -> "xarray.DataArray":
         """Return the contact force in N after the low-pass of the scenario.

@@ -7,6 +7,7 @@ import typer
 
 from arcless.cli.arguments.amounts import amount
 from arcless.cli.arguments.head import head_of
+from arcless.cli.arguments.paper import FieldOption, PdfOption, fields_for
 from arcless.cli.arguments.scenario import JsonOption, QuietOption
 from arcless.cli.completion import names
 from arcless.cli.terminal import console
@@ -40,6 +41,8 @@ def compare(
             show_default=False,
         ),
     ] = None,
+    pdf: PdfOption = None,
+    field: FieldOption = None,
     align: Annotated[
         str,
         typer.Option(
@@ -126,11 +129,14 @@ def compare(
     """
     from arcless.comparison import compare as compare_runs
 
+    fields = fields_for(pdf, field)
     how = _aligning((align, align_by), offset, scale, search=search, drift=drift)
     head = head_of(head_mass, head_lift, acceleration_down)
     compared = compare_runs(_read(runs, speed, head), aligning=how)
     if out is not None:
         compared.write_report(out)
+    if pdf is not None:
+        compared.write_pdf(pdf, fields=fields)
     if json:
         console.data(console.json_text(compared.to_dict()))
         return
@@ -148,8 +154,9 @@ def compare(
         *tables.bands(compared),
         *tables.acceptance(compared),
     )
-    if out is not None:
-        console.data(f"wrote {out}")
+    for file in (out, pdf):
+        if file is not None:
+            console.data(f"wrote {file}")
 
 
 def _aligning(

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from arcless.cli.arguments.head import head_of
+from arcless.cli.arguments.paper import FieldOption, PdfOption, fields_for
 from arcless.cli.arguments.scenario import JsonOption, QuietOption
 from arcless.cli.completion import names
 from arcless.cli.output.outcome import finish
@@ -154,22 +155,35 @@ def report(
         typer.Option(
             "--out",
             metavar="FILE",
-            help="The file to write; if not named, report.html next to a result.nc, and NAME.html"
-            " next to a NAME.nc.",
+            help="The page to write; if neither it nor --pdf is named, report.html next to a"
+            " result.nc, and NAME.html next to a NAME.nc.",
             show_default=False,
         ),
     ] = None,
+    pdf: PdfOption = None,
+    field: FieldOption = None,
 ) -> None:
-    """Write the HTML report of a saved run again."""
+    """Write the report of a saved run again: the HTML page, or a PDF file, or both.
+
+    With --pdf alone only the PDF file is written.
+    """
+    from arcless.cli.output.outcome import reference_rows
     from arcless.results import RESULT_NAME, result_file
     from arcless.results import open as open_result
 
+    fields = fields_for(pdf, field)
     file = result_file(result)
     # Other names are those of several runs in one folder, whose pages must not be one.
     own = file.with_name("report.html") if file.name == RESULT_NAME else file.with_suffix(".html")
-    target = out or own
-    open_result(result).write_report(target)
-    console.data(f"wrote {target}")
+    opened = open_result(result)
+    rows = reference_rows(opened.scenario, opened.assessment.to_dict())
+    page = out if out or pdf else own
+    if page is not None:
+        opened.write_report(page, reference_rows=rows)
+        console.data(f"wrote {page}")
+    if pdf is not None:
+        opened.write_pdf(pdf, fields=fields, reference_rows=rows)
+        console.data(f"wrote {pdf}")
 
 
 def _of_run(

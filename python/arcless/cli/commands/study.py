@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
+from arcless.cli.arguments.paper import FieldOption, PdfOption, fields_for
 from arcless.cli.arguments.scenario import JsonOption, QuietOption
 from arcless.cli.completion import names
 from arcless.cli.process.background import compute, unfinished
@@ -153,16 +154,28 @@ def report(
         typer.Option(
             "--to",
             metavar="FILE",
-            help="The file to write; report.html in the folder of the study if not named.",
+            help="The page to write; report.html in the folder of the study if neither it nor --pdf"
+            " is named.",
             show_default=False,
         ),
     ] = None,
+    pdf: PdfOption = None,
+    field: FieldOption = None,
 ) -> None:
-    """Write one HTML file with tables and figures of a study, also while it is being computed."""
-    from arcless.study.folder.started_studies import located
-    from arcless.study.report import write
+    """Write the report of a study, also while it is being computed: HTML page, PDF file, or both.
 
-    console.data(f"wrote {write(*located(file, out), to)}")
+    With --pdf alone only the PDF file is written.
+    """
+    from arcless.study.folder.started_studies import located
+    from arcless.study.report import write, write_pdf
+
+    fields = fields_for(pdf, field)
+    study, folder = located(file, out)
+    if to is not None or pdf is None:
+        console.data(f"wrote {write(study, folder, to)}")
+    if pdf is not None:
+        write_pdf(study, pdf, folder, fields=fields)
+        console.data(f"wrote {pdf}")
 
 
 @app.command()

@@ -52,7 +52,7 @@ def write(result: "Result", folder: OutputFolder, *, report: bool) -> list[Path]
     if result.is_complete:
         write_bytes(folder.file("assessment.json"), result.assessment.to_json().encode())
         if report:
-            rows = _reference_rows(result.scenario, result.assessment.to_dict())
+            rows = reference_rows(result.scenario, result.assessment.to_dict())
             result.write_report(folder.file("report.html"), reference_rows=rows)
     return folder.publish()
 
@@ -111,7 +111,7 @@ def _titles(criteria: Iterable[dict[str, Any]]) -> str:
     return "; ".join(dict.fromkeys(item["title"] for item in criteria))
 
 
-def _reference_rows(scenario: "Scenario", assessment: dict[str, Any]) -> list[dict[str, Any]]:
+def reference_rows(scenario: "Scenario", assessment: dict[str, Any]) -> list[dict[str, Any]]:
     """Return published ranges for the report: of a reference case as shipped, else none."""
     from arcless.validate import case_of, compare
 

@@ -5,11 +5,12 @@ drawing; it comes with ``arcless[plots]``.
 """
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from arcless.errors import FigureError
-from arcless.figures.description import Figure
+from arcless.figures.description import Figure, Layer, Rules
 from arcless.figures.description.tokens import Scheme
 
 if TYPE_CHECKING:
@@ -18,6 +19,8 @@ if TYPE_CHECKING:
 
 # Width of the text of an A4 page in one column and in two, in mm.
 PAGE_MM, COLUMN_MM = 160.0, 77.0
+# Lines across a figure in a document: more are closer than 1.5 mm, and hide what is drawn.
+MOST_RULES = 110
 
 
 def draw(
@@ -91,6 +94,42 @@ def save(
     write(figure, Path(path), scheme, width_mm)
 
 
+def svg(figure: Figure, *, width_mm: float = PAGE_MM, factor: float = 1.0) -> str:
+    """Draw a figure as an SVG without title, caption and alternative text.
+
+    Parameters
+    ----------
+    figure
+        Its description.
+    width_mm
+        Width in mm.
+    factor
+        Its height over that of a page.
+
+    Returns
+    -------
+    str
+        The SVG. Lines across the whole figure that are too many to be told apart, as those at the
+        supports of 20 km, are left out: on a page one can zoom in to see them.
+
+    Raises
+    ------
+    FigureError
+        Matplotlib is not installed.
+    """
+    _needs_matplotlib()
+    from arcless.figures.paper.files import picture
+
+    height = round(factor * figure.height)
+    layers = [one for one in figure.layers if not _paints_over(one)]
+    bare = replace(figure, title="", caption="", alt="", height=height, layers=layers)
+    return picture(bare, "svg", "light", width_mm).decode()
+
+
+def _paints_over(layer: Layer) -> bool:
+    return isinstance(layer, Rules) and layer.axis == "x" and layer.at.size > MOST_RULES
+
+
 def plot(
     figures: Mapping[str, Sequence[Figure]],
     key: str,
@@ -152,4 +191,4 @@ def _needs_matplotlib() -> None:
         )
 
 
-__all__ = ["COLUMN_MM", "PAGE_MM", "choose", "draw", "plot", "save"]
+__all__ = ["COLUMN_MM", "PAGE_MM", "choose", "draw", "plot", "save", "svg"]

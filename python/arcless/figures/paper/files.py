@@ -32,15 +32,20 @@ def write(figure: Figure, path: Path, scheme: Scheme, width_mm: float) -> None:
             expected="`.svg`, `.pdf` or `.png`",
         )
     check_writable(path)
+    content = picture(figure, form, scheme, width_mm)
+    words = figure.alt or figure.title
+    write_bytes(path, _described(content, words) if form == "svg" else content)
+
+
+def picture(figure: Figure, form: str, scheme: Scheme, width_mm: float) -> bytes:
+    """Draw a figure and return the content of its file, of a form in `_TOLD`."""
     sheet = new_sheet(figure, scheme, width_mm)
     title, about, unsaid = _TOLD[form]
-    words = figure.alt or figure.title
     written = BytesIO()
-    told = {title: figure.title, about: words, **unsaid}
+    told = {title: figure.title, about: figure.alt or figure.title, **unsaid}
     with settings():
         sheet.savefig(written, format=form, dpi=_DPI, metadata=told)
-    content = written.getvalue()
-    write_bytes(path, _described(content, words) if form == "svg" else content)
+    return written.getvalue()
 
 
 def _described(svg: bytes, words: str) -> bytes:

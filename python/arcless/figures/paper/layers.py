@@ -29,6 +29,7 @@ _BASELINES = {"top": "top", "middle": "center", "bottom": "bottom"}
 # Order of drawing: strips below the grid, which is at 0.5, rules above it, other layers in turn.
 _STRIPS, _RULES, _FIRST, _STEP = 0.4, 1.0, 2.0, 0.01
 _MAPS, _OVER_MAPS = 0.2, 3.0
+_ON_COLOURS = ("on_dark", "on_bright")
 _PATCH = 0.7  # opacity of the paper below a text
 
 
@@ -107,9 +108,13 @@ def _map(axes: Axes, layer: Any, look: dict[str, Any]) -> None:
 
 
 def _texts(axes: Axes, layer: Texts, ink: str, look: dict[str, Any]) -> None:
-    """Draw texts on a patch of paper, which keeps lines below from striking them through."""
+    """Draw texts on a patch of paper, which keeps lines below from striking them through.
+
+    A text whose colour is for a colour below it, as on a map, has none: it would not be read there.
+    """
     patch = {"facecolor": axes.get_facecolor(), "edgecolor": "none", "alpha": _PATCH, "pad": 0.0}
-    look |= {"color": ink, "size": TEXT * layer.size, "bbox": patch, "clip_on": True}
+    bbox = None if layer.colour in _ON_COLOURS else patch
+    look |= {"color": ink, "size": TEXT * layer.size, "bbox": bbox, "clip_on": True}
     look |= {"ha": layer.align, "va": _BASELINES[layer.baseline]}
     for x, y, text in zip(layer.x, layer.y, layer.texts, strict=True):
         axes.text(x, y, text, parse_math=False, **look)

@@ -83,6 +83,10 @@ def _draw(figure: Figure, axes: Axes, scheme: Scheme) -> float:
     width, dots = _width(axes), sheet.dpi / _POINTS
     made = legend.add(axes, figure, scheme, width * dots)
     taken = made.get_window_extent().height / dots if made is not None else 0.0
+    if not figure.title:
+        if made is not None:
+            made.set_in_layout(True)  # no title above it has its room
+        return taken
     lines = _wrapped(figure.title, TITLE_PT, width, weight="bold")
     axes.set_title(
         "\n".join(lines), loc="left", size=TITLE_PT, color=colour("ink", scheme), pad=taken + _GAP,

@@ -2,6 +2,7 @@
 
 from typing import Any
 
+from arcless.study.report import wording
 from arcless.study.report.data.numbers import digits
 from arcless.study.report.data.record import Record
 from arcless.study.report.figures.indices import SOBOL, effects, shares
@@ -36,9 +37,9 @@ def sections(record: Record) -> list[dict[str, Any]]:
             {
                 "output": headings[name],
                 "sobol": sobol,
-                "blocks": output["blocks"],
-                "left_out": output["left_out"],
-                "why": output.get("why", ""),
+                "blocks": wording.blocks(
+                    output["blocks"], output["left_out"], output.get("why", "")
+                ),
                 "titles": list(keys),
                 "lines": lines,
                 "figure": draw(f"output-{place}", headings[name], values) if values else None,

@@ -1,10 +1,12 @@
-"""Table of all variants: plain HTML, sorted and selected by the page's script."""
+"""Table of all variants: as texts, and as plain HTML that the page's script sorts and selects."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any, Literal
 
 import numpy as np
 from markupsafe import Markup, escape
+from numpy.typing import NDArray
 
 from arcless.assess import MET, NOT_JUDGED, NOT_MET, NOT_MET_UNVERIFIED, TOO_CLOSE
 from arcless.report.drawing.bokeh_figure import Drawing
@@ -19,6 +21,31 @@ from arcless.study.report.tables import values_of
 _CLASSES = {MET: "m", NOT_MET: "n", NOT_MET_UNVERIFIED: "o", TOO_CLOSE: "o", NOT_JUDGED: ""}
 # Rows that are printed; a page has some sixty.
 PRINTED = 300
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One cell: its text, the verdict on it, and whether it is the lowest or highest of all."""
+
+    text: str
+    verdict: str = NOT_JUDGED
+    end: str = ""
+
+    @property
+    def sign(self) -> str:
+        """Sign of the verdict; empty for none."""
+        return "" if self.verdict == NOT_JUDGED else SIGNS[self.verdict]
+
+
+@dataclass(frozen=True)
+class VariantColumn:
+    """One column: name, what stands below it, the values that sort it, entries as texts."""
+
+    name: str
+    below: str
+    values: NDArray[Any]
+    entries: Sequence[Entry]
+    kind: Literal["number", "word", "verdict"] = "number"
 
 
 @dataclass(frozen=True)
@@ -51,29 +78,48 @@ class Table:
     marked: list[Marked]
 
 
-def table(canvas: Canvas, drawing: Drawing) -> Table:
-    """Return the table of the variants that are drawn, in the order of their columns of data."""
-    record, source = canvas.record, drawing.source_of(SELECTION)
+def columns(canvas: Canvas) -> list[VariantColumn]:
+    """Return the columns of the variants that are drawn."""
+    record = canvas.record
     numbers = record.variants[canvas.drawn].astype(np.int32)
-    heads = [Head("variant", "", source.name_of(numbers))]
-    cells: list[Sequence[str]] = [[f"<td>{number}" for number in numbers.tolist()]]
+    found = [VariantColumn("variant", "", numbers, [Entry(str(n)) for n in numbers.tolist()])]
     if any(one.count(MET, NOT_MET) for one in canvas.verdicts.items) or canvas.verdicts.whole:
         codes = canvas.verdicts.codes[canvas.drawn].astype(np.int32)
-        heads.append(Head("verdict", "", source.name_of(codes), is_number=False))
-        cells.append([_verdict(int(code)) for code in codes])
+        entries = [_verdict(int(code)) for code in codes]
+        found.append(VariantColumn("verdict", "", codes, entries, "verdict"))
     for column in record.variables:
-        heads.append(_head(column, source.name_of(canvas.of(column)), ""))
-        cells.append(_variable(canvas, column))
+        found.append(_column(canvas, column, "", _variable(canvas, column)))
     for column in canvas.outputs:
-        heads.append(_head(column, source.name_of(canvas.of(column)), _limits(canvas, column)))
-        cells.append(_output(canvas, column))
+        found.append(_column(canvas, column, _limits(canvas, column), _output(canvas, column)))
+    return found
+
+
+def table(canvas: Canvas, drawing: Drawing) -> Table:
+    """Return the table of the variants that are drawn, in the order of their columns of data."""
+    source, found = drawing.source_of(SELECTION), columns(canvas)
+    heads = [
+        Head(one.name, one.below, source.name_of(one.values), one.kind == "number") for one in found
+    ]
+    cells = [[_html(entry, one.kind) for entry in one.entries] for one in found]
     rows = "\n".join(f"<tr>{''.join(row)}" for row in zip(*cells, strict=True))
-    return Table(heads, Markup(rows), len(numbers), _marked(canvas))
+    return Table(heads, Markup(rows), len(canvas.drawn), marked(canvas))
 
 
-def _head(column: Column, sort: str, limits: str) -> Head:
+def _html(entry: Entry, kind: str) -> str:
+    judged = _CLASSES[entry.verdict]
+    if kind == "word":
+        return f"<td class=w><bdi>{escape(entry.text)}</bdi>"
+    if kind == "verdict":
+        return f'<td class="w {judged}">{SIGNS[entry.verdict]} {entry.text}'
+    sign = f"{entry.sign} " if judged else ""
+    end = f"<small>{entry.end}</small>" if entry.end else ""
+    return f"<td{f' class={judged}' if judged else ''}>{sign}{entry.text}{end}"
+
+
+def _column(canvas: Canvas, column: Column, limits: str, entries: Sequence[Entry]) -> VariantColumn:
     below = ", ".join(part for part in (column.of, column.unit, limits) if part)
-    return Head(column.title or column.name, below, sort, column.words is None)
+    kind: Literal["number", "word"] = "number" if column.words is None else "word"
+    return VariantColumn(column.title or column.name, below, canvas.of(column), entries, kind)
 
 
 def _limits(canvas: Canvas, column: Column) -> str:
@@ -87,35 +133,32 @@ def _limits(canvas: Canvas, column: Column) -> str:
     return f"{RELATIONS[judged.relation]} {digits(float(known[0]))}"
 
 
-def _variable(canvas: Canvas, column: Column) -> list[str]:
+def _variable(canvas: Canvas, column: Column) -> list[Entry]:
     values = canvas.of(column)
     if column.words is None:
-        return [f"<td>{text}" for text in column_texts(values)]
-    words = [escape(word) for word in shortened(column.words)]
-    return [f"<td class=w><bdi>{words[int(code)]}</bdi>" for code in values]
+        return [Entry(text) for text in column_texts(values)]
+    words = shortened(column.words)
+    return [Entry(words[int(code)]) for code in values]
 
 
-def _output(canvas: Canvas, column: Column) -> list[str]:
+def _output(canvas: Canvas, column: Column) -> list[Entry]:
     judged, ends = canvas.main(column), extremes(column)
     codes = np.zeros(len(column.values), dtype=int) if judged is None else judged.codes
     texts = column_texts(canvas.of(column))
     found = []
     for place, text in zip(canvas.drawn.tolist(), texts, strict=True):
-        verdict = VERDICTS[int(codes[place])]
-        kind = _CLASSES[verdict]
-        sign = f"{SIGNS[verdict]} " if kind else ""
-        end = f"<small>{('lowest', 'highest')[ends.index(place)]}</small>" if place in ends else ""
-        found.append(f"<td{f' class={kind}' if kind else ''}>{sign}{text}{end}")
+        verdict = NOT_JUDGED if judged is None else VERDICTS[int(codes[place])]
+        end = ("lowest", "highest")[ends.index(place)] if place in ends else ""
+        found.append(Entry(text, verdict, end))
     return found
 
 
-def _verdict(code: int) -> str:
+def _verdict(code: int) -> Entry:
     verdict = VERDICTS[code]
-    word = "no verdict" if verdict == NOT_JUDGED else verdict
-    return f'<td class="w {_CLASSES[verdict]}">{SIGNS[verdict]} {word}'
+    return Entry("no verdict" if verdict == NOT_JUDGED else verdict, verdict)
 
 
-def _marked(canvas: Canvas) -> list[Marked]:
+def marked(canvas: Canvas) -> list[Marked]:
     """Return the variants at the ends of outputs, with the command that computes each again."""
     commands, why = Commands(canvas.record.study), dict[int, list[str]]()
     for output in canvas.outputs:

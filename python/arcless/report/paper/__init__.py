@@ -1,0 +1,1 @@
+"""Reports on paper: a document of texts, tables and figures → PDF, typeset by typst."""
