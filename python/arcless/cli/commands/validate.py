@@ -38,7 +38,7 @@ def validate(
     json: JsonOption = False,
     quiet: QuietOption = False,
 ) -> None:
-    """Run the reference cases beside their published values.
+    """Compare the reference cases with published values.
 
     `en50318`: published ranges of the standard's cases. `seed`: the three conclusions of the
     paper that the method was founded on, on its worked example.
