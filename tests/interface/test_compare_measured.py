@@ -95,7 +95,7 @@ def test_an_exported_run_lies_where_it_ran(arcless: Run) -> None:
 def test_what_measure_tells_and_refuses(arcless: Run, finished: Path) -> None:
     done = arcless("measure", finished, "--to", "test.csv", "--force-max", "60 N")
     assert done.exit_code == 0, done.output
-    for word in ("wrote test.csv", "samples at 200 Hz", "beyond the range", "delays by"):
+    for word in ("wrote test.csv", "samples at 500 Hz", "beyond the range", "delays by"):
         assert word in done.stdout
     refused(arcless("measure", finished, "--to", "no/test.csv"), "no/test.csv")
     refused(arcless("measure", finished, "--to", "a.csv", "--force-noise", "2 kg"), "--force-noise")

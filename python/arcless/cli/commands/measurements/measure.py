@@ -46,7 +46,7 @@ def measure(
         ),
     ] = None,
     rate: Annotated[
-        str | None, _option("--rate", "FREQUENCY", "Sampling rate; 200 Hz if not given.")
+        str | None, _option("--rate", "FREQUENCY", "Sampling rate; 500 Hz if not given.")
     ] = None,
     low_pass: Annotated[
         str | None,
