@@ -179,7 +179,8 @@ def test_names_are_those_of_files_and_no_file_is_read(place: Path) -> None:
     assert names.shipped_models("") == list(
         dict.fromkeys(name for kind in FOLDERS for name in shipped(kind))
     )
-    assert names.runs("") == ["runs/a", "other.nc", "table.csv"]
+    assert names.runs("") == ["runs/a", "other.nc"]
+    assert names.runs_and_measurements("") == ["runs/a", "other.nc", "table.csv"]
     assert names.begun_studies("runs") == ["runs/studies/grid"]
     (place / "runs").rename(place / "elsewhere")
     assert names.runs("runs") == []

@@ -13,7 +13,7 @@ Run = Callable[..., Result]
 def test_tables_and_json(arcless: Run, finished: Path) -> None:
     done = arcless("stress", finished, "--exponent", "5")
     assert done.exit_code == 0, done.output
-    assert "equivalent range" in done.stdout and "span 3 dropper" in done.stdout
+    assert "S_eq" in done.stdout and "span 3 dropper" in done.stdout
     told = json.loads(arcless("stress", finished, "--json").stdout)
     assert told["exponent"] is None
     assert {one["fibre"] for one in told["places"]} == {"top"}

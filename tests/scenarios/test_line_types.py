@@ -25,9 +25,10 @@ def printed(line: dict[str, Any]) -> str:
 def test_stitch_wires_are_listed() -> None:
     text = printed(stitched_data())
     assert "Stitch wires there" in text
-    assert text.count("stitch wire") == 2
-    # Resonance speeds, further down, name the wires too.
-    assert text.partition("Resonance speeds")[0].count("messenger wire") == 4
+    # Two droppers, and the stress.
+    assert text.count("stitch wire ") == 3
+    # Four droppers and the stress; resonance speeds, further down, name the wires too.
+    assert text.partition("Resonance speeds")[0].count("messenger wire") == 5
 
 
 def test_hangers_are_listed_with_the_droppers() -> None:

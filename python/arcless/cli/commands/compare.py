@@ -23,7 +23,7 @@ RunsArgument = Annotated[
         metavar="RUN RUN ...",
         help="Two runs or more, each its folder or the result.nc in it, or the CSV file of a"
         " measured test run. Differences are to the first one.",
-        autocompletion=names.runs,
+        autocompletion=names.runs_and_measurements,
         show_default=False,
     ),
 ]

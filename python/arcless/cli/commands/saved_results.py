@@ -35,6 +35,7 @@ def assess(
             metavar="RUN|FILE.csv",
             help="A run: the folder that `arcless run` wrote, or the result.nc in it. Or a measured"
             " test run: a CSV file with units in its header.",
+            autocompletion=names.runs_and_measurements,
             show_default=False,
         ),
     ],

@@ -14,7 +14,7 @@ from arcless.storage.shipped_files import FOLDERS, shipped
 MOST_ENTRIES = 2000
 RUNS, STUDIES = Path("runs"), Path("runs") / "studies"
 MODELS = (".yaml", ".yml")
-RESULTS = (".nc", ".csv")
+RESULT, MEASUREMENT = ".nc", ".csv"
 
 Names = Callable[[str], list[str]]
 
@@ -48,8 +48,13 @@ def models(incomplete: str) -> list[str]:
 
 
 def runs(incomplete: str) -> list[str]:
+    """Return folders of runs, and results here."""
+    return _fitting(incomplete, [*_begun(RUNS, "result.nc"), *_files((RESULT,))])
+
+
+def runs_and_measurements(incomplete: str) -> list[str]:
     """Return folders of runs, and results and measurements here."""
-    return _fitting(incomplete, [*_begun(RUNS, "result.nc"), *_files(RESULTS)])
+    return [*runs(incomplete), *_fitting(incomplete, _files((MEASUREMENT,)))]
 
 
 def studies(incomplete: str) -> list[str]:

@@ -28,15 +28,16 @@ def stress_tables(found: "WireStress") -> "Iterator[RenderableType]":
         found.places, key=lambda one: one.equivalent_range_MPa or one.largest_range_MPa
     )
     shown = by_range[::-1][:MOST]
-    columns = ("x / m", "at rest / MPa", "minimum", "maximum", "largest range", "cycles")
-    more = () if found.exponent is None else (f"equivalent range, m = {found.exponent:g}",)
-    title = f"Largest ranges of stress, {len(shown)} of {len(found.places)} fibres"
-    places = table(title, "place", "fibre", *columns, *more, numbers=(*columns, *more))
+    columns = ("at rest", "min.", "max.", "range", "cycles")  # a row fits 80 characters
+    more = () if found.exponent is None else ("S_eq",)
+    title = f"Stress in MPa, {len(shown)} of {len(found.places)} fibres with the largest ranges"
+    if found.exponent is not None:
+        title += f"; S_eq: equivalent range, m = {found.exponent:g}"
+    places = table(title, "place and fibre", *columns, *more, numbers=(*columns, *more))
     for one in shown:
         places.add_row(
-            one.name, one.fibre, number(one.x_m, 2), number(one.at_rest_MPa, 1),
-            number(one.min_MPa, 1), number(one.max_MPa, 1), number(one.largest_range_MPa, 1),
-            number(one.cycles, 1),
+            f"{one.name}, {one.fibre}", number(one.at_rest_MPa, 1), number(one.min_MPa, 1),
+            number(one.max_MPa, 1), number(one.largest_range_MPa, 1), number(one.cycles, 1),
             *(() if found.exponent is None else (number(one.equivalent_range_MPa, 1),)),
         )  # fmt: skip
     yield places
