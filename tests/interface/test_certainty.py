@@ -102,8 +102,8 @@ def test_a_criterion_too_close_to_tell_sets_no_exit_code(
 def test_a_report_without_certainty_says_nothing_of_it(finished: Path) -> None:
     page = (finished / "report.html").read_text("utf-8")
     assert "Certainty of the numbers" not in page
-    # Nothing behind a number; F_m ± 3σ, and limits to both sides, are no certainty. Contributions to
-    # σ have a ± of their own, that of the length of the section.
+    # Nothing behind a number; F_m ± 3σ, and limits to both sides, are no certainty. Contributions
+    # to σ have a ± of their own, that of the length of the section.
     page, count = re.subn(r'<section id="contributions">.*?</section>', "", page, flags=re.DOTALL)
     assert count == 1
     assert not re.search(r"\d ± \d", page)
