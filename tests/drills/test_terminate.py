@@ -101,8 +101,11 @@ def test_a_closed_terminal(tmp_path: Path) -> None:
     )
     os.close(theirs)
     compute(running)
+    # Halted, so that it writes nothing between the two: a busy machine is slow to send the signal.
+    running.send_signal(signal.SIGSTOP)
     os.close(ours)
     running.send_signal(signal.SIGHUP)
+    running.send_signal(signal.SIGCONT)
     assert running.wait(timeout=60) == 129
     assert list(tmp_path.iterdir()) == []
 
