@@ -11,8 +11,7 @@ from typing import Any
 import arcless
 from tests.drills.batches import SPEEDS, members
 from tests.drills.conftest import ROOT, leftovers
-from tests.drills.test_interrupt import STOPS_WITHIN_S
-from tests.support.signals import interruptible
+from tests.support.signals import interruptible, stops_soon
 
 TIMES = ("setup_time_s", "wall_time_s", "real_time_factor")
 # A process of its own begins with imports; nobody is that slow.
@@ -72,10 +71,9 @@ def test_ctrl_c_ends_a_batch_within_a_second(tmp_path: Path) -> None:
     assert running.stdout is not None
     assert running.stdout.readline() == "begun\n"
     time.sleep(1.0)  # past the imports of the run, in native code
-    began = time.monotonic()
-    running.send_signal(signal.SIGINT)
-    _, err = running.communicate(timeout=LONGEST_WAIT_S)
-    assert time.monotonic() - began < STOPS_WITHIN_S
+    with stops_soon(running):
+        running.send_signal(signal.SIGINT)
+        _, err = running.communicate(timeout=LONGEST_WAIT_S)
     assert running.returncode != 0
     assert err.rstrip().endswith("KeyboardInterrupt")
     assert leftovers(tmp_path) == []

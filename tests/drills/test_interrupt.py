@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from tests.drills.conftest import NEW, OLD, RUN, SHORT, Stop, check_whole, leftovers
-from tests.support.signals import compute, interruptible
+from tests.support.signals import compute, interruptible, stops_soon
 from tests.support.stopped import End, Job
 
 Place = Callable[[str], Path]
@@ -29,8 +29,6 @@ ENDLESS = {
         *("--set", "analysis={from: 160 m, to: 310 m}"),
     ],
 }
-# The promise is one second; a loaded two-core machine gets a second more.
-STOPS_WITHIN_S = 2.0
 
 
 def check_stopped(end: End, folder: Path, kind: str) -> None:
@@ -130,12 +128,11 @@ def test_in_native_code(tmp_path: Path, kind: str, strokes: int) -> None:
     with interruptible():
         running = start(words, tmp_path)
     compute(running)  # earlier moments have their own drills
-    began = time.monotonic()
-    for _ in range(strokes):
-        running.send_signal(signal.SIGINT)
-        time.sleep(0.02)
-    out, err = running.communicate(timeout=60)
-    assert time.monotonic() - began < STOPS_WITHIN_S
+    with stops_soon(running):
+        for _ in range(strokes):
+            running.send_signal(signal.SIGINT)
+            time.sleep(0.02)
+        out, err = running.communicate(timeout=60)
     assert (running.returncode, out, err) == STOPPED
     assert list(tmp_path.iterdir()) == []
 

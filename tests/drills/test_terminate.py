@@ -5,16 +5,15 @@ import pty
 import signal
 import subprocess
 import sys
-import time
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
 from tests.drills.conftest import NEW, OLD, RUN, Stop, check_whole, leftovers
-from tests.drills.test_interrupt import ENDLESS, STOPS_WITHIN_S, start
+from tests.drills.test_interrupt import ENDLESS, start
 from tests.drills.test_long_run import LONG
-from tests.support.signals import compute
+from tests.support.signals import compute, stops_soon
 from tests.support.stopped import End, Job
 
 Place = Callable[[str], Path]
@@ -80,10 +79,9 @@ def test_in_native_code(tmp_path: Path, kind: str, how: str) -> None:
     words = ENDLESS[kind] + ([] if kind == "validate" else ["--out", "out"])
     running = start(words, tmp_path)
     compute(running)
-    began = time.monotonic()
-    running.send_signal(number)
-    out, err = running.communicate(timeout=60)
-    assert time.monotonic() - began < STOPS_WITHIN_S
+    with stops_soon(running):
+        running.send_signal(number)
+        out, err = running.communicate(timeout=60)
     assert (running.returncode, out, err) == (code, "", word)
     assert list(tmp_path.iterdir()) == []
 
