@@ -22,9 +22,10 @@ SHORT_WORDS = 200
 KINDS = (
     "scenario", "line", "pantograph", "placement", "result", "assessment", "criterion", "statics",
     "resonance speeds", "comparison", "outcome", "realtime", "study", "study status",
+    "explanation", "wire stress",
 )  # fmt: skip
 CARDS = ("scenario", "line", "pantograph", "result", "assessment", "statics", "comparison",
-         "study status")  # fmt: skip
+         "study status", "explanation", "wire stress")  # fmt: skip
 
 
 @cache
@@ -46,6 +47,7 @@ def objects() -> Mapping[str, Any]:
         "resonance speeds": statics.resonance_speeds,
         "comparison": arcless.compare([result, slower]), "outcome": arcless.batch([scenario])[0],
         "realtime": arcless.realtime(scenario), "study": study, "study status": status,
+        "explanation": result.explain(), "wire stress": result.wire_stress(exponent=5.0),
     }  # fmt: skip
 
 
