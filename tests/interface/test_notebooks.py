@@ -1,5 +1,6 @@
 """Objects as a notebook and a prompt show them: cards, short words, names to complete, frames."""
 
+import dataclasses
 import inspect
 from collections.abc import Callable, Mapping
 from functools import cache
@@ -210,3 +211,8 @@ def test_an_unknown_table_is_told(kind: str) -> None:
 def test_a_line_at_rest_is_drawn() -> None:
     drawing = objects()["statics"].plot("elasticity")
     assert drawing.axes[0].get_ylabel() == "elasticity, mm/N"
+
+
+def test_a_long_name_is_no_long_line() -> None:
+    explanation = dataclasses.replace(objects()["explanation"], scenario="name " * 100)
+    assert "σ = " in repr(explanation) and len(repr(explanation)) < SHORT_WORDS

@@ -68,9 +68,9 @@ class Explanation:
         return tables.tables(self.pantographs, self.sensitivities)
 
     def __repr__(self) -> str:
-        names, deviations = zip(*((p.name, p.std_force_N) for p in self.pantographs), strict=True)
+        deviations = [one.std_force_N for one in self.pantographs]
         least, most = number(min(deviations)), number(max(deviations))
-        whose = plain(names[0]) if len(names) == 1 else f"{len(names)} pantographs"
+        whose = "1 pantograph" if len(deviations) == 1 else f"{len(deviations)} pantographs"
         told = least if least == most else f"{least} to {most}"
         speed = f"{3.6 * self.speed_m_s:.1f} km/h"
         return f"<Explanation {plain(self.scenario)} at {speed}: {whose}, σ = {told} N>"
