@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import arcless
+from arcless.errors import ModelError
 from arcless.results import Result
 
 Run = Callable[..., Result]
@@ -157,9 +158,9 @@ def test_near_and_streamed_rows_are_those_of_the_whole_record(
         assert 50 < cut.size < everything.size
         assert (cut == everything.sel(line_time=cut["line_time"])).all()
         assert cut.attrs == everything.attrs
-    with pytest.raises(KeyError, match="steady_arm"):
+    with pytest.raises(ModelError, match="did you mean steady_arm_force"):
         spatial.passage("support", "support 9", "steady_arm")
-    with pytest.raises(KeyError, match="dropper_force"):
+    with pytest.raises(ModelError, match=r"unknown series of a support.*dropper_force"):
         spatial.passage("support", "support 9", "dropper_force")
 
 
