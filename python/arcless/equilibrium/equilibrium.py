@@ -194,9 +194,16 @@ class Equilibrium:
         ends = [(x[wire[0]], x[wire[-1]]) for wire in wires]
         return sum(bool(first < middle < last) for first, last in ends) > 1
 
-    def elasticity_positions(self) -> Floats:
-        """Return the positions in m along the middle span at which the elasticity is reported."""
-        left, right = self.middle_span()
+    def elasticity_positions(self, left: float | None = None, right: float | None = None) -> Floats:
+        """Return the positions in m along a span at which the elasticity is reported.
+
+        Parameters
+        ----------
+        left, right
+            Ends of the span in m; without them it is the middle one.
+        """
+        if left is None or right is None:
+            left, right = self.middle_span()
         count = max(2, round((right - left) / ELASTICITY_SPACING) + 1)
         return np.linspace(left, right, count)
 
