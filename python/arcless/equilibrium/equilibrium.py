@@ -15,7 +15,7 @@ from arcless.equilibrium.design_failures import check_arms
 from arcless.equilibrium.failure_hints import check_carried, why_loose, why_pushing
 from arcless.equilibrium.line_alone import LineAlone
 from arcless.equilibrium.sliding_ends import SlidingEnds, undecided
-from arcless.errors import ArclessError, EquilibriumError
+from arcless.errors import ArclessError, EquilibriumError, NotConvergedError
 from arcless.mesh import SPATIAL, Mesh, alteration, build_mesh, end_forces, without
 from arcless.model import Line, Scenario
 from arcless.model.as_built.measured_heights import matched
@@ -374,21 +374,21 @@ def translate(mesh: Mesh, kind: str, message: str, details: dict[str, Any]) -> A
         )
     if kind == "equilibrium":
         return _not_found(mesh, details)
-    return EquilibriumError(message)
+    return NotConvergedError(message)
 
 
-def _not_found(mesh: Mesh, details: dict[str, Any]) -> EquilibriumError:
+def _not_found(mesh: Mesh, details: dict[str, Any]) -> NotConvergedError:
     """Say that Newton's method ended without an equilibrium, by its bound or without numbers."""
     after = f"after {details['iterations']} iterations"
     what, hint = "no static equilibrium was found", "check tensions, masses and dropper lengths"
     if not isfinite(details["residual"]):
-        return EquilibriumError(
+        return NotConvergedError(
             what,
             got=f"a shape that grows beyond all bounds {after}",
             expected="tensions that carry the wires within the encumbrance",
             hint=f"{hint}, and their units: kN for N, m for mm",
         )
-    return EquilibriumError(
+    return NotConvergedError(
         what,
         where=place_of(mesh, details["node"]),
         got=f"{details['residual']:.3g} N out of balance {after}",
