@@ -56,6 +56,11 @@ def test_the_first_row_is_the_line_at_rest(spatial: Result) -> None:
     # The design keeps the arm's slope at its node; wires settle by micrometres on 1 m.
     np.testing.assert_allclose(data["steady_arm_angle"][0, far], slope, atol=1e-3)
     assert np.isnan(data["support_force"][:, [0, -1]]).all()
+    # Where wires are anchored nothing is held, at rest either.
+    for name in ("support_force_static", "steady_arm_force_static"):
+        np.testing.assert_array_equal(
+            np.flatnonzero(np.isnan(data[name])), [0, data[name].size - 1]
+        )
 
 
 def test_a_planar_line_has_no_lateral_loads_nor_arms(planar: Result) -> None:
