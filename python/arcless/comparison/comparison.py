@@ -115,15 +115,17 @@ class Comparison(Compared):
 
 
 def compare(
-    runs: Sequence[Subject | str | Path], *, aligning: Aligning | None = None
+    runs: Subject | str | Path | Sequence[Subject | str | Path],
+    *more: Subject | str | Path,
+    aligning: Aligning | None = None,
 ) -> Comparison:
     """Compare runs and measurements with the first of them.
 
     Parameters
     ----------
-    runs
-        At least two: results, folders of runs, result files, measurements, or CSV files of
-        measurements.
+    runs, *more
+        At least two, one by one or as a list: results, folders of runs, result files,
+        measurements, or CSV files of measurements.
     aligning
         How measurements are put on the line of the first run; by correlation without.
 
@@ -137,6 +139,6 @@ def compare(
     ResultFormatError
         A file is missing, damaged, or of another format version.
     """
-    single = isinstance(runs, str | Path | Result | Measurement)
-    subjects, files = opened([runs] if single else list(runs))  # type: ignore[list-item]
+    first = [runs] if isinstance(runs, str | Path | Result | Measurement) else list(runs)
+    subjects, files = opened([*first, *more])
     return Comparison(**data_of(subjects, files, aligning or Aligning()))

@@ -11,6 +11,7 @@ from arcless.errors import ModelError, OutputError
 from arcless.model.edit import change
 from arcless.model.files.yaml_reader import is_file, parse, read_text
 from arcless.model.shipped.library import RENAMED, find, shipped
+from arcless.model.shipped.wire_catalogue import entry_text
 from arcless.storage.whole_files import check_writable, write_bytes
 from arcless.units import show
 
@@ -24,7 +25,7 @@ def text_of(source: str) -> str:
     """Return the text of a shipped model, or of a file, as it stands.
 
     A name that a scenario and a line or a pantograph share is that of the scenario;
-    ``line/NAME`` and the like mean the other ones.
+    ``line/NAME`` and the like mean the other ones. A wire of the catalogue is its entry there.
 
     Raises
     ------
@@ -34,7 +35,10 @@ def text_of(source: str) -> str:
     file = _shipped_file(source)
     path = Path(source) if file is None else file
     if file is None and path.suffix not in _SUFFIXES and not is_file(path):
-        raise _unknown(source, KINDS)
+        entry = entry_text(source.removeprefix("wire/"))
+        if entry is None:
+            raise _unknown(source, KINDS)
+        return entry
     text = read_text(path, str(path) if file is None else source)
     if file is None:
         given = parse(text, source)[0].get("format")

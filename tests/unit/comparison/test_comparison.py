@@ -86,6 +86,11 @@ def test_a_pantographs_own_field_has_its_path() -> None:
     assert field.values == ("8 kg", "9 kg")
 
 
+def test_runs_may_stand_one_by_one() -> None:
+    one, other = made(100.0), made(110.0)
+    assert compare(one, other).to_dict() == compare([one, other]).to_dict()
+
+
 def test_runs_are_called_by_the_one_field_that_differs() -> None:
     found = compare([made(), made(scenario={"line__contact_wire__tension": "11 kN"})])
     assert found.names == ("tension 10 kN", "tension 11\u202f000 N")

@@ -51,6 +51,23 @@ def catalogue() -> Catalogue:
     return Catalogue.model_validate(data)
 
 
+def entry_text(name: str) -> str | None:
+    """Return the entry of a wire as it stands in the catalogue, with its sources; None without."""
+    wire = catalogue().wires.get(name)
+    if wire is None:
+        return None
+    lines = read_text(FILE, FILE.name).splitlines()
+    begin = lines.index(f"  {name}:")
+    others = (k for k in range(begin + 1, len(lines)) if not lines[k].startswith("    "))
+    entry = [line[2:] for line in lines[begin : next(others, len(lines))]]
+    book = catalogue()
+    cited = {key for part in GIVES if (found := book.provenance.get(f"wires.{name}.{part}"))
+             for key in found.source_keys}  # fmt: skip
+    sources = [f"# {key}: {book.sources[key]}" for key in book.sources if key in cited]
+    head = f"# Wire of the catalogue: a line takes it by `catalogue: {name}`, with a tension."
+    return "\n".join([head, *entry, *sources]) + "\n"
+
+
 def with_catalogue(line: type[Document], data: dict[str, Any]) -> dict[str, Any]:
     """Return the data of a line with what the wires it names have; values given in it stay."""
     filled = dict(data)

@@ -8,7 +8,7 @@ import pytest
 from arcless.errors import ModelError
 from arcless.model import Line, load, load_line
 from arcless.model.shipped.library import shipped
-from arcless.model.shipped.wire_catalogue import GIVES, catalogue
+from arcless.model.shipped.wire_catalogue import GIVES, catalogue, entry_text
 from tests.support.line_types import stitched_data
 
 NAMED = {"catalogue": "CuAg AC-120", "tension": "15 kN"}
@@ -97,3 +97,18 @@ def test_a_catalogue_wire_is_a_metal_bar_or_a_strand(name: str) -> None:
 def test_every_source_of_the_catalogue_is_used() -> None:
     book = catalogue()
     assert set(book.sources) == {k for o in book.provenance.values() for k in o.source_keys}
+
+
+def test_an_entry_is_shown_as_it_stands() -> None:
+    import yaml
+
+    for name, wire in catalogue().wires.items():
+        text = entry_text(name)
+        assert text is not None
+        (shown,) = yaml.safe_load(text).items()
+        assert shown[0] == name
+        assert shown[1]["description"] == wire.description
+        assert set(shown[1]) <= {"description", *GIVES}
+    hc = entry_text("HC150")
+    assert hc is not None and "catalogue: HC150" in hc and "# S13: " in hc
+    assert entry_text("HC") is None

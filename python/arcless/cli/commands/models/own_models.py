@@ -14,8 +14,9 @@ def show(
         str,
         typer.Argument(
             metavar="MODEL",
-            help="A shipped line, pantograph, scenario or study, or a file. Where kinds share a "
-            "name it is the scenario; line/NAME and pantograph/NAME mean the others.",
+            help="A shipped line, pantograph, scenario or study, a wire of the catalogue, or a "
+            "file. Where kinds share a name it is the scenario; line/NAME and the like mean the "
+            "others.",
             autocompletion=names.models,
             show_default=False,
         ),
