@@ -37,7 +37,10 @@ def headline(folder: Path, ratios: list[float | None], **changes: Any) -> Any:
 
 def test_the_headline_counts_and_names_the_limit_that_is_missed(tmp_path: Path) -> None:
     found = headline(tmp_path, [0.2, 0.31, 0.35])
-    assert found.text == "1 of 3 variants meets the 2 criteria that are judged; 3 other criteria are not"
+    assert (
+        found.text
+        == "1 of 3 variants meets the 2 criteria that are judged; 3 other criteria are not"
+    )
     assert found.state == "open"
     assert found.items[:2] == [
         "Most often not met: standard deviation σ, 2 of 3 variants.",
