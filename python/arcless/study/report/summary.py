@@ -107,17 +107,22 @@ def headline(record: Record, verdicts: Verdicts) -> Verdict:
         return Verdict("open", "≈", text, "", [f"{words}.", hint])
     count = Counter(VERDICTS[int(code)] for code in verdicts.codes)
     met, done = count[MET], len(record.done)
-    those = variants_of(done) + ("" if done == record.status.total else " with values")
-    every = f"All {those} meet" if done > 1 else f"The {those.removeprefix('1 ')} meets"
-    who = every if met == done else f"{met} of {those} {_meet(met)}"
+    some, none = "" if done == record.status.total else " with values", count[NOT_JUDGED]
+    those = f"{variants_of(done - none)}{some}{' that could be judged' if none else ''}"
+    every = f"All {those} meet" if done - none > 1 else f"The {those.removeprefix('1 ')} meets"
+    who = every if met == done - none else f"{met} of {those} {_meet(met)}"
+    who = f"{who} {_criteria(judged, verdicts)}"
     unsure = [f"{count[TOO_CLOSE]} too close to tell"] if count[TOO_CLOSE] else []
-    unsure += [f"{count[NOT_JUDGED]} without a verdict"] if count[NOT_JUDGED] else []
+    if none == done:
+        who = f"None of {done} variants{some} could be judged"
+    elif none:
+        unsure.append(f"{none} of {done} could not be judged")
     items = [*_worst(judged, done), f"{words}."]
     if verdicts.unknown:
         items.append(f"Not judged, as no output has them: {'; '.join(verdicts.unknown)}.")
     kind = "met" if met == done and whole else "missed" if count[NOT_MET] == done else "open"
     sign = {"met": "✔", "missed": "✘"}.get(kind, "≈")
-    return Verdict(kind, sign, f"{who} {_criteria(judged, verdicts)}", "; ".join(unsure), items)
+    return Verdict(kind, sign, who, "; ".join(unsure), items)
 
 
 def _meet(count: int) -> str:
@@ -127,9 +132,9 @@ def _meet(count: int) -> str:
 def _criteria(judged: list[Judged], verdicts: Verdicts) -> str:
     if verdicts.whole or not verdicts.unknown:
         return "all criteria that decide"
-    names = {one.name for one in judged}
-    whole = len(names) + len(verdicts.unknown)
-    return f"the criteria that could be judged, {len(names)} of {whole}"
+    shown, others = len({one.name for one in judged}), len(verdicts.unknown)
+    which = "the one criterion that is" if shown == 1 else f"the {shown} criteria that are"
+    return f"{which} judged; {others} other {'criterion is' if others == 1 else 'criteria are'} not"
 
 
 def _worst(judged: list[Judged], done: int) -> list[str]:
