@@ -47,6 +47,8 @@ def remarks(name: str, placed: Placed, assessment: Assessment, speed_m_s: float)
             " and the same frequency is another wavelength"
         )
     notes = [note for note in placed.measurement.notes if not any(usual in note for usual in USUAL)]
+    told = (assessment.measurement or {}).get("pantographs", [])
+    notes += [text for each in told for text in each["doubts"]]
     return found + [f"{name}: {note}" for note in [*notes, *_left_out(placed, assessment)]]
 
 
