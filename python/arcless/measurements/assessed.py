@@ -74,8 +74,8 @@ def assess(
     measurement
         As `read` returns it.
     supply
-        Electrical supply, whose limits decide, such as ``"AC 25 kV"``. Without it those of AC 25 kV
-        are shown, and decide nothing.
+        Electrical supply, whose limits decide, such as ``"AC 25 kV"``. Without it limits that
+        depend on it are those of AC 25 kV, and decide nothing.
     section
         From and to in m along the track; without one, or with None for an end, the track that all
         pantographs ran over.

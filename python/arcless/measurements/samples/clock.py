@@ -19,8 +19,9 @@ Floats = NDArray[np.float64]
 # refuse a train that starts.
 LEAST_SPEED = 0.01
 # Speeds and positions are compared over so many seconds: over a single sample the last decimal of
-# the position would decide. Longer stretches leave less of a short record to compare.
-COMPARED_S = 10.0
+# the position would decide. Of a short record it is so large a part: longer, and a jump of the
+# position lies in most stretches, and moves their median.
+COMPARED_S, COMPARED_PART = 10.0, 0.2
 # Part by which they may differ in the median: worn wheels and slip are 1 % or so. More lets another
 # unit or another train pass; less would refuse plain odometers.
 SPEED_DIFFERENCE = 0.02
@@ -109,20 +110,22 @@ def clock(
 
 def _check_speeds(time: Floats, position: Floats, speeds: Floats, label: str) -> None:
     """Refuse speeds that are not those of times and positions: one of the columns is wrong."""
-    apart = max(1, min(time.size - 1, round(COMPARED_S / float(np.median(np.diff(time))))))
+    seconds = min(COMPARED_S, COMPARED_PART * float(time[-1] - time[0]))
+    apart = min(time.size - 1, max(1, round(seconds / float(np.median(np.diff(time))))))
     run = np.abs(position[apart:] - position[:-apart])
     summed = _summed(speeds, np.diff(time))
-    moving = run > LEAST_SPEED * (time[apart:] - time[:-apart])
+    least = LEAST_SPEED * (time[apart:] - time[:-apart])
+    moving = (run > least) & (summed[apart:] - summed[:-apart] > least)
     if not moving.any():
         return
-    share = float(np.median((summed[apart:] - summed[:-apart])[moving] / run[moving]))
+    share = float(np.median(run[moving] / (summed[apart:] - summed[:-apart])[moving]))
     if abs(share - 1.0) <= SPEED_DIFFERENCE:
         return
     own = float(np.median((run / (time[apart:] - time[:-apart]))[moving]))
     raise MeasurementError(
         "column speed against time and position",
         where=label,
-        got=f"{3.6 * share * own:.4g} km/h, where time and position give {3.6 * own:.4g} km/h",
+        got=f"{3.6 * own / share:.4g} km/h, where time and position give {3.6 * own:.4g} km/h",
         expected=f"speeds within {100 * SPEED_DIFFERENCE:g} %",
         hint="is the unit of one of the three columns wrong? Or leave out the column that is",
     )
