@@ -1,4 +1,4 @@
-"""What a record cannot bear: verdicts on clipped forces, and on forces that no wire has.
+"""Doubts about a record: verdicts on clipped forces, and on forces that no wire has.
 
 A clipped sample says that the force was at the end of the sensor's range or beyond. Left out, it
 takes the extremes away, and with them a part of the standard deviation: what is computed of the

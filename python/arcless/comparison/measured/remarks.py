@@ -84,7 +84,7 @@ def _doubts(by: Alignment) -> list[str]:
             "the offset is not sure: noise alone can make the difference between the two best"
             " correlations, as where spans are alike; limit the search, or give the offset by hand"
         )
-    # What all spans have in common is a part of the channel only, and correlates less.
+    # The part that all spans have in common is a part of the channel only, and correlates less.
     if by.correlation is not None and by.correlation < POOR_CORRELATION and by.method != "supports":
         found.append(
             f"the correlation is poor: {by.correlation:.3f}, and below {POOR_CORRELATION:g} less"
