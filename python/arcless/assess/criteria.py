@@ -124,6 +124,9 @@ class Reasons:
         The same for criteria that are not named.
     of_pantograph
         Why nothing of a pantograph is judged, by its name: its forces are not contact forces.
+    of_verdict
+        Why one verdict cannot be given, by pantograph, criterion, and whether it would be met: the
+        value is known to be a bound only.
     """
 
     absent: Mapping[str, str]
@@ -131,6 +134,7 @@ class Reasons:
     usual_absent: str = "the value is not in the record"
     usual_limit: str = "the line's design data give no limit"
     of_pantograph: Mapping[str, str] = field(default_factory=dict)
+    of_verdict: Mapping[tuple[str, str, bool], str] = field(default_factory=dict)
 
 
 OF_RUN = Reasons(
@@ -213,6 +217,8 @@ def _judge(
         reason = reasons.of_pantograph[pantograph.name]
     else:
         passed = RELATIONS[rule.relation](value, limit, rule.tolerance)
+        reason = reasons.of_verdict.get((pantograph.name, rule.name, passed))
+        passed = None if reason is not None else passed
     return Criterion(
         name=rule.name,
         value=value,
