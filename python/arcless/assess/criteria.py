@@ -47,6 +47,20 @@ class Criterion:
         """True when it is not met, by a limit that decides: one that was not merely remembered."""
         return self.passed is False and decides(self.mark)
 
+    @property
+    def margin(self) -> float | None:
+        """Distance of the value to the limit with its tolerance, negative beyond it; None for none.
+
+        With the tolerance τ it is (limit + τ) − value for "<=" and value − (limit − τ) for ">="
+        and ">". A difference of two floats has the sign of their comparison, so "<=" and ">=" are
+        met exactly where it is 0 or more, and ">" where it is above 0.
+        """
+        if self.value is None or self.limit is None:
+            return None
+        if self.relation == "<=":
+            return (self.limit + self.tolerance) - self.value
+        return self.value - (self.limit - self.tolerance)
+
     def __repr__(self) -> str:
         data, decimals = asdict(self), decimals_of(asdict(self))
         of = "" if self.pantograph is None else f" of {self.pantograph}"

@@ -47,6 +47,10 @@ KINDS: dict[str, Kind] = {
             "mi": _MILE,
         },
     ),
+    "m2": Kind(
+        "an area",
+        {"m2": 1, "mm2": _MILLI**2, "cm2": Fraction(1, 10_000), "in2": _INCH**2},
+    ),
     "kg": Kind("a mass", {"kg": 1, "g": _MILLI, "t": 1000, "lb": _POUND}),
     "kg/m": Kind(
         "a mass per length",

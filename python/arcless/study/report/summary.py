@@ -19,7 +19,7 @@ from arcless.report.summary import LENGTH, Verdict
 from arcless.study.report import tables
 from arcless.study.report.data.judged import VERDICTS, Judged, Verdicts
 from arcless.study.report.data.record import Column, Record
-from arcless.study.report.figures.canvas import Canvas, extremes, span_of
+from arcless.study.report.figures.canvas import Canvas, extremes, limits_of, span_of
 
 # Outputs on the first screen; the others are in their table.
 MOST_OUTPUTS = 6
@@ -49,6 +49,11 @@ class Range:
         )
 
 
+def variants_of(count: int) -> str:
+    """Return a number of variants in words: ``1 variant``, ``1 200 variants``."""
+    return f"{count:,} variant{'' if count == 1 else 's'}".replace(",", " ")
+
+
 def identity(record: Record) -> list[tuple[str, str]]:
     """Return what was studied, as label and text."""
     study, base = record.study, record.study.base
@@ -61,7 +66,7 @@ def identity(record: Record) -> list[tuple[str, str]]:
         heads += ", distance varied" if varied else f", {', '.join(gaps)} m apart"
     design = tables.design_text(study)
     if " variants" not in design:  # an optimisation says how many
-        design += f"; {record.status.total:,} variants".replace(",", " ")
+        design += f"; {variants_of(record.status.total)}"
     begun = str(record.state.get("begun", "–")).replace("T", " ")[:16]
     return [
         ("Scenario", study.scenario.name),
@@ -77,7 +82,7 @@ def identity(record: Record) -> list[tuple[str, str]]:
 def state(record: Record) -> tuple[bool, str]:
     """Return whether all is computed, and how far the study is, in words."""
     found = record.status
-    parts = [f"{found.done} of {found.total} variants computed"]
+    parts = [f"{found.done} of {variants_of(found.total)} computed"]
     parts += [f"{found.pruned} pruned"] if found.pruned else []
     parts += [f"{found.invalid} invalid"] if found.invalid else []
     parts += [f"{found.failed} failed"] if found.failed else []
@@ -103,9 +108,9 @@ def headline(record: Record, verdicts: Verdicts) -> Verdict:
     count = Counter(VERDICTS[int(code)] for code in verdicts.codes)
     met, done = count[MET], len(record.done)
     some, none = "" if done == record.status.total else " with values", count[NOT_JUDGED]
-    those = f"{done - none} {'variant' if done - none == 1 else 'variants'}{some}"
-    those += " that could be judged" if none else ""
-    who = f"All {those} meet" if met == done - none > 1 else f"{met} of {those} {_meet(met)}"
+    those = f"{variants_of(done - none)}{some}{' that could be judged' if none else ''}"
+    every = f"All {those} meet" if done - none > 1 else f"The {those.removeprefix('1 ')} meets"
+    who = every if met == done - none else f"{met} of {those} {_meet(met)}"
     who = f"{who} {_criteria(judged, verdicts)}"
     unsure = [f"{count[TOO_CLOSE]} too close to tell"] if count[TOO_CLOSE] else []
     if none == done:
@@ -138,7 +143,7 @@ def _worst(judged: list[Judged], done: int) -> list[str]:
     for one in judged:
         missed[one.heading] = max(missed[one.heading], one.count(NOT_MET))
     (name, count), *_ = missed.most_common(1) or [("", 0)]
-    return [f"Most often not met: {name}, {count} of {done} variants."] if count else []
+    return [f"Most often not met: {name}, {count} of {variants_of(done)}."] if count else []
 
 
 def ranges(canvas: Canvas) -> list[Range]:
@@ -160,12 +165,10 @@ def _range(canvas: Canvas, output: Column) -> Range:
     limit, verdict, kind, bound = "", "", "plain", None
     if judged is not None:
         limits = judged.limits[np.isfinite(judged.limits)]
-        limit = f"limit {RELATION_SIGNS[judged.relation]} {span_of(limits, judged.unit)}"
+        limit = f"limit {RELATION_SIGNS[judged.relation]} {limits_of(judged)}"
         met = judged.count(MET)
         kind = "met" if met == len(known) else "not-met" if judged.count(NOT_MET) else "open"
-        missed = judged.count(NOT_MET, NOT_MET_UNVERIFIED)
-        verdict = f"not met: {missed} of {len(known)}" if missed else f"met: {met} of {len(known)}"
-        verdict += "" if judged.decides else " (unverified)"
+        verdict = _counts(judged, len(known))
         bound = float(limits.min() if judged.relation == "<=" else limits.max())
     points = [low, high, *([] if bound is None else [bound])]
     begin = min(0.0, *points) if min(points) > -max(map(abs, points)) * 0.5 else min(points)
@@ -178,13 +181,20 @@ def _range(canvas: Canvas, output: Column) -> Range:
     )  # fmt: skip
 
 
+def _counts(judged: Judged, count: int) -> str:
+    """Return of how many variants a limit is not met, and is so unverified; else met, in words."""
+    told = [(NOT_MET, "not met"), (NOT_MET_UNVERIFIED, "unverified")]
+    missed = [f"{word}: {found}" for verdict, word in told if (found := judged.count(verdict))]
+    if missed:
+        return f"{', '.join(missed)} of {count}"
+    return f"met: {judged.count(MET)} of {count}{'' if judged.decides else ' (unverified)'}"
+
+
 def criterion_rows(verdicts: Verdicts) -> list[dict[str, str]]:
     """Return the criteria that the rows tell about, as text."""
     rows = []
     for one in verdicts.items:
-        limits = one.limits[np.isfinite(one.limits)]
-        told = span_of(limits, one.unit)
-        limit = f"{RELATION_SIGNS[one.relation]} {told}" if one.relation else ""
+        limit = f"{RELATION_SIGNS[one.relation]} {limits_of(one)}" if one.relation else ""
         missed, unsure = one.count(NOT_MET), one.count(NOT_MET_UNVERIFIED)
         counts = {
             "met": one.count(MET), "close": one.count(TOO_CLOSE), "none": one.count(NOT_JUDGED)

@@ -67,7 +67,7 @@ def test_all_and_none(tmp_path: Path, ratios: list[float | None], text: str, sta
     [
         ([1.0, 1.0, None], "All 2 variants that could be judged meet", "1 of 3 could not"),
         ([1.0, 0.0, None], "1 of 2 variants that could be judged meets", "1 of 3 could not"),
-        ([1.0, None, None], "1 of 1 variant that could be judged meets", "2 of 3 could not"),
+        ([1.0, None, None], "The variant that could be judged meets", "2 of 3 could not"),
         ([None, None, None], "None of 3 variants could be judged", ""),
     ],
 )
@@ -144,6 +144,33 @@ def test_the_table_marks_ends_and_verdicts(tmp_path: Path) -> None:
     assert [(one.variant, one.why) for one in found.marked] == [
         (1, "lowest r, 0.2"), (2, "highest r, 0.31")
     ]  # fmt: skip
+
+
+def test_a_tolerance_stands_behind_its_limit_and_unverified_has_its_sign(tmp_path: Path) -> None:
+    left = iter([180.0, 111.0, 190.0])
+    made = filled_by(tmp_path, lambda _values: {"m": next(left)}, **SWEEP,
+                     outputs={"m": "mean_force_N"})  # fmt: skip
+    drawn = canvas(made, tmp_path)
+    (shown,) = summary.ranges(drawn)
+    assert shown.limit == "limit ≤ (100.6 to 130.6) + 1 N"
+    assert shown.verdict == "not met: 1, unverified: 2 of 3"
+    limits = [row["limit"] for row in summary.criterion_rows(drawn.verdicts)]
+    assert "≤ (100.6 to 130.6) + 1 N" in limits
+    first, second, third = variants.table(drawn, Drawing()).rows.split("\n")
+    assert "? 180" in first
+    assert "? 111" in second  # 108.8 N, and 1 N
+    assert "✘ 190" in third
+    assert variants.columns(drawn)[-1].below == "N, limit by variant, tolerance 1"
+
+
+def test_one_variant_is_one(tmp_path: Path) -> None:
+    one = {"variables": {"v": {"field": "speed", "values": ["250 km/h"]}}}
+    found = headline(tmp_path, [0.2], **one)
+    assert found.text.startswith("The variant meets the ")
+    assert found.items[0] == "Complete: 1 of 1 variant computed."
+    record = Record(filled_by(tmp_path / "b", lambda _values: {"r": 0.2}, outputs=RATIO,
+                              **{**SWEEP, **one}), tmp_path / "b")  # fmt: skip
+    assert dict(summary.identity(record))["Design"].endswith("; 1 variant")
 
 
 def test_a_sweep_has_its_limit_and_its_verdicts(tmp_path: Path) -> None:
