@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from arcless.assess import NOT_JUDGED, Assessment
 from arcless.comparison import cells
 from arcless.comparison.compared import Compared
 from arcless.comparison.indicators import Indicator
@@ -88,12 +89,21 @@ def _title(compared: Compared) -> str:
     return f"Comparison of {' and '.join(texts)}{of}"
 
 
+def _verdict(assessment: Assessment) -> dict[str, str]:
+    """Return the verdict by the limits that decide in words, and the state of its colour."""
+    missed = sum(one.fails for one in assessment.criteria)
+    if missed:
+        return {"verdict": f"{missed} not met", "state": "missed"}
+    if assessment.is_judged:
+        return {"verdict": "met", "state": "met"}
+    return {"verdict": NOT_JUDGED, "state": "open"}
+
+
 def _runs(compared: Compared) -> list[dict[str, str]]:
     found = []
     for name, side in zip(compared.names, compared.sides, strict=True):
         a, run = side.assessment, side.result
         facts = {"arcless_version": None, "created": None} if run is None else run.metadata
-        missed = sum(one.fails for one in a.criteria)
         models = [] if run is None else [one.model.name for one in run.scenario.pantographs]
         found.append({
             "name": name, "scenario": "measurement" if run is None else run.scenario.name,
@@ -101,8 +111,7 @@ def _runs(compared: Compared) -> list[dict[str, str]]:
             "pantographs": ", ".join(dict.fromkeys(models)) or cells.NONE,
             "speed": f"{3.6 * a.speed_m_s:.4g} km/h",
             "section": f"{a.section_m[0]:.0f} to {a.section_m[1]:.0f} m",
-            "verdict": "met" if a.passed else f"{missed} not met",
-            "state": "met" if a.passed else "missed",
+            **_verdict(a),
             "version": str(facts["arcless_version"] or cells.NONE),
             "computed": str(facts["created"] or cells.NONE)[:16].replace("T", " "),
         })  # fmt: skip
