@@ -146,7 +146,8 @@ def ends(file: Path) -> None:
         ("the same, midpoint anchor", {**weight, "line.midpoint_anchor": {"stiffness": 1e7}}),
     ]
     figure, axes = plt.subplots(figsize=(8.0, 3.0), layout="constrained")
-    print("| ends | tension, N | way of the far end, mm | sag, mm |\n|---|---|---|---|")
+    sag = "sag (maximum less minimum height), mm"
+    print(f"| ends | tension, N | way of the far end, mm | {sag} |\n|---|---|---|---|")
     for (name, changes), shade in zip(kinds, (GREY, ORANGE, BLUE, GREEN), strict=True):
         found = statics(base.with_(**changes))
         mesh = found.equilibrium.mesh

@@ -58,7 +58,11 @@ def trolley_at_rest() -> str:
     found = statics(arcless.load(TROLLEY).with_(**PLAIN_TROLLEY)), at_rest(TROLLEY)
     highest, lowest = ([1e3 * f(one.elasticity_m_per_N) for one in found] for f in (max, min))
     rows = [
-        row("sag, mm", [1e3 * one.contact_wire_sag_m for one in found], 0),
+        row(
+            "sag (maximum less minimum height), mm",
+            [1e3 * one.contact_wire_sag_m for one in found],
+            0,
+        ),
         row("highest elasticity, mm/N", highest, 2),
         row("lowest elasticity, mm/N", lowest, 2),
     ]
@@ -79,7 +83,11 @@ def rails_at_rest() -> str:
     found = [at_rest(name) for name in RAILS]
     highest, lowest = ([1e6 * f(one.elasticity_m_per_N) for one in found] for f in (max, min))
     rows = [
-        row("sag in the middle span, mm", [1e3 * one.contact_wire_sag_m for one in found], 1),
+        row(
+            "sag (maximum less minimum height) in the middle span, mm",
+            [1e3 * one.contact_wire_sag_m for one in found],
+            1,
+        ),
         row("highest elasticity, µm/N", highest, 1),
         row("lowest elasticity, µm/N", lowest, 2),
         row("first natural frequency, Hz", [one.natural_frequencies_Hz[0] for one in found], 2),

@@ -26,6 +26,7 @@ _NAMES = {
         "FigureError",
         "MeasurementError",
         "MeshError",
+        "NotConvergedError",
         "ModelError",
         "OutputError",
         "ResultFormatError",

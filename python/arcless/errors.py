@@ -123,6 +123,10 @@ class EquilibriumError(ArclessError):
     """The static equilibrium was not found."""
 
 
+class NotConvergedError(EquilibriumError):
+    """The search for the static equilibrium failed, and says nothing against the line itself."""
+
+
 class ContactError(ArclessError):
     """The complementarity problem of a time step could not be solved."""
 

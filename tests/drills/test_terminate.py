@@ -13,7 +13,7 @@ import pytest
 from tests.drills.conftest import NEW, OLD, RUN, Stop, check_whole, leftovers
 from tests.drills.test_interrupt import ENDLESS, start
 from tests.drills.test_long_run import LONG
-from tests.support.signals import compute, stops_soon
+from tests.support.signals import compute, interruptible, stops_soon
 from tests.support.stopped import End, Job
 
 Place = Callable[[str], Path]
@@ -77,7 +77,8 @@ def test_while_results_stream_to_the_disk(stop: Stop, place: Place) -> None:
 def test_in_native_code(tmp_path: Path, kind: str, how: str) -> None:
     number, code, word = WAYS[how]
     words = ENDLESS[kind] + ([] if kind == "validate" else ["--out", "out"])
-    running = start(words, tmp_path)
+    with interruptible():
+        running = start(words, tmp_path)
     compute(running)
     with stops_soon(running):
         running.send_signal(number)
@@ -89,14 +90,15 @@ def test_in_native_code(tmp_path: Path, kind: str, how: str) -> None:
 def test_a_closed_terminal(tmp_path: Path) -> None:
     """The word that ends it has nowhere to go."""
     ours, theirs = pty.openpty()
-    running = subprocess.Popen(
-        [sys.executable, "-m", "arcless", *ENDLESS["stepping"], "--out", "out"],
-        cwd=tmp_path,
-        stdin=theirs,
-        stdout=theirs,
-        stderr=theirs,
-        start_new_session=True,
-    )
+    with interruptible():
+        running = subprocess.Popen(
+            [sys.executable, "-m", "arcless", *ENDLESS["stepping"], "--out", "out"],
+            cwd=tmp_path,
+            stdin=theirs,
+            stdout=theirs,
+            stderr=theirs,
+            start_new_session=True,
+        )
     os.close(theirs)
     compute(running)
     # Halted, so that it writes nothing between the two: a busy machine is slow to send the signal.

@@ -300,8 +300,37 @@ def test_check_finds_the_line_at_rest(
     assert "pushed.yaml: " in done.stderr
     assert "the steady arm at support" in done.stderr
     assert "would have to push: got a force of -" in done.stderr
-    if kind == "scenario":
-        assert arcless("statics", "pushed.yaml").exit_code == 1
+    # Nothing was computed that could have failed: the file is wrong for both commands.
+    again = arcless("statics", "pushed.yaml", "--quiet")
+    assert (again.exit_code, again.stdout, again.stderr) == (2, "", done.stderr)
+
+
+@pytest.mark.parametrize("tension", ["18.37 N", "60 N"])
+def test_statics_and_check_say_the_same_of_a_loose_wire(
+    arcless: Arcless, tmp_path: Path, tension: str
+) -> None:
+    data = load("en50318-ac-simple-320-planar").to_dict()
+    data["line"]["contact_wire"]["tension"] = tension
+    (tmp_path / "loose.yaml").write_text(json.dumps(data), "utf-8")
+    checked = arcless("check", "loose.yaml")
+    found = arcless("statics", "loose.yaml", "--quiet")
+    assert (checked.exit_code, found.exit_code) == (2, 2)
+    assert "error: loose.yaml: " in found.stderr
+    assert checked.stderr.splitlines()[-1] == found.stderr.splitlines()[-1]
+
+
+def test_a_search_that_fails_is_no_mistake_of_the_file() -> None:
+    from arcless.cli.arguments.at_rest import faults_of
+    from arcless.errors import ModelError, NotConvergedError
+
+    def failed() -> NotConvergedError:
+        return NotConvergedError("no static equilibrium was found", where="contact wire at 3 m")
+
+    told = r"^own\.yaml: contact wire at 3 m: no static"
+    with pytest.raises(NotConvergedError, match=told), faults_of("own.yaml"):
+        raise failed()
+    with pytest.raises(ModelError, match=told), faults_of("own.yaml", model_alone=True):
+        raise failed()
 
 
 @pytest.mark.parametrize("command", ["assess", "report"])

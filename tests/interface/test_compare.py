@@ -48,6 +48,43 @@ def test_tables_page_and_data(arcless: Run, pair: tuple[Path, Path], tmp_path: P
         )
 
 
+def test_two_runs_with_long_names_fit_eighty_columns(
+    arcless: Run, pair: tuple[Path, Path], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("COLUMNS", "80")
+    names = [f"norway-s25-250-speed={v}_km-h,line.contact_wire.tension=15_kN" for v in (160, 140)]
+    for name, folder in zip(names, pair, strict=True):
+        shutil.copytree(folder, name)
+    lines = arcless("compare", *names).stdout.replace("\u00a0", " ").splitlines()
+    text = "\n".join(lines)
+    assert "…" not in text
+    origins = [line for line in lines if "SHA-256" in line]
+    assert [one.rpartition(" (")[0] for one in origins] == [
+        f"speed {v} km/h: {name}/result.nc" for v, name in zip((160, 140), names, strict=True)
+    ]
+    assert max(len(line) for line in lines if line not in origins) <= 80
+    # The section of each run; value and limit of a criterion with the verdict below; one footnote.
+    assert len(re.findall(r"^  speed 1[46]0 km/h .* \d+ to \d+ m ", text, re.M)) == 2
+    (row,) = [k for k, line in enumerate(lines) if re.search(r"σ .*\d / \d.*\d / \d", line)
+              and "statistical" not in line]  # fmt: skip
+    assert len(re.findall(r"met", lines[row + 1])) == 2
+    assert text.count("of the unrounded numbers") == 1
+    # A difference stands below the value of its run, flush right.
+    mean = next(k for k, line in enumerate(lines) if "mean contact force F_m  " in line)
+    assert re.fullmatch(r" {30,}[+−]?\d+\.\d \([+−]?\d+\.\d %\)", lines[mean + 1])
+    assert len(lines[mean + 1]) == len(lines[mean])
+
+
+def test_heads_of_the_page_wrap(arcless: Run, pair: tuple[Path, Path], tmp_path: Path) -> None:
+    arcless("compare", *pair, "--out", "page.html")
+    page = (tmp_path / "page.html").read_text("utf-8")
+    assert "table.runs thead th.number { white-space: normal;" in page
+    for title in ("Main differences", "Verdicts"):
+        assert re.search(
+            rf'<h3>{title}</h3>\s*<div class="scroll"><table class="narrow runs">', page
+        )
+
+
 def test_the_file_is_as_good_as_the_folder(arcless: Run, pair: tuple[Path, Path]) -> None:
     files = [folder / "result.nc" for folder in pair]
     assert arcless("compare", *files).stdout == arcless("compare", *pair).stdout

@@ -1,5 +1,6 @@
 """Objects as a notebook and a prompt show them: cards, short words, names to complete, frames."""
 
+import dataclasses
 import inspect
 from collections.abc import Callable, Mapping
 from functools import cache
@@ -22,9 +23,10 @@ SHORT_WORDS = 200
 KINDS = (
     "scenario", "line", "pantograph", "placement", "result", "assessment", "criterion", "statics",
     "resonance speeds", "comparison", "outcome", "realtime", "study", "study status",
+    "explanation", "wire stress",
 )  # fmt: skip
 CARDS = ("scenario", "line", "pantograph", "result", "assessment", "statics", "comparison",
-         "study status")  # fmt: skip
+         "study status", "explanation", "wire stress")  # fmt: skip
 
 
 @cache
@@ -46,6 +48,7 @@ def objects() -> Mapping[str, Any]:
         "resonance speeds": statics.resonance_speeds,
         "comparison": arcless.compare([result, slower]), "outcome": arcless.batch([scenario])[0],
         "realtime": arcless.realtime(scenario), "study": study, "study status": status,
+        "explanation": result.explain(), "wire stress": result.wire_stress(exponent=5.0),
     }  # fmt: skip
 
 
@@ -208,3 +211,8 @@ def test_an_unknown_table_is_told(kind: str) -> None:
 def test_a_line_at_rest_is_drawn() -> None:
     drawing = objects()["statics"].plot("elasticity")
     assert drawing.axes[0].get_ylabel() == "elasticity, mm/N"
+
+
+def test_a_long_name_is_no_long_line() -> None:
+    explanation = dataclasses.replace(objects()["explanation"], scenario="name " * 100)
+    assert "σ = " in repr(explanation) and len(repr(explanation)) < SHORT_WORDS

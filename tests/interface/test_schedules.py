@@ -8,6 +8,9 @@ from pathlib import Path
 import pytest
 from typer.testing import Result
 
+import arcless as package
+from arcless.simulate import StaticsResult
+
 Command = Callable[..., Result]
 # Lengths are written to 0.1 mm, forces to 0.1 N.
 LENGTH, FORCE = 0.5e-4 + 1e-9, 0.05 + 1e-9
@@ -82,6 +85,7 @@ def test_a_line_without_a_messenger_wire_has_supports_and_no_droppers(arcless: C
         (["--droppers", "d.csv", "--allowance", "3e1"], "length without a unit"),
         (["--droppers", "d.csv", "--allowance", "-3 mm"], "negative length"),
         (["--droppers", "d.csv", "--allowance", "3 kN"], "--allowance"),
+        (["--droppers", "d.csv", "--allowance", "3 m"], "longer than the fittings of a dropper"),
         (["--allowance", "3 mm"], "got no --droppers"),
         (["--droppers", "d.txt"], "not a .csv file"),
         (["--supports", "s"], "got a name without an ending"),
@@ -98,10 +102,48 @@ def test_bad_input_is_told_before_anything_is_computed(
     assert not list(Path().iterdir())
 
 
-def test_a_negative_allowance_is_refused_in_python(tmp_path: Path) -> None:
-    import arcless as package
+@pytest.fixture(scope="module")
+def norway() -> StaticsResult:
+    return package.statics(package.load("norway-s25-250"))
 
-    found = package.statics(package.load("norway-s25-250"))
-    with pytest.raises(package.ModelError, match=r"allowance: got -0\.1 m"):
-        found.write_droppers(tmp_path / "d.csv", -0.1)
+
+@pytest.mark.parametrize(
+    ("given", "told"),
+    [
+        (-0.1, r"allowance: negative length: got -0\.1 m"),
+        (30, r"allowance: longer than the fittings of a dropper: got 30 m"),
+        ("3 m", r"allowance: longer than the fittings of a dropper"),
+        ("30", r"allowance: length without a unit"),
+        ("3 kN", r"allowance: "),
+    ],
+)
+def test_a_wrong_allowance_is_refused_in_python(
+    norway: StaticsResult, tmp_path: Path, given: float | str, told: str
+) -> None:
+    with pytest.raises(package.ModelError, match=told):
+        norway.write_droppers(tmp_path / "d.csv", given)
     assert not list(tmp_path.iterdir())
+
+
+def test_python_takes_an_allowance_with_its_unit(norway: StaticsResult, tmp_path: Path) -> None:
+    norway.write_droppers(tmp_path / "text.csv", "30 mm")
+    norway.write_droppers(tmp_path / "number.csv", 0.030)
+    norway.write_droppers(tmp_path / "none.csv")
+    written = [(tmp_path / f"{name}.csv").read_bytes() for name in ("text", "number", "none")]
+    assert written[0] == written[1] != written[2]
+
+
+@pytest.mark.parametrize("name", ["d.xlsx", "d"])
+def test_schedules_are_csv_files_in_python_too(
+    norway: StaticsResult, tmp_path: Path, name: str
+) -> None:
+    for write in (norway.write_droppers, norway.write_supports):
+        with pytest.raises(package.OutputError, match=r"not a \.csv file"):
+            write(tmp_path / name)
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_data_frame_without_an_allowance_has_no_lengths_to_cut(norway: StaticsResult) -> None:
+    columns = norway.to_dataframe("droppers").columns
+    assert any("unstretched" in str(name).lower() for name in columns)
+    assert not any("cut" in str(name).lower() for name in columns)

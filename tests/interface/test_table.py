@@ -65,6 +65,54 @@ def test_notes_are_named_on_standard_error(arcless: Command) -> None:
     Path("ridge/remarks.csv").write_text("x")
     done = arcless("table", "ridge.yaml", "--from", "ridge")
     assert done.stderr == "warning: left out, as no tables of a line: remarks.csv\n"
+    # It is not said that all of the folder says the same.
+    assert done.stdout == (
+        "ridge.yaml: nothing to change, what was read of ridge says the same: curves, droppers,"
+        " inserts, point_masses, spans, supports, tension_lengths\n"
+    )
+    Path("ridge/remarks.csv").rename("ridge/# remarks.csv")
+    done = arcless("table", "ridge.yaml", "--from", "ridge")
+    assert (done.stdout, done.stderr) == (
+        "ridge.yaml: nothing to change, ridge says the same\n", "",
+    )  # fmt: skip
+
+
+def test_a_workbook_that_exists_is_replaced_only_if_asked(arcless: Command) -> None:
+    pytest.importorskip("openpyxl")
+    Path("office.xlsx").write_bytes(b"edited")
+    done = arcless("table", "norway-s25", "--to", "office.xlsx")
+    assert done.exit_code == 2
+    assert "office.xlsx: the workbook exists" in done.stderr
+    assert "`--overwrite` replaces it" in done.stderr
+    assert Path("office.xlsx").read_bytes() == b"edited"
+    done = arcless("table", "norway-s25", "--to", "office.xlsx", "--overwrite")
+    assert (done.exit_code, done.stdout) == (0, "wrote office.xlsx\n")
+    assert Path("office.xlsx").read_bytes() != b"edited"
+
+
+def test_tables_in_a_folder_are_replaced_only_if_asked(arcless: Command) -> None:
+    """Tables of another line go; what is no table of a line stays."""
+    arcless("new", "ridge", "--from", "norway-s25")
+    arcless("table", "shinkansen-heavy-compound", "--to", "tables")
+    Path("tables/Spans.csv").write_text("x")
+    Path("tables/remarks.csv").write_text("x")
+    Path("tables/hangers.txt").write_text("x")
+    before = {path: path.read_bytes() for path in Path("tables").iterdir()}
+    done = arcless("table", "ridge.yaml", "--to", "tables")
+    assert done.exit_code == 2
+    assert "tables: tables of a line are in this folder: got Spans.csv, curves.csv" in done.stderr
+    assert {path: path.read_bytes() for path in Path("tables").iterdir()} == before
+    done = arcless("table", "ridge.yaml", "--to", "tables", "--overwrite")
+    assert done.exit_code == 0
+    removed = [line.split(",")[0] for line in done.stdout.splitlines() if "removed" in line]
+    assert removed == [
+        f"removed {Path('tables/Spans.csv')}",
+        f"removed {Path('tables/hangers.csv')}",
+    ]
+    assert before.keys() - set(Path("tables").iterdir()) == {
+        Path("tables/Spans.csv"), Path("tables/hangers.csv"),
+    }  # fmt: skip
+    assert "nothing to change" in arcless("table", "ridge.yaml", "--from", "tables").stdout
 
 
 @pytest.mark.parametrize(
@@ -72,6 +120,8 @@ def test_notes_are_named_on_standard_error(arcless: Command) -> None:
     [
         (["table", "norway-s25"], "expected --to TABLES to write tables, or --from TABLES"),
         (["table", "norway-s25", "--to", "a", "--from", "a"], "got --to and --from"),
+        (["table", "norway-s25", "--from", "a", "--overwrite"], "got --overwrite with --from"),
+        (["table", "norway-s25", "--to", "tables"], "tables of a line are in this folder"),
         (["table", "norway-s25", "--to", "line.csv"], "a line takes several CSV files"),
         (["table", "norway-s25", "--to", "line.ods"], "unknown kind of file"),
         (["table", "norway-s25", "--to", "absent/tables"], "the folder cannot be made"),

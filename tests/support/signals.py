@@ -12,16 +12,18 @@ from pathlib import Path
 
 @contextmanager
 def interruptible() -> Iterator[None]:
-    """Let processes started within answer Ctrl-C.
+    """Let processes started within answer Ctrl-C, SIGTERM and SIGHUP.
 
-    A shell that runs the tests in the background, or `nohup`, tells them to ignore it, and every
-    process inherits that. What this process handles itself, its children start with anew.
+    A shell that runs the tests in the background, or `nohup`, tells them to ignore one of them, and
+    every process inherits that. What this process handles itself, its children start with anew.
     """
-    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    numbers = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+    before = [signal.signal(number, signal.default_int_handler) for number in numbers]
     try:
         yield
     finally:
-        signal.signal(signal.SIGINT, before)
+        for number, handler in zip(numbers, before, strict=True):
+            signal.signal(number, handler)
 
 
 # Processor time that a process has used when it computes, s: imports take 0.4 to 0.7.

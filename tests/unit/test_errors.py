@@ -17,6 +17,7 @@ from arcless.errors import (
     MeasurementError,
     MeshError,
     ModelError,
+    NotConvergedError,
     OutputError,
     ResultFormatError,
     StudyError,
@@ -49,6 +50,11 @@ EXAMPLES = [
         ExplanationError("the contact force is constant", where="pantograph P1", got="σ = 0 N"),
         "pantograph P1: the contact force is constant: got σ = 0 N",
         2,
+    ),
+    (
+        NotConvergedError("no static equilibrium was found", got="3 N after 50 iterations"),
+        "no static equilibrium was found: got 3 N after 50 iterations",
+        1,
     ),
     (
         EquilibriumError("no equilibrium", where="iteration 50", got="a residual of 3 N"),

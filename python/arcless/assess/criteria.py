@@ -47,6 +47,20 @@ class Criterion:
         """True when it is not met, by a limit that decides: one that was not merely remembered."""
         return self.passed is False and decides(self.mark)
 
+    @property
+    def margin(self) -> float | None:
+        """Distance of the value to the limit with its tolerance, negative beyond it; None for none.
+
+        With the tolerance τ it is (limit + τ) − value for "<=" and value − (limit − τ) for ">="
+        and ">". A difference of two floats has the sign of their comparison, so "<=" and ">=" are
+        met exactly where it is 0 or more, and ">" where it is above 0.
+        """
+        if self.value is None or self.limit is None:
+            return None
+        if self.relation == "<=":
+            return (self.limit + self.tolerance) - self.value
+        return self.value - (self.limit - self.tolerance)
+
     def __repr__(self) -> str:
         data, decimals = asdict(self), decimals_of(asdict(self))
         of = "" if self.pantograph is None else f" of {self.pantograph}"
@@ -110,6 +124,9 @@ class Reasons:
         The same for criteria that are not named.
     of_pantograph
         Why nothing of a pantograph is judged, by its name: its forces are not contact forces.
+    of_verdict
+        Why one verdict cannot be given, by pantograph, criterion, and whether it would be met: the
+        value is known to be a bound only.
     """
 
     absent: Mapping[str, str]
@@ -117,6 +134,7 @@ class Reasons:
     usual_absent: str = "the value is not in the record"
     usual_limit: str = "the line's design data give no limit"
     of_pantograph: Mapping[str, str] = field(default_factory=dict)
+    of_verdict: Mapping[tuple[str, str, bool], str] = field(default_factory=dict)
 
 
 OF_RUN = Reasons(
@@ -199,6 +217,8 @@ def _judge(
         reason = reasons.of_pantograph[pantograph.name]
     else:
         passed = RELATIONS[rule.relation](value, limit, rule.tolerance)
+        reason = reasons.of_verdict.get((pantograph.name, rule.name, passed))
+        passed = None if reason is not None else passed
     return Criterion(
         name=rule.name,
         value=value,

@@ -50,8 +50,8 @@ def supply_notes(facts: Facts, field: str = "line.design.supply") -> list[str]:
     if facts.supply_given:
         return []
     return [
-        f"{field} is not given: the limits of force are those of {facts.supply}, and"
-        " decide nothing (mark assumed)"
+        f"{field} is not given: the limits that depend on it are those of {facts.supply},"
+        " and decide nothing (mark assumed)"
     ]
 
 

@@ -20,13 +20,13 @@ ANY_SUPPLY = (*AC, "DC 3 kV", "DC 1.5 kV")
 
 ANY_SPEED = (-1.0, float("inf"))
 
-# Half of the interval in km/h that a speed is known to, within which it counts as the boundary of two
-# classes. Given speeds: to 0.1 km/h, since one in mph or m/s rarely is a whole number of km/h.
-# Measured means: to 1 km/h, as speedometers are read (assumed), since none is 250.000. Larger, a run
-# above a boundary gets the limits below it; smaller, a rounding error chooses the limits.
+# Half of the interval in km/h that a speed is known to, within which it counts as the boundary of
+# two classes. Given speeds: to 0.1 km/h, since one in mph or m/s rarely is a whole number of km/h.
+# Measured means: to 1 km/h, as speedometers are read (assumed), since none is 250.000. Larger, a
+# run above a boundary gets the limits below it; smaller, a rounding error chooses the limits.
 GIVEN_SPEED_KM_H, MEASURED_SPEED_KM_H = 0.05, 0.5
-# Distance in km/h that the unit alone makes: 320 km/h is 88.888… m/s. Larger, a class is taken without
-# a note; smaller, the note stands where nothing was chosen.
+# Distance in km/h that the unit alone makes: 320 km/h is 88.888… m/s. Larger, a class is taken
+# without a note; smaller, the note stands where nothing was chosen.
 SAME_SPEED_KM_H = 1e-6
 
 ASSUMED = "assumed"
@@ -59,7 +59,7 @@ class Facts:
     supply_given: bool = True
     """False where the line names no supply, and one was assumed."""
     speed_known_to_km_h: float = GIVEN_SPEED_KM_H
-    """How far the speed may be off; within it of a boundary of classes, it counts as that."""
+    """Error that the speed may have; within it of a boundary of classes, it counts as that."""
     wave_speed_use: float | None = None
     """Maximum speed over the wave speed of the contact wire."""
     uplift_mm: float | None = None
@@ -71,7 +71,7 @@ class Facts:
 
     @property
     def class_speed_km_h(self) -> float:
-        """Speed by which limits are chosen: a boundary of their classes where it is as good as it."""
+        """Speed by which limits are chosen: a boundary of classes where it is as good as that."""
         near = min(BOUNDARIES_KM_H, key=lambda one: abs(one - self.speed_km_h))
         as_good = abs(near - self.speed_km_h) <= self.speed_known_to_km_h
         return near if as_good else self.speed_km_h

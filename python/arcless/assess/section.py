@@ -20,11 +20,11 @@ Section = tuple[float, float]
 
 # Sampling that EN 50317 asks of a measurement (from memory, not verified).
 MEASUREMENT_RATE_HZ = 200.0
-# Section below which numbers are those of one place: two passages of the longest repeating wave, the
-# span, and a second where spans are short or none. Longer, good short sections are doubted.
+# Section below which numbers are those of one place: two passages of the longest repeating wave,
+# the span, and a second where spans are short or none. Longer, good short sections are doubted.
 FEWEST_SPANS, SHORTEST_S = 2, 1.0
-# Time after the start of a run that still swings from it: some periods of the pantograph's lowest mode
-# (0.5 to 1 Hz, damped). Longer, whole sections are doubted; shorter, the start counts as the line.
+# Time after the start of a run that still swings from it: about a period of the pantograph's lowest
+# mode (assumed). Longer, whole sections are doubted; shorter, the start counts as the line.
 START_UP_S = 1.0
 
 

@@ -1,5 +1,8 @@
 """Numbers of a comparison as text, for the page and the terminal."""
 
+from pathlib import Path
+
+from arcless.assess import NOT_JUDGED, Assessment
 from arcless.comparison.alignment import Alignment
 from arcless.comparison.indicators import Indicator, Judged
 from arcless.comparison.measured.acceptance import Accepted
@@ -20,6 +23,9 @@ WAYS = {
     "none": "as they are",
     "reference": "others are placed on it",
 }
+# Stands once in each report; 26.6 less 23.7 may well be 3.0.
+DIFFERENCES_READ = "Differences to the first run, {}, are of the unrounded numbers."
+IN_MEMORY = "in memory, no file"
 # Of a difference that is no larger than its uncertainty, as of a criterion.
 TOO_CLOSE = "too close to tell"
 
@@ -42,6 +48,34 @@ def difference(one: Indicator, run: int) -> str:
         return f"{text} ({TOO_CLOSE})"
     share = one.percents[run]
     return text if share is None else f"{text} ({signed(share, 1)}\u00a0%)"
+
+
+def section(one: Assessment) -> str:
+    """Return the section that was assessed: ``200 to 1000 m``."""
+    return f"{one.section_m[0]:.0f} to {one.section_m[1]:.0f} m"
+
+
+def speed(one: Assessment) -> str:
+    """Return the speed: ``320 km/h``."""
+    return f"{3.6 * one.speed_m_s:.4g} km/h"
+
+
+def decided(one: Assessment) -> tuple[str, str]:
+    """Return how many limits that decide are not met, in words, and the state of that."""
+    missed = sum(each.fails for each in one.criteria)
+    if missed:
+        return f"{missed} not met", "missed"
+    return ("met", "met") if one.is_judged else (NOT_JUDGED, "open")
+
+
+def unsaid(whole: str, name: str, file: Path | None) -> str:
+    """Return the whole name of a run; empty where its short name or its file says it."""
+    return "" if name.endswith(whole) or whole in str(file) else whole
+
+
+def origin(file: Path | None, digest: str | None) -> str:
+    """Return where a run or a measurement was read, with its digest."""
+    return IN_MEMORY if file is None else f"{file} (SHA-256 {digest})"
 
 
 def limit(one: Judged, run: int) -> str:

@@ -11,9 +11,10 @@ from arcless.comparison.indicators import Indicator, Judged, indicators, judged
 from arcless.comparison.measured.acceptance import Accepted, acceptance
 from arcless.comparison.measured.bands import Band, bands_of
 from arcless.comparison.measured.placing import Aligning
-from arcless.comparison.subjects.runs import Slot, Subject, matched, names_of
+from arcless.comparison.subjects.runs import Slot, Subject, matched, names_of, short_names
 from arcless.comparison.subjects.sides import Side, sides_of
 from arcless.results import Result
+from arcless.storage.digests import short_digest
 
 FORMAT = "arcless-comparison/1"
 
@@ -26,6 +27,10 @@ class Compared:
     ----------
     names
         A short name of each run, no two the same.
+    full_names
+        The whole name of each run.
+    digests
+        First 12 digits of the SHA-256 of each file; None for a run that is in memory.
     sides
         Runs and measurements, the first of which differences refer to, each with its numbers.
     pantographs
@@ -47,6 +52,8 @@ class Compared:
     """
 
     names: tuple[str, ...]
+    full_names: tuple[str, ...]
+    digests: tuple[str | None, ...]
     sides: tuple[Side, ...]
     pantographs: tuple[Slot, ...]
     by_name: bool
@@ -87,8 +94,10 @@ class Compared:
         run, assessment = side.result, side.assessment
         return {
             "name": self.names[place],
+            "full_name": self.full_names[place],
             "kind": "measurement" if run is None else "run",
             "file": None if side.file is None else str(side.file),
+            "digest": self.digests[place],
             "scenario": None if run is None else run.scenario.name,
             "line": None if run is None else run.scenario.line.name,
             "speed_m_s": assessment.speed_m_s,
@@ -114,10 +123,13 @@ def data_of(
     sides = sides_of(subjects, files, slots, how)
     fields = _fields(subjects)
     words = _words(fields[0], subjects) if len(fields) == 1 else None
-    names = names_of(subjects, files, words)
+    full_names = names_of(subjects, files, words)
+    names = short_names(full_names)
     assessments = [one.assessment for one in sides]
     return {
         "names": tuple(names),
+        "full_names": tuple(full_names),
+        "digests": tuple(None if one is None else short_digest(one) for one in files),
         "sides": tuple(sides),
         "pantographs": tuple(slots),
         "by_name": by_name,

@@ -3,7 +3,6 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from arcless.assess import NOT_JUDGED, Assessment
 from arcless.comparison import cells
 from arcless.comparison.compared import Compared
 from arcless.comparison.indicators import Indicator
@@ -52,6 +51,10 @@ def comparison_content(
     return {
         "title": _title(compared),
         "names": compared.names,
+        "numbered": any(
+            not name.endswith(whole)
+            for name, whole in zip(compared.names, compared.full_names, strict=True)
+        ),
         "runs": _runs(compared),
         "warnings": compared.warnings,
         "few": compared.fields[:FEW_FIELDS],
@@ -65,6 +68,7 @@ def comparison_content(
         "simulated": sum(one.result is not None for one in compared.sides),
         "main": _rows([one for one in compared.indicators if one.key in cells.MAIN], compared),
         "numbers": _rows(compared.indicators, compared),
+        "differences_read": cells.DIFFERENCES_READ.format(compared.names[0]),
         "numbers_read": NUMBERS_READ,
         "placement_reads": PLACEMENT_READS,
         "bands_read": BANDS_READ,
@@ -89,29 +93,22 @@ def _title(compared: Compared) -> str:
     return f"Comparison of {' and '.join(texts)}{of}"
 
 
-def _verdict(assessment: Assessment) -> dict[str, str]:
-    """Return the verdict by the limits that decide in words, and the state of its colour."""
-    missed = sum(one.fails for one in assessment.criteria)
-    if missed:
-        return {"verdict": f"{missed} not met", "state": "missed"}
-    if assessment.is_judged:
-        return {"verdict": "met", "state": "met"}
-    return {"verdict": NOT_JUDGED, "state": "open"}
-
-
 def _runs(compared: Compared) -> list[dict[str, str]]:
     found = []
-    for name, side in zip(compared.names, compared.sides, strict=True):
+    for place, (name, side) in enumerate(zip(compared.names, compared.sides, strict=True)):
         a, run = side.assessment, side.result
         facts = {"arcless_version": None, "created": None} if run is None else run.metadata
+        verdict, state = cells.decided(a)
         models = [] if run is None else [one.model.name for one in run.scenario.pantographs]
         found.append({
-            "name": name, "scenario": "measurement" if run is None else run.scenario.name,
+            "name": name, "full_name": cells.unsaid(compared.full_names[place], name, side.file),
+            "file": cells.IN_MEMORY if side.file is None else str(side.file),
+            "digest": compared.digests[place] or cells.NONE,
+            "scenario": "measurement" if run is None else run.scenario.name,
             "line": cells.NONE if run is None else run.scenario.line.name,
             "pantographs": ", ".join(dict.fromkeys(models)) or cells.NONE,
-            "speed": f"{3.6 * a.speed_m_s:.4g} km/h",
-            "section": f"{a.section_m[0]:.0f} to {a.section_m[1]:.0f} m",
-            **_verdict(a),
+            "speed": cells.speed(a), "section": cells.section(a),
+            "verdict": verdict, "state": state,
             "version": str(facts["arcless_version"] or cells.NONE),
             "computed": str(facts["created"] or cells.NONE)[:16].replace("T", " "),
         })  # fmt: skip

@@ -54,9 +54,9 @@ def document(compared: Compared, figures: Mapping[str, Sequence[Figure]]) -> Doc
     return Document(
         kind="Comparison of runs",
         title=content["title"],
-        description=f"Differences are to the first run, {compared.names[0]}.",
+        description=content["differences_read"],
         identity=[
-            *((f"Run {place}", name) for place, name in enumerate(compared.names, start=1)),
+            *((f"Run {n}", _identified(run, f"run {n}")) for n, run in enumerate(runs, start=1)),
             *([("Line" if len(lines) == 1 else "Lines", "; ".join(lines))] if lines else []),
             ("Arcless", ", ".join(versions) or version("arcless")),
         ],
@@ -65,6 +65,17 @@ def document(compared: Compared, figures: Mapping[str, Sequence[Figure]]) -> Doc
         version=", ".join(versions) or version("arcless"),
         sections=[Section(title, blocks) for title, blocks in _parts(content, figures) if blocks],
     )
+
+
+def _identified(run: Mapping[str, str], label: str) -> str:
+    """Return what a signature on the cover is for: the whole name, the file and its digest.
+
+    A name that the label or the file says is left out.
+    """
+    digest = "" if run["digest"] == NONE else f"SHA-256 {run['digest']}"
+    said = run["name"] == label or run["name"] in run["file"]
+    whole = run["full_name"] or ("" if said else run["name"])
+    return "; ".join(filter(None, (whole, run["file"], digest)))
 
 
 def _parts(

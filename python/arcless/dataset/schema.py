@@ -245,8 +245,12 @@ VARIABLES: dict[str, Variable] = {
     ),
     "dropper_force_static": Variable(("dropper",), "N", "dropper force at rest"),
     "support_x": Variable(("support",), "m", "position of the support along the track"),
-    "support_force_static": Variable(("support",), "N", "vertical force on the support"),
-    "steady_arm_force_static": Variable(("support",), "N", "force of the steady arm at rest"),
+    "support_force_static": Variable(
+        ("support",), "N", "vertical force on the support; NaN where there is none", absent=True
+    ),
+    "steady_arm_force_static": Variable(
+        ("support",), "N", "force of the steady arm at rest; NaN where there is none", absent=True
+    ),
     "contact_wire_node_x": Variable(("contact_wire_node",), "m", "along the track, at rest"),
     "contact_wire_node_y": Variable(("contact_wire_node",), "m", "across the track, at rest"),
     "contact_wire_node_z": Variable(("contact_wire_node",), "m", "height above rail, at rest"),

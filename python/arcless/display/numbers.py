@@ -2,10 +2,10 @@
 
 
 def number(value: float | None, decimals: int = 1) -> str:
-    """Return a number with a real minus sign, a dash when there is none."""
+    """Return a number with a real minus sign, zero without one, a dash when there is none."""
     if value is None:
         return "–"
-    return f"{value:.{decimals}f}".replace("-", "−")
+    return f"{value:z.{decimals}f}".replace("-", "−")
 
 
 def pair(value: float | None, uncertainty: float | None, decimals: int) -> str:

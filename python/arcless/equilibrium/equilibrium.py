@@ -15,7 +15,7 @@ from arcless.equilibrium.design_failures import check_arms
 from arcless.equilibrium.failure_hints import check_carried, why_loose, why_pushing
 from arcless.equilibrium.line_alone import LineAlone
 from arcless.equilibrium.sliding_ends import SlidingEnds, undecided
-from arcless.errors import ArclessError, EquilibriumError
+from arcless.errors import ArclessError, EquilibriumError, NotConvergedError
 from arcless.mesh import SPATIAL, Mesh, alteration, build_mesh, end_forces, without
 from arcless.model import Line, Scenario
 from arcless.model.as_built.measured_heights import matched
@@ -194,9 +194,16 @@ class Equilibrium:
         ends = [(x[wire[0]], x[wire[-1]]) for wire in wires]
         return sum(bool(first < middle < last) for first, last in ends) > 1
 
-    def elasticity_positions(self) -> Floats:
-        """Return the positions in m along the middle span at which the elasticity is reported."""
-        left, right = self.middle_span()
+    def elasticity_positions(self, left: float | None = None, right: float | None = None) -> Floats:
+        """Return the positions in m along a span at which the elasticity is reported.
+
+        Parameters
+        ----------
+        left, right
+            Ends of the span in m; without them it is the middle one.
+        """
+        if left is None or right is None:
+            left, right = self.middle_span()
         count = max(2, round((right - left) / ELASTICITY_SPACING) + 1)
         return np.linspace(left, right, count)
 
@@ -367,21 +374,21 @@ def translate(mesh: Mesh, kind: str, message: str, details: dict[str, Any]) -> A
         )
     if kind == "equilibrium":
         return _not_found(mesh, details)
-    return EquilibriumError(message)
+    return NotConvergedError(message)
 
 
-def _not_found(mesh: Mesh, details: dict[str, Any]) -> EquilibriumError:
+def _not_found(mesh: Mesh, details: dict[str, Any]) -> NotConvergedError:
     """Say that Newton's method ended without an equilibrium, by its bound or without numbers."""
     after = f"after {details['iterations']} iterations"
     what, hint = "no static equilibrium was found", "check tensions, masses and dropper lengths"
     if not isfinite(details["residual"]):
-        return EquilibriumError(
+        return NotConvergedError(
             what,
             got=f"a shape that grows beyond all bounds {after}",
             expected="tensions that carry the wires within the encumbrance",
             hint=f"{hint}, and their units: kN for N, m for mm",
         )
-    return EquilibriumError(
+    return NotConvergedError(
         what,
         where=place_of(mesh, details["node"]),
         got=f"{details['residual']:.3g} N out of balance {after}",

@@ -158,7 +158,7 @@ class InitialConfiguration:
 
     @property
     def contact_wire_sag_m(self) -> float:
-        """Highest minus lowest point of the contact wire in the middle span."""
+        """Maximum less minimum height of the contact wire in the middle span, in m."""
         left, right = self.equilibrium.middle_span()
         sags = []
         for nodes in self.equilibrium.mesh.contact_wires:

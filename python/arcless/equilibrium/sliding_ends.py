@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from arcless.errors import EquilibriumError
+from arcless.errors import NotConvergedError
 from arcless.mesh import EndPlace, Mesh
 from arcless.model import Line
 
@@ -68,9 +68,9 @@ class SlidingEnds:
             del self.tensions[end.row]
 
 
-def undecided(rounds: int) -> EquilibriumError:
+def undecided(rounds: int) -> NotConvergedError:
     """Return the error of devices that start and stop again and again."""
-    return EquilibriumError(
+    return NotConvergedError(
         "tensioning devices with friction start and stop without end",
         got=f"{rounds} rounds",
         expected="a state in which each holds still or slides",

@@ -5,6 +5,8 @@ under its weight q per metre with the horizontal tension H has f = q L²/(8 H); 
 droppers at x it is the bending moment of a simple beam under both, over H:
 
   H f(x) = M(x)
+
+`contact_wire_sag_m` of an initial configuration is another number: maximum less minimum height.
 """
 
 from collections.abc import Iterator
@@ -54,9 +56,9 @@ def _in_span(
             "tension_length": system.label,
             "from_m": left,
             "to_m": right,
-            "messenger_wire_sag_m": _sag(messenger) if len(messenger) else None,
+            "messenger_wire_sag_below_chord_m": _sag(messenger) if len(messenger) else None,
             "messenger_wire_lowest_m": float(messenger[:, UP].min()) if len(messenger) else None,
-            "contact_wire_sag_m": max(map(_sag, through)),
+            "contact_wire_sag_below_chord_m": max(map(_sag, through)),
             "contact_wire_lowest_m": float(contact[:, UP].min()),
             "contact_wire_highest_m": float(contact[:, UP].max()),
         }

@@ -10,6 +10,7 @@ from arcless.assess import Assessment
 from arcless.assess.section import force_record
 from arcless.dataset.metadata import metadata
 from arcless.display import cards
+from arcless.display.numbers import number
 from arcless.explanation import tables
 from arcless.explanation.landmarks import Landmarks
 from arcless.explanation.pantograph_explanation import PantographExplanation, Passage, explained
@@ -19,6 +20,7 @@ from arcless.explanation.signals.orders import ABOVE_LOW_PASS, MOST_ORDERS
 from arcless.explanation.signals.span_deviations import whole_spans
 from arcless.model import Scenario
 from arcless.pantograph.natural_modes import Band, PantographMode, modes, why_no_modes
+from arcless.units import plain
 
 if TYPE_CHECKING:
     from arcless.dataset.plain_dataset import Dataset
@@ -64,6 +66,14 @@ class Explanation:
     def tables(self) -> list[dict[str, Any]]:
         """Return sentences and tables of each pantograph as text, for pages."""
         return tables.tables(self.pantographs, self.sensitivities)
+
+    def __repr__(self) -> str:
+        deviations = [one.std_force_N for one in self.pantographs]
+        least, most = number(min(deviations)), number(max(deviations))
+        whose = "1 pantograph" if len(deviations) == 1 else f"{len(deviations)} pantographs"
+        told = least if least == most else f"{least} to {most}"
+        speed = f"{3.6 * self.speed_m_s:.1f} km/h"
+        return f"<Explanation {plain(self.scenario)} at {speed}: {whose}, σ = {told} N>"
 
     def _repr_html_(self) -> str:
         shown = [

@@ -22,14 +22,15 @@ from arcless.assess.section import (
 )
 from arcless.assess.statistics import ForceBands, PantographAssessment, pantograph_assessment
 from arcless.errors import MeasurementError
+from arcless.measurements.doubts import Doubts, doubts
 from arcless.measurements.measurement import Measurement
 from arcless.measurements.remarks import (
     MEASUREMENT_SPACING_M,
     WITHOUT_ARCS,
-    WITHOUT_INERTIA,
     about_record,
     about_share,
-    counted_by_kind,
+    too_little_hint,
+    touches,
 )
 from arcless.measurements.samples.pantograph import MeasuredPantograph
 from arcless.measurements.samples.settled import (
@@ -73,8 +74,8 @@ def assess(
     measurement
         As `read` returns it.
     supply
-        Electrical supply, whose limits decide, such as ``"AC 25 kV"``. Without it those of AC 25 kV
-        are shown, and decide nothing.
+        Electrical supply, whose limits decide, such as ``"AC 25 kV"``. Without it limits that
+        depend on it are those of AC 25 kV, and decide nothing.
     section
         From and to in m along the track; without one, or with None for an end, the track that all
         pantographs ran over.
@@ -95,6 +96,10 @@ def assess(
     limits = _section(measurement, section)
     parts = [_part(measurement, each, limits, low_pass_Hz) for each in measurement.pantographs]
     pantographs = [_of_pantograph(part) for part in parts]
+    doubtful = [
+        doubts(part.track, part.inside, found, limits)
+        for part, found in zip(parts, pantographs, strict=True)
+    ]
     speed = float(np.mean(parts[0].track.speed[parts[0].inside]))
     facts = Facts(
         supply=supply or ASSUMED_SUPPLY,
@@ -120,20 +125,25 @@ def assess(
         wall_time_s=None,
         real_time_factor=None,
         supply=facts.supply,
-        criteria=evaluate(facts, pantographs, reasons=_reasons(measurement)),
-        notes=_notes(measurement, parts, facts, limits, low_pass_Hz),
-        measurement=_sampling(measurement, parts, edge_s(low_pass_Hz, BAND_SPLIT_HZ)),
+        criteria=evaluate(facts, pantographs, reasons=_reasons(parts, doubtful)),
+        notes=[
+            *(text for each in doubtful for text in each.told),
+            *_notes(measurement, parts, facts, limits, low_pass_Hz),
+        ],
+        measurement=_sampling(measurement, parts, doubtful, edge_s(low_pass_Hz, BAND_SPLIT_HZ)),
     )
 
 
-def _reasons(measurement: Measurement) -> Reasons:
-    """Return why criteria are not judged: limits are those of contact forces, not of sensors."""
+def _reasons(parts: Sequence[_Part], doubtful: Sequence[Doubts]) -> Reasons:
+    """Return why criteria are not judged, for what is doubtful about the forces."""
+    named = [(part.track.name, one) for part, one in zip(parts, doubtful, strict=True)]
     return replace(
         OF_MEASUREMENT,
         of_pantograph={
-            each.name: WITHOUT_INERTIA
-            for each in measurement.pantographs
-            if not each.is_contact_force
+            name: one.of_pantograph for name, one in named if one.of_pantograph is not None
+        },
+        of_verdict={
+            (name, *verdict): why for name, one in named for verdict, why in one.of_verdict.items()
         },
     )
 
@@ -153,7 +163,7 @@ def _part(
 ) -> _Part:
     _check_rate(measurement, each, low_pass_Hz)
     inside = counted(each, section, low_pass_Hz, BAND_SPLIT_HZ)
-    share = _share(measurement, each, section, inside)
+    share = _share(measurement, each, section, inside, edge_s(low_pass_Hz, BAND_SPLIT_HZ))
     return _Part(each, inside, bands(each, low_pass_Hz, BAND_SPLIT_HZ), share)
 
 
@@ -197,7 +207,7 @@ def _check_rate(measurement: Measurement, each: MeasuredPantograph, low_pass_Hz:
 
 
 def _share(
-    measurement: Measurement, each: MeasuredPantograph, section: Section, kept: Mask
+    measurement: Measurement, each: MeasuredPantograph, section: Section, kept: Mask, edge: float
 ) -> float:
     """Return the share of the time in the section that is left; refuse too little."""
     time, known = time_between_s(each, *section), np.count_nonzero(kept) * each.step_s
@@ -211,7 +221,8 @@ def _share(
         hint = f"the record goes from {low:g} to {high:g} m"
     else:
         got = f"{100 * share:.1f} % of the time from {section[0]:g} to {section[1]:g} m"
-        hint = counted_by_kind(each.left_out) or "choose a longer section"
+        left_out = [one for one in each.left_out if touches(one, section)]
+        hint = too_little_hint(left_out, edge)
     raise MeasurementError(
         "too little is left of the record",
         where=f"{measurement.path}: pantograph {each.name}",
@@ -246,7 +257,9 @@ def _uplift_mm(measurement: Measurement, section: Section) -> float | None:
     return float(largest) if np.isfinite(largest) else None
 
 
-def _sampling(measurement: Measurement, parts: Sequence[_Part], edge: float) -> dict[str, Any]:
+def _sampling(
+    measurement: Measurement, parts: Sequence[_Part], doubtful: Sequence[Doubts], edge: float
+) -> dict[str, Any]:
     """Return as plain data how it was sampled, and what was left out of the whole file."""
     return {
         "file": measurement.path.name,
@@ -260,8 +273,9 @@ def _sampling(measurement: Measurement, parts: Sequence[_Part], edge: float) -> 
                 "pieces": len(part.track.pieces),
                 "left_out_percent": 100.0 * (1.0 - part.share),
                 "left_out": [one.to_dict() for one in part.track.left_out],
+                "doubts": list(doubt.told),
             }
-            for part in parts
+            for part, doubt in zip(parts, doubtful, strict=True)
         ],
     }
 

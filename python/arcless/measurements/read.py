@@ -12,7 +12,7 @@ from arcless.measurements.samples.inertia import Head
 from arcless.measurements.samples.pantograph import MeasuredPantograph
 from arcless.measurements.samples.prepare import prepared
 from arcless.measurements.samples.raw import Raw
-from arcless.measurements.table.columns import SENSORS, Column, columns_of
+from arcless.measurements.table.columns import KNOWN, SENSORS, Column, columns_of
 from arcless.measurements.table.dialect import LARGEST_FILE, Dialect, examine
 from arcless.measurements.table.numbers import numbers
 from arcless.measurements.table.rows import scan
@@ -50,7 +50,8 @@ def read(
     path
         The file. Delimiter and decimal sign are recognised; lines that begin with # are skipped.
     speed
-        Constant speed, such as ``"250 km/h"``, for a file without a column of it.
+        Constant speed, such as ``"250 km/h"``, for a file without a column of it, and with only one
+        of time and position.
     pantograph
         The one to read; all without it.
     head
@@ -69,7 +70,7 @@ def read(
     constant = None if speed is None else _speed(speed)
     dialect = examine(file, largest_bytes=largest_bytes)
     columns, unused = columns_of(dialect.header, f"{file}:{dialect.header_line}")
-    names = _chosen(columns, pantograph, str(file))
+    names = _chosen(columns, unused, pantograph, str(file))
     wanted = [column for column in columns if column.pantograph in (None, *names)]
     rows = scan(file, dialect)
     values = numbers(file, dialect, rows, wanted)
@@ -105,7 +106,7 @@ def _check_speed(found: MeasuredPantograph, label: str) -> None:
         )  # fmt: skip
 
 
-def _chosen(columns: list[Column], wanted: str | None, label: str) -> list[str]:
+def _chosen(columns: list[Column], unused: list[str], wanted: str | None, label: str) -> list[str]:
     """Return names of pantographs that have a force."""
     with_force = [c.pantograph for c in columns if c.channel in ("contact_force", "sensor_force")]
     names = list(dict.fromkeys(with_force))
@@ -113,6 +114,7 @@ def _chosen(columns: list[Column], wanted: str | None, label: str) -> list[str]:
         raise MeasurementError(
             "missing column", where=label, got="no contact force",
             expected="contact_force [N], or sensor_force_1 [N] and so on",
+            hint=_other_names(unused),
         )  # fmt: skip
     if None in names and len(names) > 1:
         raise MeasurementError(
@@ -128,6 +130,15 @@ def _chosen(columns: list[Column], wanted: str | None, label: str) -> list[str]:
             "unknown pantograph", where=label, got=show(wanted), expected=", ".join(found)
         )
     return [wanted]
+
+
+def _other_names(unused: list[str]) -> str | None:
+    """Return the columns found that have none of the names known, and the names that are known."""
+    if not unused:
+        return None
+    more = f" and {len(unused) - NAMED} more" if len(unused) > NAMED else ""
+    found = ", ".join(map(show, unused[:NAMED]))
+    return f"found {found}{more}; names that are known: {', '.join(KNOWN)}"
 
 
 def _raw(name: str, values: Values, lines: NDArray[np.int64], label: str) -> Raw:
@@ -158,9 +169,10 @@ def _about_speed(raw: Raw, speed: float | None) -> list[str]:
     notes = []
     if "position" not in raw.channels:
         notes.append("no positions in the file: they are counted from its first sample, by speed")
-    if "speed" in raw.channels and speed is not None:
+    own = "speeds" if "speed" in raw.channels else "times and positions"
+    if speed is not None and (own == "speeds" or {"time", "position"} <= raw.channels.keys()):
         notes.append(
-            f"the speed given, {3.6 * speed:g} km/h, is not used: the file has speeds of its own"
+            f"the speed given, {3.6 * speed:g} km/h, is not used: the file has {own} of its own"
         )
     return notes
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from arcless.assess.section import MEASUREMENT_RATE_HZ, Section, part_notes, undershoot_notes
 from arcless.assess.statistics import ForceBands
-from arcless.measurements.samples.left_out import WORDS, LeftOut
+from arcless.measurements.samples.left_out import EMPTY, WORDS, LeftOut
 from arcless.measurements.samples.pantograph import MeasuredPantograph
 from arcless.measurements.samples.pieces import interpolation_loss
 from arcless.measurements.samples.settled import Mask
@@ -89,7 +89,7 @@ def about_share(
         Time left out at each end of a piece.
     """
     notes = []
-    inside = [one for one in each.left_out if _touches(one, section)]
+    inside = [one for one in each.left_out if touches(one, section)]
     for kind in dict.fromkeys(one.kind for one in inside):
         ones = [one for one in inside if one.kind == kind]
         first, count = ones[0], sum(one.samples for one in ones)
@@ -111,15 +111,36 @@ def about_share(
     return notes
 
 
-def _touches(one: LeftOut, section: Section) -> bool:
+def touches(one: LeftOut, section: Section) -> bool:
     """Return whether a stretch lies in a section, at least with a part; True where nobody knows."""
     low, high = sorted((one.begin_m, one.end_m))
     return not (low > section[1] or high < section[0])
 
 
-def counted_by_kind(left_out: Sequence[LeftOut]) -> str:
-    """Return how many samples were left out for which reason; empty where none was."""
-    counts: dict[str, int] = {}
+def too_little_hint(left_out: Sequence[LeftOut], edge_s: float) -> str:
+    """Return what was left out where and why too little remains, and what to do about it.
+
+    Parameters
+    ----------
+    left_out
+        The stretches in the section.
+    edge_s
+        Time in s left out at each end of a piece.
+    """
+    if not left_out:
+        return f"choose a longer section: {edge_s:g} s at each of its ends do not count"
+    places: dict[str, list[LeftOut]] = {}
     for one in left_out:
-        counts[one.kind] = counts.get(one.kind, 0) + max(1, one.samples)
-    return "left out: " + ", ".join(f"{n} × {kind}" for kind, n in counts.items()) if counts else ""
+        places.setdefault(one.kind, []).append(one)
+    told = ", ".join(
+        f"{kind} in {len(ones)} place{'s' * (len(ones) > 1)}"
+        f" ({sum(one.samples for one in ones)} samples)"
+        for kind, ones in places.items()
+    )
+    advice = (
+        f": each place costs {2.0 * edge_s:g} s more, for the ends of the pieces beside it"
+        " do not count"
+    )
+    if EMPTY in places:
+        advice += "; fill single empty cells in the recorder's software, or choose another section"
+    return f"left out: {told}{advice}"

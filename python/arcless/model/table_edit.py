@@ -31,12 +31,15 @@ class Edited:
         The new text.
     changed
         Dotted paths of what is another value now.
+    read
+        Names of the sheets that were read.
     left_out
         Sheets or files that are no tables of a line.
     """
 
     text: str
     changed: list[str]
+    read: list[str]
     left_out: list[str]
 
 
@@ -80,7 +83,7 @@ def edited_line(text: str, label: str, tables: str | os.PathLike[str]) -> Edited
     new, changed, places = _laid_over(text, label, line, read, FilePath(tables).name)
     data, positions = parse(new, label)
     build(data, "line", Line, _TableOrigin(label, positions=positions, places=places))
-    return Edited(new, changed, left_out)
+    return Edited(new, changed, list(read), left_out)
 
 
 def edit_line(file: str | os.PathLike[str], tables: str | os.PathLike[str]) -> Edited:

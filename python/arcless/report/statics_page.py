@@ -108,9 +108,8 @@ def main_numbers(found: InitialConfiguration) -> list[tuple[str, str, str]]:
     elasticity = 1e3 * np.array(found.elasticity_m_per_N)
     span = f"span {found.middle_span}"
     rows = _drawn_numbers(found)
-    rows.append(
-        (f"sag of the contact wire in {span}", number(1e3 * found.contact_wire_sag_m, 1), "mm")
-    )
+    sag = f"sag of the contact wire, maximum less minimum height in {span}"
+    rows.append((sag, number(1e3 * found.contact_wire_sag_m, 1), "mm"))
     lateral = found.contact_wire_lateral_max_m
     if lateral is not None:
         text = number(1e3 * lateral, 0)

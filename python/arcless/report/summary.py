@@ -99,6 +99,8 @@ def verdict(assessment: Assessment) -> Verdict:
     alone = len(assessment.pantographs) == 1
     items = [_item(replace(one, pantograph=None) if alone else one) for one in assessment.criteria
              if verdict_of(asdict(one)) not in (MET, NOT_JUDGED)]  # fmt: skip
+    told = (assessment.measurement or {}).get("pantographs", [])
+    items += [text for each in told for text in each["doubts"]]
     sign = SIGNS[over_all.state]
     return Verdict(over_all.state, sign, over_all.text, over_all.rest, items)
 

@@ -111,7 +111,7 @@ def criterion_rows(assessment: Assessment) -> list[dict[str, Any]]:
             "pantograph": c.pantograph or "",
             "value": pair(c.value, uncertainty_of(c.certainty), decimals),
             "limit": _limit(c, decimals),
-            "margin": _margin(c, decimals),
+            "margin": number(c.margin, decimals),
             "unit": "" if c.unit == "1" else c.unit,
             "verdict": verdict_of(asdict(c)),
             "state": "missed" if c.fails else verdict_of(asdict(c)).split(" (")[0],
@@ -129,15 +129,6 @@ def _limit(criterion: Criterion, decimals: int) -> str:
         return "–"
     limit = number(criterion.limit, decimals)
     return f"{RELATION_SIGNS[criterion.relation]} {limit}{allowance(asdict(criterion))}"
-
-
-def _margin(criterion: Criterion, decimals: int) -> str:
-    """Return the distance of the value to the limit with its tolerance, negative beyond it."""
-    value, limit = criterion.value, criterion.limit
-    if value is None or limit is None:
-        return "–"
-    room = limit - value if criterion.relation == "<=" else value - limit
-    return number(room + criterion.tolerance, decimals)
 
 
 def _reason(criterion: Criterion) -> str:

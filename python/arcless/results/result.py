@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal
 from arcless.dataset.metadata import metadata
 from arcless.dataset.netcdf.store import open_plain, save
 from arcless.dataset.plain_dataset import Plain
-from arcless.dataset.recorded_series import CHANNELS, Place, is_recorded, passage, series_of
+from arcless.dataset.recorded_series import Place, asked_for, passage
 from arcless.dataset.schema import VARIABLES
 from arcless.display import cards
 from arcless.display.frames import frame
@@ -69,7 +69,7 @@ class Result:
 
     @cached_property
     def figures(self) -> "dict[str, list[Figure]]":
-        """Figures of the run by their keys; a key that nothing was recorded for has none."""
+        """Figures of the run by their keys: a list for each, empty where nothing was recorded."""
         from arcless.figures.run import RunData, figures
 
         return figures(RunData(self.latest, self.assessment))
@@ -237,18 +237,13 @@ class Result:
 
         Raises
         ------
-        KeyError
+        ModelError
             There is no such place, or nothing of the kind was recorded.
         """
         import xarray
 
-        names = self.dataset[place].values.tolist()
-        if name not in names:
-            raise KeyError(name)
-        channel = quantity or CHANNELS[place]
-        if channel not in series_of(place) or not is_recorded(self.dataset, place, channel):
-            raise KeyError(channel)
-        rows, values = passage(self.dataset, place, names.index(name), channel)
+        index, channel = asked_for(self.dataset, place, name, quantity)
+        rows, values = passage(self.dataset, place, index, channel)
         times = self.dataset["line_time"][rows]
         units = VARIABLES[channel].units
         return xarray.DataArray(
@@ -258,14 +253,15 @@ class Result:
     def wire_stress(
         self,
         *,
-        area: float | None = None,
-        tension: float | None = None,
-        exponent: float | None = None,
+        area: float | str | None = None,
+        tension: float | str | None = None,
+        exponent: float | str | None = None,
     ) -> "WireStress":
         """Return the stress of the contact wire at clamps and supports, and its cycles.
 
-        See `arcless.assess.wire_stress.wire_stress`: area in m², tension in N, exponent m of a
-        Wöhler line, and what is refused.
+        See `arcless.assess.wire_stress.wire_stress`: area in m², tension in N, both also as texts
+        with a unit, exponent m of a Wöhler line, and what is refused: a run that stopped early,
+        among others.
         """
         from arcless.assess.wire_stress import wire_stress
 

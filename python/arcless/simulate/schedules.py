@@ -1,21 +1,84 @@
 """Schedules of a line at rest: droppers for the workshop, loads and heights of supports."""
 
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from arcless.errors import ModelError
+from arcless.errors import ModelError, OutputError
 from arcless.mesh import SPATIAL
 from arcless.storage.csv_files import Column
+from arcless.units import show, to_si
 
 if TYPE_CHECKING:
     from arcless.equilibrium.initial_configuration import InitialConfiguration
 
 # Digits after the point, by unit: a tenth of what a workshop cuts and a fitter measures.
 DECIMALS = {"m": 4, "N": 1}
+# Largest allowance in m. Loops and clamps of both ends take centimetres to decimetres; with more,
+# 30 mm given as 30 m would pass, with less some fittings would not.
+MOST_ALLOWANCE = 1.0
 
 
-def dropper_schedule(line: "InitialConfiguration", allowance_m: float = 0.0) -> list[Column]:
-    """Return the droppers of a line at rest, one in a row, with the lengths to cut.
+def allowance(given: float | str, where: str = "allowance") -> float:
+    """Return the allowance of droppers in m, of a number in m or a text with its unit.
+
+    Parameters
+    ----------
+    given
+        As given; a text without a unit could be mm as well as m.
+    where
+        Name of it, for the message.
+
+    Raises
+    ------
+    ModelError
+        It is no length with a unit, is negative, or longer than fittings are.
+    """
+    try:
+        length = to_si(given, "m")
+    except ModelError as error:
+        error.where = where
+        raise
+    said = show(given) if isinstance(given, str) else f"{given:g} m"
+    expected = f'a length from 0 to {MOST_ALLOWANCE:g} m with its unit, such as "30 mm"'
+    if isinstance(given, str) and not _has_unit(given):
+        raise ModelError("length without a unit", where=where, got=said, expected=expected)
+    if length < 0.0:
+        raise ModelError("negative length", where=where, got=said, expected=expected)
+    if length > MOST_ALLOWANCE:
+        hint = "loops, thimbles and clamps of one dropper take centimetres to decimetres"
+        raise ModelError(
+            "longer than the fittings of a dropper",
+            where=where, got=said, expected=expected, hint=hint,
+        )  # fmt: skip
+    return length
+
+
+def _has_unit(text: str) -> bool:
+    """Tell whether a text that is an amount has a unit; `e` may be of an exponent."""
+    return any(letter.isalpha() for letter in text.replace("e", "").replace("E", ""))
+
+
+def check_ending(path: str | Path) -> None:
+    """Refuse a name of a schedule that does not end in .csv.
+
+    Raises
+    ------
+    OutputError
+        It has another ending, or none.
+    """
+    ending = Path(path).suffix
+    if ending.lower() != ".csv":
+        got = show(ending) if ending else "a name without an ending"
+        raise OutputError(
+            "not a .csv file", where=str(path), got=got, expected="a name that ends in .csv"
+        )
+
+
+def dropper_schedule(
+    line: "InitialConfiguration", allowance_m: float | None = None
+) -> list[Column]:
+    """Return the droppers of a line at rest, one in a row; with an allowance the lengths to cut.
 
     Parameters
     ----------
@@ -23,15 +86,13 @@ def dropper_schedule(line: "InitialConfiguration", allowance_m: float = 0.0) -> 
         The line at rest, of `arcless.statics`.
     allowance_m
         Length in m that the fittings of one dropper take beyond the distance of its clamps; the
-        cut length is the unstretched length and this.
+        cut length is the unstretched length and this. Without it there is no cut length.
 
     Raises
     ------
     ModelError
-        The line has no droppers, or the allowance is negative.
+        The line has no droppers.
     """
-    if allowance_m < 0.0:
-        raise ModelError("allowance", got=f"{allowance_m:g} m", expected="0 m or more")
     droppers = line.droppers
     if not droppers:
         name = line.scenario.line.name
@@ -50,9 +111,10 @@ def dropper_schedule(line: "InitialConfiguration", allowance_m: float = 0.0) -> 
             },
         ),
     ]
-    cut = [dropper["unstretched_length_m"] + allowance_m for dropper in droppers]
-    force = _columns(droppers, {"force_N": ("force at rest", "N")})
-    return [*columns, _column("cut length", "m", cut), *force]
+    if allowance_m is not None:
+        cut = [dropper["unstretched_length_m"] + allowance_m for dropper in droppers]
+        columns.append(_column("cut length", "m", cut))
+    return [*columns, *_columns(droppers, {"force_N": ("force at rest", "N")})]
 
 
 def support_schedule(line: "InitialConfiguration") -> list[Column]:

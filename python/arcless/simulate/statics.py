@@ -10,7 +10,12 @@ from arcless.equilibrium import equilibrium
 from arcless.equilibrium.initial_configuration import InitialConfiguration, Progress
 from arcless.equilibrium.line_alone import LineAlone
 from arcless.model import Line, Scenario
-from arcless.simulate.schedules import dropper_schedule, support_schedule
+from arcless.simulate.schedules import (
+    allowance,
+    check_ending,
+    dropper_schedule,
+    support_schedule,
+)
 from arcless.storage.csv_files import Column, write_csv
 from arcless.units import plain
 
@@ -89,33 +94,41 @@ class StaticsResult(InitialConfiguration):
 
         return card(self)
 
-    def write_droppers(self, path: str | Path, allowance_m: float = 0.0) -> None:
+    def write_droppers(self, path: str | Path, allowance_m: float | str = 0.0) -> None:
         """Write the dropper schedule as CSV: positions, lengths, cut lengths, forces at rest.
 
         Parameters
         ----------
         path
-            The file; one that exists is replaced.
+            The file, NAME.csv; one that exists is replaced.
         allowance_m
-            Length in m that the cut length has beyond the unstretched length.
+            Length that the cut length has beyond the unstretched length: in m, or a text with its
+            unit such as "30 mm"; 1 m at most.
 
         Raises
         ------
         ModelError
-            The line has no droppers, or the allowance is negative.
+            The line has no droppers; the allowance is no length, is negative, or above 1 m.
         OutputError
-            The file cannot be written.
+            The name does not end in .csv, or the file cannot be written.
         """
-        write_csv(path, dropper_schedule(self, allowance_m))
+        check_ending(path)
+        write_csv(path, dropper_schedule(self, allowance(allowance_m)))
 
     def write_supports(self, path: str | Path) -> None:
         """Write heights, stagger, loads, lateral and steady-arm forces at all supports as CSV.
 
+        Parameters
+        ----------
+        path
+            The file, NAME.csv; one that exists is replaced.
+
         Raises
         ------
         OutputError
-            The file cannot be written.
+            The name does not end in .csv, or the file cannot be written.
         """
+        check_ending(path)
         write_csv(path, support_schedule(self))
 
     def to_dict(self) -> dict[str, Any]:

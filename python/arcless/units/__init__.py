@@ -3,12 +3,14 @@
 from arcless.units.amounts import (
     DECIMAL_POINT,
     MAX_TEXT,
+    NUMBER_AND_UNIT,
     WRONG_VALUE,
     plain,
     show,
     to_si,
     written_in,
 )
+from arcless.units.hints import ONE_NUMBER
 from arcless.units.kinds import KINDS, Kind, accepted, spell
 from arcless.units.patterns import pattern
 
@@ -16,6 +18,8 @@ __all__ = [
     "DECIMAL_POINT",
     "KINDS",
     "MAX_TEXT",
+    "NUMBER_AND_UNIT",
+    "ONE_NUMBER",
     "WRONG_VALUE",
     "Kind",
     "accepted",

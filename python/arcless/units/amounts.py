@@ -19,6 +19,7 @@ _NOT_FINITE = re.compile(r"[+-]?\.?(nan|inf|infinity)\b", re.IGNORECASE)
 MAX_TEXT = 80
 # Text of an error whose got and expected say it all; messages then leave it out.
 WRONG_VALUE = "wrong value"
+NUMBER_AND_UNIT = "write a number, then its unit, such as 1.5 m"
 DECIMAL_POINT = "write the decimal point as a point"
 
 
@@ -108,8 +109,7 @@ def _parse(text: str, unit: str) -> float:
         raise _refused(text, unit, DECIMAL_POINT)
     if number is None:
         not_finite = _NOT_FINITE.match(stripped)
-        form = "write a number, then its unit, such as 1.5 m"
-        raise _refused(text, unit, "the value must be finite" if not_finite else form)
+        raise _refused(text, unit, "the value must be finite" if not_finite else NUMBER_AND_UNIT)
     factor = _factor(stripped[number.end() :].strip(), unit, text)
     return _scaled(number.group(), factor)
 

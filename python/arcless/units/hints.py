@@ -16,6 +16,7 @@ _OTHER = _WEIGHT | {weight: mass for mass, weight in _WEIGHT.items()}
 _MASS_OR_WEIGHT = re.compile(rf"(?<![^\W\d_])(?:{'|'.join(_OTHER)})(?![^\W\d_])")
 # A second number: 4 ft 8.5 in, 17 1/2 in, 5'6".
 _SECOND_NUMBER = re.compile(r"""[\s·]\d|^\d+\s*/\s*\d|['"′″]""")
+ONE_NUMBER = "write one number with one unit, such as 4.5 ft or 54 in"
 # Of an unknown unit so many characters are repeated.
 _SHOWN = 20
 
@@ -24,7 +25,7 @@ def about_number(written: str) -> str | None:
     """Return the hint about what stands behind a number where that is a second number."""
     if not _SECOND_NUMBER.search(written):
         return None
-    return "write one number with one unit, such as 4.5 ft or 54 in"
+    return ONE_NUMBER
 
 
 @lru_cache(100)  # a long list may have the same mistake in every item

@@ -47,6 +47,10 @@ KINDS: dict[str, Kind] = {
             "mi": _MILE,
         },
     ),
+    "m2": Kind(
+        "an area",
+        {"m2": 1, "mm2": _MILLI**2, "cm2": Fraction(1, 10_000), "in2": _INCH**2},
+    ),
     "kg": Kind("a mass", {"kg": 1, "g": _MILLI, "t": 1000, "lb": _POUND}),
     "kg/m": Kind(
         "a mass per length",
@@ -101,7 +105,8 @@ KINDS: dict[str, Kind] = {
     "s": Kind("a time", {"s": 1, "ms": _MILLI, "min": 60}),
     "rad": Kind("an angle", {"rad": 1, "mrad": _MILLI, "deg": _DEGREE, "°": _DEGREE}),
     "Hz": Kind("a frequency", {"Hz": 1, "kHz": 1000}),
-    "m/s2": Kind("an acceleration", {"m/s2": 1}),
+    # Standard gravity is gn, for g is the gram. Exact by definition, as kgf.
+    "m/s2": Kind("an acceleration", {"m/s2": 1, "gn": _KGF}),
     "1/s": Kind("a rate", {"1/s": 1}),
     "1/K": Kind("a thermal expansion", {"1/K": 1, "1/°C": 1, "1/°F": Fraction(9, 5)}),
     "K": Kind("a temperature difference", {"K": 1}),

@@ -280,4 +280,4 @@ def test_two_numbers_that_differ_look_different(
 def test_a_rounding_error_of_the_speed_chooses_no_limits(km_h, known_to, chosen) -> None:
     facts = Facts(supply="AC 25 kV", speed_km_h=km_h, speed_known_to_km_h=known_to)
     assert facts.class_speed_km_h == chosen
-    assert bool(speed_notes(facts)) == (0.0 < km_h - chosen)
+    assert bool(speed_notes(facts)) == (km_h > chosen)

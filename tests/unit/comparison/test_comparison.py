@@ -13,6 +13,8 @@ from arcless.comparison import compare
 from arcless.comparison.cells import difference, signed
 from arcless.comparison.fields import changed_fields
 from arcless.comparison.indicators import indicators
+from arcless.comparison.page import html
+from arcless.comparison.paper import document
 from arcless.comparison.subjects.runs import Slot
 from arcless.errors import ComparisonError
 from arcless.figures.description import Bars, Curve, Figure
@@ -106,6 +108,37 @@ def test_files_are_called_by_their_folders(tmp_path: Path) -> None:
     found = arcless.compare([tmp_path / "before", str(tmp_path / "after" / "result.nc")])
     assert found.names == ("before", "after")
     assert found.to_dict()["runs"][1]["file"] == str(tmp_path / "after" / "result.nc")
+
+
+def test_long_names_are_whole_once_and_short_in_heads(tmp_path: Path) -> None:
+    import hashlib
+
+    names = [f"norway-s25-250-speed=200_km-h,line.contact_wire.tension={t}_kN" for t in (15, 16)]
+    folders = [tmp_path / name for name in names]
+    for place, folder in enumerate(folders):
+        folder.mkdir()
+        made(100.0 + place).save(folder / "result.nc")
+    found = arcless.compare(folders)
+    assert found.names == ("run 1", "run 2")
+    assert found.full_names == tuple(names)
+    page, cover = html(found, found.figures), document(found, found.figures).identity
+    for place, (folder, data) in enumerate(zip(folders, found.to_dict()["runs"], strict=True)):
+        digest = hashlib.sha256((folder / "result.nc").read_bytes()).hexdigest()[:12]
+        assert (data["name"], data["full_name"]) == (f"run {place + 1}", names[place])
+        assert (data["file"], data["digest"]) == (str(folder / "result.nc"), digest)
+        assert cover[place] == (f"Run {place + 1}", f"{folder / 'result.nc'}; SHA-256 {digest}")
+        assert page.replace("<wbr>", "").count(f">{folder / 'result.nc'}<") == 1
+        assert page.count(digest) == 1
+
+
+def test_a_long_name_that_no_file_says_is_told() -> None:
+    long = "a scenario with a name that no column has room for"
+    two = {"speed": 21.0, "line__contact_wire__tension": "11 kN"}
+    found = compare([made(scenario={"name": long}), made(scenario={"name": "short", **two})])
+    assert found.names == ("run 1", "run 2")
+    assert [one["digest"] for one in found.to_dict()["runs"]] == [None, None]
+    assert long in html(found, found.figures)
+    assert document(found, found.figures).identity[0] == ("Run 1", f"{long}; in memory, no file")
 
 
 def test_pantographs_match_by_name_then_by_order() -> None:

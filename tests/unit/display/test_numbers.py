@@ -7,6 +7,7 @@ def test_a_number_has_a_real_minus_sign_and_a_dash_where_there_is_none() -> None
     assert number(None) == "–"
     assert number(-1.25, 2) == "−1.25"
     assert number(0.12345, 3) == "0.123"
+    assert number(-0.04) == "0.0"
 
 
 def test_an_uncertainty_is_shown_where_the_decimals_show_it() -> None:

@@ -135,6 +135,72 @@ def test_what_was_not_measured_is_not_judged(file: Path) -> None:
         assert by_name[name].reason == "the file has no column for it"
 
 
+def _verdicts(file: Path, signal: np.ndarray) -> dict[str, bool | None]:
+    found = assess(measured(file, contact_force=signal), supply="AC 25 kV", section=INSIDE)
+    return {one.name: one.passed for one in found.criteria}
+
+
+def _peaks(every_s: float) -> np.ndarray:
+    """Return half waves of 300 N and 0.2 s, the first one a second before the first period ends."""
+    phase = (times() + 1.0) % every_s
+    return np.where(phase < 0.2, 300.0 * np.sin(np.pi * phase / 0.2), 0.0)
+
+
+def test_clipped_peaks_never_meet_a_limit(file: Path) -> None:
+    true = 105.0 + wave(7.1, 10.0)(times()) + _peaks(2.0)
+    names = ("standard_deviation", "statistical_min")
+    assert [_verdicts(file, true)[name] for name in names] == [False, False]
+    upper = _verdicts(file, np.minimum(true, 220.0))
+    for name in (*names, "mean_force", "statistical_max"):
+        assert upper[name] is None, name
+    assert upper["contact_loss"] is True
+    found = assess(read(file), supply="AC 25 kV", section=INSIDE)
+    [told] = found.measurement["pantographs"]
+    [doubt] = told["doubts"]
+    assert "contact_force was at the upper end of its range in 4 places" in doubt
+    assert "its maximum is at least 220 N" in doubt
+    assert doubt in found.notes
+    assert {(one["end"], one["rail"]) for one in told["left_out"]} == {("upper", 220.0)}
+    # Behind the section the peaks say nothing about it.
+    alone = assess(read(file), supply="AC 25 kV", section=(230.0, 340.0))
+    assert alone.measurement["pantographs"][0]["doubts"] == []
+
+
+def test_a_force_clipped_below_may_have_been_a_loss(file: Path) -> None:
+    signal = 105.0 + wave(7.1, 9.0)(times()) - 0.3 * _peaks(4.0)
+    assert _verdicts(file, signal)["contact_loss"] is True
+    lower = _verdicts(file, np.maximum(signal, 50.0))
+    for name in ("contact_loss", "standard_deviation", "statistical_min", "statistical_max"):
+        assert lower[name] is None, name
+
+
+def test_verdicts_that_a_bound_gives_stand(file: Path) -> None:
+    # The true mean is larger than one that is too large already.
+    signal = 160.0 + wave(7.1, 9.0)(times()) + _peaks(4.0)
+    assert _verdicts(file, np.minimum(signal, 220.0))["mean_force"] is False
+
+
+@pytest.mark.parametrize(
+    ("factor", "text"),
+    [(-1.0, "100 % of the contact forces are below zero"), (1000.0, "is beyond the 10 to 1000 N"),
+     (0.01, "is beyond the 10 to 1000 N")],
+)  # fmt: skip
+def test_forces_that_no_pantograph_has_are_not_judged(file: Path, factor: float, text: str) -> None:
+    found = assess(measured(file, contact_force=factor * force(times())), supply="AC 25 kV")
+    assert {one.passed for one in found.criteria} == {None}
+    [doubt] = found.measurement["pantographs"][0]["doubts"]
+    assert text in doubt
+    assert doubt in found.notes
+
+
+def test_single_empty_cells_are_counted_by_place(file: Path) -> None:
+    signal = force(times())
+    signal[::50] = NAN
+    expected = r"empty cell in 100 places \(100 samples\).*costs 0.4 s more.*fill single empty"
+    with pytest.raises(MeasurementError, match=expected):
+        assess(measured(file, contact_force=signal))
+
+
 def test_uplift_and_height_are_read(file: Path) -> None:
     height = 5.3 + wave(0.5, 0.02)(times())
     height[100:200] = NAN
@@ -150,7 +216,9 @@ def test_uplift_and_height_are_read(file: Path) -> None:
 
 def test_too_little_left_is_refused(file: Path) -> None:
     rows = np.r_[0:1200, 3700:5000]
-    with pytest.raises(MeasurementError, match=r"too little is left.*at least 50 %.*2500 × gap"):
+    with pytest.raises(
+        MeasurementError, match=r"too little is left.*at least 50 %.*gap in 1 place \(2500 "
+    ):
         assess(measured(file, rows))
     # Pieces of 0.4 s or less have nothing between their ends.
     short = np.flatnonzero(np.arange(5000) % 200 != 0)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from arcless.errors import MeasurementError, ModelError
-from arcless.measurements import read
+from arcless.measurements import Head, read
 from arcless.measurements.table.dialect import LARGEST_FILE
 from tests.support.measured import SPEED, force, record, times, write
 
@@ -273,6 +273,49 @@ def test_speeds_that_are_none(file: Path) -> None:
         read(file, speed="0 km/h")
     with pytest.raises(ModelError, match="kg is the unit of a mass"):
         read(file, speed="3 kg")
+
+
+def test_speeds_are_those_of_time_and_position(file: Path) -> None:
+    # 250 mph read as km/h, and an odometer of 1.5 % too much.
+    wrong = write(file, record(speed=np.full(5000, SPEED / 1.609344)))
+    with pytest.raises(
+        MeasurementError, match=r"column speed.*got 156.6 km/h.*give 252 km/h.*within 2 %"
+    ):
+        read(wrong)
+    # Rounded to 1 m, positions step by nothing or by 1 m.
+    rough = np.round(1.015 * SPEED * times())
+    near = read(write(file, record(speed=np.full(5000, SPEED), position=rough)))
+    assert near.pantographs[0].speed[0] == SPEED
+    far = record(speed=np.full(5000, SPEED), position=1.03 * SPEED * times())
+    with pytest.raises(MeasurementError, match="column speed against time and position"):
+        read(write(file, far))
+
+
+def test_a_constant_speed_is_not_used_beside_time_and_position(file: Path) -> None:
+    found = read(write(file, record()), speed="200 km/h")
+    assert found.pantographs[0].speed[0] == pytest.approx(SPEED, rel=1e-9)
+    assert any("200 km/h, is not used: the file has times and" in note for note in found.notes)
+
+
+def test_a_header_in_another_language(file: Path) -> None:
+    file.write_text("Zeit [s];Kontaktkraft [N]\n0;100\n")
+    expected = r'found "Zeit \[s\]", "Kontaktkraft \[N\]"; names that are known: time, position'
+    with pytest.raises(MeasurementError, match=expected):
+        read(file)
+
+
+def test_accelerations_in_g(file: Path) -> None:
+    columns = {
+        "time [s]": times(), "position [m]": SPEED * times(), "sensor_force_1 [N]": force(times()),
+        "acceleration_1 [g]": np.zeros(5000),
+    }  # fmt: skip
+    columns["acceleration_1 [g]"][::2] = 0.1
+    columns["acceleration_1 [g]"][1::2] = -0.1
+    for unit in ("g", "gn"):
+        named = {name.replace("[g]", f"[{unit}]"): values for name, values in columns.items()}
+        [found] = read(write(file, named), head=Head(10.0)).pantographs
+        # F = ΣF_s − m a with a = 0.1 · 9.80665 m/s².
+        assert found.force[0] == pytest.approx(force(times())[0] - 9.80665, rel=1e-9)
 
 
 def test_a_speed_that_is_not_used_is_told(file: Path) -> None:

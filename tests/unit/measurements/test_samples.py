@@ -133,11 +133,11 @@ def test_values_held_by_a_recorder_lower_the_rate(file: Path) -> None:
 
 def test_faults_of_single_signals() -> None:
     signal = np.array([5.0, 9, 9, 7, 9, 9, 3, 1, 1, 1, 1, 2, NAN, NAN])
-    assert list(np.flatnonzero(clipped(signal))) == [1, 2, 4, 5, 7, 8, 9, 10]
-    assert not clipped(np.array([5.0, 9, 9, 9, 3])).any()
-    assert not clipped(np.array([NAN])).any()
+    assert list(np.flatnonzero(np.any(clipped(signal), axis=0))) == [1, 2, 4, 5, 7, 8, 9, 10]
+    assert not np.any(clipped(np.array([5.0, 9, 9, 9, 3])))
+    assert not np.any(clipped(np.array([NAN])))
     # A resolution of 1 N flattens the top of a slow wave to 60 equal samples, and clips nothing.
-    assert not clipped(np.round(100.0 + wave(0.7, 50.3)(times()))).any()
+    assert not np.any(clipped(np.round(100.0 + wave(0.7, 50.3)(times()))))
     still = np.r_[1.0, np.full(101, 7.0), 2.0]
     # 100 steps of 1 ms last 0.1 s; one more is longer.
     assert not frozen(still, 1e-3).any()

@@ -117,7 +117,8 @@ def test_mean_of_the_strips_of_a_head() -> None:
         ({"mass_above_kg": -1.0}, "0 or more"),
         ({"force_noise_N": -1.0}, "0 or more"),
         ({"force_min_N": 5.0, "force_max_N": 5.0}, "from < to"),
-        ({"odometer_drift": -1.0}, "runs forwards"),
+        ({"odometer_drift": -0.021}, "from -2 % to 2 %"),
+        ({"odometer_drift": 0.2}, "that is 20 %, expected .*write 0.2 %"),
         ({"seed": -1}, "whole number"),
     ],
 )

@@ -10,7 +10,7 @@ from arcless.units.kinds import ALIASES
 KNOWN = {
     "kgf": constants.kgf, "lbf": constants.lbf, "lb": constants.lb, "in": constants.inch,
     "ft": constants.foot, "yd": constants.yard, "mi": constants.mile, "mph": constants.mph,
-    "km/h": constants.kmh, "deg": constants.degree,
+    "km/h": constants.kmh, "deg": constants.degree, "gn": constants.g,
 }  # fmt: skip
 
 

@@ -8,6 +8,7 @@ ranges Δσ_i do the damage of a single one of the equivalent range
 so that N(Δσ_e) passages are the life that the line gives. Neither m nor the line is known here.
 """
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from importlib.util import find_spec
@@ -17,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arcless.errors import ModelError, OutputError
+from arcless.units import show
 
 Floats = NDArray[np.float64]
 
@@ -73,16 +75,20 @@ class Cycles:
         return self.largest * float(damage ** (1.0 / exponent))
 
 
-def check_exponent(exponent: float) -> None:
-    """Refuse what is no exponent of a Wöhler line.
+def check_exponent(exponent: float | str) -> float:
+    """Return an exponent of a Wöhler line, which may be a text, as a number.
 
     Raises
     ------
     ModelError
-        It is outside of `EXPONENTS`.
+        It is no number, or outside of `EXPONENTS`.
     """
     low, high = EXPONENTS
-    if not low <= exponent <= high:
-        raise ModelError(
-            "exponent of the Wöhler line", got=f"{exponent:g}", expected=f"{low:g} to {high:g}"
-        )
+    expected = f"a number, {low:g} to {high:g}"
+    try:
+        number = float(exponent)
+    except (TypeError, ValueError):
+        number = math.nan
+    if not low <= number <= high:
+        raise ModelError("exponent of the Wöhler line", got=show(exponent), expected=expected)
+    return number

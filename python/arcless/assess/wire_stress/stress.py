@@ -4,17 +4,25 @@ from collections.abc import Iterator
 from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any
 
-from arcless.assess.wire_stress import histories
+from arcless.assess.wire_stress import histories, tables
 from arcless.assess.wire_stress.bending import StiffString
 from arcless.assess.wire_stress.cycles import Cycles, check_exponent
+from arcless.dataset.metadata import metadata
 from arcless.errors import ModelError
 from arcless.model.line.wire_section import WireSection
+from arcless.units import to_si
 
 if TYPE_CHECKING:
+    import pandas
+
     from arcless.dataset.plain_dataset import Dataset
     from arcless.model import Scenario
 
 PASCAL_PER_MPA = 1e6
+# Young's moduli in Pa of copper and its alloys, with a margin (mark: assumed; contact wires of the
+# catalogue lie between 103 and 126 GPa). Narrower, and rounded EA would be warned of; wider, and
+# the area of another wire would pass.
+LEAST_MODULUS, LARGEST_MODULUS = 90e9, 135e9
 
 
 @dataclass(frozen=True)
@@ -68,7 +76,21 @@ class WireStress:
     @property
     def worst(self) -> PlaceStress:
         """Place with the largest equivalent range, or without an exponent the largest range."""
-        return max(self.places, key=lambda one: one.equivalent_range_MPa or one.largest_range_MPa)
+        key = tables.range_key(self.exponent)
+        return max(self.places, key=lambda one: float(getattr(one, key)))
+
+    @property
+    def notes(self) -> list[str]:
+        """Sentences on what is doubtful in these numbers."""
+        modulus, section = self.wire.section.modulus, self.wire.section
+        if LEAST_MODULUS <= modulus <= LARGEST_MODULUS:
+            return []
+        return [
+            f"the area of {1e6 * section.area:.1f} mm² ({section.basis}) and the EA of the line "
+            f"make Young's modulus {1e-9 * modulus:.1f} GPa; that of copper and its alloys is "
+            f"{1e-9 * LEAST_MODULUS:g} to {1e-9 * LARGEST_MODULUS:g} GPa (assumed): check area, "
+            "EA and EI"
+        ]
 
     def to_dict(self) -> dict[str, Any]:
         """Return plain values, ready for JSON."""
@@ -83,16 +105,27 @@ class WireStress:
             "axial_stress_MPa": self.wire.axial_stress / PASCAL_PER_MPA,
             "exponent": self.exponent,
             "places": [asdict(place) for place in self.places],
+            "notes": self.notes,
         }
+
+    def to_dataframe(self) -> "pandas.DataFrame":
+        """Return places and fibres along the track as a data frame, stresses in MPa."""
+        return tables.data_frame(self.to_dict())
+
+    def __repr__(self) -> str:
+        return f"<WireStress of {tables.in_words(self.to_dict())}>"
+
+    def _repr_html_(self) -> str:
+        return tables.card(self.to_dict())
 
 
 def wire_stress(
     data: "Dataset",
     scenario: "Scenario",
     *,
-    area: float | None = None,
-    tension: float | None = None,
-    exponent: float | None = None,
+    area: float | str | None = None,
+    tension: float | str | None = None,
+    exponent: float | str | None = None,
 ) -> WireStress:
     """Return the stress of the contact wire at clamps and supports in the analysis section.
 
@@ -103,34 +136,70 @@ def wire_stress(
     scenario
         Its scenario.
     area
-        Area of the contact wire in m²; without it, that of a full round section.
+        Area of the contact wire in m², or a text such as ``"120 mm²"``; without it, that of a full
+        round section.
     tension
-        Tension of the contact wire in N; without it, that of the design.
+        Tension of the contact wire in N, or a text such as ``"18 kN"``; without it, that of the
+        design.
     exponent
         Exponent m of a Wöhler line, for the equivalent range.
 
     Raises
     ------
     ModelError
-        The line is of a kind that this does not know, the wire has no EI, or a number is none that
-        can be meant.
+        The run stopped early, or a pantograph did not pass all places of the section; the line is
+        of a kind that this does not know, the wire has no EI, or a number is none that can be
+        meant.
     OutputError
         The package rainflow is not installed.
     """
-    if exponent is not None:
-        check_exponent(exponent)
-    wire, section = _wire(scenario, area, tension), scenario.analysis_range()
+    slope = None if exponent is None else check_exponent(exponent)
+    _check_finished(data, scenario)
+    wire = _wire(scenario, _number("area", area, "m2"), _number("tension", tension, "N"))
+    section = scenario.analysis_range()
     found = [
         *histories.of_droppers(data, wire, section),
         *histories.of_supports(data, wire, section),
     ]
-    places = list(_places(found, wire, exponent))
+    places = list(_places(found, wire, slope))
     if not places:
         raise ModelError(
             "wire stress", got="no force of a dropper or steady arm in the section",
             expected="a run that recorded them", hint="output.droppers and output.supports: true",
         )  # fmt: skip
-    return WireStress(places, wire, exponent, section)
+    _check_passed(data, scenario, places)
+    return WireStress(places, wire, slope, section)
+
+
+def _number(name: str, value: float | str | None, unit: str) -> float | None:
+    try:
+        return None if value is None else to_si(value, unit)
+    except ModelError as error:
+        error.where = name
+        raise
+
+
+def _check_finished(data: "Dataset", scenario: "Scenario") -> None:
+    if metadata(data)["state"] is not None:
+        raise ModelError(
+            "run that stopped early", where=scenario.name, expected="a finished run",
+            hint="`arcless resume RUN` goes on with it",
+        )  # fmt: skip
+
+
+def _check_passed(data: "Dataset", scenario: "Scenario", places: list[PlaceStress]) -> None:
+    """Refuse a run in which a pantograph did not pass one of the places."""
+    begin, end = (pick(one.x_m for one in places) for pick in (min, max))
+    path = data["position"].values
+    for i, name in enumerate(data["pantograph"].values):
+        first, last = float(path[0, i]), float(path[-1, i])
+        if not first <= begin <= end <= last:
+            raise ModelError(
+                "section that was not wholly passed", where=scenario.name,
+                got=f"pantograph {name} ran over {first:.1f} to {last:.1f} m",
+                expected=f"all places of the section, {begin:.1f} to {end:.1f} m",
+                hint="run it with another section (analysis.from, analysis.to) or a longer travel",
+            )  # fmt: skip
 
 
 def _wire(scenario: "Scenario", area: float | None, tension: float | None) -> StiffString:

@@ -24,7 +24,8 @@ AllowanceOption = Annotated[
     typer.Option(
         "--allowance",
         metavar="LENGTH",
-        help='Cut length less unstretched length of a dropper, such as "30 mm"; none without it.',
+        help='Cut length less unstretched length of a dropper, such as "30 mm", 1 m at most; none'
+        " without it.",
         show_default=False,
     ),
 ]
@@ -60,12 +61,13 @@ class Schedules:
         Raises
         ------
         ModelError
-            The allowance is no length with a unit, is negative, or nothing takes it; the line has
-            no droppers.
+            The allowance is no length with a unit, is negative or longer than fittings are, or
+            nothing takes it; the line has no droppers.
         OutputError
             A file could not be written, or both are the same one.
         """
         from arcless.errors import ModelError, OutputError
+        from arcless.simulate import schedules
 
         for file in (droppers, supports):
             if file is not None:
@@ -76,7 +78,7 @@ class Schedules:
         if allowance is not None and droppers is None:
             hint = "add --droppers FILE.csv, such as --droppers droppers.csv"
             raise ModelError("--allowance", got="no --droppers", expected="both", hint=hint)
-        length = 0.0 if allowance is None else _length(allowance)
+        length = 0.0 if allowance is None else schedules.allowance(allowance, "--allowance")
         if droppers is not None and line.messenger_wire is None:
             raise ModelError(
                 "--droppers", got=f"line `{line.name}`", expected="a line with droppers",
@@ -93,37 +95,11 @@ class Schedules:
         return [file for file in (self.droppers, self.supports) if file is not None]
 
 
-def _length(text: str) -> float:
-    """Return the allowance in m; a number without a unit could be mm as well as m."""
-    from arcless.errors import ModelError
-    from arcless.units import show, to_si
-
-    try:
-        length = to_si(text, "m")
-    except ModelError as error:
-        error.where = "--allowance"
-        raise
-    expected = 'a length of 0 or more with its unit, such as "30 mm"'
-    if not any(letter.isalpha() for letter in text.replace("e", "").replace("E", "")):
-        raise ModelError("length without a unit", where="--allowance", got=show(text),
-                         expected=expected)  # fmt: skip
-    if length < 0.0:
-        raise ModelError("negative length", where="--allowance", got=show(text), expected=expected)
-    return length
-
-
 def _check_file(file: Path) -> None:
-    from arcless.errors import OutputError
+    from arcless.simulate.schedules import check_ending
     from arcless.storage.whole_files import check_writable
-    from arcless.units import show
 
-    if file.suffix.lower() != ".csv":
-        raise OutputError(
-            "not a .csv file",
-            where=str(file),
-            got=show(file.suffix) if file.suffix else "a name without an ending",
-            expected="a name that ends in .csv",
-        )
+    check_ending(file)
     check_writable(file)
 
 

@@ -13,6 +13,7 @@ from arcless.cli.completion import names
 from arcless.cli.terminal import console
 
 if TYPE_CHECKING:
+    from arcless.comparison import Comparison
     from arcless.comparison.measured.placing import Aligning
     from arcless.comparison.subjects.runs import Subject
     from arcless.measurements import Head
@@ -140,23 +141,32 @@ def compare(
     if json:
         console.data(console.json_text(compared.to_dict()))
         return
-    from arcless.cli.terminal import comparison_tables as tables
-
     for text in () if quiet else compared.warnings:
         console.warn(text)
+    _show(compared)
+    for file in (out, pdf):
+        if file is not None:
+            console.data(f"wrote {file}")
+
+
+def _show(compared: "Comparison") -> None:
+    """Print what the runs are, what differs, numbers and verdicts."""
+    from arcless.cli.terminal import comparison_tables as tables
+    from arcless.comparison.cells import DIFFERENCES_READ
+
     several = sum(one.result is not None for one in compared.sides) > 1
     same = ["No field of the scenarios differs.\n"] if several else []
+    console.show(tables.runs(compared))
+    console.show(tables.origins(compared), fold=False)
     console.show(
         *([tables.fields(compared)] if compared.fields else same),
         *tables.placement(compared),
         tables.numbers(compared),
+        f"{DIFFERENCES_READ.format(compared.names[0])}\n",
         tables.verdicts(compared),
         *tables.bands(compared),
         *tables.acceptance(compared),
     )
-    for file in (out, pdf):
-        if file is not None:
-            console.data(f"wrote {file}")
 
 
 def _aligning(

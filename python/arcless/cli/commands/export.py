@@ -50,11 +50,12 @@ def stress(
         ),
     ] = None,
     area: Annotated[
-        float | None,
+        str | None,
         typer.Option(
             "--area",
-            metavar="MM2",
-            help="Area of the contact wire in mm²; that of a full round section without it.",
+            metavar="AREA",
+            help='Area of the contact wire, such as "120 mm²"; a bare number is in mm². That of a '
+            "full round section without it.",
             show_default=False,
         ),
     ] = None,
@@ -77,21 +78,33 @@ def stress(
     """
     from arcless.cli.terminal.stress_tables import stress_tables
     from arcless.results import open as open_result
-    from arcless.units import to_si
 
-    force = None
-    if tension is not None:
-        from arcless.errors import ModelError
-
-        try:
-            force = to_si(tension, "N")
-        except ModelError as error:
-            error.where = "--tension"
-            raise
     found = open_result(result).wire_stress(
-        area=None if area is None else 1e-6 * area, tension=force, exponent=exponent
+        area=_amount("--area", area, "m2", bare="mm²"),
+        tension=_amount("--tension", tension, "N"),
+        exponent=exponent,
     )
+    for note in found.notes:
+        console.warn(note)
     if json:
         console.data(console.json_text(found.to_dict()))
         return
     console.show(*stress_tables(found))
+
+
+def _amount(option: str, text: str | None, unit: str, *, bare: str = "") -> float | None:
+    """Return the amount of an option in SI; a number without a unit is in `bare`."""
+    from arcless.errors import ModelError
+    from arcless.units import show, to_si
+
+    if text is None:
+        return None
+    try:
+        float(text)
+    except ValueError:
+        bare = ""
+    try:
+        return to_si(f"{text} {bare}", unit)
+    except ModelError as error:
+        error.where, error.got = option, show(text)
+        raise

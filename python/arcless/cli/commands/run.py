@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from arcless.cli.arguments.at_rest import faults_of
 from arcless.cli.arguments.certainty import CertaintyOption, asked_for, check_whole
 from arcless.cli.arguments.scenario import (
     AtRestArgument,
@@ -127,10 +128,10 @@ def statics(
         check_place(plot, ".html", "--plot")
     wanted = Schedules.of(droppers, supports, allowance, line_of(chosen))
     if out is None:
-        result = _find_statics(chosen, quiet=quiet)
+        result = _find_statics(scenario, chosen, quiet=quiet)
     else:
         with OutputFolder(out, "statics.json") as folder:
-            result = _find_statics(chosen, quiet=quiet)
+            result = _find_statics(scenario, chosen, quiet=quiet)
             text = console.json_text(result.to_dict())
             write_bytes(folder.file("statics.json"), text.encode())
             written = folder.publish()
@@ -170,11 +171,11 @@ def _simulate(
         )
 
 
-def _find_statics(source: "Scenario | Line", *, quiet: bool) -> "StaticsResult":
+def _find_statics(name: str, source: "Scenario | Line", *, quiet: bool) -> "StaticsResult":
     with permanent_objects():
         from arcless import simulate
 
-    with console.progress(quiet=quiet) as progress:
+    with faults_of(name), console.progress(quiet=quiet) as progress:
         return compute(lambda _cancel: simulate.statics(source, progress=progress))
 
 

@@ -1,6 +1,6 @@
 """`arcless assess` and `arcless report`: what follows from a saved result, or a measured run."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -133,6 +133,7 @@ def assess(
     if is_measured(subject):
         options = {"speed": speed, "pantograph": pantograph, "head": head}
         found = _measured(subject, options, section, cutoff, supply=supply, report=report)
+        _warn([] if quiet else (found.measurement or {})["pantographs"])
     else:
         given = {"--speed": speed, "--supply": supply, "--pantograph": pantograph,
                  "--head-mass": head_mass, "--report": report}  # fmt: skip
@@ -220,6 +221,12 @@ def _measured(
     if report is not None:
         write_report(measurement, found, report)
     return found
+
+
+def _warn(pantographs: Sequence[Mapping[str, Any]]) -> None:
+    """Warn of what is doubtful about measured forces."""
+    for text in (text for each in pantographs for text in each["doubts"]):
+        console.warn(text)
 
 
 def _show(found: "Assessment") -> None:

@@ -33,7 +33,7 @@ def blocks(name: str, found: dict[str, Any]) -> "Iterator[RenderableType]":
 def _droppers(droppers: list[dict[str, Any]], span: int, spans: int) -> "RenderableType":
     chosen = [dropper for dropper in droppers if dropper["span"] == span]
     simple = all(dropper["from"] == "messenger wire" for dropper in chosen)
-    columns = ("dropper", "x / m", "length / m", "force / N")
+    columns = ("dropper", "x / m", "length between clamps / m", "force / N")
     # Where all hang from the messenger wire there is nothing to tell apart.
     extra = () if simple else ("hangs from",)
     made = table(f"Droppers of span {span} of {spans}", *columns, *extra, numbers=columns)
@@ -103,10 +103,12 @@ def _summary(name: str, found: dict[str, Any]) -> "RenderableType":
     span = f"span {middle}"
     sag = f"sag of the contact wire, maximum less minimum height in {span}"
     made.add_row(sag, "m", number(found["contact_wire_sag_m"], 4))
-    sags = [one["messenger_wire_sag_m"] for one in found["spans"] if one["span"] == middle]
+    sags = [
+        one["messenger_wire_sag_below_chord_m"] for one in found["spans"] if one["span"] == middle
+    ]
     if any(sag is not None for sag in sags):
         lowest = max(sag for sag in sags if sag is not None)
-        made.add_row(f"sag of the messenger wire in {span}", "m", number(lowest, 4))
+        made.add_row(f"sag of the messenger wire below its chord in {span}", "m", number(lowest, 4))
     lateral = found["contact_wire_lateral_max_m"]
     if lateral is not None:
         made.add_row("largest lateral position of the contact wire", "m", number(lateral, 3))

@@ -16,6 +16,8 @@ MOST = 20
 
 def stress_tables(found: "WireStress") -> "Iterator[RenderableType]":
     """Yield the wire, then the places with the largest ranges."""
+    from arcless.assess.wire_stress.tables import by_range, equivalent_range, order
+
     told = found.to_dict()
     made = table("Contact wire", "quantity", "unit", "value", numbers=("value",))
     made.add_row("tension", "N", number(told["tension_N"], 0))
@@ -24,20 +26,16 @@ def stress_tables(found: "WireStress") -> "Iterator[RenderableType]":
     made.add_row("Young's modulus", "GPa", number(told["modulus_GPa"], 1))
     made.add_row("axial stress T/A", "MPa", number(told["axial_stress_MPa"], 1))
     yield made
-    by_range = sorted(
-        found.places, key=lambda one: one.equivalent_range_MPa or one.largest_range_MPa
-    )
-    shown = by_range[::-1][:MOST]
+    shown = by_range(told)[:MOST]
     columns = ("at rest", "min.", "max.", "range", "cycles")  # a row fits 80 characters
     more = () if found.exponent is None else ("S_eq",)
-    title = f"Stress in MPa, {len(shown)} of {len(found.places)} fibres with the largest ranges"
-    if found.exponent is not None:
-        title += f"; S_eq: equivalent range, m = {found.exponent:g}"
+    title = f"Stress in MPa, {len(shown)} of {len(found.places)} fibres, {order(told)}"
     places = table(title, "place and fibre", *columns, *more, numbers=(*columns, *more))
+    keys = ["at_rest_MPa", "min_MPa", "max_MPa", "largest_range_MPa", "cycles"]
+    if found.exponent is not None:
+        keys.append("equivalent_range_MPa")
     for one in shown:
-        places.add_row(
-            f"{one.name}, {one.fibre}", number(one.at_rest_MPa, 1), number(one.min_MPa, 1),
-            number(one.max_MPa, 1), number(one.largest_range_MPa, 1), number(one.cycles, 1),
-            *(() if found.exponent is None else (number(one.equivalent_range_MPa, 1),)),
-        )  # fmt: skip
+        places.add_row(f"{one['name']}, {one['fibre']}", *(number(one[key], 1) for key in keys))
     yield places
+    if found.exponent is not None:
+        yield equivalent_range(told) + "\n"

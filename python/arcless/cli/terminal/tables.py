@@ -63,7 +63,7 @@ def number(value: float | None, digits: int) -> str:
     """Print a number with so many digits after the point; -1 means one significant digit."""
     if value is None:
         return _NOTHING
-    return f"{value:.1e}" if digits < 0 else f"{value:.{digits}f}"
+    return f"{value:.1e}" if digits < 0 else f"{value:z.{digits}f}"
 
 
 def statistics(assessment: dict[str, Any], published: "Sequence[Row]" = ()) -> Table:

@@ -25,7 +25,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arcless.comparison.alignment.correlation import correlations, spectrum_of, vertex
-from arcless.comparison.alignment.place import Alignment, Search
+from arcless.comparison.alignment.place import POOR_CORRELATION, Alignment, Search
 from arcless.comparison.alignment.trace import Trace
 from arcless.errors import ComparisonError
 
@@ -182,7 +182,9 @@ def _described(
     following = shown.refined(int(inside[0])) if inside else None
     first = int(shown.tops()[0])
     beyond = shown.refined(first)
-    is_beyond = first != best and told_apart(beyond[1], r, independent)
+    # Noise decides among spans that are alike; a poor place is doubtful without it.
+    doubtful = r < POOR_CORRELATION or told_apart(beyond[1], r, independent)
+    is_beyond = first != best and beyond[1] > r and doubtful
     return Alignment(
         method, origin, False, offset, scale, r,
         None if following is None else following[0],

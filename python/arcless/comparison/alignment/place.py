@@ -7,6 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
+# Correlation below which a place is doubted: less than half of the variance of the channel (r² of
+# 0.5) is then that of the run. Lower lets wrong places pass; higher would doubt noisy records.
+POOR_CORRELATION = 0.7
 
 
 @dataclass(frozen=True)
@@ -51,7 +54,8 @@ class Alignment:
     ambiguous
         Whether noise alone can make the difference between the two.
     beyond_offset_m, beyond_correlation
-        A better maximum out of the search, told from the best inside; None where there is none.
+        A better maximum out of the search, told from the best inside, or where that is poor; None
+        where there is none.
     overlap_m
         Common part in m on the line.
     """

@@ -2,6 +2,7 @@
 
 from arcless.assess import Assessment
 from arcless.comparison.alignment import Alignment
+from arcless.comparison.alignment.place import POOR_CORRELATION
 from arcless.comparison.measured.placed import Placed
 from arcless.measurements.samples.left_out import JUMP, WORDS
 
@@ -47,6 +48,8 @@ def remarks(name: str, placed: Placed, assessment: Assessment, speed_m_s: float)
             " and the same frequency is another wavelength"
         )
     notes = [note for note in placed.measurement.notes if not any(usual in note for usual in USUAL)]
+    told = (assessment.measurement or {}).get("pantographs", [])
+    notes += [text for each in told for text in each["doubts"]]
     return found + [f"{name}: {note}" for note in [*notes, *_left_out(placed, assessment)]]
 
 
@@ -81,9 +84,18 @@ def _doubts(by: Alignment) -> list[str]:
             "the offset is not sure: noise alone can make the difference between the two best"
             " correlations, as where spans are alike; limit the search, or give the offset by hand"
         )
-    if by.beyond_offset_m is not None and by.beyond_correlation is not None:
+    # The part that all spans have in common is a part of the channel only, and correlates less.
+    if by.correlation is not None and by.correlation < POOR_CORRELATION and by.method != "supports":
         found.append(
-            f"an offset of {by.beyond_offset_m:+.1f} m, out of the search, fits better"
-            f" (correlation {by.beyond_correlation:.3f}): check the positions".replace("-", "−")
+            f"the correlation is poor: {by.correlation:.3f}, and below {POOR_CORRELATION:g} less"
+            f" than half of the variance of the {by.channel} is that of the run: the place or the"
+            " model may be wrong".replace("-", "−")
+        )
+    if by.beyond_offset_m is not None and by.beyond_correlation is not None:
+        offset = f"{by.beyond_offset_m:+.1f}".replace("-", "−")
+        found.append(
+            f"an offset of {offset} m, out of the search, fits better"
+            f" (correlation {by.beyond_correlation:.3f}): check the positions, or widen the search"
+            " (`--search`)"
         )
     return found

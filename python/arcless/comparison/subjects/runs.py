@@ -13,8 +13,9 @@ from arcless.results import open as open_result
 
 Subject: TypeAlias = Result | Measurement
 FEWEST = 2
-# Most characters of a run's name in legends and columns.
-LONGEST_NAME = 48
+# Most characters of a run's name in legends and heads of columns: two of them stand side by side in
+# a terminal of 80 columns, and six in a legend. Runs with a longer one are numbered.
+LONGEST_NAME = 28
 
 
 @dataclass(frozen=True)
@@ -88,11 +89,10 @@ def names_of(
     files: Sequence[Path | None],
     only_field: Sequence[str | None] | None,
 ) -> list[str]:
-    """Return a short name of each run and measurement, no two the same.
+    """Return the name of each run and measurement, in full.
 
     That is the changed field, where just one differs; else the name of the scenario, or of the
-    folder, whichever differs; else both are followed by a number. A measurement has that of its
-    file.
+    folder, whichever differs. A measurement has that of its file.
 
     Parameters
     ----------
@@ -108,7 +108,21 @@ def names_of(
         names = [own or name for own, name in zip(only_field, names, strict=True)]
     elif len(set(names)) < len(names) and len(set(known)) == len(names):
         names = known
-    return _told_apart([re.sub(r"[\r\n\t]+", " ", name) for name in names])
+    return [re.sub(r"[\r\n\t]+", " ", name) for name in names]
+
+
+def short_names(names: Sequence[str]) -> list[str]:
+    """Return a name of each run for legends and heads, no two the same, none cut.
+
+    They are ``run 1``, ``run 2`` where a name has more than `LONGEST_NAME` characters, and follow
+    a number where two are the same.
+    """
+    numbered = list(enumerate(names, start=1))
+    if max(map(len, names)) > LONGEST_NAME:
+        return [f"run {number}" for number, _ in numbered]
+    if len(set(names)) < len(names):
+        return [f"{number}: {name}" for number, name in numbered]
+    return list(names)
 
 
 def title_of(one: Subject) -> str:
@@ -156,10 +170,3 @@ def refuse_twice(keys: Sequence[object], words: Sequence[str]) -> None:
 def _folder(file: Path) -> str:
     """Return the name of the folder of a result, or of a file that is called otherwise."""
     return file.resolve().parent.name if file.name == RESULT_NAME else file.stem
-
-
-def _told_apart(names: Sequence[str]) -> list[str]:
-    cut = [n if len(n) <= LONGEST_NAME else n[: LONGEST_NAME - 1] + "…" for n in names]
-    if len(set(cut)) == len(cut):
-        return cut
-    return [f"{number}: {name}" for number, name in enumerate(cut, start=1)]

@@ -18,11 +18,6 @@ ALONG, ACROSS, UP = 0, 1, 2
 DRAWN = 3000.0
 # Spans on either side of the middle one that figures show first.
 BESIDE = 1
-# Distance in m of the places at which the elasticity is computed: droppers are some metres apart.
-# Half of it changes no extreme by 0.3 %, and takes twice the time.
-SPACING = 1.0
-# A span has at least so many of them, which matters to rails on supports some metres apart.
-PLACES = 24
 # A place this near to a support, in m, is at it.
 AT_SUPPORT = 1e-6
 
@@ -86,18 +81,13 @@ class LineData:
     def elasticity(self) -> tuple[Floats, Floats]:
         """Positions in m along the part that is drawn, and elasticities there in m/N.
 
-        Supports are among them. The middle span has the places that its numbers are from.
+        Supports are among them. Every span has the places that the numbers of the middle one are
+        from: spans that are alike have the same extremes, although droppers lie between places.
         """
-        middle = self.found.equilibrium.middle_span()
-        pieces: list[Floats] = []
-        for _, left, right in self.spans:
-            if (left, right) == middle:
-                pieces.append(np.array(self.found.elasticity_x_m))
-            else:
-                count = max(PLACES, int(np.ceil((right - left) / SPACING)))
-                pieces.append(np.linspace(left, right, count + 1))
+        rest = self.found.equilibrium
+        pieces = [rest.elasticity_positions(left, right) for _, left, right in self.spans]
         x = np.concatenate([*(piece[:-1] for piece in pieces), pieces[-1][-1:]])
-        return x, self.found.equilibrium.elasticity(x)
+        return x, rest.elasticity(x)
 
     def elasticity_of(self, left: float, right: float) -> Floats:
         """Return the elasticities in m/N between two places in m, both ends included."""

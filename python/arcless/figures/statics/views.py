@@ -41,7 +41,7 @@ def side_view(line: LineData) -> list[Figure]:
         line.along(
             "side-view", "Line at rest, side view", y, layers, height=SIDE,
             alt=f"Line at rest from the side: wires between {low:.2f} and {high:.2f} m above rail,"
-            f" {count} droppers; the contact wire sags {sag:.1f} mm in span"
+            f" {count} droppers; the height of the contact wire varies by {sag:.1f} mm in span"
             f" {line.found.middle_span}. Heights are drawn larger than lengths.",
         )
     ]  # fmt: skip

@@ -18,6 +18,13 @@ Floats = NDArray[np.float64]
 # In m/s. Below, a train as good as stands, and positions say nothing about times; higher would
 # refuse a train that starts.
 LEAST_SPEED = 0.01
+# Speeds and positions are compared over so many seconds: over a single sample the last decimal of
+# the position would decide. Of a short record it is so large a part: longer, and a jump of the
+# position lies in most stretches, and moves their median.
+COMPARED_S, COMPARED_PART = 10.0, 0.2
+# Part by which they may differ in the median: worn wheels and slip are 1 % or so. More lets another
+# unit or another train pass; less would refuse plain odometers.
+SPEED_DIFFERENCE = 0.02
 
 
 @dataclass(frozen=True)
@@ -55,7 +62,7 @@ def clock(
     columns
         Those of `time`, `position`, `speed` that the file has.
     speed
-        Constant speed in m/s; used where the file has no column of it.
+        Constant speed in m/s; used where the file lacks a column of speeds, and time or position.
     lines
         Line of each sample, for messages.
     label
@@ -64,7 +71,8 @@ def clock(
     Raises
     ------
     MeasurementError
-        Times or distances do not rise, or there are too few columns to tell one from the other.
+        Times or distances do not rise, there are too few columns to tell one from the other, or
+        the speeds are not those of times and positions.
     """
     time, position = columns.get("time"), columns.get("position")
     if time is None and position is None:
@@ -73,7 +81,7 @@ def clock(
             expected="time [s], position [m], or both",
         )  # fmt: skip
     speeds = columns.get("speed")
-    if speeds is None and speed is not None:
+    if speeds is None and speed is not None and (time is None or position is None):
         speeds = np.full(lines.size, speed)
     if time is not None:
         _check_rises(time, "time", lines, label)
@@ -81,6 +89,8 @@ def clock(
             if speeds is None:
                 raise _no_speed("positions", label)
             position = _summed(speeds, np.diff(time))
+        elif speeds is not None:
+            _check_speeds(time, position, speeds, label)
         return Clock(time, position, speeds, time, "time")
     assert position is not None
     if speeds is None:
@@ -96,6 +106,29 @@ def clock(
             hint="give a column time [s], or cut off where the train stands",
         )
     return Clock(_summed(1.0 / speeds, np.diff(distance)), position, speeds, distance, "position")
+
+
+def _check_speeds(time: Floats, position: Floats, speeds: Floats, label: str) -> None:
+    """Refuse speeds that are not those of times and positions: one of the columns is wrong."""
+    seconds = min(COMPARED_S, COMPARED_PART * float(time[-1] - time[0]))
+    apart = min(time.size - 1, max(1, round(seconds / float(np.median(np.diff(time))))))
+    run = np.abs(position[apart:] - position[:-apart])
+    summed = _summed(speeds, np.diff(time))
+    least = LEAST_SPEED * (time[apart:] - time[:-apart])
+    moving = (run > least) & (summed[apart:] - summed[:-apart] > least)
+    if not moving.any():
+        return
+    share = float(np.median(run[moving] / (summed[apart:] - summed[:-apart])[moving]))
+    if abs(share - 1.0) <= SPEED_DIFFERENCE:
+        return
+    own = float(np.median((run / (time[apart:] - time[:-apart]))[moving]))
+    raise MeasurementError(
+        "column speed against time and position",
+        where=label,
+        got=f"{3.6 * own / share:.4g} km/h, where time and position give {3.6 * own:.4g} km/h",
+        expected=f"speeds within {100 * SPEED_DIFFERENCE:g} %",
+        hint="is the unit of one of the three columns wrong? Or leave out the column that is",
+    )
 
 
 def _summed(rate: Floats, steps: Floats) -> Floats:

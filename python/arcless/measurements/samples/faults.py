@@ -39,10 +39,10 @@ def held(values: Floats) -> int:
     return usual if np.mean(lengths == usual) >= HELD_SHARE else 1
 
 
-def clipped(values: Floats, at_least: int = CLIPPED_SAMPLES) -> Mask:
-    """Return which samples are at an end of the sensor's range.
+def clipped(values: Floats, at_least: int = CLIPPED_SAMPLES) -> tuple[Mask, Mask]:
+    """Return which samples are at the lower, and which at the upper end of the sensor's range.
 
-    That is the largest or smallest value of a record, where it is seen much more often than the
+    That is the smallest or largest value of a record, where it is seen much more often than the
     value next to it.
 
     Parameters
@@ -58,11 +58,12 @@ def clipped(values: Floats, at_least: int = CLIPPED_SAMPLES) -> Mask:
     """
     levels, counts = np.unique(values[np.isfinite(values)], return_counts=True)
     ends = [(levels[:1], counts[:1], counts[1:2]), (levels[-1:], counts[-1:], counts[-2:-1])]
-    found = np.zeros(values.size, bool)
-    for level, count, nearest in ends:
-        often = count.sum() >= max(at_least, CLIPPED_RATIO * nearest.sum())
-        found |= often & np.isin(values, level[level != 0.0])
-    return found
+    lower, upper = (
+        np.isin(values, level[level != 0.0])
+        & (count.sum() >= max(at_least, CLIPPED_RATIO * nearest.sum()))
+        for level, count, nearest in ends
+    )
+    return lower, upper
 
 
 def frozen(values: Floats, step_s: float) -> Mask:

@@ -1,5 +1,6 @@
 """Part of a record that is left out, and why."""
 
+import math
 from dataclasses import dataclass
 from typing import Any
 
@@ -9,6 +10,7 @@ DUPLICATE = "duplicate"
 CLIPPED = "clipped"
 FROZEN = "frozen"
 JUMP = "jump of position"
+LOWER, UPPER = "lower", "upper"
 SHORT = "too short between two gaps"
 
 # Kind → text of a remark.
@@ -39,6 +41,9 @@ class LeftOut:
         Time and position of the first and last one; NaN where they are not known.
     channel
         Column by which it was found; empty where it is the clock.
+    end, rail
+        Of clipped samples ``lower`` or ``upper``, the end of the sensor's range, and its value
+        there in SI; empty and NaN otherwise.
     """
 
     kind: str
@@ -50,16 +55,19 @@ class LeftOut:
     begin_m: float
     end_m: float
     channel: str = ""
+    end: str = ""
+    rail: float = math.nan
 
     def to_dict(self) -> dict[str, Any]:
         """Return it as plain data, ready for JSON."""
         numbers = {
             name: None if (value := getattr(self, name)) != value else value
-            for name in ("begin_s", "end_s", "begin_m", "end_m")
+            for name in ("begin_s", "end_s", "begin_m", "end_m", "rail")
         }
         return {
             "kind": self.kind,
             "channel": self.channel or None,
+            "end": self.end or None,
             "line": self.line,
             "last_line": self.last_line,
             "samples": self.samples,

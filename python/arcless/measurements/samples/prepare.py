@@ -1,6 +1,7 @@
 """Columns of one pantograph → its good samples, in pieces at equal time steps."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -69,7 +70,7 @@ def prepared(raw: Raw, speed: float | None, head: Head | None) -> MeasuredPantog
         raise nothing_left(raw, "one sample")
     known = {key: raw.channels[key] for key in CLOCKS if key in raw.channels}
     when = clock(known, speed, raw.lines, raw.label)
-    force = _force(raw, when, speed, head)
+    force = _force(raw, when, head)
     hold = max(map(held, raw.measured.values()))
     good = _good(raw, when, force, hold, told)
     rounded = resolution(when.reading)
@@ -108,15 +109,20 @@ def _good(raw: Raw, when: Clock, force: Floats, hold: int, told: list[LeftOut]) 
     step = usual_step(when.time)
     for title, values in raw.measured.items():
         told += stretches_of(np.isnan(values), kinds.EMPTY, raw, when, title)
-        ends = clipped(values, CLIPPED_SAMPLES * hold)
+        lower, upper = clipped(values, CLIPPED_SAMPLES * hold)
+        ends = lower | upper
         dead = frozen(values, step * hold) & ~ends
-        told += stretches_of(ends, kinds.CLIPPED, raw, when, title)
+        for end, there in ((kinds.LOWER, lower), (kinds.UPPER, upper)):
+            told += (
+                replace(one, end=end, rail=float(values[there][0]))
+                for one in stretches_of(there, kinds.CLIPPED, raw, when, title)
+            )
         told += stretches_of(dead, kinds.FROZEN, raw, when, title)
         good &= ~(ends | dead)
     return good
 
 
-def _force(raw: Raw, when: Clock, speed: float | None, head: Head | None) -> Floats:
+def _force(raw: Raw, when: Clock, head: Head | None) -> Floats:
     where = f"{raw.label}: pantograph {raw.name}"
     if "contact_force" in raw.channels:
         if head is not None:
@@ -137,16 +143,16 @@ def _force(raw: Raw, when: Clock, speed: float | None, head: Head | None) -> Flo
     for title, values in raw.accelerations.items():
         inertia.check_mean(values, f"{where}: {title}")
     mean = np.mean(np.stack(list(raw.accelerations.values())), axis=0)
-    speeds = _speeds(when, speed)
+    speeds = _speeds(when)
     return inertia.contact_force(list(raw.sensors.values()), mean, speeds, head)
 
 
-def _speeds(when: Clock, speed: float | None) -> Floats:
+def _speeds(when: Clock) -> Floats:
     """Return speeds in m/s; the median of the record where the file has none."""
     if when.speed is not None:
         return when.speed
     usual = float(np.median(np.abs(np.diff(when.position)) / np.diff(when.time)))
-    return np.full(when.time.size, usual if speed is None else speed)
+    return np.full(when.time.size, usual)
 
 
 def _seconds_per_reading(when: Clock) -> float:
@@ -158,7 +164,7 @@ def _seconds_per_reading(when: Clock) -> float:
 
 def _pieces(raw: Raw, when: Clock, good: Mask, rounded: float, told: list[LeftOut]) -> list[slice]:
     """Cut the record at gaps and jumps, and tell of them."""
-    cut = breaks(when, good, _speeds(when, None), rounded)
+    cut = breaks(when, good, _speeds(when), rounded)
     usual = usual_step(when.reading, rounded)
     for place in cut.gaps:
         missing = round((when.reading[place + 1] - when.reading[place]) / usual) - 1

@@ -24,6 +24,9 @@ CHANNELS = {
 }
 SENSORS = {"sensor_force": "N", "acceleration": "m/s2"}
 KNOWN = {**CHANNELS, **SENSORS}
+# Names that only a column may have, for nothing else is measured in them there: the g of an
+# accelerometer is no gram.
+_IN_COLUMNS = {("m/s2", "g"): "gn"}
 # Units that hints are written in.
 _USUAL = {"m/s": "km/h"}
 # Likeness of names, from 0 to 1, from which one is taken for a misspelt other: lower, and names of
@@ -154,7 +157,7 @@ def _factor(channel: str, unit: str, title: str, where: str) -> float:
             hint=f"write it in brackets behind the name, such as {channel} [{_usual(kind)}]",
         )
     try:
-        return to_si(f"1 {unit}", kind)
+        return to_si(f"1 {_IN_COLUMNS.get((kind, unit), unit)}", kind)
     except ModelError as error:
         raise MeasurementError(
             f"column {channel}", where=where, got=show(unit), expected=accepted(kind),

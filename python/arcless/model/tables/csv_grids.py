@@ -10,8 +10,8 @@ from arcless.model.files.yaml_reader import read_text
 from arcless.model.tables.grids import Cell, Grid
 
 _SEPARATOR = re.compile(r"sep=(.)", re.IGNORECASE)
-_COMMA = re.compile(r"[+-]?\d+,\d+")
-_POINT = re.compile(r"[+-]?\d*\.\d+")
+_COMMA = re.compile(r"[+\-\u2212]?\d+,\d+")
+_POINT = re.compile(r"[+\-\u2212]?\d*\.\d+")
 
 
 def read_csv(path: Path, where: str) -> Grid:

@@ -1,8 +1,7 @@
 """Tables of a line in files: one Excel workbook, or a folder of CSV files."""
 
 import os
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from difflib import get_close_matches
+from collections.abc import Iterable, Mapping, Sequence
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -10,6 +9,7 @@ from arcless.errors import ModelError, OutputError
 from arcless.model.tables.csv_grids import read_csv
 from arcless.model.tables.grids import Table, typed
 from arcless.model.tables.sheets import SHEETS
+from arcless.model.tables.titles import sheet_of, sorted_out
 from arcless.storage.csv_files import Column, write_csv_files
 from arcless.storage.excel_files import write_excel
 from arcless.storage.whole_files import check_writable
@@ -18,44 +18,86 @@ from arcless.units import show
 EXCEL = ".xlsx"
 CSV = ".csv"
 _PLACES = "a workbook that ends in .xlsx, or a folder for CSV files"
-# A title as near to the name of a sheet as this is taken for a slip (`difflib`, from 0 to 1): of
-# more, slips are passed over as notes of the office; of less, notes are refused.
-SLIP = 0.75
 
 
-def write_tables(path: str | Path, tables: Mapping[str, Sequence[Column]]) -> list[Path]:
-    """Write tables by name of sheet, and return the files; those that exist are replaced.
+def write_tables(
+    path: str | Path, tables: Mapping[str, Sequence[Column]], *, overwrite: bool = False
+) -> tuple[list[Path], list[Path]]:
+    """Write tables by name of sheet; return the files, and those that were removed.
 
     Parameters
     ----------
     path
         A workbook that ends in .xlsx, or a folder, which is made if it does not exist.
+    tables
+        Columns by name of sheet.
+    overwrite
+        Whether tables that are there are replaced: a workbook with all its sheets; of a folder the
+        files that are read as tables of a line, those that the line does not have among them,
+        which are removed.
 
     Raises
     ------
     OutputError
-        Another ending, a missing package, or the place cannot be written; files that are there
-        stay.
+        Tables are there already, another ending, a missing package, or the place cannot be
+        written; files that are there stay.
     """
     target = Path(path)
     if is_excel(target):
         check_excel(target)
+        if not overwrite and os.path.lexists(target):
+            raise OutputError(
+                "the workbook exists", where=str(target), expected="a new name",
+                hint="`--overwrite` replaces it, with all its sheets",
+            )  # fmt: skip
         check_writable(target)
         write_excel(target, tables)
-        return [target]
+        return [target], []
     if target.suffix[1:2].isalpha() and not target.is_dir():  # `line-7.5` is a folder
         hint = "a line takes several CSV files" if target.suffix.lower() == CSV else None
         raise OutputError("unknown kind of file", where=str(target), got=show(target.suffix),
                           expected=_PLACES, hint=hint)  # fmt: skip
-    files = {target / f"{name}{CSV}": columns for name, columns in tables.items()}
+    return _write_folder(target, tables, overwrite=overwrite)
+
+
+def _write_folder(
+    folder: Path, tables: Mapping[str, Sequence[Column]], *, overwrite: bool
+) -> tuple[list[Path], list[Path]]:
+    files = {folder / f"{name}{CSV}": columns for name, columns in tables.items()}
     try:
-        target.mkdir(exist_ok=True)
+        folder.mkdir(exist_ok=True)
+        there = sorted(file for file in folder.iterdir() if _is_table(file))
     except OSError as error:
-        raise OutputError.of(error, "the folder cannot be made", target) from error
+        raise OutputError.of(error, "the folder cannot be made", folder) from error
+    if there and not overwrite:
+        raise OutputError(
+            "tables of a line are in this folder", where=str(folder),
+            got=", ".join(file.name for file in there), expected="a folder without them",
+            hint="`--overwrite` replaces them",
+        )  # fmt: skip
     for file in files:
         check_writable(file)
     write_csv_files(files)
-    return list(files)
+    return list(files), _removed(there, files)
+
+
+def _is_table(file: Path) -> bool:
+    """Return whether a file is one that `read_tables` takes for a table of a line."""
+    return file.suffix.lower() == CSV and sheet_of(file.stem) is not None
+
+
+def _removed(there: Iterable[Path], written: Iterable[Path]) -> list[Path]:
+    """Remove the files that are none of those written, by whatever name, and return them."""
+    removed = []
+    try:
+        # Some file systems have one file for `Spans.csv` and `spans.csv`.
+        for file in there:
+            if not any(own.samefile(file) for own in written):
+                file.unlink()
+                removed.append(file)
+    except OSError as error:
+        raise OutputError.of(error, "a table of another line cannot be removed", file) from error
+    return removed
 
 
 def read_tables(path: str | Path) -> tuple[dict[str, Table], list[str]]:
@@ -77,7 +119,7 @@ def read_tables(path: str | Path) -> tuple[dict[str, Table], list[str]]:
 
     where = str(source)
     grids, others = read_workbook(
-        source, where, lambda titles: _sorted(titles, str, f"{where}, sheet {{}}")
+        source, where, lambda titles: sorted_out(titles, str, f"{where}, sheet {{}}")
     )
     return {name: typed(grid, SHEETS[name]) for name, grid in grids.items()}, others
 
@@ -107,7 +149,7 @@ def _read_folder(folder: Path) -> tuple[dict[str, Table], list[str]]:
             hint = "save it as .xlsx"
         raise ModelError("no tables", where=str(folder), got=got, expected=_PLACES, hint=hint)
     files = sorted(file.name for file in folder.iterdir() if file.suffix.lower() == CSV)
-    wanted, others = _sorted(files, lambda file: Path(file).stem, str(folder / "{}"))
+    wanted, others = sorted_out(files, lambda file: Path(file).stem, str(folder / "{}"))
     tables = {}
     for file, name in wanted.items():
         tables[name] = typed(read_csv(folder / file, str(folder / file)), SHEETS[name])
@@ -115,35 +157,3 @@ def _read_folder(folder: Path) -> tuple[dict[str, Table], list[str]]:
         raise ModelError("no tables", where=str(folder), got="none of the files of a line",
                          expected=", ".join(f"{name}{CSV}" for name in SHEETS))  # fmt: skip
     return tables, others
-
-
-def _sorted(
-    titles: Iterable[str], stem: Callable[[str], str], where: str
-) -> tuple[dict[str, str], list[str]]:
-    """Return name of sheet by title, and titles that are no sheets of a line.
-
-    Raises
-    ------
-    ModelError
-        Two titles are one sheet, or a title is nearly that of a sheet that is not there.
-    """
-    named = {title: stem(title).strip().lower().replace(" ", "_") for title in titles}
-    wanted: dict[str, str] = {}
-    for title, name in named.items():
-        if name not in SHEETS:
-            continue
-        if name in wanted.values():
-            raise ModelError("sheet given twice", where=where.format(title), got=show(title),
-                             expected=f"one sheet {name}")  # fmt: skip
-        wanted[title] = name
-    others = [title for title in named if title not in wanted]
-    free = [name for name in SHEETS if name not in wanted.values()]
-    for title in others:
-        close = get_close_matches(named[title], free, n=1, cutoff=SLIP)
-        if close and not named[title].startswith("#"):
-            raise ModelError(
-                "unknown sheet", where=where.format(title), got=show(title),
-                expected=", ".join(SHEETS),
-                hint=f"did you mean {close[0]}? a name that begins with # is left out",
-            )  # fmt: skip
-    return wanted, others

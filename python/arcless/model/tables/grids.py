@@ -8,7 +8,15 @@ from typing import Any
 from arcless.errors import ModelError
 from arcless.model.fields.part import nearest
 from arcless.model.tables.sheets import ColumnOf, Sheet
-from arcless.units import accepted, show, spell, to_si
+from arcless.units import (
+    NUMBER_AND_UNIT,
+    ONE_NUMBER,
+    accepted,
+    show,
+    spell,
+    to_si,
+    written_in,
+)
 
 # So many mistakes of one sheet are told at once.
 MOST_TOLD = 10
@@ -17,6 +25,8 @@ _USUAL = {"m": "mm"}
 _UNIT = re.compile(r"(.*?)\s*(?:\[([^\[\]]*)\]|\(([^()]*)\))")
 _WHOLE = re.compile(r"[1-9]\d{0,8}")
 _SKIPPED = "#"
+# The sign that typesetting and some spreadsheets have for a hyphen.
+_MINUS = "\u2212"
 
 
 @dataclass(frozen=True)
@@ -171,7 +181,11 @@ def _header(grid: Grid, sheet: Sheet) -> tuple[dict[str, str], dict[str, int]]:
 
 def _named(cell: Cell, sheet: Sheet, where: str) -> tuple[str, str]:
     """Return name and unit in a cell of the header: `length [m]`, `Length (m)`, `length m`."""
-    text = cell.text if isinstance(cell, Odd) else str(cell)
+    if isinstance(cell, Odd):
+        hint = "write the name into this cell as a text"
+        raise ModelError("header without a name", where=where, got=cell.text,
+                         expected=sheet.expected, hint=hint)  # fmt: skip
+    text = str(cell)
     match = _UNIT.fullmatch(text)
     name, unit = (match[1], match[2] or match[3] or "") if match else (text, "")
     front, _, last = text.rpartition(" ")
@@ -230,14 +244,26 @@ def _value(cell: Cell, column: ColumnOf, unit: str, grid: Grid) -> Any:
         return int(text)
     if grid.has_decimal_comma and text.count(",") == 1 and "." not in text:
         text = text.replace(",", ".")
+    return _number(text.replace(_MINUS, "-"), column.unit, unit, show(_text(cell)))
+
+
+def _number(text: str, kind: str, unit: str, got: str) -> float:
+    """Return a number in the unit of its column, in SI; one with a unit of its own is refused."""
+    expected = f"a number in {unit}"
     try:
-        to_si(text, "1")  # the unit stands in the header: a cell with its own is refused
-        return to_si(f"{text} {unit}", column.unit)
+        value = to_si(text, kind)
+        if written_in(text, kind) is None:
+            return to_si(f"{text} {unit}", kind)
     except ModelError as error:
         is_finite = not (error.expected or "").endswith("finite")
         error.expected = expected if is_finite else f"{expected}, finite"
-        error.what, error.got = "no number", show(_text(cell))
+        error.what, error.got = "no number", got
+        if error.hint in (NUMBER_AND_UNIT, ONE_NUMBER):  # hints for where units are written
+            error.hint = "write a number such as 1.5; its unit stands in the header"
         raise
+    number = f"{value / to_si(f'1 {unit}', kind):.12g}"
+    raise ModelError("a unit in a cell", got=got, expected=expected,
+                     hint=f"the unit stands in the header: write {number}")  # fmt: skip
 
 
 def _text(cell: str | int | float) -> str:

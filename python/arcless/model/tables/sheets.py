@@ -73,7 +73,8 @@ def _length(name: str, *, is_needed: bool = True) -> ColumnOf:
 def _hung(sheet: str, number: str) -> Sheet:
     """Return the sheet of what hangs in spans: pre-sag as designed, or lengths as built."""
     either = (_length("presag", is_needed=False), _length("length", is_needed=False))
-    return Sheet(sheet, (_whole("span"), _whole(number), _length("position"), *either))
+    own = _whole(number, is_needed=False)
+    return Sheet(sheet, (_whole("span"), own, _length("position"), *either))
 
 
 _MASS = ColumnOf("mass", "number", "kg")

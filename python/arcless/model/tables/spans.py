@@ -107,13 +107,7 @@ def _hung(table: Table, name: str, count: int, places: list[Places]) -> list[Hun
             raise ModelError(f"{number} in no span", where=table.at(index, "span"),
                              got=f"span {span}", expected=f"a span from 1 to {count}")  # fmt: skip
         rows[span - 1].append(index)
-        if table.columns[number][index] != len(rows[span - 1]):
-            raise ModelError(
-                f"{number}s out of order", where=table.at(index, number),
-                got=f"{number} {table.columns[number][index]} of span {span}",
-                expected=f"{len(rows[span - 1])}: they count from 1 in each span, none left out or"
-                " given twice",
-            )  # fmt: skip
+    rows = [_in_order(table, number, span, own) for span, own in enumerate(rows, start=1)]
     for span, own in enumerate(rows):
         for place, index in enumerate(own):
             for column, field in (
@@ -125,18 +119,32 @@ def _hung(table: Table, name: str, count: int, places: list[Places]) -> list[Hun
     return [_of_span(table, number, own) for own in rows]
 
 
+def _in_order(table: Table, number: str, span: int, rows: Sequence[int]) -> list[int]:
+    """Return the rows of a span as they are numbered or, without numbers, by position."""
+    numbers = [table.column(number)[index] for index in rows]
+    if all(given is None for given in numbers):
+        return sorted(rows, key=lambda index: table.columns["position"][index])
+    for place, (index, given) in enumerate(zip(rows, numbers, strict=True), start=1):
+        if given != place:
+            got = "no number" if given is None else f"{number} {given}"
+            raise ModelError(
+                f"{number}s out of order", where=table.at(index, number),
+                got=f"{got} of span {span}",
+                expected=f"{place}: they count from 1 in each span, none left out or given twice",
+                hint=f"number them again, or empty the cells of column {number} in this span: then"
+                " they count by position",
+            )  # fmt: skip
+    return list(rows)
+
+
 def _of_span(table: Table, number: str, rows: Sequence[int]) -> Hung:
     lists = {}
     for column in ("presag", "length"):
         values = [table.column(column)[index] for index in rows]
-        empty = [index for index, value in zip(rows, values, strict=True) if value is None]
-        if empty and len(empty) < len(rows):
-            raise ModelError(
-                f"{column} of some {number}s only", where=table.at(empty[0], column),
-                got="an empty cell",
-                expected=f"a {column} of every {number} of the span, or of none",
-            )  # fmt: skip
-        lists[column] = tuple(values) if rows and not empty else None
+        filled = [index for index in rows if table.column(column)[index] is not None]
+        if filled and len(filled) < len(rows):
+            raise _of_some(table, number, rows, column)
+        lists[column] = tuple(values) if filled else None
     if lists["presag"] is not None and lists["length"] is not None:
         raise ModelError(
             "both presag and length", where=table.at(rows[0], "length"), got="two values",
@@ -144,6 +152,24 @@ def _of_span(table: Table, number: str, rows: Sequence[int]) -> Hung:
         )  # fmt: skip
     positions = tuple(table.columns["position"][index] for index in rows)
     return Hung(positions, lists["presag"], lists["length"])
+
+
+def _of_some(table: Table, number: str, rows: Sequence[int], column: str) -> ModelError:
+    """Return the error of a column that is filled in some rows of a span, at the rarer kind."""
+    values = table.column(column)
+    filled = [index for index in rows if values[index] is not None]
+    empty = [index for index in rows if values[index] is None]
+    other = table.column("length" if column == "presag" else "presag")
+    excluded = "presag (design) and length (as built) exclude each other in a span"
+    is_stray = len(filled) <= len(empty)
+    place = filled[0] if is_stray else empty[0]
+    return ModelError(
+        f"{column} of some {number}s only", where=table.at(place, column),
+        got=f"{short(values[place])} m, and {len(empty)} empty cells of {len(rows)}"
+        if is_stray else "an empty cell",
+        expected=f"a {column} of every {number} of the span, or of none",
+        hint=excluded if any(other[index] is not None for index in rows) else None,
+    )  # fmt: skip
 
 
 def named(

@@ -8,9 +8,9 @@ from arcless.equilibrium.initial_configuration import InitialConfiguration
 
 # Key of a row, title of its column with the unit, decimals.
 _SPAN_COLUMNS = (
-    ("messenger_wire_sag_m", "sag of messenger wire, m", 4),
+    ("messenger_wire_sag_below_chord_m", "sag of messenger wire below its chord, m", 4),
     ("messenger_wire_lowest_m", "messenger wire, lowest, m", 4),
-    ("contact_wire_sag_m", "sag of contact wire, m", 4),
+    ("contact_wire_sag_below_chord_m", "sag of contact wire below its chord, m", 4),
     ("contact_wire_lowest_m", "contact wire, lowest, m", 4),
     ("contact_wire_highest_m", "contact wire, highest, m", 4),
 )

@@ -15,13 +15,15 @@ Tone = Literal["", "met", "not_met", "open", "soft"]
 class Cell:
     """A cell of a table: its text, a smaller one below it, and the meaning of its colour.
 
-    `wide` says over how many columns it goes.
+    `wide` says over how many columns it goes. A `command` is set as code that can be copied: its
+    lines end only between two words of it.
     """
 
     text: str
     small: str = ""
     tone: Tone = ""
     wide: int = 1
+    command: bool = False
 
 
 @dataclass(frozen=True)

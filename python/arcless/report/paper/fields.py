@@ -42,20 +42,23 @@ def check_fields(fields: Mapping[str, str]) -> None:
     Raises
     ------
     OutputError
-        A name or a value is empty or too long, or there are too many.
+        A name is empty, a name or a value too long, or there are too many. An empty value is a
+        line to be filled in by hand.
     """
     if len(fields) > MOST_FIELDS:
         raise OutputError(
             "too many fields of the cover", got=str(len(fields)), expected=f"{MOST_FIELDS} at most"
         )
     for name, value in fields.items():
-        for what, text, most in (("name", name, LONGEST_NAME), ("value", value, LONGEST_VALUE)):
-            if not isinstance(text, str) or not text.strip() or len(text) > most:
+        for what, text, least, most in (
+            ("name", name, 1, LONGEST_NAME), ("value", value, 0, LONGEST_VALUE),
+        ):  # fmt: skip
+            if not isinstance(text, str) or len(text.strip()) < least or len(text) > most:
                 raise OutputError(
                     f"wrong {what} of a field of the cover",
                     where=str(name)[:LONGEST_NAME],
                     got=show(text) if len(str(text)) <= most else f"{len(text)} letters",
-                    expected=f"a text of 1 to {most} letters",
+                    expected=f"a text of {least} to {most} letters",
                 )
 
 
@@ -74,7 +77,11 @@ def shown(fields: Mapping[str, str]) -> list[tuple[str, str]]:
 
 
 def signatures(fields: Mapping[str, str]) -> list[tuple[str, str]]:
-    """Return the steps that are signed for, and who does; the author has prepared a document."""
+    """Return the steps that are signed for, and who does.
+
+    The author has prepared a document unless a field says who did, or leaves that blank.
+    """
     names = {step: of(fields, step) for step in SIGNED}
-    names["prepared"] = names["prepared"] or of(fields, "author")
+    if "prepared" not in map(str.lower, fields):
+        names["prepared"] = of(fields, "author")
     return [(step.capitalize(), name) for step, name in names.items()]

@@ -22,6 +22,10 @@ _NOT_NEGATIVE = (
     "mass_above_kg", "force_noise_N", "force_resolution_N", "acceleration_noise_m_s2",
     "height_noise_m",
 )  # fmt: skip
+# Part of the path by which an odometer may be wrong: worn wheels and slip are 1 % or so. More lets
+# a number that was meant in per cent pass, and the reader of the file refuses positions that are
+# further from its speeds.
+LARGEST_DRIFT = 0.02
 _ANY_SIGN = ("lift_N", "position_offset_m", "odometer_drift", "force_min_N", "force_max_N", "seed")
 
 
@@ -81,9 +85,13 @@ class Instrument:
         if not self.force_min_N < self.force_max_N:
             got = f"{self.force_min_N:g} to {self.force_max_N:g} N"
             raise ModelError("range of the force sensors", got=got, expected="from < to")
-        if not self.odometer_drift > -1.0:
-            got = f"{self.odometer_drift:g}"
-            raise ModelError("odometer_drift", got=got, expected="above -1: it runs forwards")
+        if abs(self.odometer_drift) > LARGEST_DRIFT:
+            raise ModelError(
+                "odometer_drift", got=f"{self.odometer_drift:g}, that is"
+                f" {100.0 * self.odometer_drift:g} %",
+                expected=f"from -{100.0 * LARGEST_DRIFT:g} % to {100.0 * LARGEST_DRIFT:g} %",
+                hint="a number without a sign is no percentage: write 0.2 %, or 0.002",
+            )  # fmt: skip
         if self.seed < 0 or self.seed != int(self.seed):
             raise ModelError("seed", got=f"{self.seed}", expected="a whole number, 0 or more")
 

@@ -133,8 +133,8 @@ def _kept_numbers(file: Path, facts: Mapping[str, Any]) -> dict[str, Any] | None
     """Return the numbers of the assessment next to a result; None where it is another one's.
 
     It is of this result where it is not older nor changed later, and all that both took over from
-    the run is the same; of its own section and filter, where these are those of the scenario; by these criteria,
-    where this version computed the run.
+    the run is the same; of its own section and filter, where these are those of the scenario; by
+    these criteria, where this version computed the run.
     """
     beside = file.with_name(ASSESSMENT_NAME)
     if file.name != RESULT_NAME or facts["arcless_version"] != version("arcless"):

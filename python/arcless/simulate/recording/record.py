@@ -169,7 +169,7 @@ def static_variables(found: Equilibrium, elasticity: Floats) -> dict[str, Any]:
         "dropper_bottom_z": points[[dropper.nodes[1] for dropper in mesh.droppers], 2],
         "dropper_force_static": found.of_droppers("link_tension"),
         "support_x": [support.x for support in mesh.supports],
-        # The ends of the wires are anchored: no support, no arm, no force.
+        # Where wires are anchored nothing holds them, and an arm may be no bar: no number.
         "support_force_static": _rows(found.arrays["spring_force"], springs),
         "steady_arm_force_static": _rows(found.arrays["strut_tension"], arms),
         "elasticity": elasticity,
@@ -206,7 +206,7 @@ def _wires(found: Equilibrium) -> dict[str, list[list[int]]]:
 
 
 def _rows(values: Floats, rows: list[int | None]) -> list[float]:
-    return [0.0 if row is None else float(values[row]) for row in rows]
+    return [np.nan if row is None else float(values[row]) for row in rows]
 
 
 def rows(steps: range, scenario: Scenario) -> dict[str, int]:

@@ -19,7 +19,7 @@ from math import pi
 import numpy as np
 from numpy.typing import NDArray
 
-from arcless.equilibrium.equilibrium import ELASTICITY_SPACING, Equilibrium, named
+from arcless.equilibrium.equilibrium import Equilibrium, named
 from arcless.model.line.parts.spans import SpanType
 from arcless.pantograph.natural_modes import Band
 
@@ -101,7 +101,7 @@ def _span(
     found: Equilibrium, number: int, ends: tuple[float, float], kind: SpanType, force: float
 ) -> Span:
     left, right = ends
-    x = np.linspace(left, right, max(2, round((right - left) / ELASTICITY_SPACING) + 1))
+    x = found.elasticity_positions(left, right)
     elasticity = found.elasticity(x)
     frequency, share = modes_moved(found, float(x[len(x) // 2]))
     swing, swing_share = _swing(frequency, share)

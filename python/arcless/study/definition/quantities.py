@@ -3,8 +3,9 @@
 A key of a pantograph (`mean_force_N`) is that of the leading one; `P2.mean_force_N` is that of the
 second one, by number or by name; `worst.std_force_N` is that of the pantograph where it is worst.
 `criteria.NAME` is 1 where a criterion is met, 0 where not, and nothing where it is too close
-to tell; `criteria.NAME.margin` is what its limit leaves, negative beyond it, of the pantograph with
-the smallest margin, and `criteria.NAME.value` and `criteria.NAME.limit` are its value and limit.
+to tell; `criteria.NAME.margin` is what its limit with its tolerance leaves (`Criterion.margin`),
+negative where it is not met, of the pantograph with the smallest margin, and `criteria.NAME.value`
+and `criteria.NAME.limit` are its value and limit.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -82,11 +83,10 @@ def values(assessment: Assessment) -> dict[str, float | None]:
 def _nearest(criteria: Sequence[Criterion]) -> tuple[float | None, float | None, float | None]:
     """Return value, limit and margin of the criterion that is nearest to its limit or beyond."""
     known = [
-        (item.limit - item.value if item.relation.startswith("<") else item.value - item.limit,
-         item.value, item.limit)
+        (item.margin, item.value, item.limit)
         for item in criteria
-        if item.value is not None and item.limit is not None
-    ]  # fmt: skip
+        if item.margin is not None and item.value is not None and item.limit is not None
+    ]
     if not known:
         return None, None, None
     margin, value, limit = min(known)

@@ -11,8 +11,15 @@ from arcless.errors import ArclessError
 from arcless.model import Scenario, load, parse_override
 from arcless.model.files.yaml_reader import Origin
 from arcless.model.scenario.references import read
+from arcless.study.definition.quantities import is_number
 from arcless.study.definition.study import Study
 from arcless.study.evaluation.variants import scenario, variant
+from arcless.study.variables.variables import Axis
+from arcless.units import KINDS, to_si, written_in
+from arcless.units.kinds import canonical
+
+# Significant digits that are tried for a number: as people write it, then to its last bit.
+_DIGITS = (6, 9, 12, 15, 16, 17)
 
 
 class Commands:
@@ -71,13 +78,33 @@ class Commands:
         fields = any(one.random_field is not None for one in self._study.variables.values())
         if self._scenario is None or fields or set(made.changes) != set(named):
             return None
+        amounts = {axis.field: self._amount(axis, made.values[axis.name])
+                   for axis in self._study.axes}  # fmt: skip
         settings = []
         for path, value in {**self._study.changes, **named}.items():
-            text = f"{path}={self._text(value)}"
-            if not isinstance(value, str) and _read(text) != json.loads(json.dumps(value)):
+            amount = amounts.get(path)
+            text = f"{path}={amount or self._text(value)}"
+            plain = amount is None and not isinstance(value, str)
+            if plain and _read(text) != json.loads(json.dumps(value)):
                 return None
             settings += ["--set", text]
         return ["arcless", "run", self._scenario, *settings]
+
+    def _amount(self, axis: Axis, value: Any) -> str | None:
+        """Return a number with a unit that is read as the same bits; None for what has no unit.
+
+        As typed in the study file, otherwise with the fewest digits in the unit used there, or
+        else in SI.
+        """
+        unit = canonical(axis.unit)
+        if not is_number(value) or unit not in KINDS or unit == "1":
+            return None
+        variable = self._study.variables[axis.name]
+        given = [*(variable.values or ()), *(variable.range or ())]
+        typed = [one.strip() for one in given if written_in(one, unit) is not None]
+        typed += [f"{value / axis.scale:.{n}g} {axis.typed_unit}" for n in _DIGITS]
+        typed += [f"{value!r} {axis.unit}"]
+        return next((text for text in typed if to_si(text, unit) == value), None)
 
     def _text(self, value: Any) -> str:
         return self._place(value) if isinstance(value, str) else json.dumps(value)

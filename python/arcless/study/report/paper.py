@@ -238,12 +238,17 @@ def _best(texts: Mapping[str, Any]) -> Iterator[Block]:
     yield _commands("objectives", rows)
 
 
-def _commands(what: str, rows: Sequence[Sequence[Cell | str]]) -> Table:
+def _commands(what: str, rows: Sequence[Sequence[str]]) -> Table:
+    """Return a table of variants, the command of each below it over the whole width."""
     columns = [
-        Column("variant", is_number=True), Column(what, 1.2),
-        Column("values of the variables", 1.6), Column("command", 2.4, is_code=True),
+        Column("variant", is_number=True), Column(what, 1.0),
+        Column("values of the variables", 1.6, below="and the command"),
     ]  # fmt: skip
-    return Table(columns, rows)
+    made: list[Sequence[Cell | str]] = []
+    for *told, command in rows:
+        made.append(told)
+        made += [[Cell(command, wide=len(columns), command=True)]] if command else []
+    return Table(columns, made)
 
 
 def _stops(texts: Mapping[str, Any]) -> Iterator[Block]:

@@ -19,7 +19,7 @@ from arcless.report.summary import LENGTH, Verdict
 from arcless.study.report import tables
 from arcless.study.report.data.judged import VERDICTS, Judged, Verdicts
 from arcless.study.report.data.record import Column, Record
-from arcless.study.report.figures.canvas import Canvas, extremes, span_of
+from arcless.study.report.figures.canvas import Canvas, extremes, limits_of, span_of
 
 # Outputs on the first screen; the others are in their table.
 MOST_OUTPUTS = 6
@@ -49,6 +49,11 @@ class Range:
         )
 
 
+def variants_of(count: int) -> str:
+    """Return a number of variants in words: ``1 variant``, ``1 200 variants``."""
+    return f"{count:,} variant{'' if count == 1 else 's'}".replace(",", " ")
+
+
 def identity(record: Record) -> list[tuple[str, str]]:
     """Return what was studied, as label and text."""
     study, base = record.study, record.study.base
@@ -61,7 +66,7 @@ def identity(record: Record) -> list[tuple[str, str]]:
         heads += ", distance varied" if varied else f", {', '.join(gaps)} m apart"
     design = tables.design_text(study)
     if " variants" not in design:  # an optimisation says how many
-        design += f"; {record.status.total:,} variants".replace(",", " ")
+        design += f"; {variants_of(record.status.total)}"
     begun = str(record.state.get("begun", "–")).replace("T", " ")[:16]
     return [
         ("Scenario", study.scenario.name),
@@ -77,7 +82,7 @@ def identity(record: Record) -> list[tuple[str, str]]:
 def state(record: Record) -> tuple[bool, str]:
     """Return whether all is computed, and how far the study is, in words."""
     found = record.status
-    parts = [f"{found.done} of {found.total} variants computed"]
+    parts = [f"{found.done} of {variants_of(found.total)} computed"]
     parts += [f"{found.pruned} pruned"] if found.pruned else []
     parts += [f"{found.invalid} invalid"] if found.invalid else []
     parts += [f"{found.failed} failed"] if found.failed else []
@@ -102,16 +107,22 @@ def headline(record: Record, verdicts: Verdicts) -> Verdict:
         return Verdict("open", "≈", text, "", [f"{words}.", hint])
     count = Counter(VERDICTS[int(code)] for code in verdicts.codes)
     met, done = count[MET], len(record.done)
-    those = f"{done} variants" + ("" if done == record.status.total else " with values")
-    who = f"All {those} meet" if met == done else f"{met} of {those} {_meet(met)}"
+    some, none = "" if done == record.status.total else " with values", count[NOT_JUDGED]
+    those = f"{variants_of(done - none)}{some}{' that could be judged' if none else ''}"
+    every = f"All {those} meet" if done - none > 1 else f"The {those.removeprefix('1 ')} meets"
+    who = every if met == done - none else f"{met} of {those} {_meet(met)}"
+    who = f"{who} {_criteria(judged, verdicts)}"
     unsure = [f"{count[TOO_CLOSE]} too close to tell"] if count[TOO_CLOSE] else []
-    unsure += [f"{count[NOT_JUDGED]} without a verdict"] if count[NOT_JUDGED] else []
+    if none == done:
+        who = f"None of {done} variants{some} could be judged"
+    elif none:
+        unsure.append(f"{none} of {done} could not be judged")
     items = [*_worst(judged, done), f"{words}."]
     if verdicts.unknown:
         items.append(f"Not judged, as no output has them: {'; '.join(verdicts.unknown)}.")
     kind = "met" if met == done and whole else "missed" if count[NOT_MET] == done else "open"
     sign = {"met": "✔", "missed": "✘"}.get(kind, "≈")
-    return Verdict(kind, sign, f"{who} {_criteria(judged, verdicts)}", "; ".join(unsure), items)
+    return Verdict(kind, sign, who, "; ".join(unsure), items)
 
 
 def _meet(count: int) -> str:
@@ -121,9 +132,9 @@ def _meet(count: int) -> str:
 def _criteria(judged: list[Judged], verdicts: Verdicts) -> str:
     if verdicts.whole or not verdicts.unknown:
         return "all criteria that decide"
-    names = {one.name for one in judged}
-    whole = len(names) + len(verdicts.unknown)
-    return f"the criteria that could be judged, {len(names)} of {whole}"
+    shown, others = len({one.name for one in judged}), len(verdicts.unknown)
+    which = "the one criterion that is" if shown == 1 else f"the {shown} criteria that are"
+    return f"{which} judged; {others} other {'criterion is' if others == 1 else 'criteria are'} not"
 
 
 def _worst(judged: list[Judged], done: int) -> list[str]:
@@ -132,7 +143,7 @@ def _worst(judged: list[Judged], done: int) -> list[str]:
     for one in judged:
         missed[one.heading] = max(missed[one.heading], one.count(NOT_MET))
     (name, count), *_ = missed.most_common(1) or [("", 0)]
-    return [f"Most often not met: {name}, {count} of {done} variants."] if count else []
+    return [f"Most often not met: {name}, {count} of {variants_of(done)}."] if count else []
 
 
 def ranges(canvas: Canvas) -> list[Range]:
@@ -154,12 +165,10 @@ def _range(canvas: Canvas, output: Column) -> Range:
     limit, verdict, kind, bound = "", "", "plain", None
     if judged is not None:
         limits = judged.limits[np.isfinite(judged.limits)]
-        limit = f"limit {RELATION_SIGNS[judged.relation]} {span_of(limits, judged.unit)}"
+        limit = f"limit {RELATION_SIGNS[judged.relation]} {limits_of(judged)}"
         met = judged.count(MET)
         kind = "met" if met == len(known) else "not-met" if judged.count(NOT_MET) else "open"
-        missed = judged.count(NOT_MET, NOT_MET_UNVERIFIED)
-        verdict = f"not met: {missed} of {len(known)}" if missed else f"met: {met} of {len(known)}"
-        verdict += "" if judged.decides else " (unverified)"
+        verdict = _counts(judged, len(known))
         bound = float(limits.min() if judged.relation == "<=" else limits.max())
     points = [low, high, *([] if bound is None else [bound])]
     begin = min(0.0, *points) if min(points) > -max(map(abs, points)) * 0.5 else min(points)
@@ -172,13 +181,20 @@ def _range(canvas: Canvas, output: Column) -> Range:
     )  # fmt: skip
 
 
+def _counts(judged: Judged, count: int) -> str:
+    """Return of how many variants a limit is not met, and is so unverified; else met, in words."""
+    told = [(NOT_MET, "not met"), (NOT_MET_UNVERIFIED, "unverified")]
+    missed = [f"{word}: {found}" for verdict, word in told if (found := judged.count(verdict))]
+    if missed:
+        return f"{', '.join(missed)} of {count}"
+    return f"met: {judged.count(MET)} of {count}{'' if judged.decides else ' (unverified)'}"
+
+
 def criterion_rows(verdicts: Verdicts) -> list[dict[str, str]]:
     """Return the criteria that the rows tell about, as text."""
     rows = []
     for one in verdicts.items:
-        limits = one.limits[np.isfinite(one.limits)]
-        told = span_of(limits, one.unit)
-        limit = f"{RELATION_SIGNS[one.relation]} {told}" if one.relation else ""
+        limit = f"{RELATION_SIGNS[one.relation]} {limits_of(one)}" if one.relation else ""
         missed, unsure = one.count(NOT_MET), one.count(NOT_MET_UNVERIFIED)
         counts = {
             "met": one.count(MET), "close": one.count(TOO_CLOSE), "none": one.count(NOT_JUDGED)

@@ -14,7 +14,14 @@ from arcless.study.report.commands import Commands
 from arcless.study.report.data.judged import VERDICTS
 from arcless.study.report.data.numbers import column_texts, digits
 from arcless.study.report.data.record import Column, shortened
-from arcless.study.report.figures.canvas import RELATIONS, SELECTION, SIGNS, Canvas, extremes
+from arcless.study.report.figures.canvas import (
+    RELATIONS,
+    SELECTION,
+    SIGNS,
+    Canvas,
+    extremes,
+    limits_of,
+)
 from arcless.study.report.tables import values_of
 
 # Class of a cell, short as there are thousands.
@@ -129,8 +136,9 @@ def _limits(canvas: Canvas, column: Column) -> str:
         return ""
     known = np.unique(judged.limits[np.isfinite(judged.limits)])
     if np.ptp(known) > 1e-9 * max(float(np.abs(known).max()), 1.0):  # not rounding alone
-        return "limit by variant"
-    return f"{RELATIONS[judged.relation]} {digits(float(known[0]))}"
+        beyond = f", tolerance {judged.tolerance:g}" if judged.tolerance else ""
+        return f"limit by variant{beyond}"
+    return f"{RELATIONS[judged.relation]} {limits_of(judged, unit=False)}"
 
 
 def _variable(canvas: Canvas, column: Column) -> list[Entry]:

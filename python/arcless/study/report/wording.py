@@ -36,7 +36,8 @@ def judged(*, any_criterion: bool) -> str:
     return (
         "Each variant is judged by its own limits: from the rules at its speed, its mean force, and"
         f" its line.{none} A limit that was not checked in a source (marks C, C*, assumed) does not"
-        " count: values beyond it are shown as unverified."
+        " count: values beyond it are unverified, with the sign ?. A tolerance stands"
+        ' behind its limit, as in "116.9 + 1 N"; a margin has it in it.'
     )
 
 

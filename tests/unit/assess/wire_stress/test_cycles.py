@@ -42,7 +42,7 @@ def test_nothing_cycles_in_a_constant() -> None:
 
 @pytest.mark.parametrize("exponent", [0.0, -3.0, 31.0, float("nan"), float("inf")])
 def test_what_is_no_exponent_is_refused(exponent: float) -> None:
-    with pytest.raises(ModelError, match="expected 1 to 30"):
+    with pytest.raises(ModelError, match="expected a number, 1 to 30"):
         Cycles.of(EXAMPLE).equivalent_range(exponent)
 
 

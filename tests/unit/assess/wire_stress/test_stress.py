@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import arcless
+from arcless.assess.wire_stress.tables import by_range
 from arcless.errors import ModelError
 from arcless.results import Result
 from tests.support.synthetic import scenario_data, synthetic_dataset
@@ -49,6 +50,63 @@ def test_the_instant_of_the_passage_is_among_the_rows() -> None:
     fine = drawn().wire_stress()
     for one, other in zip(coarse.wire_stress().places, fine.places, strict=True):
         assert one.max_MPa == pytest.approx(other.max_MPa, rel=2e-3)
+
+
+def test_texts_with_units_are_amounts() -> None:
+    result = drawn()
+    found = result.wire_stress(area="120 mm²", tension="18 kN", exponent="5")
+    assert found == result.wire_stress(area=120e-6, tension=18e3, exponent=5.0)
+
+
+@pytest.mark.parametrize(
+    ("asked", "words"),
+    [
+        ({"exponent": "five"}, 'exponent of the Wöhler line: got "five", expected a number'),
+        ({"exponent": [5]}, "exponent of the Wöhler line: got a list of 1"),
+        ({"tension": "18 kg"}, "tension: wrong value.*expected a force"),
+        ({"area": "120 mm"}, "area: wrong value.*mm is the unit of a length"),
+        ({"area": []}, "area: wrong value: got a list of 0"),
+    ],
+)
+def test_amounts_that_are_none_are_refused(asked: dict[str, Any], words: str) -> None:
+    with pytest.raises(ModelError, match=words):
+        drawn().wire_stress(**asked)
+
+
+@pytest.mark.parametrize(
+    ("area", "modulus", "is_told"),
+    # EA is 10 MN: E = EA/A on both sides of 90 and 135 GPa.
+    [("111 mm2", 90.1, False), ("112 mm2", 89.3, True),
+     ("75 mm2", 133.3, False), ("74 mm2", 135.1, True)],
+)  # fmt: skip
+def test_a_modulus_that_is_none_of_copper_is_told(area: str, modulus: float, is_told: bool) -> None:
+    found = drawn().wire_stress(area=area)
+    assert 1e-9 * found.wire.section.modulus == pytest.approx(modulus, abs=0.05)
+    assert bool(found.notes) is is_told
+    assert found.to_dict()["notes"] == found.notes
+    for note in found.notes:
+        assert f"{modulus:.1f} GPa" in note and "90 to 135 GPa (assumed)" in note
+
+
+def test_places_are_in_the_order_of_what_is_asked_for() -> None:
+    result = drawn()
+    for exponent, key in ((None, "largest_range_MPa"), (5.0, "equivalent_range_MPa")):
+        found = result.wire_stress(exponent=exponent)
+        ordered = by_range(found.to_dict())
+        ranges = [one[key] for one in ordered]
+        assert ranges == sorted(ranges, reverse=True) and len(ranges) == len(found.places)
+        assert found.worst.name == ordered[0]["name"]
+
+
+@pytest.mark.parametrize("exponent", [None, 5.0])
+def test_a_data_frame_has_all_places(exponent: float | None) -> None:
+    found = drawn().wire_stress(exponent=exponent)
+    table = found.to_dataframe()
+    assert len(table) == len(found.places)
+    assert table["place"].tolist() == [one.name for one in found.places]
+    assert table["largest range [MPa]"].tolist() == [one.largest_range_MPa for one in found.places]
+    assert ("equivalent range S_eq [MPa]" in table) is (exponent is not None)
+    assert table.attrs["units"]["position [m]"] == "m"
 
 
 def test_numbers_for_json() -> None:
@@ -112,3 +170,31 @@ def test_a_run_without_forces_is_refused(staggered: Result) -> None:
     bare = staggered.dataset.drop_vars(["dropper_force", "steady_arm_force"])
     with pytest.raises(ModelError, match="no force of a dropper"):
         Result(bare, staggered.scenario).wire_stress()
+
+
+def test_a_run_that_stopped_early_is_refused() -> None:
+    scenario = arcless.load(SPATIAL + "-planar")
+    part = arcless.run(scenario, until="500 ft")
+    assert not part.is_complete
+    with pytest.raises(ModelError, match=r"run that stopped early.*`arcless resume RUN`"):
+        part.wire_stress()
+
+
+@pytest.mark.parametrize(
+    ("section", "words"),
+    [
+        # The second pantograph runs from −100 to 500 m, the first from 0 to 600 m.
+        ({"from": "150 m", "to": "560 m"}, r"pantograph P2 ran over -100\.0 to 500\.0 m"),
+        ({"from": "150 m", "to": "480 m"}, None),
+    ],
+)
+def test_a_section_that_was_not_wholly_passed_is_refused(
+    section: dict[str, str], words: str | None
+) -> None:
+    data = scenario_data(analysis=section)
+    result = Result(synthetic_dataset(scenario=data, pantographs=("P1", "P2")), arcless.load(data))
+    if words is None:
+        assert result.wire_stress().places
+        return
+    with pytest.raises(ModelError, match=rf"section that was not wholly passed.*{words}"):
+        result.wire_stress()

@@ -52,6 +52,17 @@ def test_offset_of_a_line_without_repetition(offset: float) -> None:
     np.testing.assert_allclose(found.on_line(measured.position_m), RUN, atol=WAVE_M / 100.0)
 
 
+def test_a_better_place_beyond_the_search_is_told_where_the_place_is_poor() -> None:
+    force = 100.0 + 20.0 * band_noise(1, X)
+    # Half noise: the true place, 60 m away, has a correlation of 0.7, chance places have less.
+    noisy = band_noise(1, RUN) + 1.2 * band_noise(9, RUN)
+    measured = trace(RUN - 60.0, 100.0 + 20.0 * noisy)
+    found = aligned(trace(X, force), measured, Search(-25.0, 25.0))
+    assert found.correlation is not None
+    assert found.correlation < 0.5
+    assert found.beyond_offset_m == pytest.approx(60.0, abs=WAVE_M / 10.0)
+
+
 @pytest.mark.parametrize("drift", [-0.004, 0.001, 0.0047])
 def test_drift_of_the_odometer(drift: float) -> None:
     force = 100.0 + 20.0 * band_noise(2, X)

@@ -14,7 +14,7 @@ def test_code_of_the_guide(
 ) -> None:
     text = (DOCS / "guide" / "figures.md").read_text("utf-8")
     pieces = re.findall(r"```python\n(.*?)```", text, re.DOTALL)
-    assert len(pieces) == 3
+    assert len(pieces) == 4
     monkeypatch.chdir(tmp_path)
     folder = Path("runs/en50318-ac-simple-320")
     folder.mkdir(parents=True)

@@ -1,5 +1,6 @@
 """Tables that are wrong: each is told by sheet, row and column, with what is expected."""
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 
@@ -11,6 +12,7 @@ from arcless.model.shipped.library import shipped
 from arcless.model.table_edit import edit_line, edited_line
 from arcless.model.tables.files import write_tables
 from arcless.model.tables.of_line import tables_of
+from arcless.model.tables.sheets import SHEETS
 from tests.support.line_tables import content, loaded
 
 NAME = "norway-s25"
@@ -61,8 +63,17 @@ def whole(text: str) -> Change:
         ("spans", whole("span,length [m]\n"), "spans.csv", "no spans"),
         ("spans", swap("span,type", '"span,type'), "row ", "is a quotation mark open?"),
         # Cells.
-        ("spans", swap("3,standard,60.0", "3,standard,sixty"), "row 4, column length", "no number"),
-        ("spans", swap("3,standard,60.0", "3,standard,60 m"), "row 4, column length", "no number"),
+        ("spans", swap("3,standard,60.0", "3,standard,sixty"),
+         "row 4, column length", "write a number such as 1.5; its unit stands in the header"),
+        ("spans", swap("3,standard,60.0", "3,standard,60 m"),
+         "row 4, column length", "a unit in a cell: got \"60 m\", expected a number in m; hint: the"
+         " unit stands in the header: write 60"),
+        ("spans", swap("3,standard,60.0", "3,standard,61500 mm"),
+         "row 4, column length", "write 61.5"),
+        ("spans", swap("3,standard,60.0", "3,standard,60 kN"),
+         "row 4, column length", "kN is the unit of a force"),
+        ("spans", swap("3,standard,60.0", "3,standard,4 ft 8 in"),
+         "row 4, column length", "write a number such as 1.5; its unit stands in the header"),
         ("spans", swap("3,standard,60.0", "3,standard,"), "row 4, column length", "empty cell"),
         ("spans", swap("3,standard,60.0", "3,standard"), "row 4, column length", "empty cell"),
         ("spans", swap("3,standard,60.0", "3,standard,60,5"), "row 4, column 4", "with a comma?"),
@@ -82,6 +93,10 @@ def whole(text: str) -> Change:
          "supports.csv", "16 rows, expected 17"),
         ("droppers", swap("3,2,", "3,3,"),
          "row 15, column dropper", "dropper 3 of span 3, expected 2"),
+        ("droppers", swap("3,2,", "3,,"),
+         "row 15, column dropper", "no number of span 3, expected 2"),
+        ("droppers", swap("\n3,2,15.0,0.0,\n", "\n"),
+         "row 15, column dropper", "hint: number them again, or empty the cells of column"),
         ("droppers", swap("3,2,", "3,1,"),
          "row 15, column dropper", "dropper 1 of span 3, expected 2"),
         ("droppers", swap("3,2,", "99,1,"), "row 15, column span", "expected a span from 1 to 16"),
@@ -93,7 +108,8 @@ def whole(text: str) -> Change:
         ("droppers", swap("3,2,15.0,0.0,", "3,2,15.0,,"),
          "row 15, column presag", "presag of some"),
         ("droppers", swap("3,2,15.0,0.0,", "3,2,15.0,0.0,1.2"),
-         "row 14, column length", "length of some"),
+         "row 15, column length", "got 1.2 m, and 5 empty cells of 6, expected a length of every"
+         " dropper of the span, or of none; hint: presag (design) and length (as built) exclude"),
         ("supports", swap("4,5.3", "4,53"), "row 5, column contact_wire_height", "at most 20 m"),
         ("supports", swap("4,5.3,0.0", "4,5.3,3.0"),
          "row 5, column stagger_contact_wire", "at most 1 m"),
@@ -148,11 +164,66 @@ def test_files_that_are_no_tables_are_named(folder: Path) -> None:
     assert edited_line(TEXT, "line.yaml", folder).left_out == ["remarks of the office.csv"]
 
 
-def test_a_name_with_a_slip_is_told(folder: Path) -> None:
-    (folder / "point_masses.csv").rename(folder / "pointmass.csv")
-    assert "did you mean point_masses?" in told(folder)
-    (folder / "pointmass.csv").rename(folder / "#pointmass.csv")
-    assert edited_line(TEXT, "line.yaml", folder).left_out == ["#pointmass.csv"]
+def test_droppers_without_numbers_count_by_position(folder: Path) -> None:
+    spoil(
+        folder, "droppers", swap("3,1,5.0,0.0,\n3,2,15.0,0.0,\n", "3,2,15.0,0.0,\n3,1,5.0,0.0,\n")
+    )
+    numbered = (folder / "droppers.csv").read_text()
+    assert "droppers out of order" in told(folder)
+    # Empty in all of the file, in one span, and without the column.
+    for old, new in ((r"(?m)^(\d+),\d+,", r"\1,,"), (r"(?m)^3,\d+,", "3,,")):
+        (folder / "droppers.csv").write_text(re.sub(old, new, numbered))
+        assert edited_line(TEXT, "line.yaml", folder).changed == []
+    (folder / "droppers.csv").write_text(re.sub(r"(?m)^(\w+),\w+,", r"\1,", numbered))
+    assert edited_line(TEXT, "line.yaml", folder).changed == []
+
+
+def test_a_typographic_minus_is_read(folder: Path) -> None:
+    spoil(folder, "supports", swap("4,5.3,0.0", "4,5.3,\u22120.05"))
+    line = loaded(edited_line(TEXT, "line.yaml", folder).text)
+    assert line.geometry.stagger_contact_wire is not None
+    assert line.geometry.stagger_contact_wire[3] == -0.05
+
+
+def test_a_typographic_minus_has_a_decimal_comma(folder: Path) -> None:
+    file = folder / "supports.csv"
+    rows = [f"{n};6;\u22120,05" for n in range(1, 18)]
+    head = "support;contact_wire_height [m];stagger_contact_wire [m]"
+    file.write_text("\n".join([head, *rows]), "utf-8")
+    line = loaded(edited_line(TEXT, "line.yaml", folder).text)
+    assert line.geometry.stagger_contact_wire == (-0.05,)
+
+
+@pytest.mark.parametrize(
+    ("sheet", "name"),
+    [
+        ("point_masses", "pointmass"),
+        ("supports", "supports rev B"),
+        ("supports", "Supports (old)"),
+        ("supports", "Support list of the office"),
+        ("tension_lengths", "2024 Tension-Lengths"),
+    ],
+)
+def test_a_renamed_sheet_is_told(folder: Path, sheet: str, name: str) -> None:
+    (folder / f"{sheet}.csv").rename(folder / f"{name}.csv")
+    assert f"did you mean {sheet}? a name that begins with # is left out" in told(folder)
+    (folder / f"{name}.csv").rename(folder / f"# {name}.csv")
+    found = edited_line(TEXT, "line.yaml", folder)
+    assert found.left_out == []
+    assert sheet not in found.read
+
+
+@pytest.mark.parametrize("name", ["Dropper", "droper", "droppers-2"])
+def test_nearly_the_name_of_a_sheet_that_is_there_is_told(folder: Path, name: str) -> None:
+    (folder / f"{name}.csv").write_text("span,dropper\n")
+    assert "did you mean droppers?" in told(folder)
+
+
+def test_what_has_the_name_of_a_sheet_that_is_there_is_left_out(folder: Path) -> None:
+    (folder / "droppers before the renewal.csv").write_text("x")
+    found = edited_line(TEXT, "line.yaml", folder)
+    assert found.left_out == ["droppers before the renewal.csv"]
+    assert found.read == sorted(SHEETS.keys() - {"hangers"})
 
 
 def test_droppers_of_a_line_without_a_messenger_wire_are_told(folder: Path) -> None:

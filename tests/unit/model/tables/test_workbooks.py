@@ -81,6 +81,9 @@ def remove(content: Any) -> None:
         (put("spans", "C4", 6000), r"row 4, column C \(length\): .*at most 500 m"),
         (put("spans", "A4", 3.5), r"row 4, column A \(span\): no whole number: got \"3.5\""),
         (put("spans", "C1", "length"), r"row 1, column C \(length\): unit missing"),
+        (put("spans", "C1", "=B1"),
+         r"spans, row 1, column C: header without a name: got a formula without a stored value,"
+         r".* write the name into this cell as a text"),
         (put("spans", "E7", "remark"), r"row 7, column E: a cell without a header: got \"remark\""),
         (put("droppers", "C97", 65), r"droppers, row 97, column C \(position\): .*outside its"),
         (put("spans", "XFD1048576", 1), r"too many cells: got a sheet to row 1048576, column X"),
@@ -110,6 +113,7 @@ def test_numbers_stored_as_text_are_read(book: Path) -> None:
 def test_notes_of_the_office_are_passed_over(book: Path) -> None:
     def change(content: Any) -> None:
         content.create_sheet("Remarks")["A1"] = "checked by Kari"
+        content.create_sheet("# droppers")["A1"] = "before the renewal"
         content["spans"]["E1"] = "# drawing"
         content["spans"]["E4"] = "4711-B"
         content["spans"].insert_rows(1)

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import arcless
+from arcless.errors import ModelError
 from arcless.results import Result
 
 Run = Callable[..., Result]
@@ -55,6 +56,11 @@ def test_the_first_row_is_the_line_at_rest(spatial: Result) -> None:
     # The design keeps the arm's slope at its node; wires settle by micrometres on 1 m.
     np.testing.assert_allclose(data["steady_arm_angle"][0, far], slope, atol=1e-3)
     assert np.isnan(data["support_force"][:, [0, -1]]).all()
+    # Where wires are anchored nothing is held, at rest either.
+    for name in ("support_force_static", "steady_arm_force_static"):
+        np.testing.assert_array_equal(
+            np.flatnonzero(np.isnan(data[name])), [0, data[name].size - 1]
+        )
 
 
 def test_a_planar_line_has_no_lateral_loads_nor_arms(planar: Result) -> None:
@@ -157,9 +163,9 @@ def test_near_and_streamed_rows_are_those_of_the_whole_record(
         assert 50 < cut.size < everything.size
         assert (cut == everything.sel(line_time=cut["line_time"])).all()
         assert cut.attrs == everything.attrs
-    with pytest.raises(KeyError, match="steady_arm"):
+    with pytest.raises(ModelError, match="did you mean steady_arm_force"):
         spatial.passage("support", "support 9", "steady_arm")
-    with pytest.raises(KeyError, match="dropper_force"):
+    with pytest.raises(ModelError, match=r"unknown series of a support.*dropper_force"):
         spatial.passage("support", "support 9", "dropper_force")
 
 

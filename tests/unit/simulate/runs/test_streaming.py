@@ -8,7 +8,7 @@ import pytest
 import xarray
 
 import arcless
-from arcless.errors import ResultFormatError
+from arcless.errors import ModelError, ResultFormatError
 from arcless.figures.description import Curve, Map
 from arcless.simulate import is_long
 from arcless.simulate.runs import job
@@ -144,7 +144,7 @@ def test_passages_are_those_of_the_whole_record() -> None:
     there = np.interp(x, near.dataset["position"][:, 0], near.dataset["time"])
     times = near.passage("support", "support 4")["line_time"]
     assert float(times[0]) < there - 1.0 < there + 1.0 < float(times[-1])
-    with pytest.raises(KeyError):
+    with pytest.raises(ModelError, match="unknown dropper"):
         near.passage("dropper", "span 99 dropper 1")
     assert near.assessment.to_dict()["criteria"] == whole.assessment.to_dict()["criteria"]
 

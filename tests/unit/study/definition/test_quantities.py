@@ -2,10 +2,12 @@
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 import arcless
 from arcless.assess import Assessment
+from arcless.assess.criteria import RELATIONS
 from arcless.model import Scenario
 from arcless.study.definition.quantities import (
     WORST,
@@ -88,9 +90,9 @@ def test_numbers_of_criteria_are_those_nearest_to_the_limit(two: Assessment) -> 
             assert margin is None
             continue
         left = {
-            item.pantograph: item.limit - item.value
+            item.pantograph: (item.limit + item.tolerance) - item.value
             if item.relation == "<="
-            else item.value - item.limit
+            else item.value - (item.limit - item.tolerance)
             for item in judged
         }
         assert margin == min(left.values())
@@ -101,6 +103,18 @@ def test_numbers_of_criteria_are_those_nearest_to_the_limit(two: Assessment) -> 
     assert unit_of_key("criteria.statistical_max") == ""
     assert unit_of_key("criteria.wave_speed_use.limit") == ""
     assert criterion_of("criteria.statistical_max.middle") is None
+
+
+def test_a_margin_has_the_tolerance_of_its_limit_in_it(two: Assessment) -> None:
+    made = replace(two.criteria[0], name="mean_force", relation="<=", limit=116.948, tolerance=1.0)
+    ends = [117.496, 117.948, np.nextafter(117.948, 200.0), 119.0]
+    for value, met in zip(ends, [True, True, False, False], strict=True):
+        one = replace(made, value=float(value))
+        found = values(replace(two, criteria=[one]))
+        margin = found["criteria.mean_force.margin"]
+        assert margin is not None
+        assert (margin >= 0.0) is met is RELATIONS["<="](one.value or 0.0, 116.948, 1.0)
+        assert found["criteria.mean_force.limit"] == 116.948
 
 
 def test_an_output_may_be_the_worst() -> None:

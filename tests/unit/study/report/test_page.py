@@ -14,6 +14,7 @@ from arcless.errors import StudyError
 from arcless.model import load as load_scenario
 from arcless.model import parse_override
 from arcless.study import Study, StudyFolder, load, run
+from arcless.study.evaluation.variants import scenario
 from arcless.study.folder import table
 from arcless.study.report import html, write
 from arcless.study.report.commands import Commands
@@ -135,6 +136,38 @@ def test_the_command_computes_the_row_again(tmp_path: Path, monkeypatch: Any) ->
     again = arcless.run(load_scenario(words[2]).with_(**changes))
     row = rows(tmp_path / "out" / "table.parquet")[4]
     assert again.assessment.pantographs[0].std_force_N == row["sigma"]  # the same bits
+
+
+SPEEDS: dict[str, Any] = {
+    "speed": {"field": "speed", "values": ["220 km/h", "61.1 m/s"]},
+    "tension": {"field": "line.contact_wire.tension", "range": ["18.1 kN", "26 kN"]},
+}
+
+
+@pytest.mark.parametrize("kind", ["grid", "monte-carlo"])
+def test_commands_have_values_with_units_and_the_same_bits(
+    tmp_path: Path, monkeypatch: Any, kind: str
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    grid = kind == "grid"
+    variables = {**SPEEDS, "tension": {**SPEEDS["tension"], **({"count": 7} if grid else {})}}
+    made = load(written(
+        tmp_path, variables=variables,
+        design={"kind": kind} if grid else {"kind": kind, "count": 40},
+    ))  # fmt: skip
+    commands = Commands(made)
+    if grid:
+        assert commands.again(1).endswith(
+            "--set 'speed=220 km/h' --set 'line.contact_wire.tension=18.1 kN'"
+        )
+    for number in range(1, made.plan.count + 1):
+        words = shlex.split(commands.again(number))
+        assert words[:2] == ["arcless", "run"]
+        changes = dict(parse_override(text) for text in words[4::2])
+        assert isinstance(changes["line.contact_wire.tension"], str)  # with its unit
+        again, wanted = load_scenario(words[2]).with_(**changes), scenario(made, number)
+        assert again.speed == wanted.speed
+        assert again.line.contact_wire.tension == wanted.line.contact_wire.tension
 
 
 def test_the_best_of_an_optimisation(tmp_path: Path) -> None:

@@ -7,13 +7,13 @@ from typing import Any
 import pytest
 
 from arcless.errors import StudyError
-from arcless.report.paper.blocks import Pictures, Table
-from arcless.study import StudyFolder, run
+from arcless.report.paper.blocks import Cell, Pictures, Table
+from arcless.study import StudyFolder, load, run
 from arcless.study.report import html, variants, write_pdf
 from arcless.study.report.data.record import Record
 from arcless.study.report.paper import ON_SIDE, document
 from tests.support.pdf import blocks_of, cells_of, text_of
-from tests.support.studies import VARIABLES, filled, study
+from tests.support.studies import VARIABLES, filled, study, written
 from tests.unit.report.test_page import Page
 
 FORCE = {**VARIABLES["force"], "values": None, "range": ["60 N", "90 N"]}
@@ -102,6 +102,22 @@ def test_the_file(tmp_path: Path) -> None:
     assert text.count("$x$ #panic() *b*") > 3
     assert "Study of pantograph and overhead line" in text
     assert "A Variants" in text
+
+
+def test_commands_are_broken_only_between_their_words(tmp_path: Path) -> None:
+    pytest.importorskip("typst", reason="typst is not installed")
+    speed = {"field": "speed", "range": ["38 m/s", "61.111111111111114 m/s"]}
+    made = load(written(tmp_path, variables={"v": {**speed, "count": 2}}))
+    run(made, tmp_path / "study")
+    paper = document(Record(made, tmp_path / "study"))
+    rows = [row for one in blocks_of(paper, Table) for row in one.rows]
+    commands = [row[0] for row in rows if isinstance(row[0], Cell) and row[0].command]
+    assert len(commands) == 2
+    write_pdf(made, tmp_path / "a.pdf", tmp_path / "study")
+    text = text_of(tmp_path / "a.pdf")
+    for one in commands:
+        assert len(one.text) > 200  # longer than a line
+        assert one.text in text
 
 
 def test_a_study_that_was_not_begun_is_refused(tmp_path: Path) -> None:

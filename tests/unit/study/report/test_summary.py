@@ -37,7 +37,10 @@ def headline(folder: Path, ratios: list[float | None], **changes: Any) -> Any:
 
 def test_the_headline_counts_and_names_the_limit_that_is_missed(tmp_path: Path) -> None:
     found = headline(tmp_path, [0.2, 0.31, 0.35])
-    assert found.text == "1 of 3 variants meets the criteria that could be judged, 2 of 5"
+    assert (
+        found.text
+        == "1 of 3 variants meets the 2 criteria that are judged; 3 other criteria are not"
+    )
     assert found.state == "open"
     assert found.items[:2] == [
         "Most often not met: standard deviation σ, 2 of 3 variants.",
@@ -49,17 +52,36 @@ def test_the_headline_counts_and_names_the_limit_that_is_missed(tmp_path: Path) 
 @pytest.mark.parametrize(
     ("ratios", "text", "state"),
     [
-        ([0.1, 0.2, 0.3], "All 3 variants meet the criteria that could be judged, 2 of 5", "met"),
-        (
-            [0.4, 0.5, 0.6],
-            "0 of 3 variants meet the criteria that could be judged, 2 of 5",
-            "missed",
-        ),
+        ([0.1, 0.2, 0.3], "All 3 variants meet", "met"),
+        ([0.4, 0.5, 0.6], "0 of 3 variants meet", "missed"),
     ],
 )
 def test_all_and_none(tmp_path: Path, ratios: list[float | None], text: str, state: str) -> None:
     found = headline(tmp_path, ratios)
-    assert (found.text, found.state) == (text, state)
+    judged = "the 2 criteria that are judged; 3 other criteria are not"
+    assert (found.text, found.state) == (f"{text} {judged}", state)
+
+
+@pytest.mark.parametrize(
+    ("oks", "text", "rest"),
+    [
+        ([1.0, 1.0, None], "All 2 variants that could be judged meet", "1 of 3 could not"),
+        ([1.0, 0.0, None], "1 of 2 variants that could be judged meets", "1 of 3 could not"),
+        ([1.0, None, None], "The variant that could be judged meets", "2 of 3 could not"),
+        ([None, None, None], "None of 3 variants could be judged", ""),
+    ],
+)
+def test_variants_that_could_not_be_judged_are_counted_apart(
+    oks: list[float | None], text: str, rest: str, tmp_path: Path
+) -> None:
+    left = iter(oks)
+    made = filled_by(tmp_path, lambda _values: {"ok": next(left)}, **SWEEP,
+                     outputs={"ok": "passed"})  # fmt: skip
+    record = Record(made, tmp_path)
+    found = summary.headline(record, judge(record))
+    assert found.text.removesuffix(" all criteria that decide") == text
+    assert found.rest == (f"{rest} be judged" if rest else "")
+    assert found.state == "open"
 
 
 def test_the_output_passed_tells_of_all_criteria(tmp_path: Path) -> None:
@@ -68,8 +90,8 @@ def test_the_output_passed_tells_of_all_criteria(tmp_path: Path) -> None:
                      outputs={"ok": "passed"})  # fmt: skip
     record = Record(made, tmp_path)
     found = summary.headline(record, judge(record))
-    assert found.text == "1 of 3 variants meets all criteria that decide"
-    assert found.rest == "1 without a verdict"
+    assert found.text == "1 of 2 variants that could be judged meets all criteria that decide"
+    assert found.rest == "1 of 3 could not be judged"
     assert not any("Not known" in text for text in found.items)
 
 
@@ -80,7 +102,7 @@ def test_without_a_limit_there_is_no_verdict(tmp_path: Path) -> None:
     verdicts = judge(record)
     assert [one.name for one in verdicts.items] == ["wave_speed_use"]
     page = html(made, tmp_path)
-    assert "All 3 variants meet the criteria that could be judged, 1 of " in page
+    assert "All 3 variants meet the one criterion that is judged; " in page
 
 
 def test_every_label_says_of_which_pantograph(tmp_path: Path) -> None:
@@ -122,6 +144,33 @@ def test_the_table_marks_ends_and_verdicts(tmp_path: Path) -> None:
     assert [(one.variant, one.why) for one in found.marked] == [
         (1, "lowest r, 0.2"), (2, "highest r, 0.31")
     ]  # fmt: skip
+
+
+def test_a_tolerance_stands_behind_its_limit_and_unverified_has_its_sign(tmp_path: Path) -> None:
+    left = iter([180.0, 111.0, 190.0])
+    made = filled_by(tmp_path, lambda _values: {"m": next(left)}, **SWEEP,
+                     outputs={"m": "mean_force_N"})  # fmt: skip
+    drawn = canvas(made, tmp_path)
+    (shown,) = summary.ranges(drawn)
+    assert shown.limit == "limit ≤ (100.6 to 130.6) + 1 N"
+    assert shown.verdict == "not met: 1, unverified: 2 of 3"
+    limits = [row["limit"] for row in summary.criterion_rows(drawn.verdicts)]
+    assert "≤ (100.6 to 130.6) + 1 N" in limits
+    first, second, third = variants.table(drawn, Drawing()).rows.split("\n")
+    assert "? 180" in first
+    assert "? 111" in second  # 108.8 N, and 1 N
+    assert "✘ 190" in third
+    assert variants.columns(drawn)[-1].below == "N, limit by variant, tolerance 1"
+
+
+def test_one_variant_is_one(tmp_path: Path) -> None:
+    one = {"variables": {"v": {"field": "speed", "values": ["250 km/h"]}}}
+    found = headline(tmp_path, [0.2], **one)
+    assert found.text.startswith("The variant meets the ")
+    assert found.items[0] == "Complete: 1 of 1 variant computed."
+    record = Record(filled_by(tmp_path / "b", lambda _values: {"r": 0.2}, outputs=RATIO,
+                              **{**SWEEP, **one}), tmp_path / "b")  # fmt: skip
+    assert dict(summary.identity(record))["Design"].endswith("; 1 variant")
 
 
 def test_a_sweep_has_its_limit_and_its_verdicts(tmp_path: Path) -> None:

@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
+from arcless.cli.arguments.at_rest import faults_of
 from arcless.cli.arguments.scenario import JsonOption, check_speed
 from arcless.cli.completion import names
 from arcless.cli.terminal import console
@@ -82,30 +83,13 @@ def check(
         for warning in model.line_warnings(checked):
             console.warn(warning)
     if not isinstance(checked, model.Pantograph):
-        _check_at_rest(file, checked)
+        from arcless import simulate
+
+        with faults_of(file, model_alone=True):
+            simulate.check_at_rest(checked)
     console.data(f"{file}: valid {_description(checked)}")
     if isinstance(checked, model.Scenario):
         console.data(f"a run takes {checked.choice.sentence}")
-
-
-def _check_at_rest(file: str, checked: "Scenario | Line") -> None:
-    """Find the line at rest; what has no equilibrium is a mistake in the file.
-
-    Raises
-    ------
-    ModelError
-        The line has no equilibrium, or a dropper or a steady arm would have to push.
-    """
-    from arcless.errors import EquilibriumError, ModelError
-    from arcless.simulate import check_at_rest
-
-    try:
-        check_at_rest(checked)
-    except EquilibriumError as error:
-        where = file if error.where is None else f"{file}: {error.where}"
-        raise ModelError(
-            error.what, where=where, got=error.got, expected=error.expected, hint=error.hint
-        ) from error
 
 
 def schema() -> None:

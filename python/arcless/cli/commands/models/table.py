@@ -18,7 +18,8 @@ def table(
         str,
         typer.Argument(
             metavar="LINE",
-            help="A line: a shipped name or a file; of a scenario, its line.",
+            help="A line: a shipped name or a file; for --to also a scenario, whose line is "
+            "written. --from changes a line file of your own.",
             autocompletion=names.lines,
             show_default=False,
         ),
@@ -29,8 +30,7 @@ def table(
         typer.Option(
             "--to",
             metavar="TABLES",
-            help="Write the tables: a workbook (.xlsx), or a folder for CSV files. Files that exist"
-            " are replaced.",
+            help="Write the tables: a workbook (.xlsx), or a folder for CSV files.",
             show_default=False,
         ),
     ] = None,
@@ -44,13 +44,21 @@ def table(
             show_default=False,
         ),
     ] = None,
+    overwrite: Annotated[
+        bool,
+        typer.Option(
+            "--overwrite",
+            help="With --to, replace tables that are there: a workbook with all its sheets; of a "
+            "folder the CSV files of these names, those that the line has no use for removed.",
+        ),
+    ] = False,
 ) -> None:
     """Write a line as tables, or read tables into its file.
 
     There is a row for each span, support and dropper, and a unit in the header of each column.
     With --from, the file LINE is changed only where the tables say something else; its comments,
-    wires and tensions stay. A table that is wrong is told by sheet, row and column, and the file
-    stays as it is.
+    wires and tensions stay. With --to, tables that exist are replaced only if --overwrite is
+    given. A table that is wrong is told by sheet, row and column, and the file stays as it is.
     """
     from arcless.errors import ModelError
 
@@ -59,8 +67,11 @@ def table(
             "arcless table", got="--to and --from" if to is not None else "neither --to nor --from",
             expected="--to TABLES to write tables, or --from TABLES to read them",
         )  # fmt: skip
+    if overwrite and to is None:
+        raise ModelError("arcless table", got="--overwrite with --from",
+                         expected="--overwrite with --to: --from replaces no tables")  # fmt: skip
     if to is not None:
-        _write(line, to)
+        _write(line, to, overwrite=overwrite)
     elif source is not None:
         _read(line, source)
 
@@ -71,12 +82,15 @@ def say_left_out(found: "Edited") -> None:
         console.warn(f"left out, as no tables of a line: {', '.join(found.left_out)}")
 
 
-def _write(name: str, to: Path) -> None:
+def _write(name: str, to: Path, *, overwrite: bool) -> None:
     from arcless.model.tables.files import write_tables
     from arcless.model.tables.of_line import tables_of
 
-    for file in write_tables(to, tables_of(_line(name))):
+    written, removed = write_tables(to, tables_of(_line(name)), overwrite=overwrite)
+    for file in written:
         console.data(f"wrote {file}")
+    for file in removed:
+        console.data(f"removed {file}, of which the line has nothing")
 
 
 def _read(name: str, source: Path) -> None:
@@ -86,7 +100,10 @@ def _read(name: str, source: Path) -> None:
     found = edit_line(name, source)
     say_left_out(found)
     if not found.changed:
-        console.data(f"{name}: nothing to change, {source} says the same")
+        same = f"{source} says the same"
+        if found.left_out:
+            same = f"what was read of {source} says the same: {', '.join(found.read)}"
+        console.data(f"{name}: nothing to change, {same}")
         return
     console.data(f"changed {name}: {', '.join(found.changed)}")
     console.data(f"next: arcless check {name}")

@@ -31,7 +31,9 @@ class SpanDroppers(Part):
         description="The wire held, below its nominal height at each dropper; zeros without it.",
     )
     lengths: Places | None = Field(
-        default=None, description="Unstretched distance between the clamps of each dropper."
+        default=None,
+        description="Unstretched length of each dropper between its clamps, without the stretch"
+        " under its force: the clamps at rest are farther apart.",
     )
 
     @property

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 
-from arcless.assess import MET, NOT_JUDGED, NOT_MET, NOT_MET_UNVERIFIED, RULES, TOO_CLOSE, decides
+from arcless.assess import MET, NOT_JUDGED, NOT_MET, RULES, TOO_CLOSE, decides
 from arcless.assess.criteria import RELATIONS
 from arcless.assess.rules import Rule, mark_of
 from arcless.study.definition.quantities import (
@@ -20,7 +20,7 @@ from arcless.study.definition.quantities import (
     owner_of_key,
 )
 from arcless.study.report.data.judged import CODES, Codes, Judged, Verdicts, code_of
-from arcless.study.report.data.limits import MEAN, Limits, judges, known_of, rule_of
+from arcless.study.report.data.limits import MEAN, CriterionRules, Limits, judges, known_of, rule_of
 from arcless.study.report.data.record import Column, Floats, Record
 from arcless.study.report.data.scenes import TARGET_MET_N, Scene, Scenes
 
@@ -101,49 +101,28 @@ def _limited(
     unit = output.unit or ("" if share else rule.unit)
     return [
         Judged(name, rule.title, output, rule.relation, output.values, limits, codes, unit, sure,
-               tuple(marks), sources, "; ".join(rules), owners)
+               tuple(marks), sources, "; ".join(rules), owners, rule.tolerance)
     ]  # fmt: skip
 
 
-def _marks(
-    record: Record, name: str, scenes: Sequence[Scene | None], owners: tuple[int, ...]
-) -> set[str]:
-    """Return the marks of the limits of a criterion in the variants."""
-    return {
-        mark_of(found, scene.facts, known_of(record, place))
-        for scene in scenes
-        for place in owners
-        if scene is not None and (found := rule_of(name, scene.facts)) is not None
-    }
-
-
 def _margin(record: Record, output: Column, name: str, scenes: Sequence[Scene | None]) -> Judged:
-    """Return a criterion whose margin is an output: it is met where that is 0 or more."""
-    rule = _RULES[name]
-    owners = tuple(range(len(record.study.base.pantographs)))
-    marks = _marks(record, name, scenes, owners)
-    sure = all(decides(mark) for mark in marks)
-    holds = RELATIONS[rule.relation.replace("<", ">")]
-    met = [holds(margin, 0.0, rule.tolerance) for margin in output.values.tolist()]
-    codes = np.where(met, CODES[MET], CODES[NOT_MET if sure else NOT_MET_UNVERIFIED])
+    """Return a criterion whose margin is an output: it has the tolerance of the limit in it."""
+    rules = CriterionRules.of(record, name, scenes)
+    relation = rules.first.relation.replace("<", ">")
+    met = [RELATIONS[relation](margin, 0.0, 0.0) for margin in output.values.tolist()]
+    codes = np.where(met, CODES[MET], CODES[NOT_MET])
     codes[~np.isfinite(output.values)] = CODES[NOT_JUDGED]
-    return Judged(name, rule.title, output, ">=", output.values, np.zeros(len(codes)),
-                  codes.astype(np.int8), output.unit, np.full(len(codes), sure),
-                  tuple(sorted(marks)), rule.source, "the margin is an output", owners)  # fmt: skip
+    return Judged(name, rules.first.title, output, relation, output.values, np.zeros(len(codes)),
+                  rules.codes(codes.astype(np.int8)), output.unit, rules.sure, rules.marks,
+                  rules.source, "the margin is an output", rules.owners)  # fmt: skip
 
 
 def _told(record: Record, output: Column, name: str, scenes: Sequence[Scene | None]) -> Judged:
     """Return a criterion whose verdict is an output."""
-    rule = _RULES[name]
-    owners = tuple(range(len(record.study.base.pantographs)))
-    marks = _marks(record, name, scenes, owners)
-    unsure = any(not decides(mark) for mark in marks)
-    codes = _codes_of(output, record)
-    if unsure:
-        codes = np.where(codes == CODES[NOT_MET], CODES[NOT_MET_UNVERIFIED], codes).astype(np.int8)
-    return Judged(name, rule.title, output, "", output.values, np.full(len(codes), np.nan), codes,
-                  "", np.full(len(codes), not unsure), tuple(sorted(marks)), rule.source,
-                  "the verdict is an output", owners)  # fmt: skip
+    rules, codes = CriterionRules.of(record, name, scenes), _codes_of(output, record)
+    return Judged(name, rules.first.title, output, "", output.values, np.full(len(codes), np.nan),
+                  rules.codes(codes), "", rules.sure, rules.marks, rules.source,
+                  "the verdict is an output", rules.owners)  # fmt: skip
 
 
 def _codes_of(output: Column, record: Record) -> Codes:
@@ -225,7 +204,8 @@ def _asked_force(
     rule = next(iter(rules.values()))
     return [
         Judged(name, rule.title, None, rule.relation, values, limits, codes, rule.unit, sure,
-               tuple(rules), rule.source, "the mean force that the scenario asks for", places)
+               tuple(rules), rule.source, "the mean force that the scenario asks for", places,
+               rule.tolerance)
     ]  # fmt: skip
 
 

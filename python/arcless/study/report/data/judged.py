@@ -42,6 +42,8 @@ class Judged:
         Where the limit is from, in words.
     owners
         Pantographs that it tells about, from 0.
+    tolerance
+        Distance in `unit` that a value may lie beyond its limit.
     """
 
     name: str
@@ -57,6 +59,7 @@ class Judged:
     source: str
     how: str
     owners: tuple[int, ...]
+    tolerance: float = 0.0
 
     @property
     def decides(self) -> bool:

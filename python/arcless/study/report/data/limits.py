@@ -1,12 +1,16 @@
 """Limits of outputs, from the rules of the assessment and the scene of each variant."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from arcless.assess.rules import RULES, Facts, Rule, mark_of
+from arcless.assess import NOT_MET, NOT_MET_UNVERIFIED, decides
+from arcless.assess.rules import ANY_SUPPLY, ASSUMED, RULES, Facts, Rule, mark_of
 from arcless.study.definition.quantities import owner_of_key
+from arcless.study.report.data.judged import CODES, Codes
 from arcless.study.report.data.record import Column, Record
 from arcless.study.report.data.scenes import TARGET_MET_N, Scene
 
@@ -37,6 +41,56 @@ def judges(rule: Rule, quantity: str) -> bool:
 def known_of(record: Record, place: int, mean_force: float | None = None) -> Any:
     """Return a pantograph of a study as the rules take it."""
     return _Known(record.study.base.pantographs[place].name, mean_force)
+
+
+@dataclass(frozen=True)
+class CriterionRules:
+    """The rule of a criterion in each variant; one that holds in none is the first of the table.
+
+    Attributes
+    ----------
+    first
+        The rule of the first variant that has one.
+    sure
+        Whether it decides in a variant: the mark of every pantograph's limit does.
+    marks, source
+        Of all variants.
+    owners
+        All pantographs, from 0.
+    """
+
+    first: Rule
+    sure: NDArray[np.bool_]
+    marks: tuple[str, ...]
+    source: str
+    owners: tuple[int, ...]
+
+    @classmethod
+    def of(cls, record: Record, name: str, scenes: Sequence[Scene | None]) -> "CriterionRules":
+        """Return the rules of a criterion, by supply and speed of each variant."""
+        owners = tuple(range(len(record.study.base.pantographs)))
+        rules = [None if scene is None else rule_of(name, scene.facts) for scene in scenes]
+        # Where speed or supply is not known, any rule of the name may be the one.
+        any_of = {rule.mark if rule.supplies == ANY_SUPPLY else ASSUMED
+                  for rule in RULES if rule.name == name}  # fmt: skip
+        marks = [
+            any_of if scene is None else set() if rule is None
+            else {mark_of(rule, scene.facts, known_of(record, place)) for place in owners}
+            for rule, scene in zip(rules, scenes, strict=True)
+        ]  # fmt: skip
+        found = [rule for rule in rules if rule is not None] or [
+            next(rule for rule in RULES if rule.name == name)
+        ]
+        sure = np.array([bool(each) and all(map(decides, each)) for each in marks], dtype=bool)
+        return cls(
+            found[0], sure, tuple(sorted(set().union(*marks))),
+            "; ".join(dict.fromkeys(rule.source for rule in found)), owners,
+        )  # fmt: skip
+
+    def codes(self, codes: Codes) -> Codes:
+        """Return verdicts with those not met unverified where the limit does not decide."""
+        unsure = ~self.sure & (codes == CODES[NOT_MET])
+        return np.where(unsure, CODES[NOT_MET_UNVERIFIED], codes).astype(np.int8)
 
 
 class Limits:

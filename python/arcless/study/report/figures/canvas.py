@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arcless.assess import MET, NOT_JUDGED, NOT_MET, NOT_MET_UNVERIFIED, TOO_CLOSE
+from arcless.assess.criteria import allowance
 from arcless.figures.description import Area, Axis, Curve, Layer, Points, Rules, Scale, Tip
 from arcless.figures.description.thinning import every
 from arcless.study.report.data.judged import CODES, Judged, Verdicts
@@ -18,7 +19,7 @@ from arcless.study.report.data.record import Column, Floats, Record, shortened
 # Bounds the size of the page whatever the number of variants.
 MOST_POINTS = 4000
 SELECTION = "variants"
-SIGNS = {MET: "✔", NOT_MET: "✘", NOT_MET_UNVERIFIED: "✘", TOO_CLOSE: "≈", NOT_JUDGED: "–"}
+SIGNS = {MET: "✔", NOT_MET: "✘", NOT_MET_UNVERIFIED: "?", TOO_CLOSE: "≈", NOT_JUDGED: "–"}
 _FEW_POINTS = 200
 # Lines under the pointer: more hide the figure.
 _MOST_TIPS = 14
@@ -180,12 +181,13 @@ class Canvas:
         limits, places = judged.limits[known], x.values[known]
         marks = ", ".join(judged.marks)
         name = f"limit, {judged.title}"
+        name += f" (tolerance {judged.tolerance:g} {judged.unit})" if judged.tolerance else ""
         name += "" if judged.decides else f" (mark {marks}, decides nothing)"
         look: dict[str, Any] = {"colour": "limit", "name": name}
         line = {**look, "width": 1.6, "dash": "solid" if judged.decides else "dotted"}
         text = (
             f"Limit of {judged.heading}: {RELATIONS[judged.relation]}"
-            f" {span_of(limits, judged.unit)} ({judged.how}; mark {marks})."
+            f" {limits_of(judged)} ({judged.how}; mark {marks})."
         )
         size = max(float(np.abs(limits).max()), 1e-12)
         if np.ptp(limits) <= _SAME_LIMIT * size:
@@ -217,6 +219,15 @@ def span_of(values: Floats, unit: str, shown: Callable[[float], str] = digits) -
         return "no value"
     low, high = shown(float(known.min())), shown(float(known.max()))
     return (low if low == high else f"{low} to {high}") + (f" {unit}" if unit else "")
+
+
+def limits_of(judged: Judged, shown: Callable[[float], str] = digits, unit: bool = True) -> str:
+    """Return the range of a criterion's limits in words, with the tolerance: ``116.9 + 1 N``."""
+    known, label = span_of(judged.limits, "", shown), judged.unit if unit else ""
+    beyond = allowance({"tolerance": judged.tolerance, "limit": known, "relation": judged.relation})
+    if beyond and " " in known:  # the tolerance is of both ends
+        known = f"({known})"
+    return f"{known}{beyond} {label}".rstrip()
 
 
 def is_path(variables: list[Column]) -> bool:

@@ -171,6 +171,24 @@ def test_margins_that_are_outputs(tmp_path: Path) -> None:
         assert "statistical_max" not in [one.name for one in told.items]
 
 
+def test_the_mark_of_a_criterion_is_that_of_each_variant(tmp_path: Path) -> None:
+    """Up to 200 km/h the limit of F_m is remembered, above it was read."""
+    rows = {v: {"f": 190.0, "c": 0.0, "m": -1.0} for v in (150, 250, 321)}
+    outputs = {"f": "mean_force_N", "c": "criteria.mean_force", "m": "criteria.mean_force.margin"}
+    found = [one for one in verdicts(tmp_path, outputs, rows).items if one.name == "mean_force"]
+    assert len(found) == 3
+    for one in found:
+        assert words(one.codes) == [NOT_MET_UNVERIFIED, NOT_MET, NOT_MET]
+        assert one.sure.tolist() == [False, True, True]
+        assert set(one.marks) == {"A", "C"}
+
+
+def test_a_margin_has_the_tolerance_in_it_already(tmp_path: Path) -> None:
+    rows = {150: {"m": 0.0}, 250: {"m": -0.5}, 321: {"m": 0.5}}
+    found = verdicts(tmp_path, {"m": "criteria.mean_force.margin"}, rows)
+    assert words(item(found, "mean_force").codes) == [MET, NOT_MET, MET]
+
+
 def test_the_speed_over_the_wave_speed_needs_no_output(tmp_path: Path) -> None:
     speeds = {"v": {"field": "speed", "values": ["150 km/h", "321 km/h", "400 km/h"]}}
     rows = {v: {"h": 1.0} for v in (150, 321, 400)}
