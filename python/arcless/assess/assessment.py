@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from arcless.assess.certainty import COVERAGE, RUN_KEYS, Draw, Draws, numbers_of, student_factor
-from arcless.assess.criteria import Criterion, evaluate
-from arcless.assess.facts import criteria_facts, lateral_mm, supply_notes, uplift_notes
+from arcless.assess.criteria import NOT_JUDGED, Criterion, evaluate, verdict_of
+from arcless.assess.facts import criteria_facts, lateral_mm, speed_notes, supply_notes, uplift_notes
+from arcless.assess.rules import decides
 from arcless.assess.section import (
     ForceRecord,
     Section,
@@ -18,10 +19,11 @@ from arcless.assess.section import (
     checked_section,
     extreme_inside,
     force_record,
+    ran_over,
     section_notes,
 )
 from arcless.assess.statistics import PantographAssessment, pantograph_assessment
-from arcless.assess.tables import card, data_frame, headline, title_of
+from arcless.assess.tables import Headline, card, data_frame, headline, title_of
 from arcless.assess.wear import WearRates, wear_notes, wear_rates
 from arcless.dataset.metadata import metadata
 from arcless.errors import ResultFormatError
@@ -68,20 +70,53 @@ class Assessment:
     """Method by which they were found, see `arcless.assess.certainty`."""
     measurement: dict[str, Any] | None = None
     """Sampling of a measurement, and what of it was left out; None of a run."""
+    ran_over_m: list[float] | None = None
+    """Part of the section that the pantographs ran over; None where it is the whole of it."""
+    stopped_m: float | None = None
+    """Position of the first pantograph where the run stopped early; None of a whole run."""
 
     @property
     def passed(self) -> bool:
         """True when no deciding limit was missed; criteria too close to tell count as met."""
         return not any(criterion.fails for criterion in self.criteria)
 
+    @property
+    def is_judged(self) -> bool:
+        """True when there is a verdict by a limit that decides, or one too close to tell."""
+        return any(
+            decides(one.mark) and verdict_of(asdict(one)) != NOT_JUDGED for one in self.criteria
+        )
+
+    @property
+    def headline(self) -> Headline:
+        """Verdict over all criteria in words; of a run that stopped early that of a part."""
+        found = headline(self.criteria)
+        if self.stopped_m is None:
+            return found
+        return replace(found, text=f"Of the part up to {self.stopped_m:.1f} m: {found.text}")
+
+    @property
+    def section_words(self) -> str:
+        """The section in words, and the part of it that was run over where it is not the whole."""
+        begin, end = self.section_m
+        text = f"{begin:.1f} m to {end:.1f} m"
+        if self.ran_over_m is not None:
+            first, last = self.ran_over_m
+            text += f", of which {first:.1f} m to {last:.1f} m were run over"
+        stop = (
+            "" if self.stopped_m is None else f"; the run stopped early at {self.stopped_m:.1f} m"
+        )
+        return text + stop
+
     def to_dict(self) -> dict[str, Any]:
         """Return the assessment as plain values, ready for JSON.
 
         Without coefficients of wear in the scenario there are no keys of wear; `certainty` is there
-        where somebody asked for it, `measurement` where it is one.
+        where somebody asked for it, `measurement` where it is one, `ran_over_m` where that is a
+        part of the section, `stopped_m` where the run stopped early.
         """
         data = asdict(self)
-        asked = ("certainty", "certainty_method", "measurement")
+        asked = ("certainty", "certainty_method", "measurement", "ran_over_m", "stopped_m")
         for part in (data, *data["pantographs"], *data["criteria"]):
             for name in asked:
                 if name in part and part[name] is None:
@@ -109,10 +144,10 @@ class Assessment:
         return data_frame(self.to_dict(), table)
 
     def __repr__(self) -> str:
-        return f"<Assessment {title_of(vars(self))}: {headline(self.criteria).text}>"
+        return f"<Assessment {title_of(vars(self))}: {self.headline.text}>"
 
     def _repr_html_(self) -> str:
-        return card(self.to_dict(), headline(self.criteria))
+        return card(self.to_dict(), self.headline)
 
 
 def assess(
@@ -155,7 +190,8 @@ def assess(
     notes += _absences(line, facts["scenario"])
     notes += wear_notes(facts["scenario"].get("wear"), wear)
     judged_by = criteria_facts(facts, speed, line["max_uplift_at_support_mm"])
-    notes += supply_notes(judged_by) + uplift_notes(line["max_uplift_at_support_mm"])
+    notes += supply_notes(judged_by) + speed_notes(judged_by)
+    notes += uplift_notes(line["max_uplift_at_support_mm"])
     own = ("steps", "setup_time_s", "wall_time_s", "real_time_factor")
     draws, method, about_draws = _draws(facts, limits, cutoff_Hz)
     if draws is not None:
@@ -173,6 +209,8 @@ def assess(
         notes=notes + about_draws,
         certainty=None if draws is None else draws.of_run(line),
         certainty_method=method,
+        ran_over_m=ran_over(dataset, limits),
+        stopped_m=None if facts["state"] is None else facts["state"]["position_m"],
         **line,
         **{name: facts[name] for name in own},
     )

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from arcless.assess.rules import DECIDING, Facts, HeadLimit
+from arcless.assess.rules import DECIDING, SAME_SPEED_KM_H, Facts, HeadLimit
 from arcless.model.line.parts.geometry import ASSUMED_SUPPLY
 from arcless.model.pantograph.pantograph import lateral_limit
 
@@ -52,6 +52,17 @@ def supply_notes(facts: Facts, field: str = "line.design.supply") -> list[str]:
     return [
         f"{field} is not given: the limits that depend on it are those of {facts.supply},"
         " and decide nothing (mark assumed)"
+    ]
+
+
+def speed_notes(facts: Facts) -> list[str]:
+    """Say that a speed above a boundary of classes has the limits of those up to it."""
+    boundary = facts.class_speed_km_h
+    if facts.speed_km_h <= boundary + SAME_SPEED_KM_H:
+        return []
+    return [
+        f"the speed, {facts.speed_km_h:.9g} km/h, is within {facts.speed_known_to_km_h:g} km/h of"
+        f" {boundary:g} km/h: the limits are those of speeds up to {boundary:g} km/h"
     ]
 
 

@@ -20,6 +20,15 @@ ANY_SUPPLY = (*AC, "DC 3 kV", "DC 1.5 kV")
 
 ANY_SPEED = (-1.0, float("inf"))
 
+# Half of the interval in km/h that a speed is known to, within which it counts as the boundary of
+# two classes. Given speeds: to 0.1 km/h, since one in mph or m/s rarely is a whole number of km/h.
+# Measured means: to 1 km/h, as speedometers are read (assumed), since none is 250.000. Larger, a
+# run above a boundary gets the limits below it; smaller, a rounding error chooses the limits.
+GIVEN_SPEED_KM_H, MEASURED_SPEED_KM_H = 0.05, 0.5
+# Distance in km/h that the unit alone makes: 320 km/h is 88.888… m/s. Larger, a class is taken
+# without a note; smaller, the note stands where nothing was chosen.
+SAME_SPEED_KM_H = 1e-6
+
 ASSUMED = "assumed"
 LATERAL_LIMIT = "lateral_limit_mm"
 
@@ -49,6 +58,8 @@ class Facts:
     speed_km_h: float
     supply_given: bool = True
     """False where the line names no supply, and one was assumed."""
+    speed_known_to_km_h: float = GIVEN_SPEED_KM_H
+    """Error that the speed may have; within it of a boundary of classes, it counts as that."""
     wave_speed_use: float | None = None
     """Maximum speed over the wave speed of the contact wire."""
     uplift_mm: float | None = None
@@ -57,6 +68,13 @@ class Facts:
     uplift_limited: bool = False
     heads: Mapping[str, "HeadLimit"] = field(default_factory=dict)
     """Lateral range of the contact wire that each head allows, by name of the pantograph."""
+
+    @property
+    def class_speed_km_h(self) -> float:
+        """Speed by which limits are chosen: a boundary of classes where it is as good as that."""
+        near = min(BOUNDARIES_KM_H, key=lambda one: abs(one - self.speed_km_h))
+        as_good = abs(near - self.speed_km_h) <= self.speed_known_to_km_h
+        return near if as_good else self.speed_km_h
 
     @property
     def uplift_to_provide_mm(self) -> float | None:
@@ -114,11 +132,8 @@ class Rule:
 
     def applies(self, facts: Facts) -> bool:
         """Say whether the rule is meant for this supply and speed."""
-        # 320 km/h is 88.888… m/s: back in km/h it must not land above the boundary.
-        speed = round(facts.speed_km_h, 6)
-        return facts.supply in self.supplies and (
-            self.speeds_km_h[0] < speed <= self.speeds_km_h[1]
-        )
+        above, up_to = self.speeds_km_h
+        return facts.supply in self.supplies and above < facts.class_speed_km_h <= up_to
 
 
 def quantity_of(name: str, facts: Facts, pantograph: PantographAssessment) -> float | None:
@@ -278,4 +293,9 @@ RULES: tuple[Rule, ...] = (
         source="EN 50119:2009, 5.2.4, as quoted in Bane NOR technical rules TRV:00599",
         whole_run=True,
     ),
+)
+
+# Speeds in km/h at which classes of limits meet.
+BOUNDARIES_KM_H = sorted(
+    {end for rule in RULES for end in rule.speeds_km_h if 0.0 < end < float("inf")}
 )

@@ -20,6 +20,12 @@ Section = tuple[float, float]
 
 # Sampling that EN 50317 asks of a measurement (from memory, not verified).
 MEASUREMENT_RATE_HZ = 200.0
+# Section below which numbers are those of one place: two passages of the longest repeating wave,
+# the span, and a second where spans are short or none. Longer, good short sections are doubted.
+FEWEST_SPANS, SHORTEST_S = 2, 1.0
+# Time after the start of a run that still swings from it: about a period of the pantograph's lowest
+# mode (assumed). Longer, whole sections are doubted; shorter, the start counts as the line.
+START_UP_S = 1.0
 
 
 @dataclass(frozen=True)
@@ -113,6 +119,13 @@ def extreme_inside(
     return float(inside.max() if largest else inside.min())
 
 
+def _span_m(dataset: "Dataset") -> float | None:
+    """Return the mean length of a span in m; None of a record without supports."""
+    if "support_x" not in dataset or dataset["support_x"].values.size < 2:  # noqa: PLR2004 - ends
+        return None
+    return float(np.diff(dataset["support_x"].values).mean())
+
+
 def section_notes(
     dataset: "Dataset", section: Section, record: ForceRecord, band_split_Hz: float
 ) -> list[str]:
@@ -126,8 +139,12 @@ def section_notes(
         )
     for column, name in enumerate(dataset["pantograph"].values):
         path, inside = position[:, column], record.inside[:, column]
-        notes += part_notes(str(name), (path[0], path[-1]), section)
+        notes += part_notes(str(name), (path[0], path[-1]), section, _stride_m(position))
         samples = np.flatnonzero(inside)
+        first, last = samples[0], samples[-1]
+        length = float(path[last] - path[first])
+        notes += short_notes(str(name), samples.size / record.rate_Hz, length, _span_m(dataset))
+        notes += start_notes(str(name), float(time[first] - time[0]))
         margin = min(time[samples[0]] - time[0], time[-1] - time[samples[-1]])
         filtered, force = record.bands.total[samples, column], record.force[samples, column]
         notes += undershoot_notes(str(name), filtered, force)
@@ -139,12 +156,55 @@ def section_notes(
     return notes
 
 
-def part_notes(name: str, path: Section, section: Section) -> list[str]:
-    """Say that a pantograph ran over a part of the section only; its path from and to in m."""
-    if path[0] <= section[0] and path[1] >= section[1]:
+def ran_over(dataset: "Dataset", section: Section) -> list[float] | None:
+    """Return the part of the section that the pantographs ran over; None if it is the whole."""
+    position = dataset["position"].values
+    path = float(position[0].min()), float(position[-1].max())
+    begin, end = max(path[0], section[0]), min(path[1], section[1])
+    missing = max(begin - section[0], section[1] - end)
+    return None if missing <= _stride_m(position) else [begin, end]
+
+
+def _stride_m(position: NDArray[np.float64]) -> float:
+    """Return the longest way between two samples in m: the ends of a section lie between two."""
+    return float(np.diff(position, axis=0).max(initial=0.0))
+
+
+def start_notes(name: str, until_s: float) -> list[str]:
+    """Say that the assessed samples begin with the start of the run; `until_s` after it."""
+    if until_s >= START_UP_S:
+        return []
+    return [
+        f"pantograph {name} is assessed from {until_s:.3g} s after its start on: the first"
+        f" {START_UP_S:g} s of the run hold the oscillation of starting, which the line has not"
+    ]
+
+
+def short_notes(name: str, time_s: float, length_m: float, span_m: float | None) -> list[str]:
+    """Say that a pantograph was in the section for too short to tell how it runs on the line."""
+    short = span_m is not None and length_m < FEWEST_SPANS * span_m
+    if not short and time_s >= SHORTEST_S:
+        return []
+    spans = "" if span_m is None else f", {length_m / span_m:.2g} spans"
+    return [
+        f"pantograph {name} is in the section for {length_m:.4g} m{spans}, {time_s:.3g} s: numbers"
+        f" of less than {FEWEST_SPANS} spans or {SHORTEST_S:g} s are those of one place, not of the"
+        " line"
+    ]
+
+
+def part_notes(name: str, path: Section, section: Section, stride_m: float = 0.0) -> list[str]:
+    """Say that a pantograph ran over a part of the section only; its path from and to in m.
+
+    Less than the stride, the way in m between two samples, is not missing.
+    """
+    if path[0] <= section[0] + stride_m and path[1] >= section[1] - stride_m:
         return []
     begin, end = max(path[0], section[0]), min(path[1], section[1])
-    return [f"pantograph {name} ran over {begin:g} to {end:g} m of the section only"]
+    return [
+        f"of the section, {section[0]:g} to {section[1]:g} m, pantograph {name} ran over"
+        f" {begin:g} to {end:g} m only"
+    ]
 
 
 def undershoot_notes(

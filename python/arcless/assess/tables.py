@@ -129,7 +129,9 @@ def parts(told: Mapping[str, Any], over_all: Headline) -> list[str]:
 
 def title_of(told: Mapping[str, Any]) -> str:
     """Return scenario and speed in words."""
-    return f"{told['scenario']} at {3.6 * told['speed_m_s']:.4g} km/h"
+    stop = told.get("stopped_m")
+    stopped = "" if stop is None else f", stopped early at {stop:.1f} m"
+    return f"{told['scenario']} at {3.6 * told['speed_m_s']:.4g} km/h{stopped}"
 
 
 def badge_of(words: str) -> cards.Cell:

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from arcless.assess import Assessment
+from arcless.assess import NOT_JUDGED, Assessment
 from arcless.comparison.alignment import Alignment
 from arcless.comparison.indicators import Indicator, Judged
 from arcless.comparison.measured.acceptance import Accepted
@@ -63,7 +63,9 @@ def speed(one: Assessment) -> str:
 def decided(one: Assessment) -> tuple[str, str]:
     """Return how many limits that decide are not met, in words, and the state of that."""
     missed = sum(each.fails for each in one.criteria)
-    return ("met", "met") if one.passed else (f"{missed} not met", "missed")
+    if missed:
+        return f"{missed} not met", "missed"
+    return ("met", "met") if one.is_judged else (NOT_JUDGED, "open")
 
 
 def unsaid(whole: str, name: str, file: Path | None) -> str:

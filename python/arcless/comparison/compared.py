@@ -107,7 +107,7 @@ class Compared:
             "pantographs": [one.name for one in assessment.pantographs],
             "arcless_version": None if run is None else run.metadata["arcless_version"],
             "created": None if run is None else run.metadata["created"],
-            "passed": assessment.passed,
+            "passed": assessment.passed if assessment.is_judged else None,
             "measurement": assessment.measurement,
             "alignments": None
             if side.placed is None

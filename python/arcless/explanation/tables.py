@@ -96,7 +96,7 @@ def sensitivity_rows(known: Sensitivities | None) -> list[list[str]]:
         for effect in one.effects:
             remark = "" if effect.significant else "not larger than its uncertainty"
             if abs(effect.percent_per_percent) < LEAST:
-                remark = "no effect"
+                remark = f"below {LEAST:g}"
             elif effect.significant and not effect.linear:
                 remark = f"not linear: {_slope(effect.below)} below, {_slope(effect.above)} above"
             rows.append([

@@ -43,8 +43,7 @@ def share(one: Group) -> str:
 def where_worst(worst: Sequence[Place], irregular: Sequence[Place]) -> str:
     """Return where the force deviates most, and what differs from span to span."""
     place = worst[0]
-    side = "above" if place.deviation_N > 0.0 else "below"
-    size = f"{abs(place.deviation_N):.0f} N {side} F_m"
+    size = f"{abs(place.deviation_N):.0f} N {_side(place)} F_m"
     text = f"The force deviates most at {place_words(place)}: {size}"
     outstanding = [one for one in irregular if one.stands_out]
     if not outstanding:
@@ -52,8 +51,12 @@ def where_worst(worst: Sequence[Place], irregular: Sequence[Place]) -> str:
     other = outstanding[0]
     return (
         f"{text}; from what repeats it differs most at {place_words(other)}:"
-        f" {abs(other.deviation_N):.0f} N."
+        f" {abs(other.deviation_N):.0f} N {_side(other)} what repeats."
     )
+
+
+def _side(place: Place) -> str:
+    return "above" if place.deviation_N > 0.0 else "below"
 
 
 def place_words(place: Place) -> str:
@@ -70,7 +73,9 @@ def strongest_change(sensitivities: Sensitivities, pantograph: str) -> str:
         return "Nothing that was varied lowers σ by more than the uncertainty of the difference."
     parameter, effect = found
     step = sensitivities.step_percent
+    unsure = step * effect.uncertainty
+    decimals = 1 if unsure >= 0.1 else 2  # noqa: PLR2004 - ± 0.0 would say nothing
     return (
         f"Of what was varied, {step:g} % {effect.better} {parameter.parameter} lowers σ most: by"
-        f" {effect.lowers_percent:.1f} ± {step * effect.uncertainty:.1f} %."
+        f" {effect.lowers_percent:.{decimals}f} ± {unsure:.{decimals}f} %."
     )

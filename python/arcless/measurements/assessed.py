@@ -12,8 +12,8 @@ import numpy as np
 
 from arcless.assess.assessment import Assessment
 from arcless.assess.criteria import OF_MEASUREMENT, Reasons, evaluate
-from arcless.assess.facts import supply_notes, uplift_notes
-from arcless.assess.rules import ANY_SUPPLY, Facts
+from arcless.assess.facts import speed_notes, supply_notes, uplift_notes
+from arcless.assess.rules import ANY_SUPPLY, MEASURED_SPEED_KM_H, Facts
 from arcless.assess.section import (
     MEASUREMENT_RATE_HZ,
     Section,
@@ -105,6 +105,7 @@ def assess(
         supply=supply or ASSUMED_SUPPLY,
         supply_given=supply is not None,
         speed_km_h=3.6 * speed,
+        speed_known_to_km_h=MEASURED_SPEED_KM_H,
         uplift_mm=_uplift_mm(measurement, limits),
     )
     return Assessment(
@@ -178,8 +179,12 @@ def _notes(
         notes += about_record(part.track, part.inside, part.bands, section, low_pass_Hz)
         notes += about_share(part.track, part.share, section, edge_s(low_pass_Hz, BAND_SPLIT_HZ))
     return [
-        *notes, WITHOUT_ARCS, *supply_notes(facts, "the supply"), *uplift_notes(facts.uplift_mm)
-    ]  # fmt: skip
+        *notes,
+        WITHOUT_ARCS,
+        *supply_notes(facts, "the supply"),
+        *speed_notes(facts),
+        *uplift_notes(facts.uplift_mm),
+    ]
 
 
 def _inside(each: MeasuredPantograph, section: Section) -> Mask:

@@ -126,9 +126,8 @@ def marks_of(assessment: Assessment, used: Set[str] = frozenset()) -> dict[str, 
 
 def _numbers_of(assessment: Assessment) -> str:
     """Return what the numbers of an assessment are of: section, filter, loss of contact."""
-    begin, end = assessment.section_m
     return (
-        f"Over the analysis section, {begin:.0f} to {end:.0f} m. Forces are after the"
+        f"Over the analysis section, {assessment.section_words}. Forces are after the"
         f" {assessment.low_pass_Hz:g} Hz low-pass, without phase shift, unless they are called"
         " unfiltered. Loss of contact is that of the unfiltered force."
     )

@@ -18,7 +18,6 @@ from arcless.assess import (
     uncertainty_of,
     verdict_of,
 )
-from arcless.assess.tables import headline
 from arcless.display.cards import SIGNS
 from arcless.display.numbers import number, pair
 from arcless.figures.run.along_track import worst
@@ -82,7 +81,9 @@ def identity(
     text = ", ".join(dict.fromkeys(names))
     if len(names) > 1:
         text = f"{len(names)} × {text}, {', '.join(f'{one:g} m' for one in gaps)} apart"
+    stop = assessment.stopped_m
     return [
+        *([] if stop is None else [("Stopped early", f"at {stop:.1f} m")]),
         ("Line", scenario.line.name),
         ("Pantograph" if len(names) == 1 else "Pantographs", text),
         ("Speed", f"{3.6 * assessment.speed_m_s:.4g} km/h"),
@@ -94,7 +95,7 @@ def identity(
 
 def verdict(assessment: Assessment) -> Verdict:
     """Return the verdict over all criteria: the least favourable one, then how many have which."""
-    over_all = headline(assessment.criteria)
+    over_all = assessment.headline
     alone = len(assessment.pantographs) == 1
     items = [_item(replace(one, pantograph=None) if alone else one) for one in assessment.criteria
              if verdict_of(asdict(one)) not in (MET, NOT_JUDGED)]  # fmt: skip

@@ -328,14 +328,14 @@ class Result:
         return f"<Result {facts['scenario_name']}: {facts['simulated_time_s']:.2f} s simulated>"
 
     def _repr_html_(self) -> str:
-        from arcless.assess.tables import headline, parts, title_of
+        from arcless.assess.tables import parts, title_of
 
         facts = self.metadata
         about = f"{facts['simulated_time_s']:.2f} s simulated, Arcless {facts['arcless_version']}"
         if not self.is_complete:
             about += "; stopped early, arcless.resume continues it"
         try:
-            told, over_all = self.assessment.to_dict(), headline(self.assessment.criteria)
+            told, over_all = self.assessment.to_dict(), self.assessment.headline
         except ModelError as error:
             return cards.card(facts["scenario_name"], about=f"{about}; not assessed: {error}")
         return cards.card(title_of(told), *parts(told, over_all), about=about)

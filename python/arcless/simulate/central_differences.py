@@ -134,7 +134,11 @@ def _masses(scenario: Scenario) -> Iterator[Parameter]:
         of = f" of {name}" if len(models) > 1 else ""
         for i, part in enumerate(model.masses):
             paths = [f"pantographs.{number}.model.masses.{i}.mass" for number in numbers]
-            words = f"pantograph mass {i + 1} of {len(model.masses)} from the base{of}"
+            place = f"{i + 1} of {len(model.masses)}"
+            words = f"pantograph mass {place} from the base{of}"
+            # Without a head of its own, the last mass carries the strips.
+            if model.head is None and i > 0 and i == len(model.masses) - 1:
+                words = f"mass of the collector head ({place}){of}"
             yield Parameter(words, dict.fromkeys(paths, part.mass))
         if model.head is not None:
             paths = [f"pantographs.{number}.model.head.mass" for number in numbers]

@@ -83,7 +83,7 @@ def test_the_whole_record_is_filtered_before_the_section_is_cut() -> None:
 def test_what_the_filter_makes_up_at_the_ends_stays_outside() -> None:
     wave = synthetic_dataset(force=lambda t: 100.0 + 50.0 * np.cos(2.0 * np.pi * 3.0 * t))
     assert assess(wave).notes == []
-    [note] = assess(wave, section=(0.0, 400.0)).notes
+    *_, note = assess(wave, section=(0.0, 400.0)).notes
     assert "makes numbers up" in note
 
 
@@ -357,3 +357,18 @@ def test_a_filtered_force_below_zero_is_explained() -> None:
     assert f"of pantograph P1, {lowest:.1f} N, is an undershoot" in note
     calm = assess(synthetic_dataset(force=lambda t: 100.0 + 10.0 * np.sin(t)))
     assert not any("undershoot" in note for note in calm.notes)
+
+
+def test_a_section_beyond_the_run_says_what_was_run_over() -> None:
+    whole = synthetic_dataset()
+    assert assess(whole).ran_over_m is None
+    found = assess(whole, section=(100.0, 5000.0))
+    end = float(whole["position"].values[-1].max())
+    assert found.ran_over_m == [100.0, end]
+    assert f"of which 100.0 m to {end:.1f} m" in found.section_words
+    assert any("ran over" in note for note in found.notes)
+
+
+def test_a_section_of_some_metres_is_doubted() -> None:
+    assert any("those of one place" in note
+               for note in assess(synthetic_dataset(), section=(100.0, 110.0)).notes)  # fmt: skip

@@ -12,6 +12,7 @@ from arcless.assess.criteria import (
     evaluate,
     verdict_of,
 )
+from arcless.assess.facts import speed_notes
 from arcless.assess.rules import ANY_SUPPLY, MEAN_FORCE_TOLERANCE_N, RULES, Facts, HeadLimit
 from arcless.assess.statistics import PantographAssessment
 
@@ -263,3 +264,20 @@ def test_two_numbers_that_differ_look_different(
     value: float | None, limit: float, unit: str, decimals: int
 ) -> None:
     assert decimals_of({"value": value, "limit": limit, "unit": unit}) == decimals
+
+
+@pytest.mark.parametrize(
+    ("km_h", "known_to", "chosen"),
+    [
+        (124.27424 * 1.609344, 0.05, 200.0),  # miles per hour, 2e-6 km/h above
+        (200.0, 0.05, 200.0),
+        (200.1, 0.05, 200.1),
+        (250.0002, 0.5, 250.0),  # a measured mean
+        (249.9998, 0.5, 250.0),
+        (251.0, 0.5, 251.0),
+    ],
+)
+def test_a_rounding_error_of_the_speed_chooses_no_limits(km_h, known_to, chosen) -> None:
+    facts = Facts(supply="AC 25 kV", speed_km_h=km_h, speed_known_to_km_h=known_to)
+    assert facts.class_speed_km_h == chosen
+    assert bool(speed_notes(facts)) == (km_h > chosen)

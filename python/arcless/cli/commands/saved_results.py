@@ -232,7 +232,7 @@ def _warn(pantographs: Sequence[Mapping[str, Any]]) -> None:
 def _show(found: "Assessment") -> None:
     from arcless.cli.terminal import tables
 
-    section = f"Section: {found.section_m[0]:.1f} m to {found.section_m[1]:.1f} m.\n"
+    section = f"Section: {found.section_words}.\n"
     assessment = found.to_dict()
     console.show(
         tables.statistics(assessment),

@@ -71,7 +71,8 @@ def statistics(assessment: dict[str, Any], published: "Sequence[Row]" = ()) -> T
     names = [pantograph["name"] for pantograph in assessment["pantographs"]]
     ranges = {row.key: row for row in published}
     extra = ("published range", "verdict") if ranges else ()
-    title = f"{assessment['scenario']} at {assessment['speed_m_s'] * 3.6:.0f} km/h"
+    speed = f"{assessment['speed_m_s'] * 3.6:.0f} km/h"
+    title = f"{assessment['scenario']} at {speed}{_stopped(assessment)}"
     made = table(title, "quantity", "unit", *names, *extra, numbers=names)
     pantographs = assessment["pantographs"]
     worn = next(iter(WEAR)) in pantographs[0]
@@ -128,7 +129,7 @@ def _digits(value: float | None, digits: int) -> str:
 def criteria(assessment: dict[str, Any]) -> Table:
     """Set out the criteria with limit, verdict and source."""
     made = table(
-        f"Criteria, {assessment['supply']}",
+        f"Criteria, {assessment['supply']}{_stopped(assessment)}",
         *("criterion", "for", "value", "limit", "unit", "verdict", "source (mark)"),
         numbers=("value", "limit"),
     )
@@ -145,7 +146,7 @@ def criteria(assessment: dict[str, Any]) -> Table:
             item["title"],
             item["pantograph"] or "run",
             values[str(row)],
-            f"{RELATION_SIGNS[item['relation']]} {_limit(item)}{allowance(item)}",
+            _limit(item),
             item["unit"].replace("1", ""),
             _verdict(verdict_of(item)),
             f"{item['source']} ({item['mark']})",
@@ -160,8 +161,17 @@ def notes(assessment: dict[str, Any]) -> list[str]:
     return ["Notes:\n" + "".join(f"- {note}\n" for note in assessment["notes"])]
 
 
+def _stopped(assessment: dict[str, Any]) -> str:
+    """Say of a run that stopped early that it did: numbers and verdicts are those of a part."""
+    stop = assessment.get("stopped_m")
+    return "" if stop is None else f", of the part run up to {stop:.1f} m: stopped early"
+
+
 def _limit(item: dict[str, Any]) -> str:
-    return number(item["limit"], decimals_of(item))
+    if item["limit"] is None:
+        return _NOTHING
+    limit = number(item["limit"], decimals_of(item))
+    return f"{RELATION_SIGNS[item['relation']]} {limit}{allowance(item)}"
 
 
 def certainty(assessment: dict[str, Any]) -> list[str]:

@@ -85,15 +85,14 @@ def extremes(run: RunData, pantograph: int) -> tuple[tuple[float, float], tuple[
 
 
 def worst(run: RunData) -> tuple[int, str, float, float]:
-    """Return the place furthest from the mean in standard deviations, of all pantographs.
+    """Return the place at which the force is furthest from its mean, in N, of all pantographs.
 
     Number of the pantograph from 0, ``"maximum"`` or ``"minimum"``, position in m, force in N.
     """
     found = []
     for i, numbers in enumerate(run.assessment.pantographs):
-        scale = max(numbers.std_force_N, 1e-9)
         for kind, (x, force) in zip(("maximum", "minimum"), extremes(run, i), strict=True):
-            found.append((abs(force - numbers.mean_force_N) / scale, (i, kind, x, force)))
+            found.append((abs(force - numbers.mean_force_N), (i, kind, x, force)))
     return max(found)[1]
 
 

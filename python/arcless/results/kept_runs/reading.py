@@ -40,6 +40,9 @@ from arcless.results.kept_runs.places import RESULT_NAME
 # Head of the criteria whose limits were not read in a source.
 UNVERIFIED = "beyond a limit that is not verified"
 ASSESSMENT_NAME = "assessment.json"
+# Time in s after the result within which its assessment is written. Longer, one that was edited
+# soon after is believed; shorter, slow ones are assessed at each listing.
+WRITTEN_TOGETHER_S = 60.0
 # A hundred times the largest of a run of many pantographs; a larger file is another one.
 _MOST_BYTES = 10_000_000
 # Keys of an assessment → attributes of the result, that both take over from the run. The wall time
@@ -129,9 +132,9 @@ def judged(criteria: list[dict[str, Any]]) -> tuple[Verdict, str | None]:
 def _kept_numbers(file: Path, facts: Mapping[str, Any]) -> dict[str, Any] | None:
     """Return the numbers of the assessment next to a result; None where it is another one's.
 
-    It is of this result where it is not older, and all that both took over from the run is the
-    same; of its own section and filter, where these are those of the scenario; by these criteria,
-    where this version computed the run.
+    It is of this result where it is not older nor changed later, and all that both took over from
+    the run is the same; of its own section and filter, where these are those of the scenario; by
+    these criteria, where this version computed the run.
     """
     beside = file.with_name(ASSESSMENT_NAME)
     if file.name != RESULT_NAME or facts["arcless_version"] != version("arcless"):
@@ -139,6 +142,8 @@ def _kept_numbers(file: Path, facts: Mapping[str, Any]) -> dict[str, Any] | None
     try:
         state = beside.stat()
         if state.st_size > _MOST_BYTES or state.st_mtime < file.stat().st_mtime:
+            return None
+        if state.st_mtime > file.stat().st_mtime + WRITTEN_TOGETHER_S:
             return None
         given = json.loads(beside.read_bytes())
         own = {key: facts[attribute] for key, attribute in _SHARED.items()}

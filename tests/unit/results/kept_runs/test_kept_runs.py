@@ -15,6 +15,7 @@ from arcless.model import load
 from arcless.results import KeptRun, Result
 from arcless.results.kept_runs import reading
 from arcless.results.kept_runs.places import run_file
+from arcless.results.kept_runs.reading import WRITTEN_TOGETHER_S
 from tests.support.synthetic import scenario_data, synthetic_dataset
 
 SHAKEN = {"amplitude": 60.0}  # σ = 42 N of a mean of 100 N: more than the 0.3 F_m of EN 50367
@@ -142,6 +143,18 @@ def test_an_assessment_older_than_its_result_is_not_believed(tmp_path: Path) -> 
     os.utime(tmp_path / "assessment.json", ns=(0, 0))
     # The mean of the record that was made over, to the filter's rounding.
     assert only(tmp_path).pantographs[0].mean_force_N == pytest.approx(110.0, rel=1e-3)
+
+
+def test_an_assessment_that_was_edited_is_not_believed(tmp_path: Path) -> None:
+    result = saved(tmp_path)
+    beside = tmp_path / "assessment.json"
+    kept = json.loads(beside.read_text(encoding="utf-8"))
+    kept["pantographs"][0]["std_force_N"] = 1.0
+    beside.write_text(json.dumps(kept), encoding="utf-8")
+    later = (tmp_path / "result.nc").stat().st_mtime + WRITTEN_TOGETHER_S + 1.0
+    os.utime(beside, (later, later))
+    whole = result.assessment.pantographs[0].std_force_N
+    assert only(tmp_path).pantographs[0].std_force_N == pytest.approx(whole, rel=1e-12)  # rounding
 
 
 def test_a_result_of_another_version_is_assessed_anew(tmp_path: Path) -> None:
