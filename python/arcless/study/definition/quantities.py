@@ -24,7 +24,12 @@ from arcless.assess import (
 from arcless.model import Scenario
 
 _NUMBERS = (float, int, float | None, int | None)
-_RUN = [field.name for field in fields(Assessment) if field.type in _NUMBERS]
+# A run of a study goes to its end.
+_RUN = [
+    field.name
+    for field in fields(Assessment)
+    if field.type in _NUMBERS and field.name != "stopped_m"
+]
 _PANTOGRAPH = [
     field.name for field in fields(PantographAssessment) if field.name not in ("name", "certainty")
 ]
