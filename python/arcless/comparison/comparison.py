@@ -59,8 +59,7 @@ class Comparison(Compared):
         """Draw one of the figures by matplotlib; the arguments are those of `Result.plot`."""
         from arcless.figures import paper
 
-        width = paper.PAGE_MM if width_mm is None else width_mm
-        return paper.plot(self.figures, key, axes, scheme=scheme, width_mm=width)
+        return paper.plot(self.figures, key, axes, scheme=scheme, width_mm=width_mm)
 
     def write_report(self, path: str | Path) -> None:
         """Write the comparison as one HTML file that opens without a network.

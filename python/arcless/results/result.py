@@ -130,8 +130,7 @@ class Result:
         """
         from arcless.figures import paper
 
-        width = paper.PAGE_MM if width_mm is None else width_mm
-        return paper.plot(self.figures, key, axes, scheme=scheme, width_mm=width)
+        return paper.plot(self.figures, key, axes, scheme=scheme, width_mm=width_mm)
 
     def write_report(self, path: str | Path, **options: Any) -> None:
         """Write the HTML report; the options are those of `arcless.report.write`."""

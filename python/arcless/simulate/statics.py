@@ -58,8 +58,7 @@ class StaticsResult(InitialConfiguration):
         """Draw one of the figures by matplotlib; the arguments are those of `Result.plot`."""
         from arcless.figures import paper
 
-        width = paper.PAGE_MM if width_mm is None else width_mm
-        return paper.plot(self.figures, key, axes, scheme=scheme, width_mm=width)
+        return paper.plot(self.figures, key, axes, scheme=scheme, width_mm=width_mm)
 
     def to_dataframe(
         self, table: Literal["droppers", "supports", "elasticity"] = "droppers"

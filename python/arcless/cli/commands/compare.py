@@ -6,7 +6,12 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from arcless.cli.arguments.amounts import amount
-from arcless.cli.arguments.head import head_of
+from arcless.cli.arguments.head import (
+    AccelerationDownOption,
+    HeadLiftOption,
+    HeadMassOption,
+    head_of,
+)
 from arcless.cli.arguments.paper import FieldOption, PdfOption, fields_for
 from arcless.cli.arguments.scenario import JsonOption, QuietOption
 from arcless.cli.completion import names
@@ -98,26 +103,9 @@ def compare(
             "--speed", metavar="SPEED", help='Of a CSV file without speeds, such as "250 km/h".'
         ),
     ] = None,
-    head_mass: Annotated[
-        str | None,
-        typer.Option(
-            "--head-mass",
-            metavar="MASS",
-            help="Of a CSV file: mass above the force sensors; its inertia is taken off.",
-        ),
-    ] = None,
-    head_lift: Annotated[
-        str | None,
-        typer.Option(
-            "--head-lift", metavar="FORCE", help="With --head-mass: lift of the air on that mass."
-        ),
-    ] = None,
-    acceleration_down: Annotated[
-        bool,
-        typer.Option(
-            "--acceleration-down", help="With --head-mass: accelerations are positive downwards."
-        ),
-    ] = False,
+    head_mass: HeadMassOption = None,
+    head_lift: HeadLiftOption = None,
+    acceleration_down: AccelerationDownOption = False,
     json: JsonOption = False,
     quiet: QuietOption = False,
 ) -> None:

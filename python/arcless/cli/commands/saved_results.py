@@ -6,7 +6,12 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from arcless.cli.arguments.head import head_of
+from arcless.cli.arguments.head import (
+    AccelerationDownOption,
+    HeadLiftOption,
+    HeadMassOption,
+    head_of,
+)
 from arcless.cli.arguments.paper import FieldOption, PdfOption, fields_for
 from arcless.cli.arguments.scenario import JsonOption, QuietOption
 from arcless.cli.completion import names
@@ -77,31 +82,9 @@ def assess(
             help="Of a CSV file: the pantograph to assess; all without it.",
         ),
     ] = None,
-    head_mass: Annotated[
-        str | None,
-        typer.Option(
-            "--head-mass",
-            metavar="MASS",
-            help='Of a CSV file: mass above the force sensors, such as "5.2 kg"; its inertia is'
-            " taken off.",
-        ),
-    ] = None,
-    head_lift: Annotated[
-        str | None,
-        typer.Option(
-            "--head-lift",
-            metavar="FORCE",
-            help='With --head-mass: lift of the air above the sensors, "8 N", or "0.002 N/(m/s)2"'
-            " times the speed squared.",
-        ),
-    ] = None,
-    acceleration_down: Annotated[
-        bool,
-        typer.Option(
-            "--acceleration-down",
-            help="With --head-mass: accelerations are positive downwards; upwards without it.",
-        ),
-    ] = False,
+    head_mass: HeadMassOption = None,
+    head_lift: HeadLiftOption = None,
+    acceleration_down: AccelerationDownOption = False,
     out: Annotated[
         Path | None,
         typer.Option("--out", metavar="FILE", help="Write the assessment as JSON to this file."),

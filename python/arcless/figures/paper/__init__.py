@@ -136,7 +136,7 @@ def plot(
     axes: "Axes | None" = None,
     *,
     scheme: Scheme = "light",
-    width_mm: float = PAGE_MM,
+    width_mm: float | None = None,
 ) -> "Drawing":
     """Draw one of several figures.
 
@@ -147,15 +147,18 @@ def plot(
     key
         A key of theirs, for the first figure of that key, or the key of a single figure:
         ``"lead-2"`` is that of the second pantograph.
-    axes, scheme, width_mm
+    axes, scheme
         See `draw`.
+    width_mm
+        Width of a new figure in mm; `PAGE_MM` without one.
 
     Raises
     ------
     FigureError
         There is no such figure, or matplotlib is not installed.
     """
-    return draw(choose(figures, key), axes, scheme=scheme, width_mm=width_mm)
+    width = PAGE_MM if width_mm is None else width_mm
+    return draw(choose(figures, key), axes, scheme=scheme, width_mm=width)
 
 
 def choose(figures: Mapping[str, Sequence[Figure]], key: str) -> Figure:
