@@ -120,8 +120,9 @@ class Page:
     def drag(self, key: str, start: tuple[float, float], end: tuple[float, float]) -> None:
         """Drag from one place in the frame of a figure to another one."""
         self.point(key, *start)
-        self("mouse.down")
         box = self.box(key)
-        to = box["x"] + end[0] * box["width"], box["y"] + end[1] * box["height"]
-        self("mouse.move", *to, {"steps": 4})
-        self("mouse.up")
+        places = (
+            (box["x"] + across * box["width"], box["y"] + down * box["height"])
+            for across, down in (start, end)
+        )
+        self("drag", *places)

@@ -33,11 +33,24 @@ async function open({ name, file, before, ...options }) {
   await page.waitForFunction(() => document.documentElement.classList.contains("drawn"));
 }
 
+// Drags in one breath: the page takes a button that is held for 250 ms before it moves as another
+// gesture, and between two calls from outside a busy machine may take longer than that.
+function drag(session, from, to) {
+  const send = (type, [x, y], buttons) =>
+    session.send("Input.dispatchMouseEvent", { type, x, y, button: "left", buttons, clickCount: 1 });
+  const between = [1, 2, 3, 4].map((step) => from.map((start, at) => start + (step * (to[at] - start)) / 4));
+  return Promise.all([
+    send("mousePressed", from, 1), ...between.map((place) => send("mouseMoved", place, 1)),
+    send("mouseReleased", to, 0),
+  ]).then(() => null);
+}
+
 async function answer({ name, call, args }) {
   if (call === "open") return open({ name, ...args[0] });
   const { page, events, session } = pages.get(name);
   if (call === "events") return events.splice(0);
   if (call === "send") return session.send(...args);
+  if (call === "drag") return drag(session, ...args);
   if (call === "close") return pages.delete(name) && page.context().close();
   const path = call.split(".");
   const last = path.pop();
