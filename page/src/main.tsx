@@ -1,0 +1,15 @@
+/** The studio: every room registers its panels and commands, then the window is drawn. */
+import { render } from "preact";
+import { connect } from "./connection/stream.ts";
+import "virtual:tokens.css";
+import "./look/base.css";
+import { Shell } from "./shell/Shell.tsx";
+import { followJobs } from "./state/jobs.ts";
+import { followProject } from "./state/project.ts";
+import { register as project } from "./project/register.ts";
+
+for (const register of [project]) register();
+followProject();
+followJobs();
+connect();
+render(<Shell />, document.getElementById("studio")!);

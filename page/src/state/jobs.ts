@@ -1,0 +1,34 @@
+/** What the server computes: runs, studies, and all that takes long. */
+import { signal } from "@preact/signals";
+import { ask } from "../connection/http.ts";
+import { hear, whenOpen, type Message } from "../connection/stream.ts";
+import type { Complaint } from "../connection/http.ts";
+
+export interface Job {
+  id: string;
+  kind: "run" | "study" | "report" | "hands on" | "explanation";
+  title: string;
+  state: "waiting" | "running" | "done" | "failed" | "cancelled";
+  /** 0 to 1, and what is being done. */
+  fraction: number;
+  doing: string;
+  /** Where its result is, below the folder, once it is there. */
+  path: string | null;
+  error?: Complaint;
+  /** Warnings of the run, whole sentences. */
+  notes: string[];
+}
+
+export const jobs = signal<Job[]>([]);
+
+export function followJobs(): void {
+  whenOpen(() => void ask<Job[]>("jobs").then((all) => (jobs.value = all)));
+  hear("job", (message: Message) => {
+    const job = message["job"] as Job;
+    jobs.value = [...jobs.peek().filter((one) => one.id !== job.id), job];
+  });
+}
+
+export function cancel(id: string): Promise<unknown> {
+  return ask(`jobs/${id}/cancel`, { method: "POST" });
+}

@@ -1,0 +1,1 @@
+"""Answers to questions of the page: JSON, bytes, and complaints."""

@@ -1,0 +1,1 @@
+"""The server: its routes put together, who may ask, what the page is."""
