@@ -90,6 +90,7 @@ def run(
     check_whole(certainty, until)
     chosen = asked_for(load(scenario, speed=speed, changes=set_, quiet=quiet), certainty)
     with for_run(out or folder_of(chosen), overwrite=overwrite) as folder:
+        _tell_size(chosen, quiet=quiet)
         command = _command(scenario, speed, set_, certainty)
         result = _simulate(
             chosen, until, folder.file(outcome.RESULT), command, quiet=quiet,
@@ -147,6 +148,17 @@ def statics(
     else:
         console.show(*statics_tables.blocks(chosen.name, found))
         outcome.say_written(written)
+
+
+def _tell_size(scenario: "Scenario", *, quiet: bool) -> None:
+    """Tell how much the motion of the wires takes, where it is recorded."""
+    if scenario.output.motion is None or quiet:
+        return
+    from arcless.simulate.recording.motion import motion_bytes
+
+    with faults_of(scenario.name):
+        size = motion_bytes(scenario)
+    console.note(f"the motion of the wires is recorded: {size / 1e6:.3g} MB before compression")
 
 
 def _simulate(
