@@ -33,6 +33,8 @@ class Question:
         Parts of the answer.
     number
         Counted up by the page; the answer repeats it.
+    draft
+        Whether the line may be divided coarsely, see `bench`.
     allowance
         Of the schedule: length that the cut length has beyond the unstretched length, as typed.
     """
@@ -43,6 +45,7 @@ class Question:
     changes: Mapping[str, Any]
     want: frozenset[str]
     number: int
+    draft: bool = False
     allowance: str | None = None
 
     @property
@@ -87,5 +90,6 @@ def question_of(project: Project, asked: Mapping[str, Any]) -> Question:
         changes=changes or {},
         want=frozenset(want),
         number=number,
+        draft=asked.get("draft") is True,
         allowance=allowance,
     )

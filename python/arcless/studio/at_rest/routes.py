@@ -11,48 +11,47 @@ from starlette.responses import Response
 from starlette.routing import BaseRoute
 
 from arcless.studio.answers.answers import json_body, route
-from arcless.studio.at_rest.question import Question, question_of
-from arcless.studio.at_rest.worker import Worker
+from arcless.studio.at_rest.question import question_of
+from arcless.studio.at_rest.worker import Desk
 from arcless.studio.project.project import Project
 
-# Processes at once. A page has one for what follows a slider, and one for natural frequencies,
-# which take longer; with more, pages that nobody looks at keep 100 MB each, with fewer, two pages
-# side by side start each other's process again and again, a second each time.
-MOST_WORKERS = 4
+# Pages that have processes at once. With more, pages that nobody looks at keep two processes of
+# 100 MB each; with one, two pages side by side start processes again and again, a second each time.
+MOST_DESKS = 3
 # Letters of a page's name for itself. It only tells pages apart; a longer one is cut.
 NAME_LENGTH = 64
 
 
-class Workers:
-    """Processes by the page that asks; the one that rested longest makes room for a new one."""
+class Desks:
+    """Processes by the page that asks; the page that rested longest makes room for a new one."""
 
     def __init__(self) -> None:
-        self._by_page: OrderedDict[tuple[str, bool], Worker] = OrderedDict()
+        self._by_page: OrderedDict[str, Desk] = OrderedDict()
 
-    def of(self, page: str, question: Question) -> Worker:
-        """Return the process for a question of a page."""
-        key = (page[:NAME_LENGTH], question.is_slow)
-        worker = self._by_page.pop(key, None) or Worker()
-        self._by_page[key] = worker
-        while len(self._by_page) > MOST_WORKERS:
+    def of(self, page: str) -> Desk:
+        """Return the processes of a page, by its name for itself."""
+        name = page[:NAME_LENGTH]
+        desk = self._by_page.pop(name, None) or Desk()
+        self._by_page[name] = desk
+        while len(self._by_page) > MOST_DESKS:
             self._by_page.popitem(last=False)[1].close()
-        return worker
+        return desk
 
     @asynccontextmanager
     async def at_work(self) -> AsyncIterator[None]:
         """Be there while the server is; end all processes with it."""
         yield
-        for worker in self._by_page.values():
-            worker.close()
+        for desk in self._by_page.values():
+            desk.close()
 
 
-def routes(project: Project, workers: Workers) -> list[BaseRoute]:
+def routes(project: Project, desks: Desks) -> list[BaseRoute]:
     """Return the route that answers questions about lines at rest."""
 
     async def at_rest(request: Request) -> Any:
         asked = await json_body(request)
         question = await run_sync(question_of, project, asked)
-        status, content = await workers.of(str(asked.get("page", "")), question).ask(question)
+        status, content = await desks.of(str(asked.get("page", ""))).ask(question)
         return Response(content, status, media_type="application/json")
 
     return [route("statics", at_rest, "POST")]

@@ -1,4 +1,4 @@
-"""A process that answers one page's questions about lines at rest, the newest first.
+"""Processes that answer one page's questions about lines at rest, the newest first.
 
 A question that has not begun when a newer one comes is dropped: nobody waits for it any more.
 """
@@ -35,25 +35,29 @@ class Worker:
     def __init__(self) -> None:
         self._turn = asyncio.Lock()
         self._newest = 0
+        self.is_at_slow_one = False
         self._line: Connection | None = None
         self._process: SpawnProcess | None = None
         # A thread of its own waits for the answer: other questions do not take its place.
         self._waiting = CapacityLimiter(1)
 
-    async def ask(self, question: Question) -> Answer:
-        """Return the answer to a question.
+    @property
+    def is_free(self) -> bool:
+        """Whether a question would begin at once."""
+        return not self._turn.locked()
 
-        Raises
-        ------
-        Refused
-            A newer question came before this one began (409), or the process broke down (500).
-        """
+    async def ask(self, question: Question) -> Answer:
+        """Return the answer to a question; see `Desk.ask`."""
         self._newest += 1
         mine = self._newest
         async with self._turn:
             if mine != self._newest:
                 raise Refused(409, "A newer question about the line at rest came")
-            return await run_sync(self._exchange, question, limiter=self._waiting)
+            self.is_at_slow_one = question.is_slow
+            try:
+                return await run_sync(self._exchange, question, limiter=self._waiting)
+            finally:
+                self.is_at_slow_one = False
 
     def close(self) -> None:
         """End the process."""
@@ -83,6 +87,38 @@ class Worker:
         other.close()
         self._process = process
         return self._line
+
+
+class Desk:
+    """Two processes for a page: what follows a slider takes turns, and never waits for a slow one.
+
+    A line in space of 20 spans takes 0.1 s: one process follows a slider 7 to 10 times a second,
+    two almost twice as often.
+    """
+
+    def __init__(self) -> None:
+        self._first, self._second = Worker(), Worker()
+
+    async def ask(self, question: Question) -> Answer:
+        """Return the answer to a question.
+
+        Raises
+        ------
+        Refused
+            A newer question came before this one began (409), or the process broke down (500).
+        """
+        return await self._worker(question).ask(question)
+
+    def _worker(self, question: Question) -> Worker:
+        if question.is_slow:
+            return self._second
+        is_other_better = not self._first.is_free and not self._second.is_at_slow_one
+        return self._second if is_other_better else self._first
+
+    def close(self) -> None:
+        """End both processes."""
+        self._first.close()
+        self._second.close()
 
 
 def serve(line: Connection) -> None:

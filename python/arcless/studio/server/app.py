@@ -21,11 +21,11 @@ def application(project: Project, keys: Keys) -> ASGIApp:
     What several rooms share is made here and handed to them; what works beside the routes is
     entered when the server starts, and left when it ends.
     """
-    workers = at_rest_routes.Workers()
-    at_work: list[AbstractAsyncContextManager[object]] = [workers.at_work()]
+    desks = at_rest_routes.Desks()
+    at_work: list[AbstractAsyncContextManager[object]] = [desks.at_work()]
     routes: list[BaseRoute] = [
         *project_routes.routes(project),
-        *at_rest_routes.routes(project, workers),
+        *at_rest_routes.routes(project, desks),
         # One line for each room, `*ROOM.routes(project, …)`.
         *page.routes(),
     ]

@@ -14,7 +14,7 @@ from arcless.model.scenario.overrides import apply_to_line
 from arcless.studio.answers.answers import Refused
 from arcless.studio.at_rest.bench import Bench
 from arcless.studio.at_rest.question import PARTS, Question, question_of
-from arcless.studio.at_rest.worker import Worker
+from arcless.studio.at_rest.worker import Desk, Worker
 from arcless.studio.project.project import Project
 
 LINES = Path(arcless.__file__).parent / "models" / "lines"
@@ -83,6 +83,24 @@ def test_only_what_is_wanted_is_computed_and_sent() -> None:
     assert found["frequencies_Hz"] is None
 
 
+@pytest.mark.parametrize("name", ["lines/norway-s25", "scenarios/en50318-ac-simple-320"])
+def test_a_draft_says_so_and_is_near_the_line(name: str) -> None:
+    bench, file = Bench(), LINES.parent / f"{name}.yaml"
+    draft, line = bench.answer(asked(file, draft=True)), bench.answer(asked(file))
+    assert (draft["draft"], line["draft"]) == (True, False)
+    assert draft["droppers"] != line["droppers"]
+    for one, other in zip(draft["droppers"], line["droppers"], strict=True):
+        # A drawing of 500 pixels a metre shows 2 mm; what is stated in `bench` is less by far.
+        assert one["length_m"] == pytest.approx(other["length_m"], abs=1e-4)
+        assert one["force_N"] == pytest.approx(other["force_N"], abs=0.5)
+
+
+def test_a_line_as_built_has_no_draft() -> None:
+    scenario = LINES.parent / "scenarios" / "en50318-ac-simple-320.yaml"
+    changes = {"as_built.temperature_difference": "10 K"}
+    assert not Bench().answer(asked(scenario, changes=changes, draft=True))["draft"]
+
+
 def test_a_pantograph_has_no_line_at_rest() -> None:
     with pytest.raises(ModelError, match="no line at rest"):
         Bench().answer(asked(LINES.parent / "pantographs" / "dsa-380.yaml"))
@@ -103,8 +121,8 @@ def test_a_pantograph_has_no_line_at_rest() -> None:
     ],
 )
 def test_a_question_that_is_none_is_refused(tmp_path: Path, wrong: dict[str, Any]) -> None:
-    right = {"path": "shipped:line/ac-simple-55", "text": None, "changes": {}, "want": [],
-             "question": 1}  # fmt: skip
+    path = "shipped:line/ac-simple-55"
+    right: dict[str, Any] = {"path": path, "text": None, "changes": {}, "want": [], "question": 1}
     project = Project.of(tmp_path)
     assert question_of(project, right).text.startswith(WIRE)
     with pytest.raises(Refused):
@@ -131,6 +149,31 @@ def test_of_questions_that_wait_the_newest_is_answered() -> None:
         assert json.loads(content)["droppers"]
     assert json.loads(last[1])["question"] == 3
     assert [one.status for one in dropped] == [409, 409]
+
+
+def test_what_follows_a_slider_does_not_wait_for_natural_frequencies() -> None:
+    order: list[int] = []
+
+    async def ask(desk: Desk, number: int, *want: str) -> None:
+        await desk.ask(asked(number=number, want=frozenset(want)))
+        order.append(number)
+
+    async def all_of_them() -> None:
+        desk = Desk()
+        try:
+            # Both processes start and have read the line before it counts who is first.
+            await asyncio.gather(ask(desk, -1, "frequencies"), ask(desk, -1))
+            order.clear()
+            slow = asyncio.create_task(ask(desk, 0, "frequencies"))
+            await asyncio.sleep(0)
+            await ask(desk, 1, "droppers")
+            await ask(desk, 2, "droppers")
+            await slow
+        finally:
+            desk.close()
+
+    asyncio.run(all_of_them())
+    assert order[:1] == [1]
 
 
 def test_a_wrong_model_and_a_process_that_broke_down_are_told_and_the_next_one_is_answered() -> (
