@@ -20,6 +20,7 @@ from arcless.model.load import load_text
 from arcless.model.scenario.overrides import apply_to_line
 from arcless.simulate.schedules import allowance, dropper_schedule
 from arcless.storage.csv_files import csv_text
+from arcless.studio.at_rest.handles import handles
 from arcless.studio.at_rest.of_equilibrium import geometry_at_rest
 from arcless.studio.at_rest.question import Question
 
@@ -63,6 +64,7 @@ class Bench:
         }
         if "line" in want:
             answer["line"] = geometry_at_rest(found, source.line)
+            answer["handles"] = handles(question.text, source, found)
         if "droppers" in want:
             answer["droppers"] = line.droppers
         if "supports" in want:
