@@ -1,5 +1,5 @@
 /** The clock of the player: play, pause, rate, jump, step, follow the newest frame. Times in s. */
-import { batch } from "@preact/signals";
+import { batch, signal } from "@preact/signals";
 import { clock } from "../state/selection.ts";
 
 export const RATES = [0.05, 0.1, 0.25, 0.5, 1, 2, 5, 10, 20] as const;
@@ -10,11 +10,11 @@ export const RATES = [0.05, 0.1, 0.25, 0.5, 1, 2, 5, 10, 20] as const;
 const FOLLOW = 0.15;
 
 /** Whether more frames will come; the stream says it. */
-let growing = false;
+export const growing = signal(false);
 
 export function setEnds(start: number, end: number, more: boolean): void {
   batch(() => {
-    growing = more;
+    growing.value = more;
     clock.start_s.value = start;
     clock.end_s.value = Math.max(end, start);
     if (!more && clock.live.peek() && clock.time_s.peek() >= end) clock.live.value = false;
@@ -36,16 +36,16 @@ export function tick(wall: number, limit: (time: number) => number = (time) => t
   const next = Math.max(time, limit(goal));
   const arrived = end - next < 1e-4 * Math.max(end - clock.start_s.peek(), 1e-3);
   batch(() => {
-    clock.time_s.value = arrived && !growing ? end : next;
-    if (arrived && growing) clock.live.value = true;
-    if (arrived && !growing) clock.playing.value = clock.live.value = false;
+    clock.time_s.value = arrived && !growing.peek() ? end : next;
+    if (arrived && growing.peek()) clock.live.value = true;
+    if (arrived && !growing.peek()) clock.playing.value = clock.live.value = false;
   });
 }
 
 export function play(): void {
   batch(() => {
     // At the end of a whole run there is nothing to play but from its start.
-    if (!growing && clock.time_s.peek() >= clock.end_s.peek()) clock.time_s.value = clock.start_s.peek();
+    if (!growing.peek() && clock.time_s.peek() >= clock.end_s.peek()) clock.time_s.value = clock.start_s.peek();
     clock.playing.value = true;
   });
 }
@@ -67,8 +67,8 @@ export function jump(time: number): void {
 export function follow(): void {
   batch(() => {
     clock.time_s.value = clock.end_s.peek();
-    clock.live.value = growing;
-    clock.playing.value = growing || clock.playing.peek();
+    clock.live.value = growing.peek();
+    clock.playing.value = growing.peek() || clock.playing.peek();
   });
 }
 

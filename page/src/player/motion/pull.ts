@@ -6,6 +6,7 @@ import { connection, hear, take, tell, whenOpen, type Message } from "../../conn
 import type { Source } from "../../state/selection.ts";
 import type { Store } from "./store.ts";
 import { lastAt } from "./track.ts";
+import type { History } from "./history.ts";
 import { wanted, type Situation, type Wish } from "./wanted.ts";
 
 export interface Channel {
@@ -63,6 +64,7 @@ export class Pull {
   constructor(
     readonly source: Source,
     readonly store: Store,
+    private readonly history: History,
     private readonly listener: Listener,
   ) {
     const mine = (act: (message: Message) => void) => (message: Message) => {
@@ -86,6 +88,8 @@ export class Pull {
     this.takers = about.channels.map(({ number, name }) =>
       take(number, ({ time, first, values }) => {
         this.store.add(name, time, { first, values });
+        if (name === "supports") this.history.addSupports(first, values);
+        else if (name.startsWith("pantograph.")) this.history.addPantograph(Number(name.slice(11)), values);
         this.listener.changed();
       }),
     );
