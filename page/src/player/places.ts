@@ -1,13 +1,8 @@
 /** Between positions along the track and times: where the first pantograph stands. m, s. */
-import { effect, signal } from "@preact/signals";
-import { ask } from "../connection/http.ts";
-import { clock, source } from "../state/selection.ts";
+import { signal } from "@preact/signals";
+import { clock } from "../state/selection.ts";
 import { jump } from "./clock.ts";
 import { scene, state, store } from "./player.ts";
-
-export interface WorstPlace {
-  x_m: number;
-}
 
 /** Worst places of the run that is played, ascending; empty before they are known. */
 export const worst = signal<number[]>([]);
@@ -55,20 +50,3 @@ export function stepWorst(direction: 1 | -1): void {
 }
 
 const BEFORE = 1; // s
-
-/** Ask for the worst places of each run that is played. */
-export function followWorst(): void {
-  effect(() => {
-    const of = source.value;
-    worst.value = [];
-    if (!of || !("run" in of)) return;
-    // A run that stopped early has no explanation: J and K then have nowhere to go.
-    void ask<{ pantographs: { worst: WorstPlace[] }[] }>("explain", { query: { run: of.run } })
-      .then(({ pantographs }) => {
-        if (source.peek() !== of) return;
-        const all = pantographs.flatMap((one) => one.worst.map((place) => place.x_m));
-        worst.value = [...new Set(all)].sort((a, b) => a - b);
-      })
-      .catch(() => undefined);
-  });
-}

@@ -10,7 +10,8 @@ import { cursor, range } from "../../state/selection.ts";
 import { standAt } from "../places.ts";
 import { history, scene, state } from "../player.ts";
 import { colourOf } from "./pantographs.ts";
-import { stored, type Column } from "./series.ts";
+import { printing } from "./repaint.ts";
+import { stored, type Column } from "./columns.ts";
 
 const HEIGHT_APART = 26; // px
 const ZOOM = 1.2;
@@ -161,9 +162,18 @@ function paintUplift(sheet: Sheet): void {
   cursors(on);
 }
 
-function Strip({ paint, label }: { paint: (sheet: Sheet) => void; label: string }) {
+interface Given {
+  paint: (sheet: Sheet) => void;
+  label: string;
+  wheel: boolean;
+}
+
+function Strip({ paint, label, wheel }: Given) {
   const canvas = useRef<HTMLCanvasElement>(null);
-  useCanvas(canvas, paint);
+  useCanvas(canvas, (sheet) => {
+    void printing.value;
+    paint(sheet);
+  });
   const metres = (event: MouseEvent) => {
     const [x0, x1] = sight.peek();
     const width = (event.currentTarget as HTMLElement).clientWidth - LEFT - RIGHT;
@@ -179,7 +189,7 @@ function Strip({ paint, label }: { paint: (sheet: Sheet) => void; label: string 
       onClick={(event) => standAt(metres(event))}
       onWheel={(event) => {
         const line = shown.peek();
-        if (!line || !event.deltaY) return;
+        if (!wheel || !line || !event.deltaY) return;
         event.preventDefault();
         range.value = zoomed(sight.peek(), event.deltaY > 0 ? ZOOM : 1 / ZOOM, metres(event), whole(line));
       }}
@@ -187,12 +197,16 @@ function Strip({ paint, label }: { paint: (sheet: Sheet) => void; label: string 
   );
 }
 
-export function Strips() {
+/** `wheel`: whether it zooms; in a page that is scrolled it must not. */
+function Both({ wheel }: { wheel: boolean }) {
   if (!scene.value || !isPlayed.value) return null;
   return (
     <div class="strips">
-      <Strip paint={paintForce} label="Contact force along the track; a click places the pantograph" />
-      <Strip paint={paintUplift} label="Uplift at supports along the track" />
+      <Strip wheel={wheel} paint={paintForce} label="Contact force along the track; a click places the pantograph" />
+      <Strip wheel={wheel} paint={paintUplift} label="Uplift at supports along the track" />
     </div>
   );
 }
+
+export const Strips = () => <Both wheel />;
+export const StripsOfReport = () => <Both wheel={false} />;

@@ -2,28 +2,14 @@
  * Contact force of a stored run for strips, thinned by the server to columns of pixels: lowest and
  * highest value each. Positions in m, forces in N.
  */
-import { effect, signal } from "@preact/signals";
+import { effect } from "@preact/signals";
 import { askBytes } from "../../connection/http.ts";
 import { source } from "../../state/selection.ts";
 import { scene } from "../player.ts";
+import { NONE, stored, type Column } from "./columns.ts";
 
-export interface Column {
-  x: Float32Array;
-  low: Float32Array;
-  high: Float32Array;
-}
-
-/** By pantograph; `null` where it is not known. */
-export interface Stored {
-  raw: (Column | null)[];
-  filtered: (Column | null)[];
-}
-
-const NONE: Stored = { raw: [], filtered: [] };
 /** Of the whole run: two a pixel of a span that fills the screen would be more than is seen. */
 const POINTS = 20_000;
-
-export const stored = signal<Stored>(NONE);
 
 /** Bytes of `api/series`: x, lowest, highest, one after the other. */
 export function columnOf(bytes: ArrayBuffer): Column {
