@@ -48,9 +48,7 @@ def write(
     OutputError
         The file cannot be written; nothing half-written stays behind.
     """
-    page = html(
-        result, assessment=assessment, reference_rows=reference_rows, animation=animation
-    )
+    page = html(result, assessment=assessment, reference_rows=reference_rows, animation=animation)
     write_bytes(path, page.encode())
 
 
