@@ -63,7 +63,7 @@ def animation_of(
     left = cut(geometry, small.kept)
     packed = _packed(run, small, left, worst, worst_s)
     text = json.dumps(packed, allow_nan=False, separators=(",", ":")).replace("<", "\\u003c")
-    return Animation(script, style, text, _caption(run, motion, small, packed, len(text)))
+    return Animation(script, style, text, _caption(motion, small, packed, len(text)))
 
 
 def _player() -> tuple[str, str]:
@@ -134,9 +134,7 @@ def _masses(data: Dataset) -> list[str]:
     return [f"mass {number}" for number in np.asarray(data["mass"].values).tolist()]
 
 
-def _caption(
-    run: RunData, motion: Motion, small: Thinned, packed: dict[str, Any], size: int
-) -> str:
+def _caption(motion: Motion, small: Thinned, packed: dict[str, Any], size: int) -> str:
     """Return what is seen, and what was left out of the record."""
     every = 1e3 * packed["row_s"]
     steps = [one["step"] for one in packed["blocks"] if one["name"].endswith((".up", ".across"))]
@@ -150,8 +148,8 @@ def _caption(
     )
     return (
         f"{part}: a row every {every:.3g} ms, {nodes}, displacements in steps of"
-        f" {1e3 * max(steps):.3g} mm, {size / 1e6:.1f} MB. Between rows it is linear in time; outside"
-        " of the recorded window around the pantographs the line is drawn at rest. Heights and"
-        " displacements have the same scale, which the drawing names; distances of the masses from"
-        " one another are a scheme. It begins a second before the worst place."
+        f" {1e3 * max(steps):.3g} mm, {size / 1e6:.1f} MB. Between rows it is linear in time;"
+        " outside of the recorded window around the pantographs the line is drawn at rest. Heights"
+        " and displacements have the same scale, which the drawing names; distances of the masses"
+        " from one another are a scheme. It begins a second before the worst place."
     )

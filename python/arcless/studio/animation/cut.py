@@ -1,11 +1,15 @@
 """A geometry with fewer nodes: wires, and the droppers and supports that are held by nodes left."""
 
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from arcless.studio.at_rest.plain_geometry import Geometry
+from arcless.studio.at_rest.plain_geometry import DropperData, Geometry, SupportData, WireData
+
+Numbers = list[NDArray[np.intp]]
+AXES: tuple[Literal["x"], Literal["y"], Literal["z"]] = ("x", "y", "z")
 
 
 @dataclass(frozen=True)
@@ -28,46 +32,41 @@ def cut(geometry: Geometry, kept: list[NDArray[np.bool_]]) -> Cut:
         Which nodes stay, by wire (node).
     """
     number = [np.cumsum(mask) - 1 for mask in kept]
-    droppers, supports = [], []
-    for at, dropper in enumerate(geometry["droppers"]):
-        ends = (dropper["wire"], dropper["node"]), (dropper["top_wire"], dropper["top_node"])
-        if all(kept[wire][node] for wire, node in ends):
-            droppers.append(at)
-    for at, support in enumerate(geometry["supports"]):
-        if kept[support["wire"]][support["node"]]:
-            supports.append(at)
+
+    def stays(wire: int, node: int) -> bool:
+        return bool(kept[wire][node])
+
+    droppers = [
+        at
+        for at, one in enumerate(geometry["droppers"])
+        if stays(one["wire"], one["node"]) and stays(one["top_wire"], one["top_node"])
+    ]
+    supports = [
+        at for at, one in enumerate(geometry["supports"]) if stays(one["wire"], one["node"])
+    ]
     low, high = _ends(geometry, kept)
     small: Geometry = {
         **geometry,
-        "wires": [
-            {
-                **wire,
-                "x": np.asarray(wire["x"])[mask].tolist(),
-                "y": np.asarray(wire["y"])[mask].tolist(),
-                "z": np.asarray(wire["z"])[mask].tolist(),
-            }
-            for wire, mask in zip(geometry["wires"], kept, strict=True)
-        ],
-        "droppers": [
-            {
-                **geometry["droppers"][at],
-                "node": int(number[geometry["droppers"][at]["wire"]][geometry["droppers"][at]["node"]]),
-                "top_node": int(
-                    number[geometry["droppers"][at]["top_wire"]][geometry["droppers"][at]["top_node"]]
-                ),
-            }
-            for at in droppers
-        ],
-        "supports": [
-            {
-                **geometry["supports"][at],
-                "node": int(number[geometry["supports"][at]["wire"]][geometry["supports"][at]["node"]]),
-            }
-            for at in supports
-        ],
+        "wires": [_wire(*pair) for pair in zip(geometry["wires"], kept, strict=True)],
+        "droppers": [_dropper(geometry["droppers"][at], number) for at in droppers],
+        "supports": [_support(geometry["supports"][at], number) for at in supports],
         "spans": [s for s in geometry["spans"] if s["end_m"] >= low and s["start_m"] <= high],
-    }  # fmt: skip
+    }
     return Cut(small, np.array(droppers, dtype=np.intp), np.array(supports, dtype=np.intp))
+
+
+def _wire(wire: WireData, mask: NDArray[np.bool_]) -> WireData:
+    x, y, z = (np.asarray(wire[axis])[mask].tolist() for axis in AXES)
+    return {**wire, "x": x, "y": y, "z": z}
+
+
+def _dropper(one: DropperData, number: Numbers) -> DropperData:
+    node, top = number[one["wire"]][one["node"]], number[one["top_wire"]][one["top_node"]]
+    return {**one, "node": int(node), "top_node": int(top)}
+
+
+def _support(one: SupportData, number: Numbers) -> SupportData:
+    return {**one, "node": int(number[one["wire"]][one["node"]])}
 
 
 def _ends(geometry: Geometry, kept: list[NDArray[np.bool_]]) -> tuple[float, float]:

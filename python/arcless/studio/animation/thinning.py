@@ -19,6 +19,9 @@ BYTES_A_VALUE = 2 * 4 / 3
 BYTES_A_PANTOGRAPH, BYTES_A_WINDOW = 60.0, 12.0
 # Of the geometry as JSON: a node, a dropper, a support.
 BYTES_A_NODE, BYTES_A_DROPPER, BYTES_A_SUPPORT = 36.0, 420.0, 320.0
+# In a slot of times or positions, of its width: what rounding puts before its slot belongs to it.
+# Far above rounding, and far below what anybody sees.
+ROUNDING = 1e-6
 # Share of the size that rows may have where the time is shortened: the rest is the line at rest.
 SHARE = 0.7
 # Share of a shortened time that lies before the worst place.
@@ -97,19 +100,19 @@ def _near(geometry: Geometry, kept: Masks, wires: list[WireRows]) -> Masks:
 
 def _rows(times: NDArray[np.float64], every: float) -> Numbers:
     """Return the rows that are at least so many s apart, the first and the last among them."""
-    if every == 0.0 or len(times) < 2:
+    if every == 0.0 or not len(times):
         return np.arange(len(times))
-    slots = np.floor((times - times[0]) / every + 1e-6).astype(int)
+    slots = np.floor((times - times[0]) / every + ROUNDING).astype(int)
     first = np.flatnonzero(np.diff(slots, prepend=-1))
     return np.unique(np.append(first, len(times) - 1))
 
 
 def _nodes(geometry: Geometry, apart: float) -> Masks:
-    """Return which nodes stay: some so many m apart, ends, and those that droppers and arms hold."""
+    """Return which nodes stay: some so many m apart, ends, those of droppers and supports."""
     kept = []
     for wire in geometry["wires"]:
         x = np.asarray(wire["x"])
-        slots = np.floor((x - x[0]) / apart + 1e-6).astype(int) if apart else np.arange(len(x))
+        slots = np.floor((x - x[0]) / apart + ROUNDING).astype(int) if apart else np.arange(len(x))
         mask = np.diff(slots, prepend=slots[0] - 1) != 0
         mask[[0, -1]] = True
         kept.append(mask)

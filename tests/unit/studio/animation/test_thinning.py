@@ -1,5 +1,7 @@
 """Motion that is thinned to a size: which rows and nodes stay, and that their values do."""
 
+from typing import Any, cast
+
 import numpy as np
 import pytest
 
@@ -15,11 +17,13 @@ SINGLE = 1e-8
 
 def line() -> Geometry:
     x = np.linspace(0.0, LENGTH, NODES).tolist()
-    rest = {"x": x, "y": [0.0] * NODES, "z": [5.0] * NODES}
+    rest: Any = {"x": x, "y": [0.0] * NODES, "z": [5.0] * NODES}
+    spans = [50.0 * n for n in range(40)]
+    supports = [*spans, LENGTH]
     nodes = range(37, NODES, 53)
-    return {
+    found: Any = {
         "name": "a line", "spatial": True, "height_m": 5.0,
-        "spans": [{"number": n + 1, "start_m": 50.0 * n, "end_m": 50.0 * n + 50} for n in range(40)],
+        "spans": [{"number": n + 1, "start_m": at, "end_m": at + 50.0} for n, at in enumerate(spans)],
         "wires": [
             {"name": "contact wire", "kind": "contact", "first": 0, **rest},
             {"name": "messenger wire", "kind": "messenger", "first": 0, **rest},
@@ -31,10 +35,11 @@ def line() -> Geometry:
             for node in nodes
         ],
         "supports": [
-            {"name": f"S{n}", "x_m": 50.0 * n, "stagger_m": 0.0, "wire": 0, "node": 100 * n, "arms": []}
-            for n in range(41)
+            {"name": f"S{n}", "x_m": at, "stagger_m": 0.0, "wire": 0, "node": 100 * n, "arms": []}
+            for n, at in enumerate(supports)
         ],
     }  # fmt: skip
+    return cast(Geometry, found)
 
 
 GEOMETRY = line()
@@ -63,7 +68,7 @@ def test_what_stays_has_its_values(limit: float) -> None:
             at = along[one.first[row] : one.first[row] + one.count[row]]
             exact = uplift(at, 200.0 + SPEED * time)
             assert one.up[row, : one.count[row]] == pytest.approx(exact, abs=SINGLE)
-            assert np.array_equal(one.across[row], -one.up[row])  # type: ignore[index, arg-type]
+            assert np.array_equal(one.across[row], -one.up[row])  # type: ignore[index]
 
 
 def test_nodes_that_hold_something_stay() -> None:
