@@ -6,9 +6,10 @@ import "./look/base.css";
 import { Shell } from "./shell/Shell.tsx";
 import { followJobs } from "./state/jobs.ts";
 import { followProject } from "./state/project.ts";
+import { register as player } from "./player/register.ts";
 import { register as project } from "./project/register.ts";
 
-for (const register of [project]) register();
+for (const register of [project, player]) register();
 followProject();
 followJobs();
 connect();
