@@ -45,8 +45,12 @@ export function stepWorst(direction: 1 | -1): void {
   const v = speed();
   const now = (state.current.pantographs[0]?.position ?? NaN) + BEFORE * (Number.isFinite(v) ? v : 0);
   const all = worst.peek();
-  const next = direction > 0 ? all.find((x) => x > now + 0.5) : all.findLast((x) => x < now - 0.5);
+  // After the last one comes the first.
+  const next =
+    direction > 0 ? (all.find((x) => x > now + APART) ?? all[0]) : (all.findLast((x) => x < now - APART) ?? all.at(-1));
   if (next !== undefined) standAt(next, { before_s: BEFORE });
 }
 
 const BEFORE = 1; // s
+/** Nearer than so many m is the place that the clock stands at. */
+const APART = 0.5;

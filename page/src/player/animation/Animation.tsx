@@ -17,6 +17,7 @@ import "../player.css";
 import "./animation.css";
 
 const ZOOM = 1.3;
+const NONE: ReadonlySet<number> = new Set();
 
 function Side() {
   const canvas = useRef<HTMLCanvasElement>(null);
@@ -30,7 +31,7 @@ function Side() {
       range: sight.value, width, height, exaggeration: exaggeration.value, middle: (low + high) / 2,
     });
     const pencil = { context, camera: seen, geometry, line, colour };
-    paintLine(pencil, "side", { now: moved.current, ghost: ghost.value, selected: null });
+    paintLine(pencil, "side", { now: moved.current, ghost: ghost.value, selected: null, marked: NONE });
     for (const layer of layers) if (layer.view === "side") layer.draw(pencil);
   });
   useEffect(() => {

@@ -71,7 +71,8 @@ describe("what is asked for", () => {
 
   test("moments are as far apart as the screen shows them", () => {
     expect(everyAt(0.05, 0.005)).toBe(0);
-    expect(everyAt(20, 0.005)).toBeCloseTo(1 / 3);
+    expect(everyAt(20, 0.005)).toBeCloseTo(16 / 60);
+    expect(everyAt(2.1, 0.005)).toBe(everyAt(2.9, 0.005));
   });
 
   test("ahead of the clock first, then behind it, then nothing", () => {

@@ -119,16 +119,17 @@ export class Pull {
     return times[at] ?? from_s;
   }
 
+  /** Whether a question waits in vain, or the clock jumped to where nothing is. */
+  private isOld({ from_s, to_s, asked, every_s }: Question, { time }: Situation): boolean {
+    if (performance.now() - asked > PATIENCE) return true;
+    return (time < from_s || time > to_s) && this.store.reach(time, 1, every_s) <= time;
+  }
+
   /** Ask for what is needed next. */
   update(now: Situation): void {
     if (connection.peek() !== "open" || !this.takers.length) return;
     this.store.trim(now.time);
-    if (this.asked) {
-      const { from_s, to_s, asked } = this.asked;
-      const margin = to_s - from_s;
-      const near = now.time >= from_s - margin && now.time <= to_s + margin;
-      if (near && performance.now() - asked < PATIENCE) return;
-    }
+    if (this.asked && !this.isOld(this.asked, now)) return;
     const wish = wanted(this.store, now);
     if (!wish || (this.dry && wish.from_s === this.dry.from_s && wish.to_s === this.dry.to_s)) return;
     this.asked = { ...wish, number: ++count, asked: performance.now() };

@@ -29,9 +29,12 @@ const LEAST = 0.1;
 /** Shorter pieces than these many rows are not asked for alone. */
 const ROWS = 4;
 
-/** The distance of moments at a rate in s; 0 is each recorded row. */
+/**
+ * The distance of moments at a rate in s; 0 is each recorded row. In powers of two of the screen's
+ * frames: a rate that changes a little does not ask for what is there.
+ */
 export function everyAt(rate: number, row: number): number {
-  const seen = rate / SCREEN;
+  const seen = 2 ** Math.floor(Math.log2(rate)) / SCREEN;
   return seen <= Math.max(row, 1e-9) * 1.5 ? 0 : seen;
 }
 
