@@ -214,8 +214,10 @@ function rulers(pencil: Pencil, view: View, selected: Selected | null): void {
     context.moveTo(50, y);
     context.lineTo(width, y);
     context.stroke();
-    context.fillText(`${value}${view === "side" || value ? "" : " m"}`, 4, y);
+    context.fillText(String(value), 4, y);
   }
+  context.textBaseline = "top";
+  context.fillText(view === "side" ? "m up" : "m left", 4, 4);
 }
 
 export interface Shown {

@@ -44,6 +44,7 @@ export function Chart({ title, unit, now, before, marks = false }: ChartProps) {
     context.fillStyle = colour("soft");
     context.strokeStyle = colour("grid");
     context.textBaseline = "middle";
+    context.textAlign = "left";
     for (const y of ticks(base, base + room, (room * 26) / Math.max(height - TOP - BOTTOM, 1))) {
       context.beginPath();
       context.moveTo(LEFT - 4, py(y));
@@ -54,7 +55,7 @@ export function Chart({ title, unit, now, before, marks = false }: ChartProps) {
     context.textAlign = "center";
     context.textBaseline = "bottom";
     for (const x of ticks(x0, x1, ((x1 - x0) * 80) / Math.max(width - LEFT - RIGHT, 1))) {
-      context.fillText(`${x} m`, px(x), height - 2);
+      context.fillText(`${x} m`, Math.min(px(x), width - 20), height - 2);
     }
     const draw = ({ x, y }: Series, name: string, thick: number) => {
       context.strokeStyle = context.fillStyle = colour(name);

@@ -1,11 +1,12 @@
 /** The line at rest in numbers, which follow sliders; the file changes when that is asked for. */
 import { signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
+import type { Complaint } from "../connection/http.ts";
 import { wrong } from "../drawing/scene.ts";
 import { kind, opened, writable } from "../editor/documents.ts";
 import { followForm, form } from "../editor/formData.ts";
 import { patch } from "../editor/patch.ts";
-import { complain } from "../shell/messages.ts";
+import { complain, say } from "../shell/messages.ts";
 import { askPart, frequencies, isAsking, now, ofFile, tried, wanted, type AtRest } from "./asking.ts";
 import { Chart } from "./Chart.tsx";
 import { fieldsOf, firstSliders, numbersOf, PRESAG, presagScale, sliderBy, written, type Slider } from "./sliders.ts";
@@ -51,7 +52,12 @@ async function write(): Promise<void> {
 
 async function download(): Promise<void> {
   try {
-    const { schedule } = await askPart<{ schedule: string }>("schedule", { allowance: allowance.peek().trim() || "0 mm" });
+    const found = await askPart<{ schedule: string; errors: Complaint[] }>("schedule", {
+      allowance: allowance.peek().trim() || "0 mm",
+    });
+    const [refused] = found.errors;
+    if (refused) return say("error", refused.text);
+    const { schedule } = found;
     const address = URL.createObjectURL(new Blob([schedule], { type: "text/csv" }));
     const link = Object.assign(document.createElement("a"), { href: address, download: `${now.peek()?.name ?? "line"}-droppers.csv` });
     link.click();

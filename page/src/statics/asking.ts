@@ -3,7 +3,7 @@
  * questions are under way; of those that wait the newest is asked, and a late answer is ignored.
  */
 import { effect, signal } from "@preact/signals";
-import { ask, RefusedError } from "../connection/http.ts";
+import { ask, RefusedError, type Complaint } from "../connection/http.ts";
 import { connection } from "../connection/stream.ts";
 import type { Geometry, Handles } from "../drawing/geometry.ts";
 import { edited, handles, isDraft, isTried, wrong } from "../drawing/scene.ts";
@@ -31,8 +31,12 @@ export interface SupportRow {
   contact_support_force_N?: number | null;
 }
 
-/** POST statics; parts that were not wanted are absent. */
+/** POST statics; parts that were not wanted are absent, and all of a line that is wrong. */
 export interface AtRest {
+  /** What is wrong with the line; then there is nothing else. */
+  errors: Complaint[];
+  /** A newer question came before this one began. */
+  dropped?: boolean;
   question: number;
   draft: boolean;
   name: string;
@@ -77,7 +81,6 @@ interface Question {
 }
 
 let count = 0;
-let newest = 0;
 let shownNumber = 0;
 let running = 0;
 let waiting: Question | null = null;
@@ -103,15 +106,12 @@ function next(): void {
   waiting = null;
   running++;
   isAsking.value = true;
-  const mine = (newest = count + 1);
+  const mine = count + 1;
   put(question)
     .then(
       (answer) => mine > shownNumber && take(question, answer, mine),
-      (error: unknown) => {
-        if (!(error instanceof RefusedError) || error.status === 409 || mine < newest || waiting) return;
-        shownNumber = mine;
-        wrong.value = error.complaint;
-      },
+      // A server that is gone says nothing; the connection does.
+      (error: unknown) => error instanceof RefusedError && (wrong.value = error.complaint),
     )
     .finally(() => {
       running--;
@@ -121,9 +121,10 @@ function next(): void {
 }
 
 function take(question: Question, answer: AtRest, number: number): void {
-  if (question.path !== opened.peek()?.path) return;
+  if (question.path !== opened.peek()?.path || answer.dropped) return;
   shownNumber = number;
-  wrong.value = null;
+  wrong.value = answer.errors[0] ?? null;
+  if (wrong.value) return;
   if (answer.line) {
     handles.value = answer.handles ?? null;
     isDraft.value = answer.draft;
@@ -142,12 +143,12 @@ async function rested(question: Question): Promise<void> {
   try {
     if (ofFile.peek() === null && Object.keys(question.changes).length) {
       const base = await put({ ...question, changes: {}, want: NUMBERS.slice(1), draft: false });
-      if (question.text === text.peek()) ofFile.value = base;
+      if (question.text === text.peek() && base.droppers) ofFile.value = base;
     }
     const found = await put({ ...question, want: ["frequencies"], draft: false });
-    if (isSame()) frequencies.value = found.frequencies_Hz;
+    if (isSame()) frequencies.value = found.frequencies_Hz ?? null;
   } catch {
-    // What is wrong with the line was told by the answer before.
+    // What goes wrong was told by the answer before.
   }
 }
 

@@ -23,8 +23,9 @@ export interface Slider {
 
 export const PRESAG = "pre-sag";
 
+/** Fields of all groups; a label says its group too, since every wire has a tension. */
 export function fieldsOf(groups: readonly FormGroup[]): FormField[] {
-  return groups.flatMap((group) => group.fields);
+  return groups.flatMap(({ title, fields }) => fields.map((one) => ({ ...one, label: `${title}: ${one.label}` })));
 }
 
 /** A plain step of 1, 2 or 5 with about so many in a length. */
