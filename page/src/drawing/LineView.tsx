@@ -8,7 +8,7 @@ import { cursor, exaggeration, range, selected } from "../state/selection.ts";
 import { camera, fitted, kept, zoomed, type Camera } from "./camera.ts";
 import { useCanvas } from "./canvas.ts";
 import { dragOf, type Drag } from "./drag.ts";
-import { size } from "./fit.ts";
+import { look, size } from "./fit.ts";
 import { indexOf } from "./lineIndex.ts";
 import { paintLine, type View } from "./linePainter.ts";
 import { pick, type Picked } from "./pick.ts";
@@ -117,7 +117,7 @@ export function LineView({ view }: { view: View }) {
         if (!geometry || !seen || !event.deltaY) return;
         event.preventDefault();
         const factor = event.deltaY > 0 ? ZOOM : 1 / ZOOM;
-        range.value = zoomed(sight.peek(), factor, seen.metres(event.offsetX), whole(geometry));
+        look(zoomed(sight.peek(), factor, seen.metres(event.offsetX), whole(geometry)));
       },
       key(event: KeyboardEvent) {
         const [geometry, seen] = [shown.peek(), eye.current];
@@ -135,7 +135,7 @@ export function LineView({ view }: { view: View }) {
     geometry &&
     (hover.value
       ? pickedInWords(geometry, hover.value, now(), isDraft.value)
-      : at === null || isDraft.value
+      : at === null || isDraft.value || view === "plan"
         ? ""
         : placeInWords(geometry, indexOf(geometry), at));
   return (
@@ -191,7 +191,7 @@ function keys(event: KeyboardEvent, geometry: NonNullable<typeof shown.value>, s
     }
     case "+":
     case "-":
-      range.value = zoomed(sight.peek(), event.key === "-" ? ZOOM : 1 / ZOOM, at, all);
+      look(zoomed(sight.peek(), event.key === "-" ? ZOOM : 1 / ZOOM, at, all));
       return true;
     case "Enter": {
       const y = (seen.y(indexOf(geometry).z[0]) + seen.y(indexOf(geometry).z[1])) / 2;

@@ -3,7 +3,7 @@ import { effect } from "@preact/signals";
 import { exaggeration, range } from "../state/selection.ts";
 import { fitted, nextExaggeration } from "./camera.ts";
 import { indexOf } from "./lineIndex.ts";
-import { edited, shown, whole } from "./scene.ts";
+import { edited, shown, sight, whole } from "./scene.ts";
 
 /** Width and height of the side view in px; it says them when it is drawn. */
 export const size: { current: [number, number] | null } = { current: null };
@@ -15,6 +15,17 @@ export function fit(): void {
   range.value = null;
   const [low, high] = indexOf(geometry).z;
   exaggeration.value = fitted(whole(geometry), high - low, ...(size.current ?? [900, 300]));
+}
+
+/** Look at a range; an exaggeration that fitted the one before fits this one. */
+export function look(to: [number, number]): void {
+  const geometry = shown.peek();
+  if (geometry) {
+    const [low, high] = indexOf(geometry).z;
+    const best = (seen: [number, number]) => fitted(seen, high - low, ...(size.current ?? [900, 300]));
+    if (exaggeration.peek() === best(sight.peek())) exaggeration.value = best(to);
+  }
+  range.value = to;
 }
 
 export function exaggerate(larger: boolean): void {

@@ -7,7 +7,7 @@ import { kind, opened, writable } from "../editor/documents.ts";
 import { followForm, form } from "../editor/formData.ts";
 import { patch } from "../editor/patch.ts";
 import { complain, say } from "../shell/messages.ts";
-import { askPart, frequencies, isAsking, now, ofFile, tried, wanted, type AtRest } from "./asking.ts";
+import { askPart, frequencies, isAsking, isTrying, now, ofFile, tried, wanted, type AtRest } from "./asking.ts";
 import { Chart } from "./Chart.tsx";
 import { fieldsOf, firstSliders, numbersOf, PRESAG, presagScale, sliderBy, written, type Slider } from "./sliders.ts";
 import "./statics.css";
@@ -78,13 +78,16 @@ export function Statics() {
     return <p class="empty">Choose a line or a scenario to see it at rest.</p>;
   }
   const found = now.value;
-  const before = Object.keys(tried.value).length ? ofFile.value : null;
+  const before = isTrying.value ? ofFile.value : null;
   return (
     <div class="statics" aria-busy={isAsking.value}>
       <Sliders />
       {wrong.value && <p class="problem" role="alert">{wrong.value.text}</p>}
       {found ? (
         <>
+          <p class="draft" role="status">
+            {found.draft ? "Coarse elements while the slider moves: forces within about 0.1 N. Refined when it rests." : ""}
+          </p>
           <Numbers found={found} before={before} />
           {found.elasticity && (
             <Chart
@@ -121,7 +124,7 @@ export function Statics() {
 function Sliders() {
   const sliders = ids().map((id) => sliderBy(id, groups())).filter((one) => one !== null);
   const offered = fieldsOf(groups()).flatMap(numbersOf).filter((one) => !ids().includes(one.field));
-  const isChanged = Object.keys(tried.value).length > 0;
+  const isChanged = isTrying.value;
   return (
     <section aria-label="Values to try" class="sliders">
       {sliders.map((slider) => {

@@ -2,7 +2,7 @@
  * The line at rest of the text that is edited, and of the values that sliders try. At most two
  * questions are under way; of those that wait the newest is asked, and a late answer is ignored.
  */
-import { effect, signal } from "@preact/signals";
+import { computed, effect, signal } from "@preact/signals";
 import { ask, RefusedError, type Complaint } from "../connection/http.ts";
 import { connection } from "../connection/stream.ts";
 import type { Geometry, Handles } from "../drawing/geometry.ts";
@@ -63,11 +63,19 @@ export const now = signal<AtRest | null>(null);
 export const ofFile = signal<AtRest | null>(null);
 /** Natural frequencies in Hz of `now`; null until the slider rests. */
 export const frequencies = signal<number[] | null>(null);
+/** Whether anything is tried. */
+export const isTrying = computed(() => Object.keys(tried.value).length > 0);
 /** Whether an answer is awaited. */
 export const isAsking = signal(false);
 
 const NUMBERS = ["line", "droppers", "supports", "elasticity"];
 const MOST = 2;
+/**
+ * A line whose numbers take longer than this, in ms, is divided coarsely while a slider moves, and
+ * that is said. With 80 ms two processes answer 10 times a second beside a page that draws; with 150
+ * ms, 6 times, which is felt as dragging behind.
+ */
+const SLOW = 110;
 /** A slider or a key that did nothing for so long rests, in ms. */
 export const REST = 300;
 const PAGE = typeof crypto === "undefined" || !crypto.randomUUID ? String(Math.random()) : crypto.randomUUID();
@@ -82,6 +90,8 @@ interface Question {
 
 let count = 0;
 let shownNumber = 0;
+/** How long the last line took, in ms, whose numbers were asked for alone. */
+let took = 0;
 let running = 0;
 let waiting: Question | null = null;
 
@@ -106,10 +116,14 @@ function next(): void {
   waiting = null;
   running++;
   isAsking.value = true;
-  const mine = count + 1;
+  const [mine, begun] = [count + 1, performance.now()];
+  const alone = running === 1 && !question.draft && question.want.length > 1;
   put(question)
     .then(
-      (answer) => mine > shownNumber && take(question, answer, mine),
+      (answer) => {
+        if (alone && !waiting) took = performance.now() - begun;
+        if (mine > shownNumber) take(question, answer, mine);
+      },
       // A server that is gone says nothing; the connection does.
       (error: unknown) => error instanceof RefusedError && (wrong.value = error.complaint),
     )
@@ -131,10 +145,10 @@ function take(question: Question, answer: AtRest, number: number): void {
     edited.value = answer.line;
     isTried.value = Object.keys(question.changes).length > 0;
   }
-  if (answer.draft || !answer.droppers) return;
+  if (!answer.droppers) return;
   frequencies.value = null;
   now.value = answer;
-  if (!Object.keys(question.changes).length) ofFile.value = answer;
+  if (!answer.draft && !Object.keys(question.changes).length) ofFile.value = answer;
 }
 
 /** Whatever takes long, once slider and keys rest. */
@@ -155,7 +169,7 @@ async function rested(question: Question): Promise<void> {
 /** Follow text and sliders; the returned function ends it. */
 export function followLine(): () => void {
   let timer: ReturnType<typeof setTimeout> | undefined;
-  let before: { path: string | undefined; text: string } = { path: undefined, text: "" };
+  let before: { path: string | undefined; text: string; changes: Changes } = { path: undefined, text: "", changes: {} };
   return effect(() => {
     const [path, content, changes, numbers] = [opened.value?.path, text.value, tried.value, wanted.value];
     if (connection.value === "lost") return;
@@ -163,17 +177,24 @@ export function followLine(): () => void {
     if (path !== before.path) {
       [edited.value, handles.value, wrong.value, isDraft.value] = [null, null, null, false];
       [now.value, ofFile.value, frequencies.value] = [null, null, null];
+      took = 0;
       if (Object.keys(changes).length) tried.value = {};
     }
     const isTyped = path === before.path && content !== before.text;
     if (content !== before.text) ofFile.value = null;
-    before = { path, text: content };
     const kind = kindOf(content);
-    if (path === undefined || (kind !== "line" && kind !== "scenario")) return;
+    if (path === undefined || (kind !== "line" && kind !== "scenario")) {
+      before = { path, text: content, changes };
+      return;
+    }
     const question = { path, text: content, changes, want: numbers ? NUMBERS : ["line"], draft: false };
-    follow(isTyped ? { ...question, want: ["line"], draft: true } : question);
+    const isMoved = changes !== before.changes && numbers;
+    before = { path, text: content, changes };
+    const quick = { ...question, want: isMoved ? NUMBERS.slice(1) : ["line"] };
+    const isQuick = isTyped || isMoved;
+    follow(isQuick ? { ...quick, draft: isTyped || took > SLOW } : question);
     timer = setTimeout(() => {
-      if (isTyped) follow(question);
+      if (isQuick) follow(question);
       if (numbers) void rested(question);
     }, REST);
   });
