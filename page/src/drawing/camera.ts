@@ -10,7 +10,7 @@ export const RIGHT = 12;
 const FILLED = 0.62;
 const CENTRE = 0.42;
 // Exaggerations that are offered, so that the number on the screen is a plain one.
-export const EXAGGERATIONS = [1, 2, 5, 10, 20, 50, 100, 200];
+export const EXAGGERATIONS = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000];
 /** Shortest range that can be looked at, in m: some elements of a wire. */
 export const SHORTEST = 0.5;
 

@@ -38,9 +38,16 @@ export function YamlView() {
     if (!state) return;
     const view = new EditorView({ state, parent: root, root });
     attach(view);
-    const look_ = () => view.hasFocus && look(view);
-    root.addEventListener("keyup", look_);
-    root.addEventListener("pointerup", look_);
+    view.scrollDOM.tabIndex = 0; // long texts are scrolled by keys, read-only ones too
+    const follow = () => view.hasFocus && look(view);
+    root.addEventListener("keyup", follow);
+    root.addEventListener("pointerup", follow);
+    // Errors come and go below it: what is typed stays in sight.
+    const sized = new ResizeObserver(() => {
+      const { head } = view.state.selection.main;
+      if (view.hasFocus) view.dispatch({ effects: EditorView.scrollIntoView(head, { y: "nearest", yMargin: 40 }) });
+    });
+    sized.observe(host);
     const ends = [
       effect(() => {
         void findings.value;
@@ -54,6 +61,9 @@ export function YamlView() {
     ];
     return () => {
       for (const end of ends) end();
+      sized.disconnect();
+      root.removeEventListener("keyup", follow);
+      root.removeEventListener("pointerup", follow);
       attach(null);
       view.destroy();
     };

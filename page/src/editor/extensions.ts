@@ -123,7 +123,10 @@ export const extensions: Extension = [
   syntaxHighlighting(colours),
   autocompletion({ override: [complete], icons: false }),
   hoverTooltip(hover),
-  EditorView.contentAttributes.of({ "aria-label": "Text of the model file" }),
+  EditorView.contentAttributes.of({
+    "aria-label": "Text of the model file",
+    "aria-description": "Control and space offers what may stand here; Escape, then Tab, leaves the text",
+  }),
   EditorView.lineWrapping,
   look,
   keymap.of([

@@ -1,4 +1,5 @@
 /** Texts to and from the disk: saved a moment after the last change, conflicts shown. */
+import { batch } from "@preact/signals";
 import { ask, RefusedError } from "../connection/http.ts";
 import { hear, whenOpen } from "../connection/stream.ts";
 import { complain } from "../shell/messages.ts";
@@ -28,10 +29,12 @@ export async function read(path: string): Promise<{ answer: FileAnswer; content:
 /** After `read`: what is known of the disk; a draft of an older version is a conflict. */
 export function begin(answer: FileAnswer, content: string): void {
   const { path, writable, version } = answer;
-  opened.value = { path, writable, saved: { text: answer.text, version } };
-  text.value = content;
-  saving.value = "saved";
-  conflict.value = null;
+  batch(() => {
+    opened.value = { path, writable, saved: { text: answer.text, version } };
+    text.value = content;
+    saving.value = "saved";
+    conflict.value = null;
+  });
   if (content === answer.text) return;
   if (draftOf(folder(), path)?.version === version) changed();
   else collide(path, content, answer);
