@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 Answer = bytes
 # Of a question that was dropped. No refusal: it happens with every move of a slider.
 DROPPED: Answer = b'{"dropped": true, "errors": []}'
-# How long a process may take to end by itself, in s. Longer, and the server ends late; shorter, and
+# Time that a process may take to end by itself, in s. Longer, and the server ends late; shorter, and
 # one in the middle of a line is ended by force, which loses nothing but an answer.
 LAST_ANSWER = 0.2
 
@@ -45,7 +45,7 @@ class Worker:
 
     @property
     def is_free(self) -> bool:
-        """Whether a question would begin at once."""
+        """True where a question would begin at once."""
         return not self._turn.locked()
 
     async def ask(self, question: Question) -> Answer:

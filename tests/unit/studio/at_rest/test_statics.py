@@ -57,7 +57,7 @@ def test_changes_of_a_line_and_of_a_scenario_are_those_of_the_command_line(tmp_p
 
 
 def test_a_bench_that_was_asked_before_answers_as_a_new_one() -> None:
-    """What is kept from question to question changes no number."""
+    """Nothing that is kept from question to question changes a number."""
     bench = Bench()
     want = frozenset({"droppers", "elasticity"})
     for tension in ("20 kN", "25 kN", "20 kN"):
