@@ -79,7 +79,7 @@ class Bench:
 
     def _at_rest(self, question: Question) -> tuple[Scenario | LineAlone, Equilibrium]:
         """Return model and equilibrium, those of the last question where it was of the same."""
-        # As text: 1 and 1.0 and true are not the same change.
+        # Changes in text form: 1, 1.0 and true are different ones.
         key = (question.file, question.text, question.draft, repr(sorted(question.changes.items())))
         if self._found is None or self._found[0] != key:
             source = self._changed(question)

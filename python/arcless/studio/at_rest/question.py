@@ -1,4 +1,4 @@
-"""What the page asks of a line at rest."""
+"""Questions of the page about a line at rest."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -50,7 +50,7 @@ class Question:
 
     @property
     def is_slow(self) -> bool:
-        """Whether it asks for natural frequencies, which take a second where all else takes 0.1."""
+        """True where it asks for natural frequencies: these take a second, all else takes 0.1 s."""
         return "frequencies" in self.want
 
 

@@ -51,7 +51,7 @@ def routes(project: Project, desks: Desks) -> list[BaseRoute]:
     async def at_rest(request: Request) -> Any:
         asked = await json_body(request)
         question = await run_sync(question_of, project, asked)
-        status, content = await desks.of(str(asked.get("page", ""))).ask(question)
-        return Response(content, status, media_type="application/json")
+        content = await desks.of(str(asked.get("page", ""))).ask(question)
+        return Response(content, media_type="application/json")
 
     return [route("statics", at_rest, "POST")]

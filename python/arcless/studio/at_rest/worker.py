@@ -22,9 +22,11 @@ from arcless.studio.at_rest.question import Question
 if TYPE_CHECKING:
     from arcless.studio.at_rest.bench import Bench
 
-# JSON as bytes, ready to be sent, and the status of the answer.
-Answer = tuple[int, bytes]
-# How long a process may take to end by itself, in s. Longer, and the server ends late; shorter, and
+# JSON as bytes, ready to be sent.
+Answer = bytes
+# Of a question that was dropped. No refusal: it happens with every move of a slider.
+DROPPED: Answer = b'{"dropped": true, "errors": []}'
+# Time that a process may take to end by itself, in s. Longer, and the server ends late; shorter, and
 # one in the middle of a line is ended by force, which loses nothing but an answer.
 LAST_ANSWER = 0.2
 
@@ -43,7 +45,7 @@ class Worker:
 
     @property
     def is_free(self) -> bool:
-        """Whether a question would begin at once."""
+        """True where a question would begin at once."""
         return not self._turn.locked()
 
     async def ask(self, question: Question) -> Answer:
@@ -52,7 +54,7 @@ class Worker:
         mine = self._newest
         async with self._turn:
             if mine != self._newest:
-                raise Refused(409, "A newer question about the line at rest came")
+                return DROPPED
             self.is_at_slow_one = question.is_slow
             try:
                 return await run_sync(self._exchange, question, limiter=self._waiting)
@@ -100,12 +102,12 @@ class Desk:
         self._first, self._second = Worker(), Worker()
 
     async def ask(self, question: Question) -> Answer:
-        """Return the answer to a question.
+        """Return the answer to a question, `DROPPED` where a newer one came before it began.
 
         Raises
         ------
         Refused
-            A newer question came before this one began (409), or the process broke down (500).
+            The process broke down.
         """
         return await self._worker(question).ask(question)
 
@@ -135,9 +137,10 @@ def serve(line: Connection) -> None:
 
 def answered(bench: "Bench", question: Question) -> Answer:
     """Return the answer of a bench as JSON, or what is wrong with the model."""
+    value: Any
     try:
-        value: Any
-        status, value = 200, bench.answer(question)
+        value = bench.answer(question)
     except ArclessError as error:
-        status, value = 400, {"error": complaint(error), "question": question.number}
-    return status, json.dumps(value, allow_nan=False, ensure_ascii=False).encode()
+        # An answer as well: half of what is typed is no line yet.
+        value = {"question": question.number, "errors": [complaint(error)]}
+    return json.dumps(value, allow_nan=False, ensure_ascii=False).encode()
