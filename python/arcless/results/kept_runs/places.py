@@ -6,7 +6,7 @@ from pathlib import Path
 from arcless.errors import ResultFormatError
 from arcless.model.shipped.library import shipped
 
-# Name of a run's own file in its folder, and of its assessment and its report beside it.
+# Name of a run's own file in its folder, and of its assessment and report in the same folder.
 RESULT_NAME = "result.nc"
 ASSESSMENT_NAME, REPORT_NAME = "assessment.json", "report.html"
 # Folder that takes the runs for which none is named.
