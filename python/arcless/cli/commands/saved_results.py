@@ -161,9 +161,9 @@ def report(
 
     With --pdf alone only the PDF file is written.
     """
-    from arcless.cli.output.outcome import reference_rows
     from arcless.results import RESULT_NAME, result_file
     from arcless.results import open as open_result
+    from arcless.validate import reference_rows
 
     fields = fields_for(pdf, field)
     file = result_file(result)
