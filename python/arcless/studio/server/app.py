@@ -1,14 +1,37 @@
 """The routes of all rooms in one application."""
 
+from collections.abc import AsyncIterator
+from contextlib import AbstractAsyncContextManager, AsyncExitStack, asynccontextmanager
+
 from starlette.applications import Starlette
 from starlette.routing import BaseRoute
+from starlette.types import ASGIApp
 
+from arcless.studio.project import routes as project_routes
 from arcless.studio.project.project import Project
+from arcless.studio.server import page
+from arcless.studio.server.gate import Gate
+from arcless.studio.server.keys import Keys
 
 
-def application(project: Project) -> Starlette:
-    """Return the application that serves the page and answers its questions about a project."""
-    routes: list[BaseRoute] = []
-    app = Starlette(routes=routes)
-    app.state.project = project
-    return app
+def application(project: Project, keys: Keys) -> ASGIApp:
+    """Return the application that serves the page and answers its questions about a project.
+
+    What several rooms share is made here and handed to them; what works beside the routes is
+    entered when the server starts, and left when it ends.
+    """
+    at_work: list[AbstractAsyncContextManager[object]] = []
+    routes: list[BaseRoute] = [
+        *project_routes.routes(project),
+        # One line for each room, `*ROOM.routes(project, …)`.
+        *page.routes(),
+    ]
+
+    @asynccontextmanager
+    async def lifespan(_: Starlette) -> AsyncIterator[None]:
+        async with AsyncExitStack() as stack:
+            for each in at_work:
+                await stack.enter_async_context(each)
+            yield
+
+    return Gate(Starlette(routes=routes, lifespan=lifespan), keys)
