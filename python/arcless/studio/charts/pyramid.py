@@ -97,9 +97,7 @@ class Pyramid:
         return kept
 
 
-def extremes(
-    values: Values, low: Indices, high: Indices, together: int
-) -> tuple[Indices, Indices]:
+def extremes(values: Values, low: Indices, high: Indices, together: int) -> tuple[Indices, Indices]:
     """Return where the extremes of so many neighbouring buckets are.
 
     Parameters

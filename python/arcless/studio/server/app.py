@@ -7,6 +7,7 @@ from starlette.applications import Starlette
 from starlette.routing import BaseRoute
 from starlette.types import ASGIApp
 
+from arcless.studio.charts import routes as chart_routes
 from arcless.studio.project import routes as project_routes
 from arcless.studio.project.project import Project
 from arcless.studio.server import page
@@ -23,6 +24,7 @@ def application(project: Project, keys: Keys) -> ASGIApp:
     at_work: list[AbstractAsyncContextManager[object]] = []
     routes: list[BaseRoute] = [
         *project_routes.routes(project),
+        *chart_routes.routes(project),
         # One line for each room, `*ROOM.routes(project, …)`.
         *page.routes(),
     ]

@@ -1,0 +1,67 @@
+"""A run as the panel of results shows it: verdict, criteria, numbers, in the words of reports."""
+
+from dataclasses import asdict
+from importlib.metadata import version
+from typing import Any
+
+from arcless.report import run_content, summary, tables
+from arcless.studio.charts.charted_run import ChartedRun
+from arcless.studio.charts.drawable import heads
+
+
+def assessed(run: ChartedRun) -> dict[str, Any]:
+    """Return verdict, criteria with limits and sources, and numbers of a run."""
+    assessment, facts = run.result.assessment, run.result.metadata
+    first = run_content.first_screen(run.data, run.figures)
+    return {
+        "title": facts["scenario_name"],
+        "description": run.result.scenario.description,
+        "identity": summary.identity(run.result.scenario, assessment, facts),
+        "verdict": asdict(first["verdict"]),
+        "worst": first["worst"],
+        "criteria": first["criteria"],
+        "marks": run_content.marks_of(assessment),
+        "marks_mean": run_content.MARKS_MEAN,
+        "pantographs": [one.name for one in assessment.pantographs],
+        "numbers": tables.number_rows(run.data),
+        "numbers_of": first["numbers_of"],
+        "certainty": assessment.certainty_method is not None,
+        "notes": assessment.notes,
+        "warnings": (facts["warnings"] or [])[: run_content.MAX_WARNINGS],
+        "stopped_m": assessment.stopped_m,
+        "version": facts["arcless_version"],
+        "other_version": facts["arcless_version"] != version("arcless"),
+    }
+
+
+def sections(run: ChartedRun) -> dict[str, Any]:
+    """Return the figures of a run without their layers, by the sections of its report.
+
+    Figures stand in rows; those of one row are looked at side by side.
+    """
+    found = run.figures
+    told = heads(found)
+    order = run_content.sections_of(found)
+    return {
+        "sections": [
+            {
+                "key": key,
+                "title": title,
+                "rows": [
+                    [
+                        one
+                        for name in (row if isinstance(row, list) else [row])
+                        for one in told[name]
+                    ]
+                    for row in rows
+                ],
+            }
+            for key, title, rows in [("lead", "Worst place", ["lead"]), *order]
+            if any(
+                found.get(name) for row in rows for name in ([row] if isinstance(row, str) else row)
+            )
+        ],
+        "energy": told["energy"],
+        "section_m": list(run.result.assessment.section_m),
+        "supports_m": [float(x) for x in run.data.supports],
+    }
