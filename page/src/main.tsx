@@ -7,8 +7,9 @@ import { Shell } from "./shell/Shell.tsx";
 import { followJobs } from "./state/jobs.ts";
 import { followProject } from "./state/project.ts";
 import { register as project } from "./project/register.ts";
+import { register as results } from "./results/register.ts";
 
-for (const register of [project]) register();
+for (const register of [project, results]) register();
 followProject();
 followJobs();
 connect();

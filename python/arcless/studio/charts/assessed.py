@@ -4,6 +4,8 @@ from dataclasses import asdict
 from importlib.metadata import version
 from typing import Any
 
+import numpy as np
+
 from arcless.report import run_content, summary, tables
 from arcless.studio.charts.charted_run import ChartedRun
 from arcless.studio.charts.drawable import heads
@@ -31,6 +33,7 @@ def assessed(run: ChartedRun) -> dict[str, Any]:
         "stopped_m": assessment.stopped_m,
         "version": facts["arcless_version"],
         "other_version": facts["arcless_version"] != version("arcless"),
+        "report": run.file.with_name("report.html").is_file(),
     }
 
 
@@ -65,3 +68,19 @@ def sections(run: ChartedRun) -> dict[str, Any]:
         "section_m": list(run.result.assessment.section_m),
         "supports_m": [float(x) for x in run.data.supports],
     }
+
+
+def explained(run: ChartedRun) -> dict[str, Any]:
+    """Return the explanation of σ; each place has the time at which its pantograph was there.
+
+    Raises
+    ------
+    ExplanationError
+        The section is too short for one, or a force is constant.
+    """
+    found = run.explanation.to_dict()
+    for i, pantograph in enumerate(found["pantographs"]):
+        for place in (*pantograph["worst"], *pantograph["irregular"]):
+            at = np.interp(place["position_m"], run.data.position[:, i], run.data.time)
+            place["time_s"] = float(at)
+    return found

@@ -11,6 +11,8 @@ from arcless.errors import ModelError
 from arcless.figures.description import Figure
 from arcless.figures.run import figures
 from arcless.figures.run.run_data import RunData
+from arcless.figures.run.wire_motion import contact_wires
+from arcless.figures.run.wire_velocity import WireMotion
 from arcless.results import open as open_result
 from arcless.studio.charts.charted import Charted
 from arcless.units import show
@@ -31,6 +33,7 @@ class ChartedRun(Charted):
 
     def __init__(self, file: Path) -> None:
         super().__init__()
+        self.file = file
         self.result: Result = open_result(file)
         self._series: dict[tuple[str, int], NDArray[np.float64]] = {}
 
@@ -43,6 +46,11 @@ class ChartedRun(Charted):
     def figures(self) -> dict[str, list[Figure]]:
         """Its figures by their keys, curves with all samples."""
         return figures(self.data)
+
+    @cached_property
+    def motions(self) -> list[WireMotion]:
+        """Recorded motion of the contact wires; empty where it was not recorded."""
+        return contact_wires(self.data.dataset)
 
     @cached_property
     def explanation(self) -> "Explanation":

@@ -11,7 +11,7 @@ from starlette.responses import Response
 from starlette.routing import BaseRoute
 
 from arcless.studio.answers.answers import Refused, json_body, route
-from arcless.studio.charts import asked, assessed, series
+from arcless.studio.charts import asked, assessed, series, space_time
 from arcless.studio.charts.charted_run import ChartedRun
 from arcless.studio.charts.comparing import ChartedComparison, checked
 from arcless.studio.charts.drawable import drawable
@@ -61,9 +61,12 @@ def _of_runs(project: Project, kept: Kept[ChartedRun]) -> list[BaseRoute]:
         def found() -> Any:
             run = of(request)
             with run.lock:
-                return run.explanation.to_dict()
+                return assessed.explained(run)
 
         return await run_sync(found)
+
+    async def read_space_time(request: Request) -> Any:
+        return await run_sync(lambda: space_time.answer(of(request), request.query_params))
 
     async def export(request: Request) -> Any:
         return await run_sync(lambda: _exported(of(request), request.query_params.get("as", "")))
@@ -74,6 +77,7 @@ def _of_runs(project: Project, kept: Kept[ChartedRun]) -> list[BaseRoute]:
         route("figure", read_figure),
         route("assessed", read_assessed),
         route("explain", explain),
+        route("space_time", read_space_time),
         route("export", export),
     ]
 
