@@ -20,8 +20,10 @@ Floats = NDArray[np.float64]
 
 # Displacements that are gone through at a time: 32 MB of velocities and as much of places.
 BLOCK = 4_000_000
-# Cells of a grid may be this part narrower than nodes or rows are apart: spacings are rounded.
-ROUNDING = 1e-6
+# Part of a cell by which a sample may be before it and counts in it. Of nodes or rows as far apart as
+# cells are wide each falls on an edge, and rounding (1e-10) would leave some cells empty; more than
+# some per mille would move what is seen.
+EDGE = 1e-3
 
 
 @dataclass(frozen=True, eq=False)
@@ -105,7 +107,7 @@ def _cells(places: Floats, ends: tuple[float, float], most: int) -> int:
     apart = float(np.diff(near).max(initial=0.0))
     if apart <= 0.0:
         return 1
-    return max(1, min(most, int((ends[1] - ends[0]) / apart * (1.0 + ROUNDING))))
+    return max(1, min(most, int((ends[1] - ends[0]) / apart + EDGE**2)))
 
 
 def _cell_of_each(
@@ -121,9 +123,10 @@ def _cell_of_each(
         nodes, velocity = _velocities(motion, first, last)
         along = (motion.x[np.clip(nodes, 0, motion.x.size - 1)] - x[0]) / (x[1] - x[0])
         time = (motion.times[first:last] - t[0]) / (t[1] - t[0])
-        known = (along >= 0.0) & (along < 1.0) & np.isfinite(velocity)
-        row = np.minimum((time * rows).astype(np.intp), rows - 1)
-        place = row[:, None] * columns + np.minimum((along * columns).astype(np.intp), columns - 1)
+        column = np.floor(along * columns + EDGE).astype(np.intp)
+        row = np.minimum((time * rows + EDGE).astype(np.intp), rows - 1)
+        known = (column >= 0) & (column < columns) & np.isfinite(velocity)
+        place = row[:, None] * columns + column
         yield place[known], velocity[known]
 
 

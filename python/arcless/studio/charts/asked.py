@@ -5,10 +5,12 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from arcless.errors import ResultFormatError
 from arcless.results import run_file
 from arcless.studio.answers.answers import Refused
 from arcless.studio.charts.drawable import LEAST_POINTS, MOST_POINTS, USUAL_POINTS, Shown
 from arcless.studio.project.project import Project
+from arcless.units import show
 
 # Parts of an address, which are texts, or an object of JSON.
 Question = Mapping[str, Any]
@@ -65,5 +67,7 @@ def result_file(project: Project, path: str) -> Path:
         There is no run.
     """
     file = run_file(project.inside(path))
+    if not file.is_file():
+        raise ResultFormatError("no such run", got=show(path), expected="the folder of a run")
     project.inside(project.name_of(file))  # the file of a run may be a link as well
     return file

@@ -61,7 +61,8 @@ class ChartedRun(Charted):
         ExplanationError
             The section is too short for one, or a force is constant.
         """
-        return self.result.explain()
+        # That of the figures; where they have none, the error says why.
+        return self.data.explanation or self.result.explain()
 
     def series(self, name: str, column: int) -> NDArray[np.float64]:
         """Return a column of what was recorded over time.

@@ -6,6 +6,8 @@ from pathlib import Path
 from threading import RLock
 from typing import Generic, Protocol, TypeVar
 
+from arcless.errors import OutputError
+
 # Memory of all that is kept, in bytes: some runs of 50 km. Less, a run is read again and again
 # where several are looked at in turn; more, the server takes memory from the runs beside it.
 MOST_BYTES = 512 * 2**20
@@ -30,10 +32,13 @@ def identity(file: Path) -> FileIdentity:
 
     Raises
     ------
-    FileNotFoundError
-        There is none.
+    OutputError
+        There is none, or nobody may look.
     """
-    found = file.stat()
+    try:
+        found = file.stat()
+    except OSError as error:
+        raise OutputError("no such file", where=str(file), got=error.strerror) from error
     return str(file), found.st_ino, found.st_size, found.st_mtime_ns
 
 

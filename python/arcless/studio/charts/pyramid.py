@@ -31,10 +31,13 @@ class Pyramid:
     levels
         Indices of the lowest and of the highest sample of each bucket, from 8 samples upwards. A
         bucket without a number has the index of its first sample, a NaN.
+    gaps
+        First sample of each gap.
     """
 
     values: Values
     levels: tuple[tuple[Indices, Indices], ...]
+    gaps: Indices
 
     @classmethod
     def of(cls, values: Values) -> "Pyramid":
@@ -44,7 +47,9 @@ class Pyramid:
         while low.size > LEAST_BUCKETS:
             low, high = extremes(values, low, high, FACTOR)
             levels.append((low, high))
-        return cls(values, tuple(levels))
+        missing = np.isnan(values)
+        begins = missing & ~np.concatenate([[False], missing[:-1]])
+        return cls(values, tuple(levels), np.flatnonzero(begins).astype(np.int32))
 
     @property
     def bytes(self) -> int:
@@ -82,18 +87,20 @@ class Pyramid:
         return (low, high) if together <= 1 else extremes(self.values, low, high, together)
 
     def samples(self, begin: int, end: int, points: int) -> Indices:
-        """Return the samples of a range that draw the same picture, at most so many, rising.
+        """Return the samples of a range that draw the same picture, rising; a gap stays one.
 
         Parameters
         ----------
         begin, end
             Samples of the range, `end` not included.
         points
-            At least 2; a range with no more samples is kept whole.
+            How many may remain besides gaps, at least 2; a range with no more is kept whole.
         """
         if end - begin <= points:
             return np.arange(begin, end, dtype=np.int32)
-        kept: Indices = np.unique(np.concatenate(self.buckets(begin, end, points // 2)))
+        first, last = np.searchsorted(self.gaps, (begin, end))
+        picked = [*self.buckets(begin, end, points // 2), self.gaps[first:last]]
+        kept: Indices = np.unique(np.concatenate(picked))
         return kept
 
 
