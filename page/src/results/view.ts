@@ -68,7 +68,7 @@ export function fronts([x0, t0]: [number, number], speed: number, part: Part): [
 export function ticks([low, high]: Range, about: number): { at: number[]; step: number } {
   const rough = (high - low) / Math.max(about, 1);
   const power = 10 ** Math.floor(Math.log10(rough));
-  const step = [1, 2, 5, 10].map((one) => one * power).find((one) => one >= rough) ?? 10 * power;
+  const step = [1, 2, 5, 10].map((one) => one * power).find((one) => one >= rough * (1 - 1e-9)) ?? 10 * power;
   const at: number[] = [];
   for (let k = Math.ceil(low / step); k * step <= high; k++) at.push(k * step);
   return { at, step };
