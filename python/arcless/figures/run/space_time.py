@@ -1,7 +1,7 @@
 """Space–time figure of a run: velocity of the contact wire over position and time.
 
-Lines of the wave speed show where a disturbance would be that left a place when the first pantograph
-was there. On a string under tension T with mass m per length the equation of motion m ∂²u/∂t² =
+Lines of the wave speed show where a disturbance would be that left a place when the first
+pantograph was there. On a string under tension T with mass m per length the equation of motion m ∂²u/∂t² =
 T ∂²u/∂x² has the solutions f(x − c t) and g(x + c t) (d'Alembert 1747, in any text on waves), with
 
     c = √(T / m).
@@ -31,8 +31,8 @@ Floats = NDArray[np.float64]
 COLUMNS, ROWS = 600, 400
 # Spans in the figure of a report, around the middle of the section: waves are seen, not a texture.
 SPANS = 4
-# Part of the cells in % that may be beyond the ends of the scale. All of them inside: the strip at a
-# pantograph takes the whole scale, and waves are pale. More: waves are cut.
+# Part of the cells in % that may be beyond the ends of the scale. None: what is near a pantograph
+# takes the whole scale, and waves are pale. More: waves are cut.
 BEYOND_PERCENT = 0.5
 # Most places from which lines of the wave speed begin: with more they hide what they are to show.
 MOST_LINES = 5
@@ -73,16 +73,16 @@ def space_time(run: RunData) -> list[Figure]:
     ]
     rows, columns = grid.values.shape
     waves = "" if speed is None else (
-        f" Lines: fronts at the wave speed c = √(T/m) = {speed:.1f}\u00a0m/s, from supports that the"
-        " first pantograph passes."
+        f" Lines: fronts at the wave speed c = √(T/m) = {speed:.1f}\u00a0m/s, from supports that"
+        " the first pantograph passes."
     )  # fmt: skip
     return [
         Figure(
             "space-time", "Velocity of the contact wire over position and time",
             Axis(LABEL, "m", *x), Axis("time", "s", *t, form="0.00"), layers,
             caption=f"Upwards is positive; means over {(x[1] - x[0]) / columns:.2g}\u00a0m and"
-            f" {1e3 * (t[1] - t[0]) / rows:.2g}\u00a0ms. The scale ends where {BEYOND_PERCENT:g}\u00a0%"
-            f" of the cells are beyond it.{waves}",
+            f" {1e3 * (t[1] - t[0]) / rows:.2g}\u00a0ms. The scale ends where"
+            f" {BEYOND_PERCENT:g}\u00a0% of the cells are beyond it.{waves}",
             alt=f"Velocity of the contact wire from {x[0]:.0f} to {x[1]:.0f} m and"
             f" {t[0]:.2f} to {t[1]:.2f} s, up to {grid.largest:.2f} m/s.",
             height=HEIGHT, scale=Scale("velocity, upwards", "m/s", -most, most, "diverging"),
@@ -169,7 +169,9 @@ def _window(
     """Return the part of a report: some spans around the middle of the section, as they are run."""
     middle = float(np.mean(run.assessment.section_m))
     near = run.supports[np.argsort(np.abs(run.supports - middle))[: SPANS + 1]]
-    begin, end = (float(near.min()), float(near.max())) if near.size > 1 else run.assessment.section_m
+    begin, end = (
+        (float(near.min()), float(near.max())) if near.size > 1 else run.assessment.section_m
+    )
     times = motions[0].times
     first = np.interp(begin, run.position[:, 0], run.time)
     last = np.interp(end, run.position[:, -1], run.time)

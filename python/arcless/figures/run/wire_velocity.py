@@ -4,10 +4,10 @@ The velocity of node j in row i is the central difference of the recorded rows a
 
     v = (u[i + 1, j] − u[i − 1, j]) / (t[i + 1] − t[i − 1]).
 
-Of a wave of angular frequency ω, in rows dt apart, it is sin(ω dt) / (ω dt) of the velocity, too small
-by the part (ω dt)² / 6 as long as ω dt is small (Taylor's theorem): by 1.6 % at 10 Hz in rows 5 ms
-apart. Then means are taken over the nodes and rows of each cell of a grid, which adds nothing that was
-not recorded: a cell is never narrower than the nodes are apart, nor shorter than the rows.
+Of a wave of angular frequency ω, in rows dt apart, it is sin(ω dt) / (ω dt) of the velocity, too
+small by the part (ω dt)² / 6 as long as ω dt is small (Taylor's theorem): by 1.6 % at 10 Hz in rows
+5 ms apart. Then means are taken over the nodes and rows of each cell of a grid, which adds nothing
+that was not recorded: a cell is never narrower than the nodes are apart, nor shorter than the rows.
 """
 
 from collections.abc import Iterator, Sequence
@@ -20,8 +20,8 @@ Floats = NDArray[np.float64]
 
 # Displacements that are gone through at a time: 32 MB of velocities and as much of places.
 BLOCK = 4_000_000
-# Part of a cell by which a sample may be before it and counts in it. Of nodes or rows as far apart as
-# cells are wide each falls on an edge, and rounding (1e-10) would leave some cells empty; more than
+# Part of a cell by which a sample may be before it and counts in it. Nodes or rows as far apart as
+# cells are wide fall on their edges, and rounding (1e-10) would leave some cells empty; more than
 # some per mille would move what is seen.
 EDGE = 1e-3
 

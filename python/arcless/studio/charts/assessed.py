@@ -42,29 +42,20 @@ def sections(run: ChartedRun) -> dict[str, Any]:
 
     Figures stand in rows; those of one row are looked at side by side.
     """
-    found = run.figures
-    told = heads(found)
-    order = run_content.sections_of(found)
+    told = heads(run.figures)
+    order = [
+        ("lead", "Worst place", ["lead"]),
+        *run_content.sections_of(run.figures),
+        ("computation", "Computation", ["energy"]),
+    ]
+
+    def rows(names: list[Any]) -> list[list[dict[str, Any]]]:
+        beside = [name if isinstance(name, list) else [name] for name in names]
+        return [[one for name in row for one in told[name]] for row in beside]
+
+    found = [{"key": key, "title": title, "rows": rows(names)} for key, title, names in order]
     return {
-        "sections": [
-            {
-                "key": key,
-                "title": title,
-                "rows": [
-                    [
-                        one
-                        for name in (row if isinstance(row, list) else [row])
-                        for one in told[name]
-                    ]
-                    for row in rows
-                ],
-            }
-            for key, title, rows in [("lead", "Worst place", ["lead"]), *order]
-            if any(
-                found.get(name) for row in rows for name in ([row] if isinstance(row, str) else row)
-            )
-        ],
-        "energy": told["energy"],
+        "sections": [one for one in found if any(one["rows"])],
         "section_m": list(run.result.assessment.section_m),
         "supports_m": [float(x) for x in run.data.supports],
     }

@@ -66,7 +66,7 @@ def test_a_standing_wave_draws_no_lines() -> None:
     grid = velocity_grid([motion], (0.0, 100.0), (0.0, 0.4), 200, 100)
     # Of the waves to the right and to the left, which it is the sum of, neither is larger.
     assert against(grid) == pytest.approx(1.0, abs=0.02)
-    # Nodes of the wave stay at rest: sin(kx) of half a cell beside a node times the largest velocity.
+    # A node of the wave stays at rest; half a cell beside it is sin(kx) of the largest velocity.
     at_node = grid.values[:, 50]
     largest = 0.01 * k * C
     assert np.nanmax(np.abs(at_node)) <= largest * np.sin(k * NODE_M)
@@ -113,7 +113,7 @@ def test_a_window_that_moves_gives_the_same_velocity_as_the_whole_wire() -> None
     asked = ((0.0, 100.0), (0.0, 0.4), 200, 200)
     of_whole, of_moving = (velocity_grid([one], *asked) for one in (whole, moving))
     known = np.isfinite(of_moving.values)
-    # Each cell holds one node and one row, or two at its edges: those of a window that has just left.
+    # A cell holds one node and one row; at the edges of the window a neighbour in time is missing.
     inside = known & np.roll(known, 1, axis=1) & np.roll(known, -1, axis=1)
     assert known.sum() < np.isfinite(of_whole.values).sum()
     assert inside.sum() > 0.9 * known.sum()

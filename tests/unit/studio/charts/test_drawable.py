@@ -16,13 +16,14 @@ from tests.support.synthetic import synthetic_dataset
 
 X = Axis("position along the track", "m")
 Y = Axis("contact force", "N")
+ALL = Shown()
 
 
 def unpacked(text: str) -> np.ndarray:
     return np.frombuffer(b64decode(text), dtype="<f4")
 
 
-def curve_of(curve: Curve, shown: Shown = Shown()) -> dict:
+def curve_of(curve: Curve, shown: Shown = ALL) -> dict:
     told = drawable(Figure("k", "title", X, Y, [curve]), shown, Pyramid.of)
     return told["layers"][0]
 

@@ -1,6 +1,5 @@
 """Things made of files: made once, made anew when a file changes, forgotten beyond the memory."""
 
-import os
 from dataclasses import dataclass
 from pathlib import Path
 from threading import Barrier, Thread
@@ -42,7 +41,7 @@ def test_a_file_that_changed_is_read_again_and_its_past_forgotten(tmp_path: Path
     kept = Kept(make)
     kept.of(file)
     # Written as all files of the package are: another file takes the place.
-    os.replace(written(tmp_path, "b", "2"), file)
+    written(tmp_path, "b", "2").replace(file)
     assert kept.of(file).text == "2"
     assert len(kept._things) == 1
 

@@ -1,7 +1,6 @@
 """Answers of the routes of charts: to right questions, and to wrong ones."""
 
 import json
-import os
 import warnings
 from collections.abc import Iterator
 from pathlib import Path
@@ -146,7 +145,7 @@ def test_wrong_questions_are_told_what_is_expected(
     link = folder / "runs" / "link"
     link.mkdir(exist_ok=True)
     if not (link / "result.nc").is_symlink():
-        os.symlink("/etc/hostname", link / "result.nc")
+        (link / "result.nc").symlink_to("/etc/hostname")
     found = client.get(f"/api/{path}", params=asked)
     assert found.status_code == 400
     assert said in found.json()["error"]["text"]
