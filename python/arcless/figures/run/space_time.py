@@ -1,8 +1,9 @@
 """Space–time figure of a run: velocity of the contact wire over position and time.
 
 Lines of the wave speed show where a disturbance would be that left a place when the first
-pantograph was there. On a string under tension T with mass m per length the equation of motion m ∂²u/∂t² =
-T ∂²u/∂x² has the solutions f(x − c t) and g(x + c t) (d'Alembert 1747, in any text on waves), with
+pantograph was there. On a string under tension T with mass m per length the equation of motion
+m ∂²u/∂t² = T ∂²u/∂x² has the solutions f(x − c t) and g(x + c t) (d'Alembert 1747, in any text on
+waves), with
 
     c = √(T / m).
 
@@ -22,8 +23,8 @@ from arcless.figures.description import Axis, Curve, Figure, Layer, Map, Scale, 
 from arcless.figures.description.tokens import of_pantograph
 from arcless.figures.run.run_data import RunData
 from arcless.figures.run.track import LABEL
-from arcless.figures.run.wire_motion import contact_wires
-from arcless.figures.run.wire_velocity import Grid, WireMotion, velocity_grid
+from arcless.figures.wires.wire_motion import contact_wires
+from arcless.figures.wires.wire_velocity import Grid, WireMotion, velocity_grid
 
 Floats = NDArray[np.float64]
 

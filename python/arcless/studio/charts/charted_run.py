@@ -11,8 +11,8 @@ from arcless.errors import ModelError
 from arcless.figures.description import Figure
 from arcless.figures.run import figures
 from arcless.figures.run.run_data import RunData
-from arcless.figures.run.wire_motion import contact_wires
-from arcless.figures.run.wire_velocity import WireMotion
+from arcless.figures.wires.wire_motion import contact_wires
+from arcless.figures.wires.wire_velocity import WireMotion
 from arcless.results import open as open_result
 from arcless.studio.charts.charted import Charted
 from arcless.units import show
@@ -39,7 +39,7 @@ class ChartedRun(Charted):
 
     @cached_property
     def data(self) -> RunData:
-        """What its figures are made of."""
+        """Data that its figures are made of."""
         return RunData(self.result.recorded, self.result.assessment, whole=True)
 
     @cached_property

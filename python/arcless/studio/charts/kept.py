@@ -1,4 +1,4 @@
-"""What was made of files, kept while the files stay as they are and memory allows."""
+"""Things made of files, kept while the files stay as they are and memory allows."""
 
 from collections import OrderedDict
 from collections.abc import Callable
@@ -9,7 +9,7 @@ from typing import Generic, Protocol, TypeVar
 from arcless.errors import OutputError
 
 # Memory of all that is kept, in bytes: some runs of 50 km. Less, a run is read again and again
-# where several are looked at in turn; more, the server takes memory from the runs beside it.
+# where several are looked at in turn; more, the runs that are computed meanwhile have less.
 MOST_BYTES = 512 * 2**20
 
 

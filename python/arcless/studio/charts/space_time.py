@@ -7,7 +7,7 @@ from starlette.responses import Response
 
 from arcless.figures.run import space_time as figure
 from arcless.figures.run.run_data import RunData
-from arcless.figures.run.wire_velocity import velocity_grid
+from arcless.figures.wires.wire_velocity import velocity_grid
 from arcless.studio.answers.answers import Refused
 from arcless.studio.charts import asked
 from arcless.studio.charts.binary import binary

@@ -9,7 +9,7 @@ from arcless.figures.description import Curve, Map
 from arcless.figures.run import space_time
 from arcless.figures.run.run_data import RunData
 from arcless.figures.run.space_time import COLUMNS, ROWS, WaveLine, fronts
-from arcless.figures.run.wire_velocity import WireMotion
+from arcless.figures.wires.wire_velocity import WireMotion
 from tests.support.synthetic import SPAN_M, synthetic_dataset
 
 SPEED, C = 20.0, 100.0  # m/s; the drawn wire has 10 kN and 1 kg/m

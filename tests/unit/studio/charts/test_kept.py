@@ -1,4 +1,4 @@
-"""Things made of files: made once, made anew when a file changes, forgotten beyond the memory."""
+"""Things made of files: made once, made again when a file changes, forgotten beyond the memory."""
 
 from dataclasses import dataclass
 from pathlib import Path

@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from arcless.figures.run.wire_velocity import WireMotion
+from arcless.figures.wires.wire_velocity import WireMotion
 
 if TYPE_CHECKING:
     from arcless.dataset.plain_dataset import Dataset

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from arcless.figures.run.wire_velocity import BLOCK, WireMotion, velocity_grid
+from arcless.figures.wires.wire_velocity import BLOCK, WireMotion, velocity_grid
 
 C = 120.0  # m/s
 ROW_S = 2e-3
@@ -148,7 +148,7 @@ def test_a_long_record_is_gone_through_in_blocks(monkeypatch: pytest.MonkeyPatch
     motion = motion_of(lambda x, t: pulse(x - 20.0 - C * t))
     asked = ((0.0, 100.0), (0.0, 0.4), 50, 40)
     at_once = velocity_grid([motion], *asked)
-    monkeypatch.setattr("arcless.figures.run.wire_velocity.BLOCK", 1000)
+    monkeypatch.setattr("arcless.figures.wires.wire_velocity.BLOCK", 1000)
     in_blocks = velocity_grid([motion], *asked)
     assert motion.up.size < BLOCK
     # Sums in another order.
