@@ -8,7 +8,7 @@ from typing import Any
 from arcless.errors import ResultFormatError
 from arcless.results import run_file
 from arcless.studio.answers.answers import Refused
-from arcless.studio.charts.drawable import LEAST_POINTS, MOST_POINTS, USUAL_POINTS, Shown
+from arcless.studio.charts.plain.drawable import LEAST_POINTS, MOST_POINTS, USUAL_POINTS, Shown
 from arcless.studio.project.project import Project
 from arcless.units import show
 

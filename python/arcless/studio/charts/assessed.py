@@ -8,7 +8,7 @@ import numpy as np
 
 from arcless.report import run_content, summary, tables
 from arcless.studio.charts.charted_run import ChartedRun
-from arcless.studio.charts.drawable import heads
+from arcless.studio.charts.plain.drawable import heads
 
 
 def assessed(run: ChartedRun) -> dict[str, Any]:

@@ -14,7 +14,7 @@ from arcless.figures.run.run_data import RunData
 from arcless.figures.wires.wire_motion import contact_wires
 from arcless.figures.wires.wire_velocity import WireMotion
 from arcless.results import open as open_result
-from arcless.studio.charts.charted import Charted
+from arcless.studio.charts.plain.charted import Charted
 from arcless.units import show
 
 if TYPE_CHECKING:

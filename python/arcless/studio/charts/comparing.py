@@ -11,8 +11,8 @@ from arcless.figures.comparison import MOST_RUNS
 from arcless.figures.description import Figure
 from arcless.figures.description.tokens import of_series
 from arcless.studio.answers.answers import Refused
-from arcless.studio.charts.charted import Charted
-from arcless.studio.charts.drawable import heads
+from arcless.studio.charts.plain.charted import Charted
+from arcless.studio.charts.plain.drawable import heads
 
 if TYPE_CHECKING:
     from arcless.comparison import Comparison

@@ -14,8 +14,8 @@ from arcless.studio.answers.answers import Refused, json_body, route
 from arcless.studio.charts import asked, assessed, series, space_time
 from arcless.studio.charts.charted_run import ChartedRun
 from arcless.studio.charts.comparing import ChartedComparison, checked
-from arcless.studio.charts.drawable import drawable
 from arcless.studio.charts.kept import Kept
+from arcless.studio.charts.plain.drawable import drawable
 from arcless.studio.project.project import Project
 
 # Endings of files that a run is exported to, and their types in an answer.

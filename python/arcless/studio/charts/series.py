@@ -7,9 +7,9 @@ from starlette.requests import Request
 from starlette.responses import Response
 
 from arcless.studio.charts import asked
-from arcless.studio.charts.binary import binary
 from arcless.studio.charts.charted_run import ChartedRun
-from arcless.studio.charts.drawable import span
+from arcless.studio.charts.plain.binary import binary
+from arcless.studio.charts.plain.drawable import span
 
 
 def answer(run: ChartedRun, request: Request) -> Response:

@@ -10,8 +10,8 @@ from arcless.figures.run.run_data import RunData
 from arcless.figures.wires.wire_velocity import velocity_grid
 from arcless.studio.answers.answers import Refused
 from arcless.studio.charts import asked
-from arcless.studio.charts.binary import binary
 from arcless.studio.charts.charted_run import ChartedRun
+from arcless.studio.charts.plain.binary import binary
 
 # Most cells along the track and in time: those of a large screen. More take longer than a second.
 MOST_COLUMNS, MOST_ROWS = 2400, 1600

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from arcless.figures.description import Curve, Figure, Layer, Map, Scale
 from arcless.figures.description.tokens import tokens
-from arcless.studio.charts.pyramid import Pyramid
+from arcless.studio.charts.plain.pyramid import Pyramid
 
 # Samples of a curve where nobody says how many: two on each pixel of a wide chart.
 USUAL_POINTS = 4000

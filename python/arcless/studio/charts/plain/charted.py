@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from arcless.errors import ModelError
 from arcless.figures.description import Figure
-from arcless.studio.charts.pyramid import Pyramid
+from arcless.studio.charts.plain.pyramid import Pyramid
 from arcless.units import show
 
 

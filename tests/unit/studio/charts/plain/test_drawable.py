@@ -10,8 +10,8 @@ from arcless.assess import assess
 from arcless.figures.description import Axis, Curve, Figure, Map, Points, Scale, Tip
 from arcless.figures.run import figures
 from arcless.figures.run.run_data import RunData
-from arcless.studio.charts.drawable import Shown, drawable, packed
-from arcless.studio.charts.pyramid import Pyramid
+from arcless.studio.charts.plain.drawable import Shown, drawable, packed
+from arcless.studio.charts.plain.pyramid import Pyramid
 from tests.support.synthetic import synthetic_dataset
 
 X = Axis("position along the track", "m")

@@ -4,7 +4,7 @@ import numpy as np
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from arcless.studio.charts.pyramid import FACTOR, LEAST_BUCKETS, Pyramid
+from arcless.studio.charts.plain.pyramid import FACTOR, LEAST_BUCKETS, Pyramid
 
 
 @st.composite
