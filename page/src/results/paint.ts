@@ -3,7 +3,7 @@ import { colour } from "../charts/colours.ts";
 import type { Scale } from "../charts/figure.ts";
 import { imageOf } from "../charts/image.ts";
 import { stepped } from "../charts/numbers.ts";
-import { fronts, placesOf, ticks, type About, type Frame, type Part } from "./view.ts";
+import { placesOf, ticks, type About, type Frame, type Part } from "./view.ts";
 
 const MARGIN = { left: 62, right: 14, top: 10, bottom: 44 };
 /** Of the tokens; blue downwards, red upwards, told apart by those who see no green. */
@@ -116,13 +116,11 @@ function inside(at: CanvasRenderingContext2D, part: Part, { about, values }: Sho
       at.lineTo(places.x(support), frame.top + frame.height);
     }
   });
-  if (marks.waves && about.wave_speed !== null) {
+  if (marks.waves) {
     lines(at, "#14181c", 1.2, [7, 4], () => {
-      for (const start of about.lines) {
-        for (const [a, b, c, d] of fronts(start, about.wave_speed!, part)) {
-          at.moveTo(places.x(a), places.t(b));
-          at.lineTo(places.x(c), places.t(d));
-        }
+      for (const [x0, t0, x1, t1] of about.fronts) {
+        at.moveTo(places.x(x0), places.t(t0));
+        at.lineTo(places.x(x1), places.t(t1));
       }
     });
   }

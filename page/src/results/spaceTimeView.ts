@@ -111,8 +111,12 @@ export class SpaceTimeView {
 
   private show(part: Part): void {
     const whole = this.whole;
-    this.part.value = { x: within(part.x, whole.x), t: within(part.t, whole.t) };
+    const next = { x: within(part.x, whole.x), t: within(part.t, whole.t) };
+    const before = this.part.peek();
+    this.part.value = next;
     this.zoomed.value = true;
+    // The other views show the same part of the track.
+    if (before && (before.x[0] !== next.x[0] || before.x[1] !== next.x[1])) range.value = next.x;
     this.later();
   }
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { fronts, placesOf, ticks, zoomedPart } from "./view.ts";
+import { placesOf, ticks, zoomedPart } from "./view.ts";
 
 const part = { x: [0, 100] as [number, number], t: [0, 2] as [number, number] };
 const frame = { left: 10, top: 20, width: 200, height: 100 };
@@ -12,14 +12,6 @@ describe("space and time", () => {
     expect(places.t(2)).toBe(20);
     expect(places.backX(places.x(37))).toBeCloseTo(37);
     expect(places.backT(places.t(1.3))).toBeCloseTo(1.3);
-  });
-  it("have fronts of slope ± c up to the ends of what is shown", () => {
-    expect(fronts([50, 0.5], 100, part)).toEqual([
-      [50, 0.5, 100, 1],
-      [50, 0.5, 0, 1],
-    ]);
-    expect(fronts([50, 1.9], 100, part)[0]![3]).toBe(2);
-    expect(fronts([50, 3], 100, part)).toEqual([]);
   });
   it("are enlarged around a place, within all there is", () => {
     const found = zoomedPart(part, { x: 100, t: 2 }, 0.5, part);

@@ -16,8 +16,8 @@ export interface About {
   largest: number;
   /** In m/s; null of a rail. */
   wave_speed: number | null;
-  /** Places and times from which fronts leave. */
-  lines: [number, number][];
+  /** Straight pieces of fronts: x, t of both ends. */
+  fronts: [number, number, number, number][];
   supports: number[];
   paths: { name: string; colour: string; x: number[]; t: number[] }[];
 }
@@ -51,17 +51,6 @@ export function zoomedPart(part: Part, at: { x: number; t: number }, factor: num
     x: within(zoomed(part.x, at.x, factor), whole.x),
     t: within(zoomed(part.t, at.t, factor), whole.t),
   };
-}
-
-/** The two fronts that leave a place, up to the ends of a part: lines of slope ± the wave speed. */
-export function fronts([x0, t0]: [number, number], speed: number, part: Part): [number, number, number, number][] {
-  const found: [number, number, number, number][] = [];
-  for (const way of [1, -1]) {
-    const end = way > 0 ? part.x[1] : part.x[0];
-    const last = Math.min(part.t[1], t0 + (way * (end - x0)) / speed);
-    if (last > t0) found.push([x0, t0, x0 + way * speed * (last - t0), last]);
-  }
-  return found;
 }
 
 /** Round numbers inside of a range, about so many. */

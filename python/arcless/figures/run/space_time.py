@@ -14,12 +14,13 @@ first front is expected, not where the wire has to move.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from arcless.dataset.metadata import metadata
-from arcless.figures.description import Axis, Curve, Figure, Layer, Map, Scale, Tip
+from arcless.figures.description import Axis, Curve, Figure, Layer, Map, Scale, Segments, Tip
 from arcless.figures.description.tokens import of_pantograph
 from arcless.figures.run.run_data import RunData
 from arcless.figures.run.track import LABEL
@@ -37,6 +38,8 @@ SPANS = 4
 BEYOND_PERCENT = 0.5
 # Most places from which lines of the wave speed begin: with more they hide what they are to show.
 MOST_LINES = 5
+# Pieces at whose ends a front is asked whether the motion was recorded there.
+PIECES = 400
 # Points of the path of a pantograph, which is straight where the speed is constant.
 PATH_POINTS = 200
 HEIGHT = 420
@@ -56,6 +59,15 @@ class WaveLine:
     t: float
 
 
+class Front(NamedTuple):
+    """Straight piece of a front, from (x0, t0) to (x1, t1), in m and s."""
+
+    x0: float
+    t0: float
+    x1: float
+    t1: float
+
+
 def space_time(run: RunData) -> list[Figure]:
     """Return velocity of the contact wire over position and time, where its motion was recorded."""
     motions = contact_wires(run.dataset)
@@ -69,7 +81,7 @@ def space_time(run: RunData) -> list[Figure]:
     most = scale_end(grid)
     layers: list[Layer] = [
         Map(grid.x, grid.t, grid.values, tips=(Tip("velocity", "x", "m/s", "0.000"),)),
-        *_waves(run, speed, x, t),
+        *_waves(run, speed, grid),
         *paths(run, x, t),
     ]
     rows, columns = grid.values.shape
@@ -136,32 +148,54 @@ def paths(run: RunData, x: tuple[float, float], t: tuple[float, float]) -> list[
     return found
 
 
-def fronts(
-    lines: Sequence[WaveLine], speed: float, x: tuple[float, float], t: tuple[float, float]
-) -> tuple[Floats, Floats]:
-    """Return the two fronts of each place as one curve, a gap after each: positions and times."""
-    xs: list[float] = []
-    ts: list[float] = []
+def fronts(lines: Sequence[WaveLine], speed: float, grid: Grid) -> list[Front]:
+    """Return the two fronts of each place, as far as the motion was recorded.
+
+    Parameters
+    ----------
+    lines
+        Places from which they leave.
+    speed
+        Wave speed in m/s.
+    grid
+        Velocities; where it has none there is nothing to see, and a front ends.
+    """
+    found = []
     for line in lines:
         for way in (1.0, -1.0):
-            end = x[1] if way > 0.0 else x[0]
-            last = min(t[1], line.t + way * (end - line.x) / speed)
-            if last > line.t:
-                xs += [line.x, line.x + way * speed * (last - line.t), np.nan]
-                ts += [line.t, last, np.nan]
-    return np.array(xs), np.array(ts)
+            edge = grid.x[1] if way > 0.0 else grid.x[0]
+            last = min(grid.t[1], line.t + way * (edge - line.x) / speed)
+            time = np.linspace(line.t, last, PIECES) if last > line.t else np.empty(0)
+            place = line.x + way * speed * (time - line.t)
+            seen = np.flatnonzero(_recorded(grid, place, time))
+            if seen.size:
+                first = seen[0]
+                end = first + int(np.argmin(np.append(np.diff(seen) == 1, False)))
+                found.append(Front(*(float(one) for one in (place[first], time[first],
+                                                           place[end], time[end]))))  # fmt: skip
+    return [one for one in found if one.t1 > one.t0]
 
 
-def _waves(
-    run: RunData, speed: float | None, x: tuple[float, float], t: tuple[float, float]
-) -> list[Layer]:
+def _recorded(grid: Grid, x: Floats, t: Floats) -> NDArray[np.bool_]:
+    """Say at which places and times the grid has a velocity."""
+    rows, columns = grid.values.shape
+    column = np.floor((x - grid.x[0]) / (grid.x[1] - grid.x[0]) * columns).astype(np.intp)
+    row = np.floor((t - grid.t[0]) / (grid.t[1] - grid.t[0]) * rows).astype(np.intp)
+    inside = (column >= 0) & (column < columns) & (row >= 0) & (row < rows)
+    values = grid.values[np.clip(row, 0, rows - 1), np.clip(column, 0, columns - 1)]
+    known: NDArray[np.bool_] = inside & np.isfinite(values)
+    return known
+
+
+def _waves(run: RunData, speed: float | None, grid: Grid) -> list[Layer]:
     if speed is None:
         return []
-    place, time = fronts(wave_lines(run, x), speed, x, t)
-    if not place.size:
+    drawn = fronts(wave_lines(run, grid.x), speed, grid)
+    if not drawn:
         return []
+    x0, t0, x1, t1 = np.array(drawn).T
     name = f"wave speed, {speed:.1f} m/s"
-    return [Curve(place, time, colour="on_bright", width=1.2, dash="dashed", name=name)]
+    return [Segments(x0, t0, x1, t1, colour="on_bright", width=1.2, name=name)]
 
 
 def _window(

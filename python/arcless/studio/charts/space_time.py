@@ -43,7 +43,7 @@ def answer(run: ChartedRun, question: asked.Question) -> Response:
     columns = asked.whole(question, "width", 600, 1, MOST_COLUMNS)
     rows = asked.whole(question, "height", 400, 1, MOST_ROWS)
     grid = velocity_grid(motions, x, t, columns, rows)
-    data = run.data
+    data, speed = run.data, figure.wave_speed(run.data)
     about: dict[str, Any] = {
         "recorded": True,
         "rows": grid.values.shape[0],
@@ -54,8 +54,8 @@ def answer(run: ChartedRun, question: asked.Question) -> Response:
         "whole_t": list(whole_t),
         "scale_end": figure.scale_end(grid),
         "largest": grid.largest,
-        "wave_speed": figure.wave_speed(data),
-        "lines": [[one.x, one.t] for one in figure.wave_lines(data, x)],
+        "wave_speed": speed,
+        "fronts": [] if speed is None else figure.fronts(figure.wave_lines(data, x), speed, grid),
         "supports": [float(at) for at in data.supports if x[0] <= at <= x[1]],
         "paths": _paths(data, x, t),
     }

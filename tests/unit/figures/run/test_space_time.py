@@ -5,11 +5,11 @@ import pytest
 
 from arcless.assess import assess
 from arcless.figures import paper
-from arcless.figures.description import Curve, Map
+from arcless.figures.description import Curve, Map, Segments
 from arcless.figures.run import space_time
 from arcless.figures.run.run_data import RunData
 from arcless.figures.run.space_time import COLUMNS, ROWS, WaveLine, fronts
-from arcless.figures.wires.wire_velocity import WireMotion
+from arcless.figures.wires.wire_velocity import Grid, WireMotion
 from tests.support.synthetic import SPAN_M, synthetic_dataset
 
 SPEED, C = 20.0, 100.0  # m/s; the drawn wire has 10 kN and 1 kg/m
@@ -48,10 +48,10 @@ def test_the_pulse_lies_on_the_front_that_is_drawn(run: RunData) -> None:
     (figure,) = space_time.space_time(run)
     grid = next(one for one in figure.layers if isinstance(one, Map))
     wave = next(one for one in figure.layers if one.name.startswith("wave speed"))
-    assert isinstance(wave, Curve)
-    starts = np.flatnonzero(np.isclose(wave.x, 250.0) & np.isclose(wave.y, 12.5))
-    ahead = next(k for k in starts if wave.x[k + 1] > 250.0)
-    slope = (wave.x[ahead + 1] - wave.x[ahead]) / (wave.y[ahead + 1] - wave.y[ahead])
+    assert isinstance(wave, Segments)
+    starts = np.flatnonzero(np.isclose(wave.x0, 250.0) & np.isclose(wave.y0, 12.5))
+    ahead = next(k for k in starts if wave.x1[k] > 250.0)
+    slope = (wave.x1[ahead] - wave.x0[ahead]) / (wave.y1[ahead] - wave.y0[ahead])
     # The speed of the drawn wire, in double precision.
     assert slope == pytest.approx(C, rel=1e-12)
     # The velocity is largest 3.5 m before and behind the top of the pulse, where its slope is.
@@ -74,11 +74,31 @@ def test_paths_have_the_speed_of_the_train(run: RunData) -> None:
     assert second - first == pytest.approx(1.5, abs=1e-6)
 
 
+def grid_of(known) -> Grid:
+    """A grid of 100 m and 0.75 s that has velocities where a function of x and t says so."""
+    x, t = np.meshgrid(np.arange(0.5, 100.0), np.arange(0.005, 0.75, 0.01))
+    return Grid((0.0, 100.0), (0.0, 0.75), np.where(known(x, t), 0.1, np.nan), 0.1)
+
+
 def test_fronts_end_at_the_edges() -> None:
-    x, t = fronts([WaveLine(50.0, 0.5)], 100.0, (0.0, 100.0), (0.0, 0.75))
-    np.testing.assert_allclose(x, [50.0, 75.0, np.nan, 50.0, 25.0, np.nan])
-    np.testing.assert_allclose(t, [0.5, 0.75, np.nan, 0.5, 0.75, np.nan])
-    assert fronts([WaveLine(50.0, 1.0)], 100.0, (0.0, 100.0), (0.0, 0.75))[0].size == 0
+    everywhere = grid_of(lambda x, _: x > -1.0)
+    ahead, behind = fronts([WaveLine(50.0, 0.5)], 100.0, everywhere)
+    # The last of 400 pieces of 0.25 s is on the edge, and belongs to no cell.
+    assert ahead == pytest.approx((50.0, 0.5, 75.0, 0.75), abs=0.1)
+    assert behind == pytest.approx((50.0, 0.5, 25.0, 0.75), abs=0.1)
+    assert fronts([WaveLine(50.0, 1.0)], 100.0, everywhere) == []
+
+
+def test_fronts_end_where_nothing_was_recorded() -> None:
+    near = grid_of(lambda x, _: (x > 40.0) & (x < 70.0))
+    ahead, behind = fronts([WaveLine(50.0, 0.1)], 100.0, near)
+    # A cell is 1 m wide.
+    assert ahead.x1 == pytest.approx(70.0, abs=1.0)
+    assert behind.x1 == pytest.approx(40.0, abs=1.0)
+    # One that begins elsewhere is seen from where it comes in.
+    (seen,) = fronts([WaveLine(20.0, 0.1)], 100.0, near)
+    assert seen.x0 == pytest.approx(40.0, abs=1.0)
+    assert seen.x1 == pytest.approx(70.0, abs=1.0)
 
 
 def test_a_line_as_designed_has_the_wave_speed_of_tension_and_mass(run: RunData) -> None:
