@@ -109,15 +109,14 @@ function inside(at: CanvasRenderingContext2D, part: Part, { about, values }: Sho
   const [y0, y1] = about.t.map(places.t) as [number, number];
   at.imageSmoothingEnabled = false;
   at.drawImage(imageOf({ values, shape: [about.rows, about.columns] }, scaleOf(about.scale_end)), x0, y1, x1 - x0, y0 - y1);
-  // Lines on the image have its own ink: the middle of the scale is pale in both schemes.
-  lines(at, "#14181c55", 1, [2, 3], () => {
+  lines(at, colour("rest"), 1, [2, 3], () => {
     for (const support of about.supports) {
       at.moveTo(places.x(support), frame.top);
       at.lineTo(places.x(support), frame.top + frame.height);
     }
   });
   if (marks.waves) {
-    lines(at, "#14181c", 1.2, [7, 4], () => {
+    lines(at, colour("wave"), 1.2, [7, 4], () => {
       for (const [x0, t0, x1, t1] of about.fronts) {
         at.moveTo(places.x(x0), places.t(t0));
         at.lineTo(places.x(x1), places.t(t1));
@@ -125,7 +124,7 @@ function inside(at: CanvasRenderingContext2D, part: Part, { about, values }: Sho
     });
   }
   for (const path of about.paths) {
-    for (const [ink, width] of [["#ffffff", 4], [colour(path.colour), 2]] as const) {
+    for (const [ink, width] of [[colour("wave"), 3.6], [colour(path.colour), 2]] as const) {
       lines(at, ink, width, [], () => path.x.forEach((x, k) => at.lineTo(places.x(x), places.t(path.t[k]!))));
     }
   }

@@ -143,8 +143,11 @@ def paths(run: RunData, x: tuple[float, float], t: tuple[float, float]) -> list[
                               & (run.time <= t[1]))  # fmt: skip
         if rows.size:
             kept = rows[np.unique(np.linspace(0, rows.size - 1, PATH_POINTS).astype(np.intp))]
-            found.append(Curve(place[kept], run.time[kept], colour=of_pantograph(i), width=2.0,
-                               name=f"path of {name}"))  # fmt: skip
+            x_of, t_of = place[kept], run.time[kept]
+            # With a darker edge: in dark pages the colours of pantographs are pale, as the map is.
+            found.append(Curve(x_of, t_of, colour="wave", width=3.6))
+            path = Curve(x_of, t_of, colour=of_pantograph(i), width=2.0, name=f"path of {name}")
+            found.append(path)
     return found
 
 
@@ -195,7 +198,7 @@ def _waves(run: RunData, speed: float | None, grid: Grid) -> list[Layer]:
         return []
     x0, t0, x1, t1 = np.array(drawn).T
     name = f"wave speed, {speed:.1f} m/s"
-    return [Segments(x0, t0, x1, t1, colour="on_bright", width=1.2, name=name)]
+    return [Segments(x0, t0, x1, t1, colour="wave", width=1.2, name=name)]
 
 
 def _window(

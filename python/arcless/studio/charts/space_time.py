@@ -74,7 +74,7 @@ def _part(
 
 def _paths(run: RunData, x: tuple[float, float], t: tuple[float, float]) -> list[dict[str, Any]]:
     found = []
-    for layer in figure.paths(run, x, t):
+    for layer in (one for one in figure.paths(run, x, t) if one.name):
         xs, ts = np.asarray(vars(layer)["x"]), np.asarray(vars(layer)["y"])
         found.append({
             "name": layer.name, "colour": layer.colour,
