@@ -56,7 +56,7 @@ function Criteria({ of }: { of: Assessed }) {
   return (
     <section aria-labelledby="criteria">
       <h3 id="criteria">Criteria</h3>
-      <div class="wide" tabIndex={0} role="region" aria-labelledby="criteria">
+      <div class="wide" tabIndex={0} role="region" aria-label="Table of criteria">
         <table>
           <thead>
             <tr>
