@@ -39,6 +39,7 @@ function Shares({ of }: { of: Pantograph }) {
 
 function Places({ run, places, title, of }: { run: string; places: Place[]; title: string; of: string }) {
   if (!places.length) return null;
+  const asBuilt = places.some((place) => place.as_built !== null);
   return (
     <div class="wide" tabIndex={0} role="region" aria-label={title}>
       <table>
@@ -49,7 +50,7 @@ function Places({ run, places, title, of }: { run: string; places: Place[]; titl
             <th scope="col" class="number">position, m</th>
             <th scope="col" class="number">force, N</th>
             <th scope="col" class="number">{of}, N</th>
-            <th scope="col">not as designed</th>
+            {asBuilt && <th scope="col">not as designed</th>}
           </tr>
         </thead>
         <tbody>
@@ -64,7 +65,7 @@ function Places({ run, places, title, of }: { run: string; places: Place[]; titl
               <td class="number">{decimals(place.position_m, 1)}</td>
               <td class="number">{decimals(place.force_N, 1)}</td>
               <td class="number">{(place.deviation_N > 0 ? "+" : "") + decimals(place.deviation_N, 1)}</td>
-              <td>{place.as_built ?? ""}</td>
+              {asBuilt && <td>{place.as_built ?? ""}</td>}
             </tr>
           ))}
         </tbody>
