@@ -10,9 +10,10 @@ import { register as drawing } from "./drawing/register.ts";
 import { register as editor } from "./editor/register.ts";
 import { register as player } from "./player/register.ts";
 import { register as project } from "./project/register.ts";
+import { register as results } from "./results/register.ts";
 import { register as statics } from "./statics/register.ts";
 
-for (const register of [project, drawing, editor, statics, player]) register();
+for (const register of [project, drawing, editor, statics, player, results]) register();
 followProject();
 followJobs();
 connect();
