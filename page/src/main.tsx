@@ -6,9 +6,12 @@ import "./look/base.css";
 import { Shell } from "./shell/Shell.tsx";
 import { followJobs } from "./state/jobs.ts";
 import { followProject } from "./state/project.ts";
+import { register as drawing } from "./drawing/register.ts";
+import { register as editor } from "./editor/register.ts";
 import { register as project } from "./project/register.ts";
+import { register as statics } from "./statics/register.ts";
 
-for (const register of [project]) register();
+for (const register of [project, drawing, editor, statics]) register();
 followProject();
 followJobs();
 connect();
