@@ -1,5 +1,6 @@
-"""Routes of the editor: what is wrong with a text, its fields, and changes of one field."""
+"""Routes of the editor: mistakes in a text, its fields, changes of one, a copy to begin with."""
 
+import json
 from pathlib import Path
 from typing import Any
 
@@ -7,12 +8,15 @@ from anyio.to_thread import run_sync
 from starlette.requests import Request
 from starlette.routing import BaseRoute
 
+from arcless.errors import ModelError
 from arcless.model import edit
+from arcless.model.own_copy import copies, write_copies
 from arcless.studio.answers.answers import Refused, json_body, route
 from arcless.studio.model_text import check, form
 from arcless.studio.project import texts
 from arcless.studio.project.project import Project, is_shipped
 from arcless.study import json_schema
+from arcless.units import show
 
 
 def routes(project: Project) -> list[BaseRoute]:
@@ -36,12 +40,37 @@ def routes(project: Project) -> list[BaseRoute]:
     async def schema(_: Request) -> Any:
         return await run_sync(json_schema)
 
+    async def new(request: Request) -> Any:
+        asked = await json_body(request)
+        name, source = asked.get("name"), asked.get("from")
+        if not isinstance(name, str) or not isinstance(source, str):
+            raise Refused(400, "A new model needs a name, and the model to begin with")
+        whole = asked.get("with_pantographs") is True
+        return {"path": await run_sync(begun, project, name, source, whole)}
+
     return [
+        route("new", new, "POST"),
         route("check", check_text, "POST"),
         route("form", form_of, "POST"),
         route("patch", patch, "POST"),
         route("schema", schema),
     ]
+
+
+def begun(project: Project, name: str, source: str, with_pantographs: bool) -> str:
+    """Begin a model in the folder as `arcless new` does, and return its path there.
+
+    Raises
+    ------
+    ArclessError
+        There is no such shipped model, or a file of the name is there.
+    """
+    if not is_shipped(source):
+        raise ModelError("no model to begin with", got=show(source), expected="shipped:KIND/NAME")
+    given = source.removeprefix("shipped:")
+    files = copies(name, given, with_pantographs=with_pantographs)
+    write_copies(project.folder, files, json.dumps(json_schema(), indent=2) + "\n")
+    return f"{name}.yaml"
 
 
 def patched(text: str, changes: dict[str, Any], label: str) -> str:

@@ -6,12 +6,13 @@ from typing import Any
 import pytest
 
 import arcless
-from arcless.errors import ModelError
+from arcless.errors import ArclessError, ModelError
 from arcless.studio.model_text.about import about
 from arcless.studio.model_text.check import check
 from arcless.studio.model_text.form import form
 from arcless.studio.model_text.places import places
-from arcless.studio.model_text.routes import patched
+from arcless.studio.model_text.routes import begun, patched
+from arcless.studio.project.project import Project
 
 MODELS = Path(arcless.__file__).parent / "models"
 TEXT = (MODELS / "lines" / "ac-simple-55-3d.yaml").read_text("utf-8")
@@ -41,14 +42,14 @@ def test_places_hold_exactly_the_field() -> None:
 
 
 def test_mistakes_have_the_place_of_their_field_each() -> None:
-    text = TEXT.replace("22 kN", "22 km", 1) + "nonsense: 1\n"
+    text = TEXT.replace("22 kN", "22 km", 1).replace("16 kN", "16 km", 1)
     assert checked(TEXT)["errors"] == []
     (error,) = checked(TEXT + "nonsense: 1\n")["errors"]
     assert (TEXT + "nonsense: 1").split("\n")[error["line"] - 1] == "nonsense: 1"
     assert error["where"].startswith("line.yaml:")
-    wrong = checked(text)["errors"]
-    rows = text.split("\n")
-    assert any("22 km" in rows[one["line"] - 1] for one in wrong)
+    one, other = checked(text)["errors"]
+    assert "22 km" in text.split("\n")[one["line"] - 1]
+    assert "16 km" in text.split("\n")[other["line"] - 1]
     broken = checked("format: arcless-line/1\na: [\n")
     assert broken["errors"][0]["line"] >= 2
     assert broken["kind"] == "line"
@@ -114,3 +115,19 @@ def test_a_change_keeps_all_else_and_none_takes_a_field_away() -> None:
 
 def test_nothing_is_known_of_what_is_no_field() -> None:
     assert about("line", ("nothing",)) is None
+
+
+def test_a_model_begins_as_a_copy_of_a_shipped_one_and_of_nothing_else(tmp_path: Path) -> None:
+    folder = tmp_path / "folder"
+    folder.mkdir()
+    project = Project.of(folder)
+    assert begun(project, "mine", "shipped:line/ac-simple-55-3d", False) == "mine.yaml"
+    assert "tension: {value: 22 kN" in (folder / "mine.yaml").read_text("utf-8")
+    (tmp_path / "outside.yaml").write_text(TEXT, "utf-8")
+    shipped = "shipped:line/ac-simple-55"
+    wrong = [("mine", shipped), ("../a", shipped), ("a", "shipped:line/nothing")]
+    wrong += [("a", "mine.yaml"), ("a", "../outside.yaml"), ("a", f"{tmp_path}/outside.yaml")]
+    for name, source in wrong:
+        with pytest.raises(ArclessError):
+            begun(project, name, source, False)
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["folder", "outside.yaml"]
