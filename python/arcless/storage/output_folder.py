@@ -9,9 +9,8 @@ from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Self
 
-from arcless.cli.process import interrupts
 from arcless.errors import OutputError
-from arcless.units import show
+from arcless.storage.deferred_signals import deferred_signals
 
 if TYPE_CHECKING:
     from arcless.storage.hidden_files import Claim
@@ -23,21 +22,6 @@ Refusal = Callable[[Path, Sequence[str]], OutputError]
 _OLD = "old-"
 # Intervals for an interrupted run to notice that its folder is gone: 0.2 s in all.
 _TRIES, _BETWEEN_TRIES_S = 20, 0.01
-
-
-def check_place(file: Path, suffix: str, option: str) -> None:
-    """Refuse a file that could not be written after the computing, before it."""
-    from arcless.storage.whole_files import check_writable
-
-    if file.suffix.lower() != suffix:
-        raise OutputError(
-            f"not a {suffix} file",
-            where=str(file),
-            got=show(file.suffix) if file.suffix else "a name without an ending",
-            expected=f"a name that ends in {suffix}",
-            hint=f"this is the only form that `{option}` writes; a browser can print it",
-        )
-    check_writable(file)
 
 
 class OutputFolder:
@@ -115,7 +99,7 @@ class OutputFolder:
 
         try:
             published = sorted(self.path / staged.name for staged in self._staging.iterdir())
-            with interrupts.deferred_signals():
+            with deferred_signals():
                 self._check_free()
                 self._move()
             sync_folder(self.path)
@@ -166,7 +150,7 @@ class OutputFolder:
     def _clear(self) -> None:
         from arcless.storage import hidden_files
 
-        with interrupts.deferred_signals():
+        with deferred_signals():
             self._remove()
             if self._claim is not None:
                 self._claim.close()

@@ -5,27 +5,29 @@ import re
 import unicodedata
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING
 
-import typer
-
-from arcless.cli.output.folder import OutputFolder
-from arcless.cli.output.outcome import FILES, RESULT
 from arcless.errors import OutputError
+from arcless.results.kept_runs.places import (
+    ASSESSMENT_NAME,
+    REPORT_NAME,
+    RESULT_NAME,
+    RUNS,
+    is_study_folder,
+)
+from arcless.storage.output_folder import OutputFolder
 
 if TYPE_CHECKING:
     from arcless.model import Scenario
     from arcless.results import KeptRun
 
+# Files of a run; the others follow from the first.
+FILES = (RESULT_NAME, ASSESSMENT_NAME, REPORT_NAME)
 # Longest name of a folder, in bytes. File systems take 255 of them for a name, and Windows 260
 # characters for a whole path; a shorter name leaves out more of what was changed.
 LONGEST = 120
 # Names of devices, which Windows gives to no folder.
 _DEVICES = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?", re.IGNORECASE)
-
-OverwriteOption = Annotated[
-    bool, typer.Option("--overwrite", help="Replace a run that is in the folder already.")
-]
 
 
 def folder_of(scenario: "Scenario") -> Path:
@@ -36,8 +38,6 @@ def folder_of(scenario: "Scenario") -> Path:
     underscores, and what file names do not take is a hyphen. A name that would be too long is cut,
     and ends in a digest of the values.
     """
-    from arcless.results.kept_runs.places import RUNS
-
     name = unicodedata.normalize("NFC", scenario.name)
     name = re.sub(r"[^\w.-]+", "-", name).strip("-.") or "scenario"
     changes = ",".join(f"{path}={_plain(text)}" for path, text in scenario.changes.items())
@@ -66,14 +66,12 @@ def for_run(path: Path, *, overwrite: bool, own: Path | None = None) -> OutputFo
         It is the folder of a study.
     """
     _check_no_study(path)
-    continues = own is not None and os.path.realpath(own) == os.path.realpath(path / RESULT)
+    continues = own is not None and os.path.realpath(own) == os.path.realpath(path / RESULT_NAME)
     return OutputFolder(path, *FILES, refusal=None if overwrite or continues else _refusal)
 
 
 def _check_no_study(path: Path) -> None:
     """Refuse the folder of a study, whose report a run would replace."""
-    from arcless.results.kept_runs.places import is_study_folder
-
     if is_study_folder(path):
         raise OutputError(
             "a study is in this folder",
@@ -85,7 +83,7 @@ def _check_no_study(path: Path) -> None:
 
 def _refusal(path: Path, there: Sequence[str]) -> OutputError:
     hint = "`--overwrite` replaces it, `--out FOLDER` keeps both"
-    if RESULT not in there:
+    if RESULT_NAME not in there:
         return OutputError(
             "files of a run are in this folder",
             where=str(path),
@@ -96,7 +94,7 @@ def _refusal(path: Path, there: Sequence[str]) -> OutputError:
     from arcless.results.kept_runs.kept_run import STOPPED
     from arcless.results.kept_runs.reading import read
 
-    found = read(path / RESULT)
+    found = read(path / RESULT_NAME)
     if found.verdict == STOPPED:
         hint = f"`arcless resume {path}` continues it, {hint}"
     return OutputError(
@@ -112,7 +110,7 @@ def _told(found: "KeptRun") -> str:
     from arcless.results.kept_runs.kept_run import STOPPED, UNREADABLE
 
     if found.verdict == UNREADABLE:
-        return f"{RESULT}, which cannot be read"
+        return f"{RESULT_NAME}, which cannot be read"
     date = (found.created or "")[:16].replace("T", " ")
     changes = "".join(f", {path}={text}" for path, text in found.changes.items())
     state = ", stopped early" if found.verdict == STOPPED else ""
