@@ -11,7 +11,7 @@ from arcless.assess import Assessment
 from arcless.dataset.plain_dataset import Dataset
 from arcless.errors import OutputError
 from arcless.figures.run.run_data import RunData
-from arcless.report.animation import Animation
+from arcless.report.drawing.animation import Animation
 from arcless.results import Result
 from arcless.studio.animation import channels
 from arcless.studio.animation.cut import Cut, cut
@@ -52,9 +52,9 @@ def animation_of(
     OutputError
         The run has no recorded motion, or the player was not built.
     """
-    script, style = _player()
     data, geometry = result.latest, geometry_of_run(result)
     motion = recorded(data, geometry)
+    script, style = _player()
     run = RunData(data, assessment or result.assessment)
     worst = _worst_places(run)
     worst_s = _time_at(run, worst[0])
