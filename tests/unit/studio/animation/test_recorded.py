@@ -1,4 +1,4 @@
-"""Recorded motion as rows of wires: windows over wires of a kind that stand one behind the other."""
+"""Recorded motion as rows of wires: windows over several wires of a kind."""
 
 from typing import Any, cast
 
