@@ -104,7 +104,7 @@ def _packed(
     low, high = _seen(run, times)
     blocks = [
         *channels.wires(small.motion),
-        *channels.along(data, "dropper_force", "droppers", left.droppers, times),
+        *channels.droppers(data, left.droppers, times),
         *channels.along(data, "support_uplift", "supports", left.supports, times),
         *channels.pantographs(data, times),
     ]

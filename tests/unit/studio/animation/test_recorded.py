@@ -25,19 +25,56 @@ def geometry() -> Geometry:
 
 
 def dataset(first: list[int], width: int) -> Plain:
-    """Return a motion in which each value is the number of its node, and a tenth of the row."""
+    """Return a motion of two contact wires, recorded as two.
+
+    Each value is the number of its node among all contact wires, and a tenth of the row.
+    """
     rows = np.arange(len(first))
-    values = np.add.outer(np.array(first), np.arange(width)) + 0.1 * rows[:, None]
+    own = np.array(first)[:, None] + [0, 0]  # both windows begin at the same node of their wires
+    nodes = np.concatenate([own[:, :1], own[:, 1:] + NODES], axis=1)
+    values = (nodes[:, :, None] + np.arange(width)).reshape(len(first), -1) + 0.1 * rows[:, None]
     data: Any = {
-        "contact_wire_motion": (("motion_time", "place"), values.astype("f4"), {}),
-        "contact_wire_motion_first": (("motion_time",), np.array(first), {}),
+        "motion_up": (("motion_time", "motion_node"), values.astype("f4"), {}),
+        "motion_first": (("motion_time", "motion_wire"), own, {}),
+        "motion_count": (("motion_wire",), np.array([width, width]), {}),
+        "contact_wire_node_wire": (("contact_wire_node",), np.repeat([1, 2], NODES), {}),
     }
-    return Plain(data, {"motion_time": (("motion_time",), 0.01 * rows, {})}, {})
+    names = np.array(["contact_wire 1", "contact_wire 2"])
+    coords: Any = {
+        "motion_time": (("motion_time",), 0.01 * rows, {}),
+        "motion_wire": (("motion_wire",), names, {}),
+    }
+    return Plain(data, coords, {})
+
+
+def test_each_wire_has_its_window() -> None:
+    motion = recorded(dataset([0, 1, 2], 4), geometry())
+    assert motion.times == pytest.approx([0.0, 0.01, 0.02])
+    assert [rows.wire for rows in motion.wires] == [0, 1]
+    for rows in motion.wires:
+        assert rows.first.tolist() == [0, 1, 2]
+        assert rows.count.tolist() == [4, 4, 4]
+        begin = geometry()["wires"][rows.wire]["first"]
+        for row in range(3):
+            assert rows.up[row] == pytest.approx(begin + row + np.arange(4) + 0.1 * row)
 
 
 def test_a_window_over_two_wires_is_a_window_of_each() -> None:
-    motion = recorded(dataset([1, 4, 8], 4), geometry())
-    assert motion.times == pytest.approx([0.0, 0.01, 0.02])
+    # As stitch wires: several of the geometry are one wire of the record.
+    data: Any = {
+        "motion_up": (
+            ("motion_time", "motion_node"),
+            (np.add.outer([1, 4, 8], range(4)) + 0.1 * np.arange(3)[:, None]).astype("f4"),
+            {},
+        ),
+        "motion_first": (("motion_time", "motion_wire"), np.array([[1], [4], [8]]), {}),
+        "motion_count": (("motion_wire",), np.array([4]), {}),
+    }
+    coords: Any = {
+        "motion_time": (("motion_time",), np.arange(3.0), {}),
+        "motion_wire": (("motion_wire",), np.array(["contact_wire 1"]), {}),
+    }
+    motion = recorded(Plain(data, coords, {}), geometry())
     one, two = motion.wires
     assert (one.wire, two.wire) == (0, 1)
     assert one.count.tolist() == [4, 2, 0]
