@@ -26,7 +26,7 @@ FOLDER = Path(__file__).resolve().parent.parent / "page" / "animation"
 # Size of the motion in bytes of base64. A report has less than 2 MB besides; mail servers refuse
 # 10 MB and more.
 LIMIT = 4e6
-# It begins so many s before the worst place.
+# Time in s by which it begins before the worst place.
 BEFORE = 1.0
 
 Floats = NDArray[np.float64]
