@@ -1,5 +1,4 @@
 /** Why σ is as it is: shares of what repeats, deviation by span, and places to look at. */
-import { useEffect } from "preact/hooks";
 import { decimals } from "../charts/numbers.ts";
 import { useAnswer } from "./answer.ts";
 import { askExplanation, askFigure, askRun } from "./asking.ts";
@@ -7,7 +6,7 @@ import { FigureSections } from "./FigureSections.tsx";
 import { Nothing, Refusal, Waiting } from "./State.tsx";
 import type { Explanation as Explained, Figures, Place } from "./told.ts";
 import { shownRun, versionOf } from "./which.ts";
-import { goTo, remember } from "./worst.ts";
+import { goTo } from "./place.ts";
 import "./results.css";
 
 type Pantograph = Explained["pantographs"][number];
@@ -90,9 +89,6 @@ export function Explanation() {
     explained: await askExplanation(run!, signal),
     figures: await askRun(run!, signal),
   })).value;
-  useEffect(() => {
-    if (run && found.value) remember(run, found.value.explained.pantographs.flatMap((one) => one.worst));
-  }, [found.value]);
   if (run === null) return <Nothing>No run is chosen. Tick one among the runs, and this says why its σ is as it is.</Nothing>;
   if (found.complaint) return <Refusal complaint={found.complaint} what={`σ of ${run} cannot be explained`} />;
   if (found.waiting || !found.value) return <Waiting what={run} />;
