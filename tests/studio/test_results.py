@@ -80,9 +80,9 @@ def test_a_run_has_its_verdict_and_all_figures_of_its_report(
     page = studio(folder).open()
     tick(page, "fast")
     show(page, "Results")
-    page.wait(".verdict")
+    page.wait(".result-verdict")
     result = open_result(folder / "runs" / "fast")
-    assert result.assessment.headline.text in page.text(".verdict")
+    assert result.assessment.headline.text in page.text(".result-verdict")
     titles = page.js("[...document.querySelectorAll('figure.chart h4')].map((one) => one.textContent)")
     assert sorted(titles) == sorted(f.title for group in result.figures.values() for f in group)
     for title in ("Contact force", "Dropper forces while the train passes", "Standard deviation in each span"):

@@ -14,8 +14,8 @@ const report = (run: string) => `api/run/report?${new URLSearchParams({ path: ru
 function Verdict({ of }: { of: Assessed }) {
   const { verdict } = of;
   return (
-    <section class={`verdict ${verdict.state}`} aria-label="Verdict">
-      <p class="verdict-text">
+    <section class={`result-verdict ${verdict.state}`} aria-label="Verdict">
+      <p class="result-headline">
         <span aria-hidden="true">{verdict.sign}</span> {verdict.text}
       </p>
       {verdict.rest && <p>{verdict.rest}</p>}
