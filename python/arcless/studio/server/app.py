@@ -8,6 +8,7 @@ from starlette.routing import BaseRoute
 from starlette.types import ASGIApp
 
 from arcless.studio.at_rest import routes as at_rest_routes
+from arcless.studio.hands_on import routes as hands_on_routes
 from arcless.studio.project import routes as project_routes
 from arcless.studio.project.project import Project
 from arcless.studio.server import page
@@ -26,6 +27,7 @@ def application(project: Project, keys: Keys) -> ASGIApp:
     routes: list[BaseRoute] = [
         *project_routes.routes(project),
         *at_rest_routes.routes(project, desks),
+        *hands_on_routes.routes(project),
         # One line for each room, `*ROOM.routes(project, …)`.
         *page.routes(),
     ]
