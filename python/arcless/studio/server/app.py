@@ -9,13 +9,18 @@ from starlette.types import ASGIApp
 
 from arcless.studio.at_rest import routes as at_rest_routes
 from arcless.studio.charts import routes as chart_routes
-from arcless.studio.model_text import routes as text_routes
 from arcless.studio.hands_on import routes as hands_on_routes
+from arcless.studio.jobs.jobs import Jobs
+from arcless.studio.model_text import routes as text_routes
 from arcless.studio.project import routes as project_routes
 from arcless.studio.project.project import Project
+from arcless.studio.runs import routes as runs_routes
+from arcless.studio.runs.motions import Motions
 from arcless.studio.server import page
 from arcless.studio.server.gate import Gate
 from arcless.studio.server.keys import Keys
+from arcless.studio.stream import routes as stream_routes
+from arcless.studio.stream.hub import Hub
 
 
 def application(project: Project, keys: Keys) -> ASGIApp:
@@ -24,14 +29,20 @@ def application(project: Project, keys: Keys) -> ASGIApp:
     What several rooms share is made here and handed to them; what works beside the routes is
     entered when the server starts, and left when it ends.
     """
-    desks = at_rest_routes.Desks()
-    at_work: list[AbstractAsyncContextManager[object]] = [desks.at_work()]
+    desks, hub = at_rest_routes.Desks(), Hub()
+    jobs = Jobs(hub.tell)
+    motions = Motions(project, jobs)
+    at_work: list[AbstractAsyncContextManager[object]] = [
+        desks.at_work(), hub.at_work(), jobs.at_work()
+    ]  # fmt: skip
     routes: list[BaseRoute] = [
         *project_routes.routes(project),
         *at_rest_routes.routes(project, desks),
         *text_routes.routes(project),
         *chart_routes.routes(project),
         *hands_on_routes.routes(project),
+        *runs_routes.routes(project, jobs),
+        *stream_routes.routes(hub, motions.open),
         # One line for each room, `*ROOM.routes(project, …)`.
         *page.routes(),
     ]
