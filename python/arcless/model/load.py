@@ -2,6 +2,7 @@
 
 import os
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any, TypeVar
 
 from arcless.errors import ModelError
@@ -16,6 +17,7 @@ from arcless.model.scenario.references import (
     locate,
     other_kind,
     read,
+    read_given,
 )
 from arcless.model.scenario.scenario import Scenario
 from arcless.model.shipped.library import find
@@ -72,9 +74,29 @@ def load_any(source: Source) -> Scenario | Line | Pantograph:
         for kind in KINDS:
             if file := find(kind, source):
                 return load_file(file, kind, _MODELS[kind], Origin())
-    data, origin = read(locate(source, "scenario", Origin()), Origin())
-    kind = _kind_of(data.get("format"), origin)
-    return build(data, kind, _MODELS[kind], origin)
+    return _of_any_kind(*read(locate(source, "scenario", Origin()), Origin()))
+
+
+def load_text(
+    text: str, file: str | os.PathLike[str], within: Path | None = None
+) -> Scenario | Line | Pantograph:
+    """Return the model in a text that is, or will be, that of a file.
+
+    Parameters
+    ----------
+    text
+        The text, of any of the three formats.
+    file
+        The file, which need not be there: its folder is where references begin.
+    within
+        Whole path of the folder that no reference may lead out of; all are followed without.
+
+    Raises
+    ------
+    ModelError
+        The text is wrong, or a reference leads out of the folder.
+    """
+    return _of_any_kind(*read_given(text, Path(file), Origin(within=within)))
 
 
 def _load(source: Source, kind: Kind, model: type[Model]) -> Model:
@@ -103,6 +125,11 @@ def check_kind(value: object, kind: Kind = "scenario") -> None:
     if kind == "scenario" and isinstance(value, Line):
         hint = "a scenario names a line, pantographs and a speed"
     raise ModelError(f"not a {kind}", got=got, expected=f"a {kind}", hint=hint)
+
+
+def _of_any_kind(data: dict[str, Any], origin: Origin) -> Scenario | Line | Pantograph:
+    kind = _kind_of(data.get("format"), origin)
+    return build(data, kind, _MODELS[kind], origin)
 
 
 def _kind_of(given: object, origin: Origin) -> Kind:
