@@ -42,8 +42,10 @@ def run(text: str) -> str:
 
 def test_own_models() -> None:
     printed = ""
-    for _, language, text in blocks("own-models.md"):
-        if language == "sh":
+    for file, language, text in blocks("own-models.md"):
+        if file:
+            Path(file).write_text(text, "utf-8")
+        elif language == "sh":
             printed = run(text)
         elif language == "text":
             assert text == printed

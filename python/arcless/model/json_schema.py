@@ -10,6 +10,7 @@ from arcless.model.line.line import Line
 from arcless.model.pantograph.pantograph import Pantograph
 from arcless.model.scenario.scenario import Scenario
 from arcless.model.shipped.wire_catalogue import GIVES
+from arcless.model.variants.variant_files import Variant
 from arcless.units import KINDS, pattern
 
 _PLAIN = {"name", "description", "sources", "provenance", "line", "model", "scenario"}
@@ -20,12 +21,12 @@ DIALECT = "https://json-schema.org/draft/2020-12/schema"
 
 
 def json_schema(*others: type[Document]) -> dict[str, Any]:
-    """Return one JSON Schema document with the definitions of the three formats, and of others.
+    """Return one JSON Schema document: the three formats, variants of scenarios, and others.
 
     A file is valid when it is one of them. Numbers with a unit are shown as a number, a text, or a
     mapping that carries the provenance of the value.
     """
-    models: tuple[type[Document], ...] = (Line, Pantograph, Scenario, *others)
+    models: tuple[type[Document], ...] = (Line, Pantograph, Scenario, Variant, *others)
     references, document = models_json_schema(
         [(model, "validation") for model in models], by_alias=True
     )
@@ -49,7 +50,7 @@ def json_schema(*others: type[Document]) -> dict[str, Any]:
     choices = {key: scheme.pop(key) for key in ("discriminator", "oneOf")}
     scheme["anyOf"] = [{"enum": names}, choices]
     for name, definition in definitions.items():
-        if name != Provenance.__name__:
+        if name not in (Provenance.__name__, Variant.__name__):
             _accept_provenance(definition.get("properties", {}))
     amounts: dict[str, dict[str, Any]] = {}
     _name_amounts(definitions, amounts)

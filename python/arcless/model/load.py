@@ -13,7 +13,6 @@ from arcless.model.scenario.references import (
     KINDS,
     Kind,
     build,
-    load_file,
     locate,
     other_kind,
     read,
@@ -21,6 +20,7 @@ from arcless.model.scenario.references import (
 )
 from arcless.model.scenario.scenario import Scenario
 from arcless.model.shipped.library import find
+from arcless.model.variants.variant_files import scenario_of
 from arcless.units import plain, show
 
 Source = str | os.PathLike[str] | Mapping[str, Any]
@@ -68,13 +68,14 @@ def load_pantograph(source: Source | Pantograph) -> Pantograph:
 def load_any(source: Source) -> Scenario | Line | Pantograph:
     """Return the model in a file of any of the three formats, or a shipped one by name."""
     if isinstance(source, Mapping):
-        kind = _kind_of(source.get("format"), Origin())
-        return build(dict(source), kind, _MODELS[kind], Origin())
+        return _model(source, _kind_of(source.get("format"), Origin()), Origin())
     if isinstance(source, str):
         for kind in KINDS:
             if file := find(kind, source):
-                return load_file(file, kind, _MODELS[kind], Origin())
-    return _of_any_kind(*read(locate(source, "scenario", Origin()), Origin()))
+                data, origin = read(file, Origin())
+                return _model(data, kind, origin)
+    data, origin = read(locate(source, "scenario", Origin()), Origin())
+    return _model(data, _kind_of(data.get("format"), origin), origin)
 
 
 def load_text(
@@ -96,16 +97,33 @@ def load_text(
     ModelError
         The text is wrong, or a reference leads out of the folder.
     """
-    return _of_any_kind(*read_given(text, Path(file), Origin(within=within)))
+    data, origin = read_given(text, Path(file), Origin(within=within))
+    return _model(data, _kind_of(data.get("format"), origin), origin)
+
+
+def _model(data: Mapping[str, Any], kind: Kind, origin: Origin) -> Scenario | Line | Pantograph:
+    """Return the model of a kind in plain data; a scenario may be a variant of another one."""
+    if kind == "scenario":
+        return scenario_of(data, origin)
+    if kind == "line":
+        return build(dict(data), kind, Line, origin)
+    return build(dict(data), kind, Pantograph, origin)
 
 
 def _load(source: Source, kind: Kind, model: type[Model]) -> Model:
     if isinstance(source, Mapping):
-        return build(dict(source), kind, model, Origin())
+        return _of_kind(source, kind, model, Origin())
     if not isinstance(source, (str, os.PathLike)):
         expected = f"the name of a shipped {kind}, a file, or a mapping"
         raise ModelError(kind, got=show(source), expected=expected)
-    return load_file(locate(source, kind, Origin()), kind, model, Origin())
+    data, origin = read(locate(source, kind, Origin()), Origin())
+    return _of_kind(data, kind, model, origin)
+
+
+def _of_kind(data: Mapping[str, Any], kind: Kind, model: type[Model], origin: Origin) -> Model:
+    found = _model(data, kind, origin)
+    assert isinstance(found, model)
+    return found
 
 
 def check_kind(value: object, kind: Kind = "scenario") -> None:
@@ -125,11 +143,6 @@ def check_kind(value: object, kind: Kind = "scenario") -> None:
     if kind == "scenario" and isinstance(value, Line):
         hint = "a scenario names a line, pantographs and a speed"
     raise ModelError(f"not a {kind}", got=got, expected=f"a {kind}", hint=hint)
-
-
-def _of_any_kind(data: dict[str, Any], origin: Origin) -> Scenario | Line | Pantograph:
-    kind = _kind_of(data.get("format"), origin)
-    return build(data, kind, _MODELS[kind], origin)
 
 
 def _kind_of(given: object, origin: Origin) -> Kind:

@@ -2,12 +2,13 @@
 
 from collections.abc import Mapping
 from copy import deepcopy
+from dataclasses import dataclass
 from typing import Any, TypeVar
 
 from pydantic import BaseModel
 
 from arcless.errors import ModelError
-from arcless.model.fields.document import Document, dotted, written
+from arcless.model.fields.document import Document, Provenance, dotted, written
 from arcless.model.fields.part import Unit, find_unit, nearest
 from arcless.model.files.yaml_nodes import scalar
 from arcless.model.files.yaml_reader import Origin, parse
@@ -66,16 +67,46 @@ def parse_override(text: str) -> tuple[str, Any]:
     return path, scalar(value)
 
 
-def apply(scenario: Model, changes: Mapping[str, Any]) -> Model:
-    """Return a validated copy of `scenario` with changed fields; see `Scenario.with_`."""
+@dataclass(frozen=True)
+class Origins:
+    """Where changed values come from.
+
+    Attributes
+    ----------
+    entries
+        Note, mark and keys of sources of each change, by its path.
+    sources
+        Citations of these keys.
+    """
+
+    entries: Mapping[str, Mapping[str, str]]
+    sources: Mapping[str, str]
+
+    def of(self, path: str) -> dict[str, str]:
+        """Return what is known of the value of a field."""
+        return dict(self.entries.get(path, {"note": SET_FOR_RUN}))
+
+
+_OF_THE_RUN = Origins({}, {})
+
+
+def apply(scenario: Model, changes: Mapping[str, Any], origins: Origins = _OF_THE_RUN) -> Model:
+    """Return a validated copy of `scenario` with changed fields; see `Scenario.with_`.
+
+    Raises
+    ------
+    ModelError
+        There is no such field, or the scenario is not valid with it.
+    """
     changed_groups = {path.partition(".")[0] for path in changes}
-    data = scenario.model_dump(mode="json", by_alias=True, include={"provenance", *changed_groups})
+    dumped = {"provenance", "sources", *changed_groups}
+    data = scenario.model_dump(mode="json", by_alias=True, include=dumped)
     # Parts without a change are valid as they are; reading a line again takes longest of all.
     data = {name: data.get(name, getattr(scenario, name)) for name in type(scenario).model_fields}
     replaced: set[str] = set()
     named: dict[str, Document] = {}
     for path, value in changes.items():
-        replaced |= _set(data, path, value, set(changes), named)
+        replaced |= _set(data, path, value, set(changes), named, origins=origins)
     changed = build(data, "scenario", type(scenario), Origin())
     carry(scenario, changed, replaced, named)
     return changed
@@ -123,6 +154,8 @@ def _set(
     value: Any,
     changed: set[str],
     named: dict[str, Document],
+    *,
+    origins: Origins = _OF_THE_RUN,
 ) -> set[str]:
     """Set a field, note the model that was named for it; return the paths that are other now."""
     *groups, last = _full_path(data, path)
@@ -134,7 +167,8 @@ def _set(
             document, inside = place, depth
     before, _, _ = path.rpartition(".")
     # A change further inside must not reach the caller's mapping.
-    model = _named_model(last, value)
+    given = isinstance(value, Line | Pantograph)
+    model = value if given else _named_model(last, value)
     place[last] = deepcopy(value) if model is None else model.to_dict()
     whole = dotted((*groups, last))
     replaced = {whole}
@@ -145,7 +179,8 @@ def _set(
             place[other] = None
             replaced.add(dotted((*groups, other)))
     relative = ".".join(str(part) for part in (*groups, last)[inside:])
-    _renew_provenance(document["provenance"], relative, value)
+    _renew_provenance(document["provenance"], relative, value, origins.of(path))
+    _cite(document, origins, path)
     return replaced
 
 
@@ -158,13 +193,30 @@ def _named_model(field: str | int, value: Any) -> Line | Pantograph | None:
     return None
 
 
-def _renew_provenance(provenance: dict[str, Any], path: str, value: Any) -> None:
-    """Forget where the replaced value came from, and note that it was replaced."""
+def _renew_provenance(
+    provenance: dict[str, Any], path: str, value: Any, origin: dict[str, str]
+) -> None:
+    """Forget where the replaced value came from, and note where the new one does."""
     for known in list(provenance):
         if known == path or known.startswith(f"{path}."):
             del provenance[known]
     given = value.name if hasattr(value, "name") else written(value)
-    provenance[path] = {"note": SET_FOR_RUN, "given": given}
+    provenance[path] = {**origin, "given": given}
+
+
+def _cite(document: dict[str, Any], origins: Origins, path: str) -> None:
+    """Add the citations of a changed value to its document: they are looked for there."""
+    entry = Provenance.model_validate({"source": origins.of(path).get("source")})
+    for key in entry.source_keys:
+        if key not in origins.sources:
+            raise ModelError(f"{path}: unknown source", got=show(key), expected="a key of sources")
+        known = document["sources"].setdefault(key, origins.sources[key])
+        if known != origins.sources[key]:
+            raise ModelError(
+                f"{path}: source cited twice",
+                got=show(key),
+                expected=f"another key: {document['name']} cites something else by it",
+            )
 
 
 def _full_path(data: dict[str, Any], path: str) -> list[str | int]:

@@ -1,0 +1,1 @@
+"""Scenario files that hold only what differs from another scenario."""
