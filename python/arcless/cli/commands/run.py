@@ -26,9 +26,8 @@ from arcless.cli.arguments.schedules import (
     SupportsOption,
 )
 from arcless.cli.output import outcome
-from arcless.cli.output.folder import OutputFolder, check_place
-from arcless.cli.output.outcome import NoReportOption, UntilOption
-from arcless.cli.output.run_folder import OverwriteOption, folder_of, for_run
+from arcless.cli.output.outcome import NoReportOption, OverwriteOption, UntilOption
+from arcless.cli.output.places import check_place
 from arcless.cli.process.background import compute
 from arcless.cli.process.start import permanent_objects
 from arcless.cli.terminal import console
@@ -88,10 +87,14 @@ def run(
     """
     check_whole(certainty, until)
     chosen = asked_for(load(scenario, speed=speed, changes=set_, quiet=quiet), certainty)
+    with permanent_objects():
+        from arcless.results import RESULT_NAME
+        from arcless.results.run_folder.run_folder import folder_of, for_run
+
     with for_run(out or folder_of(chosen), overwrite=overwrite) as folder:
         command = _command(scenario, speed, set_, certainty)
         result = _simulate(
-            chosen, until, folder.file(outcome.RESULT), command, quiet=quiet,
+            chosen, until, folder.file(RESULT_NAME), command, quiet=quiet,
             meanwhile=lambda: outcome.import_ahead(report=not no_report and until is None),
         )  # fmt: skip
         written = outcome.write(result, folder, report=not no_report)
@@ -119,6 +122,7 @@ def statics(
     resonance speeds, which a line alone has not: it is found as designed, on fine cubic elements.
     """
     from arcless.cli.terminal import statics_tables
+    from arcless.storage.output_folder import OutputFolder
     from arcless.storage.whole_files import write_bytes
 
     chosen = load_at_rest(scenario, changes=set_, quiet=quiet)

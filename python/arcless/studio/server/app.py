@@ -7,6 +7,10 @@ from starlette.applications import Starlette
 from starlette.routing import BaseRoute
 from starlette.types import ASGIApp
 
+from arcless.studio.at_rest import routes as at_rest_routes
+from arcless.studio.charts import routes as chart_routes
+from arcless.studio.model_text import routes as text_routes
+from arcless.studio.hands_on import routes as hands_on_routes
 from arcless.studio.project import routes as project_routes
 from arcless.studio.project.project import Project
 from arcless.studio.server import page
@@ -20,9 +24,14 @@ def application(project: Project, keys: Keys) -> ASGIApp:
     What several rooms share is made here and handed to them; what works beside the routes is
     entered when the server starts, and left when it ends.
     """
-    at_work: list[AbstractAsyncContextManager[object]] = []
+    desks = at_rest_routes.Desks()
+    at_work: list[AbstractAsyncContextManager[object]] = [desks.at_work()]
     routes: list[BaseRoute] = [
         *project_routes.routes(project),
+        *at_rest_routes.routes(project, desks),
+        *text_routes.routes(project),
+        *chart_routes.routes(project),
+        *hands_on_routes.routes(project),
         # One line for each room, `*ROOM.routes(project, …)`.
         *page.routes(),
     ]
