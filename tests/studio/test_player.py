@@ -1,4 +1,4 @@
-"""The player in a browser, on a motion whose values are known: clock, views, keys, a lost stream."""
+"""The player in a browser, on a known motion: clock, views, keys, a lost stream."""
 
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -51,6 +51,7 @@ def test_it_plays_where_the_pantograph_is(page: Window) -> None:
     page.click(".transport button[aria-label=Play]")
     until(page, f"{TIME} > 0.4")
     page.click(".transport button[aria-label=Pause]")
+    assert page.count(".line-view.side canvas") == 1, "a run that is opened is seen"
     text = page.text(READOUT)
     span, position, time = text.split(" · ")
     place = 100.0 + 80.0 * float(time.removesuffix(" s"))
