@@ -192,7 +192,7 @@ def test_a_run_without_motion_offers_it(studio: Callable[[Path], Studio], folder
     page = studio(folder).open()
     tick(page, "fast")
     show(page, "Space–time")
-    page.wait('button:text-is("Compute the motion")')
+    page.wait('button:text-is("Run again with its motion")')
 
 
 def test_a_damaged_run_is_said_to_be_one(studio: Callable[[Path], Studio], tmp_path: Path) -> None:
