@@ -4,9 +4,8 @@ import { change, changes } from "../state/changes.ts";
 import { cancel } from "../state/jobs.ts";
 import { project } from "../state/project.ts";
 import { file, scenario } from "../state/selection.ts";
-import { complain } from "../shell/messages.ts";
-import { messages } from "../shell/messages.ts";
-import { folded, fold } from "../shell/layout.ts";
+import { complain, messages } from "../shell/messages.ts";
+import { fold, folded } from "../shell/layout.ts";
 import { dialog, listed } from "../shell/window.ts";
 import { canRun, nameOf, run, runningJob, saveAsScenario, withCertainty, withMotion } from "./running.ts";
 import { fields } from "./scenarioFields.ts";
@@ -153,9 +152,11 @@ function Tools() {
   const count = messages.value.length;
   return (
     <div class="tools">
-      <button class={count ? "counted" : ""} aria-expanded={listed.value} onClick={() => (listed.value = !listed.value)}>
-        Messages{count ? ` ${count}` : ""}
-      </button>
+      {(count > 0 || listed.value) && (
+        <button class={count ? "counted" : ""} aria-expanded={listed.value} onClick={() => (listed.value = !listed.value)}>
+          Messages {count}
+        </button>
+      )}
       <button onClick={() => (dialog.value = "commands")} title="All commands (Ctrl+K)">Commands</button>
       <button class="fold" aria-pressed={!folded.value.left} title="Project (Ctrl+B)" onClick={() => fold("left")}>
         <span aria-hidden="true">◧</span><span class="unseen">Project</span>

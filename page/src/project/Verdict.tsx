@@ -35,7 +35,7 @@ export function Verdict() {
       <strong>{told && told.verdict.state === "open" && entry.verdict !== "not judged" ? "too close to tell" : word}</strong>
       {worst && (
         <span class="numbers">
-          σ {worst.value} N{worst.limit && <span class="soft"> (limit {worst.limit})</span>}
+          σ {worst.value} N{worst.limit && <span class="soft"> (limit {worst.limit.replace(/^[≤≥]\s*/, "")})</span>}
         </span>
       )}
       {told?.other_version && <span class="soft">computed by Arcless {told.version}</span>}
