@@ -8,11 +8,12 @@ import { followJobs } from "./state/jobs.ts";
 import { followProject } from "./state/project.ts";
 import { register as drawing } from "./drawing/register.ts";
 import { register as editor } from "./editor/register.ts";
+import { register as handsOn } from "./hands_on/register.ts";
 import { register as player } from "./player/register.ts";
 import { register as project } from "./project/register.ts";
 import { register as statics } from "./statics/register.ts";
 
-for (const register of [project, drawing, editor, statics, player]) register();
+for (const register of [project, drawing, editor, statics, player, handsOn]) register();
 followProject();
 followJobs();
 connect();

@@ -107,6 +107,11 @@ class Session:
         """Force of each pantograph at the start without lift, N."""
         return [placement.start_force or 0.0 for placement in self._scenario.pantographs]
 
+    @property
+    def speed_m_s(self) -> float:
+        """Speed now, m/s."""
+        return self._loop.speed_m_s
+
     def offset(self, pantograph: object, force_N: object) -> None:
         """Set what is added to the static force of a pantograph, by its number from 0, in N.
 

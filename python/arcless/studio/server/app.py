@@ -14,6 +14,8 @@ from arcless.studio.project.project import Project
 from arcless.studio.server import page
 from arcless.studio.server.gate import Gate
 from arcless.studio.server.keys import Keys
+from arcless.studio.studies import routes as studies_routes
+from arcless.studio.studies.computing import Computing
 
 
 def application(project: Project, keys: Keys) -> ASGIApp:
@@ -23,11 +25,13 @@ def application(project: Project, keys: Keys) -> ASGIApp:
     entered when the server starts, and left when it ends.
     """
     desks = at_rest_routes.Desks()
-    at_work: list[AbstractAsyncContextManager[object]] = [desks.at_work()]
+    computing = Computing()
+    at_work: list[AbstractAsyncContextManager[object]] = [desks.at_work(), computing.at_work()]
     routes: list[BaseRoute] = [
         *project_routes.routes(project),
         *at_rest_routes.routes(project, desks),
         *hands_on_routes.routes(project),
+        *studies_routes.routes(project, computing),
         # One line for each room, `*ROOM.routes(project, …)`.
         *page.routes(),
     ]
