@@ -11,9 +11,10 @@ import { register as editor } from "./editor/register.ts";
 import { register as handsOn } from "./hands_on/register.ts";
 import { register as player } from "./player/register.ts";
 import { register as project } from "./project/register.ts";
+import { register as studies } from "./studies/register.ts";
 import { register as statics } from "./statics/register.ts";
 
-for (const register of [project, drawing, editor, statics, player, handsOn]) register();
+for (const register of [project, drawing, editor, statics, player, studies, handsOn]) register();
 followProject();
 followJobs();
 connect();

@@ -5,12 +5,15 @@
 import { batch, signal } from "@preact/signals";
 import { RefusedError, type Complaint } from "../connection/http.ts";
 import { parse } from "../connection/stream.ts";
+import { fitted } from "../drawing/camera.ts";
+import { size } from "../drawing/fit.ts";
 import type { Geometry } from "../drawing/geometry.ts";
+import { indexOf } from "../drawing/lineIndex.ts";
 import { moved, played, redraw, showing } from "../drawing/scene.ts";
 import { newState } from "../player/motion/state.ts";
 import { state } from "../player/player.ts";
 import { complain, say } from "../shell/messages.ts";
-import { range, source } from "../state/selection.ts";
+import { exaggeration, range, source } from "../state/selection.ts";
 import { subject } from "../state/subject.ts";
 import { collector, type Moment } from "./channels.ts";
 import { Trace } from "./trace.ts";
@@ -47,7 +50,7 @@ export const moment = signal<Moment | null>(null);
 export const trace = new Trace();
 
 let socket: WebSocket | null = null;
-let before: [number, number] | null = null;
+let before: { range: [number, number] | null; exaggeration: number } = { range: null, exaggeration: 1 };
 
 function order(value: Record<string, unknown>): void {
   if (socket?.readyState === WebSocket.OPEN) socket.send(JSON.stringify(value));
@@ -101,7 +104,9 @@ function present(told: Begun): (data: ArrayBuffer) => void {
     offsets.value = pantographs.map(() => 0);
     played.value = geometry;
     showing.value = "played";
-    range.value = null;
+    const [low, high] = indexOf(geometry).z;
+    range.value = [0, SIGHT];
+    exaggeration.value = fitted([0, SIGHT], high - low, ...(size.current ?? [900, 300]));
     phase.value = "on";
   });
   const take = collector({ pantographs: pantographs.length, wires: wires.length }, show);
@@ -119,7 +124,7 @@ export function start(): void {
   if (path === null || phase.peek() !== "off") return;
   // What was played before is closed: the drawing has one motion.
   source.value = null;
-  before = range.peek();
+  before = { range: range.peek(), exaggeration: exaggeration.peek() };
   phase.value = "starting";
   trace.clear();
   [laps.value, reached.value] = [0, null];
@@ -164,7 +169,7 @@ export function stop(): void {
     if (line && played.peek() === line) {
       [played.value, moved.current] = [null, null];
       showing.value = "edited";
-      range.value = before;
+      [range.value, exaggeration.value] = [before.range, before.exaggeration];
     }
   });
   state.current = newState({ wires: [], spatial: false, droppers: 0, supports: 0, pantographs: 0 });

@@ -18,7 +18,7 @@ from arcless.studio.hands_on.gusts import Gust, number
 from arcless.studio.hands_on.limits import highest_force
 from arcless.studio.hands_on.session import Session
 
-# Interval of moments in s, and of looks at orders. Longer, the picture jerks and a force comes late.
+# Interval of moments in s, and of looks at orders. Longer, the picture jerks and forces come late.
 EVERY, LOOK = 1 / 40, 0.004
 # Moments on their way that the page has not drawn yet. With more a slow page lags behind its own
 # slider; with one it waits for each to come back.

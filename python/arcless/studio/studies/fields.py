@@ -1,4 +1,4 @@
-"""Fields of a scenario that a study can vary: numbers that are given, with a range to start from."""
+"""Fields of a scenario that a study can vary: numbers that are given, each with a first range."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -51,7 +51,7 @@ class VariedField:
 
 
 def fields(scenario: Scenario) -> list[VariedField]:
-    """Return the fields of a scenario that are numbers and have a value, in the order of the model."""
+    """Return the fields of a scenario that are numbers and have a value, in their order."""
     given = _given(scenario.to_dict())
     return [
         _varied(path, value, unit, about, given.get(path))

@@ -23,6 +23,7 @@ from arcless.model.scenario.references import (
     reference,
 )
 from arcless.model.shipped.library import shipped
+from arcless.model.variants.variant_files import named_scenario
 from arcless.study.definition.study import FORMAT, Execution, Study
 from arcless.units import show
 
@@ -77,8 +78,11 @@ def load_text(text: str, file: str | os.PathLike[str], within: Path | None = Non
 
 def _validated(data: dict[str, Any], origin: Origin) -> Study:
     check_format(data, "study", origin)
-    if "scenario" in data:
-        data["scenario"] = reference(data["scenario"], "scenario", Scenario, origin, ("scenario",))
+    given = data.get("scenario")
+    if isinstance(given, str):
+        data["scenario"] = named_scenario(given, origin, "scenario")
+    elif "scenario" in data:
+        data["scenario"] = reference(given, "scenario", Scenario, origin, ("scenario",))
     context = {"file": origin.label, "models": _named_models(data, origin)}
     try:
         return Study.model_validate(data, context=context)
