@@ -21,6 +21,8 @@ from arcless.studio.server.gate import Gate
 from arcless.studio.server.keys import Keys
 from arcless.studio.stream import routes as stream_routes
 from arcless.studio.stream.hub import Hub
+from arcless.studio.studies import routes as studies_routes
+from arcless.studio.studies.computing import Computing
 
 
 def application(project: Project, keys: Keys) -> ASGIApp:
@@ -32,8 +34,9 @@ def application(project: Project, keys: Keys) -> ASGIApp:
     desks, hub = at_rest_routes.Desks(), Hub()
     jobs = Jobs(hub.tell)
     motions = Motions(project, jobs)
+    computing = Computing()
     at_work: list[AbstractAsyncContextManager[object]] = [
-        desks.at_work(), hub.at_work(), jobs.at_work()
+        desks.at_work(), hub.at_work(), jobs.at_work(), computing.at_work()
     ]  # fmt: skip
     routes: list[BaseRoute] = [
         *project_routes.routes(project),
@@ -43,6 +46,7 @@ def application(project: Project, keys: Keys) -> ASGIApp:
         *hands_on_routes.routes(project),
         *runs_routes.routes(project, jobs),
         *stream_routes.routes(hub, motions.open),
+        *studies_routes.routes(project, computing),
         # One line for each room, `*ROOM.routes(project, …)`.
         *page.routes(),
     ]
