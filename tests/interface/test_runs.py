@@ -13,7 +13,7 @@ import pytest
 from typer.testing import Result
 
 import arcless as library
-from arcless.cli.output.run_folder import LONGEST, folder_of
+from arcless.results.run_folder.run_folder import LONGEST, folder_of
 from arcless.storage import hidden_files
 from tests.interface.conftest import command
 from tests.interface.test_start import OF_OTHERS, SLOW, modules_of

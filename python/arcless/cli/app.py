@@ -14,6 +14,7 @@ from arcless.cli.commands import (
     run,
     runs,
     saved_results,
+    studio,
     study,
     validate,
 )
@@ -81,6 +82,7 @@ for _command in (
     export.stress,
     export.export,
     measure.measure,
+    studio.studio,
     validate.validate,
     replay.replay,
     scripts.completion,

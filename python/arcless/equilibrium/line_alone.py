@@ -27,9 +27,12 @@ class LineAlone:
     ----------
     line
         The line.
+    elements
+        What it is divided into.
     """
 
     line: Line
+    elements: Solver = ALONE
 
     @property
     def name(self) -> str:
@@ -44,4 +47,4 @@ class LineAlone:
     @property
     def stepping(self) -> Solver:
         """Elements that the line is divided into."""
-        return ALONE
+        return self.elements

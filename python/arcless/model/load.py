@@ -2,6 +2,7 @@
 
 import os
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any, TypeVar
 
 from arcless.errors import ModelError
@@ -15,6 +16,7 @@ from arcless.model.scenario.references import (
     locate,
     other_kind,
     read,
+    read_given,
 )
 from arcless.model.scenario.scenario import Scenario
 from arcless.model.shipped.library import find
@@ -73,6 +75,29 @@ def load_any(source: Source) -> Scenario | Line | Pantograph:
                 data, origin = read(file, Origin())
                 return _model(data, kind, origin)
     data, origin = read(locate(source, "scenario", Origin()), Origin())
+    return _model(data, _kind_of(data.get("format"), origin), origin)
+
+
+def load_text(
+    text: str, file: str | os.PathLike[str], within: Path | None = None
+) -> Scenario | Line | Pantograph:
+    """Return the model in a text that is, or will be, that of a file.
+
+    Parameters
+    ----------
+    text
+        The text, of any of the three formats.
+    file
+        The file, which need not be there: its folder is where references begin.
+    within
+        Whole path of the folder that no reference may lead out of; all are followed without.
+
+    Raises
+    ------
+    ModelError
+        The text is wrong, or a reference leads out of the folder.
+    """
+    data, origin = read_given(text, Path(file), Origin(within=within))
     return _model(data, _kind_of(data.get("format"), origin), origin)
 
 

@@ -73,6 +73,13 @@ def write_csv_files(tables: Mapping[Path, Sequence[Column]]) -> None:
             _write(stack.enter_context(replacing(path)), columns)
 
 
+def csv_text(columns: Sequence[Column]) -> str:
+    """Return columns of one length as the text of a CSV file; see `write_csv`."""
+    file = io.BytesIO()
+    _write(file, columns)
+    return file.getvalue().decode()
+
+
 def _write(file: BinaryIO, columns: Sequence[Column]) -> None:
     text = io.TextIOWrapper(file, encoding="utf-8", newline="", write_through=True)
     writer = csv.writer(text, lineterminator="\n")

@@ -3,7 +3,7 @@
 import importlib
 from typing import TYPE_CHECKING, Any
 
-from arcless.validate.cases import SUITES, case_of, compare, run
+from arcless.validate.cases import SUITES, case_of, compare, reference_rows, run
 from arcless.validate.reference import CASES, CLOSE, INSIDE, VERIFIED, Case, Range
 from arcless.validate.rows import Row
 
@@ -25,6 +25,7 @@ __all__ = [
     "case_of",
     "compare",
     "recorded",
+    "reference_rows",
     "run",
 ]
 

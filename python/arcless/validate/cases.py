@@ -133,3 +133,22 @@ def _dropper_rows(progress: Progress | None) -> list[Row]:
         )
         for number, (value, published) in enumerate(pairs, start=1)
     ]
+
+
+def reference_rows(scenario: Scenario, assessment: dict[str, Any]) -> list[dict[str, Any]]:
+    """Return published ranges for a report: of a reference case as shipped, else none."""
+    case = case_of(scenario)
+    if case is None:
+        return []
+    return [
+        {
+            "quantity": f"{row.quantity}, {row.unit}",
+            "value": row.value,
+            "low": row.low,
+            "high": row.high,
+            "verdict": row.verdict,
+            "mark": row.mark,
+            "source": case.source,
+        }
+        for row in compare(case, assessment)
+    ]

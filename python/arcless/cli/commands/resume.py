@@ -8,8 +8,7 @@ import typer
 from arcless.cli.arguments.scenario import JsonOption, QuietOption
 from arcless.cli.commands.saved_results import ResultArgument
 from arcless.cli.output import outcome
-from arcless.cli.output.outcome import NoReportOption, UntilOption
-from arcless.cli.output.run_folder import OverwriteOption, for_run
+from arcless.cli.output.outcome import NoReportOption, OverwriteOption, UntilOption
 from arcless.cli.process.background import compute
 from arcless.cli.terminal import console
 
@@ -44,13 +43,14 @@ def resume(
     Exit codes are those of `arcless run`; 2 when RUN holds no state to continue from, or one of
     another version or scenario.
     """
+    from arcless.results import RESULT_NAME, result_file
     from arcless.results import open as open_result
-    from arcless.results import result_file
+    from arcless.results.run_folder.run_folder import for_run
 
     opened = open_result(result)
     own = result_file(result)
     with for_run(out or own.parent, overwrite=overwrite, own=own) as folder:
-        whole = _go_on(opened, until, folder.file(outcome.RESULT), quiet=quiet)
+        whole = _go_on(opened, until, folder.file(RESULT_NAME), quiet=quiet)
         written = outcome.write(whole, folder, report=not no_report)
     outcome.tell(whole, written, json=json, quiet=quiet)
 

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from arcless.cli.arguments.at_rest import faults_of
 from arcless.cli.arguments.certainty import CertaintyOption, asked_for, check_whole
 from arcless.cli.arguments.scenario import (
     AtRestArgument,
@@ -27,9 +26,8 @@ from arcless.cli.arguments.schedules import (
     SupportsOption,
 )
 from arcless.cli.output import outcome
-from arcless.cli.output.folder import OutputFolder, check_place
-from arcless.cli.output.outcome import NoReportOption, UntilOption
-from arcless.cli.output.run_folder import OverwriteOption, folder_of, for_run
+from arcless.cli.output.outcome import NoReportOption, OverwriteOption, UntilOption
+from arcless.cli.output.places import check_place
 from arcless.cli.process.background import compute
 from arcless.cli.process.start import permanent_objects
 from arcless.cli.terminal import console
@@ -89,11 +87,15 @@ def run(
     """
     check_whole(certainty, until)
     chosen = asked_for(load(scenario, speed=speed, changes=set_, quiet=quiet), certainty)
+    with permanent_objects():
+        from arcless.results import RESULT_NAME
+        from arcless.results.run_folder.run_folder import folder_of, for_run
+
     with for_run(out or folder_of(chosen), overwrite=overwrite) as folder:
         _tell_size(chosen, quiet=quiet)
         command = _command(scenario, speed, set_, certainty)
         result = _simulate(
-            chosen, until, folder.file(outcome.RESULT), command, quiet=quiet,
+            chosen, until, folder.file(RESULT_NAME), command, quiet=quiet,
             meanwhile=lambda: outcome.import_ahead(report=not no_report and until is None),
         )  # fmt: skip
         written = outcome.write(result, folder, report=not no_report)
@@ -121,6 +123,7 @@ def statics(
     resonance speeds, which a line alone has not: it is found as designed, on fine cubic elements.
     """
     from arcless.cli.terminal import statics_tables
+    from arcless.storage.output_folder import OutputFolder
     from arcless.storage.whole_files import write_bytes
 
     chosen = load_at_rest(scenario, changes=set_, quiet=quiet)
@@ -186,6 +189,7 @@ def _simulate(
 def _find_statics(name: str, source: "Scenario | Line", *, quiet: bool) -> "StaticsResult":
     with permanent_objects():
         from arcless import simulate
+        from arcless.simulate.checks import faults_of
 
     with faults_of(name), console.progress(quiet=quiet) as progress:
         return compute(lambda _cancel: simulate.statics(source, progress=progress))

@@ -7,16 +7,14 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from arcless.cli.output.folder import OutputFolder
 from arcless.cli.process.guard import NOT_MET
 from arcless.cli.terminal import console
 
 if TYPE_CHECKING:
     from arcless.model import Scenario
     from arcless.results import Result
+    from arcless.storage.output_folder import OutputFolder
 
-RESULT = "result.nc"
-FILES = (RESULT, "assessment.json", "report.html")  # the others follow from the first
 UntilOption = Annotated[
     str | None,
     typer.Option(
@@ -25,6 +23,9 @@ UntilOption = Annotated[
         help='Stop early, at a place such as "600 m" or a time such as "5 s".',
         show_default=False,
     ),
+]
+OverwriteOption = Annotated[
+    bool, typer.Option("--overwrite", help="Replace a run that is in the folder already.")
 ]
 NoReportOption = Annotated[bool, typer.Option("--no-report", help="Do not write report.html.")]
 
@@ -43,18 +44,12 @@ def import_ahead(*, report: bool) -> None:
         template.import_ahead()
 
 
-def write(result: "Result", folder: OutputFolder, *, report: bool) -> list[Path]:
+def write(result: "Result", folder: "OutputFolder", *, report: bool) -> list[Path]:
     """Write the files of a run; of one that stopped early, the result alone."""
-    from arcless.storage.whole_files import write_bytes
+    from arcless.results.run_folder import files
+    from arcless.validate import reference_rows
 
-    if not folder.file(RESULT).exists():  # a long run has written it already
-        result.save(folder.file(RESULT))
-    if result.is_complete:
-        write_bytes(folder.file("assessment.json"), result.assessment.to_json().encode())
-        if report:
-            rows = reference_rows(result.scenario, result.assessment.to_dict())
-            result.write_report(folder.file("report.html"), reference_rows=rows)
-    return folder.publish()
+    return files.write(result, folder, reference_rows if report else None)
 
 
 def tell(result: "Result", written: list[Path], *, json: bool, quiet: bool) -> None:
@@ -109,27 +104,6 @@ def finish(assessment: dict[str, Any], *, quiet: bool) -> None:
 
 def _titles(criteria: Iterable[dict[str, Any]]) -> str:
     return "; ".join(dict.fromkeys(item["title"] for item in criteria))
-
-
-def reference_rows(scenario: "Scenario", assessment: dict[str, Any]) -> list[dict[str, Any]]:
-    """Return published ranges for the report: of a reference case as shipped, else none."""
-    from arcless.validate import case_of, compare
-
-    case = case_of(scenario)
-    if case is None:
-        return []
-    return [
-        {
-            "quantity": f"{row.quantity}, {row.unit}",
-            "value": row.value,
-            "low": row.low,
-            "high": row.high,
-            "verdict": row.verdict,
-            "mark": row.mark,
-            "source": case.source,
-        }
-        for row in compare(case, assessment)
-    ]
 
 
 def say_written(files: list[Path]) -> None:

@@ -1,17 +1,15 @@
-"""Signals Ctrl-C, SIGTERM and SIGHUP while the command line cleans up, or moves finished files.
+"""Signals Ctrl-C, SIGTERM and SIGHUP while the command line works.
 
 All three end a run in the same way: what is unfinished is removed. Only the exit codes differ.
 """
 
 import signal
 import sys
-import threading
 import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 
-# Asked for by a batch system or `kill`; by a terminal that was closed.
-_ENDING = {signal.SIGTERM: "terminated", signal.SIGHUP: "hung up"}
+from arcless.storage.deferred_signals import ENDING
+
+_WORDS = {signal.SIGTERM: "terminated", signal.SIGHUP: "hung up"}
 _BY_CTRL_C = "interrupted"
 _ONE_STROKE_S = 1.0  # leaving takes less than this; Ctrl-C again during it changes nothing
 _AFTER_SIGNAL = 128  # what a shell adds to the number of the signal that ended a program
@@ -39,7 +37,7 @@ def merge_signals() -> None:
 
     if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
         signal.signal(signal.SIGINT, answer)
-    for number in _ENDING:
+    for number in ENDING:
         if signal.getsignal(number) is signal.SIG_DFL:
             signal.signal(number, answer)
 
@@ -51,7 +49,7 @@ def ended() -> bool:
 
 def word() -> str:
     """Say in a word what ended the work."""
-    return _ENDING[signal.Signals(_ended_by[0])] if _ended_by else _BY_CTRL_C
+    return _WORDS[signal.Signals(_ended_by[0])] if _ended_by else _BY_CTRL_C
 
 
 def exit_code(by_ctrl_c: int) -> int:
@@ -59,29 +57,7 @@ def exit_code(by_ctrl_c: int) -> int:
     return _AFTER_SIGNAL + _ended_by[0] if _ended_by else by_ctrl_c
 
 
-@contextmanager
-def deferred_signals() -> Iterator[None]:
-    """Answer signals after the block, not within; the block takes milliseconds."""
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
-    before: dict[int, Callable[..., object]] = {}
-    came: list[tuple[int, object]] = []
-    for number in (signal.SIGINT, *_ENDING):
-        handler = signal.getsignal(number)
-        if callable(handler) and not isinstance(handler, signal.Handlers):
-            before[number] = handler
-            signal.signal(number, lambda number, frame: came.append((number, frame)))
-    try:
-        yield
-    finally:
-        for held, handler in before.items():
-            signal.signal(held, handler)
-    for held, frame in came:
-        before[held](held, frame)
-
-
 def ignore() -> None:
     """Answer no signal more: everything is done, and the process is leaving."""
-    for number in (signal.SIGINT, *_ENDING):
+    for number in (signal.SIGINT, *ENDING):
         signal.signal(number, signal.SIG_IGN)

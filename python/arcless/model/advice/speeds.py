@@ -46,6 +46,28 @@ def check_typed_speed(scenario: "Scenario") -> None:
     )
 
 
+def check_speed(scenario: "Scenario", file: str | None) -> None:
+    """Refuse a speed without its unit that looks like one in km/h, before anything is computed.
+
+    Parameters
+    ----------
+    scenario
+        The scenario.
+    file
+        Its file; None where the speed was given by the option ``--speed``.
+
+    Raises
+    ------
+    ModelError
+        The speed looks like one in km/h.
+    """
+    try:
+        check_typed_speed(scenario)
+    except ModelError as error:
+        error.where = "--speed" if file is None else f"{file}: speed"
+        raise
+
+
 def speed_warnings(scenario: "Scenario") -> list[str]:
     """Return a sentence for a speed above the share of the wave speed that the standard allows."""
     speed, wave = scenario.top_speed, scenario.line.wave_speed

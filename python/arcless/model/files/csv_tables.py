@@ -106,8 +106,8 @@ def with_tables(data: object, origin: Origin) -> object:
 def _referred(name: str, field: str, origin: Origin) -> object:
     with origin.referring(("as_built", field)):
         if field in COLUMNS:
-            return read_table(origin.folder / name, COLUMNS[field])
-        columns = read_table(origin.folder / name, LISTS[field])
+            return read_table(origin.file(name), COLUMNS[field])
+        columns = read_table(origin.file(name), LISTS[field])
     rows = zip(*columns.values(), strict=True)
     return [dict(zip(columns, values, strict=True)) for values in rows]
 

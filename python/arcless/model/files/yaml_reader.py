@@ -9,20 +9,44 @@ from typing import Any
 from arcless.errors import ModelError
 from arcless.model.fields.part import Path
 from arcless.model.files.yaml_nodes import Node, Position, compose
-from arcless.units import show
+from arcless.units import plain, show
 
 MAX_BYTES = 5_000_000
+EXPECTED = "a text file in YAML"
 KINDS: dict[type, str] = {str: "text", bool: "word"}
 
 
 @dataclass(frozen=True)
 class Origin:
-    """Where data come from: file, folder for references, positions, and who refers to it."""
+    """Where data come from: file, folder for references, positions, and who refers to it.
+
+    Attributes
+    ----------
+    within
+        Whole path of the folder that no reference may lead out of; None where all are followed.
+    """
 
     label: str | None = None
     folder: FilePath = field(default_factory=FilePath)
     positions: dict[Path, Position] = field(default_factory=dict)
     chain: tuple[FilePath, ...] = ()
+    within: FilePath | None = None
+
+    def file(self, name: str) -> FilePath:
+        """Return the file that a reference names, which need not be there.
+
+        Raises
+        ------
+        ModelError
+            It leads out of the folder that references have to stay in.
+        """
+        path = self.folder / name
+        if self.within is not None and not _is_inside(path, self.within):
+            expected = f"a file below {self.within}"
+            hint = "open a folder that has both files in it"
+            raise ModelError("file outside of the folder", where=plain(name), expected=expected,
+                             hint=hint)  # fmt: skip
+        return path
 
     def position(self, path: Path) -> Position | None:
         """Return the position of a field, or of the nearest thing around it."""
@@ -57,7 +81,15 @@ def is_file(path: FilePath) -> bool:
         return False
 
 
-def read_text(path: FilePath, label: str, expected: str = "a text file in YAML") -> str:
+def _is_inside(path: FilePath, folder: FilePath) -> bool:
+    """Return whether a path stays in a folder when its links are followed."""
+    try:
+        return path.resolve().is_relative_to(folder)
+    except (OSError, RuntimeError, ValueError):  # a loop of links, or no path at all
+        return False
+
+
+def read_text(path: FilePath, label: str, expected: str = EXPECTED) -> str:
     """Return the text of a file; refuse what cannot be a text before reading it all."""
     try:
         if not is_file(path) and path.exists():
@@ -65,15 +97,36 @@ def read_text(path: FilePath, label: str, expected: str = "a text file in YAML")
             raise ModelError("not a file", where=label, got=got, expected=expected)
         if not path.is_file():
             raise ModelError("no such file", where=label, expected=expected)
-        size = path.stat().st_size
-        if size > MAX_BYTES:
-            got, limit = f"{size / 1e6:.1f} MB", f"at most {MAX_BYTES / 1e6:g} MB"
-            raise ModelError("file too large", where=label, got=got, expected=limit)
+        check_size(path.stat().st_size, label)
         with path.open("rb") as file:
             raw = file.read(MAX_BYTES)
     except OSError as error:
         reason = error.strerror or str(error)
         raise ModelError(f"cannot be read ({reason})", where=label, expected=expected) from None
+    return decoded(raw, label, expected)
+
+
+def check_size(size: int, label: str) -> None:
+    """Refuse more bytes than a text may have.
+
+    Raises
+    ------
+    ModelError
+        They are too many.
+    """
+    if size > MAX_BYTES:
+        got, limit = f"{size / 1e6:.1f} MB", f"at most {MAX_BYTES / 1e6:g} MB"
+        raise ModelError("file too large", where=label, got=got, expected=limit)
+
+
+def decoded(raw: bytes, label: str, expected: str = EXPECTED) -> str:
+    """Return the text that bytes are, without a byte-order mark.
+
+    Raises
+    ------
+    ModelError
+        They are no text in UTF-8; the message names the line.
+    """
     if b"\0" in raw:
         raise ModelError("not a text file", where=label, got="binary data", expected=expected)
     try:

@@ -111,7 +111,7 @@ def with_function(data: Mapping[str, Any], origin: Origin, path: Path) -> dict[s
         name, function = _split(text)
     except ModelError:
         return dict(data)
-    file = origin.folder / name
+    file = origin.file(name)
     if origin.label is not None and not is_file(file):
         raise ModelError(
             f"{printed((*path, 'function'))}: file not found",

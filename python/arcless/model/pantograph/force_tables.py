@@ -168,5 +168,5 @@ def _joint(item: Mapping[str, Any], origin: Origin, path: Path) -> dict[str, Any
         name = name.get("value") if isinstance(name, Mapping) else name
         if isinstance(name, str) and not any(data.get(column) for column in table.columns):
             with origin.referring((*path, field, "file")):
-                found[field] = {**data, **read_table(origin.folder / name, table)}
+                found[field] = {**data, **read_table(origin.file(name), table)}
     return found

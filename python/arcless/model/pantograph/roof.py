@@ -88,5 +88,5 @@ def with_points(data: dict[str, Any], origin: Origin, path: Path) -> dict[str, A
     if not isinstance(name, str) or any(data.get(column) for column in POINTS.columns):
         return data
     with origin.referring((*path, "file")):
-        columns = read_table(origin.folder / name, POINTS)
+        columns = read_table(origin.file(name), POINTS)
     return {**data, **dict.fromkeys(POINTS.columns), **columns}

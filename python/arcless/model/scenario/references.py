@@ -38,15 +38,20 @@ _SUFFIXES = {".yaml", ".yml", ".json"}
 
 def read(path: FilePath, referrer: Origin) -> tuple[dict[str, Any], Origin]:
     """Return the data in a file, and where they come from; `referrer` names the file."""
+    return read_given(read_text(path, str(path)), path, referrer)
+
+
+def read_given(text: str, path: FilePath, referrer: Origin) -> tuple[dict[str, Any], Origin]:
+    """Return the data of a text in place of what its file has; see `read`."""
     label = str(path)
-    text = read_text(path, label)
     resolved = path.resolve()
     if resolved in referrer.chain:
         names = " → ".join(part.name for part in (*referrer.chain, resolved))
         expected = "files that do not refer to each other in a circle"
         raise ModelError("recursive reference", where=label, got=names, expected=expected)
     data, positions = parse(text, label)
-    return data, Origin(label, path.parent, positions, (*referrer.chain, resolved))
+    chain = (*referrer.chain, resolved)
+    return data, Origin(label, path.parent, positions, chain, referrer.within)
 
 
 def build(
@@ -187,7 +192,7 @@ def locate(source: str | os.PathLike[str], kind: Kind, origin: Origin) -> FilePa
     if isinstance(source, str):
         if file := find(kind, source):
             return file
-        path = origin.folder / source
+        path = origin.file(source)
         is_path = path.suffix in _SUFFIXES or os.sep in source or "/" in source
         if not is_path and not is_file(path):
             raise ModelError(

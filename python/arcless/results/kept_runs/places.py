@@ -6,8 +6,9 @@ from pathlib import Path
 from arcless.errors import ResultFormatError
 from arcless.model.shipped.library import shipped
 
-# Name of a run's own file in its folder.
+# Name of a run's own file in its folder, and of its assessment and report in the same folder.
 RESULT_NAME = "result.nc"
+ASSESSMENT_NAME, REPORT_NAME = "assessment.json", "report.html"
 # Folder that takes the runs for which none is named.
 RUNS = Path("runs")
 # Files by which the folder of a study is known.

@@ -35,11 +35,10 @@ from arcless.results.kept_runs.kept_run import (
     MainNumbers,
     Verdict,
 )
-from arcless.results.kept_runs.places import RESULT_NAME
+from arcless.results.kept_runs.places import ASSESSMENT_NAME, RESULT_NAME
 
 # Head of the criteria whose limits were not read in a source.
 UNVERIFIED = "beyond a limit that is not verified"
-ASSESSMENT_NAME = "assessment.json"
 # Time in s after the result within which its assessment is written. Longer, one that was edited
 # soon after is believed; shorter, slow ones are assessed at each listing.
 WRITTEN_TOGETHER_S = 60.0

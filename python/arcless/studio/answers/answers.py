@@ -1,5 +1,6 @@
 """Routes as plain functions: their values become JSON, their errors complaints."""
 
+import json
 from collections.abc import Awaitable, Callable
 from dataclasses import asdict, is_dataclass
 from typing import Any
@@ -47,3 +48,20 @@ def complaint(error: ArclessError) -> dict[str, Any]:
 def plain_value(value: Any) -> Any:
     """Return plain values, ready for JSON."""
     return asdict(value) if is_dataclass(value) and not isinstance(value, type) else value
+
+
+async def json_body(request: Request) -> dict[str, Any]:
+    """Return the JSON object that was sent.
+
+    Raises
+    ------
+    Refused
+        It is none.
+    """
+    try:
+        body = json.loads(await request.body())
+    except (ValueError, RecursionError):
+        body = None
+    if not isinstance(body, dict):
+        raise Refused(400, "The question is not a JSON object")
+    return body

@@ -1,0 +1,69 @@
+/** The line: side view and plan, one below the other, and what is drawn. */
+import { exaggeration, selected } from "../state/selection.ts";
+import { EXAGGERATIONS } from "./camera.ts";
+import "./drawing.css";
+import { fit } from "./fit.ts";
+import { LineView } from "./LineView.tsx";
+import { edited, isDraft, isPlayed, isTried, played, showing, shown, wrong } from "./scene.ts";
+
+export function Drawing() {
+  const geometry = shown.value;
+  return (
+    <div class="drawing">
+      <div class="toolbar">
+        {played.value && edited.value && (
+          <label>
+            Line{" "}
+            <select
+              value={showing.value}
+              onChange={(event) => (showing.value = event.currentTarget.value as "edited" | "played")}
+            >
+              <option value="edited">of the file: {edited.value.name}</option>
+              <option value="played">of the run: {played.value.name}</option>
+            </select>
+          </label>
+        )}
+        <button onClick={fit} title="F" disabled={!geometry}>
+          Show all
+        </button>
+        <label title="E">
+          Heights{" "}
+          <select
+            value={String(exaggeration.value)}
+            onChange={(event) => (exaggeration.value = Number(event.currentTarget.value))}
+          >
+            {[...new Set([...EXAGGERATIONS, exaggeration.value])]
+              .sort((a, b) => a - b)
+              .map((one) => (
+                <option key={one} value={String(one)}>{`× ${one}`}</option>
+              ))}
+          </select>
+        </label>
+        {isDraft.value && !isPlayed.value && <span class="draft">coarse elements while it changes</span>}
+        {isTried.value && !isPlayed.value && <span class="draft">with values that are tried, not in the file</span>}
+      </div>
+      {wrong.value && !isPlayed.value && <Wrong />}
+      {geometry ? (
+        <>
+          <LineView view="side" />
+          {geometry.spatial && <LineView view="plan" />}
+        </>
+      ) : (
+        <p class="empty">{wrong.value ? "There is no line to draw yet." : "Choose a line or a scenario to draw its line."}</p>
+      )}
+    </div>
+  );
+}
+
+/** What is wrong with the text, and the way to its place. */
+function Wrong() {
+  const { text, field } = wrong.value!;
+  const go = field ? () => (selected.value = { kind: "field", field: field.join(".") }) : null;
+  return (
+    <p class="wrong" role="status">
+      {edited.value ? "Drawn is the last valid line. " : ""}
+      {text}
+      {go && <button onClick={go}>Show the field</button>}
+    </p>
+  );
+}

@@ -1,0 +1,43 @@
+/** Show all of the line, and the next exaggeration of heights. */
+import { effect } from "@preact/signals";
+import { exaggeration, range } from "../state/selection.ts";
+import { fitted, nextExaggeration } from "./camera.ts";
+import { indexOf } from "./lineIndex.ts";
+import { edited, shown, sight, whole } from "./scene.ts";
+
+/** Width and height of the side view in px; it says them when it is drawn. */
+export const size: { current: [number, number] | null } = { current: null };
+
+/** Show all of the line, heights filling the picture. */
+export function fit(): void {
+  const geometry = shown.peek();
+  if (!geometry) return;
+  range.value = null;
+  const [low, high] = indexOf(geometry).z;
+  exaggeration.value = fitted(whole(geometry), high - low, ...(size.current ?? [900, 300]));
+}
+
+/** Look at a range; an exaggeration that fitted the one before fits this one. */
+export function look(to: [number, number]): void {
+  const geometry = shown.peek();
+  if (geometry) {
+    const [low, high] = indexOf(geometry).z;
+    const best = (seen: [number, number]) => fitted(seen, high - low, ...(size.current ?? [900, 300]));
+    if (exaggeration.peek() === best(sight.peek())) exaggeration.value = best(to);
+  }
+  range.value = to;
+}
+
+export function exaggerate(larger: boolean): void {
+  exaggeration.value = nextExaggeration(exaggeration.peek(), larger);
+}
+
+let name: string | null = null;
+// Another line is seen as a whole first; the same one, changed, stays where it was looked at.
+effect(() => {
+  const line = edited.value;
+  if (line && line.name !== name && shown.peek() === line) {
+    name = line.name;
+    requestAnimationFrame(fit);
+  }
+});

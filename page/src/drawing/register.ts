@@ -1,0 +1,17 @@
+import { addCommand, addPanel } from "../shell/panels.ts";
+
+const act = (name: "fit" | "more" | "less") => () =>
+  void import("./fit.ts").then(({ fit, exaggerate }) => (name === "fit" ? fit() : exaggerate(name === "more")));
+
+export function register(): void {
+  addPanel({
+    id: "drawing",
+    slot: "main",
+    title: "Line",
+    order: 0,
+    load: async () => (await import("./Drawing.tsx")).Drawing,
+  });
+  addCommand({ id: "fit", title: "Show all of the line", keys: ["F"], act: act("fit") });
+  addCommand({ id: "exaggerate", title: "Draw heights larger", keys: ["E"], act: act("more") });
+  addCommand({ id: "exaggerate-less", title: "Draw heights smaller", keys: ["Shift+E"], act: act("less") });
+}

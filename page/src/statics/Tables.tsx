@@ -1,0 +1,124 @@
+/** Droppers of a span, and supports, with what changed against the file. Numbers are in SI but mm. */
+import { signal } from "@preact/signals";
+import { selected } from "../state/selection.ts";
+import { now, ofFile, type DropperRow } from "./asking.ts";
+
+/** The span whose droppers are listed; null: that in the middle. */
+export const listed = signal<number | null>(null);
+
+/** A difference with its sign; nothing where there is none to the last digit shown. */
+export function difference(value: number | null | undefined, before: number | null | undefined, digits: number): string {
+  if (value === null || value === undefined || before === null || before === undefined) return "";
+  const text = (value - before).toFixed(digits);
+  if (Number(text) === 0) return "";
+  return Number(text) > 0 ? `+${text}` : text.replace("-", "−");
+}
+
+const number = (value: number | null | undefined, digits: number) =>
+  value === null || value === undefined ? "–" : value.toFixed(digits).replace("-", "−");
+
+export function DropperTable() {
+  const [found, before] = [now.value, ofFile.value];
+  if (!found?.droppers?.length) return <p class="empty">This line has no droppers.</p>;
+  const spans = [...new Set(found.droppers.map((one) => one.span))];
+  const span = listed.value !== null && spans.includes(listed.value) ? listed.value : found.middle_span;
+  const own = found.droppers.filter((one) => one.span === span);
+  const old = new Map((before?.droppers ?? []).map((one): [string, DropperRow] => [one.name, one]));
+  const changed = before !== found && before !== null;
+  return (
+    <section aria-label="Droppers">
+      <label>
+        Droppers of span{" "}
+        <select value={String(span)} onChange={(event) => (listed.value = Number(event.currentTarget.value))}>
+          {spans.map((one) => (
+            <option key={one} value={String(one)}>
+              {one}
+            </option>
+          ))}
+        </select>
+      </label>
+      <div class="scroll" tabIndex={0} role="region" aria-label={`Droppers of span ${span}`}>
+        <table>
+          <thead>
+            <tr>
+              <th scope="col">Dropper</th>
+              <th scope="col">Position m</th>
+              <th scope="col">Length between clamps m</th>
+              {changed && <th scope="col">Change mm</th>}
+              <th scope="col">Unstretched length m</th>
+              <th scope="col">Force at rest N</th>
+              {changed && <th scope="col">Change N</th>}
+            </tr>
+          </thead>
+          <tbody>
+            {own.map((one) => {
+              const was = old.get(one.name);
+              const isIt = selected.value?.kind === "dropper" && selected.value.name === one.name;
+              return (
+                <tr key={one.name} aria-selected={isIt} class={one.force_N === 0 ? "slack" : ""}>
+                  <th scope="row">
+                    <button
+                      class="plain"
+                      onClick={() => (selected.value = { kind: "dropper", name: one.name, x_m: one.x_m })}
+                    >
+                      {one.name}
+                    </button>
+                  </th>
+                  <td>{number(one.x_m, 2)}</td>
+                  <td>{number(one.length_m, 4)}</td>
+                  {changed && <td>{difference(1e3 * one.length_m, was && 1e3 * was.length_m, 1)}</td>}
+                  <td>{number(one.unstretched_length_m, 4)}</td>
+                  <td>{one.force_N === 0 ? "slack" : number(one.force_N, 1)}</td>
+                  {changed && <td>{difference(one.force_N, was?.force_N, 1)}</td>}
+                </tr>
+              );
+            })}
+          </tbody>
+        </table>
+      </div>
+    </section>
+  );
+}
+
+export function SupportTable() {
+  const [found, before] = [now.value, ofFile.value];
+  if (!found?.supports?.length) return null;
+  const old = new Map((before?.supports ?? []).map((one) => [one.name, one]));
+  const changed = before !== found && before !== null;
+  const spatial = found.supports.some((one) => one.contact_wire_lateral_force_N !== null);
+  return (
+    <section aria-label="Supports">
+      <h3>Supports</h3>
+      <div class="scroll" tabIndex={0} role="region" aria-label="Table of supports">
+        <table>
+          <thead>
+            <tr>
+              <th scope="col">Support</th>
+              <th scope="col">Position m</th>
+              <th scope="col">Height of contact wire m</th>
+              <th scope="col">Vertical load N</th>
+              {spatial && <th scope="col">Steady-arm force N</th>}
+              {spatial && changed && <th scope="col">Change N</th>}
+              {spatial && <th scope="col">Lateral force of contact wire N</th>}
+            </tr>
+          </thead>
+          <tbody>
+            {found.supports.map((one) => (
+              <tr key={one.name}>
+                <th scope="row">{one.name}</th>
+                <td>{number(one.x_m, 2)}</td>
+                <td>{number(one.contact_wire_height_m, 4)}</td>
+                <td>{number(one.messenger_force_N ?? one.contact_support_force_N, 1)}</td>
+                {spatial && <td>{number(one.steady_arm_force_N, 1)}</td>}
+                {spatial && changed && (
+                  <td>{difference(one.steady_arm_force_N, old.get(one.name)?.steady_arm_force_N, 1)}</td>
+                )}
+                {spatial && <td>{number(one.contact_wire_lateral_force_N, 1)}</td>}
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </div>
+    </section>
+  );
+}

@@ -1,0 +1,1 @@
+"""The line at rest as plain data: what the page draws, and what it shows as numbers."""
