@@ -277,6 +277,18 @@ impl<const DIM: usize> Explicit<DIM> {
         motion
     }
 
+    /// Returns the displacement of a node across the track at the end of the step, m: component 1 or
+    /// more. That of `motion_at`, without the rest.
+    #[inline(always)]
+    pub(crate) fn displacement(&self, chain: &ChainState, node: usize, component: usize) -> f64 {
+        let (packed_index, direction) = (self.points[node], component - 1);
+        let (row, simd_lane) = row_and_lane(packed_index);
+        let rows = &chain.moving[direction];
+        let a = self.acceleration(direction, packed_index, rows);
+        rows[row].s[simd_lane] - self.damping[row].lag[simd_lane] * rows[row].d[simd_lane]
+            + BETA * a
+    }
+
     /// Returns the velocity of a node at the end of the step, m/s, by component.
     pub(crate) fn velocity(&self, chain: &ChainState, node: usize) -> [f64; DIM] {
         self.motion_at(chain, self.points[node])
