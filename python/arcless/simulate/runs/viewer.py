@@ -65,7 +65,9 @@ class Audience:
         layout = self._job.motion
         assert layout is not None
         masses = mass_displacements(raw, self._job.scenario)
-        piece = piece_of(raw, layout, self._job.scenario, masses, self._attempt)
+        piece = piece_of(
+            raw, self._job.found, layout, self._job.scenario, masses=masses, attempt=self._attempt
+        )
         self._viewer.watch(piece)
 
     def _kept(self, raw: dict[str, Any]) -> dict[str, Any]:
