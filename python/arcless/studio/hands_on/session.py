@@ -109,6 +109,11 @@ class Session:
         return [placement.start_force or 0.0 for placement in self._scenario.pantographs]
 
     @property
+    def steps_of_travel(self) -> int:
+        """Number of steps from the start of the travel to its end."""
+        return self._travel.steps
+
+    @property
     def is_spatial(self) -> bool:
         """True of a line in space; in the plane nothing moves across the track."""
         return self._found.mesh.dimension != PLANAR

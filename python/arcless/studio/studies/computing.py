@@ -53,9 +53,7 @@ class Computing:
             It is computed already.
         """
         if self.is_running(folder):
-            raise StudyError(
-                "the study is being computed already", where=folder.name, hint="stop it first"
-            )
+            raise already(folder)
         said = tempfile.TemporaryFile()  # noqa: SIM115 - closed with the process
         process = subprocess.Popen(
             [sys.executable, "-m", "arcless", "study", *words],
@@ -124,6 +122,12 @@ class Computing:
                 one.process.wait(LAST_TABLE)
             except subprocess.TimeoutExpired:
                 one.process.kill()
+
+
+def already(folder: Path) -> StudyError:
+    """Return the error of a study that this server computes."""
+    what = "the study is being computed already"
+    return StudyError(what, where=folder.name, hint="stop it first")
 
 
 def _last_error(said: bytes) -> str:

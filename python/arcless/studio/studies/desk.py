@@ -16,7 +16,7 @@ from arcless.results.kept_runs.search import search
 from arcless.studio.answers.answers import complaint
 from arcless.studio.project import texts
 from arcless.studio.project.project import Project, is_shipped
-from arcless.studio.studies.computing import Computing
+from arcless.studio.studies.computing import Computing, already
 from arcless.studio.studies.fields import fields
 from arcless.studio.studies.kept_rows import KeptRows, definition
 from arcless.studio.studies.variants import scenario_of
@@ -62,6 +62,8 @@ class Desk:
         folder = self._project.folder / study.StudyFolder(loaded).path
         self._project.inside(self._project.name_of(folder))
         words = ["resume" if resume else "run", *(["--retry-failed"] if retry_failed else [])]
+        if self._computing.is_running(folder):
+            raise already(folder)
         place = study.StudyFolder(loaded, folder)
         there = place.state() is not None and next(place.rows(), None) is not None
         if there and not resume:
