@@ -48,6 +48,11 @@ export function YamlView() {
       if (view.hasFocus) view.dispatch({ effects: EditorView.scrollIntoView(head, { y: "nearest", yMargin: 40 }) });
     });
     sized.observe(host);
+    // From outside a shadow tree looks like no field: what is typed there is no command.
+    const typed = (event: KeyboardEvent) => {
+      if (event.defaultPrevented || !(event.ctrlKey || event.metaKey || event.altKey)) event.stopPropagation();
+    };
+    host.addEventListener("keydown", typed);
     const ends = [
       effect(() => {
         void findings.value;
@@ -62,6 +67,7 @@ export function YamlView() {
     return () => {
       for (const end of ends) end();
       sized.disconnect();
+      host.removeEventListener("keydown", typed);
       root.removeEventListener("keyup", follow);
       root.removeEventListener("pointerup", follow);
       attach(null);

@@ -16,6 +16,7 @@ import { findings, type Finding } from "./checking.ts";
 import { inWords, offers } from "./completion.ts";
 import { kindOf } from "./documents.ts";
 import { rootOf, schemaOf } from "./schema.ts";
+import { sourceAt } from "./typedLike.ts";
 import { placeAt } from "./yamlPlace.ts";
 
 async function known(state: EditorState, position: number) {
@@ -51,12 +52,15 @@ async function hover(view: EditorView, position: number): Promise<Tooltip | null
   const word = /^[^:]*:?/.exec(view.state.sliceDoc(position, line.to))?.[0] ?? "";
   // On the name of a field: behind its colon stands its value, whose path it is.
   const found = await known(view.state, word.endsWith(":") ? position + word.length : position);
-  const words = found ? inWords({ ...found.place, typing: "value" }, found.root, found.top) : [];
-  if (!found || !words.length) return null;
+  if (!found) return null;
+  const { path } = found.place;
+  const words = inWords(found.place, found.root, found.top);
+  if (!words.length) return null;
+  words.push(...(await sourceAt(view.state.doc.toString(), path)));
   const dom = document.createElement("div");
   dom.className = "cm-about";
   const title = document.createElement("code");
-  title.textContent = found.place.path.join(".");
+  title.textContent = path.join(".");
   dom.append(title, ...words.map((text) => Object.assign(document.createElement("p"), { textContent: text })));
   return { pos: position, create: () => ({ dom }) };
 }

@@ -1,6 +1,6 @@
 /** The common fields of the file, as the server finds them in its text. */
 import { effect, signal } from "@preact/signals";
-import { ask, newest, RefusedError } from "../connection/http.ts";
+import { ask, newest } from "../connection/http.ts";
 import { opened, text } from "./documents.ts";
 import type { Value } from "./patch.ts";
 
@@ -51,9 +51,11 @@ export function followForm(): () => void {
     if (path === undefined) return;
     const act = () =>
       question(path, content).then(
-        (found) => found && (form.value = { path, groups: found.groups }),
-        // A text that is no model keeps the form as it was: what is wrong stands in the list.
-        (error: unknown) => void (error instanceof RefusedError),
+        (found) => {
+          // A text that cannot be read keeps the form as it was: what is wrong stands in the list.
+          if (found?.groups.length || form.peek()?.path !== path) form.value = { path, groups: found?.groups ?? [] };
+        },
+        () => undefined, // as well without a server
       );
     timer = setTimeout(() => void act(), form.peek()?.path === path ? ASK_AFTER : 0);
   });

@@ -22,7 +22,7 @@ export function register(): void {
     id: "yaml",
     slot: "main",
     title: "YAML",
-    order: 50,
+    order: 70,
     when: isOpen,
     load: async () => (await import("./LargeYaml.tsx")).LargeYaml,
   });

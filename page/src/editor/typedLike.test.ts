@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { typedAt, typedLike } from "./typedLike.ts";
+import { sourceAt, typedAt, typedLike } from "./typedLike.ts";
 
 const text = `
 geometry:
@@ -21,4 +21,10 @@ it("writes a length as the one that stands there", async () => {
   expect(await typedLike(text, "geometry.stagger.1", -0.15)).toBe("-150 mm");
   expect(await typedLike(text, "span_types.a.droppers.positions.1", 10.5)).toBe(10.5);
   expect(await typedLike(text, "span_types.a.length", 50)).toBe("50 m");
+});
+
+it("tells where a value is from", async () => {
+  expect(await sourceAt(text, ["span_types", "a", "droppers", "positions"])).toEqual(["Mark: A"]);
+  expect(await sourceAt(text, ["height"])).toEqual([]);
+  expect(await sourceAt("a: [", ["a"])).toEqual([]);
 });

@@ -26,8 +26,8 @@ if TYPE_CHECKING:
 Answer = bytes
 # Of a question that was dropped. No refusal: it happens with every move of a slider.
 DROPPED: Answer = b'{"dropped": true, "errors": []}'
-# Time that a process may take to end by itself, in s. Longer, and the server ends late; shorter, and
-# one in the middle of a line is ended by force, which loses nothing but an answer.
+# Time that a process may take to end by itself, in s. Longer, and the server ends late; shorter,
+# and one in the middle of a line is ended by force, which loses nothing but an answer.
 LAST_ANSWER = 0.2
 
 
