@@ -410,8 +410,24 @@ impl<const DIM: usize, const D: usize> WireModel<DIM, D> {
         let known = || std::array::from_fn(|component| state.u[node][component]);
         let found = self
             .explicit_state(state)
-            .and_then(|(steps, chain)| steps.displacement(chain, node));
+            .and_then(|(steps, chain)| steps.displacements(chain, node));
         found.unwrap_or_else(known)
+    }
+
+    /// Returns the displacement of a node at the time of balance, m, with the increment of the
+    /// current step: of any node, requested or not; of explicit steps, for a component across the
+    /// track.
+    #[inline(always)]
+    pub(crate) fn displacement_at_balance(
+        &self,
+        state: &WireState<D>,
+        node: usize,
+        component: usize,
+    ) -> f64 {
+        if let Some((steps, chain)) = self.explicit_state(state) {
+            return steps.displacement(chain, node, component);
+        }
+        state.u[node][component] + self.coefficients.stiffness * state.delta[node][component]
     }
 
     /// Requests the motion of nodes for the coming step.

@@ -277,12 +277,24 @@ impl<const DIM: usize> Explicit<DIM> {
         motion
     }
 
-    /// Returns the displacement of a node at the end of the step, m, by component; `None` of one in a
+    /// Returns the displacements of a node at the end of the step, m, by component; `None` of one in a
     /// stiff group, whose displacement the state holds.
-    pub(crate) fn displacement(&self, chain: &ChainState, node: usize) -> Option<[f64; DIM]> {
+    pub(crate) fn displacements(&self, chain: &ChainState, node: usize) -> Option<[f64; DIM]> {
         let point = self.points[node];
         let motion = || self.motion_at(chain, point).map(|[place, _]| place);
         self.in_stiff_group[point].is_none().then(motion)
+    }
+
+    /// Returns the displacement of a node across the track at the end of the step, m: component 1 or
+    /// more. That of `motion_at`, without the rest.
+    #[inline(always)]
+    pub(crate) fn displacement(&self, chain: &ChainState, node: usize, component: usize) -> f64 {
+        let (packed_index, direction) = (self.points[node], component - 1);
+        let (row, simd_lane) = row_and_lane(packed_index);
+        let rows = &chain.moving[direction];
+        let a = self.acceleration(direction, packed_index, rows);
+        rows[row].s[simd_lane] - self.damping[row].lag[simd_lane] * rows[row].d[simd_lane]
+            + BETA * a
     }
 
     /// Returns the velocity of a node at the end of the step, m/s, by component.
