@@ -155,12 +155,12 @@ class Session:
         return added
 
     def step(self) -> None:
-        """Take one step; at the end of the travel the line and the train begin anew.
+        """Take one step; at the end of the travel the line and the train return to the start.
 
         Raises
         ------
         ContactError
-            A collector leaves the wire, or the step cannot be solved. The next one begins anew.
+            A collector leaves the wire, or the step cannot be solved. The next one may be taken after `begin_anew`.
         """
         following = self._loop.step_number + 1
         if following > self._travel.steps:

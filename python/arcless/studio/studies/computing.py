@@ -1,7 +1,7 @@
 """Studies that this server computes: `arcless study run`, each in a process of its own.
 
 The process keeps its journal itself; the server only starts it, and stops it as Ctrl-C would. So a
-study goes on as well from a terminal, and the other way round.
+study is continued as well from a terminal, and the other way round.
 """
 
 import os

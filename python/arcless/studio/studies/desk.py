@@ -55,7 +55,7 @@ class Desk:
         return {"text": text, "count": loaded.plan.count, "errors": []}
 
     def run(self, path: str, *, resume: bool, retry_failed: bool) -> dict[str, str]:
-        """Start a study, or go on with it; return its folder."""
+        """Start a study, or continue it; return its folder."""
         file = self._project.inside(path)
         loaded = study.load_text(texts.read(self._project, path)["text"], file,
                                  self._project.folder)  # fmt: skip
@@ -69,7 +69,7 @@ class Desk:
         if there and not resume:
             raise StudyError(
                 "the study was begun already", where=self._project.name_of(folder),
-                hint="go on with it, or give it another name",
+                hint="continue it, or give it another name",
             )  # fmt: skip
         if resume:
             place.check_same()
@@ -103,7 +103,7 @@ class Desk:
         return scenario_of(self._project, self._rows(path).place, number, name)
 
     def report(self, path: str) -> bytes:
-        """Return the page of a study's report, written anew from the rows that are there."""
+        """Return the page of a study's report, of the rows that are there."""
         folder = self._project.inside(path)
         self._computing.write_report(folder)
         return (folder / "report.html").read_bytes()

@@ -1,4 +1,4 @@
-"""A session: forces that are added come out at the contact, and the line that is sent is the line."""
+"""A session: added forces are found at the contact, and the wires that are sent are the line."""
 
 import struct
 
@@ -14,8 +14,8 @@ from arcless.studio.hands_on.gusts import STATED_LIFT, Gust
 from arcless.studio.hands_on.session import Session
 
 OFFSET = 30.0
-# Share of the offset that mass times change of velocity may take in the time that is averaged: 20 kg
-# and 0.3 m/s in 6 s are 1 N. Without the base spring of 160 N/m, 2 N would be missing.
+# Force in N that mass times change of velocity may take in the time that is averaged: 20 kg and
+# 0.3 m/s in 6 s are 1 N. Without the base spring of 160 N/m, 2 N would be missing.
 OF_MOMENTUM = 1.0
 BASE_SPRING = 160.0
 

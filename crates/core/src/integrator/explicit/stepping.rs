@@ -277,8 +277,8 @@ impl<const DIM: usize> Explicit<DIM> {
         motion
     }
 
-    /// Returns the displacements of a node at the end of the step, m, by component; `None` of one in a
-    /// stiff group, whose displacement the state holds.
+    /// Returns the displacements of a node at the end of the step, m, by component; `None` of one
+    /// in a stiff group, whose displacement the state holds.
     pub(crate) fn displacements(&self, chain: &ChainState, node: usize) -> Option<[f64; DIM]> {
         let point = self.points[node];
         let motion = || self.motion_at(chain, point).map(|[place, _]| place);
