@@ -51,7 +51,9 @@ function State() {
 }
 
 function Picked() {
-  const row = rows.find((one) => variantOf(one) === picked.value);
+  // Read before the rows, which may be none at first: what is picked later is seen then, too.
+  const chosen = count.value > 0 ? picked.value : null;
+  const row = rows.find((one) => variantOf(one) === chosen);
   const path = current.value!;
   if (!row) return <p class="soft">Click a line, a point or a row: it is picked everywhere. In the table, ↑ and ↓ pick.</p>;
   const number = variantOf(row);
