@@ -43,8 +43,7 @@ def application(project: Project, keys: Keys, crowd: Crowd) -> ASGIApp:
     computing = Computing()
     motions = Motions(project, jobs)
     at_work: list[AbstractAsyncContextManager[object]] = [
-        desks.at_work(), hub.at_work(), jobs.at_work(), watch.at_work(),
-        computing.at_work(),
+        desks.at_work(), hub.at_work(), jobs.at_work(), watch.at_work(), computing.at_work()
     ]  # fmt: skip
     routes: list[BaseRoute] = [
         *project_routes.routes(view),
