@@ -36,7 +36,7 @@ def application(project: Project, keys: Keys) -> ASGIApp:
         *project_routes.routes(project),
         *at_rest_routes.routes(project, desks),
         *runs_routes.routes(project, jobs),
-        *stream_routes.routes(hub, motions.open),
+        *stream_routes.routes(hub, motions.open, motions.compute),
         # One line for each room, `*ROOM.routes(project, …)`.
         *page.routes(),
     ]
