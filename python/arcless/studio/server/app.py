@@ -53,7 +53,7 @@ def application(project: Project, keys: Keys, crowd: Crowd) -> ASGIApp:
         *hands_on_routes.routes(project),
         *studies_routes.routes(project, computing),
         *runs_routes.routes(project, jobs),
-        *stream_routes.routes(hub, motions.open),
+        *stream_routes.routes(hub, motions.open, motions.compute),
         # One line for each room, `*ROOM.routes(project, …)`.
         *page.routes(),
     ]
