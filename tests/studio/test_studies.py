@@ -79,8 +79,11 @@ def test_brushes_by_mouse_and_by_keyboard(studio: Start, folder: Path) -> None:
     page.until(f"{ROWS} === 3")
     page.click('role=button[name="Show all"]')
     page.until(f"{ROWS} === 9")
-    box = page.js(f"(() => {{ const b = {CANVAS}.getBoundingClientRect(); return [b.x, b.y]; }})()")
-    x, y = box[0] + 60, box[1]
+    # The first axis stands below the middle of its head.
+    x, y = page.js(
+        f"(() => {{ const head = document.querySelector('.head').getBoundingClientRect();"
+        f" return [head.x + head.width / 2, {CANVAS}.getBoundingClientRect().y]; }})()"
+    )
     page("mouse.move", x, y + 8)
     page("mouse.down")
     page("mouse.move", x, y + 60)

@@ -3,6 +3,7 @@ import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { ask } from "../connection/http.ts";
 import { complain, say } from "../shell/messages.ts";
+import { show } from "../shell/panels.ts";
 import { project, readProject } from "../state/project.ts";
 import { file, scenario, source } from "../state/selection.ts";
 import { run } from "./asking.ts";
@@ -12,6 +13,7 @@ import { Parallel } from "./Parallel.tsx";
 import { Scatter } from "./Scatter.tsx";
 import { axes, brushes, colouredBy, columns, places, search } from "./selection.ts";
 import { Table } from "./Table.tsx";
+import { opening } from "./vary.ts";
 
 /** The file of the study that is open, where it is in this folder. */
 const fileNow = () => project.value?.models.find((model) => model.kind === "study" && model.name === about.value?.name)?.path ?? null;
@@ -72,6 +74,7 @@ function Picked() {
     scenario.value = file.value = made;
     const { job } = await ask<{ job: { id: string } }>("runs", { body: { scenario: made, changes: {}, record_motion: true, certainty: false } });
     source.value = { job: job.id };
+    show("drawing");
   };
   return (
     <div class="bar picked" role="group" aria-label="Picked variant">
@@ -170,7 +173,15 @@ function Choice() {
 }
 
 export function Watch() {
-  useEffect(follow, []);
+  useEffect(() => {
+    const end = opening.subscribe((path) => {
+      if (path === null) return;
+      opening.value = null;
+      openStudy(path);
+    });
+    const last = follow();
+    return () => (end(), last());
+  }, []);
   if (current.value === null) return <Choice />;
   return (
     <div class="watch">

@@ -160,7 +160,7 @@ class Session:
         Raises
         ------
         ContactError
-            A collector leaves the wire, or the step cannot be solved. The next one may be taken after `begin_anew`.
+            A collector leaves the wire, or the step cannot be solved; `begin_anew` mends it.
         """
         following = self._loop.step_number + 1
         if following > self._travel.steps:
