@@ -60,8 +60,7 @@ class Browser:
         """Open a file in a window of this width in px; the narrowest one is a phone."""
         size = {"width": width, "height": SCREENS[width]}
         before = (HERE / "helpers.js").read_text("utf-8")
-        ready = "document.documentElement.classList.contains('drawn')"
-        options = {**window(size, dark=dark), "before": before, "ready": ready}
+        options = {**window(size, dark=dark), "before": before, "ready": "html.drawn"}
         return Page(self, self.new(file.as_uri(), **options), size)
 
     def new(self, address: str, **options: Any) -> int:

@@ -34,7 +34,7 @@ async function open({ name, address, before, ready, beside, ...options }) {
   if (before) await page.addInitScript(before);
   pages.set(name, { page, events, session: await context.newCDPSession(page), beside });
   await page.goto(address);
-  if (ready) await page.waitForFunction(ready);
+  if (ready) await page.waitForSelector(ready, { state: "attached" });
 }
 
 // Drags in one breath: the page takes a button that is held for 250 ms before it moves as another

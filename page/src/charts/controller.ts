@@ -84,6 +84,7 @@ export class Controller {
     if (!this.isTrack) return [redraw()];
     const follows = effect(() => {
       const wanted = range.value;
+      this.shows.zoomed.value = wanted !== null;
       if (this.visible.value) this.take(wanted);
     });
     const marks = effect(() => {
@@ -116,14 +117,13 @@ export class Controller {
   private show(x: Range, y: Range | null = null): void {
     const inside = within(x, this.handle.bounds);
     if (y) this.plot?.show(inside, y);
-    this.shows.zoomed.value = true;
     if (this.isTrack) range.value = inside;
     else this.take(inside);
+    this.shows.zoomed.value = true;
   }
 
   private take(x: Range | null): void {
     if (!this.plot) return;
-    this.shows.zoomed.value = x !== null || this.shows.zoomed.peek();
     if (x === null) {
       this.plot.wholeY();
       this.shows.zoomed.value = false;

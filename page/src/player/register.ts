@@ -1,8 +1,7 @@
 import { computed } from "@preact/signals";
-import { nextExaggeration } from "../drawing/camera.ts";
 import { addLayer, shown } from "../drawing/scene.ts";
 import { addCommand, addPanel } from "../shell/panels.ts";
-import { clock, exaggeration, range } from "../state/selection.ts";
+import { clock } from "../state/selection.ts";
 import { changeRate, follow, growing, jump, step, toggle } from "./clock.ts";
 import { followSource } from "./opened.ts";
 import { stepSpan, stepWorst, worst } from "./places.ts";
@@ -33,12 +32,6 @@ function commands(): void {
   addCommand({ id: "player.previous", title: "Previous worst place", keys: ["K"], act: () => stepWorst(-1), when: places });
   const live = computed(() => playing.value && growing.value);
   addCommand({ id: "player.live", title: "Follow the run that is computed", keys: ["End"], act: follow, when: live });
-  const drawn = computed(() => shown.value !== null);
-  addCommand({ id: "player.fit", title: "Show all of the line", keys: ["F"], act: () => (range.value = null), when: drawn });
-  addCommand({
-    id: "player.exaggeration", title: "Larger exaggeration of heights", keys: ["E"], when: drawn,
-    act: () => (exaggeration.value = nextExaggeration(exaggeration.peek(), true)),
-  });
 }
 
 export function register(): void {

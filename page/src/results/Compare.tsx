@@ -6,6 +6,7 @@ import { useAnswer } from "./answer.ts";
 import { askComparison, askOverlay } from "./asking.ts";
 import { FigureSections } from "./FigureSections.tsx";
 import { held, take } from "./measured.ts";
+import { RunList } from "./RunList.tsx";
 import { Nothing, Refusal, Waiting } from "./State.tsx";
 import type { Compared, Comparison } from "./told.ts";
 import { versionOf } from "./which.ts";
@@ -137,6 +138,7 @@ export function Compare() {
     return (
       <Nothing>
         <p>{subjects.length ? "One run is ticked." : "Nothing is ticked."} Tick at least two runs, and they are compared with the first of them.</p>
+        <RunList measured />
         <AddMeasured />
       </Nothing>
     );

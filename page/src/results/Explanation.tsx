@@ -1,13 +1,13 @@
 /** Why σ is as it is: shares of what repeats, deviation by span, and places to look at. */
-import { useEffect } from "preact/hooks";
 import { decimals } from "../charts/numbers.ts";
 import { useAnswer } from "./answer.ts";
 import { askExplanation, askFigure, askRun } from "./asking.ts";
 import { FigureSections } from "./FigureSections.tsx";
+import { RunList } from "./RunList.tsx";
 import { Nothing, Refusal, Waiting } from "./State.tsx";
 import type { Explanation as Explained, Figures, Place } from "./told.ts";
 import { shownRun, versionOf } from "./which.ts";
-import { goTo, remember } from "./worst.ts";
+import { goTo } from "./place.ts";
 import "./results.css";
 
 type Pantograph = Explained["pantographs"][number];
@@ -90,10 +90,14 @@ export function Explanation() {
     explained: await askExplanation(run!, signal),
     figures: await askRun(run!, signal),
   })).value;
-  useEffect(() => {
-    if (run && found.value) remember(run, found.value.explained.pantographs.flatMap((one) => one.worst));
-  }, [found.value]);
-  if (run === null) return <Nothing>No run is chosen. Tick one among the runs, and this says why its σ is as it is.</Nothing>;
+  if (run === null) {
+    return (
+      <Nothing>
+        <p>No run is chosen. Tick one, and this says why its σ is as it is.</p>
+        <RunList />
+      </Nothing>
+    );
+  }
   if (found.complaint) return <Refusal complaint={found.complaint} what={`σ of ${run} cannot be explained`} />;
   if (found.waiting || !found.value) return <Waiting what={run} />;
   const { explained, figures } = found.value;

@@ -2,6 +2,7 @@
 import { FigureSections } from "./FigureSections.tsx";
 import { useAnswer } from "./answer.ts";
 import { askFigure, askRun } from "./asking.ts";
+import { RunList } from "./RunList.tsx";
 import { Nothing, Refusal, Waiting } from "./State.tsx";
 import type { Assessed, Criterion, NumberRow } from "./told.ts";
 import { shownRun, versionOf } from "./which.ts";
@@ -13,8 +14,8 @@ const report = (run: string) => `api/run/report?${new URLSearchParams({ path: ru
 function Verdict({ of }: { of: Assessed }) {
   const { verdict } = of;
   return (
-    <section class={`verdict ${verdict.state}`} aria-label="Verdict">
-      <p class="verdict-text">
+    <section class={`result-verdict ${verdict.state}`} aria-label="Verdict">
+      <p class="result-headline">
         <span aria-hidden="true">{verdict.sign}</span> {verdict.text}
       </p>
       {verdict.rest && <p>{verdict.rest}</p>}
@@ -143,7 +144,14 @@ export function Results() {
   const run = shownRun.value;
   const version = run === null ? "" : versionOf([run]);
   const { value, waiting, complaint } = useAnswer(run === null ? null : version, (signal) => askRun(run!, signal)).value;
-  if (run === null) return <Nothing>No run is chosen. Tick one among the runs, or press Run for a new one.</Nothing>;
+  if (run === null) {
+    return (
+      <Nothing>
+        <p>No run is chosen. Tick one, or press Run for a new one.</p>
+        <RunList />
+      </Nothing>
+    );
+  }
   if (complaint) return <Refusal complaint={complaint} what={`The run ${run} cannot be shown`} />;
   if (waiting || !value) return <Waiting what={run} />;
   return (

@@ -8,6 +8,7 @@ import { ScaleKey } from "../charts/ScaleKey.tsx";
 import { decimals } from "../charts/numbers.ts";
 import { scaleOf } from "./paint.ts";
 import { SpaceTimeView } from "./spaceTimeView.ts";
+import { RunList } from "./RunList.tsx";
 import { Nothing, Refusal } from "./State.tsx";
 import { MotionOffer } from "./MotionOffer.tsx";
 import { shownRun, versionOf } from "./which.ts";
@@ -16,7 +17,14 @@ import "./results.css";
 
 export function SpaceTime() {
   const run = shownRun.value;
-  if (run === null) return <Nothing>No run is chosen. Tick one whose motion was recorded.</Nothing>;
+  if (run === null) {
+    return (
+      <Nothing>
+        <p>No run is chosen. Tick one whose motion was recorded.</p>
+        <RunList />
+      </Nothing>
+    );
+  }
   return <View key={versionOf([run])} run={run} />;
 }
 

@@ -1,8 +1,6 @@
-import { computed } from "@preact/signals";
 import { followScheme } from "../charts/colours.ts";
 import { addCommand, addPanel, show } from "../shell/panels.ts";
 import { acceptDrops } from "./measured.ts";
-import { step, worstPlaces } from "./worst.ts";
 
 export function register(): void {
   addPanel({
@@ -37,9 +35,6 @@ export function register(): void {
   addCommand({ id: "compare", title: "Compare what is ticked", keys: ["C"], act: () => show("compare") });
   addCommand({ id: "explanation", title: "Why σ is as it is", act: () => show("explanation") });
   addCommand({ id: "space-time", title: "Space–time view", act: () => show("space-time") });
-  const known = computed(() => worstPlaces.value !== null);
-  addCommand({ id: "next-worst", title: "Next worst place", keys: ["J"], act: () => step(1), when: known });
-  addCommand({ id: "previous-worst", title: "Previous worst place", keys: ["K"], act: () => step(-1), when: known });
   followScheme();
   acceptDrops();
 }

@@ -24,11 +24,12 @@ function All({ slot }: { slot: Slot }) {
 function Sized() {
   const element = useRef<HTMLDivElement>(null);
   const below = offered("below").length > 0 && !folded.value.below;
+  const [left, right, height] = [sizeOf("left"), sizeOf("right"), sizeOf("below")];
   // By script: the content policy allows no style in markup.
   useLayoutEffect(() => {
     const style = element.current!.style;
-    for (const side of ["left", "right", "below"] as const) style.setProperty(`--${side}`, `${sizeOf(side)}px`);
-  });
+    for (const [name, size] of Object.entries({ left, right, below: height })) style.setProperty(`--${name}`, `${size}px`);
+  }, [left, right, height]);
   const classes = ["body", folded.value.left && "no-left", folded.value.right && "no-right", !below && "no-below"];
   return (
     <div class={classes.filter(Boolean).join(" ")} ref={element}>

@@ -8,7 +8,7 @@ from arcless.figures.description.thinning import every
 from arcless.figures.run import figures
 from arcless.figures.run.run_data import RunData
 from arcless.figures.run.track import MARKS
-from arcless.report.animation import Animation
+from arcless.report.drawing.animation import Animation
 from arcless.report.run_content import ReportedRun, Rows, run_content
 from arcless.report.template import render
 from arcless.storage.whole_files import write_bytes

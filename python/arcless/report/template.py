@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from arcless.figures.description import Figure
 from arcless.figures.description.tokens import css, tokens
-from arcless.report.animation import Animation
+from arcless.report.drawing.animation import Animation
 from arcless.report.drawing.bokeh_figure import Drawing, Drawn, Entry
 from arcless.report.drawing.bokeh_objects import Document, document
 from arcless.report.drawing.scale_key import ScaleKey, scale_key

@@ -121,7 +121,7 @@ function paintForce(sheet: Sheet): void {
   const high = Math.ceil(largest / FORCE_STEP) * FORCE_STEP;
   const on = axis(sheet, high);
   const filtered = columns.filtered.some((column) => column);
-  frame(on, high, "N", filtered ? "Contact force, 20 Hz; not filtered pale" : "Contact force, not filtered", 1);
+  frame(on, high, "N", filtered ? "Contact force, filtered; unfiltered pale" : "Contact force, unfiltered", 1);
   state.current.pantographs.forEach((_, number) => {
     const column = raw[number];
     const live = history.force[number];

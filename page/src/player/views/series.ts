@@ -31,7 +31,7 @@ export function followSeries(): void {
         // Without them the strips show what was played.
         .catch(() => null);
     const all = (name: string) => Promise.all(Array.from({ length: count }, (_, number) => column(name, number)));
-    void Promise.all([all("contact_force"), all("contact_force_filtered")]).then(([raw, filtered]) => {
+    void Promise.all([all("contact_force"), all("filtered_contact_force")]).then(([raw, filtered]) => {
       if (source.peek() === of) stored.value = { raw, filtered };
     });
   });

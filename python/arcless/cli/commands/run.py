@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from arcless.cli.arguments.at_rest import faults_of
 from arcless.cli.arguments.certainty import CertaintyOption, asked_for, check_whole
 from arcless.cli.arguments.scenario import (
     AtRestArgument,
@@ -178,6 +177,7 @@ def _simulate(
 def _find_statics(name: str, source: "Scenario | Line", *, quiet: bool) -> "StaticsResult":
     with permanent_objects():
         from arcless import simulate
+        from arcless.simulate.checks import faults_of
 
     with faults_of(name), console.progress(quiet=quiet) as progress:
         return compute(lambda _cancel: simulate.statics(source, progress=progress))

@@ -20,7 +20,7 @@ from arcless.cli.terminal import console
 
 if TYPE_CHECKING:
     from arcless.assess import Assessment
-    from arcless.report.animation import Animation
+    from arcless.report.drawing.animation import Animation
     from arcless.results import Result
 
 ResultArgument = Annotated[

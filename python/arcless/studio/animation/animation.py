@@ -11,7 +11,7 @@ from arcless.assess import Assessment
 from arcless.dataset.plain_dataset import Dataset
 from arcless.errors import OutputError
 from arcless.figures.run.run_data import RunData
-from arcless.report.animation import Animation
+from arcless.report.drawing.animation import Animation
 from arcless.results import Result
 from arcless.studio.animation import channels
 from arcless.studio.animation.cut import Cut, cut
@@ -26,7 +26,7 @@ FOLDER = Path(__file__).resolve().parent.parent / "page" / "animation"
 # Size of the motion in bytes of base64. A report has less than 2 MB besides; mail servers refuse
 # 10 MB and more.
 LIMIT = 4e6
-# It begins so many s before the worst place.
+# Time in s by which it begins before the worst place.
 BEFORE = 1.0
 
 Floats = NDArray[np.float64]
@@ -52,9 +52,9 @@ def animation_of(
     OutputError
         The run has no recorded motion, or the player was not built.
     """
-    script, style = _player()
     data, geometry = result.latest, geometry_of_run(result)
     motion = recorded(data, geometry)
+    script, style = _player()
     run = RunData(data, assessment or result.assessment)
     worst = _worst_places(run)
     worst_s = _time_at(run, worst[0])
@@ -104,7 +104,7 @@ def _packed(
     low, high = _seen(run, times)
     blocks = [
         *channels.wires(small.motion),
-        *channels.along(data, "dropper_force", "droppers", left.droppers, times),
+        *channels.droppers(data, left.droppers, times),
         *channels.along(data, "support_uplift", "supports", left.supports, times),
         *channels.pantographs(data, times),
     ]

@@ -83,11 +83,29 @@ def along(
         return []
     rows = _rows(np.asarray(data["line_time"].values), times)
     near = np.asarray(data[f"near_{name}"].values)[rows]
-    first = np.asarray(data[f"near_{kind}_first"].values)[rows].astype(int)
-    places = chosen[None, :] - first[:, None]
-    inside = (places >= 0) & (places < near.shape[1])
-    values = np.take_along_axis(near, np.where(inside, places, 0), axis=1)
-    return [_full(channel, np.where(inside, values, np.nan))]
+    first = np.asarray(data[f"near_{kind}_first"].values)[rows]
+    return [_full(channel, _of_near(near, first, chosen))]
+
+
+def droppers(data: Dataset, chosen: NDArray[np.intp], times: Floats) -> list[dict[str, Any]]:
+    """Return the forces of droppers, at the rows of the motion where they were recorded with it."""
+    if "motion_dropper_force" not in data or not chosen.size:
+        return along(data, "dropper_force", "droppers", chosen, times)
+    order = np.asarray(data["motion_dropper_order"].values).astype(int)
+    place = np.empty(order.size, dtype=int)
+    place[order] = np.arange(order.size)
+    rows = _rows(np.asarray(data["motion_time"].values), times)
+    near = np.asarray(data["motion_dropper_force"].values)[rows]
+    first = np.asarray(data["motion_dropper_first"].values)[rows]
+    return [_full("droppers", _of_near(near, first, place[chosen]))]
+
+
+def _of_near(near: Floats, first: NDArray[Any], places: NDArray[np.intp]) -> Floats:
+    """Return values at places, of rows that begin at a place of their own; NaN outside of them."""
+    columns = places[None, :] - first.astype(int)[:, None]
+    inside = (columns >= 0) & (columns < near.shape[1])
+    values = np.take_along_axis(near, np.where(inside, columns, 0), axis=1)
+    return np.where(inside, values, np.nan)
 
 
 def _full(name: str, values: Floats, *, singles: bool = False) -> dict[str, Any]:

@@ -74,7 +74,7 @@ def thinned(
         size = _bytes_by_row(wires, len(rows), geometry, pantographs)
         if size.sum() + _bytes_at_rest(geometry, kept) <= limit:
             return Thinned(Motion(motion.times[rows], tuple(wires)), kept, level, True)
-    # What is at rest beside a shortened motion is a part of the line, a share of the size at most.
+    # The line at rest of a shortened motion is a part of the whole: a share of the size at most.
     part = rows[_around(motion.times[rows], size, worst_s, SHARE * limit)]
     shorter = [one.taken(part) for one in motion.wires]
     kept = _near(geometry, kept, shorter)

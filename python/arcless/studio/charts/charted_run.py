@@ -22,6 +22,10 @@ if TYPE_CHECKING:
     from arcless.results import Result
 
 
+# Name of the contact force after the low-pass, which no result stores.
+FILTERED = "filtered_contact_force"
+
+
 class ChartedRun(Charted):
     """A run whose series and figures are asked for piece by piece.
 
@@ -74,7 +78,8 @@ class ChartedRun(Charted):
         """
         with self.lock:
             if (name, column) not in self._series:
-                self._series[name, column] = _column(self.result, name, column)
+                force = self.data.record.bands.total if name == FILTERED else None
+                self._series[name, column] = _column(self.result, self.stored(name), column, force)
             return self._series[name, column]
 
     def places(self, name: str, column: int, x: str) -> NDArray[np.float64]:
@@ -83,13 +88,17 @@ class ChartedRun(Charted):
         The position is that of the pantograph of the column, or of the first one for series that
         are of no pantograph.
         """
-        dims = self.result.recorded[name].dims
+        dims = self.result.recorded[self.stored(name)].dims
         if x == "time":
             return self.series(str(dims[0]), 0)
         if dims[0] == "line_time":
             with self.lock:
                 return self.data.line_position
         return self.series("position", column if "pantograph" in dims else 0)
+
+    def stored(self, name: str) -> str:
+        """Return the name in the result of what a series is computed from, mostly its own."""
+        return "contact_force" if name == FILTERED else name
 
     @property
     def bytes(self) -> int:
@@ -104,12 +113,15 @@ class ChartedRun(Charted):
         return known + sum(arrays.values()) + self.pyramid_bytes
 
 
-def _column(result: "Result", name: str, column: int) -> NDArray[np.float64]:
+def _column(
+    result: "Result", name: str, column: int, instead: NDArray[np.float64] | None = None
+) -> NDArray[np.float64]:
     recorded = result.recorded
     dims = recorded[name].dims if name in recorded else ()
     if not dims or dims[0] not in ("time", "line_time"):
         raise ModelError("no series of this run", got=show(name), expected="a recorded channel")
-    values = np.asarray(recorded[name].values, dtype=np.float64)
+    given = recorded[name].values if instead is None else instead
+    values = np.asarray(given, dtype=np.float64)
     table = values.reshape(len(values), -1)
     if not 0 <= column < table.shape[1]:
         raise ModelError(

@@ -29,11 +29,12 @@ def answer(run: ChartedRun, request: Request) -> Response:
     low, high = run.pyramid(values).buckets(begin, end, max(1, shown.points // 2))
     first = np.minimum(low, high)
     rows = np.stack([places[first], values[low], values[high]]).astype("<f4")
+    attrs = run.result.recorded[run.stored(name)].attrs
     about: dict[str, Any] = {
         "count": int(low.size),
         "samples": end - begin,
-        "unit": str(run.result.recorded[name].attrs.get("units", "")),
-        "label": str(run.result.recorded[name].attrs.get("long_name", name)),
+        "unit": str(attrs.get("units", "")),
+        "label": str(attrs.get("long_name", name)),
         "from": float(places[0]) if places.size else None,
         "to": float(places[-1]) if places.size else None,
     }

@@ -10,6 +10,7 @@ from starlette.types import ASGIApp
 from arcless.studio.at_rest import routes as at_rest_routes
 from arcless.studio.charts import routes as chart_routes
 from arcless.studio.model_text import routes as text_routes
+from arcless.studio.hands_on import routes as hands_on_routes
 from arcless.studio.project import routes as project_routes
 from arcless.studio.project.project import Project
 from arcless.studio.server import page
@@ -30,6 +31,7 @@ def application(project: Project, keys: Keys) -> ASGIApp:
         *at_rest_routes.routes(project, desks),
         *text_routes.routes(project),
         *chart_routes.routes(project),
+        *hands_on_routes.routes(project),
         # One line for each room, `*ROOM.routes(project, …)`.
         *page.routes(),
     ]

@@ -23,7 +23,9 @@ def line() -> Geometry:
     nodes = range(37, NODES, 53)
     found: Any = {
         "name": "a line", "spatial": True, "height_m": 5.0,
-        "spans": [{"number": n + 1, "start_m": at, "end_m": at + 50.0} for n, at in enumerate(spans)],
+        "spans": [
+            {"number": n + 1, "start_m": at, "end_m": at + 50.0} for n, at in enumerate(spans)
+        ],
         "wires": [
             {"name": "contact wire", "kind": "contact", "first": 0, **rest},
             {"name": "messenger wire", "kind": "messenger", "first": 0, **rest},

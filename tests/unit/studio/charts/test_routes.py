@@ -10,6 +10,7 @@ import pytest
 from starlette.applications import Starlette
 
 from arcless.dataset.netcdf.store import save
+from arcless.results import open as open_result
 from arcless.studio.charts.routes import routes
 from arcless.studio.project.project import Project
 from tests.support.synthetic import synthetic_dataset
@@ -52,6 +53,16 @@ def test_series_have_the_extremes_of_the_record(client: TestClient) -> None:
     assert low.min() == pytest.approx(force.min(), rel=1e-6)
     assert np.all(np.diff(x) > 0)
     assert about["unit"] == "N"
+
+
+def test_the_filtered_force_is_that_of_the_assessment(client: TestClient, folder: Path) -> None:
+    asked = {"run": "runs/a", "name": "filtered_contact_force", "x": "time", "from": 1, "to": 1.05}
+    rows = np.frombuffer(client.get("/api/series", params=asked).content, "<f4").reshape(3, -1)
+    at = slice(999, 999 + rows.shape[1])
+    expected = open_result(folder / "runs" / "a").filtered_force().values[at, 0]
+    # Singles of some hundred newtons.
+    np.testing.assert_allclose(rows[1], expected, atol=1e-3)
+    np.testing.assert_allclose(rows[2], expected, atol=1e-3)
 
 
 def test_series_over_time(client: TestClient) -> None:

@@ -1,7 +1,7 @@
 import { beforeEach, describe, expect, it } from "vitest";
 import { clock, cursor, source } from "../state/selection.ts";
 import type { Place } from "./told.ts";
-import { goTo, remember, step } from "./worst.ts";
+import { goTo } from "./place.ts";
 
 const place = (position_m: number, time_s: number): Place => ({
   position_m, time_s, span: 1, force_N: 1, deviation_N: 1, where: "at dropper 1", as_built: null,
@@ -22,16 +22,5 @@ describe("worst places", () => {
   it("never set the clock before its start", () => {
     goTo("runs/a", place(300, 0.4));
     expect(clock.time_s.value).toBe(0);
-  });
-  it("are gone through in both ways, around at the ends", () => {
-    remember("runs/a", [place(1, 2), place(2, 3), place(3, 4)]);
-    const seen = [1, 1, 1, 1, -1].map((by) => {
-      step(by as 1 | -1);
-      return cursor.value;
-    });
-    expect(seen).toEqual([1, 2, 3, 1, 3]);
-    remember("runs/a", [place(7, 2), place(8, 3)]);
-    step(-1);
-    expect(cursor.value).toBe(8);
   });
 });
