@@ -1,0 +1,1 @@
+"""What takes long: runs, reports and studies in processes of their own."""

@@ -1,0 +1,1 @@
+"""Runs: computed into the folder as `arcless run` does, read, explained and reported."""

@@ -1,0 +1,103 @@
+"""Functions of worker processes: a run, its report on paper, its explanation."""
+
+from pathlib import Path
+from typing import Any
+
+from arcless.model import scenario_warnings
+from arcless.results import Result
+from arcless.results import open as open_result
+from arcless.results.kept_runs.places import RESULT_NAME
+from arcless.results.kept_runs.reading import read
+from arcless.results.run_folder import files
+from arcless.results.run_folder.run_folder import for_run
+from arcless.studio.at_rest.of_run import geometry_of_run
+from arcless.studio.jobs.talk import Talk
+from arcless.studio.runs.order import Order
+
+
+def run(talk: Talk, order: Order) -> dict[str, Any]:
+    """Run a scenario into its folder, as `arcless run` does; return what a list of runs has of it.
+
+    Raises
+    ------
+    ArclessError
+        As `arcless.run`, and where the folder cannot be written.
+    """
+    from arcless import simulate
+    from arcless.validate import reference_rows
+
+    for warning in scenario_warnings(order.scenario):
+        talk.note(warning)
+    with for_run(order.folder, overwrite=order.replace) as folder:
+        file = folder.file(RESULT_NAME)
+        result = simulate.run(
+            order.scenario,
+            to=file if simulate.is_long(order.scenario) else None,
+            command=order.command,
+            progress=talk.progress,
+            cancel=talk.cancel,
+        )
+        _note_others(talk, result, order)
+        talk.progress(1.0, "assessment and report")
+        if talk.cancel():
+            raise KeyboardInterrupt
+        files.write(result, folder, reference_rows)
+    return described(order.folder)
+
+
+def _note_others(talk: Talk, result: Result, order: Order) -> None:
+    """Tell the warnings that only the run could give."""
+    known = set(scenario_warnings(order.scenario))
+    for warning in result.metadata["warnings"] or []:
+        if warning not in known:
+            talk.note(warning)
+
+
+def described(folder: Path) -> dict[str, Any]:
+    """Return a run in a few words, without its path, which the page knows."""
+    found = read(folder / RESULT_NAME).to_dict()
+    del found["path"]
+    return found
+
+
+def told(_talk: Talk, file: Path) -> dict[str, Any]:
+    """Return all that the page shows of a run: scenario, assessment, what was set for it."""
+    import yaml
+
+    result = open_result(file)
+    facts = result.metadata
+    return {
+        "name": facts["scenario_name"],
+        "scenario": yaml.safe_dump(facts["scenario"], sort_keys=False, allow_unicode=True),
+        "changes": result.scenario.changes,
+        "created": facts["created"],
+        "arcless_version": facts["arcless_version"],
+        "command": facts["command"],
+        "warnings": facts["warnings"] or [],
+        "speed_m_s": result.scenario.speed,
+        "simulated_time_s": facts["simulated_time_s"],
+        "section_m": facts["section_m"],
+        "wave_speed_m_s": facts["wave_speed_m_s"],
+        "complete": result.is_complete,
+        "assessment": result.assessment.to_dict() if result.is_complete else None,
+    }
+
+
+def line(_talk: Talk, file: Path) -> dict[str, Any]:
+    """Return the geometry of the line of a run."""
+    return dict(geometry_of_run(open_result(file)))
+
+
+def write_report(talk: Talk, file: Path, to: Path) -> str:
+    """Write the report of a run, by the ending of `to` on paper or as a page; return its name."""
+    from arcless.validate import reference_rows
+
+    result = open_result(file)
+    talk.progress(0.1, "assessment")
+    rows = reference_rows(result.scenario, result.assessment.to_dict())
+    if talk.cancel():
+        raise KeyboardInterrupt
+    talk.progress(0.3, "report")
+    write = result.write_pdf if to.suffix == ".pdf" else result.write_report
+    write(to, reference_rows=rows)
+    return to.name
