@@ -400,6 +400,20 @@ impl<const DIM: usize, const D: usize> WireModel<DIM, D> {
             + c.velocity_from_a * of(state.acceleration())
     }
 
+    /// Returns the displacement of a node from the static shape between two steps, m, along, across
+    /// and up; also of nodes that explicit steps were not asked for.
+    pub(crate) fn displacement_between_steps(
+        &self,
+        state: &WireState<D>,
+        node: usize,
+    ) -> [f64; DIM] {
+        let known = || std::array::from_fn(|component| state.u[node][component]);
+        let found = self
+            .explicit_state(state)
+            .and_then(|(steps, chain)| steps.displacement(chain, node));
+        found.unwrap_or_else(known)
+    }
+
     /// Requests the motion of nodes for the coming step.
     pub(crate) fn request_nodes(
         &self,

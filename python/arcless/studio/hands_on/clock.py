@@ -3,7 +3,7 @@
 from dataclasses import dataclass, field
 
 # Time in s that a session may lag behind the wall before it slows down: what is older is given up,
-# so that steps never pile up. Shorter, a hiccup of the system slows it; longer, it jumps afterwards.
+# so that steps never pile up. Shorter, a hiccup of the system slows it; longer, it jumps after one.
 MOST_LAG = 0.1
 # Interval in s over which the pace is told.
 TOLD_EVERY = 0.5

@@ -55,7 +55,7 @@ class Gust:
         return 0.5 * (1.0 - cos(2.0 * pi * time_s / self.duration_s))
 
     def lift(self, pantograph: Pantograph, speed_m_s: float, time_s: float) -> float:
-        """Return the added lift in N of a pantograph: F(v + w) − F(v), of k v² that is k((v+w)² − v²).
+        """Return the added lift in N, F(v + w) − F(v); of F = k v² that is k((v + w)² − v²).
 
         Without a law of lift it is `STATED_LIFT` at the peak.
         """

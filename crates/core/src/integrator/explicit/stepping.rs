@@ -277,6 +277,14 @@ impl<const DIM: usize> Explicit<DIM> {
         motion
     }
 
+    /// Returns the displacement of a node at the end of the step, m, by component; `None` of one in a
+    /// stiff group, whose displacement the state holds.
+    pub(crate) fn displacement(&self, chain: &ChainState, node: usize) -> Option<[f64; DIM]> {
+        let point = self.points[node];
+        let motion = || self.motion_at(chain, point).map(|[place, _]| place);
+        self.in_stiff_group[point].is_none().then(motion)
+    }
+
     /// Returns the velocity of a node at the end of the step, m/s, by component.
     pub(crate) fn velocity(&self, chain: &ChainState, node: usize) -> [f64; DIM] {
         self.motion_at(chain, self.points[node])

@@ -1,0 +1,15 @@
+/** "Vary this field": what a field of the form, or a command, calls. Loaded with the page; small. */
+import { signal } from "@preact/signals";
+import { show } from "../shell/panels.ts";
+
+/** Dotted path of a field that shall be varied, until the list of fields is there. */
+export const wanted = signal<string | null>(null);
+/** Which half of the panel is seen. */
+export const face = signal<"define" | "watch">("define");
+
+/** Vary a field of the scenario, by its path in the scenario, or in its line or pantograph. */
+export function varyField(field: string): void {
+  wanted.value = field;
+  face.value = "define";
+  show("studies");
+}
