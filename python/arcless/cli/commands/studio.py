@@ -49,4 +49,4 @@ def studio(
 
             webbrowser.open(for_browser)
 
-    serve(folder, port, ready)
+    raise typer.Exit(serve(folder, port, ready))
