@@ -82,13 +82,15 @@ class Studio:
         return self
 
     def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:
-        events = [event for tab in self._tabs for event in tab.close()]
-        self._process.terminate()
         try:
-            self._process.wait(timeout=10)
-        except subprocess.TimeoutExpired:
-            self._process.kill()
-            raise
+            events = [event for tab in self._tabs for event in tab.close()]
+        finally:
+            self._process.terminate()
+            try:
+                self._process.wait(timeout=10)
+            except subprocess.TimeoutExpired:
+                self._process.kill()
+                raise
         if kind is None:
             assert not events, f"the page complained: {events}"
 
@@ -101,16 +103,18 @@ class Window(Tab):
 
     def __init__(self, browser: Browser, number: int) -> None:
         super().__init__(browser, number)
-        self.number, self._open = number, True
+        self.number = number
+        self._complaints: list[str] | None = None
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
 
     def close(self) -> list[str]:
         """Close it; return what it complained of since it was last asked for its events."""
-        if not self._open:
-            return []
-        found = self.events
-        self("close")
-        self._open = False
-        return found
+        if self._complaints is None:
+            self._complaints = self.events
+            self("close")
+        return self._complaints
 
     def click(self, selector: str) -> None:
         """Click once it can be clicked."""

@@ -1,4 +1,4 @@
-"""Results on the page: verdict, figures, comparison, a measurement that is dropped, why σ, waves."""
+"""Results on the page: verdict, figures, comparison, a measurement, why σ, space–time view."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -24,6 +24,18 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return found
 
 
+TITLES = "[...document.querySelectorAll('figure.chart h4')].map((one) => one.textContent)"
+SHARES = (
+    "[...document.querySelectorAll('.shares .number')].map((one) => parseFloat(one.textContent))"
+)
+MAP, BARS = "Dropper forces while the train passes", "Standard deviation in each span"
+
+
+def of(title: str) -> str:
+    """Return the selector of a figure by its title."""
+    return f'figure.chart:has(h4:text-is("{title}"))'
+
+
 def tick(page: Window, *names: str) -> None:
     """Tick runs in the list that the comparison offers while there is nothing to compare."""
     show(page, "Compare")
@@ -37,17 +49,18 @@ def show(page: Window, title: str) -> None:
 
 def drawn(page: Window, title: str) -> str:
     """Wait until the figure of a title is drawn; return the selector of its frame."""
-    page.wait(f'figure.chart:has(h4:text-is("{title}"))', state="attached")
+    page.wait(of(title), state="attached")
     page.js(f"""[...document.querySelectorAll('figure.chart')].find((one) =>
         one.querySelector('h4').textContent === {title!r}).scrollIntoView()""")
-    frame = f'figure.chart:has(h4:text-is("{title}")) .chart-frame'
+    frame = f"{of(title)} .chart-frame"
     page.wait(f"{frame} canvas")
     return frame
 
 
 def ink(page: Window, title: str) -> int:
     """Return how many pixels of a figure are drawn."""
-    return int(page.js(f"""(() => {{
+    return int(
+        page.js(f"""(() => {{
         const figure = [...document.querySelectorAll('figure.chart')].find((one) =>
             one.querySelector('h4').textContent === {title!r});
         const drawn = figure.querySelector('canvas'), canvas = document.createElement('canvas');
@@ -58,7 +71,8 @@ def ink(page: Window, title: str) -> int:
         let count = 0;
         for (let k = 3; k < data.length; k += 4) count += data[k] > 0;
         return count;
-    }})()"""))
+    }})()""")
+    )
 
 
 def test_nothing_is_ticked(studio: Callable[[Path], Studio], tmp_path: Path) -> None:
@@ -83,9 +97,9 @@ def test_a_run_has_its_verdict_and_all_figures_of_its_report(
     page.wait(".result-verdict")
     result = open_result(folder / "runs" / "fast")
     assert result.assessment.headline.text in page.text(".result-verdict")
-    titles = page.js("[...document.querySelectorAll('figure.chart h4')].map((one) => one.textContent)")
+    titles = page.js(TITLES)
     assert sorted(titles) == sorted(f.title for group in result.figures.values() for f in group)
-    for title in ("Contact force", "Dropper forces while the train passes", "Standard deviation in each span"):
+    for title in ("Contact force", MAP, BARS):
         drawn(page, title)
         assert ink(page, title) > 1000
     assert page.axe() == []
@@ -100,9 +114,9 @@ def test_figures_along_the_track_are_zoomed_together_and_by_keys(
     frame = drawn(page, "Contact force")
     page("focus", frame)
     page.press("+", "+", "+")
-    page.wait('figure.chart:has(h4:text-is("Contact force")) button:text-is("Show all")')
+    page.wait(f'{of("Contact force")} button:text-is("Show all")')
     drawn(page, "Height of the contact point")
-    page.wait('figure.chart:has(h4:text-is("Height of the contact point")) button:text-is("Show all")')
+    page.wait(f'{of("Height of the contact point")} button:text-is("Show all")')
     page("focus", frame)
     page.press("Shift+ArrowRight")
     page.wait("output.chart-readout:text-matches('force .* N')")
@@ -116,7 +130,7 @@ def test_a_legend_hides_a_curve(studio: Callable[[Path], Studio], folder: Path) 
     show(page, "Results")
     drawn(page, "Contact force")
     before = ink(page, "Contact force")
-    page.click('figure.chart:has(h4:text-is("Contact force")) .chart-legend button:has-text("unfiltered")')
+    page.click(f'{of("Contact force")} .chart-legend button:has-text("unfiltered")')
     page.wait(".chart-legend button[aria-pressed=false]")
     assert ink(page, "Contact force") < before
 
@@ -128,7 +142,7 @@ def test_ticked_runs_are_overlaid_with_what_differs_alone(
     tick(page, "fast", "slow")
     show(page, "Compare")
     drawn(page, "Contact force")
-    legend = page.text('figure.chart:has(h4:text-is("Contact force")) .chart-legend')
+    legend = page.text(f"{of('Contact force')} .chart-legend")
     assert {"speed 320 km/h", "speed 300 km/h", "support"} == set(legend.split("\n"))
     fields = page.js("""[...document.querySelectorAll('table')].find((one) =>
         one.caption.textContent === 'What differs').tBodies[0].innerText""")
@@ -167,7 +181,7 @@ def test_a_worst_place_sets_the_clock_a_second_before(
     tick(page, "fast")
     show(page, "Why σ")
     page.wait("button.place")
-    shares = page.js("[...document.querySelectorAll('.shares .number')].map((one) => parseFloat(one.textContent))")
+    shares = page.js(SHARES)
     # Four numbers with one decimal each.
     assert sum(shares) == pytest.approx(100.0, abs=0.2)
     page.click("button.place")
@@ -178,7 +192,7 @@ def test_a_run_without_motion_offers_it(studio: Callable[[Path], Studio], folder
     page = studio(folder).open()
     tick(page, "fast")
     show(page, "Space–time")
-    page.wait('button:text-is("Compute the motion")')
+    page.wait('button:text-is("Run again with its motion")')
 
 
 def test_a_damaged_run_is_said_to_be_one(studio: Callable[[Path], Studio], tmp_path: Path) -> None:

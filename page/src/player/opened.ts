@@ -3,6 +3,7 @@ import { effect } from "@preact/signals";
 import { ask } from "../connection/http.ts";
 import type { Geometry } from "../drawing/geometry.ts";
 import { complain, say } from "../shell/messages.ts";
+import { show, shown } from "../shell/panels.ts";
 import { clock, source, type Source } from "../state/selection.ts";
 import { follow, setEnds } from "./clock.ts";
 import { Pull, type Opened } from "./motion/pull.ts";
@@ -44,10 +45,17 @@ async function opened(of: Source, about: Opened): Promise<void> {
       { geometry, pantographs: pantographs(about), row_s: about.every_s, wires: about.wires },
       about.start_s, about.end_s, !about.final,
     );
+    if (!known) toTheLine();
     if (!known && !about.final) follow();
   } catch (error) {
     if (current?.source === of) complain(error);
   }
+}
+
+/** Who opens a run from the first screen wants to see it; other panels stay. */
+function toTheLine(): void {
+  const now = shown.peek().main;
+  if (now === undefined || now === "start") show("drawing");
 }
 
 function edge(end: number, final: boolean): void {

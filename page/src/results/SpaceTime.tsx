@@ -38,7 +38,7 @@ function View({ run }: { run: string }) {
   const told = absent.value || complaint.value !== null;
   return (
     <>
-    {absent.value && <MotionOffer run={run} again={() => void view.ask()} />}
+    {absent.value && <MotionOffer run={run} />}
     {complaint.value && <Refusal complaint={complaint.value} what={`The motion of ${run} cannot be shown`} />}
     <div class="space-time" hidden={told}>
       <div class="bar">

@@ -45,8 +45,16 @@ def studio(
     def ready(address: str, for_browser: str) -> None:
         console.data(address)
         if browser:
-            import webbrowser
+            _open(for_browser)
 
-            webbrowser.open(for_browser)
+    code = serve(folder, port, ready)
+    if code:
+        raise typer.Exit(code)
 
-    raise typer.Exit(serve(folder, port, ready))
+
+def _open(address: str) -> None:
+    """Open an address in the browser; one that runs in the terminal is not waited for."""
+    import webbrowser
+    from threading import Thread
+
+    Thread(target=webbrowser.open, args=(address,), daemon=True).start()

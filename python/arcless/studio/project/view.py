@@ -1,5 +1,6 @@
 """The folder at a glance: models, runs, studies, measured data, and the shipped library."""
 
+import threading
 from functools import cache
 from importlib.metadata import version
 from pathlib import Path
@@ -29,12 +30,17 @@ class View:
 
     def __init__(self, project: Project) -> None:
         self.project, self.tree, self.models = project, Tree(project.folder), Models(project)
+        self._lock = threading.Lock()
         self._runs: dict[Path, tuple[object, KeptRun]] = {}
         self._studies: dict[Path, tuple[object, dict[str, Any]]] = {}
         self._measured: dict[Path, tuple[Stamp, bool]] = {}
 
     def read(self) -> dict[str, Any]:
         """Return the view; see `ProjectView` of the page."""
+        with self._lock:
+            return self._read()
+
+    def _read(self) -> dict[str, Any]:
         files = dict(self.tree.files)
         found = search(self.project.folder, self._run)
         of_runs = {one.path for one in found.runs}

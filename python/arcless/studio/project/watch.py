@@ -47,7 +47,7 @@ class Watch:
             self._ended.set()
 
     def look(self) -> None:
-        """Look once, and tell what changed; afterwards read the models that did."""
+        """Look once, and tell what changed; afterwards read the models."""
         changed = self._view.tree.look()
         for path in sorted(changed):
             if path.suffix.lower() in ENDINGS:
@@ -55,10 +55,16 @@ class Watch:
                             "version": self._version(path)})  # fmt: skip
         if changed:
             self._tell({"topic": "project"})
+            self._read_models()
+
+    def _read_models(self) -> None:
         if self._view.models.check(self._view.tree.files):
             self._tell({"topic": "project"})
 
     def _watch(self) -> None:
+        with suppress(OSError, ArclessError):
+            self._view.read()  # the page asks in a moment
+            self._read_models()
         while not self._ended.is_set():
             with suppress(OSError, ArclessError):  # what cannot be read now is looked at again
                 self.look()

@@ -38,12 +38,11 @@ def application(project: Project, keys: Keys, crowd: Crowd) -> ASGIApp:
     What several rooms share is made here and handed to them; what works next to the routes is
     entered when the server starts, and left when it ends.
     """
-    desks, hub, view, computing = at_rest_routes.Desks(), Hub(), View(project), Computing()
-    jobs = Jobs(hub.tell)
-    motions = Motions(project, jobs)
+    desks, hub, view = at_rest_routes.Desks(), Hub(), View(project)
+    jobs, watch = Jobs(hub.tell), Watch(view, hub.tell)
+    motions, computing = Motions(project, jobs), Computing()
     at_work: list[AbstractAsyncContextManager[object]] = [
-        desks.at_work(), hub.at_work(), jobs.at_work(), computing.at_work(),
-        Watch(view, hub.tell).at_work(),
+        desks.at_work(), hub.at_work(), jobs.at_work(), watch.at_work(), computing.at_work()
     ]  # fmt: skip
     routes: list[BaseRoute] = [
         *project_routes.routes(view),
