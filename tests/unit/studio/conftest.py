@@ -36,9 +36,7 @@ def folder(tmp_path: Path) -> Path:
 
 
 @pytest.fixture
-def stranger(
-    folder: Path, tmp_path: Path, keys: Keys, monkeypatch: pytest.MonkeyPatch
-) -> Ask:
+def stranger(folder: Path, tmp_path: Path, keys: Keys, monkeypatch: pytest.MonkeyPatch) -> Ask:
     """Return a function that makes a client without the cookie, with headers of its own."""
     built = tmp_path / "page"
     built.mkdir()
