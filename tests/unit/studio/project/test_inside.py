@@ -249,7 +249,8 @@ def test_a_link_put_in_after_the_path_was_resolved(folder: Path, outside: Path) 
 @pytest.mark.parametrize("tag", [
     "!!python/object/apply:os.system ['touch {}']", "!!python/name:os.system",
     "!!python/object/new:subprocess.Popen [[touch, {}]]", "!!python/module:antigravity",
-    "!include {}", "!!binary aGVsbG8=", "!<tag:yaml.org,2002:python/object/apply:os.system> ['touch {}']",
+    "!include {}", "!!binary aGVsbG8=",
+    "!<tag:yaml.org,2002:python/object/apply:os.system> ['touch {}']",
 ])  # fmt: skip
 def test_no_tag_runs_code(client: TestClient, folder: Path, tag: str) -> None:
     made = folder.parent / "made"
