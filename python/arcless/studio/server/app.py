@@ -35,7 +35,7 @@ LONGEST = {"/api/measured": measured.LONGEST}
 def application(project: Project, keys: Keys, crowd: Crowd) -> ASGIApp:
     """Return the application that serves the page and answers its questions about a project.
 
-    What several rooms share is made here and handed to them; what works beside the routes is
+    What several rooms share is made here and handed to them; what works next to the routes is
     entered when the server starts, and left when it ends.
     """
     desks, hub, view = at_rest_routes.Desks(), Hub(), View(project)
