@@ -400,20 +400,24 @@ impl<const DIM: usize, const D: usize> WireModel<DIM, D> {
             + c.velocity_from_a * of(state.acceleration())
     }
 
-    /// Returns the displacement of a node at the time of balance, m, with the increment of the
-    /// current step: of any node, requested or not; of explicit steps, for a component across the
-    /// track.
-    #[inline(always)]
-    pub(crate) fn displacement_at_balance(
+    /// Appends displacements of nodes at the time of balance, m, with the increment of the current
+    /// step: of any nodes, requested or not; of explicit steps, for a component across the track,
+    /// see [`Explicit::displacement`](crate::integrator::explicit::Explicit::displacement).
+    pub(crate) fn add_displacements(
         &self,
         state: &WireState<D>,
-        node: usize,
+        nodes: &[usize],
         component: usize,
-    ) -> f64 {
+        out: &mut Vec<f32>,
+    ) {
         if let Some((steps, chain)) = self.explicit_state(state) {
-            return steps.displacement(chain, node, component);
+            let of = |&node: &usize| steps.displacement(chain, node, component) as f32;
+            out.extend(nodes.iter().map(of));
+        } else {
+            let (u, delta, keep) = (&state.u, &state.delta, self.coefficients.stiffness);
+            let of = |&node: &usize| (u[node][component] + keep * delta[node][component]) as f32;
+            out.extend(nodes.iter().map(of));
         }
-        state.u[node][component] + self.coefficients.stiffness * state.delta[node][component]
     }
 
     /// Requests the motion of nodes for the coming step.

@@ -137,7 +137,7 @@ class MotionLayout:
 
     @property
     def variables(self) -> "dict[str, NDArray[np.int64]]":
-        """What does not change from row to row, as variables of a result."""
+        """Variables of a result that do not change from row to row."""
         counts = np.array([wire.count for wire in self.wires], np.int64)
         order = {"motion_dropper_order": self.dropper_order} if self.dropper_count else {}
         return {"motion_count": counts, **order}
@@ -155,7 +155,7 @@ class MotionPiece:
     Attributes
     ----------
     attempt
-        Counted from 1: a higher number begins the run anew, after a static force that did not give
+        Counted from 1: a higher number begins the run again, after a static force that did not give
         the mean force asked for.
     found
         The line at rest, from which displacements are measured.
@@ -198,7 +198,7 @@ class MotionPiece:
 def layout_of(
     found: "Equilibrium", scenario: "Scenario", motion: RecordedMotion | None = None
 ) -> MotionLayout:
-    """Return what a run records of the motion of its line.
+    """Return the layout of the motion that a run records of its line.
 
     Parameters
     ----------
@@ -213,7 +213,7 @@ def layout_of(
     mesh, steps = found.mesh, trajectory.motion(scenario).steps
     window = nearby(scenario, mesh, steps)
     limits = [motion.around] if not isinstance(motion.around, str) else []
-    # What every pantograph has left so far behind is at rest in a run, see `output.around`.
+    # Wires that all pantographs have left so far behind are put to rest, see `output.around`.
     limits += [window.around] if window is not None else []
     behind = min(limits) if limits else float(found.positions[:, 0].max()) + 1.0
     distance = max(placement.distance for placement in scenario.pantographs)

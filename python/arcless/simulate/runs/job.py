@@ -5,7 +5,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property, partial
 from threading import Lock
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from arcless import _core
 from arcless.equilibrium import equilibrium
@@ -17,16 +17,13 @@ from arcless.simulate.recording.motion import MotionLayout, layout_of
 from arcless.simulate.recording.recording_window import Nearby, nearby
 from arcless.simulate.runs.checkpoint import State
 from arcless.simulate.runs.failures import preparing, stepping
+from arcless.simulate.runs.viewer import Audience, Take, Viewer
 from arcless.simulate.setup import gust_loads, pantographs, trajectory
 from arcless.simulate.setup.controllers import Controllers
 from arcless.simulate.setup.core_data import Excitation, LoadData, RecordPlan, SupportParts
 
-if TYPE_CHECKING:
-    from arcless.simulate.runs.viewer import Viewer
-
 Progress = Callable[[float, str], None]
 Cancel = Callable[[], bool]
-Take = Callable[[dict[str, Any]], None]
 # Numbers of a piece of the series: 8 MB.
 PIECE = 1 << 20
 # Steps between two in which explicit ones measure what wires store and dissipate, which takes as
@@ -63,7 +60,7 @@ class Job:
     controllers: Controllers
     observe: Callable[[int], bool]
     copy: Callable[[], "Job | None"] = lambda: None
-    viewer: "Viewer | None" = None
+    viewer: Viewer | None = None
 
     def step(
         self,
@@ -94,7 +91,7 @@ class Job:
                 placements, forces, self.excitations, actuators, strict=True
             )
         ]
-        audience = None if self.viewer is None or not full else self.viewer.audience(self, take)
+        audience = self._audience(take) if full else None
         if audience is not None:
             take, piece = audience.take, 1
         began = time.perf_counter()
@@ -118,6 +115,13 @@ class Job:
         step, after = raw["state"]
         raw["state"] = State(step, {**after, **self.controllers.numbers(actuators)})
         return raw
+
+    def _audience(self, take: Take | None) -> Audience | None:
+        """Return the receiver of the pieces of a run that is watched; None of one that is not."""
+        if self.viewer is None or self.motion is None:
+            return None
+        kept = self.kept_motion is not None
+        return self.viewer.audience(self.scenario, self.found, self.motion, take, kept=kept)
 
     def _plan(self, *, full: bool) -> RecordPlan:
         output = self.scenario.output

@@ -17,8 +17,9 @@ from arcless.model.scenario.as_typed import typed_in
 from arcless.results import Result
 from arcless.simulate.recording import record
 from arcless.simulate.runs import checkpoint
-from arcless.simulate.runs.job import Job, Progress, Take
+from arcless.simulate.runs.job import Job, Progress
 from arcless.simulate.runs.streaming import Stream
+from arcless.simulate.runs.viewer import Take
 from arcless.simulate.setup import stops_and_friction
 from arcless.storage.whole_files import replacing
 

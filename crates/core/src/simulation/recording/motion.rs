@@ -55,16 +55,14 @@ pub(crate) fn record<const DIM: usize, const D: usize>(
     for component in (1..DIM).rev() {
         for wire in &plan.wires {
             let nodes = wire.row(wire.first(from));
-            let of_node = |&node: &usize| {
-                model
-                    .wires
-                    .displacement_at_balance(&motion.wires, node, component) as f32
-            };
-            record.motion.extend(nodes.iter().map(of_node));
+            let (wires, out) = (model.wires, &mut record.motion);
+            wires.add_displacements(&motion.wires, nodes, component, out);
         }
     }
     let first = plan.links.first(from);
     record.motion_first.push(first as f64);
     let links = plan.links.row(first).iter();
-    record.motion.extend(links.map(|&link| motion.tension(link) as f32));
+    record
+        .motion
+        .extend(links.map(|&link| motion.tension(link) as f32));
 }
