@@ -70,7 +70,7 @@ class Studio:
         beside: "Window | None" = None,
         **more: Any,
     ) -> "Window":
-        """Open the studio in a new window, or in a tab beside another one with the same cookies."""
+        """Open the studio in a new window, or in a tab next to another one with the same cookies."""
         options = {**window(size, dark=dark), "ready": "main", **more}
         if beside is not None:
             options["beside"] = beside.number

@@ -402,7 +402,7 @@ impl<const DIM: usize, const D: usize> WireModel<DIM, D> {
 
     /// Appends displacements of nodes at the time of balance, m, with the increment of the current
     /// step: of any nodes, requested or not; of explicit steps, for a component across the track,
-    /// see [`Explicit::displacement_at_balance`](crate::integrator::explicit::Explicit::displacement_at_balance).
+    /// see `displacement_at_balance` there.
     pub(crate) fn add_displacements(
         &self,
         state: &WireState<D>,

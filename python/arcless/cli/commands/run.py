@@ -157,6 +157,7 @@ def _tell_size(scenario: "Scenario", *, quiet: bool) -> None:
     """Tell how much the motion of the wires takes, where it is recorded."""
     if scenario.output.motion is None or quiet:
         return
+    from arcless.simulate.checks import faults_of
     from arcless.simulate.recording.motion import motion_bytes
 
     with faults_of(scenario.name):

@@ -76,7 +76,8 @@ def scenario_of(data: Mapping[str, Any], origin: Origin) -> Scenario:
     entries = {path: {**_note(base), **one.entry} for path, one in given.items()}
     changes = {path: one.value for path, one in given.items()}
     try:
-        found = apply(base, changes, Origins(entries, variant.sources))
+        place = Origin(within=origin.within)
+        found = apply(base, changes, Origins(entries, variant.sources), place)
     except ModelError as error:
         path = _place(error, changes)
         error.where, error.field = origin.where(path), path

@@ -157,6 +157,8 @@ class MotionPiece:
     attempt
         Counted from 1: a higher number begins the run again, after a static force that did not give
         the mean force asked for.
+    found
+        The line at rest, from which displacements are measured.
     layout
         Layout of the rows.
     time_s
@@ -178,6 +180,7 @@ class MotionPiece:
     """
 
     attempt: int
+    found: "Equilibrium"
     layout: MotionLayout
     time_s: Floats
     first: NDArray[np.int64]
@@ -276,7 +279,13 @@ def motion_bytes(scenario: "Scenario", found: "Equilibrium | None" = None) -> in
 
 
 def piece_of(
-    raw: dict[str, Any], layout: MotionLayout, scenario: "Scenario", masses: Floats, attempt: int
+    raw: dict[str, Any],
+    found: "Equilibrium",
+    layout: MotionLayout,
+    scenario: "Scenario",
+    *,
+    masses: Floats,
+    attempt: int,
 ) -> MotionPiece:
     """Return a piece of a record as a viewer is handed it; `masses` are their displacements, m."""
     parts = layout.split(raw)
@@ -284,6 +293,7 @@ def piece_of(
     rows = len(raw["motion_time"])
     return MotionPiece(
         attempt=attempt,
+        found=found,
         layout=layout,
         time_s=raw["motion_time"],
         first=parts["motion_first"],

@@ -121,7 +121,7 @@ class Job:
         if self.viewer is None or self.motion is None:
             return None
         kept = self.kept_motion is not None
-        return self.viewer.audience(self.scenario, self.motion, take, kept=kept)
+        return self.viewer.audience(self.scenario, self.found, self.motion, take, kept=kept)
 
     def _plan(self, *, full: bool) -> RecordPlan:
         output = self.scenario.output

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from arcless.equilibrium.equilibrium import Equilibrium
 from arcless.model import Scenario
 from arcless.simulate.recording.motion import MotionLayout, MotionPiece, piece_of
 from arcless.simulate.recording.record import joined, mass_displacements
@@ -31,14 +32,20 @@ class Viewer:
     attempts: int = field(default=0, init=False)
 
     def audience(
-        self, scenario: Scenario, layout: MotionLayout, take: Take | None, *, kept: bool
+        self,
+        scenario: Scenario,
+        found: Equilibrium,
+        layout: MotionLayout,
+        take: Take | None,
+        *,
+        kept: bool,
     ) -> "Audience":
         """Return the receiver of the pieces of one more attempt.
 
         `take` is handed them, too, and with `kept` they hold the motion.
         """
         self.attempts += 1
-        return Audience(self, scenario, layout, take, kept)
+        return Audience(self, scenario, found, layout, take, kept)
 
 
 @dataclass
@@ -47,6 +54,7 @@ class Audience:
 
     viewer: Viewer
     scenario: Scenario
+    found: Equilibrium
     layout: MotionLayout
     further: Take | None
     kept: bool
@@ -74,7 +82,10 @@ class Audience:
 
     def _show(self, raw: dict[str, Any]) -> None:
         masses = mass_displacements(raw, self.scenario)
-        self.viewer.watch(piece_of(raw, self.layout, self.scenario, masses, self._attempt))
+        piece = piece_of(
+            raw, self.found, self.layout, self.scenario, masses=masses, attempt=self._attempt
+        )
+        self.viewer.watch(piece)
 
     def _own(self, raw: dict[str, Any]) -> dict[str, Any]:
         """Return a piece as the result has it."""

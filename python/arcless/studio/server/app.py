@@ -35,13 +35,13 @@ LONGEST = {"/api/measured": measured.LONGEST}
 def application(project: Project, keys: Keys, crowd: Crowd) -> ASGIApp:
     """Return the application that serves the page and answers its questions about a project.
 
-    What several rooms share is made here and handed to them; what works beside the routes is
+    What several rooms share is made here and handed to them; what works next to the routes is
     entered when the server starts, and left when it ends.
     """
     desks, hub, view = at_rest_routes.Desks(), Hub(), View(project)
     jobs, watch = Jobs(hub.tell), Watch(view, hub.tell)
-    motions = Motions(project, jobs)
     computing = Computing()
+    motions = Motions(project, jobs)
     at_work: list[AbstractAsyncContextManager[object]] = [
         desks.at_work(), hub.at_work(), jobs.at_work(), watch.at_work(), computing.at_work()
     ]  # fmt: skip
@@ -51,9 +51,9 @@ def application(project: Project, keys: Keys, crowd: Crowd) -> ASGIApp:
         *text_routes.routes(project),
         *chart_routes.routes(project),
         *hands_on_routes.routes(project),
-        *runs_routes.routes(project, jobs),
-        *stream_routes.routes(hub, motions.open),
         *studies_routes.routes(project, computing),
+        *runs_routes.routes(project, jobs),
+        *stream_routes.routes(hub, motions.open, motions.compute),
         # One line for each room, `*ROOM.routes(project, …)`.
         *page.routes(),
     ]
