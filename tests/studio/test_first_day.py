@@ -1,4 +1,4 @@
-"""A first day in the studio: example, run, watch, change, compare, with a server that dies between."""
+"""A first day in the studio: example, run, watch, change, compare, and a server that dies."""
 
 import signal
 from collections.abc import Callable
