@@ -26,8 +26,8 @@ FOLDER = ROOT / "docs" / "images" / "studio"
 WORDS = FOLDER / "words.json"
 # Sum of all pictures in bytes: a clone of the repository has them all.
 MOST = 300_000
-# Of WebP: below 70, thin lines of the drawing are smeared.
-QUALITY = 75
+# Of WebP: below 35, thin lines of the drawing are smeared.
+QUALITY = 42
 SHOWN = """[...document.querySelectorAll(
   "[role=tab], button:not(.name, .verdict-of), summary, main label, th, main h2, main h3"
 )].filter((one) => one.checkVisibility()).map((one) => one.innerText.trim().split("\\n")[0])
@@ -46,8 +46,17 @@ def edit(page: Window) -> None:
     page.wait(".form input")
 
 
+def watch(page: Window) -> None:
+    """Show a run in the player, somewhere in the middle."""
+    page.click(".run-entry .name >> nth=0")
+    page.wait(".verdict-of .numbers")
+    page.wait(".strips")
+    page.until("!document.querySelector('.motion-tools')?.innerText.includes('no recorded')")
+    page.click("text=Next worst place")
+
+
 def run(page: Window) -> None:
-    """Show a run: verdict in the bar, results below it."""
+    """Show results of a run."""
     page.click(".run-entry .name >> nth=0")
     page.wait(".verdict-of .numbers")
     page.click("role=tab[name=Results]")
@@ -78,7 +87,7 @@ def statics(page: Window) -> None:
 
 
 VIEWS: dict[str, Callable[[Window], None]] = {
-    "edit": edit, "run": run, "why": why, "compare": compare, "statics": statics,
+    "edit": edit, "watch": watch, "run": run, "why": why, "compare": compare, "statics": statics,
 }  # fmt: skip
 
 
@@ -89,7 +98,7 @@ def prepare(folder: Path) -> None:
     for more in ([], ["--set", "speed=300 km/h"]):
         name = "my-line" + "-300" * bool(more)
         arcless("run", folder / "my-line.yaml", *more, "--out", folder / "runs" / name,
-                "--certainty", "--no-report", "--quiet")  # fmt: skip
+                "--set", "output.motion=true", "--certainty", "--no-report", "--quiet")  # fmt: skip
 
 
 @contextmanager
