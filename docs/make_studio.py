@@ -51,7 +51,7 @@ def run(page: Window) -> None:
     page.click(".run-entry .name >> nth=0")
     page.wait(".verdict-of .numbers")
     page.click("role=tab[name=Results]")
-    page.wait("main section.verdict")
+    page.wait("main >> role=region[name=Verdict]")
 
 
 def compare(page: Window) -> None:

@@ -11,6 +11,7 @@ from tests.studio.studio import DESK, PHONE, SMALL, Studio
 
 Start = Callable[[Path], Studio]
 
+
 def test_an_empty_folder_offers_an_example_and_all_shipped_models(
     studio: Start, tmp_path: Path
 ) -> None:

@@ -70,7 +70,8 @@ function paint(sheet: Sheet, one: Column, other: Column): void {
     context.fillStyle = !inside.has(at) ? colour("grid") : bucket < 0 ? colour("accent") : colourOfBucket(bucket);
     context.fillRect(on.x(x) - 2.5, on.y(y) - 2.5, 5, 5);
   });
-  const own = rows.find((row) => variantOf(row) === picked.value);
+  const variant = picked.value;
+  const own = rows.find((row) => variantOf(row) === variant);
   const [x, y] = own ? [one.number(own), other.number(own)] : [null, null];
   if (x === null || y === null) return;
   context.strokeStyle = colour("highlight");

@@ -5,8 +5,8 @@ import { errorOf, statusOf, variantOf, type Order } from "./columns.ts";
 import { picked, rows } from "./open.ts";
 import { columns, inOrder, order } from "./selection.ts";
 
-/** Height of a row in px, as in studies.css; rows above and below the sight that are kept ready. */
-const ROW = 24;
+/** Height of a row in px until one is there to be measured; rows above and below the sight that are kept ready. */
+const GUESS = 24;
 const SPARE = 8;
 
 const sign = (at: Order, by: string) => (at.by !== by ? "none" : at.down ? "descending" : "ascending");
@@ -29,23 +29,29 @@ export function Table() {
   const box = useRef<HTMLDivElement>(null);
   const top = useSignal(0);
   const height = useSignal(300);
+  const tall = useSignal(GUESS);
   useEffect(() => {
     const seen = new ResizeObserver(() => (height.value = box.current?.clientHeight ?? 300));
     if (box.current) seen.observe(box.current);
     return () => seen.disconnect();
   }, []);
+  useEffect(() => {
+    const row = box.current?.querySelector<HTMLElement>("tbody tr:not([aria-hidden])");
+    if (row?.offsetHeight) tall.value = row.offsetHeight;
+  });
+  const rowHeight = tall.value;
   const all = inOrder.value;
-  const first = Math.max(0, Math.floor(top.value / ROW) - SPARE);
-  const end = Math.min(all.length, Math.ceil((top.value + height.value) / ROW) + SPARE);
+  const first = Math.max(0, Math.floor(top.value / rowHeight) - SPARE);
+  const end = Math.min(all.length, Math.ceil((top.value + height.value) / rowHeight) + SPARE);
   const step = (by: number) => {
     const now = all.findIndex((at) => variantOf(rows[at]!) === picked.value);
     const next = Math.min(Math.max(now + by, 0), all.length - 1);
     const row = rows[all[next] ?? -1];
     if (!row || !box.current) return;
     picked.value = variantOf(row);
-    const y = next * ROW;
+    const y = next * rowHeight;
     if (y < box.current.scrollTop) box.current.scrollTop = y;
-    const lowest = y - box.current.clientHeight + 3 * ROW;
+    const lowest = y - box.current.clientHeight + 3 * rowHeight;
     if (lowest > box.current.scrollTop) box.current.scrollTop = lowest;
   };
   const keys: Record<string, number> = { ArrowDown: 1, ArrowUp: -1, PageDown: 10, PageUp: -10 };
@@ -68,7 +74,7 @@ export function Table() {
           </tr>
         </thead>
         <tbody>
-          {first > 0 && <tr aria-hidden="true" style={{ height: `${first * ROW}px` }} />}
+          {first > 0 && <tr aria-hidden="true" style={{ height: `${first * rowHeight}px` }} />}
           {all.slice(first, end).map((at, place) => {
             const row = rows[at]!;
             const variant = variantOf(row);
@@ -82,7 +88,7 @@ export function Table() {
               </tr>
             );
           })}
-          {end < all.length && <tr aria-hidden="true" style={{ height: `${(all.length - end) * ROW}px` }} />}
+          {end < all.length && <tr aria-hidden="true" style={{ height: `${(all.length - end) * rowHeight}px` }} />}
         </tbody>
       </table>
     </div>

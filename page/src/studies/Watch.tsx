@@ -3,6 +3,7 @@ import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { ask } from "../connection/http.ts";
 import { complain, say } from "../shell/messages.ts";
+import { show } from "../shell/panels.ts";
 import { project, readProject } from "../state/project.ts";
 import { file, scenario, source } from "../state/selection.ts";
 import { run } from "./asking.ts";
@@ -12,6 +13,7 @@ import { Parallel } from "./Parallel.tsx";
 import { Scatter } from "./Scatter.tsx";
 import { axes, brushes, colouredBy, columns, places, search } from "./selection.ts";
 import { Table } from "./Table.tsx";
+import { opening } from "./vary.ts";
 
 /** The file of the study that is open, where it is in this folder. */
 const fileNow = () => project.value?.models.find((model) => model.kind === "study" && model.name === about.value?.name)?.path ?? null;
@@ -51,7 +53,9 @@ function State() {
 }
 
 function Picked() {
-  const row = rows.find((one) => variantOf(one) === picked.value);
+  // Read before the rows, which may be none at first: what is picked later is seen then, too.
+  const chosen = count.value > 0 ? picked.value : null;
+  const row = rows.find((one) => variantOf(one) === chosen);
   const path = current.value!;
   if (!row) return <p class="soft">Click a line, a point or a row: it is picked everywhere. In the table, ↑ and ↓ pick.</p>;
   const number = variantOf(row);
@@ -70,6 +74,7 @@ function Picked() {
     scenario.value = file.value = made;
     const { job } = await ask<{ job: { id: string } }>("runs", { body: { scenario: made, changes: {}, record_motion: true, certainty: false } });
     source.value = { job: job.id };
+    show("drawing");
   };
   return (
     <div class="bar picked" role="group" aria-label="Picked variant">
@@ -168,7 +173,15 @@ function Choice() {
 }
 
 export function Watch() {
-  useEffect(follow, []);
+  useEffect(() => {
+    const end = opening.subscribe((path) => {
+      if (path === null) return;
+      opening.value = null;
+      openStudy(path);
+    });
+    const last = follow();
+    return () => (end(), last());
+  }, []);
   if (current.value === null) return <Choice />;
   return (
     <div class="watch">

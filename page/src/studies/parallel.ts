@@ -4,10 +4,9 @@ import { BUCKETS, bucketOf, colourOfBucket } from "./colours.ts";
 import { extent, shown, variantOf, type Brushes, type Column } from "./columns.ts";
 import type { Row } from "./open.ts";
 
-/** Room in px: above and below the axes, and beside the outer ones, for numbers. */
-export const TOP = 12;
-export const BOTTOM = 12;
-const SIDE = 60;
+/** Room in px above and below the axes, for numbers. */
+export const TOP = 16;
+export const BOTTOM = 16;
 /** A line so near in px is the one that is pointed at. */
 const NEAR = 8;
 
@@ -34,7 +33,8 @@ export function layout({ columns, rows }: Picture, width: number, height: number
   const of = (axis: number) => extents[axis] ?? [0, 1];
   return {
     extents,
-    x: (axis) => (columns.length < 2 ? width / 2 : SIDE + (axis * (width - 2 * SIDE)) / (columns.length - 1)),
+    // Below the middle of its head, all of which are as wide.
+    x: (axis) => ((axis + 0.5) * width) / columns.length,
     y: (axis, value) => TOP + room * (1 - (value - of(axis)[0]) / (of(axis)[1] - of(axis)[0])),
     value: (axis, y) => of(axis)[0] + (1 - (y - TOP) / room) * (of(axis)[1] - of(axis)[0]),
   };
@@ -57,9 +57,9 @@ function trace(context: CanvasRenderingContext2D, on: Layout, columns: readonly 
 function lines(sheet: Sheet, on: Layout, picture: Picture): void {
   const { context, colour } = sheet;
   const { columns, rows, places, coloured } = picture;
+  context.lineWidth = 1;
   if (places.length < rows.length) {
     context.strokeStyle = colour("grid");
-    context.lineWidth = 1;
     context.beginPath();
     for (const row of rows) trace(context, on, columns, row);
     context.stroke();

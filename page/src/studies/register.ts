@@ -4,7 +4,7 @@ import { selected } from "../state/selection.ts";
 import { face, varyField } from "./vary.ts";
 
 export function register(): void {
-  addPanel({ id: "studies", slot: "main", title: "Studies", order: 55, load: async () => (await import("./Studies.tsx")).Studies });
+  addPanel({ id: "studies", slot: "main", alone: true, title: "Studies", order: 55, load: async () => (await import("./Studies.tsx")).Studies });
   addCommand({ id: "studies.define", title: "Define a study", act: () => ((face.value = "define"), show("studies")) });
   addCommand({ id: "studies.watch", title: "Watch a study", act: () => ((face.value = "watch"), show("studies")) });
   addCommand({

@@ -1,4 +1,4 @@
-/** "Vary this field": what a field of the form, or a command, calls. Loaded with the page; small. */
+/** What other rooms ask of studies: a field to vary, a study to show. Loaded with the page; small. */
 import { signal } from "@preact/signals";
 import { show } from "../shell/panels.ts";
 
@@ -11,5 +11,15 @@ export const face = signal<"define" | "watch">("define");
 export function varyField(field: string): void {
   wanted.value = field;
   face.value = "define";
+  show("studies");
+}
+
+/** Folder of a study that shall be shown, until the panel is there. */
+export const opening = signal<string | null>(null);
+
+/** Show a study that was begun, by its folder below that of the project. */
+export function showStudy(path: string): void {
+  opening.value = path;
+  face.value = "watch";
   show("studies");
 }

@@ -30,7 +30,7 @@ class Clock:
         self._wall, self._time, self._told = wall, time, (wall, time)
 
     def set_rate(self, rate: float, wall: float, time: float) -> None:
-        """Go on at another rate."""
+        """Continue at another rate."""
         self.rate = rate
         self.begin(wall, time)
 

@@ -2,7 +2,8 @@
 
 The form is that of discrete gusts in standards of aircraft and vehicles (CS-25.341 has it for
 aircraft; source mark C, from memory). The lift follows from the pantograph's own law, at the speed
-of the train with the gust against it, less that at the speed of the train.
+of the train with the gust against it, less that at the speed of the train. It acts where the static
+force does, as all lift does in the equation of motion of a session.
 """
 
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""The limit of contact forces beside a session's number, from the rules of assessment."""
+"""The limit that contact forces of a session are compared with, from the rules of assessment."""
 
 from typing import Any
 

@@ -109,6 +109,11 @@ class Session:
         return [placement.start_force or 0.0 for placement in self._scenario.pantographs]
 
     @property
+    def steps_of_travel(self) -> int:
+        """Number of steps from the start of the travel to its end."""
+        return self._travel.steps
+
+    @property
     def is_spatial(self) -> bool:
         """True of a line in space; in the plane nothing moves across the track."""
         return self._found.mesh.dimension != PLANAR
@@ -150,12 +155,12 @@ class Session:
         return added
 
     def step(self) -> None:
-        """Take one step; at the end of the travel the line and the train begin anew.
+        """Take one step; at the end of the travel the line and the train return to the start.
 
         Raises
         ------
         ContactError
-            A collector leaves the wire, or the step cannot be solved. The next one begins anew.
+            A collector leaves the wire, or the step cannot be solved; `begin_anew` mends it.
         """
         following = self._loop.step_number + 1
         if following > self._travel.steps:

@@ -30,7 +30,7 @@ REACH = 200.0
 
 @dataclass(frozen=True)
 class Begin:
-    """What a session is begun with.
+    """Start of a session.
 
     Attributes
     ----------
@@ -107,7 +107,7 @@ class _Desk:
             try:
                 session.step()
             except ContactError as error:
-                self._line.send({"topic": "notice", "text": f"begun anew: {error}"})
+                self._line.send({"topic": "notice", "text": f"begun again: {error}"})
                 session.begin_anew()
             if session.laps != before:
                 self._line.send({"topic": "lap", "laps": session.laps})

@@ -1,5 +1,6 @@
 """An order of the page to run a scenario, checked before anything is computed."""
 
+import json
 import os
 import shlex
 from collections.abc import Mapping
@@ -62,6 +63,8 @@ def order_of(project: Project, asked: Mapping[str, Any]) -> Order:
     if not isinstance(path, str) or not isinstance(changes, dict) or len(changes) > MOST_CHANGES:
         raise Refused(400, "no order of a run")
     scenario = _loaded(project, path)
+    if asked.get("record_motion") is True and scenario.output.motion is None:
+        changes = {**changes, "output.motion": True}
     if changes:
         scenario = apply(scenario, changes, place=_place(project, path))
     check_typed_speed(scenario)
@@ -103,5 +106,5 @@ def _command(path: str, changes: Mapping[str, Any]) -> str:
     name = path.removeprefix(_SHIPPED) if is_shipped(path) else path
     words = ["arcless", "run", name]
     for field, value in changes.items():
-        words += ["--set", f"{field}={'null' if value is None else value}"]
+        words += ["--set", f"{field}={value if isinstance(value, str) else json.dumps(value)}"]
     return shlex.join(words)

@@ -40,7 +40,8 @@ def application(project: Project, keys: Keys, crowd: Crowd) -> ASGIApp:
     """
     desks, hub, view = at_rest_routes.Desks(), Hub(), View(project)
     jobs, watch = Jobs(hub.tell), Watch(view, hub.tell)
-    motions, computing = Motions(project, jobs), Computing()
+    computing = Computing()
+    motions = Motions(project, jobs)
     at_work: list[AbstractAsyncContextManager[object]] = [
         desks.at_work(), hub.at_work(), jobs.at_work(), watch.at_work(), computing.at_work()
     ]  # fmt: skip
@@ -50,9 +51,9 @@ def application(project: Project, keys: Keys, crowd: Crowd) -> ASGIApp:
         *text_routes.routes(project),
         *chart_routes.routes(project),
         *hands_on_routes.routes(project),
-        *runs_routes.routes(project, jobs),
-        *stream_routes.routes(hub, motions.open),
         *studies_routes.routes(project, computing),
+        *runs_routes.routes(project, jobs),
+        *stream_routes.routes(hub, motions.open, motions.compute),
         # One line for each room, `*ROOM.routes(project, …)`.
         *page.routes(),
     ]

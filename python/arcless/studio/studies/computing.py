@@ -1,7 +1,7 @@
 """Studies that this server computes: `arcless study run`, each in a process of its own.
 
 The process keeps its journal itself; the server only starts it, and stops it as Ctrl-C would. So a
-study goes on as well from a terminal, and the other way round.
+study is continued as well from a terminal, and the other way round.
 """
 
 import os
@@ -53,9 +53,7 @@ class Computing:
             It is computed already.
         """
         if self.is_running(folder):
-            raise StudyError(
-                "the study is being computed already", where=folder.name, hint="stop it first"
-            )
+            raise already(folder)
         said = tempfile.TemporaryFile()  # noqa: SIM115 - closed with the process
         process = subprocess.Popen(
             [sys.executable, "-m", "arcless", "study", *words],
@@ -124,6 +122,12 @@ class Computing:
                 one.process.wait(LAST_TABLE)
             except subprocess.TimeoutExpired:
                 one.process.kill()
+
+
+def already(folder: Path) -> StudyError:
+    """Return the error of a study that this server computes."""
+    what = "the study is being computed already"
+    return StudyError(what, where=folder.name, hint="stop it first")
 
 
 def _last_error(said: bytes) -> str:

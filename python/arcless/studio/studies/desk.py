@@ -16,7 +16,7 @@ from arcless.results.kept_runs.search import search
 from arcless.studio.answers.answers import complaint
 from arcless.studio.project import texts
 from arcless.studio.project.project import Project, is_shipped
-from arcless.studio.studies.computing import Computing
+from arcless.studio.studies.computing import Computing, already
 from arcless.studio.studies.fields import fields
 from arcless.studio.studies.kept_rows import KeptRows, definition
 from arcless.studio.studies.variants import scenario_of
@@ -55,19 +55,21 @@ class Desk:
         return {"text": text, "count": loaded.plan.count, "errors": []}
 
     def run(self, path: str, *, resume: bool, retry_failed: bool) -> dict[str, str]:
-        """Start a study, or go on with it; return its folder."""
+        """Start a study, or continue it; return its folder."""
         file = self._project.inside(path)
         loaded = study.load_text(texts.read(self._project, path)["text"], file,
                                  self._project.folder)  # fmt: skip
         folder = self._project.folder / study.StudyFolder(loaded).path
         self._project.inside(self._project.name_of(folder))
         words = ["resume" if resume else "run", *(["--retry-failed"] if retry_failed else [])]
+        if self._computing.is_running(folder):
+            raise already(folder)
         place = study.StudyFolder(loaded, folder)
         there = place.state() is not None and next(place.rows(), None) is not None
         if there and not resume:
             raise StudyError(
                 "the study was begun already", where=self._project.name_of(folder),
-                hint="go on with it, or give it another name",
+                hint="continue it, or give it another name",
             )  # fmt: skip
         if resume:
             place.check_same()
@@ -101,7 +103,7 @@ class Desk:
         return scenario_of(self._project, self._rows(path).place, number, name)
 
     def report(self, path: str) -> bytes:
-        """Return the page of a study's report, written anew from the rows that are there."""
+        """Return the page of a study's report, of the rows that are there."""
         folder = self._project.inside(path)
         self._computing.write_report(folder)
         return (folder / "report.html").read_bytes()

@@ -14,7 +14,7 @@ from arcless.units import written_in
 SHARE = 0.1
 # Significant digits of an end of a range: as somebody would type it.
 DIGITS = 4
-# What is about a run and not about what runs.
+# Fields about the run as such, and words.
 _LEFT_OUT = frozenset({"provenance", "sources", "certainty", "output", "format"})
 _TITLES = {"pantographs": "pantograph", "line": "line", "model": ""}
 

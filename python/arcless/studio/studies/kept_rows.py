@@ -54,7 +54,7 @@ class KeptRows:
         """Return rows after a number of rows, and how far the study is."""
         running = is_locked(self.place.journal)
         if self._state_now() != self._state or (running and not self._was_running and self._rows):
-            self._begin()  # begun anew, or resumed: rows that failed may be others now
+            self._begin()  # begun again, or resumed: rows that failed may be others now
         self._was_running = running
         self._read()
         first = number if edition == self.edition else 0

@@ -11,18 +11,13 @@ from starlette.routing import BaseRoute
 
 from arcless.studio.answers.answers import Refused, json_body, route
 from arcless.studio.project.project import Project
+from arcless.studio.runs.routes import REPORT_POLICY
 from arcless.studio.studies.computing import Computing
 from arcless.studio.studies.desk import Desk
 from arcless.studio.studies.kept_rows import MOST_ROWS
 
 # Digits of a whole number in a question: more than any study has variants.
 _DIGITS = 9
-# Reports have their script and style in the page, and nothing from elsewhere; in a sandbox, so that
-# what a study file says cannot ask the server in the user's name.
-REPORT_POLICY = (
-    "sandbox allow-scripts allow-downloads; default-src 'none'; script-src 'unsafe-inline'; "
-    "style-src 'unsafe-inline'; img-src data: blob:; font-src data:"
-)
 
 
 def routes(project: Project, computing: Computing) -> list[BaseRoute]:
@@ -30,7 +25,7 @@ def routes(project: Project, computing: Computing) -> list[BaseRoute]:
     desk, turn, own = Desk(project, computing), Lock(), CapacityLimiter(1)
 
     async def work(act: Callable[[], Any]) -> Any:
-        # What is kept of rows is for one thread at a time.
+        # Rows that are kept are for one thread at a time.
         async with turn:
             return await run_sync(act, limiter=own)
 

@@ -12,7 +12,7 @@ from arcless.units import show
 FORMAT = "arcless-study/1"
 # Groups whose entries stand on lines of their own.
 _BLOCKS = ("set", "variables", "outputs")
-# What is written, in this order.
+# Fields that are written, in this order.
 KEYS = (
     "name", "description", "scenario", "set", "variables", "design", "outputs", "seed", "executor",
 )  # fmt: skip

@@ -15,13 +15,7 @@ from arcless.model import Line, Pantograph, Scenario
 from arcless.model.fields.part import Path as Field
 from arcless.model.files.pydantic_errors import explain
 from arcless.model.files.yaml_reader import Origin
-from arcless.model.scenario.references import (
-    Kind,
-    check_format,
-    read,
-    read_given,
-    reference,
-)
+from arcless.model.scenario.references import Kind, check_format, read, read_given, reference
 from arcless.model.shipped.library import shipped
 from arcless.model.variants.variant_files import named_scenario
 from arcless.study.definition.study import FORMAT, Execution, Study
@@ -52,11 +46,11 @@ def load(source: "str | os.PathLike[str] | Mapping[str, Any] | Study") -> Study:
     if isinstance(source, Study):
         return source
     if isinstance(source, Mapping):
-        return _validated(dict(source), Origin())
-    return _validated(*read(_file(source), Origin()))
+        return _of_data(dict(source), Origin())
+    return _of_data(*read(_file(source), Origin()))
 
 
-def load_text(text: str, file: str | os.PathLike[str], within: Path | None = None) -> Study:
+def load_text(text: str, file: "str | os.PathLike[str]", within: Path | None = None) -> Study:
     """Return the study in a text that is, or will be, that of a file.
 
     Parameters
@@ -73,10 +67,10 @@ def load_text(text: str, file: str | os.PathLike[str], within: Path | None = Non
     ModelError
         The text is wrong, or a reference leads out of the folder.
     """
-    return _validated(*read_given(text, Path(file), Origin(within=within)))
+    return _of_data(*read_given(text, Path(file), Origin(within=within)))
 
 
-def _validated(data: dict[str, Any], origin: Origin) -> Study:
+def _of_data(data: dict[str, Any], origin: Origin) -> Study:
     check_format(data, "study", origin)
     given = data.get("scenario")
     if isinstance(given, str):
