@@ -5,7 +5,6 @@ import re
 from pathlib import Path
 
 import pytest
-
 from page.build import BUILT, missing
 
 # In bytes, compressed by gzip -9. A first paint within half a second; all of it within a few seconds over

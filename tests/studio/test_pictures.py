@@ -4,6 +4,7 @@ import json
 from pathlib import Path
 
 from docs import make_studio
+
 from tests.browser.browser import Browser
 
 
