@@ -97,9 +97,9 @@ def test_two_who_save_at_once(
     """One of them is told of the other: nothing is lost."""
     replace = texts._replace
 
-    def slowly(file: Path, content: bytes) -> None:
+    def slowly(*given: Any, **named: Any) -> None:
         time.sleep(0.02)
-        replace(file, content)
+        replace(*given, **named)
 
     monkeypatch.setattr(texts, "_replace", slowly)
     (folder / "a.yaml").write_text(BEFORE, "utf-8")
