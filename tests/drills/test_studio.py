@@ -105,7 +105,7 @@ def stopped(folder: Path, tmp_path: Path) -> Iterator[Server]:
 
 
 def test_stopped_and_going_again(stopped: Server, folder: Path) -> None:
-    """What was asked while it was stopped is answered; a change meanwhile is seen."""
+    """Questions of the time in which it was stopped are answered; a change meanwhile is seen."""
     stopped.answers_within()
     stopped.process.send_signal(signal.SIGSTOP)
     answers = list[int]()
