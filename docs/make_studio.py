@@ -1,4 +1,4 @@
-"""Take the pictures of the guide to the studio: `python docs/make_studio.py`, which is `make pictures`.
+"""Take the pictures of the guide to the studio: `python docs/make_studio.py`.
 
 A folder with a line and two runs is made in a temporary place, served, and looked at by Chromium.
 Beside the pictures `words.json` keeps the names of tabs, buttons, fields and headings that each one
@@ -93,7 +93,7 @@ def prepare(folder: Path) -> None:
 
 
 @contextmanager
-def looked_at(name: str, view: Callable[[Window], None], server: Studio) -> Iterator[Window]:
+def looked_at(view: Callable[[Window], None], server: Studio) -> Iterator[Window]:
     """Open a view, moved by nothing any more."""
     with server.open(SMALL, reducedMotion="reduce") as page:
         view(page)
@@ -104,12 +104,12 @@ def looked_at(name: str, view: Callable[[Window], None], server: Studio) -> Iter
 def every(browser: Browser, folder: Path) -> Iterator[tuple[str, Window]]:
     """Return each view, opened."""
     (folder / "empty").mkdir(parents=True)
-    with Studio(browser, folder / "empty") as server, looked_at("start", start, server) as page:
+    with Studio(browser, folder / "empty") as server, looked_at(start, server) as page:
         yield "start", page
     prepare(folder / "railway")
     with Studio(browser, folder / "railway") as server:
         for name, view in VIEWS.items():
-            with looked_at(name, view, server) as page:
+            with looked_at(view, server) as page:
                 yield name, page
 
 

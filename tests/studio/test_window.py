@@ -1,4 +1,4 @@
-"""The window: its first screen, keys, sizes, what it remembers, and what it says without a server."""
+"""The window: first screen, keys, sizes, what it remembers, what it says without a server."""
 
 import re
 import signal
