@@ -10,6 +10,7 @@ import { fold, folded } from "../shell/layout.ts";
 import { dialog, listed } from "../shell/window.ts";
 import { canRun, nameOf, run, runningJob, saveAsScenario, withCertainty, withMotion } from "./running.ts";
 import { fields } from "./scenarioFields.ts";
+import { withUnit } from "./words.ts";
 import { Verdict } from "./Verdict.tsx";
 
 function Scenario() {
@@ -54,7 +55,7 @@ function Speed() {
         title={`In the file: ${ofFile}`}
         spellcheck={false}
         autocomplete="off"
-        onChange={(event) => change("speed", event.currentTarget.value.trim(), ofFile)}
+        onChange={(event) => change("speed", withUnit(event.currentTarget.value, now), ofFile)}
       />
     </label>
   );

@@ -31,17 +31,22 @@ export function Verdict() {
   const worst = spread?.find((one) => one.pantograph === entry.worst) ?? spread?.[0];
   // Beside "not met" σ within its limit would be read as what is not met.
   const missed = told?.criteria.filter((one) => one.state === "missed") ?? [];
-  const others = missed.filter((one) => one !== worst);
+  const another = worst?.state === "missed" ? undefined : missed[0];
   return (
     <button class={`verdict-of ${told ? states[told.verdict.state] : state}`} title={told?.verdict.text ?? ""} onClick={() => show("results")}>
       <span class="sign" aria-hidden="true">{told?.verdict.sign ?? sign}</span>
       <strong>{told && told.verdict.state === "open" && entry.verdict !== "not judged" ? "too close to tell" : word}</strong>
-      {worst && (
+      {another && (
+        <span class="missed">
+          {another.title}
+          {missed.length > 1 && ` and ${missed.length - 1} more`}
+        </span>
+      )}
+      {worst && !another && (
         <span class="numbers">
           σ {worst.value} N{worst.limit && <span class="soft"> (limit {worst.limit.replace(/^[≤≥]\s*/, "")})</span>}
         </span>
       )}
-      {others[0] && <span class="missed">{others[0].title}{others.length > 1 && ` and ${others.length - 1} more`}</span>}
       {told?.other_version && <span class="soft">computed by Arcless {told.version}</span>}
     </button>
   );

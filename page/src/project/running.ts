@@ -28,6 +28,8 @@ export async function run(): Promise<void> {
     changes: changes.peek(),
     record_motion: withMotion.peek(),
     certainty: withCertainty.peek(),
+    // The line may have changed since the run of that name: both are wanted, to compare them.
+    keep_both: true,
   };
   try {
     const { job } = await ask<{ job: Job }>("runs", { body });

@@ -25,6 +25,13 @@ export const KINDS: [ModelKind, string][] = [
   ["study", "Studies"],
 ];
 
+/** What is typed over "275 km/h": a bare number has the unit that stood there, not m/s. */
+export function withUnit(typed: string, before: string): string {
+  const text = typed.trim();
+  const unit = /[^\d.,eE+\-\s].*$/.exec(before)?.[0];
+  return unit && /^[\d.eE+-]+$/.test(text) ? `${text} ${unit}` : text;
+}
+
 export const kmh = (speed_m_s: number): string => `${(3.6 * speed_m_s).toFixed(0)} km/h`;
 
 /** Main numbers of a run in one line: the largest σ of its pantographs, and the uplift. */
