@@ -16,7 +16,7 @@ _PACKAGES = ("starlette", "uvicorn", "websockets")
 def studio(
     folder: Annotated[
         Path,
-        typer.Argument(metavar="[FOLDER]", help="Models, runs and studies are read and written "
+        typer.Argument(metavar="FOLDER", help="Models, runs and studies are read and written "
                        "here, and nowhere else.", show_default=False),
     ] = Path(),
     *,

@@ -9,12 +9,12 @@ from pathlib import Path
 from typing import Any
 
 from arcless.errors import ArclessError, ModelError
-from arcless.model import Line, Scenario, line_warnings, scenario_warnings
-from arcless.model.files.yaml_reader import parse
 from arcless.model.load import load_text
+from arcless.simulate.checks import advice
 from arcless.studio.answers.answers import complaint
 from arcless.studio.model_text.places import Place, places
 from arcless.studio.project.kinds import kind_of
+from arcless.study.definition.load import load_text as load_study_text
 
 
 def check(text: str, label: str, file: Path, within: Path) -> dict[str, Any]:
@@ -36,18 +36,12 @@ def check(text: str, label: str, file: Path, within: Path) -> dict[str, Any]:
     try:
         fields = places(text, label)
         if kind == "study":
-            parse(text, label)  # `arcless check` looks at a study with all its variants
+            load_study_text(text, file, within)
         else:
-            warnings = _warnings(load_text(text, file, within))
+            warnings = advice(load_text(text, file, within), label)
     except ArclessError as error:
         errors = [_below(_placed(one, fields), file, label) for one in _each(error)]
     return {"kind": kind, "errors": errors, "warnings": warnings, "fields": fields}
-
-
-def _warnings(model: object) -> list[str]:
-    if isinstance(model, Scenario):
-        return scenario_warnings(model)
-    return line_warnings(model) if isinstance(model, Line) else []
 
 
 def _each(error: ArclessError) -> Iterator[ArclessError]:

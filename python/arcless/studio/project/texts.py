@@ -3,6 +3,7 @@
 import codecs
 import hashlib
 import os
+import stat
 import threading
 from pathlib import Path
 from typing import Any
@@ -67,7 +68,7 @@ def write(project: Project, path: object, text: object, version: object) -> dict
         if (None if before is None else version_of(before)) != version:
             raise _conflict(path, before)
         content = _as_before(text, before or b"", path)
-        _replace(file, content)
+        _replace(file, content, is_new=before is None)
     return {"version": version_of(content)}
 
 
@@ -102,9 +103,8 @@ def _as_before(text: str, before: bytes, path: str) -> bytes:
     return codecs.BOM_UTF8 + content if before.startswith(codecs.BOM_UTF8) else content
 
 
-def _replace(file: Path, content: bytes) -> None:
-    mode = file.stat().st_mode & 0o7777 if file.exists() else None
+def _replace(file: Path, content: bytes, *, is_new: bool) -> None:
     with replacing(file) as new:
         new.write(content)
-        if mode is not None:
-            os.fchmod(new.fileno(), mode)
+        if not is_new:
+            os.fchmod(new.fileno(), stat.S_IMODE(file.stat().st_mode))

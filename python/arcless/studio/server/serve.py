@@ -21,7 +21,7 @@ HOST = "127.0.0.1"
 _GRACE_S = 0
 # Time in s after a signal in which workers are ended; then the process leaves, whatever it does, in
 # native code, say. Longer, the user waits; shorter, workers are left to end by themselves.
-LEAVE_S = 0.8
+LEAVE_S = 0.7
 # Bytes of one message of a WebSocket: questions and settings, no files.
 LONGEST_MESSAGE = 64 * 1024
 _ENDING = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)

@@ -13,9 +13,11 @@ import pytest
 from starlette.testclient import TestClient
 
 import arcless
+from arcless.dataset.netcdf.store import save
 from arcless.errors import OutputError
 from arcless.studio.project import opening
 from arcless.studio.project.project import Project
+from tests.support.synthetic import synthetic_dataset
 
 CANARY = "a secret that stands outside of the folder"
 MODEL = "format: arcless-line/1\nname: {}\n"
@@ -208,20 +210,51 @@ def test_names_of_new_files(client: TestClient, folder: Path, outside: Path) -> 
 def test_changes_name_no_file_outside(
     client: TestClient, outside: Path, changes: dict[str, Any]
 ) -> None:
-    made = outside / "made"
-    (outside / "own.py").write_text(f"open({str(made)!r}, 'w')\ndef control(_): return 0.0\n")
+    ran = outside / "made"
+    (outside / "own.py").write_text(f"open({str(ran)!r}, 'w')\ndef control(_): return 0.0\n")
     scenario = "shipped:scenario/en50318-ac-simple-320-planar"
     asked = {"scenario": scenario, "changes": changes}
     found = sent(client, "post", "/api/runs", asked)
     assert found.status_code in ERRORS
-    assert "outside of the folder" in found.json()["error"]["text"]
+    assert CANARY not in found.text
     asked = {"path": scenario, "text": None, "changes": changes, "want": ["line"], "question": 1}
     found = sent(client, "post", "/api/statics", asked)
     assert found.json()["errors"]
     assert CANARY not in found.text
     asked = {"scenario": scenario, "name": "v", "changes": changes}
     assert sent(client, "post", "/api/variant", asked).status_code in ERRORS
-    assert not made.exists()
+    assert not ran.exists()
+
+
+@pytest.mark.parametrize("name", ["result.nc", "report.html", "report.pdf", ""])
+def test_a_run_of_which_a_part_is_a_link(
+    client: TestClient, folder: Path, outside: Path, name: str
+) -> None:
+    """Neither read nor written: the whole run, its result, its report."""
+    place, elsewhere = folder / "runs" / "a", outside / "elsewhere"
+    save(synthetic_dataset(force=lambda t: 100.0 + 0.0 * t), made(elsewhere) / "result.nc")
+    (elsewhere / "report.html").write_text(CANARY, "utf-8")
+    (elsewhere / "report.pdf").write_text(CANARY, "utf-8")
+    if name:
+        save(synthetic_dataset(force=lambda t: 100.0 + 0.0 * t), made(place) / "result.nc")
+        (place / name).unlink(missing_ok=True)
+        (place / name).symlink_to(elsewhere / name)
+    else:
+        made(place.parent)
+        place.symlink_to(elsewhere)
+    before = everything(elsewhere)
+    asked = {"path": "runs/a", "pdf": name == "report.pdf"}
+    assert sent(client, "post", "/api/run/report", asked).status_code in ERRORS
+    if name != "report.pdf":
+        found = client.get("/api/run/report", params={"path": "runs/a"})
+        assert found.status_code in ERRORS
+        assert CANARY not in found.text
+    assert everything(elsewhere) == before
+
+
+def made(folder: Path) -> Path:
+    folder.mkdir(parents=True)
+    return folder
 
 
 def test_a_folder_of_measured_runs_that_is_a_link(client: TestClient, folder: Path) -> None:

@@ -4,6 +4,7 @@ import codecs
 import hashlib
 import os
 import threading
+import time
 from pathlib import Path
 from typing import Any
 
@@ -90,8 +91,17 @@ def test_a_link_to_a_file_of_the_folder_stays_a_link(client: TestClient, folder:
     assert (folder / "b.yaml").read_text("utf-8") == AFTER
 
 
-def test_two_who_save_at_once(client: TestClient, folder: Path) -> None:
+def test_two_who_save_at_once(
+    client: TestClient, folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """One of them is told of the other: nothing is lost."""
+    replace = texts._replace
+
+    def slowly(*given: Any, **named: Any) -> None:
+        time.sleep(0.02)
+        replace(*given, **named)
+
+    monkeypatch.setattr(texts, "_replace", slowly)
     (folder / "a.yaml").write_text(BEFORE, "utf-8")
     base, answers = version(BEFORE.encode()), list[int]()
 
