@@ -17,6 +17,8 @@ HERE = Path(__file__).parent
 BUILT = HERE.parent / "python" / "arcless" / "studio" / "page"
 CHECK = ("typescript/bin/tsc", "--noEmit")
 BUNDLE = ("vite/bin/vite.js", "build", "--logLevel=warn")
+# After the page, which empties its folder.
+ANIMATION = (*BUNDLE, "--config=vite.animation.config.ts")
 TEST = ("vitest/vitest.mjs", "run", "--reporter=dot")
 
 
@@ -86,7 +88,7 @@ def main(words: list[str]) -> int:
     if reason := install():
         sys.stderr.write(f"make: the page of the studio is not built: {reason}\n")
         return 0 if "--where-possible" in words else 1
-    steps = [CHECK, BUNDLE, *([TEST] if "--test" in words else [])]
+    steps = [CHECK, BUNDLE, ANIMATION, *([TEST] if "--test" in words else [])]
     # The first step that fails has said why.
     return next(
         (

@@ -10,6 +10,7 @@ from typing import Any, Self
 from tests.browser import tools
 
 HERE = Path(__file__).parent
+AXE = tools.FOLDER / "node_modules" / "axe-core" / "axe.min.js"
 # A sheet of A4 upright less its margins (page.css), at 96 pixels an inch.
 PAPER = {"width": 703, "height": 1016}
 SCREENS = {1400: 900, 1000: 800, 390: 844}
@@ -18,6 +19,17 @@ SCREENS = {1400: 900, 1000: 800, 390: 844}
 def rgb(colour: str) -> str:
     """Return a colour as a browser computes it."""
     return "rgb({}, {}, {})".format(*bytes.fromhex(colour.removeprefix("#")))
+
+
+def window(size: Mapping[str, int], *, dark: bool = False) -> dict[str, Any]:
+    """Return what Playwright is told of a window of a size in px; a narrow one is a phone."""
+    phone = size["width"] < min(width for width in SCREENS if width > 390)
+    return {
+        "viewport": size,
+        "colorScheme": "dark" if dark else "light",
+        "hasTouch": phone,
+        "isMobile": phone,
+    }
 
 
 class Browser:
@@ -46,17 +58,16 @@ class Browser:
 
     def open(self, file: Path, width: int = 1400, *, dark: bool = False) -> "Page":
         """Open a file in a window of this width in px; the narrowest one is a phone."""
-        phone = width < min(size for size in SCREENS if size > 390)
-        options = {
-            "viewport": {"width": width, "height": SCREENS[width]},
-            "colorScheme": "dark" if dark else "light",
-            "hasTouch": phone,
-            "isMobile": phone,
-        }
-        name = next(self._names)
+        size = {"width": width, "height": SCREENS[width]}
         before = (HERE / "helpers.js").read_text("utf-8")
-        self.ask(name, "open", {"file": file.as_uri(), "before": before, **options})
-        return Page(self, name, options["viewport"])
+        options = {**window(size, dark=dark), "before": before, "ready": "html.drawn"}
+        return Page(self, self.new(file.as_uri(), **options), size)
+
+    def new(self, address: str, **options: Any) -> int:
+        """Open an address by what `open` of the driver takes; return the number of its page."""
+        name = next(self._names)
+        self.ask(name, "open", {"address": address, **options})
+        return name
 
     def close(self) -> None:
         """End the browser, and node with it."""
@@ -65,12 +76,11 @@ class Browser:
         self._process.wait(timeout=20)
 
 
-class Page:
+class Tab:
     """An open page; calls have the names that Playwright gives them."""
 
-    def __init__(self, browser: Browser, name: int, size: Mapping[str, int]) -> None:
-        self._browser, self._name, self._size = browser, name, size
-        self._touched = True
+    def __init__(self, browser: Browser, name: int) -> None:
+        self._browser, self._name = browser, name
 
     def __enter__(self) -> Self:
         return self
@@ -79,7 +89,6 @@ class Page:
         self("close")
 
     def __call__(self, call: str, *args: Any) -> Any:
-        self._touched |= call != "evaluate"
         return self._browser.ask(self._name, call, *args)
 
     @property
@@ -87,6 +96,32 @@ class Page:
         """Complaints of the page, and requests for anything but itself, since the last question."""
         found: list[str] = self("events")
         return found
+
+    def axe(self) -> list[str]:
+        """Return what breaks rules of accessibility, and where."""
+        self("evaluate", AXE.read_text("utf-8"))
+        found = self(
+            "evaluate",
+            "axe.run(document, {runOnly: ['wcag2a', 'wcag2aa'], resultTypes: ['violations']})",
+        )
+        assert found["passes"]
+        return [
+            f"{one['id']}: {node['html'][:160]}: {node['failureSummary']}"
+            for one in found["violations"]
+            for node in one["nodes"]
+        ]
+
+
+class Page(Tab):
+    """A page with figures."""
+
+    def __init__(self, browser: Browser, name: int, size: Mapping[str, int]) -> None:
+        super().__init__(browser, name)
+        self._size, self._touched = size, True
+
+    def __call__(self, call: str, *args: Any) -> Any:
+        self._touched |= call != "evaluate"
+        return super().__call__(call, *args)
 
     def reset(self) -> None:
         """Bring the page back to what it was when it was opened."""

@@ -15,22 +15,28 @@ const browser = await chromium.launch({
 });
 const pages = new Map();
 
-// Opens a file; what the page says and asks for is kept from its beginning.
-async function open({ name, file, before, ...options }) {
-  const context = await browser.newContext(options);
+// Opens an address; what the page says, and what it asks for elsewhere, is kept from its beginning.
+// A file has no elsewhere: all it asks for is kept. `beside` is a page whose storage this one shares.
+async function open({ name, address, before, ready, beside, ...options }) {
+  const context = beside === undefined ? await browser.newContext(options) : pages.get(beside).page.context();
   const page = await context.newPage();
   const events = [];
+  const own = address.startsWith("file:") ? address : new URL(address).host;
   page.on("console", (said) => {
+    // Software rendering says so whenever a picture is taken of a canvas with WebGL.
+    if (said.text().includes("GPU stall due to ReadPixels")) return;
     if (["error", "warning"].includes(said.type())) events.push(`${said.type()}: ${said.text()}`);
   });
   page.on("pageerror", (error) => events.push(`page error: ${error.message}`));
   page.on("request", (request) => {
-    if (request.url() !== file) events.push(`request: ${request.url().slice(0, 200)}`);
+    const asked = request.url();
+    const at = own === address ? asked : new URL(asked).host;
+    if (at !== own && !asked.startsWith("blob:")) events.push(`request: ${asked.slice(0, 200)}`);
   });
   if (before) await page.addInitScript(before);
-  pages.set(name, { page, events, session: await context.newCDPSession(page) });
-  await page.goto(file);
-  await page.waitForFunction(() => document.documentElement.classList.contains("drawn"));
+  pages.set(name, { page, events, session: await context.newCDPSession(page), beside });
+  await page.goto(address);
+  if (ready) await page.waitForSelector(ready, { state: "attached" });
 }
 
 // Drags in one breath: the page takes a button that is held for 250 ms before it moves as another
@@ -47,11 +53,11 @@ function drag(session, from, to) {
 
 async function answer({ name, call, args }) {
   if (call === "open") return open({ name, ...args[0] });
-  const { page, events, session } = pages.get(name);
+  const { page, events, session, beside } = pages.get(name);
   if (call === "events") return events.splice(0);
   if (call === "send") return session.send(...args);
   if (call === "drag") return drag(session, ...args);
-  if (call === "close") return pages.delete(name) && page.context().close();
+  if (call === "close") return pages.delete(name) && (beside === undefined ? page.context() : page).close();
   const path = call.split(".");
   const last = path.pop();
   const found = await path.reduce((object, part) => object[part], page)[last](...args);

@@ -2,7 +2,6 @@
 
 import pytest
 
-from tests.browser import tools
 from tests.browser.browser import Page, rgb
 
 # Titles, legends, and what the first screen says; tables scroll in boxes of their own.
@@ -35,13 +34,4 @@ def test_nothing_is_cut_and_nothing_complains(page: Page, scheme: str) -> None:
 )
 def test_accessible_by_axe(page: Page, scheme: str) -> None:
     in_scheme(page, scheme)
-    page("evaluate", (tools.FOLDER / "node_modules" / "axe-core" / "axe.min.js").read_text("utf-8"))
-    found = page.js(
-        "axe.run(document, {runOnly: ['wcag2a', 'wcag2aa'], resultTypes: ['violations']})"
-    )
-    assert found["passes"]
-    assert [
-        f"{one['id']}: {node['html'][:160]}: {node['failureSummary']}"
-        for one in found["violations"]
-        for node in one["nodes"]
-    ] == []
+    assert page.axe() == []

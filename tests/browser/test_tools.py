@@ -5,8 +5,8 @@ import shutil
 from pathlib import Path
 
 import pytest
-
 from page import build
+
 from tests.browser import tools
 
 NEVER = "pages are not tried in a browser: "

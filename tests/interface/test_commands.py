@@ -320,8 +320,8 @@ def test_statics_and_check_say_the_same_of_a_loose_wire(
 
 
 def test_a_search_that_fails_is_no_mistake_of_the_file() -> None:
-    from arcless.cli.arguments.at_rest import faults_of
     from arcless.errors import ModelError, NotConvergedError
+    from arcless.simulate.checks import faults_of
 
     def failed() -> NotConvergedError:
         return NotConvergedError("no static equilibrium was found", where="contact wire at 3 m")

@@ -26,7 +26,7 @@ export class RefusedError extends Error {
   }
 }
 
-interface Question {
+export interface Question {
   method?: "GET" | "POST" | "PUT";
   /** Sent as JSON. */
   body?: unknown;
@@ -43,7 +43,7 @@ function address(path: string, query: Question["query"]): string {
   return `api/${path}${text ? `?${text}` : ""}`;
 }
 
-async function answered(path: string, question: Question): Promise<Response> {
+export async function answered(path: string, question: Question): Promise<Response> {
   const { method = question.body === undefined ? "GET" : "POST", body, raw, query, signal } = question;
   const response = await fetch(address(path, query), {
     method,

@@ -18,7 +18,7 @@ const WORDS = {
 /** Copy a shipped model into the folder, and open the copy. */
 async function copy(from: string, name: string): Promise<void> {
   try {
-    const made = await ask<{ path: string }>("new", { body: { name, from, with_pantographs: true } });
+    const made = await ask<{ path: string }>("new", { body: { name, from, with_pantographs: kind.peek() === "scenario" } });
     await readProject();
     file.value = made.path;
     say("note", `Copied to ${made.path}`);
@@ -58,7 +58,7 @@ export function SaveState() {
         <form
           onSubmit={(event) => {
             event.preventDefault();
-            void copy(`${kind.value}/${shipped}`, name.value!.trim()).then(() => (name.value = null));
+            void copy(document.path, name.value!.trim()).then(() => (name.value = null));
           }}
         >
           <label>

@@ -20,9 +20,9 @@ export function register(): void {
   });
   addPanel({
     id: "yaml",
-    slot: "main",
+    slot: "main", alone: true,
     title: "YAML",
-    order: 50,
+    order: 70,
     when: isOpen,
     load: async () => (await import("./LargeYaml.tsx")).LargeYaml,
   });

@@ -1,17 +1,160 @@
-/** Models, runs and studies of the folder, and the shipped library. */
-import { project } from "../state/project.ts";
-import { file } from "../state/selection.ts";
+/** The folder: models by kind, runs to tick, studies, measured data, and the shipped library. */
+import { useSignal } from "@preact/signals";
+import type { ComponentChildren } from "preact";
+import { showStudy } from "../studies/vary.ts";
+import { project, type ModelEntry, type ProjectView } from "../state/project.ts";
+import { file, source, ticked } from "../state/selection.ts";
+import { show } from "../shell/panels.ts";
+import { copy } from "./copy.ts";
+import { Runs } from "./Runs.tsx";
+import { runThis } from "./running.ts";
+import { KINDS, matches } from "./words.ts";
+
+export function Section({ title, count, open = true, children }: { title: string; count: number; open?: boolean; children: ComponentChildren }) {
+  return (
+    <details class="section" open={open}>
+      <summary>
+        {title}
+        <span class="count">{count}</span>
+      </summary>
+      {children}
+    </details>
+  );
+}
+
+function open(entry: ModelEntry): void {
+  file.value = entry.path;
+  if (entry.kind === "study") show("studies");
+}
+
+function Model({ entry, act }: { entry: ModelEntry; act?: [string, () => void] }) {
+  const isOpen = file.value === entry.path;
+  return (
+    <li class={isOpen ? "entry here" : "entry"}>
+      <button class="name" aria-current={isOpen} title={entry.error ?? entry.description} onClick={() => open(entry)}>
+        {entry.error && <span class="sign not-met" aria-hidden="true">✖</span>}
+        {entry.name}
+        {entry.error && <span class="unseen">: cannot be read</span>}
+      </button>
+      {act && (
+        <button class="act" aria-label={`${act[0]}: ${entry.name}`} title={act[0]} onClick={act[1]}>
+          {act[0] === "Run" ? "▶" : "⧉"}
+        </button>
+      )}
+      {entry.error && <p class="broken">{entry.error}</p>}
+    </li>
+  );
+}
+
+function Models({ view }: { view: ProjectView }) {
+  return (
+    <>
+      {KINDS.map(([kind, title]) => {
+        const all = view.models.filter((one) => one.kind === kind);
+        if (all.length === 0) return null;
+        return (
+          <Section key={kind} title={title} count={all.length}>
+            <ul>
+              {all.map((entry) =>
+                kind === "scenario" && !entry.error ? (
+                  <Model key={entry.path} entry={entry} act={["Run", () => void runThis(entry.path)]} />
+                ) : (
+                  <Model key={entry.path} entry={entry} />
+                ),
+              )}
+            </ul>
+          </Section>
+        );
+      })}
+    </>
+  );
+}
+
+function Measured({ view }: { view: ProjectView }) {
+  if (view.measured.length === 0) return null;
+  return (
+    <Section title="Measured" count={view.measured.length}>
+      <ul>
+        {view.measured.map(({ path }) => (
+          <li key={path} class="entry">
+            <label class="tick">
+              <input
+                type="checkbox"
+                checked={ticked.value.includes(path)}
+                onChange={(event) => {
+                  const others = ticked.value.filter((one) => one !== path);
+                  ticked.value = event.currentTarget.checked ? [...others, path] : others;
+                }}
+              />
+              {path.replace(/^.*\//, "")}
+            </label>
+          </li>
+        ))}
+      </ul>
+    </Section>
+  );
+}
+
+function KeptStudies({ view }: { view: ProjectView }) {
+  if (view.studies.length === 0) return null;
+  return (
+    <Section title="Results of studies" count={view.studies.length}>
+      <ul>
+        {view.studies.map(({ path, name, done, planned }) => (
+          <li key={path} class="entry">
+            <button class="name" onClick={() => showStudy(path)}>{name}</button>
+            <span class="numbers soft">{planned === null ? done : `${done} of ${planned}`}</span>
+          </li>
+        ))}
+      </ul>
+    </Section>
+  );
+}
+
+function Library({ view }: { view: ProjectView }) {
+  const typed = useSignal("");
+  const found = view.library.filter((entry) => matches(entry, typed.value));
+  return (
+    <Section title="Library" count={view.library.length} open={false}>
+      <input
+        type="search"
+        class="search"
+        aria-label="Search the library"
+        placeholder="Search"
+        value={typed.value}
+        onInput={(event) => (typed.value = event.currentTarget.value)}
+      />
+      {KINDS.map(([kind, title]) => {
+        const all = found.filter((one) => one.kind === kind);
+        return (
+          all.length > 0 && (
+            <div key={kind}>
+              <h3>{title}</h3>
+              <ul>
+                {all.map((entry) => (
+                  <Model key={entry.path} entry={entry} act={["Copy to my folder", () => void copy(entry)]} />
+                ))}
+              </ul>
+            </div>
+          )
+        );
+      })}
+      {found.length === 0 && <p class="soft">No shipped model has these words in its name or description.</p>}
+    </Section>
+  );
+}
 
 export function ProjectTree() {
   const view = project.value;
-  if (!view) return <p>Reading the folder</p>;
+  if (!view) return <p class="soft tree-head">Reading the folder</p>;
   return (
-    <ul>
-      {[...view.models, ...view.library].map((model) => (
-        <li key={model.path}>
-          <button onClick={() => (file.value = model.path)}>{model.name}</button>
-        </li>
-      ))}
-    </ul>
+    <div class="tree">
+      <h2 class="tree-head" title={view.folder}>{view.name}</h2>
+      <Models view={view} />
+      <Runs view={view} play={(path) => (source.value = { run: path })} />
+      <KeptStudies view={view} />
+      <Measured view={view} />
+      <Library view={view} />
+    </div>
   );
 }

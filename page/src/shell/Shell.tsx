@@ -1,51 +1,15 @@
 /** The window: six slots, and in each what the rooms of the page put there. */
-import { useSignal } from "@preact/signals";
-import type { ComponentType } from "preact";
-import { useEffect } from "preact/hooks";
-import { connection } from "../connection/stream.ts";
-import { dismiss, messages } from "./messages.ts";
-import { panels, show, shown, type Panel, type Slot } from "./panels.ts";
-
-function Loaded({ panel }: { panel: Panel }) {
-  const found = useSignal<ComponentType | null>(null);
-  useEffect(() => {
-    let wanted = true;
-    void panel.load().then((component) => wanted && (found.value = component));
-    return () => void (wanted = false);
-  }, [panel.id]);
-  const Component = found.value;
-  return Component ? <Component /> : null;
-}
-
-const offered = (slot: Slot) =>
-  panels.value.filter((panel) => panel.slot === slot && (panel.when?.value ?? true));
-
-function Tabs({ slot, label }: { slot: Slot; label: string }) {
-  const all = offered(slot);
-  const current = all.find((panel) => panel.id === shown.value[slot]) ?? all[0];
-  if (!current) return null;
-  return (
-    <section class={`slot ${slot}`} aria-label={label}>
-      <div role="tablist" aria-label={label}>
-        {all.map((panel) => (
-          <button
-            key={panel.id}
-            role="tab"
-            id={`tab-${panel.id}`}
-            aria-selected={panel === current}
-            aria-controls={`panel-${slot}`}
-            onClick={() => show(panel.id)}
-          >
-            {panel.title}
-          </button>
-        ))}
-      </div>
-      <div role="tabpanel" id={`panel-${slot}`} aria-labelledby={`tab-${current.id}`} tabIndex={0}>
-        <Loaded key={current.id} panel={current} />
-      </div>
-    </section>
-  );
-}
+import { useLayoutEffect, useRef } from "preact/hooks";
+import { Banner } from "./Banner.tsx";
+import { Help } from "./Help.tsx";
+import { Loaded, offered } from "./Loaded.tsx";
+import { folded, sizeOf } from "./layout.ts";
+import { Messages } from "./Messages.tsx";
+import { Palette } from "./Palette.tsx";
+import { standing, type Slot } from "./panels.ts";
+import { Splitter } from "./Splitter.tsx";
+import { Tabs } from "./Tabs.tsx";
+import { dialog } from "./window.ts";
 
 function All({ slot }: { slot: Slot }) {
   return (
@@ -57,46 +21,51 @@ function All({ slot }: { slot: Slot }) {
   );
 }
 
-function Messages() {
+function Sized() {
+  const element = useRef<HTMLDivElement>(null);
+  const below = offered("below").length > 0 && !folded.value.below && !standing("main")?.alone;
+  const [left, right, height] = [sizeOf("left"), sizeOf("right"), sizeOf("below")];
+  // By script: the content policy allows no style in markup.
+  useLayoutEffect(() => {
+    const style = element.current!.style;
+    for (const [name, size] of Object.entries({ left, right, below: height })) style.setProperty(`--${name}`, `${size}px`);
+  }, [left, right, height]);
+  const classes = ["body", folded.value.left && "no-left", folded.value.right && "no-right", !below && "no-below"];
   return (
-    <ul class="messages" role="status" aria-label="Messages">
-      {messages.value.map(({ id, level, text }) => (
-        <li key={id} class={level}>
-          {text}
-          <button aria-label="Dismiss" onClick={() => dismiss(id)}>
-            ×
-          </button>
-        </li>
-      ))}
-    </ul>
+    <div class={classes.filter(Boolean).join(" ")} ref={element}>
+      <nav class="slot left" aria-label="Project">
+        <All slot="left" />
+      </nav>
+      <Splitter side="left" />
+      <main>
+        <Tabs slot="main" label="Views" />
+        {below && <Splitter side="below" />}
+        {below && (
+          <section class="slot below" aria-label="Strips">
+            <All slot="below" />
+          </section>
+        )}
+      </main>
+      <Splitter side="right" />
+      <Tabs slot="right" label="Inspector" />
+    </div>
   );
 }
 
 export function Shell() {
   return (
     <>
-      {connection.value === "lost" && (
-        <p class="lost" role="alert">
-          The server does not answer. Nothing that you typed is lost; trying again.
-        </p>
-      )}
+      <Banner />
       <header class="slot top">
         <All slot="top" />
       </header>
-      <nav class="slot left" aria-label="Project">
-        <All slot="left" />
-      </nav>
-      <main>
-        <Tabs slot="main" label="Views" />
-        <div class="slot below">
-          <All slot="below" />
-        </div>
-      </main>
-      <Tabs slot="right" label="Inspector" />
+      <Sized />
       <footer class="slot bottom">
         <All slot="bottom" />
       </footer>
       <Messages />
+      {dialog.value === "commands" && <Palette />}
+      {dialog.value === "keys" && <Help />}
     </>
   );
 }

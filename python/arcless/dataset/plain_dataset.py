@@ -79,6 +79,15 @@ class Plain:
         """Variables and coordinates: dimensions, values, units and meaning."""
         return {**self._data, **self._coords}
 
+    @property
+    def read_bytes(self) -> int:
+        """Memory in bytes of arrays, of a file only those that were read so far."""
+        found = 0
+        for part in (self._data, self._coords):
+            known = getattr(part, "read_bytes", None)
+            found += sum(one[1].nbytes for one in part.values()) if known is None else known
+        return found
+
     def dataset(self) -> "xarray.Dataset":
         """Return an xarray dataset with the variables and attributes; arrays are shared."""
         import xarray

@@ -8,6 +8,7 @@ from arcless.figures.description.thinning import every
 from arcless.figures.run import figures
 from arcless.figures.run.run_data import RunData
 from arcless.figures.run.track import MARKS
+from arcless.report.drawing.animation import Animation
 from arcless.report.run_content import ReportedRun, Rows, run_content
 from arcless.report.template import render
 from arcless.storage.whole_files import write_bytes
@@ -22,6 +23,7 @@ def write(
     *,
     assessment: Assessment | None = None,
     reference_rows: Rows = (),
+    animation: Animation | None = None,
 ) -> None:
     """Write the report of a run: one HTML file that opens without a network.
 
@@ -38,29 +40,43 @@ def write(
     reference_rows
         Reference values to show next to the run's: ``quantity``, ``value``, ``low``, ``high``,
         ``verdict`` ("inside", "outside"), ``mark``, ``source``.
+    animation
+        An animation of the run; `arcless.studio.animation` makes it.
 
     Raises
     ------
     OutputError
         The file cannot be written; nothing half-written stays behind.
     """
-    page = html(result, assessment=assessment, reference_rows=reference_rows)
+    page = html(result, assessment=assessment, reference_rows=reference_rows, animation=animation)
     write_bytes(path, page.encode())
 
 
 def html(
-    result: ReportedRun, *, assessment: Assessment | None = None, reference_rows: Rows = ()
+    result: ReportedRun,
+    *,
+    assessment: Assessment | None = None,
+    reference_rows: Rows = (),
+    animation: Animation | None = None,
 ) -> str:
     """Return the report as one HTML text; see `write`."""
     run = RunData(result.latest, assessment or result.assessment)
     drawn = figures(run)
     content = run_content(result, run, drawn, reference_rows)
-    contents = [("summary", "Summary"), ("criteria", "Criteria"), ("numbers", "Numbers")]
+    contents = [("summary", "Summary")]
+    contents += [("motion", "Motion")] if animation else []
+    contents += [("criteria", "Criteria"), ("numbers", "Numbers")]
     contents += [(key, title) for key, title, _ in content["sections"]]
     contents += [("certainty", "Certainty")] if content["certainty"] else []
     contents += [("model", "Model data"), ("computation", "Computation")]
     return render(
-        "run.html", drawn, track=track_of(run), contents=contents, stacked=STACKED, **content
+        "run.html",
+        drawn,
+        track=track_of(run),
+        animation=animation,
+        contents=contents,
+        stacked=STACKED,
+        **content,
     )
 
 

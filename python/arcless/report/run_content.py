@@ -35,7 +35,9 @@ _SECTIONS: tuple[tuple[str, str, tuple[str | tuple[str, ...], ...]], ...] = (
     ("spans", "Contact force by span", (("folded", "by_span"),)),
     ("contributions", "Contributions to σ", ("contributions", "irregular")),
     ("statistics", "Distribution and spectrum", (("histogram", "spectrum"), "spectrogram")),
-    ("wire", "Contact wire and uplift", ("height", "uplift", "uplift_passages")),
+    (
+        "wire", "Contact wire and uplift", ("height", "uplift", "uplift_passages", "space_time"),
+    ),
     ("droppers", "Droppers", ("droppers", "dropper_map")),
     ("head", "Collector head", ("lateral", "wear_pattern")),
     ("rest", "Line at rest", ("side_view", "plan_view", "elasticity")),

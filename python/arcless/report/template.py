@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from arcless.figures.description import Figure
 from arcless.figures.description.tokens import css, tokens
+from arcless.report.drawing.animation import Animation
 from arcless.report.drawing.bokeh_figure import Drawing, Drawn, Entry
 from arcless.report.drawing.bokeh_objects import Document, document
 from arcless.report.drawing.scale_key import ScaleKey, scale_key
@@ -104,6 +105,7 @@ def render(
     *,
     drawing: Drawing | None = None,
     track: Mapping[str, Any] | None = None,
+    animation: Animation | None = None,
     **texts: Any,
 ) -> str:
     """Fill a template of the folder `pages`.
@@ -119,6 +121,8 @@ def render(
         the columns of each selection in `selection`.
     track
         Names of places along the axis of group ``track``, told where the cross hair stands.
+    animation
+        What the template finds in `animation`; its script comes last.
     **texts
         What else the template shows; escaped there.
     """
@@ -131,6 +135,13 @@ def render(
     written = document(plots)
     data = _data(written, drawing, track or {})
     scripts = _library(_SCRIPTS)
+    if animation is not None:
+        scripts = (*scripts, _script(f"\n{animation.script}\n"))
+        texts["animation"] = {
+            "style": Markup(animation.style),
+            "data": Markup(animation.data),
+            "caption": animation.caption,
+        }
     filled = _templates().get_template(template)
     return filled.render(
         scripts=[Markup(f"<script>{script.text}</script>") for script in scripts],

@@ -59,6 +59,7 @@ def load(
     """Load a scenario, apply the changes of the command line, and print its warnings."""
     with permanent_objects(), warnings.catch_warnings():
         from arcless import model
+        from arcless.model.advice.speeds import check_speed
 
         if quiet:
             warnings.simplefilter("ignore", model.ModelRenamed)
@@ -117,15 +118,3 @@ def _is_line_file(name: str) -> bool:
     except ModelError:
         return False
     return isinstance(given, str) and given.startswith("arcless-line/")
-
-
-def check_speed(scenario: "Scenario", file: str | None) -> None:
-    """Refuse a speed without its unit that looks like one in km/h, before anything is computed."""
-    from arcless.errors import ModelError
-    from arcless.model.advice.speeds import check_typed_speed
-
-    try:
-        check_typed_speed(scenario)
-    except ModelError as error:
-        error.where = "--speed" if file is None else f"{file}: speed"
-        raise

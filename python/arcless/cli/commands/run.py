@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from arcless.cli.arguments.at_rest import faults_of
 from arcless.cli.arguments.certainty import CertaintyOption, asked_for, check_whole
 from arcless.cli.arguments.scenario import (
     AtRestArgument,
@@ -158,6 +157,7 @@ def _tell_size(scenario: "Scenario", *, quiet: bool) -> None:
     """Tell how much the motion of the wires takes, where it is recorded."""
     if scenario.output.motion is None or quiet:
         return
+    from arcless.simulate.checks import faults_of
     from arcless.simulate.recording.motion import motion_bytes
 
     with faults_of(scenario.name):
@@ -190,6 +190,7 @@ def _simulate(
 def _find_statics(name: str, source: "Scenario | Line", *, quiet: bool) -> "StaticsResult":
     with permanent_objects():
         from arcless import simulate
+        from arcless.simulate.checks import faults_of
 
     with faults_of(name), console.progress(quiet=quiet) as progress:
         return compute(lambda _cancel: simulate.statics(source, progress=progress))

@@ -20,6 +20,7 @@ from arcless.cli.terminal import console
 
 if TYPE_CHECKING:
     from arcless.assess import Assessment
+    from arcless.report.drawing.animation import Animation
     from arcless.results import Result
 
 ResultArgument = Annotated[
@@ -147,6 +148,14 @@ def report(
     ] = None,
     pdf: PdfOption = None,
     field: FieldOption = None,
+    animation: Annotated[
+        bool,
+        typer.Option(
+            "--animation",
+            help="The page also shows the line move, offline; the run must have recorded its"
+            " motion: `arcless run --set output.motion=true`.",
+        ),
+    ] = False,
 ) -> None:
     """Write the report of a saved run again: the HTML page, or a PDF file, or both.
 
@@ -162,13 +171,21 @@ def report(
     own = file.with_name("report.html") if file.name == RESULT_NAME else file.with_suffix(".html")
     opened = open_result(result)
     rows = reference_rows(opened.scenario, opened.assessment.to_dict())
-    page = out if out or pdf else own
+    page = out if out or (pdf and not animation) else own
     if page is not None:
-        opened.write_report(page, reference_rows=rows)
+        opened.write_report(page, reference_rows=rows, animation=_animation(opened, animation))
         console.data(f"wrote {page}")
     if pdf is not None:
         opened.write_pdf(pdf, fields=fields, reference_rows=rows)
         console.data(f"wrote {pdf}")
+
+
+def _animation(opened: "Result", wanted: bool) -> "Animation | None":
+    if not wanted:
+        return None
+    from arcless.studio.animation.animation import animation_of
+
+    return animation_of(opened)
 
 
 def _of_run(

@@ -16,7 +16,7 @@ _PACKAGES = ("starlette", "uvicorn", "websockets")
 def studio(
     folder: Annotated[
         Path,
-        typer.Argument(metavar="[FOLDER]", help="Models, runs and studies are read and written "
+        typer.Argument(metavar="FOLDER", help="Models, runs and studies are read and written "
                        "here, and nowhere else.", show_default=False),
     ] = Path(),
     *,
@@ -31,7 +31,7 @@ def studio(
     """See the line move, change it, and compare runs in the browser.
 
     Serves the page of FOLDER (this folder without) on this machine alone, and prints its address.
-    Whoever has the address can read and write the models of the folder. Ctrl-C ends it, runs that
+    All who have the address can read and write the models of the folder. Ctrl-C ends it, runs that
     are being computed with it.
     """
     missing = [name for name in _PACKAGES if find_spec(name) is None]
@@ -45,8 +45,16 @@ def studio(
     def ready(address: str, for_browser: str) -> None:
         console.data(address)
         if browser:
-            import webbrowser
+            _open(for_browser)
 
-            webbrowser.open(for_browser)
+    code = serve(folder, port, ready)
+    if code:
+        raise typer.Exit(code)
 
-    serve(folder, port, ready)
+
+def _open(address: str) -> None:
+    """Open an address in the browser; one that runs in the terminal is not waited for."""
+    import webbrowser
+    from threading import Thread
+
+    Thread(target=webbrowser.open, args=(address,), daemon=True).start()

@@ -53,6 +53,11 @@ class LazyVariables(Mapping[str, "Entry"]):
     def __len__(self) -> int:
         return len(self._variables)
 
+    @property
+    def read_bytes(self) -> int:
+        """Memory in bytes of the arrays that were read so far."""
+        return sum(values.nbytes for _, values, _ in list(self._known.values()))
+
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickle the content of the file: an open file cannot travel."""
         return dict, (dict(self),)

@@ -11,6 +11,7 @@ from arcless.figures.run import (
     head,
     line_at_rest,
     response,
+    space_time,
     spans,
 )
 from arcless.figures.run.run_data import RunData
@@ -25,6 +26,7 @@ FIGURES: Mapping[str, Callable[[RunData], list[Figure]]] = {
     "height": along_track.height,
     "uplift": response.uplift,
     "uplift_passages": response.uplift_passages,
+    "space_time": space_time.space_time,
     "droppers": response.dropper_range,
     "dropper_map": response.dropper_map,
     "folded": spans.folded,

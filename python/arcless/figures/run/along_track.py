@@ -19,7 +19,7 @@ from arcless.figures.run.track import (
     titled,
     unfiltered,
 )
-from arcless.figures.run.wire_points import wire_points
+from arcless.figures.wires.wire_points import wire_points
 
 Bools = NDArray[np.bool_]
 

@@ -8,7 +8,7 @@ from arcless.figures.description import Axis, Curve, Figure, Layer, Segments, Ti
 from arcless.figures.description.thinning import envelope, every
 from arcless.figures.run.run_data import RunData
 from arcless.figures.run.track import LABEL, MARKS, axis, supports
-from arcless.figures.run.wire_points import wire_points
+from arcless.figures.wires.wire_points import wire_points
 
 NODE_POINTS = 1500
 SIDE, PLAN = 280, 220

@@ -46,10 +46,19 @@ class Sampled:
 
 @dataclass(frozen=True)
 class RunData:
-    """Result and assessment of a run, ready to be drawn."""
+    """Result and assessment of a run, ready to be drawn.
+
+    Attributes
+    ----------
+    dataset, assessment
+        The run.
+    whole
+        True for curves of all samples, where the medium thins them to what it shows.
+    """
 
     dataset: "Dataset"
     assessment: Assessment
+    whole: bool = False
 
     @cached_property
     def record(self) -> ForceRecord:
@@ -118,7 +127,7 @@ class RunData:
         )
         stride = max(per_period / SAMPLES_A_PERIOD, count / usual)
         rows = np.arange(0, count, max(1, int(min(stride, per_period / LEAST_A_PERIOD))))
-        if rows.size > 2 * most:
+        if rows.size > 2 * most and not self.whole:
             return None
         return [
             Sampled(rows, self.position[rows, i], self.time[rows])

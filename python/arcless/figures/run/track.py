@@ -121,7 +121,8 @@ def unfiltered(
         Others of the curve.
     """
     rows = np.arange(values.size) if shown is None else np.flatnonzero(shown)
-    kept = rows[envelope(values[rows], max(200, RAW_POINTS // len(run.pantographs)))]
+    most = rows.size if run.whole else max(200, RAW_POINTS // len(run.pantographs))
+    kept = rows[envelope(values[rows], most)]
     look = {"colour": "raw", "width": 0.9, **look}
     return Curve(run.position[kept, pantograph], values[kept], **look)
 

@@ -1,7 +1,7 @@
 """Runs below a folder."""
 
 import os
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -43,8 +43,13 @@ def runs(folder: str | Path | None = None) -> list[KeptRun]:
     return search(folder).runs
 
 
-def search(folder: str | Path | None = None) -> Found:
-    """Return the runs below a folder, and the studies that were left out; see `runs`."""
+def search(
+    folder: str | Path | None = None, reading: Callable[[Path], KeptRun] | None = None
+) -> Found:
+    """Return the runs below a folder, and the studies that were left out; see `runs`.
+
+    `reading` gives the run in a result file; that is read without.
+    """
     top, found = RUNS if folder is None else Path(folder), Found()
     if folder is None and not os.path.lexists(top):
         return found
@@ -58,7 +63,7 @@ def search(folder: str | Path | None = None) -> Found:
     from arcless.results.kept_runs.reading import read, unreadable
 
     refused: list[OSError] = []
-    found.runs = [read(place) for place in _places(top, found.studies, refused)]
+    found.runs = [(reading or read)(place) for place in _places(top, found.studies, refused)]
     found.runs += [unreadable(Path(one.filename), str(one.strerror)) for one in refused]
     found.runs.sort(key=lambda one: (one.created or "", str(one.path)))
     return found

@@ -186,6 +186,16 @@ class Realtime:
         np.add.reduceat(self.contact_force_N, self._first, out=self.pantograph_force_N)
         return self.pantograph_force_N if self._simulated else self.height_m
 
+    def line_displacement_m(self) -> Floats:
+        """Return the displacements of the line's nodes from rest, in m.
+
+        Returns
+        -------
+        A row for each node of the mesh: along the track, to the left (in space only), up. A copy,
+        made when it is asked for, which takes as long as some steps.
+        """
+        return self._core.displacements().reshape(-1, self._mesh.dimension)
+
     def save(self) -> RealtimeState:
         """Return the state between two steps."""
         step, numbers = self._core.take_down()

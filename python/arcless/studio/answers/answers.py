@@ -1,17 +1,27 @@
 """Routes as plain functions: their values become JSON, their errors complaints."""
 
 import json
+import os
 from collections.abc import Awaitable, Callable
 from dataclasses import asdict, is_dataclass
 from typing import Any
 
-from starlette.requests import Request
+from starlette.requests import ClientDisconnect, Request
 from starlette.responses import JSONResponse, Response
 from starlette.routing import Route
 
 from arcless.errors import ArclessError
 
+_BAD_REQUEST, _FAULT = 400, 500
 Handler = Callable[[Request], Awaitable[Any]]
+
+
+class Json(JSONResponse):
+    """An answer in JSON; half a character in a text from anywhere stays an escape."""
+
+    def render(self, content: Any) -> bytes:
+        """Return the bytes; a NaN is a fault of ours and raises."""
+        return json.dumps(content, allow_nan=False, separators=(",", ":")).encode()
 
 
 class Refused(Exception):  # noqa: N818 - an answer, not a failure
@@ -27,15 +37,35 @@ def route(path: str, handler: Handler, method: str = "GET") -> Route:
 
     async def endpoint(request: Request) -> Response:
         try:
-            value = await handler(request)
+            return _answer(await handler(request))
         except ArclessError as error:
-            return JSONResponse({"error": complaint(error)}, status_code=400)
+            return Json({"error": complaint(error)}, status_code=_BAD_REQUEST)
         except Refused as refusal:
             answer = {"error": {"text": str(refusal)}, **refusal.more}
-            return JSONResponse(answer, status_code=refusal.status)
-        return value if isinstance(value, Response) else JSONResponse(plain_value(value))
+            return Json(answer, status_code=refusal.status)
+        except ClientDisconnect:  # nobody waits for the answer
+            return Response(status_code=_BAD_REQUEST)
+        except Exception as error:
+            if os.environ.get("ARCLESS_TRACEBACK"):
+                raise
+            return Json({"error": {"text": _fault(error)}}, status_code=_FAULT)
 
     return Route(f"/api/{path}", endpoint, methods=[method])
+
+
+def _answer(value: Any) -> Response:
+    return value if isinstance(value, Response) else Json(plain_value(value))
+
+
+def _fault(error: Exception) -> str:
+    """Say what went wrong where nobody expected it, as the command line does."""
+    match error:
+        case MemoryError():
+            return "not enough memory"
+        case OSError():
+            return error.strerror or str(error)
+    hint = "set ARCLESS_TRACEBACK=1 to see where, and please report it"
+    return f"internal fault: {type(error).__name__}: {error}; hint: {hint}"
 
 
 def complaint(error: ArclessError) -> dict[str, Any]:
@@ -63,5 +93,5 @@ async def json_body(request: Request) -> dict[str, Any]:
     except (ValueError, RecursionError):
         body = None
     if not isinstance(body, dict):
-        raise Refused(400, "The question is not a JSON object")
+        raise Refused(_BAD_REQUEST, "The question is not a JSON object")
     return body

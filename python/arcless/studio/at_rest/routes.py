@@ -1,5 +1,6 @@
 """The route of lines at rest, and the processes behind it."""
 
+from asyncio import CancelledError
 from collections import OrderedDict
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
@@ -10,7 +11,7 @@ from starlette.requests import Request
 from starlette.responses import Response
 from starlette.routing import BaseRoute
 
-from arcless.studio.answers.answers import json_body, route
+from arcless.studio.answers.answers import Refused, json_body, route
 from arcless.studio.at_rest.question import question_of
 from arcless.studio.at_rest.worker import Desk
 from arcless.studio.project.project import Project
@@ -51,7 +52,10 @@ def routes(project: Project, desks: Desks) -> list[BaseRoute]:
     async def at_rest(request: Request) -> Any:
         asked = await json_body(request)
         question = await run_sync(question_of, project, asked)
-        content = await desks.of(str(asked.get("page", ""))).ask(question)
+        try:
+            content = await desks.of(str(asked.get("page", ""))).ask(question)
+        except CancelledError:  # the server ends while a line is computed
+            raise Refused(503, "The server ends") from None
         return Response(content, media_type="application/json")
 
     return [route("statics", at_rest, "POST")]

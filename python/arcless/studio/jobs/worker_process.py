@@ -12,6 +12,7 @@ import resource
 import signal
 import sys
 import threading
+from contextlib import suppress
 from importlib import import_module
 from multiprocessing.connection import Connection
 from multiprocessing.reduction import recv_handle
@@ -44,7 +45,8 @@ def main() -> None:
         import_module(name)
     template.import_ahead()
     gc.freeze()  # nothing of what was imported will ever be garbage
-    connection.send(("ready",))
+    with suppress(OSError):  # the server has just gone, which `_listen` is told
+        connection.send(("ready",))
     while True:
         _do(*tasks.get())
 

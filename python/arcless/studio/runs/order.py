@@ -11,7 +11,9 @@ from typing import Any
 from arcless.errors import ModelError
 from arcless.model import Scenario
 from arcless.model.advice.speeds import check_typed_speed
+from arcless.model.files.yaml_reader import Origin
 from arcless.model.load import load_text
+from arcless.model.scenario.overrides import apply
 from arcless.results.kept_runs.places import is_study_folder
 from arcless.results.run_folder.run_folder import FILES, folder_of
 from arcless.studio.answers.answers import Refused
@@ -64,7 +66,7 @@ def order_of(project: Project, asked: Mapping[str, Any]) -> Order:
     if asked.get("record_motion") is True and scenario.output.motion is None:
         changes = {**changes, "output.motion": True}
     if changes:
-        scenario = scenario.with_(**changes)
+        scenario = apply(scenario, changes, place=_place(project, path))
     check_typed_speed(scenario)
     command = _command(path, changes)
     if asked.get("certainty") is True and scenario.certainty is None:
@@ -84,6 +86,12 @@ def _loaded(project: Project, path: str) -> Scenario:
     if not isinstance(loaded, Scenario):
         raise ModelError("no scenario", where=path, expected="a scenario, which can be run")
     return loaded
+
+
+def _place(project: Project, path: str) -> Origin:
+    """Return where files that changes name are looked for: next to the scenario, in the project."""
+    folder = project.folder if is_shipped(path) else project.inside(path).parent
+    return Origin(folder=folder, within=project.folder)
 
 
 def _check_free(project: Project, folder: Path, *, replace: bool) -> None:

@@ -98,6 +98,7 @@ class _Asked:
         if file.name == RESULT_NAME:
             to = to.with_stem(Path(REPORT_NAME).stem)
         path = self._project.name_of(to)
+        self._project.inside(path)  # a link that is there already could lead out
         task = Task(run.write_report, (file, to))
         job = self._jobs.start("report", f"Report of {_named(file).name}", task, path=path)
         return {"job": job.to_dict()}

@@ -4,6 +4,7 @@ Host is checked, so that a page of the internet whose name was made to lead to t
 nothing (DNS rebinding); Origin, so that no other page can ask in the user's name; then the cookie.
 """
 
+from collections.abc import Mapping
 from http.cookies import CookieError, SimpleCookie
 from urllib.parse import parse_qs
 
@@ -11,6 +12,8 @@ from starlette.datastructures import Headers, MutableHeaders
 from starlette.responses import HTMLResponse, JSONResponse, PlainTextResponse, RedirectResponse
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
+from arcless.studio.server.bodies import LONGEST, limited
+from arcless.studio.server.crowd import Crowd, client_of
 from arcless.studio.server.keys import Keys
 
 CONTENT_POLICY = (
@@ -18,7 +21,7 @@ CONTENT_POLICY = (
     "connect-src 'self'; font-src 'self'; worker-src 'self'; frame-src 'self'; "
     "frame-ancestors 'none'; base-uri 'none'; form-action 'none'"
 )
-# Headers of every answer, but for those that its route has set itself.
+# Headers of every answer; its route may set them itself.
 _HEADERS = {
     "Content-Security-Policy": CONTENT_POLICY,
     "X-Content-Type-Options": "nosniff",
@@ -26,6 +29,8 @@ _HEADERS = {
     "Cross-Origin-Opener-Policy": "same-origin",
     "Cross-Origin-Resource-Policy": "same-origin",
 }
+# Fields of an address behind the question mark; the longest question of the page has eight.
+_MOST_FIELDS = 50
 _LOCKED = """<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>Arcless studio</title></head>
 <body><h1>Arcless studio</h1>
@@ -44,10 +49,14 @@ class Gate:
         What answers those who may ask.
     keys
         Secrets of the server.
+    crowd
+        Connections that have not shown the cookie yet.
+    longest
+        Most bytes of a question, by its path, where it is another number than that of all.
     """
 
-    def __init__(self, app: ASGIApp, keys: Keys) -> None:
-        self._app, self._keys = app, keys
+    def __init__(self, app: ASGIApp, keys: Keys, crowd: Crowd, longest: Mapping[str, int]) -> None:
+        self._app, self._keys, self._crowd, self._longest = app, keys, crowd, longest
         self._hosts = {f"{name}:{keys.port}" for name in ("127.0.0.1", "localhost", "[::1]")}
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
@@ -60,7 +69,9 @@ class Gate:
         if answer is not None and scope["type"] == "websocket":
             await send({"type": "websocket.close", "code": 1008})
             return
-        await (answer or self._app)(scope, receive, _with_headers(scope, send))
+        longest = self._longest.get(scope["path"], LONGEST)
+        body = limited(scope, receive, longest)
+        await (answer or self._app)(scope, body, _with_headers(scope, send))
 
     def _refusal(self, scope: Scope, headers: Headers) -> ASGIApp | None:
         """Return what is answered to somebody who may not ask; None to who may."""
@@ -74,6 +85,8 @@ class Gate:
         if headers.get("sec-fetch-site", "none") not in ("same-origin", "none") and _is_api(scope):
             return PlainTextResponse("This server answers its own page only.", 403)
         if self._keys.admits(_cookie(headers, self._keys.cookie)):
+            if client := client_of(scope):
+                self._crowd.leave(client)
             return None if "token" not in _query(scope) else RedirectResponse("/", 303)
         return self._unknown(scope)
 
@@ -86,7 +99,8 @@ class Gate:
             answer.set_cookie(self._keys.cookie, session, httponly=True, samesite="strict")
             return answer
         if _is_api(scope):
-            return JSONResponse({"error": {"text": "Open the address in the terminal again"}}, 403)
+            text = "Open the address that the terminal shows again: the studio was started anew"
+            return JSONResponse({"error": {"text": text}}, 403)
         return HTMLResponse(_LOCKED, 403)
 
 
@@ -95,7 +109,10 @@ def _is_api(scope: Scope) -> bool:
 
 
 def _query(scope: Scope) -> dict[str, list[str]]:
-    return parse_qs(scope["query_string"].decode("latin-1"), max_num_fields=20)
+    try:
+        return parse_qs(scope["query_string"].decode("latin-1"), max_num_fields=_MOST_FIELDS)
+    except ValueError:  # more of them
+        return {}
 
 
 def _cookie(headers: Headers, name: str) -> str | None:

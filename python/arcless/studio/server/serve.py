@@ -1,24 +1,35 @@
 """A server on this machine's own address, from its start to Ctrl-C."""
 
+import logging
+import os
+import signal
 import socket
-from collections.abc import Callable
+import threading
+from collections.abc import Callable, Generator
+from contextlib import contextmanager
 from pathlib import Path
 
 from arcless.errors import OutputError
 from arcless.studio.project.project import Project
 from arcless.studio.server import page
 from arcless.studio.server.app import application
+from arcless.studio.server.crowd import Crowd, protocol
 from arcless.studio.server.keys import Keys
 
 HOST = "127.0.0.1"
 # Time in s that answers which are being sent have when the server ends, and the user waits.
 _GRACE_S = 0
+# Time in s after a signal in which workers are ended; then the process leaves, whatever it does, in
+# native code, say. Longer, the user waits; shorter, workers are left to end by themselves.
+LEAVE_S = 0.7
 # Bytes of one message of a WebSocket: questions and settings, no files.
-_LONGEST_MESSAGE = 64 * 1024
+LONGEST_MESSAGE = 64 * 1024
+_ENDING = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+_AFTER_SIGNAL = 128  # what a shell adds to the number of the signal that ended a program
 
 
-def serve(folder: Path, port: int, ready: Callable[[str, str], None]) -> None:
-    """Serve a folder until Ctrl-C.
+def serve(folder: Path, port: int, ready: Callable[[str, str], None]) -> int:
+    """Serve a folder until Ctrl-C, and return the exit code.
 
     Parameters
     ----------
@@ -29,6 +40,11 @@ def serve(folder: Path, port: int, ready: Callable[[str, str], None]) -> None:
     ready
         Told the address to print and the address for a browser that is started, once both answer.
 
+    Returns
+    -------
+    int
+        0 after Ctrl-C, which is how it ends; 128 and the number of any other signal.
+
     Raises
     ------
     OutputError
@@ -38,8 +54,9 @@ def serve(folder: Path, port: int, ready: Callable[[str, str], None]) -> None:
 
     page.check_built()
     project = Project.of(folder)
+    logging.getLogger("uvicorn").setLevel(logging.CRITICAL)  # of bad questions nobody is told
     with _listening(port) as listener:
-        keys = Keys(listener.getsockname()[1])
+        keys, crowd, came = Keys(listener.getsockname()[1]), Crowd(), list[int]()
         base = f"http://{HOST}:{keys.port}/?token="
 
         class Server(uvicorn.Server):
@@ -47,12 +64,23 @@ def serve(folder: Path, port: int, ready: Callable[[str, str], None]) -> None:
                 await super().startup(sockets)
                 ready(base + keys.token, base + keys.ticket())
 
+            @contextmanager
+            def capture_signals(self) -> Generator[None, None, None]:
+                with _answering(self.leave):
+                    yield
+
+            def leave(self, number: int) -> None:
+                if not came:
+                    came.append(number)
+                    _leave_soon(_code(number))
+                self.should_exit = True
+
         settings = uvicorn.Config(
-            application(project, keys),
+            application(project, keys, crowd),
             lifespan="on",
-            http="h11",
+            http=protocol(crowd),
             ws="websockets-sansio",
-            ws_max_size=_LONGEST_MESSAGE,
+            ws_max_size=LONGEST_MESSAGE,
             ws_per_message_deflate=False,
             log_config=None,
             access_log=False,
@@ -61,6 +89,35 @@ def serve(folder: Path, port: int, ready: Callable[[str, str], None]) -> None:
             timeout_graceful_shutdown=_GRACE_S,
         )
         Server(settings).run([listener])
+    return _code(came[0]) if came else 0
+
+
+def _code(number: int) -> int:
+    return 0 if number == signal.SIGINT else _AFTER_SIGNAL + number
+
+
+@contextmanager
+def _answering(leave: Callable[[int], None]) -> Generator[None, None, None]:
+    """Answer the signals that end a program; those that it was started to ignore stay ignored."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    before = {
+        number: signal.signal(number, lambda came, _: leave(came))
+        for number in _ENDING
+        if signal.getsignal(number) is not signal.SIG_IGN
+    }
+    try:
+        yield
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+
+
+def _leave_soon(code: int) -> None:
+    timer = threading.Timer(LEAVE_S, os._exit, (code,))
+    timer.daemon = True
+    timer.start()
 
 
 def _listening(port: int) -> socket.socket:

@@ -15,8 +15,9 @@ from arcless.model import Line, Pantograph, Scenario
 from arcless.model.fields.part import Path as Field
 from arcless.model.files.pydantic_errors import explain
 from arcless.model.files.yaml_reader import Origin
-from arcless.model.scenario.references import Kind, check_format, read, reference
+from arcless.model.scenario.references import Kind, check_format, read, read_given, reference
 from arcless.model.shipped.library import shipped
+from arcless.model.variants.variant_files import named_scenario
 from arcless.study.definition.study import FORMAT, Execution, Study
 from arcless.units import show
 
@@ -44,12 +45,38 @@ def load(source: "str | os.PathLike[str] | Mapping[str, Any] | Study") -> Study:
     """
     if isinstance(source, Study):
         return source
-    data, origin = (
-        (dict(source), Origin()) if isinstance(source, Mapping) else read(_file(source), Origin())
-    )
+    if isinstance(source, Mapping):
+        return _of_data(dict(source), Origin())
+    return _of_data(*read(_file(source), Origin()))
+
+
+def load_text(text: str, file: "str | os.PathLike[str]", within: Path | None = None) -> Study:
+    """Return the study in a text that is, or will be, that of a file.
+
+    Parameters
+    ----------
+    text
+        The text.
+    file
+        The file, which need not be there: its folder is where references begin.
+    within
+        Whole path of the folder that no reference may lead out of; all are followed without.
+
+    Raises
+    ------
+    ModelError
+        The text is wrong, or a reference leads out of the folder.
+    """
+    return _of_data(*read_given(text, Path(file), Origin(within=within)))
+
+
+def _of_data(data: dict[str, Any], origin: Origin) -> Study:
     check_format(data, "study", origin)
-    if "scenario" in data:
-        data["scenario"] = reference(data["scenario"], "scenario", Scenario, origin, ("scenario",))
+    given = data.get("scenario")
+    if isinstance(given, str):
+        data["scenario"] = named_scenario(given, origin, "scenario")
+    elif "scenario" in data:
+        data["scenario"] = reference(given, "scenario", Scenario, origin, ("scenario",))
     context = {"file": origin.label, "models": _named_models(data, origin)}
     try:
         return Study.model_validate(data, context=context)

@@ -4,8 +4,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from arcless.cli.arguments.at_rest import faults_of
-from arcless.cli.arguments.scenario import JsonOption, check_speed
+from arcless.cli.arguments.scenario import JsonOption
 from arcless.cli.completion import names
 from arcless.cli.terminal import console
 
@@ -75,18 +74,11 @@ def check(
         console.data(f"{file}: valid study `{loaded.name}`, {loaded.plan.count} variants")
         return
     checked = model.load_any(file)
-    if isinstance(checked, model.Scenario):
-        check_speed(checked, file)
-        for warning in model.scenario_warnings(checked):
-            console.warn(warning)
-    if isinstance(checked, model.Line):
-        for warning in model.line_warnings(checked):
-            console.warn(warning)
-    if not isinstance(checked, model.Pantograph):
-        from arcless import simulate
+    from arcless.simulate import checks
 
-        with faults_of(file, model_alone=True):
-            simulate.check_at_rest(checked)
+    for warning in checks.advice(checked, file):
+        console.warn(warning)
+    checks.check_rest(checked, file)
     console.data(f"{file}: valid {_description(checked)}")
     if isinstance(checked, model.Scenario):
         console.data(f"a run takes {checked.choice.sentence}")

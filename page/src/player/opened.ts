@@ -1,0 +1,99 @@
+/** Follows what shall be played: asks for its line, opens its motion on the stream. */
+import { effect } from "@preact/signals";
+import { ask } from "../connection/http.ts";
+import type { Geometry } from "../drawing/geometry.ts";
+import { complain, say } from "../shell/messages.ts";
+import { show, shown } from "../shell/panels.ts";
+import { clock, source, type Source } from "../state/selection.ts";
+import { follow, setEnds } from "./clock.ts";
+import { Pull, type Opened } from "./motion/pull.ts";
+import { asking, begin, history, present, scene, store, wake } from "./player.ts";
+
+let current: Pull | null = null;
+
+/** Heads of a pantograph's values: position, force, height, uplift; then its masses. */
+const HEAD = 4;
+
+/** Speed of the edge of a live run, s of the run in a second; 1 before it is known. */
+let pace = 1;
+let lastEdge: { end: number; at: number } | null = null;
+
+function paced(end: number): void {
+  const at = performance.now();
+  if (lastEdge && at - lastEdge.at > 50) pace += 0.2 * ((1000 * (end - lastEdge.end)) / (at - lastEdge.at) - pace);
+  lastEdge = { end, at };
+}
+
+function pantographs(about: Opened) {
+  return about.channels
+    .filter(({ name }) => name.startsWith("pantograph."))
+    .map((channel, number) => ({
+      name: channel.about.name ?? `Pantograph ${number + 1}`,
+      masses: (channel.about.values ?? []).slice(HEAD).map(({ name }) => name),
+    }));
+}
+
+async function opened(of: Source, about: Opened): Promise<void> {
+  const query = "run" in of ? { path: of.run } : { job: of.job };
+  const known = scene.peek();
+  try {
+    const geometry = known?.geometry ?? (await ask<Geometry>("run/line", { query }));
+    if (current?.source !== of) return;
+    // The wires of a stored run move after all: what was kept has none of them.
+    if (known && about.wires && !known.wires) store.clear();
+    present(
+      { geometry, pantographs: pantographs(about), row_s: about.every_s, wires: about.wires },
+      about.start_s, about.end_s, !about.final,
+    );
+    if (!known) toTheLine();
+    if (!known && !about.final) follow();
+  } catch (error) {
+    if (current?.source === of) complain(error);
+  }
+}
+
+/** Who opens a run from the first screen wants to see it; other panels stay. */
+function toTheLine(): void {
+  const now = shown.peek().main;
+  if (now === undefined || now === "start") show("drawing");
+}
+
+function edge(end: number, final: boolean): void {
+  paced(end);
+  setEnds(clock.start_s.peek(), end, !final);
+  // Frames between a clock that slept and the edge were missed; nobody waits for them.
+  if (clock.live.peek() && end - clock.time_s.peek() > 4 * Math.max(pace, 1)) clock.time_s.value = end;
+  wake();
+}
+
+function open(of: Source): Pull {
+  [pace, lastEdge] = [1, null];
+  const pull = new Pull(of, store, history, {
+    opened: (about) => void opened(of, about),
+    edge,
+    changed: wake,
+    failed: (text) => say("error", text),
+  });
+  asking.current = () => {
+    const now = scene.peek();
+    if (!now) return;
+    const rate = clock.live.peek() ? Math.max(pace, 1) : clock.rate.peek();
+    pull.update({
+      time: clock.time_s.peek(), rate, start: clock.start_s.peek(), edge: clock.end_s.peek(), row: now.row_s,
+    });
+  };
+  return pull;
+}
+
+/** Have what `source` names played, from now on. */
+export function followSource(): void {
+  effect(() => {
+    const of = source.value;
+    current?.close();
+    asking.current = null;
+    current = null;
+    begin();
+    clock.time_s.value = 0;
+    if (of) current = open(of);
+  });
+}

@@ -1,0 +1,56 @@
+/** Between positions along the track and times: where the first pantograph stands. m, s. */
+import { signal } from "@preact/signals";
+import { clock } from "../state/selection.ts";
+import { jump } from "./clock.ts";
+import { scene, state, store } from "./player.ts";
+
+/** Worst places of the run that is played, ascending; empty before they are known. */
+export const worst = signal<number[]>([]);
+
+/** Speed of the first pantograph in m/s, of the frames that are kept; NaN where they do not say it. */
+export function speed(): number {
+  const { times, entries } = store.track("pantograph.0");
+  if (times.length < 2) return NaN;
+  const x = (at: number) => entries[at]![0]!.values[0]!;
+  const last = times.length - 1;
+  return (x(last) - x(0)) / (times[last]! - times[0]!);
+}
+
+/** The time at which the first pantograph is at a position; `null` where it is not known. */
+export function timeAt(x: number): number | null {
+  const now = state.current.pantographs[0]?.position;
+  const v = speed();
+  if (now === undefined || !Number.isFinite(now) || !Number.isFinite(v) || v === 0) return null;
+  return clock.time_s.peek() + (x - now) / v;
+}
+
+/** Stand at a position, `before_s` s earlier; the speed of the frames that are kept leads there. */
+export function standAt(x: number, { before_s = 0 } = {}): void {
+  const time = timeAt(x);
+  if (time !== null) jump(time - before_s);
+}
+
+/** Go to the next or previous start of a span. */
+export function stepSpan(direction: 1 | -1): void {
+  const spans = scene.peek()?.geometry.spans ?? [];
+  const now = state.current.pantographs[0]?.position ?? NaN;
+  const starts = [...spans.map((span) => span.start_m), ...spans.slice(-1).map((span) => span.end_m)];
+  // A place that the clock stands at, to a rounding error, is not the next one.
+  const next = direction > 0 ? starts.find((x) => x > now + 0.01) : starts.findLast((x) => x < now - 0.01);
+  if (next !== undefined) standAt(next);
+}
+
+/** Go to the next or previous worst place, a second before the pantograph reaches it. */
+export function stepWorst(direction: 1 | -1): void {
+  const v = speed();
+  const now = (state.current.pantographs[0]?.position ?? NaN) + BEFORE * (Number.isFinite(v) ? v : 0);
+  const all = worst.peek();
+  // After the last one comes the first.
+  const next =
+    direction > 0 ? (all.find((x) => x > now + APART) ?? all[0]) : (all.findLast((x) => x < now - APART) ?? all.at(-1));
+  if (next !== undefined) standAt(next, { before_s: BEFORE });
+}
+
+const BEFORE = 1; // s
+/** Nearer than so many m is the place that the clock stands at. */
+const APART = 0.5;

@@ -1,0 +1,187 @@
+/** The bar at the top: scenario, speed, pantographs, run, its progress, the verdict. */
+import { useSignal } from "@preact/signals";
+import { change, changes } from "../state/changes.ts";
+import { cancel } from "../state/jobs.ts";
+import { project } from "../state/project.ts";
+import { file, scenario } from "../state/selection.ts";
+import { complain, messages } from "../shell/messages.ts";
+import { fold, folded } from "../shell/layout.ts";
+import { dialog, listed } from "../shell/window.ts";
+import { canRun, nameOf, run, runningJob, saveAsScenario, withCertainty, withMotion } from "./running.ts";
+import { fields } from "./scenarioFields.ts";
+import { Verdict } from "./Verdict.tsx";
+
+function Scenario() {
+  const view = project.value;
+  const own = view?.models.filter((one) => one.kind === "scenario") ?? [];
+  const shipped = view?.library.filter((one) => one.kind === "scenario") ?? [];
+  return (
+    <label class="scenario">
+      <span>Scenario</span>
+      <select
+        value={scenario.value ?? ""}
+        onChange={(event) => {
+          scenario.value = event.currentTarget.value || null;
+          file.value = scenario.value;
+        }}
+      >
+        {scenario.value === null && <option value="">Choose one</option>}
+        {own.length > 0 && (
+          <optgroup label="In this folder">
+            {own.map((one) => <option key={one.path} value={one.path}>{one.name}</option>)}
+          </optgroup>
+        )}
+        <optgroup label="Shipped">
+          {shipped.map((one) => <option key={one.path} value={one.path}>{one.name}</option>)}
+        </optgroup>
+      </select>
+    </label>
+  );
+}
+
+function Speed() {
+  const ofFile = fields.value?.speed;
+  if (ofFile == null) return null;
+  const now = String(changes.value["speed"] ?? ofFile);
+  return (
+    <label>
+      <span>Speed</span>
+      <input
+        class={`speed ${now === ofFile ? "" : "changed"}`}
+        key={fields.value?.path}
+        value={now}
+        title={`In the file: ${ofFile}`}
+        spellcheck={false}
+        autocomplete="off"
+        onChange={(event) => change("speed", event.currentTarget.value.trim(), ofFile)}
+      />
+    </label>
+  );
+}
+
+function Pantographs() {
+  const ofFile = fields.value?.pantographs ?? [];
+  const view = project.value;
+  if (ofFile.length === 0 || !view) return null;
+  const known = [...view.models, ...view.library].filter((one) => one.kind === "pantograph");
+  const value = (path: string, name: string) => (path.startsWith("shipped:") ? name : path);
+  return (
+    <>
+      {ofFile.map((model, place) => {
+        const field = `pantographs.${place}.model`;
+        const now = String(changes.value[field] ?? model);
+        const options = new Map(known.map((one) => [value(one.path, one.name), one.name]));
+        if (!options.has(model)) options.set(model, model.replace(/\.[a-z]+$/, ""));
+        return (
+          <label key={field}>
+            <span>{ofFile.length > 1 ? `Pantograph ${place + 1}` : "Pantograph"}</span>
+            <select class={now === model ? "" : "changed"} value={now} onChange={(event) => change(field, event.currentTarget.value, model)}>
+              {[...options].map(([path, name]) => <option key={path} value={path}>{name}</option>)}
+            </select>
+          </label>
+        );
+      })}
+    </>
+  );
+}
+
+function Options() {
+  return (
+    <details class="options">
+      <summary>Options</summary>
+      <div class="pop">
+        <label>
+          <input type="checkbox" checked={withMotion.value} onChange={(event) => (withMotion.value = event.currentTarget.checked)} />
+          Record the motion of the wires, to play the run again
+        </label>
+        <label>
+          <input type="checkbox" checked={withCertainty.value} onChange={(event) => (withCertainty.value = event.currentTarget.checked)} />
+          Find how sure the numbers are, by further runs: ±
+        </label>
+      </div>
+    </details>
+  );
+}
+
+function Changed() {
+  const all = Object.entries(changes.value);
+  const naming = useSignal(false);
+  const base = scenario.value;
+  if (all.length === 0 || base === null) return null;
+  const save = async (event: SubmitEvent) => {
+    event.preventDefault();
+    const name = new FormData(event.currentTarget as HTMLFormElement).get("name");
+    if (await saveAsScenario(String(name).trim())) naming.value = false;
+  };
+  return (
+    <div class="variant" role="group" aria-label="Variant">
+      <span>
+        Variant of {nameOf(base)}: {all.map(([field, value]) => `${field} ${value}`).join(", ")}
+      </span>
+      {naming.value ? (
+        <form onSubmit={(event) => void save(event)}>
+          <input name="name" aria-label="Name of the new scenario" placeholder="Name of the new scenario" required autofocus />
+          <button type="submit">Save</button>
+          <button type="button" onClick={() => (naming.value = false)}>Cancel</button>
+        </form>
+      ) : (
+        <>
+          <button onClick={() => (naming.value = true)}>Save as scenario</button>
+          <button onClick={() => (changes.value = {})}>Take back</button>
+        </>
+      )}
+    </div>
+  );
+}
+
+function Running() {
+  const job = runningJob.value;
+  if (!job) return <Verdict />;
+  const percent = Math.round(100 * job.fraction);
+  return (
+    <div class="running">
+      <progress max={1} value={job.fraction} aria-label={`Progress of ${job.title}`} />
+      <span class="numbers">{job.state === "waiting" ? "waiting" : `${percent} %`}</span>
+      <span class="doing">{job.doing}</span>
+      <button onClick={() => void cancel(job.id).catch(complain)}>Cancel</button>
+    </div>
+  );
+}
+
+function Tools() {
+  const count = messages.value.length;
+  return (
+    <div class="tools">
+      {(count > 0 || listed.value) && (
+        <button class={count ? "counted" : ""} aria-expanded={listed.value} onClick={() => (listed.value = !listed.value)}>
+          Messages {count}
+        </button>
+      )}
+      <button onClick={() => (dialog.value = "commands")} title="All commands (Ctrl+K)">Commands</button>
+      <button class="fold" aria-pressed={!folded.value.left} title="Project (Ctrl+B)" onClick={() => fold("left")}>
+        <span aria-hidden="true">◧</span><span class="unseen">Project</span>
+      </button>
+      <button class="fold" aria-pressed={!folded.value.right} title="Inspector (Ctrl+I)" onClick={() => fold("right")}>
+        <span aria-hidden="true">◨</span><span class="unseen">Inspector</span>
+      </button>
+    </div>
+  );
+}
+
+export function RunBar() {
+  const isVariant = Object.keys(changes.value).length > 0;
+  return (
+    <div class="run-bar">
+      <Scenario />
+      <Speed />
+      <Pantographs />
+      <button class="run" disabled={!canRun.value} title="Ctrl+Enter" onClick={() => void run()}>
+        <span aria-hidden="true">▶</span> {isVariant ? "Run as variant" : "Run"}
+      </button>
+      <Options />
+      <Running />
+      <Tools />
+      <Changed />
+    </div>
+  );
+}

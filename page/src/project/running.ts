@@ -1,0 +1,112 @@
+/** A run of the chosen scenario: started, followed to its end, kept as a scenario of its own. */
+import { computed, effect, signal } from "@preact/signals";
+import { ask } from "../connection/http.ts";
+import { complain, say } from "../shell/messages.ts";
+import { changes } from "../state/changes.ts";
+import { jobs, type Job } from "../state/jobs.ts";
+import { project, readProject } from "../state/project.ts";
+import { file, scenario, source, ticked } from "../state/selection.ts";
+
+export const withMotion = signal(true);
+export const withCertainty = signal(false);
+/** Jobs that were started from this window, and are not over. */
+const started = new Set<string>();
+
+/** Of the newest run that is being computed; of one that is over nothing. */
+export const runningJob = computed<Job | null>(
+  () => jobs.value.findLast((one) => one.kind === "run" && (one.state === "running" || one.state === "waiting")) ?? null,
+);
+
+export const canRun = computed(() => scenario.value !== null && runningJob.value === null);
+
+/** Run the chosen scenario with what is changed; the player follows it. */
+export async function run(): Promise<void> {
+  const path = scenario.peek();
+  if (path === null || runningJob.peek()) return;
+  const body = {
+    scenario: path,
+    changes: changes.peek(),
+    record_motion: withMotion.peek(),
+    certainty: withCertainty.peek(),
+  };
+  try {
+    const { job } = await ask<{ job: Job }>("runs", { body });
+    started.add(job.id);
+    source.value = { job: job.id };
+    // A short run may be over before its answer is here.
+    const known = jobs.peek().find((one) => one.id === job.id);
+    if (known) endedIf(known);
+  } catch (error) {
+    complain(error);
+  }
+}
+
+/** Run a scenario at once. */
+export async function runThis(path: string): Promise<void> {
+  scenario.value = path;
+  file.value = path;
+  await run();
+}
+
+/** Keep what is changed as a scenario that holds only the difference. */
+export async function saveAsScenario(name: string): Promise<boolean> {
+  const base = scenario.peek();
+  if (base === null) return false;
+  try {
+    const body = { scenario: base, name, changes: changes.peek() };
+    const { path } = await ask<{ path: string }>("variant", { body });
+    await readProject();
+    scenario.value = path;
+    file.value = path;
+    say("note", `${path} holds what differs from ${nameOf(base)}.`);
+    return true;
+  } catch (error) {
+    complain(error);
+    return false;
+  }
+}
+
+export const nameOf = (path: string): string => {
+  const found = project.peek();
+  const entry = [...(found?.models ?? []), ...(found?.library ?? [])].find((one) => one.path === path);
+  return entry?.name ?? path;
+};
+
+function ended(job: Job): void {
+  started.delete(job.id);
+  if (job.state === "failed") return say("error", job.error?.text ?? `${job.title} failed.`);
+  if (job.state !== "done" || job.path === null) return;
+  for (const note of job.notes) say("warning", note);
+  const path = job.path;
+  void readProject();
+  const played = source.peek();
+  // Whoever looks at something else by now keeps it.
+  if (played && "job" in played && played.job === job.id) source.value = { run: path };
+  if (!ticked.peek().includes(path)) ticked.value = [...ticked.peek(), path];
+}
+
+function endedIf(job: Job): void {
+  if (started.has(job.id) && ["done", "failed", "cancelled"].includes(job.state)) ended(job);
+}
+
+export function followRuns(): void {
+  effect(() => {
+    for (const job of jobs.value) endedIf(job);
+  });
+  // The first scenario of the folder is chosen until somebody chooses; one that is gone is let go.
+  effect(() => {
+    const view = project.value;
+    if (!view) return;
+    const all = [...view.models, ...view.library].filter((one) => one.kind === "scenario");
+    if (all.some((one) => one.path === scenario.peek())) return;
+    scenario.value = view.models.find((one) => one.kind === "scenario" && !one.error)?.path ?? null;
+    if (file.peek() === null) file.value = scenario.peek();
+  });
+  // A scenario that is opened is the one that is run.
+  effect(() => {
+    const path = file.value;
+    const view = project.peek();
+    const entry = [...(view?.models ?? []), ...(view?.library ?? [])].find((one) => one.path === path);
+    if (entry?.kind === "scenario") scenario.value = entry.path;
+  });
+}

@@ -1,0 +1,59 @@
+/** Words for runs and models: verdicts, numbers, what differs. */
+import type { ModelEntry, ModelKind, RunEntry } from "../state/project.ts";
+
+/** Verdict by word, shape, and class of its colour. */
+export interface Shown {
+  sign: string;
+  word: string;
+  state: "met" | "not-met" | "open";
+}
+
+const VERDICTS: Record<RunEntry["verdict"], Shown> = {
+  met: { sign: "✔", word: "met", state: "met" },
+  "not met": { sign: "✖", word: "not met", state: "not-met" },
+  "not judged": { sign: "○", word: "not judged", state: "open" },
+  "stopped early": { sign: "■", word: "stopped early", state: "not-met" },
+  unreadable: { sign: "?", word: "unreadable", state: "open" },
+};
+
+export const verdictOf = (verdict: RunEntry["verdict"]): Shown => VERDICTS[verdict];
+
+export const KINDS: [ModelKind, string][] = [
+  ["scenario", "Scenarios"],
+  ["line", "Lines"],
+  ["pantograph", "Pantographs"],
+  ["study", "Studies"],
+];
+
+export const kmh = (speed_m_s: number): string => `${(3.6 * speed_m_s).toFixed(0)} km/h`;
+
+/** Main numbers of a run in one line: the largest σ of its pantographs, and the uplift. */
+export function numbers(run: RunEntry): [string, string, string][] {
+  const worst = run.pantographs.reduce<number | null>(
+    (most, one) => (one.std_force_N === null ? most : Math.max(most ?? 0, one.std_force_N)),
+    null,
+  );
+  return [
+    ...(run.speed_m_s === null ? [] : [["", (3.6 * run.speed_m_s).toFixed(0), "km/h"] as [string, string, string]]),
+    ...(worst === null ? [] : [["σ", worst.toFixed(1), "N"] as [string, string, string]]),
+    ...(run.max_uplift_at_support_mm === null
+      ? []
+      : [["uplift", run.max_uplift_at_support_mm.toFixed(0), "mm"] as [string, string, string]]),
+  ];
+}
+
+/** Name of each run and what tells it from the others: fields that all runs set to the same value are left out. */
+export function differences(runs: readonly RunEntry[]): [string, string][] {
+  const fields = [...new Set(runs.flatMap((run) => Object.keys(run.changes)))];
+  const differs = runs.length < 2 ? fields : fields.filter((field) => new Set(runs.map((run) => run.changes[field])).size > 1);
+  return runs.map((run) => [
+    run.name ?? run.path,
+    differs.map((field) => `${field} ${run.changes[field] ?? "as in the file"}`).join(", "),
+  ]);
+}
+
+/** Whether name and description of a model have all words in them. */
+export function matches(entry: ModelEntry, typed: string): boolean {
+  const text = `${entry.name} ${entry.description}`.toLowerCase();
+  return typed.toLowerCase().split(/\s+/).every((word) => text.includes(word));
+}

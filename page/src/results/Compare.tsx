@@ -1,0 +1,184 @@
+/** Ticked runs and measurements side by side: what differs, verdicts, numbers, overlays. */
+import { colour, scheme } from "../charts/colours.ts";
+import { ticked } from "../state/selection.ts";
+import { Acceptance, Bands, Placement } from "./MeasuredTables.tsx";
+import { useAnswer } from "./answer.ts";
+import { askComparison, askOverlay } from "./asking.ts";
+import { FigureSections } from "./FigureSections.tsx";
+import { held, take } from "./measured.ts";
+import { RunList } from "./RunList.tsx";
+import { Nothing, Refusal, Waiting } from "./State.tsx";
+import type { Compared, Comparison } from "./told.ts";
+import { versionOf } from "./which.ts";
+import "./results.css";
+
+function AddMeasured() {
+  return (
+    <p class={held.value ? "drop held" : "drop"}>
+      <label>
+        Add a measurement, or drop a CSV file anywhere:{" "}
+        <input
+          type="file"
+          accept=".csv,.tsv,.txt,.dat,.asc"
+          multiple
+          onChange={(event) => void take(event.currentTarget.files ?? [])}
+        />
+      </label>
+    </p>
+  );
+}
+
+/** A column for each run, its colour above it. */
+function Heads({ of, first }: { of: Comparison; first: string }) {
+  void scheme.value;
+  return (
+    <thead>
+      <tr>
+        <th scope="col">{first}</th>
+        {of.names.map((name, k) => (
+          <th key={k} scope="col" class="number">
+            <span class="swatch" style={{ background: colour(of.colours[k] ?? "ink") }} />
+            {name}
+          </th>
+        ))}
+      </tr>
+    </thead>
+  );
+}
+
+/** What differs between the runs, and nothing else. */
+function Differences({ of }: { of: Comparison }) {
+  if (of.simulated < 2) return null;
+  if (!of.fields.length) return <p>{of.same}</p>;
+  return (
+    <div class="wide" tabIndex={0} role="region" aria-label="What differs">
+      <table>
+        <caption>What differs</caption>
+        <Heads of={of} first="field" />
+        <tbody>
+          {of.fields.map((one) => (
+            <tr key={one.path}>
+              <th scope="row">{one.path}</th>
+              {one.values.map((value, k) => (
+                <td key={k} class="number">
+                  {value ?? "–"}
+                </td>
+              ))}
+            </tr>
+          ))}
+        </tbody>
+      </table>
+      <p class="soft">{of.left_out}</p>
+    </div>
+  );
+}
+
+function Numbers({ of, rows, title }: { of: Comparison; rows: Compared[]; title: string }) {
+  return (
+    <div class="wide" tabIndex={0} role="region" aria-label={title}>
+      <table>
+        <caption>{title}</caption>
+        <Heads of={of} first="quantity" />
+        <tbody>
+          {rows.map((one, row) => (
+            <tr key={row}>
+              <th scope="row">
+                {one.label}
+                {one.unit ? `, ${one.unit}` : ""}
+                {of.several && one.pantograph ? `, ${one.pantograph}` : ""}
+              </th>
+              {one.cells.map(([value, difference], k) => (
+                <td key={k} class="number">
+                  {value}
+                  {difference && <span class="difference">{difference}</span>}
+                </td>
+              ))}
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </div>
+  );
+}
+
+function Verdicts({ of }: { of: Comparison }) {
+  return (
+    <div class="wide" tabIndex={0} role="region" aria-label="Criteria">
+      <table>
+        <caption>Criteria</caption>
+        <Heads of={of} first="criterion" />
+        <tbody>
+          {of.verdicts.map((one, row) => (
+            <tr key={row}>
+              <th scope="row">
+                {one.title}
+                {one.unit ? `, ${one.unit}` : ""}
+                {of.several && one.pantograph ? `, ${one.pantograph}` : ""}
+              </th>
+              {one.cells.map(([word, state, limit], k) => (
+                <td key={k} class="number">
+                  <span class={`state ${state.replaceAll(" ", "-")}`}>{word}</span>
+                  <span class="difference">{limit}</span>
+                </td>
+              ))}
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </div>
+  );
+}
+
+export function Compare() {
+  const subjects = ticked.value;
+  const version = versionOf(subjects);
+  const enough = subjects.length > 1;
+  const { value, waiting, complaint } = useAnswer(enough ? version : null, (signal) => askComparison(subjects, signal)).value;
+  if (!enough) {
+    return (
+      <Nothing>
+        <p>{subjects.length ? "One run is ticked." : "Nothing is ticked."} Tick at least two runs, and they are compared with the first of them.</p>
+        <RunList measured />
+        <AddMeasured />
+      </Nothing>
+    );
+  }
+  if (complaint) {
+    return (
+      <>
+        <Refusal complaint={complaint} what="What is ticked cannot be compared" />
+        <AddMeasured />
+      </>
+    );
+  }
+  if (waiting || !value) return <Waiting what={`${subjects.length} runs`} />;
+  return (
+    <article class="results">
+      <h2>{value.title}</h2>
+      <AddMeasured />
+      {value.warnings.length > 0 && (
+        <ul class="remarks" aria-label="Remarks">
+          {value.warnings.map((text) => (
+            <li key={text}>{text}</li>
+          ))}
+        </ul>
+      )}
+      <Differences of={value} />
+      <Placement of={value} />
+      <Numbers of={value} rows={value.main} title="Main numbers" />
+      <p class="soft">{value.differences_read} Smaller than their ± they are too close to tell.</p>
+      <Verdicts of={value} />
+      <Acceptance of={value} />
+      <FigureSections
+        sections={value.sections}
+        version={version}
+        ask={(key, shown, signal) => askOverlay(subjects, key, shown, signal)}
+      />
+      <Bands of={value} />
+      <details>
+        <summary>All numbers</summary>
+        <Numbers of={value} rows={value.numbers} title="All numbers" />
+      </details>
+    </article>
+  );
+}

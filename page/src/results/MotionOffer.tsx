@@ -1,0 +1,48 @@
+/** A run without recorded motion: the offer to run its scenario again, with its motion recorded. */
+import { useSignal } from "@preact/signals";
+import { useEffect } from "preact/hooks";
+import { ask } from "../connection/http.ts";
+import { complain } from "../shell/messages.ts";
+import { jobs, type Job } from "../state/jobs.ts";
+import { scenario, source } from "../state/selection.ts";
+import { Nothing } from "./State.tsx";
+import { entryOf } from "./which.ts";
+
+/** What is ordered: the scenario with the changes of the run, and its motion. */
+export function order(path: string, changes: Record<string, string>) {
+  return { scenario: path, changes: { ...changes, "output.motion": true }, record_motion: true };
+}
+
+export function MotionOffer({ run }: { run: string }) {
+  const job = useSignal<string | null>(null);
+  const found = jobs.value.find((one) => one.id === job.value);
+  const chosen = scenario.value;
+  const begin = async (): Promise<void> => {
+    if (chosen === null) return;
+    try {
+      const body = order(chosen, entryOf(run)?.changes ?? {});
+      job.value = (await ask<{ job: Job }>("runs", { body })).job.id;
+    } catch (error) {
+      complain(error);
+    }
+  };
+  useEffect(() => {
+    if (found?.state === "done" && found.path !== null) source.value = { run: found.path };
+  }, [found?.state]);
+  return (
+    <Nothing>
+      <p>The motion of the wires was not recorded in this run. Its forces and uplifts are under Results.</p>
+      {found && found.state !== "failed" ? (
+        <p role="status">Running with its motion recorded, {Math.round(100 * found.fraction)} %</p>
+      ) : (
+        <p>
+          <button disabled={chosen === null} onClick={() => void begin()}>
+            Run again with its motion
+          </button>{" "}
+          {chosen === null ? "Choose its scenario at the top first." : `of ${chosen}, with the changes of this run`}
+        </p>
+      )}
+      {found?.error && <p role="alert">{found.error.text}</p>}
+    </Nothing>
+  );
+}

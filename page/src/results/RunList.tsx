@@ -1,0 +1,25 @@
+/** Runs of the folder to tick, where a panel has none to show. */
+import { project } from "../state/project.ts";
+import { ticked } from "../state/selection.ts";
+
+function toggle(path: string): void {
+  const before = ticked.peek();
+  ticked.value = before.includes(path) ? before.filter((one) => one !== path) : [...before, path];
+}
+
+export function RunList({ measured = false }: { measured?: boolean }) {
+  const view = project.value;
+  const paths = [...(view?.runs ?? []), ...(measured ? (view?.measured ?? []) : [])].map((one) => one.path);
+  if (!paths.length) return null;
+  return (
+    <ul class="run-list" aria-label={measured ? "Runs and measurements" : "Runs"}>
+      {paths.map((path) => (
+        <li key={path}>
+          <label>
+            <input type="checkbox" checked={ticked.value.includes(path)} onChange={() => toggle(path)} /> {path}
+          </label>
+        </li>
+      ))}
+    </ul>
+  );
+}

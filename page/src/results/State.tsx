@@ -1,0 +1,27 @@
+/** What a panel shows in place of an answer: nothing chosen, waiting, or why there is none. */
+import type { ComponentChildren } from "preact";
+import type { Complaint } from "../connection/http.ts";
+
+export function Nothing({ children }: { children: ComponentChildren }) {
+  return <div class="nothing">{children}</div>;
+}
+
+export function Waiting({ what }: { what: string }) {
+  return (
+    <p class="nothing" role="status">
+      Reading {what}
+    </p>
+  );
+}
+
+/** A complaint of the server: what, where, what was given and expected, and its hint. */
+export function Refusal({ complaint, what }: { complaint: Complaint; what: string }) {
+  return (
+    <div class="nothing" role="alert">
+      <p>
+        <strong>{what}</strong>
+      </p>
+      <p>{complaint.text}</p>
+    </div>
+  );
+}

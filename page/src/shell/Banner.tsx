@@ -1,0 +1,40 @@
+/** Over the window: the server is gone, or it was started anew and does not know this browser. */
+import { signal } from "@preact/signals";
+import { connection } from "../connection/stream.ts";
+
+/** The server answers, but refuses: its cookie is another one. */
+export const refused = signal(false);
+
+// In ms; a page that waits behind a closed laptop for a night should not make a machine warm.
+const ASK_EVERY = 2000;
+
+async function ask(): Promise<void> {
+  try {
+    refused.value = (await fetch("api/project", { credentials: "same-origin" })).status === 403;
+  } catch {
+    refused.value = false;
+  }
+}
+
+/** While there is no connection, find out why. */
+export function followServer(): void {
+  let timer: ReturnType<typeof setInterval> | undefined;
+  connection.subscribe((state) => {
+    clearInterval(timer);
+    if (state !== "lost") return void (refused.value = false);
+    timer = setInterval(() => void ask(), ASK_EVERY);
+    void ask();
+  });
+}
+
+export function Banner() {
+  if (connection.value !== "lost") return null;
+  return (
+    <p class="lost" role="alert">
+      <span class="sign" aria-hidden="true">▲</span>
+      {refused.value
+        ? "The server was started anew. Open the address that it printed, in this browser; this page then goes on. Nothing that you typed is lost."
+        : "The server does not answer. Nothing that you typed is lost; the page tries again by itself."}
+    </p>
+  );
+}

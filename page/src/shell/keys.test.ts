@@ -1,0 +1,48 @@
+// @vitest-environment happy-dom
+import { signal } from "@preact/signals";
+import { beforeEach, describe, expect, it, vi } from "vitest";
+import { commandOf, followKeys, nameOf, written } from "./keys.ts";
+import { addCommand, commands } from "./panels.ts";
+
+const key = (key: string, more: Partial<KeyboardEvent> = {}) =>
+  ({ key, ctrlKey: false, metaKey: false, altKey: false, shiftKey: false, ...more }) as KeyboardEvent;
+
+describe("names of keys", () => {
+  it("knows letters, signs and arrows", () => {
+    expect(nameOf(key("f"))).toBe("F");
+    expect(nameOf(key("F", { shiftKey: true }))).toBe("Shift+F");
+    expect(nameOf(key("?", { shiftKey: true }))).toBe("?");
+    expect(nameOf(key(" "))).toBe("Space");
+    expect(nameOf(key("ArrowRight", { shiftKey: true }))).toBe("Shift+ArrowRight");
+    expect(nameOf(key("Enter", { metaKey: true }))).toBe("Ctrl+Enter");
+    expect(written("Shift+ArrowRight")).toEqual(["Shift", "→"]);
+  });
+});
+
+describe("commands of keys", () => {
+  beforeEach(() => (commands.value = []));
+
+  it("takes the last one that is offered", () => {
+    const offered = signal(false);
+    addCommand({ id: "a", title: "A", keys: ["F"], act: () => undefined });
+    addCommand({ id: "b", title: "B", keys: ["F"], act: () => undefined, when: offered });
+    expect(commandOf("F")?.id).toBe("a");
+    offered.value = true;
+    expect(commandOf("F")?.id).toBe("b");
+    expect(commandOf("G")).toBeUndefined();
+  });
+
+  it("leaves a letter to the field where it is typed", () => {
+    const act = vi.fn();
+    addCommand({ id: "a", title: "A", keys: ["F", "Ctrl+Enter"], act });
+    followKeys();
+    document.body.innerHTML = "<input><button>b</button>";
+    const press = (at: Element, name: string, ctrlKey = false) =>
+      at.dispatchEvent(new KeyboardEvent("keydown", { key: name, ctrlKey, bubbles: true, cancelable: true }));
+    press(document.querySelector("input")!, "f");
+    expect(act).toHaveBeenCalledTimes(0);
+    press(document.querySelector("input")!, "Enter", true);
+    press(document.querySelector("button")!, "f");
+    expect(act).toHaveBeenCalledTimes(2);
+  });
+});

@@ -1,0 +1,51 @@
+/** Keys of commands: "Ctrl+Enter", "Shift+ArrowRight", "F"; on a Mac ⌘ is Ctrl. */
+import { commands, type Command } from "./panels.ts";
+
+const NAMES: Record<string, string> = { " ": "Space" };
+
+/** The name of a key that was pressed. A letter is written large; Shift is named only where it changes no sign. */
+export function nameOf(event: Pick<KeyboardEvent, "key" | "ctrlKey" | "metaKey" | "altKey" | "shiftKey">): string {
+  const plain = NAMES[event.key] ?? (event.key.length === 1 ? event.key.toUpperCase() : event.key);
+  const isSign = event.key.length === 1 && event.key.toUpperCase() === event.key.toLowerCase() && event.key !== " ";
+  return [
+    ...(event.ctrlKey || event.metaKey ? ["Ctrl"] : []),
+    ...(event.altKey ? ["Alt"] : []),
+    ...(event.shiftKey && !isSign ? ["Shift"] : []),
+    plain,
+  ].join("+");
+}
+
+/** What a key does where the focus is: in a field it types, on a button Space and Enter press it. */
+function isTaken(event: KeyboardEvent, name: string): boolean {
+  const at = event.target instanceof Element ? event.target : null;
+  if (at?.closest("dialog")) return true;
+  if (name.startsWith("Ctrl+") || name.startsWith("Alt+")) return name !== "Ctrl+Enter" && name !== "Ctrl+K" && isText(at);
+  if (isText(at) || at?.closest("select")) return true;
+  if (at?.closest("input[type=range], [role=slider], [role=separator]")) return /Arrow|Home|End|Page/.test(name);
+  if (at?.closest("[role=tab], [role=treeitem], [role=tablist]") && /Arrow|Home|End/.test(name)) return true;
+  return (name === "Space" || name === "Enter") && !!at?.closest("button, a, summary, input, [role=tab]");
+}
+
+const isText = (at: Element | null): boolean =>
+  !!at?.closest("textarea, [contenteditable]:not([contenteditable=false]), input:not([type=range], [type=checkbox], [type=radio], [type=button])");
+
+/** The command of a key; of several that are offered the one registered last. */
+export function commandOf(name: string): Command | undefined {
+  return commands.peek().findLast((one) => one.keys?.includes(name) && (one.when?.peek() ?? true));
+}
+
+export function followKeys(): void {
+  addEventListener("keydown", (event) => {
+    if (event.defaultPrevented || event.isComposing) return;
+    const name = nameOf(event);
+    const command = isTaken(event, name) ? undefined : commandOf(name);
+    if (!command) return;
+    event.preventDefault();
+    command.act();
+  });
+}
+
+const SHOWN: Record<string, string> = { ArrowLeft: "←", ArrowRight: "→", ArrowUp: "↑", ArrowDown: "↓" };
+
+/** A key as it is written on the screen. */
+export const written = (key: string): string[] => key.split("+").filter(Boolean).map((part) => SHOWN[part] ?? part);

@@ -1,0 +1,15 @@
+/**
+ * What the next run changes of its scenario: dotted field → value as typed, with its unit. Whoever
+ * offers a field sets it here; nothing of it is in a file until it is saved as a scenario.
+ */
+import { signal } from "@preact/signals";
+
+export type Changes = Record<string, string | number>;
+
+export const changes = signal<Changes>({});
+
+/** Change a field for the next run; the value of the file takes the change back. */
+export function change(field: string, value: string | number, ofFile?: string | number | null): void {
+  const { [field]: _, ...others } = changes.peek();
+  changes.value = value === ofFile || value === "" ? others : { ...others, [field]: value };
+}

@@ -1,0 +1,83 @@
+"""Ticked runs and measurements → tables and figures of their comparison."""
+
+from dataclasses import asdict
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from arcless.comparison import compare
+from arcless.comparison.content import comparison_content
+from arcless.figures.comparison import MOST_RUNS
+from arcless.figures.description import Figure
+from arcless.figures.description.tokens import of_series
+from arcless.studio.answers.answers import Refused
+from arcless.studio.charts.plain.charted import Charted
+from arcless.studio.charts.plain.drawable import heads
+
+if TYPE_CHECKING:
+    from arcless.comparison import Comparison
+
+
+class ChartedComparison(Charted):
+    """A comparison whose figures are asked for piece by piece.
+
+    Parameters
+    ----------
+    *files
+        Folders of runs, their files, or CSV files of measurements.
+    """
+
+    def __init__(self, *files: Path) -> None:
+        super().__init__()
+        self.comparison: Comparison = compare(files)
+
+    @cached_property
+    def figures(self) -> dict[str, list[Figure]]:
+        """Overlays by their keys."""
+        return self.comparison.figures
+
+    def told(self) -> dict[str, Any]:
+        """Return names, what differs, tables, remarks, and heads of the figures."""
+        compared = self.comparison
+        with self.lock:
+            content = comparison_content(compared, self.figures)
+            told = heads(self.figures)
+        sections = [
+            {"key": key, "title": title, "rows": [told[name] for name in names]}
+            for key, title, names, _ in content["sections"]
+        ]
+        kept = (
+            "title", "names", "runs", "warnings", "count", "verdicts", "several", "placement",
+            "bands", "acceptance", "simulated", "main", "numbers", "differences_read",
+            "numbers_read", "placement_reads", "bands_read", "acceptance_reads", "left_out", "same",
+        )  # fmt: skip
+        return {
+            **{name: content[name] for name in kept},
+            "fields": [asdict(one) for one in content["fields"]],
+            "colours": [of_series(run) for run in range(len(compared.names))],
+            "sections": sections,
+        }
+
+    @property
+    def bytes(self) -> int:
+        """Memory of the arrays of the runs that were read, and of pyramids, in bytes."""
+        read = [getattr(one.result.recorded, "read_bytes", 0)
+                for one in self.comparison.sides if one.result is not None]  # fmt: skip
+        return sum(read) + self.pyramid_bytes
+
+
+def checked(subjects: object) -> list[str]:
+    """Return the paths of what is to be compared.
+
+    Raises
+    ------
+    Refused
+        They are no list of texts, fewer than two, or more than are told apart in one figure.
+    """
+    if not isinstance(subjects, list) or not all(isinstance(one, str) for one in subjects):
+        raise Refused(400, "`subjects` is not a list of paths")
+    if len(subjects) > MOST_RUNS:
+        raise Refused(
+            400, f"{len(subjects)} are ticked; {MOST_RUNS} at most are told apart in one figure"
+        )
+    return subjects

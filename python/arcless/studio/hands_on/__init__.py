@@ -1,0 +1,1 @@
+"""Hands on: a line and its pantographs in real time, with a hand on the static force."""

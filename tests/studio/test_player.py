@@ -1,0 +1,105 @@
+"""The player in a browser, on a known motion: clock, views, keys, a lost stream."""
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import arcless
+from tests.studio.studio import DESK, PHONE, Studio, Window
+from tests.support.small import small
+
+Start = Callable[[Path], Studio]
+KNOWN = Path(__file__).with_name("known_motion.js")
+READOUT = ".transport output.where"
+TIME = f"parseFloat(document.querySelector('{READOUT}').textContent.split('·').at(-1))"
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return a folder with a run."""
+    place = tmp_path_factory.mktemp("player")
+    (place / "runs" / "a").mkdir(parents=True)
+    arcless.run(small()).save(place / "runs" / "a" / "result.nc")
+    return place
+
+
+@pytest.fixture
+def page(studio: Start, folder: Path) -> Iterator[Window]:
+    """Return a window in which a known motion is played."""
+    yield opened(studio, folder)
+
+
+def until(page: Window, expression: str) -> None:
+    """Wait until an expression in the page is true; its policy allows no text that is run later."""
+    page.js(
+        "new Promise((done) => { const look = () =>"
+        f" ({expression}) ? done() : requestAnimationFrame(look); look(); }})"
+    )
+
+
+def opened(studio: Start, folder: Path, size: Any = DESK) -> Window:
+    found = studio(folder).open(size, before=KNOWN.read_text("utf-8"))
+    found.click(".run-entry button.name")
+    found.wait(".transport")
+    until(found, f"document.querySelector('{READOUT}').textContent.includes('100.0 m')")
+    return found
+
+
+def test_it_plays_where_the_pantograph_is(page: Window) -> None:
+    page.click(".transport button[aria-label=Play]")
+    until(page, f"{TIME} > 0.4")
+    page.click(".transport button[aria-label=Pause]")
+    assert page.count(".line-view.side canvas") == 1, "a run that is opened is seen"
+    text = page.text(READOUT)
+    span, position, time = text.split(" · ")
+    place = 100.0 + 80.0 * float(time.removesuffix(" s"))
+    # Tenths of metres, hundredths of seconds.
+    assert float(position.removesuffix(" m")) == pytest.approx(place, abs=0.05 + 0.005 * 80)
+    assert span == f"span {int(float(position.removesuffix(' m')) // 50) + 1}"
+    assert page.js("known.wants.length") < 12
+
+
+def test_keys_step_rows_and_spans(page: Window) -> None:
+    page.js("document.activeElement.blur()")
+    page.press("Shift+ArrowRight")
+    until(page, f"document.querySelector('{READOUT}').textContent.includes('150.0 m')")
+    page.press("ArrowLeft")
+    until(page, f"{TIME} < 0.625")
+    page.press("Space")
+    page.wait(".transport button[aria-label=Pause]")
+
+
+def test_worst_places_one_after_the_other(page: Window) -> None:
+    page.js("document.activeElement.blur()")
+    for place in (240, 320, 240):
+        page.press("j")
+        # A second before the place.
+        until(page, f"document.querySelector('{READOUT}').textContent.includes('{place - 80}.0 m')")
+    page.press("k")
+    until(page, f"document.querySelector('{READOUT}').textContent.includes('{320 - 80}.0 m')")
+
+
+def test_a_lost_stream_is_opened_again(page: Window) -> None:
+    until(page, "known.wants.length > 1")
+    page.js("known.sockets.at(-1).close()")
+    until(page, "known.opened === 2")
+    page.js("document.activeElement.blur()")
+    page.click(".transport button[aria-label=Play]")
+    until(page, f"{TIME} > 3")
+
+
+def test_in_space(page: Window) -> None:
+    page.click('role=tab[name="3-D"]')
+    page.wait(".space canvas, .no-space")
+    page.wait(".space .names span")
+    assert page.count(".space .names span") > 1
+    page("close")
+    page._open = False  # drawing in software warns of the time that it takes to read a picture
+
+
+@pytest.mark.parametrize("size", [DESK, PHONE])
+def test_it_can_be_reached(studio: Start, folder: Path, size: Any) -> None:
+    found = opened(studio, folder, size)
+    assert found.axe() == []

@@ -1,0 +1,45 @@
+"""Recorded motion of a result → each contact wire with its own nodes."""
+
+import numpy as np
+import xarray
+
+from arcless.figures.wires.wire_motion import contact_wires
+from tests.support.synthetic import synthetic_dataset
+
+
+def recorded(wires: dict[str, int], rows: int = 4) -> xarray.Dataset:
+    """A result with motion: wire → columns; values tell row and column."""
+    dataset = synthetic_dataset(duration_s=1.0)
+    columns = sum(wires.values())
+    up = np.arange(rows * columns, dtype=np.float32).reshape(rows, columns)
+    first = np.arange(rows)[:, None] + 10 * np.arange(len(wires))
+    dataset = dataset.assign_coords(motion_time=0.01 * np.arange(rows), motion_wire=[*wires])
+    dataset["motion_up"] = (("motion_time", "motion_node"), up)
+    dataset["motion_first"] = (("motion_time", "motion_wire"), first)
+    dataset["motion_count"] = (("motion_wire",), [*wires.values()])
+    return dataset
+
+
+def test_without_recorded_motion_there_is_none() -> None:
+    assert contact_wires(synthetic_dataset(duration_s=1.0)) == []
+
+
+def test_contact_wires_alone_are_taken_with_their_own_columns() -> None:
+    dataset = recorded({"contact_wire 1": 3, "messenger_wire 1": 2, "contact_wire 2": 4})
+    nodes = dataset.sizes["contact_wire_node"]
+    number = np.where(np.arange(nodes) < 20, 1, 2)
+    dataset["contact_wire_node_wire"] = (("contact_wire_node",), number)
+    one, two = contact_wires(dataset)
+    np.testing.assert_array_equal(one.up[1], [9.0, 10.0, 11.0])
+    np.testing.assert_array_equal(two.up[1], [14.0, 15.0, 16.0, 17.0])
+    np.testing.assert_array_equal(two.first, [20, 21, 22, 23])
+    x = dataset["contact_wire_node_x"].values
+    np.testing.assert_array_equal(one.x, x[:20])
+    np.testing.assert_array_equal(two.x, x[20:])
+    np.testing.assert_array_equal(one.times, [0.0, 0.01, 0.02, 0.03])
+
+
+def test_a_single_contact_wire_has_all_nodes() -> None:
+    dataset = recorded({"contact_wire 1": 3, "messenger_wire 1": 2})
+    (one,) = contact_wires(dataset)
+    assert one.x.size == dataset.sizes["contact_wire_node"]
