@@ -1,6 +1,7 @@
 """Routes of the editor: mistakes in a text, its fields, changes of one, a copy to begin with."""
 
 import json
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -38,7 +39,7 @@ def routes(project: Project) -> list[BaseRoute]:
         return {"text": await run_sync(patched, text, changes, label)}
 
     async def schema(_: Request) -> Any:
-        return await run_sync(json_schema)
+        return await run_sync(_schema)
 
     async def new(request: Request) -> Any:
         asked = await json_body(request)
@@ -55,6 +56,11 @@ def routes(project: Project) -> list[BaseRoute]:
         route("patch", patch, "POST"),
         route("schema", schema),
     ]
+
+
+@cache
+def _schema() -> dict[str, Any]:
+    return json_schema()
 
 
 def begun(project: Project, name: str, source: str, with_pantographs: bool) -> str:

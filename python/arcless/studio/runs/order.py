@@ -15,6 +15,7 @@ from arcless.results.kept_runs.places import is_study_folder
 from arcless.results.run_folder.run_folder import FILES, folder_of
 from arcless.studio.answers.answers import Refused
 from arcless.studio.project import texts
+from arcless.studio.project.named import check_named
 from arcless.studio.project.project import Project, is_shipped
 
 # Fields that are changed at once; a form has some dozens.
@@ -61,6 +62,7 @@ def order_of(project: Project, asked: Mapping[str, Any]) -> Order:
         raise Refused(400, "no order of a run")
     scenario = _loaded(project, path)
     if changes:
+        check_named(changes)
         scenario = scenario.with_(**changes)
     check_typed_speed(scenario)
     command = _command(path, changes)
