@@ -4,7 +4,7 @@
 SHELL := /bin/sh
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help build demo test peers evidence pages fuzz golden lint bench counts page wheel clean check-python check-rust
+.PHONY: help build demo test peers evidence pages fuzz golden lint bench counts page pictures wheel clean check-python check-rust
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -107,6 +107,9 @@ counts: ## count the instructions of a step under valgrind; RENEW=1 stores them
 
 page: build ## build the page of the studio, which the wheel has: TypeScript and Vite on Node from PyPI
 	@$(BIN)/python -m page.build
+
+pictures: page ## take the pictures of the guide to the studio anew, in Chromium
+	@$(BIN)/python docs/make_studio.py
 
 wheel: page ## make dist/arcless-*.whl and try it in an empty environment
 	@rm -rf dist

@@ -1,4 +1,4 @@
-"""Take the pictures of the guide to the studio: `python docs/make_studio.py`, which is `make pictures`.
+"""Take the pictures of the guide to the studio: `python docs/make_studio.py`.
 
 A folder with a line and two runs is made in a temporary place, served, and looked at by Chromium.
 Beside the pictures `words.json` keeps the names of tabs, buttons, fields and headings that each one
@@ -26,8 +26,8 @@ FOLDER = ROOT / "docs" / "images" / "studio"
 WORDS = FOLDER / "words.json"
 # Sum of all pictures in bytes: a clone of the repository has them all.
 MOST = 300_000
-# Of WebP: below 70, thin lines of the drawing are smeared.
-QUALITY = 75
+# Of WebP: below 35, thin lines of the drawing are smeared.
+QUALITY = 42
 SHOWN = """[...document.querySelectorAll(
   "[role=tab], button:not(.name, .verdict-of), summary, main label, th, main h2, main h3"
 )].filter((one) => one.checkVisibility()).map((one) => one.innerText.trim().split("\\n")[0])
@@ -46,12 +46,21 @@ def edit(page: Window) -> None:
     page.wait(".form input")
 
 
+def watch(page: Window) -> None:
+    """Show a run in the player, somewhere in the middle."""
+    page.click(".run-entry .name >> nth=0")
+    page.wait(".verdict-of .numbers")
+    page.wait(".strips")
+    page.until("!document.querySelector('.motion-tools')?.innerText.includes('no recorded')")
+    page.click("text=Next worst place")
+
+
 def run(page: Window) -> None:
-    """Show a run: verdict in the bar, results below it."""
+    """Show results of a run."""
     page.click(".run-entry .name >> nth=0")
     page.wait(".verdict-of .numbers")
     page.click("role=tab[name=Results]")
-    page.wait("main section.verdict")
+    page.wait("main >> role=region[name=Verdict]")
 
 
 def compare(page: Window) -> None:
@@ -78,7 +87,7 @@ def statics(page: Window) -> None:
 
 
 VIEWS: dict[str, Callable[[Window], None]] = {
-    "edit": edit, "run": run, "why": why, "compare": compare, "statics": statics,
+    "edit": edit, "watch": watch, "run": run, "why": why, "compare": compare, "statics": statics,
 }  # fmt: skip
 
 
@@ -89,11 +98,11 @@ def prepare(folder: Path) -> None:
     for more in ([], ["--set", "speed=300 km/h"]):
         name = "my-line" + "-300" * bool(more)
         arcless("run", folder / "my-line.yaml", *more, "--out", folder / "runs" / name,
-                "--certainty", "--no-report", "--quiet")  # fmt: skip
+                "--set", "output.motion=true", "--certainty", "--no-report", "--quiet")  # fmt: skip
 
 
 @contextmanager
-def looked_at(name: str, view: Callable[[Window], None], server: Studio) -> Iterator[Window]:
+def looked_at(view: Callable[[Window], None], server: Studio) -> Iterator[Window]:
     """Open a view, moved by nothing any more."""
     with server.open(SMALL, reducedMotion="reduce") as page:
         view(page)
@@ -104,12 +113,12 @@ def looked_at(name: str, view: Callable[[Window], None], server: Studio) -> Iter
 def every(browser: Browser, folder: Path) -> Iterator[tuple[str, Window]]:
     """Return each view, opened."""
     (folder / "empty").mkdir(parents=True)
-    with Studio(browser, folder / "empty") as server, looked_at("start", start, server) as page:
+    with Studio(browser, folder / "empty") as server, looked_at(start, server) as page:
         yield "start", page
     prepare(folder / "railway")
     with Studio(browser, folder / "railway") as server:
         for name, view in VIEWS.items():
-            with looked_at(name, view, server) as page:
+            with looked_at(view, server) as page:
                 yield name, page
 
 

@@ -10,13 +10,15 @@ import { followJobs } from "./state/jobs.ts";
 import { followProject } from "./state/project.ts";
 import { register as drawing } from "./drawing/register.ts";
 import { register as editor } from "./editor/register.ts";
+import { register as handsOn } from "./hands_on/register.ts";
 import { register as player } from "./player/register.ts";
 import { register as project } from "./project/register.ts";
 import { register as results } from "./results/register.ts";
+import { register as studies } from "./studies/register.ts";
 import { register as statics } from "./statics/register.ts";
 import { register as window } from "./shell/window.ts";
 
-for (const register of [window, project, drawing, editor, statics, player, results]) register();
+for (const register of [window, project, drawing, editor, statics, player, results, studies, handsOn]) register();
 followProject();
 followJobs();
 followServer();

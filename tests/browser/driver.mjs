@@ -23,6 +23,8 @@ async function open({ name, address, before, ready, beside, ...options }) {
   const events = [];
   const own = address.startsWith("file:") ? address : new URL(address).host;
   page.on("console", (said) => {
+    // Software rendering says so whenever a picture is taken of a canvas with WebGL.
+    if (said.text().includes("GPU stall due to ReadPixels")) return;
     if (["error", "warning"].includes(said.type())) events.push(`${said.type()}: ${said.text()}`);
   });
   page.on("pageerror", (error) => events.push(`page error: ${error.message}`));

@@ -1,1 +1,1 @@
-"""What a user does in the studio: a real server on a folder of its own, and Chromium."""
+"""The studio as a user works with it: a real server on a folder of its own, and Chromium."""

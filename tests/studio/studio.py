@@ -70,7 +70,7 @@ class Studio:
         beside: "Window | None" = None,
         **more: Any,
     ) -> "Window":
-        """Open the studio in a new window, or in a tab beside another one with the same cookies."""
+        """Open the studio in a new window, or in a tab that shares the cookies of another one."""
         options = {**window(size, dark=dark), "ready": "main", **more}
         if beside is not None:
             options["beside"] = beside.number
@@ -96,7 +96,7 @@ class Studio:
 
 
 class Window(Tab):
-    """A window of the studio. A selector is Playwright's: CSS, `text=Run`, `role=button[name="Run"]`.
+    """A window of the studio. Selectors are Playwright's: CSS, `text=Run`, `role=button`.
 
     Besides these methods, `window("METHOD", …)` calls any method of Playwright's page.
     """

@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 from page.build import BUILT, missing
 
-# In bytes, compressed by gzip -9. A first paint within half a second; all of it within a few seconds over
-# a slow tunnel.
+# In bytes, compressed by gzip -9. A first paint within half a second; all of it within a few
+# seconds over a slow tunnel.
 FIRST_CHUNK = 120_000
 ALL = 700_000
 ADDRESS = re.compile(r"(?:https?:)?//[a-z0-9.-]+\.[a-z]{2,}[^\s\"'`)<>\\]*", re.IGNORECASE)

@@ -1,4 +1,4 @@
-"""The window: its first screen, keys, sizes, what it remembers, and what it says without a server."""
+"""The window: first screen, keys, sizes, what it remembers, what it says without a server."""
 
 import re
 import signal
@@ -10,6 +10,7 @@ import pytest
 from tests.studio.studio import DESK, PHONE, SMALL, Studio
 
 Start = Callable[[Path], Studio]
+
 
 def test_an_empty_folder_offers_an_example_and_all_shipped_models(
     studio: Start, tmp_path: Path

@@ -1,4 +1,4 @@
-"""`arcless studio` as a process, and clients of it that are no browser."""
+"""The studio's server as a process with a page of one line, and what it is asked over sockets."""
 
 import http.client
 import json
@@ -9,108 +9,115 @@ import subprocess
 import sys
 import time
 from pathlib import Path
-from types import TracebackType
 from typing import Any, Self
-from urllib.parse import urlencode
 
-# Time in s for an answer. Shorter, a busy machine fails tests that are right.
-PATIENCE_S = 30.0
+# Time in s that a start may take: imports on a machine that does much else.
+START_S = 60.0
+PAGE = "<!doctype html><title>Arcless studio</title>"
 
 
-class StudioServer:
-    """A server on a folder, ended with the block.
+class Server:
+    """`arcless studio FOLDER`, killed at the end of the block.
 
     Attributes
     ----------
-    port, cookie
-        Its port, and its cookie as a browser sends it.
+    address
+        The address that it printed.
     """
 
-    def __init__(self, folder: Path, **environment: str) -> None:
-        self._process = subprocess.Popen(
-            [sys.executable, "-m", "arcless", "studio", str(folder), "--no-browser"],
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-            text=True,
-            env={**os.environ, "PYTHONUNBUFFERED": "1", **environment},
-        )
-        assert self._process.stdout is not None
-        self.address = self._process.stdout.readline().strip()
-        assert self.address.startswith("http://127.0.0.1:"), self.error()
+    def __init__(self, folder: Path, place: Path, *words: str) -> None:
+        page = place / "page"
+        page.mkdir(exist_ok=True)
+        (page / "index.html").write_text(PAGE, "utf-8")
+        self.process = subprocess.Popen(
+            [sys.executable, "-m", "tests.support.studio_server", str(page), "studio",
+             str(folder), "--no-browser", *words],
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+            env={**os.environ, "PYTHONUNBUFFERED": "1"},
+        )  # fmt: skip
+        assert self.process.stdout is not None
+        self.address = self.process.stdout.readline().strip()
+        assert self.address.startswith("http://127.0.0.1:"), self.process.communicate()
         self.port = int(self.address.split(":")[2].split("/")[0])
-        status, head, _ = self.ask(self.address.split(str(self.port))[1], cookie="")
-        assert status == 303
-        self.cookie = head["set-cookie"].split(";")[0]
-
-    @property
-    def pid(self) -> int:
-        return self._process.pid
-
-    def ask(
-        self,
-        to: str,
-        method: str = "GET",
-        body: Any = None,
-        cookie: str | None = None,
-        patience: float = PATIENCE_S,
-        **query: str,
-    ) -> tuple[int, dict[str, str], bytes]:
-        """Ask as the page does; return status, head and body."""
-        line = http.client.HTTPConnection("127.0.0.1", self.port, timeout=patience)
-        content = body if isinstance(body, bytes) or body is None else json.dumps(body).encode()
-        head = {"Cookie": self.cookie if cookie is None else cookie}
-        if method != "GET":
-            head["Origin"] = f"http://127.0.0.1:{self.port}"
-        try:
-            line.request(method, to + (f"?{urlencode(query)}" if query else ""), content, head)
-            answer = line.getresponse()
-            found = {name.lower(): value for name, value in answer.getheaders()}
-            return answer.status, found, answer.read()
-        finally:
-            line.close()
-
-    def json(self, to: str, method: str = "GET", body: Any = None, **query: str) -> Any:
-        """Ask a route and return its answer."""
-        status, _, content = self.ask(f"/api/{to}", method, body, **query)
-        assert status == 200, content
-        return json.loads(content)
-
-    def connect(self) -> socket.socket:
-        """Return a connection to say anything on."""
-        return socket.create_connection(("127.0.0.1", self.port), timeout=PATIENCE_S)
-
-    def memory(self) -> float:
-        """Return the memory of the process that is in use, in MB."""
-        status = Path(f"/proc/{self.pid}/status").read_text()
-        return int(status.split("VmRSS:")[1].split()[0]) / 1000
-
-    def signal(self, number: signal.Signals) -> None:
-        self._process.send_signal(number)
-
-    def wait(self, patience: float = PATIENCE_S) -> tuple[int, float]:
-        """Return the exit code and the seconds that it took."""
-        start = time.monotonic()
-        return self._process.wait(patience), time.monotonic() - start
-
-    def error(self) -> str:
-        """Return all of standard error, of a server that has ended."""
-        assert self._process.stderr is not None
-        return self._process.stderr.read()
+        self.host = f"127.0.0.1:{self.port}"
+        self.cookie = self._cookie()
 
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(
-        self, kind: type[BaseException] | None, _: BaseException | None, __: TracebackType | None
-    ) -> None:
-        if self._process.poll() is None:
-            self._process.send_signal(signal.SIGCONT)
-            self._process.terminate()
-            try:
-                self._process.wait(PATIENCE_S)
-            except subprocess.TimeoutExpired:
-                self._process.kill()
-                raise
-        told = self.error()
-        if kind is None:
-            assert told == "", told
+    def __exit__(self, *_: object) -> None:
+        self.process.send_signal(signal.SIGCONT)
+        self.process.kill()
+        self.process.communicate()
+
+    def _cookie(self) -> str:
+        answer = self.ask("GET", self.address.partition(str(self.port))[2], cookie=None)
+        assert answer.status == http.client.SEE_OTHER, answer.status
+        return str(answer.headers["set-cookie"]).split(";")[0]
+
+    def ask(
+        self, method: str, path: str, body: bytes | dict[str, Any] | None = None,
+        cookie: str | None = "", timeout: float = 30.0, **headers: str,
+    ) -> "Answer":  # fmt: skip
+        """Ask as the page does, on a connection of its own."""
+        given = {"Origin": f"http://{self.host}"} | headers
+        if cookie is not None:
+            given["Cookie"] = cookie or self.cookie
+        content = json.dumps(body).encode() if isinstance(body, dict) else body
+        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=timeout)
+        try:
+            connection.request(method, path, content, given)
+            found = connection.getresponse()
+            return Answer(found.status, found.headers, found.read())
+        finally:
+            connection.close()
+
+    def connect(self, timeout: float = 30.0) -> socket.socket:
+        """Return a socket to the server."""
+        return socket.create_connection(("127.0.0.1", self.port), timeout)
+
+    def head(self, line: str, *more: str) -> bytes:
+        """Return the head of a request as the page sends it, with its first line given."""
+        lines = [line, f"Host: {self.host}", f"Origin: http://{self.host}",
+                 f"Cookie: {self.cookie}", *more, "", ""]  # fmt: skip
+        return "\r\n".join(lines).encode("latin-1")
+
+    def answers_within(self) -> float:
+        """Return the time in s that the server takes to answer."""
+        started = time.monotonic()
+        assert self.ask("GET", "/api/schema").status == http.client.OK
+        return time.monotonic() - started
+
+    def memory(self) -> float:
+        """Return the memory of the server in MiB."""
+        status = Path(f"/proc/{self.process.pid}/status").read_text("utf-8")
+        kibibytes = next(line for line in status.splitlines() if line.startswith("VmRSS"))
+        return int(kibibytes.split()[1]) / 1024.0
+
+    def open_files(self) -> int:
+        """Return how many files and sockets the server has open."""
+        return len(list(Path(f"/proc/{self.process.pid}/fd").iterdir()))
+
+
+class Answer:
+    """An answer of the server."""
+
+    def __init__(self, status: int, headers: http.client.HTTPMessage, body: bytes) -> None:
+        self.status, self.headers, self.body = status, headers, body
+
+    def json(self) -> Any:
+        """Return the value of its body."""
+        return json.loads(self.body)
+
+
+def main() -> None:
+    """Run the command line with the page of a folder."""
+    from arcless.cli import main as command
+    from arcless.studio.server import page
+
+    page.FOLDER = Path(sys.argv.pop(1))
+    command()
+
+
+if __name__ == "__main__":
+    main()

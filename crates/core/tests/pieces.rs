@@ -7,6 +7,7 @@ use arcless_core::CoreError;
 use arcless_core::integrator::wire_model::WireModel;
 use arcless_core::pantograph::actuator::Sample;
 use arcless_core::scheme::Scheme;
+use arcless_core::simulation::recording::motion::MotionPlan;
 use arcless_core::simulation::recording::record::{Record, RecordPlan};
 use arcless_core::simulation::recording::window::{Near, SortedStations};
 use arcless_core::simulation::run::{Callbacks, Part};
@@ -135,6 +136,84 @@ fn near_rows_are_cut_from_whole_ones() {
     assert!(firsts.len() > 1, "it moves on");
     assert_eq!(cut.link_min, whole.link_min);
     assert_eq!(cut.uplift_max, whole.uplift_max);
+}
+
+/// Nodes of a wire, of which three are recorded from 20 m behind on, and links.
+fn motion(p: &WireModel<2, 4>) -> MotionPlan {
+    MotionPlan {
+        every: 10,
+        behind: 20.0,
+        wires: vec![SortedStations {
+            of: vec![1, 3, 5, 7, 9],
+            x: vec![0.0, 60.0, 90.0, 120.0, 150.0],
+            count: 3,
+        }],
+        links: near(p).links,
+    }
+}
+
+#[test]
+fn rows_of_motion_are_cut_from_whole_ones() {
+    let p = line();
+    let nodes = vec![1, 3, 5, 7, 9];
+    let all = RecordPlan {
+        nodes,
+        line_every: 10,
+        ..everything()
+    };
+    let moving = RecordPlan {
+        motion: Some(motion(&p)),
+        ..all.clone()
+    };
+    let (plain, seen) = (whole(&p, &all), whole(&p, &moving));
+    assert_eq!(seen.motion_time, plain.line_time);
+    assert_eq!(plain.force, seen.force);
+    let (links, plan) = (p.line.links.len(), motion(&p));
+    let mut firsts = Vec::new();
+    for (row, values) in seen.motion.chunks(3 + 4).enumerate() {
+        let first = seen.motion_first[2 * row] as usize;
+        for (k, value) in values[..3].iter().enumerate() {
+            assert_eq!(*value, plain.uplift[row * 5 + first + k] as f32);
+        }
+        firsts.push(first);
+        let first = seen.motion_first[2 * row + 1] as usize;
+        for (k, value) in values[3..].iter().enumerate() {
+            let link = plan.links.of[first + k];
+            assert_eq!(*value, plain.link_force[row * links + link] as f32);
+        }
+    }
+    firsts.dedup();
+    assert!(firsts.len() > 1, "it moves on");
+    let mut pieces = Vec::new();
+    let last = run(&p, &moving, 1000, &mut |piece| {
+        pieces.push(piece.motion);
+        true
+    });
+    pieces.push(last.expect("a run").motion);
+    assert!(pieces.len() > 2);
+    assert_eq!(pieces.concat(), seen.motion);
+}
+
+#[test]
+fn motion_must_be_there_and_in_order() {
+    let p = line();
+    let bad: [fn(&mut MotionPlan); 5] = [
+        |plan| plan.every = 0,
+        |plan| plan.behind = f64::INFINITY,
+        |plan| plan.wires[0].of[0] = usize::MAX,
+        |plan| plan.wires[0].x[1] = 1e9,
+        |plan| plan.links.count = usize::MAX,
+    ];
+    for spoil in bad {
+        let mut motion = motion(&p);
+        spoil(&mut motion);
+        let plan = RecordPlan {
+            motion: Some(motion),
+            ..everything()
+        };
+        let told = run(&p, &plan, usize::MAX, &mut |_| true);
+        assert!(matches!(told, Err(CoreError::Input { array: "plan", .. })));
+    }
 }
 
 #[test]

@@ -30,6 +30,7 @@ fn plan(points: Vec<f64>) -> RecordPlan {
         ledger: false,
         ledger_every: 1,
         near: None,
+        motion: None,
     }
 }
 

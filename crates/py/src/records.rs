@@ -2,6 +2,7 @@
 
 use arcless_core::checkpoint::Checkpoint;
 use arcless_core::energy_terms::EnergyTerms;
+use arcless_core::simulation::recording::motion::MotionPlan;
 use arcless_core::simulation::recording::record::{Record, RecordPlan};
 use arcless_core::simulation::recording::support_parts::SupportParts;
 use arcless_core::simulation::recording::window::{Near, SortedStations};
@@ -20,6 +21,7 @@ pub struct PlanData {
     ledger: bool,
     ledger_every: usize,
     near: Option<NearData>,
+    motion: Option<MotionData>,
 }
 
 #[derive(FromPyObject)]
@@ -44,6 +46,14 @@ struct NearData {
     behind: f64,
     links: StationsData,
     nodes: StationsData,
+}
+
+#[derive(FromPyObject)]
+struct MotionData {
+    every: usize,
+    behind: f64,
+    wires: Vec<StationsData>,
+    links: StationsData,
 }
 
 #[derive(FromPyObject)]
@@ -79,6 +89,12 @@ impl From<PlanData> for RecordPlan {
                 links: near.links.into(),
                 nodes: near.nodes.into(),
             }),
+            motion: data.motion.map(|motion| MotionPlan {
+                every: motion.every,
+                behind: motion.behind,
+                wires: motion.wires.into_iter().map(Into::into).collect(),
+                links: motion.links.into(),
+            }),
         }
     }
 }
@@ -91,11 +107,12 @@ pub fn numbers<'py>(py: Python<'py>, state: &Checkpoint) -> PyResult<Bound<'py, 
     Ok(out)
 }
 
-pub fn arrays(py: Python<'_>, r: Record) -> PyResult<Bound<'_, PyDict>> {
+pub fn arrays(py: Python<'_>, mut r: Record) -> PyResult<Bound<'_, PyDict>> {
     let out = PyDict::new(py);
     out.set_item("contacts", &r.contacts)?;
     out.set_item("energy", energies(py, &r.energy)?)?;
     out.set_item("pivot_counts", &r.pivot_counts)?;
+    out.set_item("motion", std::mem::take(&mut r.motion).into_pyarray(py))?;
     for (name, count) in r.counts() {
         out.set_item(name, count)?;
     }

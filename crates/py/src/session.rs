@@ -9,7 +9,7 @@ use arcless_core::checkpoint::Checkpoint;
 use arcless_core::integrator::wire_model;
 use arcless_core::pantograph::model::Pantograph;
 use arcless_core::session::{self, Collector, SessionStart};
-use numpy::{PyReadonlyArray1, PyReadwriteArray1};
+use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1, PyReadwriteArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -187,6 +187,12 @@ impl Session {
     /// Contacts: pantograph, strip and lane of each; none where forces are given.
     fn contacts(&self) -> Vec<[usize; 3]> {
         either!(&self.0, session => session.outputs().contacts.clone())
+    }
+
+    /// Displacements of all nodes of the line from rest, m, node by node: along, across (in space
+    /// only), up.
+    fn displacements<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        either!(&self.0, session => session.displacements()).into_pyarray(py)
     }
 
     /// Steps taken, position in m, speed in m/s.

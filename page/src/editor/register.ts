@@ -20,7 +20,7 @@ export function register(): void {
   });
   addPanel({
     id: "yaml",
-    slot: "main",
+    slot: "main", alone: true,
     title: "YAML",
     order: 70,
     when: isOpen,

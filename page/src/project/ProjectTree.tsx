@@ -1,6 +1,7 @@
 /** The folder: models by kind, runs to tick, studies, measured data, and the shipped library. */
 import { useSignal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
+import { showStudy } from "../studies/vary.ts";
 import { project, type ModelEntry, type ProjectView } from "../state/project.ts";
 import { file, source, ticked } from "../state/selection.ts";
 import { show } from "../shell/panels.ts";
@@ -101,7 +102,7 @@ function KeptStudies({ view }: { view: ProjectView }) {
       <ul>
         {view.studies.map(({ path, name, done, planned }) => (
           <li key={path} class="entry">
-            <button class="name" onClick={() => show("studies")}>{name}</button>
+            <button class="name" onClick={() => showStudy(path)}>{name}</button>
             <span class="numbers soft">{planned === null ? done : `${done} of ${planned}`}</span>
           </li>
         ))}

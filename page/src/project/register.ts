@@ -16,7 +16,7 @@ export function register(): void {
   addPanel({ id: "project", slot: "left", title: "Project", order: 0, load: async () => (await import("./ProjectTree.tsx")).ProjectTree });
   addPanel({
     id: "start",
-    slot: "main",
+    slot: "main", alone: true,
     title: "Start",
     order: -10,
     when: computed(() => isEmpty.value || asked.value),

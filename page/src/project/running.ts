@@ -19,7 +19,7 @@ export const runningJob = computed<Job | null>(
 
 export const canRun = computed(() => scenario.value !== null && runningJob.value === null);
 
-/** Jobs of `POST runs`, in the order they were asked for. */
+/** Run the chosen scenario with what is changed; the player follows it. */
 export async function run(): Promise<void> {
   const path = scenario.peek();
   if (path === null || runningJob.peek()) return;
@@ -30,9 +30,12 @@ export async function run(): Promise<void> {
     certainty: withCertainty.peek(),
   };
   try {
-    const { job } = await ask<{ job: string }>("runs", { body });
-    started.add(job);
-    source.value = { job };
+    const { job } = await ask<{ job: Job }>("runs", { body });
+    started.add(job.id);
+    source.value = { job: job.id };
+    // A short run may be over before its answer is here.
+    const known = jobs.peek().find((one) => one.id === job.id);
+    if (known) endedIf(known);
   } catch (error) {
     complain(error);
   }
@@ -82,11 +85,13 @@ function ended(job: Job): void {
   if (!ticked.peek().includes(path)) ticked.value = [...ticked.peek(), path];
 }
 
+function endedIf(job: Job): void {
+  if (started.has(job.id) && ["done", "failed", "cancelled"].includes(job.state)) ended(job);
+}
+
 export function followRuns(): void {
   effect(() => {
-    for (const job of jobs.value) {
-      if (started.has(job.id) && ["done", "failed", "cancelled"].includes(job.state)) ended(job);
-    }
+    for (const job of jobs.value) endedIf(job);
   });
   // The first scenario of the folder is chosen until somebody chooses; one that is gone is let go.
   effect(() => {

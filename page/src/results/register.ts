@@ -12,21 +12,21 @@ export function register(): void {
   });
   addPanel({
     id: "results",
-    slot: "main",
+    slot: "main", alone: true,
     title: "Results",
     order: 40,
     load: async () => (await import("./Results.tsx")).Results,
   });
   addPanel({
     id: "compare",
-    slot: "main",
+    slot: "main", alone: true,
     title: "Compare",
     order: 50,
     load: async () => (await import("./Compare.tsx")).Compare,
   });
   addPanel({
     id: "explanation",
-    slot: "main",
+    slot: "main", alone: true,
     title: "Why σ",
     order: 60,
     load: async () => (await import("./Explanation.tsx")).Explanation,

@@ -6,7 +6,7 @@ import { Loaded, offered } from "./Loaded.tsx";
 import { folded, sizeOf } from "./layout.ts";
 import { Messages } from "./Messages.tsx";
 import { Palette } from "./Palette.tsx";
-import type { Slot } from "./panels.ts";
+import { standing, type Slot } from "./panels.ts";
 import { Splitter } from "./Splitter.tsx";
 import { Tabs } from "./Tabs.tsx";
 import { dialog } from "./window.ts";
@@ -23,7 +23,7 @@ function All({ slot }: { slot: Slot }) {
 
 function Sized() {
   const element = useRef<HTMLDivElement>(null);
-  const below = offered("below").length > 0 && !folded.value.below;
+  const below = offered("below").length > 0 && !folded.value.below && !standing("main")?.alone;
   const [left, right, height] = [sizeOf("left"), sizeOf("right"), sizeOf("below")];
   // By script: the content policy allows no style in markup.
   useLayoutEffect(() => {

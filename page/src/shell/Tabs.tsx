@@ -1,10 +1,10 @@
 /** A slot that shows one of its panels; arrow keys go from tab to tab. */
 import { Loaded, offered } from "./Loaded.tsx";
-import { show, shown, type Slot } from "./panels.ts";
+import { show, standing, type Slot } from "./panels.ts";
 
 export function Tabs({ slot, label }: { slot: Slot; label: string }) {
   const all = offered(slot);
-  const current = all.find((panel) => panel.id === shown.value[slot]) ?? all[0];
+  const current = standing(slot);
   if (!current) return null;
   const press = (event: KeyboardEvent) => {
     const by = { ArrowLeft: -1, ArrowRight: 1 }[event.key];

@@ -15,6 +15,8 @@ export interface Panel {
   load: () => Promise<ComponentType>;
   /** Whether it is offered now; always without. */
   when?: ReadonlySignal<boolean>;
+  /** It is read, and has no axis along the track: the strips are not below it. */
+  alone?: boolean;
 }
 
 export interface Command {
@@ -37,6 +39,12 @@ export function addPanel(panel: Panel): void {
 
 export function addCommand(command: Command): void {
   commands.value = [...commands.peek(), command];
+}
+
+/** The panel that stands in a slot with tabs now. */
+export function standing(slot: Slot): Panel | undefined {
+  const all = panels.value.filter((panel) => panel.slot === slot && (panel.when?.value ?? true));
+  return all.find((panel) => panel.id === shown.value[slot]) ?? all[0];
 }
 
 export function show(id: string): void {

@@ -68,10 +68,16 @@ def _arrays(given: Mapping[str, Any]) -> dict[str, NDArray[Any]]:
             hint = nearest_hint(name, VARIABLES)
             raise ResultFormatError("a variable of the result is not known", got=name, hint=hint)
     return {
-        name: np.asarray(given[name], dtype=np.int64 if variable.integer else np.float64)
+        name: np.asarray(given[name], dtype=_type_of(variable))
         for name, variable in VARIABLES.items()
         if name in given
     }
+
+
+def _type_of(variable: Variable) -> type[np.generic]:
+    if variable.integer:
+        return np.int64
+    return np.float32 if variable.single else np.float64
 
 
 def _coordinates(names: Mapping[str, Any], sizes: dict[str, int]) -> dict[str, NDArray[Any]]:

@@ -28,6 +28,8 @@ class Variable:
     """True when whole columns may be NaN (a pantograph with fewer masses than another)."""
     absent: bool = False
     """True when single values may be NaN (a contact that has no wire in reach)."""
+    single: bool = False
+    """True for numbers of single precision."""
     channel: str = ""
     """Channel of the core's record that it is, columns in the order of the dimension."""
 
@@ -53,6 +55,16 @@ DIMENSIONS: dict[str, Dimension] = {
     "near_dropper": Dimension("count", "1", "place in a row of the droppers near the pantographs"),
     "near_support": Dimension("count", "1", "place in a row of the supports near the pantographs"),
     "point": Dimension("name", "1", "recorded point of the contact wire"),
+    "motion_time": Dimension("number", "s", "time since the start of the run, motion of the wires"),
+    "motion_wire": Dimension(
+        "name", "1", "wire whose motion is recorded: its kind, and its number among those"
+    ),
+    "motion_node": Dimension(
+        "count", "1", "place in a row of motion: nodes near the pantographs, wire after wire"
+    ),
+    "near_motion_dropper": Dimension(
+        "count", "1", "place in a row of the droppers whose force goes with the motion"
+    ),
     "contact_wire_node": Dimension("count", "1", "node of the contact wire"),
     "messenger_wire_node": Dimension("count", "1", "node of the messenger wire"),
     "auxiliary_wire_node": Dimension("count", "1", "node of the auxiliary wire"),
@@ -112,6 +124,7 @@ def _holding(dim: str) -> dict[str, Variable]:
     }
 
 
+_MOTION = ("motion_time", "motion_node")
 VARIABLES: dict[str, Variable] = {
     "contact_force": Variable(_CONTACT, "N", "contact force", required=True),
     "contact_gap": Variable(
@@ -229,6 +242,42 @@ VARIABLES: dict[str, Variable] = {
     ),
     "support_uplift_max": Variable(
         ("support",), "m", "maximum uplift of the contact wire, every step", channel="uplift_max"
+    ),
+    "motion_up": Variable(
+        _MOTION,
+        "m",
+        "displacement of the wires from rest, upwards, near the pantographs",
+        single=True,
+    ),
+    "motion_across": Variable(
+        _MOTION,
+        "m",
+        "displacement of the wires from rest, to the left, near the pantographs",
+        single=True,
+    ),
+    "motion_first": Variable(
+        ("motion_time", "motion_wire"),
+        "1",
+        "number of the first node of each wire in a row of motion, from 0",
+        integer=True,
+    ),
+    "motion_count": Variable(
+        ("motion_wire",), "1", "number of nodes of each wire in a row of motion", integer=True
+    ),
+    "motion_dropper_force": Variable(
+        ("motion_time", "near_motion_dropper"),
+        "N",
+        "tension of the droppers near the pantographs; 0 is slack",
+        single=True,
+    ),
+    "motion_dropper_first": Variable(
+        ("motion_time",),
+        "1",
+        "place of the first of these droppers in motion_dropper_order, from 0",
+        integer=True,
+    ),
+    "motion_dropper_order": Variable(
+        ("dropper",), "1", "droppers along the track: index of each, from 0", integer=True
     ),
     "dropper_order": Variable(
         ("dropper",), "1", "droppers along the track: index of each, from 0", integer=True

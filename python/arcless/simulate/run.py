@@ -15,6 +15,7 @@ from arcless.simulate.runs import checkpoint
 from arcless.simulate.runs.job import SEARCHING, Cancel, Job, Progress, lay_out, observer
 from arcless.simulate.runs.mean_force import find_forces
 from arcless.simulate.runs.run_result import Part
+from arcless.simulate.runs.viewer import Viewer, Watch
 from arcless.simulate.setup.controllers import ControlFunction, Controllers
 
 
@@ -28,6 +29,7 @@ def run(
     cancel: Cancel | None = None,
     controllers: Mapping[str, ControlFunction | type] | None = None,
     certainty: int | None = None,
+    watch: Watch | None = None,
 ) -> Result:
     """Run a scenario: statics, dynamics, record.
 
@@ -57,6 +59,10 @@ def run(
         How many starts within a span say how sure the assessed numbers are, the run's own among
         them: `certainty` of the scenario. A run that stops early says it when it has been
         resumed to its end.
+    watch
+        Called while the run steps with a `MotionPiece`: the motion of the line near the
+        pantographs, as `output.motion` records it; the result holds it only where that is set. It
+        is called in the thread that steps, and what it raises ends the run.
 
     Raises
     ------
@@ -78,6 +84,8 @@ def run(
     tell = progress or (lambda _fraction, _text: None)
     started = time.perf_counter()
     job = lay_out(scenario, decided, tell, cancel)
+    if watch is not None:
+        job = replace(job, viewer=Viewer(watch))
     last = checkpoint.stop_step(job.travel, until)
     searching = observer(job.travel.steps, SEARCHING, tell, cancel)
     # The last run of a search is the run that is asked for, unless that stops early or is streamed.

@@ -1,7 +1,7 @@
 """Studies: one scenario mapped over many variants, from two cores to a cluster."""
 
 from arcless.study.definition.json_schema import json_schema
-from arcless.study.definition.load import execution, is_study, load
+from arcless.study.definition.load import execution, is_study, load, load_text
 from arcless.study.definition.study import Execution, Study
 from arcless.study.folder.folder import StudyFolder
 from arcless.study.folder.row_writer import Progress
@@ -21,6 +21,7 @@ __all__ = [
     "is_study",
     "json_schema",
     "load",
+    "load_text",
     "open",
     "run",
     "status",

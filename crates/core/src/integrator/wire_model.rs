@@ -400,6 +400,40 @@ impl<const DIM: usize, const D: usize> WireModel<DIM, D> {
             + c.velocity_from_a * of(state.acceleration())
     }
 
+    /// Appends displacements of nodes at the time of balance, m, with the increment of the current
+    /// step: of any nodes, requested or not; of explicit steps, for a component across the track,
+    /// see `displacement_at_balance` there.
+    pub(crate) fn add_displacements(
+        &self,
+        state: &WireState<D>,
+        nodes: &[usize],
+        component: usize,
+        out: &mut Vec<f32>,
+    ) {
+        if let Some((steps, chain)) = self.explicit_state(state) {
+            let of = |&node: &usize| steps.displacement_at_balance(chain, node, component) as f32;
+            out.extend(nodes.iter().map(of));
+        } else {
+            let (u, delta, keep) = (&state.u, &state.delta, self.coefficients.stiffness);
+            let of = |&node: &usize| (u[node][component] + keep * delta[node][component]) as f32;
+            out.extend(nodes.iter().map(of));
+        }
+    }
+
+    /// Returns the displacement of a node from the static shape between two steps, m, along, across
+    /// and up; also of nodes that explicit steps were not asked for.
+    pub(crate) fn displacement_between_steps(
+        &self,
+        state: &WireState<D>,
+        node: usize,
+    ) -> [f64; DIM] {
+        let known = || std::array::from_fn(|component| state.u[node][component]);
+        let found = self
+            .explicit_state(state)
+            .and_then(|(steps, chain)| steps.displacement_between_steps(chain, node));
+        found.unwrap_or_else(known)
+    }
+
     /// Requests the motion of nodes for the coming step.
     pub(crate) fn request_nodes(
         &self,

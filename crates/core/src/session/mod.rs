@@ -142,6 +142,15 @@ impl<const DIM: usize, const D: usize> Session<DIM, D> {
         self.model.line.line.nodes()
     }
 
+    /// Displacements of all nodes from the static shape, m, node by node.
+    #[must_use]
+    pub fn displacements(&self) -> Vec<f64> {
+        let (line, wires) = (&self.model.line, &self.state.motion.wires);
+        (0..self.nodes())
+            .flat_map(|node| line.displacement_between_steps(wires, node))
+            .collect()
+    }
+
     /// Position along the track in m, and speed in m/s.
     #[must_use]
     pub fn position_and_speed(&self) -> (f64, f64) {

@@ -154,6 +154,9 @@ impl<const DIM: usize, const D: usize> WireModel<DIM, D> {
         if let Some(near) = &plan.near {
             near.check(self.line.links.len(), self.line.nodes())?;
         }
+        if let Some(recorded) = &plan.motion {
+            recorded.check(self.line.links.len(), self.line.nodes())?;
+        }
         plan.check_supports(self.line.springs.len(), self.line.struts.len())?;
         crate::linear::loads::check::<D>(
             &trajectory.loads,

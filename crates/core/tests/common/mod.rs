@@ -398,6 +398,7 @@ pub fn everything() -> RecordPlan {
         ledger: true,
         ledger_every: 1,
         near: None,
+        motion: None,
     }
 }
 

@@ -128,6 +128,7 @@ pub fn plan(nodes: Vec<usize>) -> RecordPlan {
         ledger: false,
         ledger_every: 1,
         near: None,
+        motion: None,
     }
 }
 

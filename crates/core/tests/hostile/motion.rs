@@ -68,6 +68,7 @@ pub fn plan(feed: &mut Feed<'_>, nodes: usize) -> RecordPlan {
         ledger: feed.flag(),
         ledger_every: 1,
         near: None,
+        motion: None,
     };
     if !is_usual {
         (plan.contact_every, plan.line_every) = (feed.index(3), feed.index(3));

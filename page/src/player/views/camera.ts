@@ -1,6 +1,7 @@
 /** The range that all views show follows the first pantograph, until somebody moves it. Lengths in m. */
 import { signal } from "@preact/signals";
 import { kept } from "../../drawing/camera.ts";
+import { look } from "../../drawing/fit.ts";
 import { isPlayed, shown, whole } from "../../drawing/scene.ts";
 import { range } from "../../state/selection.ts";
 import { state } from "../player.ts";
@@ -41,6 +42,8 @@ export function followCamera(): void {
     mine = null;
     return;
   }
+  const isFirst = mine === null;
   mine = kept([x - PLACE * length, x + (1 - PLACE) * length], whole(line));
-  range.value = mine;
+  if (isFirst) look(mine); // heights that fill the picture of the whole line are cut in that of a part
+  else range.value = mine;
 }

@@ -92,6 +92,7 @@ def run(
         from arcless.results.run_folder.run_folder import folder_of, for_run
 
     with for_run(out or folder_of(chosen), overwrite=overwrite) as folder:
+        _tell_size(chosen, quiet=quiet)
         command = _command(scenario, speed, set_, certainty)
         result = _simulate(
             chosen, until, folder.file(RESULT_NAME), command, quiet=quiet,
@@ -150,6 +151,18 @@ def statics(
     else:
         console.show(*statics_tables.blocks(chosen.name, found))
         outcome.say_written(written)
+
+
+def _tell_size(scenario: "Scenario", *, quiet: bool) -> None:
+    """Tell how much the motion of the wires takes, where it is recorded."""
+    if scenario.output.motion is None or quiet:
+        return
+    from arcless.simulate.checks import faults_of
+    from arcless.simulate.recording.motion import motion_bytes
+
+    with faults_of(scenario.name):
+        size = motion_bytes(scenario)
+    console.note(f"the motion of the wires is recorded: {size / 1e6:.3g} MB before compression")
 
 
 def _simulate(

@@ -16,7 +16,7 @@ _PACKAGES = ("starlette", "uvicorn", "websockets")
 def studio(
     folder: Annotated[
         Path,
-        typer.Argument(metavar="[FOLDER]", help="Models, runs and studies are read and written "
+        typer.Argument(metavar="FOLDER", help="Models, runs and studies are read and written "
                        "here, and nowhere else.", show_default=False),
     ] = Path(),
     *,
@@ -31,7 +31,7 @@ def studio(
     """See the line move, change it, and compare runs in the browser.
 
     Serves the page of FOLDER (this folder without) on this machine alone, and prints its address.
-    Whoever has the address can read and write the models of the folder. Ctrl-C ends it, runs that
+    All who have the address can read and write the models of the folder. Ctrl-C ends it, runs that
     are being computed with it.
     """
     missing = [name for name in _PACKAGES if find_spec(name) is None]

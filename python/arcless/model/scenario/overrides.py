@@ -88,10 +88,18 @@ class Origins:
 
 
 _OF_THE_RUN = Origins({}, {})
+_ANYWHERE = Origin()
 
 
-def apply(scenario: Model, changes: Mapping[str, Any], origins: Origins = _OF_THE_RUN) -> Model:
+def apply(
+    scenario: Model,
+    changes: Mapping[str, Any],
+    origins: Origins = _OF_THE_RUN,
+    place: Origin = _ANYWHERE,
+) -> Model:
     """Return a validated copy of `scenario` with changed fields; see `Scenario.with_`.
+
+    Files that changes name are relative to the folder of `place`, and stay within its limit.
 
     Raises
     ------
@@ -106,14 +114,16 @@ def apply(scenario: Model, changes: Mapping[str, Any], origins: Origins = _OF_TH
     replaced: set[str] = set()
     named: dict[str, Document] = {}
     for path, value in changes.items():
-        replaced |= _set(data, path, value, set(changes), named, origins=origins)
-    changed = build(data, "scenario", type(scenario), Origin())
+        replaced |= _set(data, path, value, set(changes), named, origins=origins, origin=place)
+    changed = build(data, "scenario", type(scenario), place)
     carry(scenario, changed, replaced, named)
     return changed
 
 
-def apply_to_line(line: Line, changes: Mapping[str, Any]) -> Line:
+def apply_to_line(line: Line, changes: Mapping[str, Any], place: Origin = _ANYWHERE) -> Line:
     """Return a validated copy of a line with changed fields, with or without `line.` before them.
+
+    Files that changes name are relative to the folder of `place`, and stay within its limit.
 
     Raises
     ------
@@ -123,8 +133,8 @@ def apply_to_line(line: Line, changes: Mapping[str, Any]) -> Line:
     data = line.model_dump(mode="json", by_alias=True)
     own = {path.removeprefix("line."): value for path, value in changes.items()}
     for path, value in own.items():
-        _set(data, path, value, set(own), {})
-    return build(data, "line", Line, Origin())
+        _set(data, path, value, set(own), {}, origin=place)
+    return build(data, "line", Line, place)
 
 
 def field_of(scenario: ScenarioData, path: str) -> tuple[str, Unit | None]:
@@ -156,6 +166,7 @@ def _set(
     named: dict[str, Document],
     *,
     origins: Origins = _OF_THE_RUN,
+    origin: Origin = _ANYWHERE,
 ) -> set[str]:
     """Set a field, note the model that was named for it; return the paths that are other now."""
     *groups, last = _full_path(data, path)
@@ -168,7 +179,7 @@ def _set(
     before, _, _ = path.rpartition(".")
     # A change further inside must not reach the caller's mapping.
     given = isinstance(value, Line | Pantograph)
-    model = value if given else _named_model(last, value)
+    model = value if given else _named_model(last, value, origin)
     place[last] = deepcopy(value) if model is None else model.to_dict()
     whole = dotted((*groups, last))
     replaced = {whole}
@@ -184,12 +195,12 @@ def _set(
     return replaced
 
 
-def _named_model(field: str | int, value: Any) -> Line | Pantograph | None:
+def _named_model(field: str | int, value: Any, origin: Origin) -> Line | Pantograph | None:
     """Return the model that is given by name, or None: later changes can go into its data."""
     if isinstance(value, str) and field == "line":
-        return load_named(value, "line", Line)
+        return load_named(value, "line", Line, origin)
     if isinstance(value, str) and field == "model":
-        return load_named(value, "pantograph", Pantograph)
+        return load_named(value, "pantograph", Pantograph, origin)
     return None
 
 

@@ -91,9 +91,9 @@ def load_file(path: FilePath, kind: Kind, model: type[Model], referrer: Origin) 
     return build(data, kind, model, origin)
 
 
-def load_named(name: str, kind: Kind, model: type[Model]) -> Model:
-    """Return the model that a shipped name or a file has."""
-    return load_file(locate(name, kind, Origin()), kind, model, Origin())
+def load_named(name: str, kind: Kind, model: type[Model], origin: Origin) -> Model:
+    """Return the model that a shipped name, or a file in the folder of `origin`, has."""
+    return load_file(locate(name, kind, origin), kind, model, origin)
 
 
 def check_format(data: Mapping[str, Any], kind: str, origin: Origin, prefix: Path = ()) -> None:

@@ -207,6 +207,23 @@ class Solver(Part):
         return LONGEST if isinstance(given, str) else given
 
 
+class RecordedMotion(Part):
+    """Recorded motion of the wires near the pantographs: how often, and how far around them."""
+
+    interval: Annotated[float, Unit("s", minimum=1e-4, maximum=1)] = Field(
+        default=0.01,
+        description="Time between two records, in whole steps; 10 ms: five in a period of 20 Hz,"
+        " the cut-off of the contact force.",
+    )
+    around: Annotated[
+        float | Literal["whole line"], Unit("m", above=0, maximum=1e6, words=(WHOLE_LINE,))
+    ] = Field(
+        default=200.0,
+        description="How far before the first and behind the last pantograph; at most what"
+        " output.around leaves of a long line.",
+    )
+
+
 class Output(Part):
     """Output settings: quantities that are recorded, and their rate."""
 
@@ -240,3 +257,15 @@ class Output(Part):
     points: Annotated[Lengths, Field(max_length=1000)] = Field(
         default=(), description="Points of the contact wire whose uplift is recorded."
     )
+    motion: RecordedMotion | None = Field(
+        default=None,
+        description="Record the motion of all wires near the pantographs, for pictures of it: true,"
+        " or interval and around; none without.",
+    )
+
+    @model_validator(mode="before")
+    @classmethod
+    def _motion_by_word(cls, data: Any) -> Any:
+        if isinstance(data, dict) and isinstance(data.get("motion"), bool):
+            return {**data, "motion": {} if data["motion"] else None}
+        return data

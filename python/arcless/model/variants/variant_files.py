@@ -71,12 +71,13 @@ def scenario_of(data: Mapping[str, Any], origin: Origin) -> Scenario:
         return build(data, "scenario", Scenario, origin)
     check_format(data, "scenario", origin)
     variant = _validated(data, origin)
-    base = _base(variant.base, origin)
+    base = named_scenario(variant.base, origin, "base")
     given = {path: _Given.of(path, value, origin) for path, value in variant.set_.items()}
     entries = {path: {**_note(base), **one.entry} for path, one in given.items()}
     changes = {path: one.value for path, one in given.items()}
     try:
-        found = apply(base, changes, Origins(entries, variant.sources))
+        place = Origin(within=origin.within)
+        found = apply(base, changes, Origins(entries, variant.sources), place)
     except ModelError as error:
         path = _place(error, changes)
         error.where, error.field = origin.where(path), path
@@ -161,12 +162,28 @@ class _Given:
         return cls(value, entry)
 
 
-def _base(name: str, origin: Origin) -> Scenario:
-    path: Path = ("base",)
+def named_scenario(name: str, origin: Origin, field: str) -> Scenario:
+    """Return the scenario that a field of a file names, of a variant or whole.
+
+    Parameters
+    ----------
+    name
+        Shipped name, or file relative to that of `origin`.
+    origin
+        The file that names it.
+    field
+        The field there.
+
+    Raises
+    ------
+    ModelError
+        There is no such scenario, or it is wrong.
+    """
+    path: Path = (field,)
     try:
         file = locate(name, "scenario", origin)
     except ModelError as error:
-        error.what, error.where, error.field = f"base: {error.what}", origin.where(path), path
+        error.what, error.where, error.field = f"{field}: {error.what}", origin.where(path), path
         raise
     with origin.referring(path):
         return scenario_of(*read(file, origin))

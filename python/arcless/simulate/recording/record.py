@@ -11,6 +11,7 @@ from arcless.dataset.schema import VARIABLES, Variable
 from arcless.equilibrium.equilibrium import Equilibrium
 from arcless.model import Scenario
 from arcless.simulate.recording import contacts
+from arcless.simulate.recording.motion import MotionLayout, wires_of
 
 if TYPE_CHECKING:
     import xarray
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
 Floats = NDArray[np.float64]
 
 # Dimensions that count the instants of a run.
-SERIES = ("time", "line_time")
+SERIES = ("time", "line_time", "motion_time")
 # Variables that are a channel of the core's record: of every row, or of every step.
 OF_ROWS = {n: v for n, v in VARIABLES.items() if v.channel and v.dims[0] in SERIES}
 OF_STEPS = {n: v for n, v in VARIABLES.items() if v.channel and v.dims[0] not in SERIES}
@@ -30,26 +31,38 @@ OF_SUPPORTS = tuple(
 
 
 def dynamic_variables(
-    raw: dict[str, Any], found: Equilibrium, scenario: Scenario, *, controlled: bool = False
-) -> dict[str, Floats]:
+    raw: dict[str, Any],
+    found: Equilibrium,
+    scenario: Scenario,
+    *,
+    controlled: bool = False,
+    motion: MotionLayout | None = None,
+) -> dict[str, Any]:
     """Return the time series and extremes of a run, shaped as the result wants them."""
-    return series(raw, found, scenario, controlled=controlled) | extremes(raw, found)
+    moving = series(raw, found, scenario, controlled=controlled, motion=motion)
+    return moving | extremes(raw, found)
 
 
 def series(
-    raw: dict[str, Any], found: Equilibrium, scenario: Scenario, *, controlled: bool = False
-) -> dict[str, Floats]:
-    """Return the time series of a run or of a piece of it, shaped as the result wants them."""
+    raw: dict[str, Any],
+    found: Equilibrium,
+    scenario: Scenario,
+    *,
+    controlled: bool = False,
+    motion: MotionLayout | None = None,
+) -> dict[str, Any]:
+    """Return the time series of a run or of a piece of it, shaped as the result wants them.
+
+    `motion` is the layout of the motion in the record, None where it holds none.
+    """
     count = len(scenario.pantographs)
     out = contacts.channels(raw, count)
     wanted = _wanted(raw, found, scenario, controlled=controlled)
     out |= _channels(raw, found, {name: OF_ROWS[name] for name in wanted})
+    out["mass_displacement"] = mass_displacements(raw, scenario)
     models = [placement.model for placement in scenario.pantographs]
-    moved = _of_each(raw["masses"], [model.size for model in models])
-    out["mass_displacement"] = _padded(
-        [own[:, model.heights] for own, model in zip(moved, models, strict=True)]
-    )
     if any(model.rolls for model in models):
+        moved = _of_each(raw["masses"], [model.size for model in models])
         out["strip_roll"] = _padded(
             [own[:, model.rolls] for own, model in zip(moved, models, strict=True)]
         )
@@ -58,7 +71,16 @@ def series(
         kept.pop("work_wind", None)
     if not controlled:
         kept.pop("work_control", None)
+    if motion is not None and len(raw["motion_time"]):
+        out |= motion.split(raw)
     return out | {f"energy_{name}": values for name, values in kept.items()}
+
+
+def mass_displacements(raw: dict[str, Any], scenario: Scenario) -> Floats:
+    """Return (time, pantograph, mass) displacement since the start, m."""
+    models = [placement.model for placement in scenario.pantographs]
+    moved = _of_each(raw["masses"], [model.size for model in models])
+    return _padded([own[:, model.heights] for own, model in zip(moved, models, strict=True)])
 
 
 def extremes(raw: dict[str, Any], found: Equilibrium) -> dict[str, Floats]:
@@ -119,7 +141,8 @@ def joined(pieces: Sequence[dict[str, Any]]) -> dict[str, Any]:
     energy = {
         name: np.concatenate([piece["energy"][name] for piece in pieces]) for name in last["energy"]
     }
-    return {**last, **series, "energy": energy}
+    motion = np.concatenate([piece["motion"] for piece in pieces])
+    return {**last, **series, "energy": energy, "motion": motion}
 
 
 def put_behind(
@@ -181,7 +204,7 @@ def static_variables(found: Equilibrium, elasticity: Floats) -> dict[str, Any]:
     if mesh.bridles:
         counts = [len(bridle.nodes) for bridle in mesh.bridles]
         out["bridle_node_support"] = np.repeat([b.support for b in mesh.bridles], counts)
-    for wire, pieces in _wires(found).items():
+    for wire, pieces in wires_of(found.mesh).items():
         nodes = [node for piece in pieces for node in piece]
         if not nodes:
             continue
@@ -193,38 +216,35 @@ def static_variables(found: Equilibrium, elasticity: Floats) -> dict[str, Any]:
     return out
 
 
-def _wires(found: Equilibrium) -> dict[str, list[list[int]]]:
-    """Return the nodes of each wire by its kind; stitch wires by their tension length."""
-    systems = found.mesh.systems
-    return {
-        "contact_wire": found.mesh.contact_wires,
-        "messenger_wire": [system.messenger for system in systems],
-        "auxiliary_wire": [system.auxiliary for system in systems],
-        "stitch_wire": [[n for one in system.stitches for n in one.nodes] for system in systems],
-        "bridle": [[n for one in system.bridles for n in one.nodes] for system in systems],
-    }
-
-
 def _rows(values: Floats, rows: list[int | None]) -> list[float]:
     return [np.nan if row is None else float(values[row]) for row in rows]
 
 
-def rows(steps: range, scenario: Scenario) -> dict[str, int]:
+def rows(steps: range, scenario: Scenario, motion: MotionLayout | None = None) -> dict[str, int]:
     """Return how many rows the steps of a run, counted from 0, leave in each of `SERIES`."""
     output = scenario.output
     every = {"time": output.contact_every, "line_time": output.line_every}
-    return {axis: _multiples(steps, of) for axis, of in every.items()}
+    found = {axis: _multiples(steps, of) for axis, of in every.items()}
+    found["motion_time"] = 0 if motion is None else _multiples(steps, motion.every)
+    return found
 
 
 def _multiples(steps: range, of: int) -> int:
     return -(-steps.stop // of) + -steps.start // of
 
 
-def names(raw: dict[str, Any], found: Equilibrium, scenario: Scenario) -> dict[str, Any]:
+def names(
+    raw: dict[str, Any],
+    found: Equilibrium,
+    scenario: Scenario,
+    motion: MotionLayout | None = None,
+) -> dict[str, Any]:
     """Return the labels of the result's dimensions."""
     labels = {
         "time": raw["time"],
         "line_time": raw["line_time"],
+        "motion_time": raw["motion_time"],
+        **({} if motion is None else motion.labels),
         "pantograph": [placement.name for placement in scenario.pantographs],
         "dropper": [dropper.name for dropper in found.mesh.droppers],
         "support": [support.name for support in found.mesh.supports],

@@ -13,16 +13,17 @@ from arcless.errors import ArclessError
 from arcless.model import Scenario
 from arcless.model.scenario.coarse_copy import coarse
 from arcless.model.settings.schemes import EXPLICIT
+from arcless.simulate.recording.motion import MotionLayout, layout_of
 from arcless.simulate.recording.recording_window import Nearby, nearby
 from arcless.simulate.runs.checkpoint import State
 from arcless.simulate.runs.failures import preparing, stepping
+from arcless.simulate.runs.viewer import Audience, Take, Viewer
 from arcless.simulate.setup import gust_loads, pantographs, trajectory
 from arcless.simulate.setup.controllers import Controllers
 from arcless.simulate.setup.core_data import Excitation, LoadData, RecordPlan, SupportParts
 
 Progress = Callable[[float, str], None]
 Cancel = Callable[[], bool]
-Take = Callable[[dict[str, Any]], None]
 # Numbers of a piece of the series: 8 MB.
 PIECE = 1 << 20
 # Steps between two in which explicit ones measure what wires store and dissipate, which takes as
@@ -46,6 +47,8 @@ class Job:
     copy
         Lays out a coarse copy of the run, on which a static force is searched for first; returns
         None where none serves.
+    viewer
+        Handed the motion of the line while a full run steps; None where nobody looks.
     """
 
     scenario: Scenario
@@ -57,6 +60,7 @@ class Job:
     controllers: Controllers
     observe: Callable[[int], bool]
     copy: Callable[[], "Job | None"] = lambda: None
+    viewer: Viewer | None = None
 
     def step(
         self,
@@ -87,6 +91,9 @@ class Job:
                 placements, forces, self.excitations, actuators, strict=True
             )
         ]
+        audience = self._audience(take) if full else None
+        if audience is not None:
+            take, piece = audience.take, 1
         began = time.perf_counter()
         with stepping(mesh, placements):
             raw = self.model.run(
@@ -102,10 +109,19 @@ class Job:
                 until=until,
                 take=None if take is None else (piece or PIECE, take),
             )
+        if audience is not None:
+            raw = audience.whole(raw)
         raw["wall_s"] = time.perf_counter() - began
         step, after = raw["state"]
         raw["state"] = State(step, {**after, **self.controllers.numbers(actuators)})
         return raw
+
+    def _audience(self, take: Take | None) -> Audience | None:
+        """Return the receiver of the pieces of a run that is watched; None of one that is not."""
+        if self.viewer is None or self.motion is None:
+            return None
+        kept = self.kept_motion is not None
+        return self.viewer.audience(self.scenario, self.found, self.motion, take, kept=kept)
 
     def _plan(self, *, full: bool) -> RecordPlan:
         output = self.scenario.output
@@ -119,6 +135,7 @@ class Job:
             ledger=keeps_ledger(self.scenario) and (full or measured_every(self.scenario) > 1),
             ledger_every=measured_every(self.scenario),
             near=None if self.nearby is None else self.nearby.plan(self.found.mesh),
+            motion=self.motion.plan(self.found) if full and self.motion is not None else None,
         )
 
     def _support_parts(self) -> list[SupportParts]:
@@ -135,6 +152,18 @@ class Job:
     def nearby(self) -> Nearby | None:
         """Recording window; None for the whole line."""
         return nearby(self.scenario, self.found.mesh, self.travel.steps)
+
+    @cached_property
+    def motion(self) -> MotionLayout | None:
+        """Layout of the motion that is recorded, for the result or for a viewer."""
+        if self.viewer is None and self.scenario.output.motion is None:
+            return None
+        return layout_of(self.found, self.scenario)
+
+    @property
+    def kept_motion(self) -> MotionLayout | None:
+        """Layout of the motion that the result holds."""
+        return None if self.scenario.output.motion is None else self.motion
 
 
 @dataclass(frozen=True)

@@ -17,8 +17,9 @@ from arcless.model.scenario.as_typed import typed_in
 from arcless.results import Result
 from arcless.simulate.recording import record
 from arcless.simulate.runs import checkpoint
-from arcless.simulate.runs.job import Job, Progress, Take
+from arcless.simulate.runs.job import Job, Progress
 from arcless.simulate.runs.streaming import Stream
+from arcless.simulate.runs.viewer import Take
 from arcless.simulate.setup import stops_and_friction
 from arcless.storage.whole_files import replacing
 
@@ -54,8 +55,10 @@ class Part:
     def in_memory(self, raw: dict[str, Any], tell: Progress) -> Result:
         """Return all that was recorded so far."""
         job, controlled = self.job, self.job.controllers.any
-        moving = record.dynamic_variables(raw, job.found, job.scenario, controlled=controlled)
-        names = record.names(raw, job.found, job.scenario)
+        moving = record.dynamic_variables(
+            raw, job.found, job.scenario, controlled=controlled, motion=job.kept_motion
+        )
+        names = record.names(raw, job.found, job.scenario, job.kept_motion)
         if self.earlier is not None:
             record.put_behind(self.earlier.dataset, moving, names)
         dataset = Plain.of(moving, names, *self._rest(raw))
@@ -84,6 +87,8 @@ class Part:
         static = record.static_variables(found, found.elasticity(found.elasticity_positions()))
         if job.nearby is not None:
             static |= job.nearby.variables
+        if job.kept_motion is not None:
+            static |= job.kept_motion.variables
         attributes = attributes_of(job, raw, self.forces, self.earlier)
         attributes["command"] = self.command
         if raw["steps"] == job.travel.steps and scenario.certainty is not None and self.sure:

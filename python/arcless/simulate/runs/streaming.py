@@ -28,7 +28,7 @@ class Stream:
 
     def __init__(self, file: BinaryIO, job: "Job", steps: range) -> None:
         self._file, self._job = file, job
-        self._rows = record.rows(steps, job.scenario)
+        self._rows = record.rows(steps, job.scenario, job.kept_motion)
         self._before: dict[str, Any] = {}
         self._writer: Writer | None = None
         self._stack = ExitStack()
@@ -58,7 +58,7 @@ class Stream:
     def take(self, raw: dict[str, Any]) -> None:
         """Write the next piece of the series."""
         job = self._job
-        names = record.names(raw, job.found, job.scenario)
+        names = record.names(raw, job.found, job.scenario, job.kept_motion)
         labels = {dim: names.pop(dim) for dim in record.SERIES}
         if self._writer is None:
             self._writer = self._stack.enter_context(Writer(self._file, self._rows, names))
@@ -68,7 +68,9 @@ class Stream:
                 self._before = {}
         if any(len(times) for times in labels.values()):
             controlled = job.controllers.any
-            piece = record.series(raw, job.found, job.scenario, controlled=controlled)
+            piece = record.series(
+                raw, job.found, job.scenario, controlled=controlled, motion=job.kept_motion
+            )
             self._writer.append(piece, labels)
 
     def finish(self, static: dict[str, Any], attributes: dict[str, Any]) -> None:

@@ -194,8 +194,7 @@ class Realtime:
         A row for each node of the mesh: along the track, to the left (in space only), up. A copy,
         made when it is asked for, which takes as long as some steps.
         """
-        _, numbers = self._core.take_down()
-        return numbers["line_displacement"].reshape(-1, self._mesh.dimension)
+        return self._core.displacements().reshape(-1, self._mesh.dimension)
 
     def save(self) -> RealtimeState:
         """Return the state between two steps."""

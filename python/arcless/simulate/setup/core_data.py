@@ -139,6 +139,19 @@ class RecordingWindow(NamedTuple):
     nodes: Stations
 
 
+class MotionPlan(NamedTuple):
+    """Motion of the wires near the pantographs that a run records."""
+
+    every: int
+    """Steps from one row to the next."""
+    behind: float
+    """Distance behind the last pantograph at which a row begins, m."""
+    wires: Sequence["Stations"]
+    """Nodes of each wire in the order along it."""
+    links: "Stations"
+    """Links in the order along the track."""
+
+
 class RecordPlan(NamedTuple):
     """Series that a run records, and how often."""
 
@@ -160,6 +173,8 @@ class RecordPlan(NamedTuple):
     """Steps between two in which explicit ones measure what wires dissipate."""
     near: RecordingWindow | None = None
     """None for the whole line."""
+    motion: MotionPlan | None = None
+    """None for no motion of the wires."""
 
 
 class CollectorData(NamedTuple):

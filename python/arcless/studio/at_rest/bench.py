@@ -16,8 +16,9 @@ from arcless.equilibrium.initial_configuration import InitialConfiguration
 from arcless.equilibrium.line_alone import ALONE, LineAlone
 from arcless.errors import ModelError
 from arcless.model import Line, Scenario
+from arcless.model.files.yaml_reader import Origin
 from arcless.model.load import load_text
-from arcless.model.scenario.overrides import apply_to_line
+from arcless.model.scenario.overrides import apply, apply_to_line
 from arcless.simulate.schedules import allowance, dropper_schedule
 from arcless.storage.csv_files import csv_text
 from arcless.studio.at_rest.handles import handles
@@ -92,9 +93,10 @@ class Bench:
         source = self._model(question)
         if not question.changes:
             return source
+        place = Origin(folder=question.file.parent, within=question.within)
         if isinstance(source, LineAlone):
-            return LineAlone(apply_to_line(source.line, question.changes))
-        return source.with_(**question.changes)
+            return LineAlone(apply_to_line(source.line, question.changes, place))
+        return apply(source, question.changes, place=place)
 
     def _model(self, question: Question) -> Scenario | LineAlone:
         key = (question.file, question.text)

@@ -3,7 +3,7 @@
 from dataclasses import dataclass, field
 
 # Time in s that a session may lag behind the wall before it slows down: what is older is given up,
-# so that steps never pile up. Shorter, a hiccup of the system slows it; longer, it jumps afterwards.
+# so that steps never pile up. Shorter, a hiccup of the system slows it; longer, it jumps after one.
 MOST_LAG = 0.1
 # Interval in s over which the pace is told.
 TOLD_EVERY = 0.5
@@ -30,7 +30,7 @@ class Clock:
         self._wall, self._time, self._told = wall, time, (wall, time)
 
     def set_rate(self, rate: float, wall: float, time: float) -> None:
-        """Go on at another rate."""
+        """Continue at another rate."""
         self.rate = rate
         self.begin(wall, time)
 

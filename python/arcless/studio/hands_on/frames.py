@@ -12,7 +12,7 @@ import numpy as np
 from arcless.studio.hands_on.session import Floats, Moment, Session
 
 _HEAD = struct.Struct("<IId")
-# What a frame of a pantograph begins with, before the displacements of its masses.
+# Values at the start of a frame of a pantograph, before the displacements of its masses.
 _OF_PANTOGRAPH = (
     ("position", "m"), ("contact force", "N"), ("height of the wire", "m"), ("added force", "N"),
 )  # fmt: skip

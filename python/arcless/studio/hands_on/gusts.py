@@ -2,7 +2,8 @@
 
 The form is that of discrete gusts in standards of aircraft and vehicles (CS-25.341 has it for
 aircraft; source mark C, from memory). The lift follows from the pantograph's own law, at the speed
-of the train with the gust against it, less that at the speed of the train.
+of the train with the gust against it, less that at the speed of the train. It acts where the static
+force does, as all lift does in the equation of motion of a session.
 """
 
 from dataclasses import dataclass
@@ -55,7 +56,7 @@ class Gust:
         return 0.5 * (1.0 - cos(2.0 * pi * time_s / self.duration_s))
 
     def lift(self, pantograph: Pantograph, speed_m_s: float, time_s: float) -> float:
-        """Return the added lift in N of a pantograph: F(v + w) − F(v), of k v² that is k((v+w)² − v²).
+        """Return the added lift in N, F(v + w) − F(v); of F = k v² that is k((v + w)² − v²).
 
         Without a law of lift it is `STATED_LIFT` at the peak.
         """

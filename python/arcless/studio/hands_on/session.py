@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from arcless.equilibrium import equilibrium
 from arcless.errors import ModelError
+from arcless.mesh import PLANAR
 from arcless.model import Scenario
 from arcless.simulate import realtime
 from arcless.simulate.setup.trajectory import motion
@@ -107,6 +108,21 @@ class Session:
         """Force of each pantograph at the start without lift, N."""
         return [placement.start_force or 0.0 for placement in self._scenario.pantographs]
 
+    @property
+    def steps_of_travel(self) -> int:
+        """Number of steps from the start of the travel to its end."""
+        return self._travel.steps
+
+    @property
+    def is_spatial(self) -> bool:
+        """True of a line in space; in the plane nothing moves across the track."""
+        return self._found.mesh.dimension != PLANAR
+
+    @property
+    def speed_m_s(self) -> float:
+        """Speed now, m/s."""
+        return self._loop.speed_m_s
+
     def offset(self, pantograph: object, force_N: object) -> None:
         """Set what is added to the static force of a pantograph, by its number from 0, in N.
 
@@ -139,12 +155,12 @@ class Session:
         return added
 
     def step(self) -> None:
-        """Take one step; at the end of the travel the line and the train begin anew.
+        """Take one step; at the end of the travel the line and the train return to the start.
 
         Raises
         ------
         ContactError
-            A collector leaves the wire, or the step cannot be solved. The next one begins anew.
+            A collector leaves the wire, or the step cannot be solved; `begin_anew` mends it.
         """
         following = self._loop.step_number + 1
         if following > self._travel.steps:
@@ -160,7 +176,7 @@ class Session:
         self.laps += 1
 
     def moment(self, reach_m: float) -> Moment:
-        """Return the state now, with the wires up to `reach_m` before and behind the pantographs."""
+        """Return the state now, with the wires up to `reach_m` around the pantographs."""
         loop, added = self._loop, self.added_N()
         places = [loop.position_m - one.distance for one in self._scenario.pantographs]
         heights = self._heights()
@@ -182,7 +198,7 @@ class Session:
 
     def _moved(self, window: tuple[float, float]) -> list[tuple[int, Floats, Floats | None]]:
         displacement = self._loop.line_displacement_m()
-        across = displacement[:, 1] if displacement.shape[1] > 2 else None
+        across = displacement[:, 1] if self.is_spatial else None
         moved = []
         for nodes in self._wires:
             first, end = np.searchsorted(self._found.positions[nodes, 0], window)

@@ -15,9 +15,10 @@ from arcless.studio.answers.answers import complaint
 from arcless.studio.hands_on.clock import FASTEST, SLOWEST, Clock
 from arcless.studio.hands_on.frames import channels, packed
 from arcless.studio.hands_on.gusts import Gust, number
+from arcless.studio.hands_on.limits import highest_force
 from arcless.studio.hands_on.session import Session
 
-# Interval of moments in s, and of looks at orders. Longer, the picture jerks and a force comes late.
+# Interval of moments in s, and of looks at orders. Longer, the picture jerks and forces come late.
 EVERY, LOOK = 1 / 40, 0.004
 # Moments on their way that the page has not drawn yet. With more a slow page lags behind its own
 # slider; with one it waits for each to come back.
@@ -29,7 +30,7 @@ REACH = 200.0
 
 @dataclass(frozen=True)
 class Begin:
-    """What a session is begun with.
+    """Start of a session.
 
     Attributes
     ----------
@@ -74,11 +75,10 @@ class _Desk:
                 "channels": channels(session, len(geometry["wires"]), spatial=geometry["spatial"]),
                 "pantographs": [
                     {"name": name, "static_force_N": force}
-                    for name, force in zip(
-                        session.pantographs, session.static_force_N, strict=True
-                    )
+                    for name, force in zip(session.pantographs, session.static_force_N, strict=True)
                 ],
-                "speed_m_s": float(loaded.speed or 0.0),
+                "speed_m_s": session.speed_m_s,
+                "highest": highest_force(loaded, session.speed_m_s),
                 "notes": session.notes,
             }
         )
@@ -107,7 +107,7 @@ class _Desk:
             try:
                 session.step()
             except ContactError as error:
-                self._line.send({"topic": "notice", "text": f"begun anew: {error}"})
+                self._line.send({"topic": "notice", "text": f"begun again: {error}"})
                 session.begin_anew()
             if session.laps != before:
                 self._line.send({"topic": "lap", "laps": session.laps})

@@ -1,1 +1,1 @@
-"""What takes long: runs, reports and studies in processes of their own."""
+"""Jobs that take long: runs, reports and studies in processes of their own."""

@@ -12,7 +12,7 @@ ENDED = ("done", "failed", "cancelled")
 
 @dataclass(frozen=True)
 class Task:
-    """What a worker process is to do.
+    """A task for a worker process.
 
     Attributes
     ----------
@@ -27,6 +27,8 @@ class Task:
         Whether it spools motion.
     hear
         Called on the event loop with what the function says by `Talk.say`.
+    about
+        For those who start it: what it is about.
     """
 
     function: Callable[..., Any]
@@ -34,6 +36,7 @@ class Task:
     folder: Path | None = None
     shows: bool = False
     hear: Callable[[Any], None] | None = None
+    about: Any = None
 
 
 @dataclass
@@ -69,7 +72,7 @@ class Job:
 
     @property
     def has_ended(self) -> bool:
-        """Whether it is done, failed or cancelled."""
+        """True when it is done, failed or cancelled."""
         return self.state in ENDED
 
     def to_dict(self) -> dict[str, Any]:

@@ -2,13 +2,13 @@
 
 import select
 import time
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 from multiprocessing.connection import Connection
 from threading import Event, Lock
 from typing import Any
 
-from arcless.studio.motion.channels import Channel
+from arcless.studio.at_rest.plain_geometry import Geometry
+from arcless.studio.motion.layout import RowLayout
 from arcless.studio.motion.spool import SpoolWriter
 
 # Time in s between two messages of progress: faster than anyone reads, slow enough to cost nothing.
@@ -62,30 +62,28 @@ class Talk:
         return self.spool is not None
 
     def motion(
-        self, channels: Sequence[Channel], every_s: float, end_s: float, geometry: Any
+        self, layout: RowLayout, geometry: Geometry, *, every_s: float, end_s: float
     ) -> SpoolWriter:
-        """Announce the channels of a motion, and return what takes its rows.
+        """Announce a motion, and return what takes its rows; a later one takes its place.
 
         Parameters
         ----------
-        channels
-            The channels.
+        layout, geometry
+            Layout of the rows, and the line whose nodes they move.
         every_s
             Interval of the rows in s.
         end_s
             Time in s at which the motion will end.
-        geometry
-            The line, as plain data, whose nodes the channels move.
 
         Raises
         ------
-        OSError
-            Nobody watches this job.
+        ValueError
+            The job shows nothing, see `Task.shows`.
         """
         if self.spool is None:
-            raise OSError("a job without a spool")
-        self.send(("motion", tuple(channels), every_s, end_s, geometry))
-        return SpoolWriter(self.spool, channels, self._grown)
+            raise ValueError("a job without a spool")
+        self.send(("motion", layout, geometry, every_s, end_s))
+        return SpoolWriter(self.spool, layout.type, self._grown)
 
     def send(self, message: Any) -> None:
         """Send a message of the worker: threads of a run tell their progress too."""

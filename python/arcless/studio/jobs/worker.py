@@ -78,8 +78,18 @@ class Worker:
             pass
 
     def kill(self) -> None:
-        """End it now."""
+        """End it now; `ended` is called soon."""
         self.process.kill()
+
+    @property
+    def runs(self) -> bool:
+        """True while the process is there."""
+        return self.process.poll() is None
+
+    def end(self) -> None:
+        """End it now, and wait until it is gone."""
+        self.process.kill()
+        self.process.wait()
 
     def leave(self) -> None:
         """Let it end by itself, within a second, as when the server is gone."""

@@ -92,11 +92,15 @@ class MotionSource(Protocol):
 
     @property
     def final(self) -> bool:
-        """Whether no more rows will come."""
+        """True when no more rows will come."""
 
     @property
     def every_s(self) -> float:
         """Interval of the rows in s; 0 where it is not known."""
+
+    @property
+    def later(self) -> "MotionSource | None":
+        """Motion that took the place of this one: of a run begun again, or one that has wires."""
 
     def moments(self, from_s: float, to_s: float, every_s: float) -> Iterator[Moment]:
         """Yield moments between two times in s, about so far apart; each row for 0."""
@@ -121,7 +125,7 @@ def rows_between(
 ) -> range:
     """Return the rows between two times, both included, about so far apart; each one for 0.
 
-    With times that are equally far apart but for rounding.
+    With times that are equally far apart except for rounding.
     """
     first = int(np.searchsorted(times, from_s - ROUNDING_S))
     last = int(np.searchsorted(times, to_s + ROUNDING_S, side="right"))
@@ -132,5 +136,5 @@ def rows_between(
     return range(first, last, stride)
 
 
-# Rounding of times in s: far less than a step, far more than the last digits of an hour.
+# Rounding of times in s: far less than a step, far more than the last digit of an hour.
 ROUNDING_S = 1e-7

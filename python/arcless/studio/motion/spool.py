@@ -7,13 +7,15 @@ watched, paused or skipped happens on the side of the reader: the run knows noth
 import os
 import tempfile
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from typing import BinaryIO
 
 import numpy as np
 from numpy.typing import NDArray
 
-from arcless.studio.motion.channels import ROUNDING_S, Channel, Moment, Piece
+from arcless.studio.at_rest.plain_geometry import Geometry
+from arcless.studio.motion.channels import ROUNDING_S, Channel, Moment
+from arcless.studio.motion.layout import LineMotion, RowLayout
 
 # Bytes of one spool at most: a run of 50 km at default intervals has some hundred MB. With less a
 # long run is not watched to its end; with more a forgotten one fills the disk.
@@ -21,15 +23,6 @@ LARGEST = 4 << 30
 # Time in s between two words of where the spool ends.
 _BETWEEN_S = 0.05
 Grown = Callable[[int, float, bool], None]
-
-
-def row_type(channels: Sequence[Channel]) -> np.dtype[np.void]:
-    """Return the type of a row: time, then number of the first value, count and values of each."""
-    fields: list[tuple[str, str] | tuple[str, str, tuple[int]]] = [("time", "<f8")]
-    for channel in channels:
-        fields += [(f"{channel.name} first", "<u4"), (f"{channel.name} count", "<u4"),
-                   (channel.name, "<f4", (channel.size,))]  # fmt: skip
-    return np.dtype(fields)
 
 
 def new_file() -> BinaryIO:
@@ -46,27 +39,23 @@ class SpoolWriter:
     ----------
     descriptor
         The file.
-    channels
-        The channels.
+    row_type
+        Type of a row, which has a field ``time`` in s first.
     grown
-        Told now and then the number of rows, the time in s of the last one, and whether more come.
+        Told now and then the number of rows, the time in s of the last one, and whether no more
+        come.
     """
 
-    def __init__(self, descriptor: int, channels: Sequence[Channel], grown: Grown) -> None:
-        self.type = row_type(channels)
+    def __init__(self, descriptor: int, row_type: np.dtype[np.void], grown: Grown) -> None:
         self.full = False
-        self._descriptor, self._grown = descriptor, grown
+        self._descriptor, self._type, self._grown = descriptor, row_type, grown
         self._rows, self._end_s, self._next = 0, 0.0, 0.0
-
-    def rows(self, count: int) -> NDArray[np.void]:
-        """Return so many empty rows to fill: all values are 0."""
-        return np.zeros(count, self.type)
 
     def append(self, rows: NDArray[np.void]) -> None:
         """Put rows behind those that are there."""
         if self.full or not len(rows):
             return
-        if (self._rows + len(rows)) * self.type.itemsize > LARGEST:
+        if (self._rows + len(rows)) * self._type.itemsize > LARGEST:
             self.full = True
             return
         try:
@@ -86,7 +75,7 @@ class SpoolWriter:
         self._grown(self._rows, self._end_s, True)
 
     def _write(self, content: bytes) -> None:
-        view, place = memoryview(content), self._rows * self.type.itemsize
+        view, place = memoryview(content), self._rows * self._type.itemsize
         while view:
             done = os.pwrite(self._descriptor, view, place)
             view, place = view[done:], place + done
@@ -99,8 +88,8 @@ class SpooledMotion:
     ----------
     file
         The file, which the worker fills.
-    channels
-        The channels.
+    layout, geometry
+        Layout of its rows, and the line whose nodes they move.
     every_s
         Interval of the rows in s.
     estimated_end_s
@@ -108,15 +97,28 @@ class SpooledMotion:
     """
 
     def __init__(
-        self, file: BinaryIO, channels: Sequence[Channel], every_s: float, estimated_end_s: float
+        self,
+        file: BinaryIO,
+        layout: RowLayout,
+        geometry: Geometry,
+        *,
+        every_s: float,
+        estimated_end_s: float,
     ) -> None:
-        self.channels, self.every_s, self.estimated_end_s = channels, every_s, estimated_end_s
+        self.geometry, self.every_s, self.estimated_end_s = geometry, every_s, estimated_end_s
         self.end_s, self.final = 0.0, False
-        self._file, self._type, self._rows = file, row_type(channels), 0
+        self.later: SpooledMotion | None = None
+        self._line, self._type = LineMotion(layout, geometry), layout.type
+        self._file, self._rows = file, 0
+
+    @property
+    def channels(self) -> list[Channel]:
+        """Channels: wires first, pantographs last."""
+        return self._line.channels
 
     @property
     def start_s(self) -> float:
-        """Time in s of the first row."""
+        """Time in s of the first row; 0 before it is there."""
         return self._time(0) if self._rows else 0.0
 
     @property
@@ -128,8 +130,12 @@ class SpooledMotion:
         """Take over how far the worker is."""
         self.end_s, self._rows, self.final = end_s, rows, final
 
+    def replace(self, later: "SpooledMotion") -> None:
+        """Make room for another motion in the same file."""
+        self._rows, self.final, self.later = 0, True, later
+
     def close(self) -> None:
-        """Give the file back to the disk; what was still asked for ends."""
+        """Give the file back to the disk; what is still asked for finds nothing."""
         self._rows, self.final = 0, True
         self._file.close()
 
@@ -137,39 +143,29 @@ class SpooledMotion:
         """Yield moments between two times in s; see `MotionSource`."""
         first = self._row_at(from_s - ROUNDING_S)
         last = self._row_at(to_s + ROUNDING_S)
-        stride = max(1, round(every_s / self.every_s)) if self.every_s > 0.0 else 1
+        stride = max(1, round(every_s / self.every_s))
         for number in range(first, last, stride):
             if number >= self._rows:
                 return
-            yield self._moment(number)
-
-    def _moment(self, number: int) -> Moment:
-        row = np.frombuffer(self._read(number, self._type.itemsize), self._type)[0]
-        moment: Moment = []
-        for place, channel in enumerate(self.channels):
-            count = int(row[f"{channel.name} count"])
-            if count:
-                values = row[channel.name][:count]
-                moment.append(Piece(place, int(row[f"{channel.name} first"]), row["time"], values))
-        return moment
+            yield self._line.pieces(self._read(number)[0])
 
     def _row_at(self, time_s: float) -> int:
-        """Return the first row that is not before a time, guessed from the interval."""
+        """Return the first row that is not before a time; rows are equally far apart."""
         low, high = 0, self._rows
-        if self.every_s > 0.0 and high:
-            guess = min(max(int((time_s - self.start_s) / self.every_s), 0), high)
-            low = guess - 1 if guess and self._time(guess - 1) < time_s else 0
-            high = guess + 2 if guess + 2 <= high and self._time(guess + 1) >= time_s else high
-        while low < high:
+        guess = int((time_s - self.start_s) / self.every_s)
+        for near in (guess, guess + 1, guess + 2):
+            if 0 < near < high and self._time(near - 1) < time_s <= self._time(near):
+                return near
+        while low < high:  # before the first row, behind the last one
             middle = (low + high) // 2
-            if self._time(middle) < time_s:
-                low = middle + 1
-            else:
-                high = middle
+            low, high = (middle + 1, high) if self._time(middle) < time_s else (low, middle)
         return low
 
     def _time(self, number: int) -> float:
-        return float(np.frombuffer(self._read(number, 8), "<f8")[0])
+        return float(np.frombuffer(self._pread(8, number), "<f8")[0])
 
-    def _read(self, number: int, size: int) -> bytes:
+    def _read(self, number: int) -> NDArray[np.void]:
+        return np.frombuffer(self._pread(self._type.itemsize, number), self._type)
+
+    def _pread(self, size: int, number: int) -> bytes:
         return os.pread(self._file.fileno(), size, number * self._type.itemsize)

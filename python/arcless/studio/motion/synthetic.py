@@ -12,6 +12,7 @@ import numpy as np
 from arcless.studio.motion.channels import (
     Channel,
     Moment,
+    MotionSource,
     Piece,
     Singles,
     pantograph_channel,
@@ -19,7 +20,7 @@ from arcless.studio.motion.channels import (
 )
 
 
-@dataclass(frozen=True)
+@dataclass
 class SyntheticMotion:
     """A wave of height a, width b, in m, at the speed c in m/s on nodes 1 m apart."""
 
@@ -31,6 +32,7 @@ class SyntheticMotion:
     end_s: float = 5.0
     start_s: float = 0.0
     final: bool = True
+    later: MotionSource | None = None
 
     @property
     def estimated_end_s(self) -> float:

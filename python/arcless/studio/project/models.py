@@ -23,7 +23,7 @@ Files = dict[Path, Stamp]
 
 @dataclass
 class _Known:
-    """What was read of a file: its text where it is a model, and the files that it names.
+    """Content of a file: its text where it is a model, and the files that it names.
 
     `error` says why it cannot be read, as of `state`, the stamps of itself and of these files.
     """
@@ -87,7 +87,7 @@ class Models:
         try:
             text = decoded(read_bytes(self._project, path, label), label)
         except ArclessError as error:
-            # Of a text that nobody can read one does not know that it is a model, but for its name.
+            # Of a text that cannot be read only the name tells that it may be a model.
             is_text = path.suffix.lower() != ".json"
             entry["kind"] = "scenario"
             return _Known(stamp, entry | {"error": str(error)} if is_text else None)

@@ -71,9 +71,7 @@ class Tree:
         self.files = {path: stamp for path, stamp in files.items() if stamp is not None}
         return set(changes)
 
-    def _walk(
-        self, top: str, changes: dict[Path, Stamp | None]
-    ) -> Iterator[tuple[str, _Folder]]:
+    def _walk(self, top: str, changes: dict[Path, Stamp | None]) -> Iterator[tuple[str, _Folder]]:
         waiting, count, before = [top], 0, self._folders
         while waiting and count < MOST_FOLDERS:
             name = waiting.pop()

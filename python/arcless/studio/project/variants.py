@@ -18,7 +18,7 @@ _BAD_REQUEST = 400
 
 
 def make(project: Project, scenario: object, name: object, changes: object) -> str:
-    """Write a variant beside its base, and return its path in the project.
+    """Write a variant next to its base, and return its path in the project.
 
     Parameters
     ----------

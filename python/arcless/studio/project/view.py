@@ -19,14 +19,14 @@ from arcless.studio.project.tree import Stamp, Tree, stamp_of
 # Bytes of a CSV file that are looked at, for its header.
 _HEAD = 4096
 _FORCE = b"force"
-# A run is read again where its result changed, or the assessment beside it.
+# A run is read again where its result changed, or the assessment next to it.
 _BESIDE = ("assessment.json",)
 # A study is known by these; its rows are counted again where one of them changed.
 _OF_STUDY = ("study.json", "journal.db", "journal.db-wal", "journal.jsonl")
 
 
 class View:
-    """What the page shows of a project; what was read is kept until it changes on the disk."""
+    """The project as the page shows it; what was read is kept until it changes on the disk."""
 
     def __init__(self, project: Project) -> None:
         self.project, self.tree, self.models = project, Tree(project.folder), Models(project)

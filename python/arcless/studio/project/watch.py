@@ -1,4 +1,4 @@
-"""Changes of the folder, whoever makes them, told to the page."""
+"""Changes of the folder, by any program, told to the page."""
 
 import threading
 from collections.abc import AsyncIterator, Callable

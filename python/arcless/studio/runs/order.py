@@ -1,5 +1,6 @@
 """An order of the page to run a scenario, checked before anything is computed."""
 
+import json
 import os
 import shlex
 from collections.abc import Mapping
@@ -10,7 +11,9 @@ from typing import Any
 from arcless.errors import ModelError
 from arcless.model import Scenario
 from arcless.model.advice.speeds import check_typed_speed
+from arcless.model.files.yaml_reader import Origin
 from arcless.model.load import load_text
+from arcless.model.scenario.overrides import apply
 from arcless.results.kept_runs.places import is_study_folder
 from arcless.results.run_folder.run_folder import FILES, folder_of
 from arcless.studio.answers.answers import Refused
@@ -61,9 +64,10 @@ def order_of(project: Project, asked: Mapping[str, Any]) -> Order:
     if not isinstance(path, str) or not isinstance(changes, dict) or len(changes) > MOST_CHANGES:
         raise Refused(400, "no order of a run")
     scenario = _loaded(project, path)
+    if asked.get("record_motion") is True and scenario.output.motion is None:
+        changes = {**changes, "output.motion": True}
     if changes:
-        check_named(changes)
-        scenario = scenario.with_(**changes)
+        scenario = apply(scenario, changes, place=_place(project, path))
     check_typed_speed(scenario)
     command = _command(path, changes)
     if asked.get("certainty") is True and scenario.certainty is None:
@@ -85,6 +89,12 @@ def _loaded(project: Project, path: str) -> Scenario:
     return loaded
 
 
+def _place(project: Project, path: str) -> Origin:
+    """Return where files that changes name are looked for: next to the scenario, in the project."""
+    folder = project.folder if is_shipped(path) else project.inside(path).parent
+    return Origin(folder=folder, within=project.folder)
+
+
 def _check_free(project: Project, folder: Path, *, replace: bool) -> None:
     name = project.name_of(folder)
     if is_study_folder(folder):
@@ -97,5 +107,5 @@ def _command(path: str, changes: Mapping[str, Any]) -> str:
     name = path.removeprefix(_SHIPPED) if is_shipped(path) else path
     words = ["arcless", "run", name]
     for field, value in changes.items():
-        words += ["--set", f"{field}={'null' if value is None else value}"]
+        words += ["--set", f"{field}={value if isinstance(value, str) else json.dumps(value)}"]
     return shlex.join(words)

@@ -70,11 +70,17 @@ class _Asked:
         if name is not None:
             entry = self._jobs.entry(name)
             await entry.opened.wait()
-            if entry.geometry is None:
-                raise Refused(404, "the line of this job is not known")
-            return entry.geometry
+            if entry.motion is not None:
+                return entry.motion.geometry
+            return await self._jobs.compute(run.line, await run_sync(self._done, entry.job))
         file = await run_sync(run_of, self._project, request.query_params.get("path"))
         return await self._jobs.compute(run.line, file)
+
+    def _done(self, job: Job | None) -> Path:
+        """Return the result of a job that has ended."""
+        if job is None or job.kind != "run" or job.state != "done":
+            raise Refused(404, "nothing of this job moves")
+        return run_of(self._project, job.path)
 
     async def report(self, request: Request) -> Any:
         file = await run_sync(run_of, self._project, request.query_params.get("path"))
@@ -92,6 +98,7 @@ class _Asked:
         if file.name == RESULT_NAME:
             to = to.with_stem(Path(REPORT_NAME).stem)
         path = self._project.name_of(to)
+        self._project.inside(path)  # a link that is there already could lead out
         task = Task(run.write_report, (file, to))
         job = self._jobs.start("report", f"Report of {_named(file).name}", task, path=path)
         return {"job": job.to_dict()}

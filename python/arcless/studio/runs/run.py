@@ -1,7 +1,10 @@
 """Functions of worker processes: a run, its report on paper, its explanation."""
 
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
+
+import numpy as np
 
 from arcless.model import scenario_warnings
 from arcless.results import Result
@@ -12,7 +15,11 @@ from arcless.results.run_folder import files
 from arcless.results.run_folder.run_folder import for_run
 from arcless.studio.at_rest.of_run import geometry_of_run
 from arcless.studio.jobs.talk import Talk
+from arcless.studio.motion.watching import Watching
 from arcless.studio.runs.order import Order
+
+# A file as it was: when it was changed, how large it is, and which one it is on the disk.
+Identity = tuple[int, int, int]
 
 
 def run(talk: Talk, order: Order) -> dict[str, Any]:
@@ -28,6 +35,7 @@ def run(talk: Talk, order: Order) -> dict[str, Any]:
 
     for warning in scenario_warnings(order.scenario):
         talk.note(warning)
+    watching = Watching(order.scenario, talk.motion) if talk.shows() else None
     with for_run(order.folder, overwrite=order.replace) as folder:
         file = folder.file(RESULT_NAME)
         result = simulate.run(
@@ -36,13 +44,52 @@ def run(talk: Talk, order: Order) -> dict[str, Any]:
             command=order.command,
             progress=talk.progress,
             cancel=talk.cancel,
+            watch=watching,
         )
+        if watching is not None:
+            end(talk, watching)
         _note_others(talk, result, order)
         talk.progress(1.0, "assessment and report")
         if talk.cancel():
             raise KeyboardInterrupt
         files.write(result, folder, reference_rows)
     return described(order.folder)
+
+
+def motion(talk: Talk, file: Path) -> bool:
+    """Run a stored scenario again to see its line move; return whether forces are the same bits.
+
+    Nothing is written but the spool.
+    """
+    from arcless import simulate
+
+    stored = open_result(file)
+    watching = Watching(stored.scenario, talk.motion)
+    with TemporaryDirectory(prefix="arcless-studio-") as folder:
+        again = simulate.run(
+            stored.scenario,
+            to=Path(folder) / RESULT_NAME if simulate.is_long(stored.scenario) else None,
+            progress=talk.progress,
+            cancel=talk.cancel,
+            watch=watching,
+        )
+        end(talk, watching)
+        before, now = (one.recorded["contact_force"].values for one in (stored, again))
+        same = bool(np.array_equal(before, now))
+    if not same:
+        talk.note(
+            "The forces of this motion differ from those that are stored, which Arcless"
+            f" {stored.metadata['arcless_version']} computed: it is not the motion of that run."
+        )
+    return same
+
+
+def end(talk: Talk, watching: Watching) -> None:
+    """End the motion of a run, and say where it is not whole."""
+    watching.finish()
+    if watching.full:
+        talk.note("The disk of temporary files has no room: the motion that is shown ends before"
+                  " the run, whose result is whole.")  # fmt: skip
 
 
 def _note_others(talk: Talk, result: Result, order: Order) -> None:
@@ -55,9 +102,16 @@ def _note_others(talk: Talk, result: Result, order: Order) -> None:
 
 def described(folder: Path) -> dict[str, Any]:
     """Return a run in a few words, without its path, which the page knows."""
-    found = read(folder / RESULT_NAME).to_dict()
+    file = folder / RESULT_NAME
+    found = read(file).to_dict()
     del found["path"]
-    return found
+    return found | {"identity": identity_of(file)}
+
+
+def identity_of(file: Path) -> Identity:
+    """Return what tells a file from the one that takes its name later."""
+    state = file.stat()
+    return state.st_mtime_ns, state.st_size, state.st_ino
 
 
 def told(_talk: Talk, file: Path) -> dict[str, Any]:

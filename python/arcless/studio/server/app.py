@@ -25,6 +25,8 @@ from arcless.studio.server.gate import Gate
 from arcless.studio.server.keys import Keys
 from arcless.studio.stream import routes as stream_routes
 from arcless.studio.stream.hub import Hub
+from arcless.studio.studies import routes as studies_routes
+from arcless.studio.studies.computing import Computing
 
 # Most bytes of a question where a file is sent: a measured run, as long as the reader takes it.
 LONGEST = {"/api/measured": measured.LONGEST}
@@ -33,14 +35,15 @@ LONGEST = {"/api/measured": measured.LONGEST}
 def application(project: Project, keys: Keys, crowd: Crowd) -> ASGIApp:
     """Return the application that serves the page and answers its questions about a project.
 
-    What several rooms share is made here and handed to them; what works beside the routes is
+    What several rooms share is made here and handed to them; what works next to the routes is
     entered when the server starts, and left when it ends.
     """
     desks, hub, view = at_rest_routes.Desks(), Hub(), View(project)
     jobs, watch = Jobs(hub.tell), Watch(view, hub.tell)
+    computing = Computing()
     motions = Motions(project, jobs)
     at_work: list[AbstractAsyncContextManager[object]] = [
-        desks.at_work(), hub.at_work(), jobs.at_work(), watch.at_work()
+        desks.at_work(), hub.at_work(), jobs.at_work(), watch.at_work(), computing.at_work()
     ]  # fmt: skip
     routes: list[BaseRoute] = [
         *project_routes.routes(view),
@@ -48,8 +51,9 @@ def application(project: Project, keys: Keys, crowd: Crowd) -> ASGIApp:
         *text_routes.routes(project),
         *chart_routes.routes(project),
         *hands_on_routes.routes(project),
+        *studies_routes.routes(project, computing),
         *runs_routes.routes(project, jobs),
-        *stream_routes.routes(hub, motions.open),
+        *stream_routes.routes(hub, motions.open, motions.compute),
         # One line for each room, `*ROOM.routes(project, …)`.
         *page.routes(),
     ]

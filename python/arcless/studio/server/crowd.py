@@ -1,7 +1,7 @@
 """Connections: how many there may be, and how long one may stay that has not shown the cookie.
 
-Whoever has the cookie is the user, and is never limited. All others on this machine can only open
-connections, slowly send a head or a body, and be refused; they take turns in a fixed number of
+A client that has the cookie is the user, and is never limited. All others on this machine can only
+open connections, slowly send a head or a body, and be refused; they take turns in a fixed number of
 places, so that none is left for the user only if he is one of them.
 """
 

@@ -21,7 +21,7 @@ CONTENT_POLICY = (
     "connect-src 'self'; font-src 'self'; worker-src 'self'; frame-src 'self'; "
     "frame-ancestors 'none'; base-uri 'none'; form-action 'none'"
 )
-# Headers of every answer, but for those that its route has set itself.
+# Headers of every answer; its route may set them itself.
 _HEADERS = {
     "Content-Security-Policy": CONTENT_POLICY,
     "X-Content-Type-Options": "nosniff",

@@ -1,6 +1,6 @@
-"""Who may ask: secrets that go around in addresses, and the cookie that stands for one of them.
+"""Secrets that decide who may ask: tokens in addresses, and the cookie that stands for one of them.
 
-The printed address has a token that holds as long as the server: whoever reads the terminal is the
+The printed address has a token that holds as long as the server: who reads the terminal is the
 user, who may have two browsers or empty one of its cookies. What the browser is started with is
 another one, which every user of the machine can read in the list of processes: it is good for one
 use within a minute. Both are exchanged for the same cookie.

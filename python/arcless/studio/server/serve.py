@@ -97,7 +97,7 @@ def _code(number: int) -> int:
 
 @contextmanager
 def _answering(leave: Callable[[int], None]) -> Generator[None, None, None]:
-    """Answer the signals that end a program, but for those that it was started to ignore."""
+    """Answer the signals that end a program; those that it was started to ignore stay ignored."""
     if threading.current_thread() is not threading.main_thread():
         yield
         return

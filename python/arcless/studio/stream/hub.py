@@ -12,7 +12,7 @@ _NEWEST = {"project": None, "file": "path", "job": "id", "study": "path"}
 
 
 class Hub:
-    """Who listens, and what is told to all of them."""
+    """Pages that listen, and messages to all of them."""
 
     def __init__(self) -> None:
         self._pages: set[Outbox] = set()

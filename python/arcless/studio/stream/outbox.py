@@ -1,4 +1,4 @@
-"""What waits to be sent to one page, in a bounded number of bytes."""
+"""Frames and messages that wait to be sent to one page, in a bounded number of bytes."""
 
 import asyncio
 import json

@@ -21,9 +21,10 @@ MOST_SOURCES = 8
 # Time in s beyond any run; larger numbers, and those that are none, are no times.
 _LONGEST = 1e9
 Open = Callable[[Name], Awaitable[MotionSource]]
+Compute = Callable[[Name], str]
 
 
-def routes(hub: Hub, open_source: Open) -> list[BaseRoute]:
+def routes(hub: Hub, open_source: Open, compute: Compute) -> list[BaseRoute]:
     """Return the route of the stream.
 
     Parameters
@@ -32,11 +33,13 @@ def routes(hub: Hub, open_source: Open) -> list[BaseRoute]:
         What tells all pages.
     open_source
         Opens the motion of a source.
+    compute
+        Begins to compute the motion of a run; returns the name of the job.
     """
 
     async def stream(socket: WebSocket) -> None:
         await socket.accept()
-        await Session(socket, hub, open_source).hold()
+        await Session(socket, hub, open_source, compute).hold()
 
     return [WebSocketRoute("/api/stream", stream)]
 
@@ -44,9 +47,9 @@ def routes(hub: Hub, open_source: Open) -> list[BaseRoute]:
 class Session:
     """One page, from the opening of its socket to the end of it."""
 
-    def __init__(self, socket: WebSocket, hub: Hub, open_source: Open) -> None:
+    def __init__(self, socket: WebSocket, hub: Hub, open_source: Open, compute: Compute) -> None:
         self._socket, self._hub = socket, hub
-        self._open = open_source
+        self._open, self._compute = open_source, compute
         self._outbox = Outbox()
         self._playing: dict[Name, Playing] = {}
         self._opening: dict[Name, asyncio.Task[None]] = {}
@@ -98,6 +101,9 @@ class Session:
                 self._want(name, message)
             case "leave":
                 self._leave(name)
+            case "compute motion":
+                job = self._compute(name)
+                self._outbox.tell({"topic": "computing", "source": dict([name]), "job": job})
             case _:
                 raise Refused(400, "a topic that the server does not know")
 
@@ -113,11 +119,14 @@ class Session:
         except (ArclessError, Refused) as error:
             self._complain("play", str(error), name)
         else:
-            self._playing[name] = playing = Playing(name, source, self._next, self._outbox)
-            self._next = playing.numbers.stop
+            self._playing[name] = Playing(name, source, self._numbers, self._outbox)
         finally:
             if self._opening.get(name) is asyncio.current_task():
                 del self._opening[name]
+
+    def _numbers(self, count: int) -> range:
+        self._next += count
+        return range(self._next - count, self._next)
 
     def _want(self, name: Name, message: dict[str, Any]) -> None:
         playing = self._playing.get(name)

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from typing import Any
 
 from arcless.studio.answers.answers import Refused
-from arcless.studio.motion.channels import MotionSource
+from arcless.studio.motion.channels import MotionSource, moves_wires
 
 # A source as a page names it, `{"run": PATH}` or `{"job": ID}`, in a form that can be a key.
 Name = tuple[str, str]
@@ -27,8 +27,8 @@ def name_of(asked: Any) -> Name:
     raise Refused(400, "a source is the path of a run or the name of a job")
 
 
-def announced(source: MotionSource, numbers: range) -> dict[str, Any]:
-    """Return what a page is told when a source is opened."""
+def announced(source: MotionSource, numbers: range, *, again: bool) -> dict[str, Any]:
+    """Return what a page is told when a source is opened, or has begun again: `again`."""
     return {
         "channels": [
             channel.announced(number)
@@ -38,6 +38,7 @@ def announced(source: MotionSource, numbers: range) -> dict[str, Any]:
         "end_s": source.end_s,
         "estimated_end_s": source.estimated_end_s,
         "final": source.final,
+        "again": again,
         "every_s": source.every_s,
-        "wires": any(channel.name.startswith("wire.") for channel in source.channels),
+        "wires": moves_wires(source),
     }

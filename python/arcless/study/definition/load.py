@@ -17,6 +17,7 @@ from arcless.model.files.pydantic_errors import explain
 from arcless.model.files.yaml_reader import Origin
 from arcless.model.scenario.references import Kind, check_format, read, read_given, reference
 from arcless.model.shipped.library import shipped
+from arcless.model.variants.variant_files import named_scenario
 from arcless.study.definition.study import FORMAT, Execution, Study
 from arcless.units import show
 
@@ -71,8 +72,11 @@ def load_text(text: str, file: "str | os.PathLike[str]", within: Path | None = N
 
 def _of_data(data: dict[str, Any], origin: Origin) -> Study:
     check_format(data, "study", origin)
-    if "scenario" in data:
-        data["scenario"] = reference(data["scenario"], "scenario", Scenario, origin, ("scenario",))
+    given = data.get("scenario")
+    if isinstance(given, str):
+        data["scenario"] = named_scenario(given, origin, "scenario")
+    elif "scenario" in data:
+        data["scenario"] = reference(given, "scenario", Scenario, origin, ("scenario",))
     context = {"file": origin.label, "models": _named_models(data, origin)}
     try:
         return Study.model_validate(data, context=context)

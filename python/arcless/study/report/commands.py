@@ -78,7 +78,7 @@ class Commands:
         fields = any(one.random_field is not None for one in self._study.variables.values())
         if self._scenario is None or fields or set(made.changes) != set(named):
             return None
-        amounts = {axis.field: self._amount(axis, made.values[axis.name])
+        amounts = {axis.field: amount_of(self._study, axis, made.values[axis.name])
                    for axis in self._study.axes}  # fmt: skip
         settings = []
         for path, value in {**self._study.changes, **named}.items():
@@ -90,22 +90,6 @@ class Commands:
             settings += ["--set", text]
         return ["arcless", "run", self._scenario, *settings]
 
-    def _amount(self, axis: Axis, value: Any) -> str | None:
-        """Return a number with a unit that is read as the same bits; None for what has no unit.
-
-        As typed in the study file, otherwise with the fewest digits in the unit used there, or
-        else in SI.
-        """
-        unit = canonical(axis.unit)
-        if not is_number(value) or unit not in KINDS or unit == "1":
-            return None
-        variable = self._study.variables[axis.name]
-        given = [*(variable.values or ()), *(variable.range or ())]
-        typed = [one.strip() for one in given if written_in(one, unit) is not None]
-        typed += [f"{value / axis.scale:.{n}g} {axis.typed_unit}" for n in _DIGITS]
-        typed += [f"{value!r} {axis.unit}"]
-        return next((text for text in typed if to_si(text, unit) == value), None)
-
     def _text(self, value: Any) -> str:
         return self._place(value) if isinstance(value, str) else json.dumps(value)
 
@@ -113,6 +97,23 @@ class Commands:
         """Return a name that a study file uses as the current folder sees it."""
         file = self._folder / name
         return os.path.relpath(file) if name and file.is_file() else name
+
+
+def amount_of(study: Study, axis: Axis, value: Any) -> str | None:
+    """Return a number with a unit that is read as the same bits; None for what has no unit.
+
+    As typed in the study file, otherwise with the fewest digits in the unit used there, or
+    else in SI.
+    """
+    unit = canonical(axis.unit)
+    if not is_number(value) or unit not in KINDS or unit == "1":
+        return None
+    variable = study.variables[axis.name]
+    given = [*(variable.values or ()), *(variable.range or ())]
+    typed = [one.strip() for one in given if written_in(one, unit) is not None]
+    typed += [f"{value / axis.scale:.{n}g} {axis.typed_unit}" for n in _DIGITS]
+    typed += [f"{value!r} {axis.unit}"]
+    return next((text for text in typed if to_si(text, unit) == value), None)
 
 
 def _read(text: str) -> Any:

@@ -13,6 +13,8 @@ from tests.support.small import laid_out, small
 
 # Series that become variables together with others, or labels of dimensions.
 COMBINED = {"time", "line_time", "masses", *contacts.REDUCTIONS}
+# Motion of the wires, which its layout takes apart: see test_motion.py.
+MOTION = {"motion_time", "motion_first"}
 # Extremes that attributes and warnings tell of.
 TOLD = {"stop_max", "law_ranges"}
 ENERGY = "energy_"
@@ -28,10 +30,10 @@ def test_every_channel_of_the_core_is_a_variable() -> None:
     _, raw = stepped()
     arrays = {name for name, values in raw.items() if isinstance(values, np.ndarray)}
     named = {variable.channel for variable in VARIABLES.values() if variable.channel}
-    assert named | COMBINED | TOLD == arrays
+    assert named | COMBINED | TOLD | MOTION | {"motion"} == arrays
     assert not named & (COMBINED | TOLD)
     of_rows = {variable.channel for variable in record.OF_ROWS.values()}
-    assert of_rows | COMBINED == set(_core.SERIES)
+    assert of_rows | COMBINED | MOTION == set(_core.SERIES)
 
 
 def test_every_energy_of_the_core_is_a_variable() -> None:

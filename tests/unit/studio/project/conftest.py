@@ -12,7 +12,7 @@ CANARY = "canary-3f9a"
 
 @pytest.fixture
 def project(tmp_path: Path) -> Project:
-    """Return a project beside files that are none of its own."""
+    """Return a project next to files that are none of its own."""
     folder = tmp_path / "project"
     folder.mkdir()
     write_copies(folder, copies("my", "en50318-ac-simple-320"), "{}\n")

@@ -1,217 +1,175 @@
-"""The gate: who may ask, from where, and what is said with every answer."""
-
-import time
-from collections.abc import Callable
-from typing import Any
+"""The gate: hosts, origins, tokens, the cookie, and what every answer says to a browser."""
 
 import pytest
-from starlette.applications import Starlette
-from starlette.requests import Request
-from starlette.responses import PlainTextResponse
-from starlette.routing import Route, WebSocketRoute
+from starlette.routing import BaseRoute, Mount, Route, WebSocketRoute
 from starlette.testclient import TestClient
-from starlette.websockets import WebSocket, WebSocketDisconnect
+from starlette.websockets import WebSocketDisconnect
 
-from arcless.studio.answers.answers import route
 from arcless.studio.server import keys as keys_module
-from arcless.studio.server.crowd import Crowd
-from arcless.studio.server.gate import Gate
-from arcless.studio.server.keys import Keys
+from arcless.studio.server.keys import TICKET_S, Keys
+from tests.unit.studio.conftest import OWN, PORT, Ask
 
-PORT = 8123
-OWN = f"http://127.0.0.1:{PORT}"
-
-
-async def page(_: Request) -> PlainTextResponse:
-    return PlainTextResponse("the page")
-
-
-async def length(request: Request) -> int:
-    return len(await request.body())
-
-
-async def stream(socket: WebSocket) -> None:
-    await socket.accept()
-    await socket.send_text("hello")
-    await socket.close()
+REFUSED, MISDIRECTED, SEE_OTHER, OK = 403, 421, 303, 200
+FOREIGN_HOSTS = [
+    "evil.example", "127.0.0.1", f"127.0.0.1:{PORT + 1}", f"evil.example:{PORT}", "",
+    f"localhost.evil.example:{PORT}", f"127.0.0.1:{PORT}@evil.example", f"0.0.0.0:{PORT}",
+    f"127.1:{PORT}", f"[::]:{PORT}",
+]  # fmt: skip
+FOREIGN_ORIGINS = [
+    "http://evil.example", "null", f"https://127.0.0.1:{PORT}", f"http://127.0.0.1:{PORT + 1}",
+    "http://127.0.0.1", f"http://localhost:{PORT}", f"{OWN}.evil.example", "",
+]  # fmt: skip
 
 
-@pytest.fixture
-def keys() -> Keys:
-    return Keys(PORT)
+def routes_of(client: TestClient) -> list[BaseRoute]:
+    return list(client.app._app.routes)  # type: ignore[attr-defined]
 
 
-Client = Callable[..., TestClient]
+@pytest.mark.parametrize("host", FOREIGN_HOSTS)
+def test_other_hosts_get_nothing(client: TestClient, host: str) -> None:
+    for path in ("/", "/api/project", "/index.html"):
+        assert client.get(path, headers={"host": host}).status_code == MISDIRECTED
 
 
-@pytest.fixture
-def client(keys: Keys) -> Client:
-    """Return a function that makes a browser, which knows the cookie or not."""
-    routes = [
-        route("length", length, "POST"),
-        route("long", length, "POST"),
-        WebSocketRoute("/api/stream", stream),
-        Route("/{path:path}", page),
-    ]
-    app = Gate(Starlette(routes=routes), keys, Crowd(), {"/api/long": 10 * 2**20})
-
-    def made(base: str = OWN, *, known: bool = True) -> TestClient:
-        browser = TestClient(app, base_url=base, follow_redirects=False)
-        if known:
-            assert browser.get(f"/?token={keys.token}").status_code == 303
-        return browser
-
-    return made
+@pytest.mark.parametrize("host", [f"127.0.0.1:{PORT}", f"localhost:{PORT}", f"[::1]:{PORT}"])
+def test_names_of_this_machine(client: TestClient, host: str) -> None:
+    own = {"host": host, "origin": f"http://{host}"}
+    assert client.get("/api/project", headers=own).status_code == OK
 
 
-def test_token_becomes_a_cookie_and_leaves_the_address(client: Client, keys: Keys) -> None:
-    browser = client(known=False)
-    answer = browser.get(f"/?token={keys.token}")
-    assert (answer.status_code, answer.headers["location"]) == (303, "/")
-    cookie = answer.headers["set-cookie"]
-    assert cookie.startswith(f"arcless-studio-{PORT}=")
-    assert "HttpOnly" in cookie
-    assert "SameSite=strict" in cookie
-    assert keys.token not in cookie
-    assert browser.get("/").text == "the page"
+@pytest.mark.parametrize("origin", FOREIGN_ORIGINS)
+@pytest.mark.parametrize("method", ["GET", "POST", "PUT", "DELETE", "OPTIONS"])
+def test_other_origins_get_nothing(client: TestClient, origin: str, method: str) -> None:
+    found = client.request(method, "/api/project", headers={"origin": origin})
+    assert found.status_code == REFUSED
+    assert not [name for name in found.headers if name.startswith("access-control")]
 
 
-def test_without_the_cookie_nothing_is_answered(client: Client) -> None:
-    browser = client(known=False)
-    for path in ("/", "/assets/index.js", "/api/project", "/api/", "/?token=", "/?token=wrong"):
-        answer = browser.get(path)
-        assert answer.status_code == 403, path
-        assert "the page" not in answer.text
-    assert "arcless studio" in browser.get("/").text
-    assert "terminal" in browser.get("/api/project").json()["error"]["text"]
-
-
-def test_token_opens_nothing_but_the_page(client: Client, keys: Keys) -> None:
-    assert client(known=False).get(f"/api/project?token={keys.token}").status_code == 403
-
-
-def test_cookie_of_another_server_or_by_another_name(client: Client) -> None:
-    browser = client(known=False)
-    for cookie in (f"arcless-studio-{PORT}=x", "arcless-studio-1=x", "=", ";;;", "a\xff=b"):
-        answer = browser.get("/", headers={"cookie": cookie.encode("latin-1")})
-        assert answer.status_code == 403
-
-
-def test_printed_token_serves_two_browsers(client: Client) -> None:
-    assert client().get("/").text == client().get("/").text == "the page"
-
-
-def test_ticket_of_a_started_browser_is_good_once(client: Client, keys: Keys) -> None:
-    ticket, browser = keys.ticket(), client(known=False)
-    assert browser.get(f"/?token={ticket}").status_code == 303
-    other = client(known=False).get(f"/?token={ticket}")
-    assert other.status_code == 403
-    assert "good\nonce" in other.text
-
-
-def test_ticket_is_good_for_a_minute(
-    client: Client, keys: Keys, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    ticket, now = keys.ticket(), time.monotonic()
-    monkeypatch.setattr(keys_module.time, "monotonic", lambda: now + keys_module.TICKET_S + 1)
-    assert client(known=False).get(f"/?token={ticket}").status_code == 403
-
-
-@pytest.mark.parametrize(
-    "host",
-    ["evil.example", f"evil.example:{PORT}", "127.0.0.1", "127.0.0.1:80", f"127.0.0.1.:{PORT}",
-     f"127.0.0.2:{PORT}", f"localhost.evil.example:{PORT}", f"0.0.0.0:{PORT}", ""],
-)  # fmt: skip
-def test_host_of_another_name(client: Client, host: str) -> None:
-    """A name that was made to lead here (DNS rebinding) is answered nothing, not even a token."""
-    answer = client().get("/", headers={"host": host})
-    assert answer.status_code == 421
-    assert "the page" not in answer.text
-
-
-def test_own_names(client: Client) -> None:
-    for name in ("127.0.0.1", "localhost", "[::1]"):
-        assert client(f"http://{name}:{PORT}").get("/").text == "the page"
-
-
-@pytest.mark.parametrize(
-    "origin", ["http://evil.example", "null", f"https://127.0.0.1:{PORT}", "http://127.0.0.1:1", ""]
-)
-def test_origin_of_another_page(client: Client, origin: str) -> None:
-    browser = client()
-    head = {"origin": origin}
-    assert browser.get("/", headers=head).status_code == 403
-    assert browser.post("/api/length", content=b"x", headers=head).status_code == 403
-
-
-def test_what_changes_something_needs_the_origin(client: Client) -> None:
-    browser = client()
-    assert browser.post("/api/length", content=b"x").status_code == 403
-    assert browser.request("DELETE", "/api/length").status_code == 403
-    answer = browser.post("/api/length", content=b"x", headers={"origin": OWN})
-    assert (answer.status_code, answer.json()) == (200, 1)
-
-
-def test_questions_that_another_page_makes_a_browser_ask(client: Client) -> None:
-    browser = client()
-    for site in ("cross-site", "same-site"):
-        assert browser.get("/api/x", headers={"sec-fetch-site": site}).status_code == 403
-    for site in ("same-origin", "none"):
-        assert browser.get("/api/x", headers={"sec-fetch-site": site}).text == "the page"
-
-
-@pytest.mark.parametrize(
-    ("known", "origin"), [(True, None), (True, "http://evil.example"), (True, "null"), (False, OWN)]
-)
-def test_stream_is_refused(client: Client, known: bool, origin: str | None) -> None:
-    head = {} if origin is None else {"origin": origin}
-    browser = client(known=known)
-    with pytest.raises(WebSocketDisconnect), browser.websocket_connect(
-        f"ws://127.0.0.1:{PORT}/api/stream", headers=head
-    ):  # fmt: skip
+def test_only_a_plain_question_needs_no_origin(stranger: Ask, keys: Keys) -> None:
+    client = stranger()
+    client.cookies.set(keys.cookie, str(keys.session_for(keys.token)))
+    assert client.get("/api/project").status_code == OK
+    for method in ("POST", "PUT", "DELETE", "PATCH", "OPTIONS"):
+        assert client.request(method, "/api/project").status_code == REFUSED
+    with pytest.raises(WebSocketDisconnect), client.websocket_connect("/api/stream"):
         pass
 
 
-def test_stream_of_the_own_page(client: Client) -> None:
-    browser = client()
-    cookie = "; ".join(f"{name}={value}" for name, value in browser.cookies.items())
-    with browser.websocket_connect(
-        f"ws://127.0.0.1:{PORT}/api/stream", headers={"origin": OWN, "cookie": cookie}
-    ) as socket:
-        assert socket.receive_text() == "hello"
+@pytest.mark.parametrize("site", ["cross-site", "same-site"])
+def test_other_sites_get_no_answer_of_the_interface(client: TestClient, site: str) -> None:
+    found = client.get("/api/project", headers={"sec-fetch-site": site})
+    assert found.status_code == REFUSED
 
 
-@pytest.mark.parametrize("path", ["/", "/api/x", "/assets/x.js"])
-@pytest.mark.parametrize("known", [True, False])
-def test_headers_of_every_answer(client: Client, path: str, known: bool) -> None:
-    head = client(known=known).get(path).headers
-    policy = dict(part.split(" ", 1) for part in head["content-security-policy"].split("; "))
-    assert policy["default-src"] == policy["frame-ancestors"] == policy["base-uri"] == "'none'"
-    assert policy["script-src"] == policy["style-src"] == policy["connect-src"] == "'self'"
-    assert "unsafe" not in head["content-security-policy"]
-    assert head["x-content-type-options"] == "nosniff"
-    assert head["referrer-policy"] == "no-referrer"
-    assert head["cross-origin-opener-policy"] == "same-origin"
-    assert head["cross-origin-resource-policy"] == "same-origin"
-    if not path.startswith("/assets"):
-        assert head["cache-control"] == "no-store"
+@pytest.mark.parametrize("origin", FOREIGN_ORIGINS)
+def test_sockets_of_other_origins(client: TestClient, origin: str) -> None:
+    with (
+        pytest.raises(WebSocketDisconnect),
+        client.websocket_connect("/api/stream", headers={"origin": origin}),
+    ):
+        pass
 
 
-def post(browser: TestClient, path: str, content: Any) -> tuple[int, Any]:
-    answer = browser.post(path, content=content, headers={"origin": OWN})
-    return answer.status_code, answer.json()
+def test_without_the_cookie_every_route_refuses(stranger: Ask) -> None:
+    client = stranger(origin=OWN)
+    asked = 0
+    for route in routes_of(client):
+        if isinstance(route, Route):
+            for method in route.methods or ():
+                path = route.path.replace("{", "").replace("}", "")
+                assert client.request(method, path).status_code == REFUSED, path
+                asked += 1
+        elif isinstance(route, WebSocketRoute):
+            with pytest.raises(WebSocketDisconnect), client.websocket_connect(route.path):
+                pass
+        else:
+            assert isinstance(route, Mount)
+            assert client.get("/").status_code == REFUSED
+            assert client.get("/index.html").status_code == REFUSED
+    # The routes of the contract are more than these; the number tells that they were found.
+    assert asked > 20
 
 
-def test_bodies_are_limited_by_their_route(client: Client) -> None:
-    browser, mib = client(), 2**20
-    assert post(browser, "/api/length", b"x" * 4 * mib) == (200, 4 * mib)
-    status, answer = post(browser, "/api/length", b"x" * (4 * mib + 1))
-    assert (status, answer["error"]["text"]) == (413, "The question is too long: 4 MiB at most")
-    assert post(browser, "/api/long", b"x" * 10 * mib)[0] == 200
-    assert post(browser, "/api/long", b"x" * 11 * mib)[0] == 413
+@pytest.mark.parametrize("value", ["", "x", "é", "\x7f", "a" * 5000, "0"])
+def test_wrong_cookies(stranger: Ask, keys: Keys, value: str) -> None:
+    client = stranger(origin=OWN)
+    raw = f"{keys.cookie}={value}".encode()
+    assert client.get("/api/project", headers=[(b"cookie", raw)]).status_code == REFUSED
 
 
-def test_bodies_without_a_length_are_counted(client: Client) -> None:
-    browser = client()
-    pieces = (b"x" * 2**20 for _ in range(5))
-    assert post(browser, "/api/length", pieces)[0] == 413
+def test_the_cookie_of_another_port_is_another_one(stranger: Ask, keys: Keys) -> None:
+    client, other = stranger(origin=OWN), Keys(PORT + 1)
+    assert other.cookie != keys.cookie
+    client.cookies.set(other.cookie, str(keys.session_for(keys.token)))
+    assert client.get("/api/project").status_code == REFUSED
+
+
+def test_the_token_becomes_a_cookie_that_no_script_reads(stranger: Ask, keys: Keys) -> None:
+    client = stranger()
+    found = client.get("/", params={"token": keys.token})
+    assert (found.status_code, found.headers["location"]) == (SEE_OTHER, "/")
+    said = found.headers["set-cookie"].lower()
+    assert str(PORT) in said.split("=")[0]
+    assert "httponly" in said
+    assert "samesite=strict" in said
+    assert "domain" not in said
+    assert keys.token.lower() not in said
+    assert client.get("/").status_code == OK
+
+
+def test_a_token_opens_the_page_alone(stranger: Ask, keys: Keys) -> None:
+    client = stranger(origin=OWN)
+    for path in ("/api/project", "/index.html", "/api/stream"):
+        found = client.get(path, params={"token": keys.token})
+        assert found.status_code == REFUSED
+        assert "set-cookie" not in found.headers
+
+
+def test_a_ticket_is_good_once_and_for_a_while(keys: Keys, monkeypatch: pytest.MonkeyPatch) -> None:
+    ticket = keys.ticket()
+    session = keys.session_for(ticket)
+    assert session is not None
+    assert keys.admits(session)
+    assert keys.session_for(ticket) is None
+    late = keys.ticket()
+    now = keys_module.time.monotonic() + TICKET_S + 1.0
+    monkeypatch.setattr(keys_module.time, "monotonic", lambda: now)
+    assert keys.session_for(late) is None
+
+
+def test_secrets_differ_and_are_long() -> None:
+    one, other = Keys(PORT), Keys(PORT)
+    # 256 bits in base 64.
+    assert len({one.token, other.token, one.ticket(), other.ticket()}) == 4
+    assert len(one.token) >= 43
+
+
+@pytest.mark.parametrize("path", ["/", "/api/project", "/api/none", "/none.js"])
+def test_headers_of_every_answer(client: TestClient, path: str) -> None:
+    said = client.get(path).headers
+    policy = dict(part.strip().split(" ", 1) for part in said["content-security-policy"].split(";"))
+    assert policy["default-src"] == "'none'"
+    assert policy["script-src"] == "'self'"
+    assert policy["connect-src"] == "'self'"
+    assert policy["frame-ancestors"] == "'none'"
+    assert policy["base-uri"] == "'none'"
+    assert policy["form-action"] == "'none'"
+    assert "unsafe" not in said["content-security-policy"]
+    assert said["x-content-type-options"] == "nosniff"
+    assert said["referrer-policy"] == "no-referrer"
+    assert said["cross-origin-opener-policy"] == "same-origin"
+    assert said["cross-origin-resource-policy"] == "same-origin"
+    if path == "/" or path.startswith("/api"):
+        assert said["cache-control"] == "no-store"
+
+
+def test_refusals_have_the_headers_too(stranger: Ask) -> None:
+    said = stranger().get("/").headers
+    assert "default-src 'none'" in said["content-security-policy"]
+    assert said["x-content-type-options"] == "nosniff"
+
+
+def test_many_fields_in_an_address_are_no_fault(client: TestClient, stranger: Ask) -> None:
+    path = "/?" + "&".join(f"token={number}" for number in range(5000))
+    assert client.get(path).status_code == OK
+    assert stranger().get(path).status_code == REFUSED

@@ -6,6 +6,7 @@
 use crate::constraint::contacts::Contacts;
 use crate::energy_terms::EnergyTerms;
 use crate::error::CoreError;
+use crate::simulation::recording::motion::MotionPlan;
 use crate::simulation::recording::support_parts::SupportParts;
 use crate::simulation::recording::window::Near;
 use std::mem::{replace, take};
@@ -33,6 +34,8 @@ pub struct RecordPlan {
     pub ledger_every: usize,
     /// Record links and nodes near the pantographs only; `None` for all of them.
     pub near: Option<Near>,
+    /// Record the motion of wires near the pantographs; `None` for none of it.
+    pub motion: Option<MotionPlan>,
 }
 
 impl RecordPlan {
@@ -79,6 +82,8 @@ macro_rules! channels {
             pub energy: Vec<EnergyTerms>,
             /// Number of steps that took 0, 1, 2, … exchanges.
             pub pivot_counts: Vec<usize>,
+            /// Motion of the wires, row by row: see [`MotionPlan`].
+            pub motion: Vec<f32>,
             $($(#[$of_series])+ pub $series: Vec<f64>,)+
             $($(#[$of_extreme])+ pub $extreme: Vec<f64>,)+
             $($(#[$of_count])+ pub $count: usize,)+
@@ -168,6 +173,11 @@ channels! {
         point_along,
         /// Number of slack links.
         slack,
+        /// Times of the rows of motion, s.
+        motion_time,
+        /// Place in the order of its nodes of the first one of each wire in a row of motion, then
+        /// that of the links.
+        motion_first,
     }
     extremes {
         /// Smallest tension of each link over all steps, N.
@@ -226,13 +236,14 @@ impl Record {
     /// Takes the series recorded so far, and leaves empty ones for later instants. Extremes and
     /// counts stay, and the piece has a copy of them.
     pub(crate) fn take_series(&mut self) -> Self {
-        let energy = take(&mut self.energy);
+        let (energy, motion) = (take(&mut self.energy), take(&mut self.motion));
         let taken = self.series_mut().map(|own| {
             let as_many = Vec::with_capacity(own.len());
             replace(own, as_many)
         });
         let mut piece = Self {
             energy,
+            motion,
             ..self.clone()
         };
         for (own, series) in piece.series_mut().into_iter().zip(taken) {
@@ -244,7 +255,8 @@ impl Record {
     /// Numbers in the series.
     pub(crate) fn held(&mut self) -> usize {
         let numbers: usize = self.series_mut().iter().map(|s| s.len()).sum();
-        numbers + self.energy.len() * (size_of::<EnergyTerms>() / size_of::<f64>())
+        let energies = self.energy.len() * (size_of::<EnergyTerms>() / size_of::<f64>());
+        numbers + energies + self.motion.len() * size_of::<f32>() / size_of::<f64>()
     }
 
     /// Checks that the energy balance, if kept, is finite: squares grow faster than motion.

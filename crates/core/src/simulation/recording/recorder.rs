@@ -10,6 +10,7 @@ use crate::simulation::inputs::Inputs;
 use crate::simulation::model::Model;
 use crate::simulation::motion::Motion;
 use crate::simulation::recording::energy_balance::EnergyBalance;
+use crate::simulation::recording::motion::record as motion_record;
 use crate::simulation::recording::record::{Record, RecordPlan};
 use crate::simulation::recording::subgrid_height::{Probe, spots};
 use crate::simulation::recording::support_loads;
@@ -198,6 +199,11 @@ impl<const DIM: usize, const D: usize> Recorder<DIM, D> {
         if step.is_multiple_of(self.plan.line_every) {
             self.record_line(model, motion, (time, position));
         }
+        if let Some(plan) = &self.plan.motion
+            && step.is_multiple_of(plan.every)
+        {
+            motion_record(plan, model, motion, (time, position), &mut self.record);
+        }
     }
 
     fn record_contacts(
@@ -358,7 +364,7 @@ impl<const DIM: usize, const D: usize> Motion<DIM, D> {
 
     /// Tension of a link at the time of balance, N.
     #[inline(always)]
-    fn tension(&self, link: usize) -> f64 {
+    pub(crate) fn tension(&self, link: usize) -> f64 {
         if self.problem.correction[link] > 0.0 {
             return 0.0;
         }

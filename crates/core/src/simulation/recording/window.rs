@@ -67,7 +67,7 @@ impl SortedStations {
         &self.of[first..first + self.count]
     }
 
-    fn fits(&self, there: usize) -> bool {
+    pub(crate) fn fits(&self, there: usize) -> bool {
         self.of.len() == self.x.len()
             && self.count <= self.of.len()
             && self.of.iter().all(|&i| i < there)

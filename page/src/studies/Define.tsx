@@ -1,0 +1,173 @@
+/** Define a study: tick fields, say how they are varied, which combinations, what comes out. */
+import { useSignal } from "@preact/signals";
+import { useEffect } from "preact/hooks";
+import { subject, told as named } from "../state/subject.ts";
+import { followDefinition, save, saving, told } from "./asking.ts";
+import {
+  change, columnName, definition, design, DESIGNS, estimate, expressions, fields, isSample, leave, name, OUTPUTS, outputs, size, varied, vary,
+  type Design, type How, type Varied,
+} from "./defining.ts";
+import { face } from "./vary.ts";
+
+function FieldList() {
+  const search = useSignal("");
+  const all = fields.value?.fields ?? [];
+  const words = search.value.toLowerCase().split(/\s+/).filter(Boolean);
+  const found = all.filter((own) => words.every((word) => `${own.group} ${own.label} ${own.field}`.toLowerCase().includes(word)));
+  return (
+    <fieldset class="fields">
+      <legend>What is varied</legend>
+      <input type="search" aria-label="Search fields" placeholder={`Search ${all.length} fields: tension, mass, speed …`} value={search.value}
+        onInput={(event) => (search.value = event.currentTarget.value)} />
+      <ul>
+        {found.map((own) => (
+          <li key={own.field}>
+            <label title={`${own.field}. ${own.description}${own.limits ? ` Limits: ${own.limits}.` : ""}`}>
+              <input type="checkbox" checked={varied.value.some(({ field }) => field === own.field)}
+                onChange={(event) => (event.currentTarget.checked ? vary(own) : leave(own.field))} />
+              <span>{own.group}: {own.label.toLowerCase()}</span>
+              <span class="typed">{own.typed}</span>
+            </label>
+          </li>
+        ))}
+        {found.length === 0 && <li class="soft">No field has these words.</li>}
+      </ul>
+    </fieldset>
+  );
+}
+
+function OneVaried({ own }: { own: Varied }) {
+  const sample = isSample(design.value);
+  const typed = (part: "low" | "high" | "mean" | "deviation" | "values", label: string) => (
+    <label>
+      {label}{" "}
+      <input value={own[part]} size={part === "values" ? 22 : 8} onInput={(event) => change(own.field, { [part]: event.currentTarget.value })} />
+    </label>
+  );
+  return (
+    <li class="varied">
+      <span class="title">
+        <input class="name" aria-label={`Name of ${own.field}`} value={own.name} size={14}
+          onChange={(event) => change(own.field, { name: columnName(event.currentTarget.value, varied.peek().filter((one) => one !== own).map((one) => one.name)) })} />
+        <code>{own.field}</code>
+        <button aria-label={`Do not vary ${own.name}`} onClick={() => leave(own.field)}>×</button>
+      </span>
+      <span class="how">
+        <select aria-label={`How ${own.name} is varied`} value={own.how} onChange={(event) => change(own.field, { how: event.currentTarget.value as How })}>
+          <option value="range">range</option>
+          <option value="values">values</option>
+          {sample && <option value="normal">normal distribution</option>}
+        </select>
+        {own.how === "values" ? typed("values", "apart by commas") : own.how === "normal" && sample ? (
+          <>{typed("mean", "mean")}{typed("deviation", "standard deviation")}</>
+        ) : (
+          <>
+            {typed("low", "from")}{typed("high", "to")}
+            {!sample && (
+              <label>
+                values{" "}
+                <input type="number" min={2} max={1000} value={own.count} onChange={(event) => change(own.field, { count: Math.max(2, Math.round(event.currentTarget.valueAsNumber) || 2) })} />
+              </label>
+            )}
+          </>
+        )}
+        <span class="unit">{own.unit}</span>
+      </span>
+    </li>
+  );
+}
+
+function Outputs() {
+  const tick = (key: string, on: boolean) => (outputs.value = on ? [...outputs.peek(), key] : outputs.peek().filter((one) => one !== key));
+  const own = useSignal("");
+  const add = () => {
+    const [, given, expression] = /^\s*(?:(\w+)\s*[:=])?\s*(.+?)\s*$/.exec(own.value) ?? [];
+    if (!expression) return;
+    expressions.value = [...expressions.peek(), { name: given ?? columnName(expression, expressions.peek().map((one) => one.name)), expression }];
+    own.value = "";
+  };
+  return (
+    <fieldset class="outputs">
+      <legend>What comes out</legend>
+      {OUTPUTS.map(([key, label]) => (
+        <label key={key}>
+          <input type="checkbox" checked={outputs.value.includes(key)} onChange={(event) => tick(key, event.currentTarget.checked)} /> {label}
+        </label>
+      ))}
+      {expressions.value.map((one) => (
+        <span key={one.name} class="expression">
+          <code>{one.name}: {one.expression}</code>
+          <button aria-label={`Remove ${one.name}`} onClick={() => (expressions.value = expressions.peek().filter((other) => other !== one))}>×</button>
+        </span>
+      ))}
+      <span class="expression">
+        <input aria-label="Expression of an output" placeholder="ratio: std_force_N / mean_force_N" value={own.value} size={30}
+          onInput={(event) => (own.value = event.currentTarget.value)} onKeyDown={(event) => event.key === "Enter" && add()} />
+        <button onClick={add} disabled={!own.value.trim()}>Add</button>
+      </span>
+    </fieldset>
+  );
+}
+
+function Combinations() {
+  return (
+    <div class="bar">
+      <label>
+        Design{" "}
+        <select value={design.value} onChange={(event) => (design.value = event.currentTarget.value as Design)}>
+          {Object.entries(DESIGNS).map(([kind, label]) => <option key={kind} value={kind}>{label}</option>)}
+        </select>
+      </label>
+      {isSample(design.value) && (
+        <label>
+          variants{" "}
+          <input type="number" min={1} max={1_000_000} value={size.value} onChange={(event) => (size.value = Math.max(1, Math.round(event.currentTarget.valueAsNumber) || 1))} />
+        </label>
+      )}
+    </div>
+  );
+}
+
+function Verdict() {
+  const found = told.value;
+  const list = fields.value;
+  if (!definition.value || !found || !list) return <p class="soft" role="status">Tick at least one field and one output.</p>;
+  const [error] = found.errors;
+  if (error) return <p class="problem" role="status">{error.text}</p>;
+  return <p role="status"><strong>{found.count} variants</strong>, {estimate(found.count ?? 0, list)}.</p>;
+}
+
+export function Define() {
+  useEffect(followDefinition, []);
+  if (subject.value === null) return <p class="empty">Choose a scenario on the left: a study varies its fields.</p>;
+  if (!fields.value) return <p class="empty">Reading the fields of {named(subject.value)} …</p>;
+  const ready = told.value !== null && told.value.errors.length === 0 && definition.value !== null && !saving.value;
+  const start = () => void save(true).then(() => (face.value = "watch"));
+  return (
+    <div class="define">
+      <div class="bar">
+        <label>Name <input value={name.value} onInput={(event) => (name.value = event.currentTarget.value)} /></label>
+        <span class="soft">Scenario: {named(subject.value)}</span>
+      </div>
+      <div class="halves">
+        <FieldList />
+        <div>
+          <ul class="chosen">{varied.value.map((own) => <OneVaried key={own.field} own={own} />)}</ul>
+          <Combinations />
+          <Outputs />
+          <Verdict />
+          <div class="bar">
+            <button class="main" disabled={!ready} onClick={start}>Save and start</button>
+            <button disabled={!ready} onClick={() => void save(false)}>Save only</button>
+          </div>
+          {told.value && (
+            <details>
+              <summary>The study file</summary>
+              <pre>{told.value.text}</pre>
+            </details>
+          )}
+        </div>
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,107 @@
+/** Questions about the study that is being defined; saving and starting it. */
+import { effect, signal } from "@preact/signals";
+import { ask, newest, type Complaint } from "../connection/http.ts";
+import { complain } from "../shell/messages.ts";
+import { project, readProject } from "../state/project.ts";
+import { subject } from "../state/subject.ts";
+import { definition, fields, fileOf, name, scenario, varied, vary, type Fields } from "./defining.ts";
+import { openStudy } from "./open.ts";
+import { wanted } from "./vary.ts";
+
+interface Text {
+  text: string;
+  /** null where it is wrong. */
+  count: number | null;
+  errors: Complaint[];
+}
+
+/** After the last change, in ms. */
+const ASK_AFTER = 150;
+
+export const told = signal<Text | null>(null);
+export const saving = signal(false);
+
+/** A scenario as a study file in the project's folder names it. */
+const named = (path: string) => path.replace(/^shipped:\w+\//, "");
+
+const askFields = newest((signal, path: string) => ask<Fields>("studies/fields", { body: { scenario: path }, signal }));
+const askText = newest(async (signal, given: NonNullable<typeof definition.value>) => {
+  const path = fileOf(given.name);
+  return ask<Text>("studies/text", { body: { path, definition: given, text: await before(path, signal).then((one) => one?.text ?? null) }, signal });
+});
+
+interface FileText {
+  text: string;
+  version: string;
+}
+
+/** The file of that name, where there is one: its comments stay. */
+async function before(path: string, signal?: AbortSignal): Promise<FileText | null> {
+  if (!project.peek()?.models.some((model) => model.path === path)) return null;
+  return ask<FileText>("file", { query: { path }, ...(signal ? { signal } : {}) });
+}
+
+/** Follow the scenario that is chosen, and what is defined; the returned function ends it. */
+export function followDefinition(): () => void {
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  const ends = [
+    effect(() => {
+      const path = subject.value;
+      if (path === null || (scenario.peek() === named(path) && fields.peek())) return;
+      askFields(path).then((found) => {
+        if (!found) return;
+        scenario.value = named(path);
+        fields.value = found;
+        varied.value = [];
+        name.value = `${found.name}-study`;
+      }, complain);
+    }),
+    effect(() => {
+      const given = definition.value;
+      clearTimeout(timer);
+      if (!given) {
+        told.value = null;
+        return;
+      }
+      timer = setTimeout(() => void askText(given).then((found) => found && (told.value = found), complain), ASK_AFTER);
+    }),
+    effect(() => {
+      const found = fields.value;
+      const asked = wanted.value;
+      if (!found || asked === null) return;
+      const own = found.fields.find(({ field }) => field === asked || field.endsWith(`.${asked}`));
+      wanted.value = null;
+      if (own) vary(own);
+      else complain(`${asked} is no number of this scenario that can be varied.`);
+    }),
+  ];
+  return () => {
+    clearTimeout(timer);
+    for (const end of ends) end();
+  };
+}
+
+/** Save the study file; start it if that is wanted. */
+export async function save(start: boolean): Promise<void> {
+  const given = definition.peek();
+  if (!given || saving.peek()) return;
+  saving.value = true;
+  try {
+    const path = fileOf(given.name);
+    const old = await before(path);
+    const { text } = await ask<Text>("studies/text", { body: { path, definition: given, text: old?.text ?? null } });
+    await ask("file", { method: "PUT", body: { path, text, version: old?.version ?? null } });
+    if (start) await run(path);
+    await readProject();
+  } catch (error) {
+    complain(error);
+  } finally {
+    saving.value = false;
+  }
+}
+
+/** Start the study of a file, or go on with it, and look at it. */
+export async function run(path: string, more: { resume?: boolean; retry_failed?: boolean } = {}): Promise<void> {
+  const answer = await ask<{ path: string }>("studies/run", { body: { path, ...more } });
+  openStudy(answer.path);
+}

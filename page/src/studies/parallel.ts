@@ -1,0 +1,169 @@
+/** Parallel coordinates on a canvas: an axis for each column, a line for each row. */
+import type { Sheet } from "../drawing/canvas.ts";
+import { BUCKETS, bucketOf, colourOfBucket } from "./colours.ts";
+import { extent, shown, variantOf, type Brushes, type Column } from "./columns.ts";
+import type { Row } from "./open.ts";
+
+/** Room in px above and below the axes, for numbers. */
+export const TOP = 16;
+export const BOTTOM = 16;
+/** A line so near in px is the one that is pointed at. */
+const NEAR = 8;
+
+export interface Picture {
+  columns: Column[];
+  rows: readonly Row[];
+  /** Places of the rows that are not pale. */
+  places: readonly number[];
+  brushes: Brushes;
+  coloured: Column | null;
+  picked: number | null;
+}
+
+export interface Layout {
+  x(axis: number): number;
+  y(axis: number, value: number): number;
+  value(axis: number, y: number): number;
+  extents: ([number, number] | null)[];
+}
+
+export function layout({ columns, rows }: Picture, width: number, height: number): Layout {
+  const extents = columns.map((column) => extent(column, rows));
+  const room = height - TOP - BOTTOM;
+  const of = (axis: number) => extents[axis] ?? [0, 1];
+  return {
+    extents,
+    // Below the middle of its head, all of which are as wide.
+    x: (axis) => ((axis + 0.5) * width) / columns.length,
+    y: (axis, value) => TOP + room * (1 - (value - of(axis)[0]) / (of(axis)[1] - of(axis)[0])),
+    value: (axis, y) => of(axis)[0] + (1 - (y - TOP) / room) * (of(axis)[1] - of(axis)[0]),
+  };
+}
+
+function trace(context: CanvasRenderingContext2D, on: Layout, columns: readonly Column[], row: Row): void {
+  let joined = false;
+  columns.forEach((column, axis) => {
+    const value = column.number(row);
+    // A line ends where its row has no value.
+    if (value === null) joined = false;
+    else if (joined) context.lineTo(on.x(axis), on.y(axis, value));
+    else {
+      context.moveTo(on.x(axis), on.y(axis, value));
+      joined = true;
+    }
+  });
+}
+
+function lines(sheet: Sheet, on: Layout, picture: Picture): void {
+  const { context, colour } = sheet;
+  const { columns, rows, places, coloured } = picture;
+  context.lineWidth = 1;
+  if (places.length < rows.length) {
+    context.strokeStyle = colour("grid");
+    context.beginPath();
+    for (const row of rows) trace(context, on, columns, row);
+    context.stroke();
+  }
+  const range = coloured && extent(coloured, rows);
+  const buckets = Array.from({ length: BUCKETS + 1 }, () => [] as Row[]);
+  for (const at of places) {
+    const row = rows[at]!;
+    buckets[coloured && range ? bucketOf(coloured.number(row), range) + 1 : 0]!.push(row);
+  }
+  // Many lines are a texture: the more there are, the paler each is.
+  context.globalAlpha = Math.min(1, Math.max(0.15, 30 / Math.sqrt(places.length * 10)));
+  buckets.forEach((own, bucket) => {
+    if (!own.length) return;
+    context.strokeStyle = bucket ? colourOfBucket(bucket - 1) : colour(coloured ? "raw" : "accent");
+    context.beginPath();
+    for (const row of own) trace(context, on, columns, row);
+    context.stroke();
+  });
+  context.globalAlpha = 1;
+}
+
+function axes(sheet: Sheet, on: Layout, { columns, brushes }: Picture): void {
+  const { context, colour, height } = sheet;
+  context.font = `12px ${colour("font-text")}`;
+  context.textAlign = "center";
+  columns.forEach((column, axis) => {
+    const x = on.x(axis);
+    context.strokeStyle = colour("soft");
+    context.lineWidth = 1;
+    context.beginPath();
+    context.moveTo(x, TOP);
+    context.lineTo(x, height - BOTTOM);
+    context.stroke();
+    const ends = on.extents[axis];
+    context.fillStyle = colour("ink");
+    if (ends) {
+      context.textBaseline = "bottom";
+      context.fillText(shown(ends[1]), x, TOP);
+      context.textBaseline = "top";
+      context.fillText(shown(ends[0]), x, height - BOTTOM);
+    }
+    limits(sheet, on, column, axis);
+    const range = brushes[column.name];
+    if (!range) return;
+    const [top, bottom] = [on.y(axis, range[1]), on.y(axis, range[0])].map((y) => Math.min(Math.max(y, TOP), height - BOTTOM)) as [number, number];
+    context.fillStyle = context.strokeStyle = colour("accent");
+    context.globalAlpha = 0.25;
+    context.fillRect(x - 7, top, 14, bottom - top);
+    context.globalAlpha = 1;
+    context.strokeRect(x - 7, top, 14, bottom - top);
+  });
+}
+
+/** Limits of an output, as a bar across its axis. */
+function limits({ context, colour, height }: Sheet, on: Layout, { output }: Column, axis: number): void {
+  context.strokeStyle = colour("limit");
+  context.lineWidth = 3;
+  for (const limit of [output?.bounds?.at_least, output?.bounds?.at_most]) {
+    if (limit === null || limit === undefined) continue;
+    const y = on.y(axis, limit);
+    if (y < TOP || y > height - BOTTOM) continue;
+    context.beginPath();
+    context.moveTo(on.x(axis) - 10, y);
+    context.lineTo(on.x(axis) + 10, y);
+    context.stroke();
+  }
+}
+
+export function paint(sheet: Sheet, picture: Picture): void {
+  const on = layout(picture, sheet.width, sheet.height);
+  lines(sheet, on, picture);
+  const own = picture.rows.find((row) => variantOf(row) === picture.picked);
+  if (own) {
+    sheet.context.strokeStyle = sheet.colour("highlight");
+    sheet.context.lineWidth = 3;
+    sheet.context.beginPath();
+    trace(sheet.context, on, picture.columns, own);
+    sheet.context.stroke();
+  }
+  axes(sheet, on, picture);
+}
+
+/** The axis near a point; null where none is. */
+export function axisAt(picture: Picture, width: number, height: number, x: number): number | null {
+  const on = layout(picture, width, height);
+  const at = picture.columns.findIndex((_, axis) => Math.abs(on.x(axis) - x) <= 14);
+  return at < 0 ? null : at;
+}
+
+/** The variant whose line passes a point between two axes; null where none is near. */
+export function lineAt(picture: Picture, width: number, height: number, x: number, y: number): number | null {
+  const on = layout(picture, width, height);
+  const axis = picture.columns.findIndex((_, one) => x >= on.x(one) && x <= on.x(one + 1) && one + 1 < picture.columns.length);
+  const [left, right] = [picture.columns[axis], picture.columns[axis + 1]];
+  if (!left || !right) return null;
+  const share = (x - on.x(axis)) / (on.x(axis + 1) - on.x(axis));
+  let [best, least] = [null as number | null, NEAR];
+  for (const at of picture.places) {
+    const row = picture.rows[at]!;
+    const [one, other] = [left.number(row), right.number(row)];
+    if (one === null || other === null) continue;
+    const distance = Math.abs(on.y(axis, one) + share * (on.y(axis + 1, other) - on.y(axis, one)) - y);
+    if (distance < least) [best, least] = [variantOf(row), distance];
+  }
+  return best;
+}

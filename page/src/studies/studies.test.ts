@@ -1,0 +1,88 @@
+import { expect, test } from "vitest";
+import { BUCKETS, bucketOf } from "./colours.ts";
+import { columnsOf, extent, kept, shown, sorted, variantOf } from "./columns.ts";
+import { amount, columnName, definition, design, fileOf, name, outputs, scenario, varied, vary, type VariedField } from "./defining.ts";
+import type { Definition, Row } from "./open.ts";
+import { layout, lineAt } from "./parallel.ts";
+
+const about: Definition = {
+  name: "s", description: "", scenario: "x", design: "grid", count: 4,
+  variables: [{ name: "tension", field: "line.contact_wire.tension", unit: "kN", scale: 1000, description: "" }],
+  outputs: [{ name: "sigma", expression: "std_force_N", unit: "N", description: "", objective: null, bounds: null }],
+};
+const rows: Row[] = [
+  [1, "done", 20000, 30, "", 0.1],
+  [2, "done", 22000, 10, "", 0.1],
+  [3, "failed", 24000, null, "the line has no equilibrium", 0.1],
+  [4, "done", 26000, 20, "", 0.1],
+];
+const columns = columnsOf(about);
+
+test("a variable is shown in the unit of its file, an output as it is", () => {
+  expect(columns.map((column) => column.number(rows[0]!))).toEqual([20, 30]);
+  expect(columns[1]!.number(rows[2]!)).toBeNull();
+  expect(extent(columns[0]!, rows)).toEqual([20, 26]);
+  expect(shown(1234567)).toBe("1.235e+6");
+});
+
+test("brushes and words leave what fits all of them; a row without a value fits no brush", () => {
+  expect(kept(rows, columns, { tension: [21, 25] }, "")).toEqual([1, 2]);
+  expect(kept(rows, columns, { tension: [21, 25], sigma: [0, 15] }, "")).toEqual([1]);
+  expect(kept(rows, columns, { sigma: [-Infinity, Infinity] }, "")).toEqual([0, 1, 3]);
+  expect(kept(rows, columns, {}, "equilibrium")).toEqual([2]);
+  expect(kept(rows, columns, {}, "4")).toEqual([3]);
+});
+
+test("rows are sorted by a column, those without a value last either way", () => {
+  const by = (down: boolean) => sorted([0, 1, 2, 3], rows, columns, { by: "sigma", down }).map((at) => variantOf(rows[at]!));
+  expect(by(false)).toEqual([2, 4, 1, 3]);
+  expect(by(true)).toEqual([1, 4, 2, 3]);
+});
+
+test("the line of a variant is found where it passes, and places on axes are read back", () => {
+  const picture = { columns, rows, places: [0, 1, 3], brushes: {}, coloured: null, picked: null };
+  const on = layout(picture, 400, 300);
+  expect(on.value(0, on.y(0, 21.5))).toBeCloseTo(21.5, 9);
+  const x = (on.x(0) + on.x(1)) / 2;
+  const y = (on.y(0, 22) + on.y(1, 10)) / 2;
+  expect(lineAt(picture, 400, 300, x, y + 1)).toBe(2);
+  expect(lineAt({ ...picture, places: [0] }, 400, 300, x, y)).toBeNull();
+});
+
+test("colours are of the whole scale and of no other", () => {
+  expect([0, 5, 10].map((value) => bucketOf(value, [0, 10]))).toEqual([0, BUCKETS / 2, BUCKETS - 1]);
+  expect(bucketOf(null, [0, 10])).toBe(-1);
+});
+
+const tension: VariedField = {
+  field: "line.contact_wire.tension", label: "Tension", group: "Line contact wire", description: "", typed: "22 kN", unit: "kN", value: 22,
+  offered: [19.8, 24.2], limits: "",
+};
+
+test("what is ticked becomes the study as its file has it", () => {
+  scenario.value = "own.yaml";
+  name.value = "my study";
+  outputs.value = ["std_force_N"];
+  varied.value = [];
+  expect(definition.value).toBeNull();
+  vary(tension);
+  vary({ ...tension, field: "line.messenger_wire.tension" });
+  expect(definition.value).toEqual({
+    name: "my study", scenario: "own.yaml", design: { kind: "grid" }, outputs: { std_force: "std_force_N" },
+    variables: {
+      tension: { field: "line.contact_wire.tension", range: ["19.8 kN", "24.2 kN"], count: 5 },
+      tension_2: { field: "line.messenger_wire.tension", range: ["19.8 kN", "24.2 kN"], count: 5 },
+    },
+  });
+  design.value = "sobol";
+  expect(definition.value?.design).toEqual({ kind: "sobol", count: 32 });
+  expect(definition.value?.variables["tension"]).toEqual({ field: "line.contact_wire.tension", range: ["19.8 kN", "24.2 kN"] });
+});
+
+test("amounts have the unit of the field unless one is typed", () => {
+  expect(amount("20", "kN")).toBe("20 kN");
+  expect(amount(" 20 N ", "kN")).toBe("20 N");
+  expect(amount("0.5", "")).toBe(0.5);
+  expect(columnName("Mean σ, N", ["mean_n"])).toBe("mean_n_2");
+  expect(fileOf("Größe / 1")).toBe("Größe-1.yaml");
+});

@@ -1,0 +1,309 @@
+"""Motion of the wires near the pantographs: what is recorded of it, and what a viewer is handed.
+
+A row holds of each wire always as many nodes, in the order along it, from the first one that is so
+far behind the last pantograph, and which one that is. The displacements are those from rest, in
+single precision: a picture needs no more.
+"""
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from arcless.model.settings.run_settings import RecordedMotion
+from arcless.simulate.recording import contacts
+from arcless.simulate.recording.recording_window import nearby
+from arcless.simulate.setup import trajectory
+from arcless.simulate.setup.core_data import MotionPlan, Stations
+
+if TYPE_CHECKING:
+    from arcless.equilibrium.equilibrium import Equilibrium
+    from arcless.mesh import Mesh
+    from arcless.model import Scenario
+
+# Dimension of a mesh in space.
+SPATIAL = 3
+Floats = NDArray[np.float64]
+Singles = NDArray[np.float32]
+
+
+@dataclass(frozen=True)
+class MovedWire:
+    """A wire whose motion is recorded.
+
+    Attributes
+    ----------
+    kind, number
+        As in a result: "contact_wire", "messenger_wire", "auxiliary_wire", "stitch_wire", "bridle",
+        and its number among those, from 1. All stitch wires of a tension length are one here, and
+        so are its bridles.
+    nodes
+        Nodes of the mesh, in their order along the wire.
+    count
+        Number of nodes in a row.
+    """
+
+    kind: str
+    number: int
+    nodes: NDArray[np.int64] = field(repr=False)
+    count: int
+
+    @property
+    def name(self) -> str:
+        """Kind and number: "contact_wire 1"."""
+        return f"{self.kind} {self.number}"
+
+
+@dataclass(frozen=True)
+class MotionLayout:
+    """Layout of a row of motion.
+
+    Attributes
+    ----------
+    every
+        Steps from one row to the next.
+    behind_m
+        Distance behind the last pantograph at which a row begins, m.
+    wires
+        The wires, whose columns stand one behind the other.
+    dropper_order
+        Droppers in the order along the track.
+    dropper_count
+        Number of them in a row.
+    spatial
+        Whether there is motion across the track.
+    """
+
+    every: int
+    behind_m: float
+    wires: tuple[MovedWire, ...]
+    dropper_order: NDArray[np.int64] = field(repr=False)
+    dropper_count: int
+    spatial: bool
+
+    @property
+    def columns(self) -> int:
+        """Number of nodes in a row, of all wires."""
+        return sum(wire.count for wire in self.wires)
+
+    @property
+    def numbers_in_row(self) -> int:
+        """Number of single-precision numbers in a row."""
+        return self.columns * (2 if self.spatial else 1) + self.dropper_count
+
+    def plan(self, found: "Equilibrium") -> MotionPlan:
+        """Return the layout as the core takes it."""
+        mesh = found.mesh
+        droppers = [mesh.droppers[i] for i in self.dropper_order]
+        return MotionPlan(
+            every=self.every,
+            behind=self.behind_m,
+            wires=[
+                Stations(
+                    of=wire.nodes.tolist(),
+                    # Along a bridle that hangs down, x may turn back by a rounding.
+                    x=np.maximum.accumulate(found.positions[wire.nodes, 0]).tolist(),
+                    in_row=wire.count,
+                )
+                for wire in self.wires
+            ],
+            links=Stations(
+                of=[dropper.link for dropper in droppers],
+                x=[dropper.x for dropper in droppers],
+                in_row=self.dropper_count,
+            ),
+        )
+
+    def split(self, raw: dict[str, Any]) -> "dict[str, NDArray[Any]]":
+        """Return the rows of a record as variables of a result; see `dataset.schema`."""
+        rows = len(raw["motion_time"])
+        values = raw["motion"].reshape(rows, self.numbers_in_row)
+        first = raw["motion_first"].reshape(rows, len(self.wires) + 1).astype(np.int64)
+        columns = self.columns
+        out = {
+            "motion_up": values[:, :columns],
+            "motion_first": first[:, :-1],
+            "motion_dropper_force": values[:, len(values[0]) - self.dropper_count :]
+            if rows
+            else np.zeros((0, self.dropper_count), np.float32),
+            "motion_dropper_first": first[:, -1],
+        }
+        if self.spatial:
+            out["motion_across"] = values[:, columns : 2 * columns]
+        if not self.dropper_count:
+            del out["motion_dropper_force"], out["motion_dropper_first"]
+        return out
+
+    @property
+    def variables(self) -> "dict[str, NDArray[np.int64]]":
+        """Variables of a result that do not change from row to row."""
+        counts = np.array([wire.count for wire in self.wires], np.int64)
+        order = {"motion_dropper_order": self.dropper_order} if self.dropper_count else {}
+        return {"motion_count": counts, **order}
+
+    @property
+    def labels(self) -> dict[str, list[str]]:
+        """Labels of the wires."""
+        return {"motion_wire": [wire.name for wire in self.wires]}
+
+
+@dataclass(frozen=True)
+class MotionPiece:
+    """A piece of a run as a viewer is handed it while the run steps.
+
+    Attributes
+    ----------
+    attempt
+        Counted from 1: a higher number begins the run again, after a static force that did not give
+        the mean force asked for.
+    found
+        The line at rest, from which displacements are measured.
+    layout
+        Layout of the rows.
+    time_s
+        Times of the n rows, s.
+    first
+        (n, wires) number of the first node of each wire.
+    up_m, across_m
+        (n, columns) displacement from rest, m, upwards and to the left; None in the plane.
+    dropper_first
+        (n) place in `layout.dropper_order` of the first dropper.
+    dropper_force_N
+        (n, droppers) tension, N; 0 is slack.
+    contact_time_s
+        Times of the k rows of contacts, s.
+    position_m, contact_force_N, contact_height_m
+        (k, pantographs); the height is NaN where there is no wire.
+    mass_displacement_m
+        (k, pantographs, masses) since the start, NaN where a pantograph has fewer than another.
+    """
+
+    attempt: int
+    found: "Equilibrium"
+    layout: MotionLayout
+    time_s: Floats
+    first: NDArray[np.int64]
+    up_m: Singles
+    across_m: Singles | None
+    dropper_first: NDArray[np.int64]
+    dropper_force_N: Singles  # noqa: N815
+    contact_time_s: Floats
+    position_m: Floats
+    contact_force_N: Floats  # noqa: N815
+    contact_height_m: Floats
+    mass_displacement_m: Floats
+
+
+def layout_of(
+    found: "Equilibrium", scenario: "Scenario", motion: RecordedMotion | None = None
+) -> MotionLayout:
+    """Return the layout of the motion that a run records of its line.
+
+    Parameters
+    ----------
+    found
+        The line at rest.
+    scenario
+        The scenario.
+    motion
+        Interval and window; without them those of the scenario, or the usual ones.
+    """
+    motion = motion or scenario.output.motion or RecordedMotion()
+    mesh, steps = found.mesh, trajectory.motion(scenario).steps
+    window = nearby(scenario, mesh, steps)
+    limits = [motion.around] if not isinstance(motion.around, str) else []
+    # Wires that all pantographs have left so far behind are put to rest, see `output.around`.
+    limits += [window.around] if window is not None else []
+    behind = min(limits) if limits else float(found.positions[:, 0].max()) + 1.0
+    distance = max(placement.distance for placement in scenario.pantographs)
+    reach = np.inf if not limits else 2.0 * behind + distance
+    wires = []
+    for kind, pieces in wires_of(mesh).items():
+        for number, nodes in enumerate(pieces, start=1):
+            if nodes:
+                x = np.maximum.accumulate(found.positions[nodes, 0])
+                wires.append(MovedWire(kind, number, np.array(nodes), _most(x, reach)))
+    x = np.array([dropper.x for dropper in mesh.droppers])
+    order = np.argsort(x, kind="stable")
+    return MotionLayout(
+        every=max(1, round(motion.interval / scenario.time_step_s)),
+        behind_m=behind,
+        wires=tuple(wires),
+        dropper_order=order,
+        dropper_count=_most(x[order], reach),
+        spatial=mesh.dimension == SPATIAL,
+    )
+
+
+def wires_of(mesh: "Mesh") -> dict[str, list[list[int]]]:
+    """Return the nodes of each wire by its kind; stitch wires and bridles by tension length."""
+    systems = mesh.systems
+    return {
+        "contact_wire": mesh.contact_wires,
+        "messenger_wire": [system.messenger for system in systems],
+        "auxiliary_wire": [system.auxiliary for system in systems],
+        "stitch_wire": [[n for one in system.stitches for n in one.nodes] for system in systems],
+        "bridle": [[n for one in system.bridles for n in one.nodes] for system in systems],
+    }
+
+
+def _most(x: Floats, reach: float) -> int:
+    """Return the largest number of ascending places, m, within a length, m."""
+    if not np.isfinite(reach):
+        return len(x)
+    within = np.searchsorted(x, x + reach, side="right") - np.arange(len(x))
+    return int(within.max(initial=0))
+
+
+def motion_bytes(scenario: "Scenario", found: "Equilibrium | None" = None) -> int:
+    """Return the size of the recorded motion of a run, bytes, before compression.
+
+    Parameters
+    ----------
+    scenario
+        The scenario; where it records no motion, what it would record by `output.motion: true`.
+    found
+        Its line at rest, where that is known; it is found otherwise.
+
+    Raises
+    ------
+    MeshError, EquilibriumError
+        The line cannot be divided, or has no equilibrium.
+    """
+    from arcless.equilibrium import equilibrium
+
+    layout = layout_of(found or equilibrium.find(scenario), scenario)
+    rows = -(-trajectory.motion(scenario).steps // layout.every)
+    return rows * (4 * layout.numbers_in_row + 8 * (len(layout.wires) + 2))
+
+
+def piece_of(
+    raw: dict[str, Any],
+    found: "Equilibrium",
+    layout: MotionLayout,
+    scenario: "Scenario",
+    *,
+    masses: Floats,
+    attempt: int,
+) -> MotionPiece:
+    """Return a piece of a record as a viewer is handed it; `masses` are their displacements, m."""
+    parts = layout.split(raw)
+    channels = contacts.channels(raw, len(scenario.pantographs))
+    rows = len(raw["motion_time"])
+    return MotionPiece(
+        attempt=attempt,
+        found=found,
+        layout=layout,
+        time_s=raw["motion_time"],
+        first=parts["motion_first"],
+        up_m=parts["motion_up"],
+        across_m=parts.get("motion_across"),
+        dropper_first=parts.get("motion_dropper_first", np.zeros(rows, np.int64)),
+        dropper_force_N=parts.get("motion_dropper_force", np.zeros((rows, 0), np.float32)),
+        contact_time_s=raw["time"],
+        position_m=raw["position"].reshape(-1, len(scenario.pantographs)),
+        contact_force_N=channels["contact_force"],
+        contact_height_m=channels["contact_height"],
+        mass_displacement_m=masses,
+    )

@@ -1,0 +1,1 @@
+"""Studies: what can be varied, the study file, rows as they come, a row as a scenario."""

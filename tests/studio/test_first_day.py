@@ -1,0 +1,154 @@
+"""A first day in the studio: example, run, watch, change, compare, and a server that dies."""
+
+import signal
+from collections.abc import Callable
+from pathlib import Path
+
+import yaml
+
+from tests.browser.kinds import arcless
+from tests.studio.studio import DESK, PHONE, Studio, Window
+
+Start = Callable[[Path], Studio]
+# In ms: a run of the example takes a second or two of one core, and workers start before it.
+RUN = 60_000
+SHIPPED = "en50318-ac-simple-320-planar"
+COPY = f"my-{SHIPPED}"
+
+
+def ran(page: Window, count: int = 1) -> None:
+    """Wait for so many runs in the tree, and the verdict of the last one in the bar."""
+    page.until(f"document.querySelectorAll('.run-entry').length === {count}", RUN)
+    page.wait(".verdict-of .numbers")
+
+
+def test_an_empty_folder_to_a_verdict_in_one_click(studio: Start, tmp_path: Path) -> None:
+    page = studio(tmp_path).open()
+    page.click("text=Copy and run it")
+    ran(page)
+    assert "not met" in page.text(".verdict-of")
+    assert "limit" in page.text(".verdict-of")
+    scenario = yaml.safe_load((tmp_path / f"{COPY}.yaml").read_text("utf-8"))
+    assert scenario["name"] == COPY
+    assert (tmp_path / "runs" / COPY / "result.nc").is_file()
+    # Verdict by word and shape, not by colour alone.
+    assert "✖" in page.text(".run-entry .verdict-word")
+    # It can be watched at once: the player stands below, and the clock goes on.
+    page.wait(".transport")
+    page.press("Space")
+    where = page.text(".transport .where")
+    page.until(f"document.querySelector('.transport .where').innerText !== {where!r}")
+
+
+def test_keys_alone_lead_from_a_shipped_line_to_a_verdict(studio: Start, tmp_path: Path) -> None:
+    page = studio(tmp_path).open()
+    page.wait(".start")
+    page.press("Control+k")
+    page.type("library")
+    page.press("Enter")
+    page("focus", ".start .search")
+    page.type(SHIPPED)
+    page.until("document.querySelectorAll('.template').length === 1")
+    page.press("Tab", "Enter")
+    page.wait(".form input")
+    page("focus", ".run-bar .speed")
+    page.press("Control+a")
+    page.type("300 km/h")
+    page.press("Enter")
+    page.wait("text=Variant of")
+    page.press("Control+Enter")
+    ran(page)
+    assert "300 km/h" in page.text(".run-entry")
+    assert list((tmp_path / "runs").glob("*speed=300_km-h"))
+
+
+def test_a_variant_is_compared_and_kept(studio: Start, tmp_path: Path) -> None:
+    arcless("new", "line", "--from", SHIPPED, "--to", tmp_path)
+    arcless("run", tmp_path / "line.yaml", "--out", tmp_path / "runs" / "line", "--quiet")
+    page = studio(tmp_path).open()
+    page.wait(".speed")
+    page.type("300 km/h", into=".run-bar .speed")
+    page.press("Enter")
+    page.click(".run-bar button.run")
+    ran(page, 2)
+    assert page.text(".run-entry .differs") == "speed 300 km/h"
+    for place in range(2):
+        page("check", f".run-entry input >> nth={place}")
+    page.click("role=tab[name=Compare]")
+    page.wait("main table")
+    assert "300 km/h" in page.text("main [role=tabpanel]")
+    assert page.axe() == []
+    page.click("text=Save as scenario")
+    page.type("faster", into=".variant input")
+    page.press("Enter")
+    page.wait('nav >> text="faster"')
+    # Only the difference is written.
+    kept = yaml.safe_load((tmp_path / "faster.yaml").read_text("utf-8"))
+    assert kept["base"] == "line.yaml"
+    assert kept["set"] == {"speed": "300 km/h"}
+
+
+def test_two_tabs_and_a_file_changed_outside(studio: Start, tmp_path: Path) -> None:
+    arcless("new", "line", "--from", SHIPPED, "--to", tmp_path)
+    server = studio(tmp_path)
+    one = server.open()
+    two = server.open(beside=one)
+    for page in (one, two):
+        page.wait(".speed")
+    file = tmp_path / "line.yaml"
+    file.write_text(file.read_text("utf-8").replace("320 km/h", "310 km/h"), "utf-8")
+    for page in (one, two):
+        page.until("document.querySelector('.run-bar .speed').value === '310 km/h'")
+    one.press("Control+Enter")
+    for page in (one, two):
+        page.until("document.querySelectorAll('.run-entry').length === 1", RUN)
+
+
+def test_a_server_that_dies_in_a_run_leaves_no_half_of_it(studio: Start, tmp_path: Path) -> None:
+    arcless("new", "line", "--from", SHIPPED, "--to", tmp_path)
+    server = studio(tmp_path)
+    page = server.open()
+    page.wait(".speed")
+    page.press("Control+Enter")
+    page.wait(".running progress")
+    server.signal(signal.SIGKILL)
+    page.wait("text=The server does not answer")
+    files = [path for path in tmp_path.rglob("*") if path.is_file()]
+    # A result is whole, or it is not there.
+    for result in [path for path in files if path.name == "result.nc"]:
+        arcless("assess", result)
+    server.start(server.port)
+    beside = server.open(beside=page)
+    beside.wait(".speed")
+    page.wait(".lost", "hidden")
+    page.server_is_gone()
+    page.press("Control+Enter")
+    ran(page)
+
+
+def test_a_phone(studio: Start, tmp_path: Path) -> None:
+    arcless("new", "line", "--from", SHIPPED, "--to", tmp_path)
+    page = studio(tmp_path).open(PHONE)
+    page.click(".run-bar button.run")
+    ran(page)
+    assert page.axe() == []
+    assert page.js("document.documentElement.scrollWidth") <= PHONE["width"]
+
+
+def test_main_views_are_accessible(studio: Start, tmp_path: Path) -> None:
+    arcless("new", "line", "--from", SHIPPED, "--to", tmp_path)
+    for name in ("a", "b"):
+        arcless("run", tmp_path / "line.yaml", "--out", tmp_path / "runs" / name, "--quiet")
+    server = studio(tmp_path)
+    for dark in (False, True):
+        page = server.open(DESK, dark=dark)
+        page.click(".run-entry .name >> nth=0")
+        page.wait(".verdict-of .numbers")
+        for place in range(2):
+            page("check", f".run-entry input >> nth={place}")
+        tabs = page.js("[...document.querySelectorAll('main [role=tab]')].map((tab) => tab.id)")
+        assert len(tabs) >= 7
+        for tab in tabs:
+            page.click(f"#{tab.replace(' ', chr(92) + ' ')}")
+            page("waitForLoadState", "networkidle")
+            assert page.axe() == [], tab
