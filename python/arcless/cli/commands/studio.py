@@ -47,7 +47,9 @@ def studio(
         if browser:
             _open(for_browser)
 
-    serve(folder, port, ready)
+    code = serve(folder, port, ready)
+    if code:
+        raise typer.Exit(code)
 
 
 def _open(address: str) -> None:

@@ -7,7 +7,6 @@ from typing import Any, Literal, get_args
 
 from arcless.studio.answers.answers import Refused
 from arcless.studio.project import texts
-from arcless.studio.project.named import check_named
 from arcless.studio.project.project import Project, is_shipped
 
 Part = Literal["line", "elasticity", "droppers", "frequencies", "supports", "schedule"]
@@ -83,7 +82,6 @@ def question_of(project: Project, asked: Mapping[str, Any]) -> Question:
     assert isinstance(path, str)
     assert isinstance(want, list)
     assert isinstance(number, int)
-    check_named(changes or {})
     file = texts.model_file(project, path)
     return Question(
         file=file,

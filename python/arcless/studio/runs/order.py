@@ -18,7 +18,6 @@ from arcless.results.kept_runs.places import is_study_folder
 from arcless.results.run_folder.run_folder import FILES, folder_of
 from arcless.studio.answers.answers import Refused
 from arcless.studio.project import texts
-from arcless.studio.project.named import check_named
 from arcless.studio.project.project import Project, is_shipped
 
 # Fields that are changed at once; a form has some dozens.

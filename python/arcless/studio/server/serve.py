@@ -4,10 +4,9 @@ import logging
 import os
 import signal
 import socket
-import sys
 import threading
 from collections.abc import Callable, Generator
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from pathlib import Path
 
 from arcless.errors import OutputError
@@ -29,10 +28,8 @@ _ENDING = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 _AFTER_SIGNAL = 128  # what a shell adds to the number of the signal that ended a program
 
 
-def serve(folder: Path, port: int, ready: Callable[[str, str], None]) -> None:
-    """Serve a folder until Ctrl-C, and leave the process.
-
-    The exit code is 0 after Ctrl-C, which is how it ends; 128 and its number after another signal.
+def serve(folder: Path, port: int, ready: Callable[[str, str], None]) -> int:
+    """Serve a folder until Ctrl-C, and return the exit code.
 
     Parameters
     ----------
@@ -42,6 +39,11 @@ def serve(folder: Path, port: int, ready: Callable[[str, str], None]) -> None:
         Port; 0 for any that is free.
     ready
         Told the address to print and the address for a browser that is started, once both answer.
+
+    Returns
+    -------
+    int
+        0 after Ctrl-C, which is how it ends; 128 and the number of any other signal.
 
     Raises
     ------
@@ -87,8 +89,7 @@ def serve(folder: Path, port: int, ready: Callable[[str, str], None]) -> None:
             timeout_graceful_shutdown=_GRACE_S,
         )
         Server(settings).run([listener])
-    if came:
-        _leave(_code(came[0]))
+    return _code(came[0]) if came else 0
 
 
 def _code(number: int) -> int:
@@ -113,16 +114,8 @@ def _answering(leave: Callable[[int], None]) -> Generator[None, None, None]:
             signal.signal(number, handler)
 
 
-def _leave(code: int) -> None:
-    """End the process: threads in native code would hold up, or break, an orderly end."""
-    for stream in (sys.stdout, sys.stderr):
-        with suppress(OSError, ValueError):
-            stream.flush()
-    os._exit(code)
-
-
 def _leave_soon(code: int) -> None:
-    timer = threading.Timer(LEAVE_S, _leave, (code,))
+    timer = threading.Timer(LEAVE_S, os._exit, (code,))
     timer.daemon = True
     timer.start()
 
