@@ -1,4 +1,5 @@
 /** A place of a run that was explained: the player goes there, a second before. */
+import { showing } from "../drawing/scene.ts";
 import { show } from "../shell/panels.ts";
 import { clock, cursor, source } from "../state/selection.ts";
 import type { Place } from "./told.ts";
@@ -13,5 +14,6 @@ export function goTo(run: string, place: Place): void {
   clock.playing.value = false;
   clock.time_s.value = Math.max(clock.start_s.peek(), place.time_s - BEFORE_S);
   cursor.value = place.position_m;
+  showing.value = "played";
   show("drawing");
 }

@@ -55,8 +55,8 @@ def order_of(project: Project, asked: Mapping[str, Any]) -> Order:
     Raises
     ------
     Refused
-        It is none; or a run is in its folder, which `replace` would replace, and beside which
-        `keep_both` would put the new one, in a folder of the name with a number.
+        It is none; or a run is in its folder, which `replace` would replace. With `keep_both` the
+        new one takes a folder of that name with a number.
     ArclessError
         The scenario is wrong.
     """

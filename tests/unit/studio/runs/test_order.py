@@ -1,4 +1,4 @@
-"""Orders of runs: a folder that holds a run is refused, replaced, or left beside the new one."""
+"""Orders of runs: a folder that holds a run is refused, replaced, or kept with the new one."""
 
 from pathlib import Path
 
@@ -19,8 +19,8 @@ def test_keep_both_takes_the_first_free_number(tmp_path: Path) -> None:
         taken = order_of(project, {**ASKED, "keep_both": True}).folder
         taken.mkdir(parents=True)
         (taken / FILES[0]).touch()
-        beside = order_of(project, {**ASKED, "keep_both": True}).folder
-        assert beside == first.with_name(f"{first.name}-{number}")
+        next_free = order_of(project, {**ASKED, "keep_both": True}).folder
+        assert next_free == first.with_name(f"{first.name}-{number}")
 
 
 def test_a_run_that_is_there_stays_without_a_word(tmp_path: Path) -> None:
