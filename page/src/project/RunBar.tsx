@@ -1,5 +1,6 @@
 /** The bar at the top: scenario, speed, pantographs, run, its progress, the verdict. */
 import { useSignal } from "@preact/signals";
+import { useEffect, useRef } from "preact/hooks";
 import { change, changes } from "../state/changes.ts";
 import { cancel } from "../state/jobs.ts";
 import { project } from "../state/project.ts";
@@ -86,8 +87,18 @@ function Pantographs() {
 }
 
 function Options() {
+  const box = useRef<HTMLDetailsElement>(null);
+  const close = () => void (box.current && (box.current.open = false));
+  useEffect(() => {
+    // It lies over other controls: a press beside it takes it away.
+    const press = (event: Event) => {
+      if (!box.current?.contains(event.target as Node)) close();
+    };
+    document.addEventListener("pointerdown", press);
+    return () => document.removeEventListener("pointerdown", press);
+  }, []);
   return (
-    <details class="options">
+    <details class="options" ref={box} onKeyDown={(event) => event.key === "Escape" && close()}>
       <summary>Options</summary>
       <div class="pop">
         <label>

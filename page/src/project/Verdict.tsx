@@ -29,6 +29,9 @@ export function Verdict() {
   const states = { met: "met", missed: "not-met", open: "open" } as const;
   const spread = told?.criteria.filter((one) => one.title.startsWith("standard deviation"));
   const worst = spread?.find((one) => one.pantograph === entry.worst) ?? spread?.[0];
+  // Beside "not met" σ within its limit would be read as what is not met.
+  const missed = told?.criteria.filter((one) => one.state === "missed") ?? [];
+  const others = missed.filter((one) => one !== worst);
   return (
     <button class={`verdict-of ${told ? states[told.verdict.state] : state}`} title={told?.verdict.text ?? ""} onClick={() => show("results")}>
       <span class="sign" aria-hidden="true">{told?.verdict.sign ?? sign}</span>
@@ -38,6 +41,7 @@ export function Verdict() {
           σ {worst.value} N{worst.limit && <span class="soft"> (limit {worst.limit.replace(/^[≤≥]\s*/, "")})</span>}
         </span>
       )}
+      {others[0] && <span class="missed">{others[0].title}{others.length > 1 && ` and ${others.length - 1} more`}</span>}
       {told?.other_version && <span class="soft">computed by Arcless {told.version}</span>}
     </button>
   );

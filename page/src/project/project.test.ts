@@ -34,7 +34,7 @@ it("finds speed and pantographs among the fields of a form", () => {
 
 it("names what differs between runs, and nothing else", () => {
   const runs = [
-    run("r/1", { changes: {} }),
+    run("r/1", { changes: { "output.motion": "true" } }),
     run("r/2", { changes: { speed: "300 km/h" }, speed_m_s: 83.3 }),
     run("r/3", { name: "b", changes: { speed: "300 km/h" }, speed_m_s: 83.3 }),
   ];

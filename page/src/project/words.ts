@@ -42,9 +42,12 @@ export function numbers(run: RunEntry): [string, string, string][] {
   ];
 }
 
-/** Name of each run and what tells it from the others: fields that all runs set to the same value are left out. */
+/**
+ * Name of each run and what tells it from the others. Fields that all runs set to the same value are left
+ * out, and what is recorded: it changes no number.
+ */
 export function differences(runs: readonly RunEntry[]): [string, string][] {
-  const fields = [...new Set(runs.flatMap((run) => Object.keys(run.changes)))];
+  const fields = [...new Set(runs.flatMap((run) => Object.keys(run.changes)))].filter((field) => !field.startsWith("output."));
   const differs = runs.length < 2 ? fields : fields.filter((field) => new Set(runs.map((run) => run.changes[field])).size > 1);
   return runs.map((run) => [
     run.name ?? run.path,
