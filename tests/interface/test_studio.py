@@ -17,8 +17,8 @@ from arcless.studio.server import page, serve
 from tests.support.studio_server import Server
 
 Arcless = Callable[..., Result]
-# The promise is one second. A machine that does much else may take longer; who waits for an open
-# page never ends.
+# The promise is one second: it leaves 0.7 s after a signal, whatever it does. A machine that does
+# much else may take longer; what waits for an open page or a lock never ends.
 ENDS_WITHIN_S = 30.0
 # Runs that take half a second to read: the end falls into that.
 RUNS = 80
