@@ -107,9 +107,11 @@ def test_it_can_be_reached(studio: Start, folder: Path, size: Any) -> None:
 
 def test_the_motion_of_a_stored_run_is_computed(studio: Start, tmp_path: Path) -> None:
     # Long enough to be explained, which the page asks for at once.
-    arcless.run(arcless.load("en50318-ac-simple-320-planar")).save(tmp_path / "result.nc")
+    place = tmp_path / "runs" / "a"
+    place.mkdir(parents=True)
+    arcless.run(arcless.load("en50318-ac-simple-320-planar")).save(place / "result.nc")
     found = studio(tmp_path).open()
     found.click(".run-entry button.name")
     found.click("text=Compute motion")
     found.wait(".motion-tools >> text=no recorded motion", "hidden")
-    assert [one.name for one in tmp_path.iterdir()] == ["result.nc"]
+    assert [one.name for one in place.iterdir()] == ["result.nc"]
