@@ -126,10 +126,8 @@ def test_a_quick_end_while_runs_are_read(tmp_path: Path, finished: Path) -> None
         os.link(finished / "result.nc", place / "result.nc")
     for _ in range(3):
         with Server(folder, tmp_path) as server:
-            started = time.monotonic()
             server.process.send_signal(signal.SIGTERM)
-            _, err = server.process.communicate(timeout=30)
-        assert time.monotonic() - started < ENDS_WITHIN_S
+            _, err = server.process.communicate(timeout=ENDS_WITHIN_S)
         assert (server.process.returncode, err) == (143, "")
 
 
