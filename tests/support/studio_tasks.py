@@ -84,7 +84,7 @@ GEOMETRY = {
     "supports": [],
 }  # fmt: skip
 LAYOUT = RowLayout(
-    wires=(WirePart("contact_wire", NODES, NODES),), dropper_order=np.zeros(0, np.int64),
+    wires=(WirePart("contact_wire", (range(NODES),), NODES),), dropper_order=np.zeros(0, np.int64),
     dropper_count=0, pantographs=(("P1", 1),), spatial=False,
 )  # fmt: skip
 

@@ -57,7 +57,7 @@ DIMENSIONS: dict[str, Dimension] = {
     "point": Dimension("name", "1", "recorded point of the contact wire"),
     "motion_time": Dimension("number", "s", "time since the start of the run, motion of the wires"),
     "motion_wire": Dimension(
-        "name", "1", "wire whose motion is recorded: its kind, and its number among those"
+        "name", "1", "wire whose motion is recorded: its kind, and its number or that of its lane"
     ),
     "motion_node": Dimension(
         "count", "1", "place in a row of motion: nodes near the pantographs, wire after wire"
@@ -125,6 +125,16 @@ def _holding(dim: str) -> dict[str, Variable]:
 
 
 _MOTION = ("motion_time", "motion_node")
+
+
+_LANED = ("contact_wire", "messenger_wire", "auxiliary_wire", "stitch_wire", "bridle")
+
+
+def _lane(wire: str) -> Variable:
+    meaning = "lane of the recorded motion, from 1, which wires one behind the other share"
+    return Variable((f"{wire}_node",), "1", meaning, integer=True)
+
+
 VARIABLES: dict[str, Variable] = {
     "contact_force": Variable(_CONTACT, "N", "contact force", required=True),
     "contact_gap": Variable(
@@ -264,6 +274,7 @@ VARIABLES: dict[str, Variable] = {
     "motion_count": Variable(
         ("motion_wire",), "1", "number of nodes of each wire in a row of motion", integer=True
     ),
+    **{f"{wire}_node_lane": _lane(wire) for wire in _LANED},
     "motion_dropper_force": Variable(
         ("motion_time", "near_motion_dropper"),
         "N",

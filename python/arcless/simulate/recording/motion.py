@@ -30,16 +30,21 @@ Singles = NDArray[np.float32]
 
 @dataclass(frozen=True)
 class MovedWire:
-    """A wire whose motion is recorded.
+    """A wire whose motion is recorded, or several that lie one behind the other: a lane.
+
+    Of a line of many tension lengths two or three are near the pantographs at a time. Wires that do
+    not overlap share the columns of a row, which would else be mostly of wires at rest.
 
     Attributes
     ----------
     kind, number
         As in a result: "contact_wire", "messenger_wire", "auxiliary_wire", "stitch_wire", "bridle",
-        and its number among those, from 1. All stitch wires of a tension length are one here, and
-        so are its bridles.
+        and its number among those, from 1; where there are several wires, that of the lane.
+        All stitch wires of a tension length are one here, and so are its bridles.
     nodes
-        Nodes of the mesh, in their order along the wire.
+        Nodes of the mesh, in their order along the wires.
+    parts
+        Numbers of these nodes in a result, a range for each wire.
     count
         Number of nodes in a row.
     """
@@ -47,6 +52,7 @@ class MovedWire:
     kind: str
     number: int
     nodes: NDArray[np.int64] = field(repr=False)
+    parts: tuple[range, ...] = field(repr=False)
     count: int
 
     @property
@@ -140,7 +146,22 @@ class MotionLayout:
         """Variables of a result that do not change from row to row."""
         counts = np.array([wire.count for wire in self.wires], np.int64)
         order = {"motion_dropper_order": self.dropper_order} if self.dropper_count else {}
-        return {"motion_count": counts, **order}
+        return {"motion_count": counts, **order, **self._lanes}
+
+    @property
+    def _lanes(self) -> "dict[str, NDArray[np.int64]]":
+        """Lanes of the nodes of each kind that has several wires, as variables of a result."""
+        found = {}
+        for kind in dict.fromkeys(wire.kind for wire in self.wires):
+            lanes = [wire for wire in self.wires if wire.kind == kind]
+            if sum(len(lane.parts) for lane in lanes) == 1:
+                continue
+            numbers = np.zeros(sum(len(lane.nodes) for lane in lanes), np.int64)
+            for lane in lanes:
+                for part in lane.parts:
+                    numbers[part.start : part.stop] = lane.number
+            found[f"{kind}_node_lane"] = numbers
+        return found
 
     @property
     def labels(self) -> dict[str, list[str]]:
@@ -218,12 +239,11 @@ def layout_of(
     behind = min(limits) if limits else float(found.positions[:, 0].max()) + 1.0
     distance = max(placement.distance for placement in scenario.pantographs)
     reach = np.inf if not limits else 2.0 * behind + distance
-    wires = []
-    for kind, pieces in wires_of(mesh).items():
-        for number, nodes in enumerate(pieces, start=1):
-            if nodes:
-                x = np.maximum.accumulate(found.positions[nodes, 0])
-                wires.append(MovedWire(kind, number, np.array(nodes), _most(x, reach)))
+    wires = [
+        wire
+        for kind, pieces in wires_of(mesh).items()
+        for wire in _lanes(kind, pieces, found.positions[:, 0], reach)
+    ]
     x = np.array([dropper.x for dropper in mesh.droppers])
     order = np.argsort(x, kind="stable")
     return MotionLayout(
@@ -234,6 +254,43 @@ def layout_of(
         dropper_count=_most(x[order], reach),
         spatial=mesh.dimension == SPATIAL,
     )
+
+
+def _lanes(kind: str, pieces: list[list[int]], x: Floats, reach: float) -> list[MovedWire]:
+    """Return the wires of a kind, those that lie one behind the other as one.
+
+    Parameters
+    ----------
+    kind
+        Kind, as in a result.
+    pieces
+        Nodes of each wire.
+    x
+        Positions of all nodes along the track, m.
+    reach
+        Length of the window, m.
+    """
+    lanes: list[list[tuple[list[int], range]]] = []
+    first = 0
+    for nodes in filter(None, pieces):
+        part = range(first, first := first + len(nodes))
+        begin = float(x[nodes].min())
+        # In the order of the wires, so that the nodes of a lane have the order of the result.
+        free = (lane for lane in lanes if float(x[lane[-1][0]].max()) < begin)
+        lane = next(free, None)
+        if lane is None:
+            lanes.append(lane := [])
+        lane.append((nodes, part))
+    return [
+        MovedWire(
+            kind,
+            number,
+            all_nodes := np.concatenate([np.array(nodes, np.int64) for nodes, _ in lane]),
+            tuple(part for _, part in lane),
+            _most(np.maximum.accumulate(x[all_nodes]), reach),
+        )
+        for number, lane in enumerate(lanes, start=1)
+    ]
 
 
 def wires_of(mesh: "Mesh") -> dict[str, list[list[int]]]:

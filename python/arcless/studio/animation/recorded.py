@@ -12,9 +12,10 @@ from arcless.studio.at_rest.plain_geometry import KINDS, Geometry, WireData
 
 
 class _Columns(NamedTuple):
-    """Columns of a recorded wire: kind, first node among all of it (row), displacements in m."""
+    """Columns of a lane: its nodes among those of the kind, the first (row), displacements in m."""
 
     kind: str
+    nodes: Numbers
     first: Numbers
     up: Singles
     across: Singles | None
@@ -45,7 +46,7 @@ def recorded(data: Dataset, geometry: Geometry) -> Motion:
         _of_wire(number, wire, one)
         for number, wire in enumerate(geometry["wires"])
         for one in columns
-        if one.kind == KINDS[wire["kind"]][0]
+        if one.kind == KINDS[wire["kind"]][0] and wire["first"] in one.nodes
     ]
     times = np.asarray(data["motion_time"].values, dtype=float)
     return Motion(times, tuple(one for one in wires if one.count.any()))
@@ -62,23 +63,23 @@ def _columns(data: Dataset) -> list[_Columns]:
     found = []
     for place, ((kind, number), end) in enumerate(zip(names, ends, strict=True)):
         own = slice(end - counts[place], end)
-        before = _nodes_before(data, kind, int(number))
+        nodes = nodes_of_lane(data, kind, int(number))
         sideways = None if across is None else across[:, own]
-        found.append(_Columns(kind, first[:, place] + before, up[:, own], sideways))
+        found.append(_Columns(kind, nodes, first[:, place], up[:, own], sideways))
     return found
 
 
-def _nodes_before(data: Dataset, kind: str, number: int) -> int:
-    """Return how many nodes of a kind stand before those of a wire, which is counted from 1."""
-    name = f"{kind}_node_wire"
-    if name not in data:
-        return 0
-    return int(np.count_nonzero(np.asarray(data[name].values) < number))
+def nodes_of_lane(data: Dataset, kind: str, number: int) -> Numbers:
+    """Return the numbers of the nodes of a kind that are in a lane, which is counted from 1."""
+    lanes = f"{kind}_node_lane"
+    if lanes not in data:
+        return np.arange(len(data[f"{kind}_node_x"].values))
+    return np.flatnonzero(np.asarray(data[lanes].values) == number)
 
 
 def _of_wire(number: int, wire: WireData, one: _Columns) -> WireRows:
     """Return the rows of a wire of the geometry, of a window over several of them."""
-    window = one.first - wire["first"]
+    window = one.first - int(np.searchsorted(one.nodes, wire["first"]))
     nodes = len(wire["x"])
     first = np.clip(window, 0, nodes)
     count = np.clip(window + one.up.shape[1], 0, nodes) - first

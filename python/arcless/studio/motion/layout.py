@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from arcless.studio.at_rest.plain_geometry import KINDS, Geometry
+from arcless.studio.at_rest.plain_geometry import KINDS, Geometry, WireData
 from arcless.studio.motion.channels import Channel, Moment, Piece, Singles, pantograph_channel
 
 Numbers = NDArray[np.int64]
@@ -22,18 +22,20 @@ _KIND_OF = {name: kind for kind, (name, _) in KINDS.items()}
 
 @dataclass(frozen=True)
 class WirePart:
-    """A wire in the rows.
+    """A wire in the rows, or several that lie one behind the other.
 
     Attributes
     ----------
-    kind, nodes
-        Kind as in a result, such as ``contact_wire``, and number of nodes of all of it.
+    kind
+        Kind as in a result, such as ``contact_wire``.
+    nodes
+        Numbers of its nodes among all of the kind, as ranges in their order.
     count
         Number of nodes in a row.
     """
 
     kind: str
-    nodes: int
+    nodes: tuple[range, ...]
     count: int
 
 
@@ -149,7 +151,7 @@ class LineMotion:
                 own = int(targets.begins[at])
                 a, b = max(begin, own), min(end, int(targets.ends[at]))
                 moved = values[column + a - begin : column + b - begin]
-                yield Piece(channel + targets.first_wire + at, a - own, time_s, moved)
+                yield Piece(channel + targets.wires[at], a - own, time_s, moved)
 
     def _uplifts(self, time_s: float, first: Any, up: Singles) -> Iterator[Piece]:
         """Yield the uplift at the supports whose node is in the row."""
@@ -163,34 +165,45 @@ class LineMotion:
 
 @dataclass(frozen=True)
 class _Targets:
-    """Wires of the geometry that a part of the rows moves: nodes where each begins and ends."""
+    """Wires of the geometry that a part of the rows moves.
 
-    first_wire: int
+    Attributes
+    ----------
+    wires
+        Their numbers.
+    begins, ends
+        Nodes of the part at which each begins and ends.
+    """
+
+    wires: tuple[int, ...]
     begins: Numbers
     ends: Numbers
 
 
 def _targets(parts: Sequence[WirePart], geometry: Geometry) -> Iterator[_Targets]:
-    offsets: dict[str, int] = {}
+    by_kind: dict[str, list[tuple[int, WireData]]] = {}
+    for number, wire in enumerate(geometry["wires"]):
+        by_kind.setdefault(wire["kind"], []).append((number, wire))
     for part in parts:
-        kind, offset = _KIND_OF[part.kind], offsets.get(part.kind, 0)
-        offsets[part.kind] = offset + part.nodes
+        nodes = np.concatenate([np.arange(each.start, each.stop) for each in part.nodes])
+        of_kind = by_kind.get(_KIND_OF[part.kind], [])
+        begins = np.searchsorted(nodes, [wire["first"] for _, wire in of_kind])
         own = [
-            (number, wire["first"] - offset, len(wire["x"]))
-            for number, wire in enumerate(geometry["wires"])
-            if wire["kind"] == kind and offset <= wire["first"] < offset + part.nodes
+            (number, int(begin), len(wire["x"]))
+            for (number, wire), begin in zip(of_kind, begins, strict=True)
+            if begin < len(nodes) and nodes[begin] == wire["first"]
         ]
-        begins = np.array([begin for _, begin, _ in own], np.int64)
-        ends = begins + np.array([size for _, _, size in own], np.int64)
-        yield _Targets(own[0][0] if own else 0, begins, ends)
+        starts = np.array([begin for _, begin, _ in own], np.int64)
+        sizes = np.array([size for _, _, size in own], np.int64)
+        yield _Targets(tuple(number for number, _, _ in own), starts, starts + sizes)
 
 
 def _support_nodes(geometry: Geometry, targets: Sequence[_Targets]) -> tuple[Numbers, Numbers]:
     """Return the part of the rows and the node in it of the contact wire at each support."""
     place = {
-        target.first_wire + at: (part, int(begin))
+        wire: (part, int(begin))
         for part, target in enumerate(targets)
-        for at, begin in enumerate(target.begins)
+        for wire, begin in zip(target.wires, target.begins, strict=True)
     }
     found = [place[support["wire"]] for support in geometry["supports"]]
     nodes = [support["node"] for support in geometry["supports"]]

@@ -2,6 +2,7 @@
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -132,12 +133,14 @@ def _layout(data: Mapping[str, Any], contacts: ContactRows) -> RowLayout:
     )
 
 
-def _nodes(data: Mapping[str, Any], kind: str, number: int) -> int:
-    """Return the number of nodes of a wire, by its kind and its number among those, from 1."""
-    several = f"{kind}_node_wire"
-    if several in data:
-        return int(np.count_nonzero(data[several][:] == number))
-    return int(data[f"{kind}_node_x"].shape[0])
+def _nodes(data: Mapping[str, Any], kind: str, number: int) -> tuple[range, ...]:
+    """Return the numbers of the nodes in a lane of a kind, counted from 1."""
+    lanes = f"{kind}_node_lane"
+    if lanes not in data:
+        return (range(data[f"{kind}_node_x"].shape[0]),)
+    nodes = np.flatnonzero(data[lanes][:] == number)
+    cuts = [0, *np.flatnonzero(np.diff(nodes) > 1) + 1, len(nodes)]
+    return tuple(range(nodes[a], nodes[b - 1] + 1) for a, b in pairwise(cuts))
 
 
 class RecordedContacts(Recorded):

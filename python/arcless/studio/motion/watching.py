@@ -107,7 +107,7 @@ def layout_of(piece: MotionPiece, scenario: Scenario) -> RowLayout:
     """Return the layout of the rows of a piece."""
     layout = piece.layout
     return RowLayout(
-        wires=tuple(WirePart(wire.kind, len(wire.nodes), wire.count) for wire in layout.wires),
+        wires=tuple(WirePart(wire.kind, wire.parts, wire.count) for wire in layout.wires),
         dropper_order=layout.dropper_order,
         dropper_count=layout.dropper_count,
         pantographs=tuple((one.name, len(one.model.heights)) for one in scenario.pantographs),

@@ -29,6 +29,7 @@ def test_contact_wires_alone_are_taken_with_their_own_columns() -> None:
     nodes = dataset.sizes["contact_wire_node"]
     number = np.where(np.arange(nodes) < 20, 1, 2)
     dataset["contact_wire_node_wire"] = (("contact_wire_node",), number)
+    dataset["contact_wire_node_lane"] = (("contact_wire_node",), number)
     one, two = contact_wires(dataset)
     np.testing.assert_array_equal(one.up[1], [9.0, 10.0, 11.0])
     np.testing.assert_array_equal(two.up[1], [14.0, 15.0, 16.0, 17.0])
@@ -37,6 +38,30 @@ def test_contact_wires_alone_are_taken_with_their_own_columns() -> None:
     np.testing.assert_array_equal(one.x, x[:20])
     np.testing.assert_array_equal(two.x, x[20:])
     np.testing.assert_array_equal(one.times, [0.0, 0.01, 0.02, 0.03])
+
+
+def test_wires_that_share_a_lane_are_told_apart() -> None:
+    """Wires 1 and 3 are one behind the other, wire 2 beside both."""
+    dataset = recorded({"contact_wire 1": 3, "contact_wire 2": 2})
+    nodes = dataset.sizes["contact_wire_node"]
+    number = np.where(np.arange(nodes) < 5, 1, np.where(np.arange(nodes) < 12, 2, 3))
+    dataset["contact_wire_node_wire"] = (("contact_wire_node",), number)
+    dataset["contact_wire_node_lane"] = (("contact_wire_node",), np.where(number == 2, 2, 1))
+    # The window of the first lane: wire 1 alone, both twice, wire 3 alone.
+    dataset["motion_first"][:, 0] = [2, 3, 4, 5]
+    dataset["motion_first"][:, 1] = [0, 1, 2, 3]
+    one, three, two = contact_wires(dataset)
+    x = dataset["contact_wire_node_x"].values
+    for wire, own in ((one, x[:5]), (two, x[5:12]), (three, x[12:])):
+        np.testing.assert_array_equal(wire.x, own)
+    # Nodes 3 and 4 of wire 1 in its second row, then the first one of wire 3.
+    np.testing.assert_array_equal(one.first, [2, 3, 4, 5])
+    np.testing.assert_array_equal(one.up[1], [5.0, 6.0, np.nan])
+    np.testing.assert_array_equal(three.times, [0.0, 0.01, 0.02, 0.03])
+    np.testing.assert_array_equal(three.first, [-3, -2, -1, 0])
+    np.testing.assert_array_equal(three.up[1], [np.nan, np.nan, 7.0])
+    np.testing.assert_array_equal(three.up[3], [15.0, 16.0, 17.0])
+    np.testing.assert_array_equal(two.up[3], [18.0, 19.0])
 
 
 def test_a_single_contact_wire_has_all_nodes() -> None:

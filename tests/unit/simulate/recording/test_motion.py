@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import arcless
+from arcless.simulate.recording import motion
 from arcless.simulate.recording.motion import MotionPiece, motion_bytes
 
 SHORT = {"travel.end": "200 m", "analysis.spans": [2, 3]}
@@ -180,3 +181,30 @@ def test_a_viewer_that_fails_ends_the_run() -> None:
 def test_refused(value: Any, words: str) -> None:
     with pytest.raises(arcless.ModelError, match=words):
         scenario(EXPLICIT, **{"output.motion": value})
+
+
+def test_wires_one_behind_the_other_share_columns() -> None:
+    """Of three wires the first and the last do not overlap: a row has columns for two."""
+    x = np.concatenate([np.arange(0.0, 100.0), np.arange(80.0, 180.0), np.arange(160.0, 260.0)])
+    pieces = [[*range(100)], [], [*range(100, 200)], [*range(200, 300)]]
+    one, two = motion._lanes("contact_wire", pieces, x, 30.0)
+    assert (one.number, one.parts) == (1, (range(100), range(200, 300)))
+    assert (two.number, two.parts) == (2, (range(100, 200),))
+    np.testing.assert_array_equal(one.nodes, [*range(100), *range(200, 300)])
+    assert one.count == two.count == 31
+    layout = motion.MotionLayout(1, 10.0, (one, two), np.zeros(0, np.int64), 0, spatial=False)
+    lanes = layout.variables["contact_wire_node_lane"]
+    np.testing.assert_array_equal(lanes, np.repeat([1, 2, 1], 100))
+
+
+def test_wires_side_by_side_share_nothing() -> None:
+    x = np.concatenate([np.arange(0.0, 100.0), np.arange(0.0, 100.0)])
+    lanes = motion._lanes("contact_wire", [[*range(100)], [*range(100, 200)]], x, 30.0)
+    assert [lane.parts for lane in lanes] == [(range(100),), (range(100, 200),)]
+
+
+def test_a_wire_alone_needs_no_lane() -> None:
+    lanes = motion._lanes("contact_wire", [[*range(100)]], np.arange(100.0), np.inf)
+    layout = motion.MotionLayout(1, 10.0, (*lanes,), np.zeros(0, np.int64), 0, spatial=False)
+    assert set(layout.variables) == {"motion_count"}
+    assert lanes[0].count == 100

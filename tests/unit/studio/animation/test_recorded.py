@@ -37,7 +37,7 @@ def dataset(first: list[int], width: int) -> Plain:
         "motion_up": (("motion_time", "motion_node"), values.astype("f4"), {}),
         "motion_first": (("motion_time", "motion_wire"), own, {}),
         "motion_count": (("motion_wire",), np.array([width, width]), {}),
-        "contact_wire_node_wire": (("contact_wire_node",), np.repeat([1, 2], NODES), {}),
+        "contact_wire_node_lane": (("contact_wire_node",), np.repeat([1, 2], NODES), {}),
     }
     names = np.array(["contact_wire 1", "contact_wire 2"])
     coords: Any = {
@@ -69,6 +69,7 @@ def test_a_window_over_two_wires_is_a_window_of_each() -> None:
         ),
         "motion_first": (("motion_time", "motion_wire"), np.array([[1], [4], [8]]), {}),
         "motion_count": (("motion_wire",), np.array([4]), {}),
+        "contact_wire_node_x": (("contact_wire_node",), np.arange(2.0 * NODES), {}),
     }
     coords: Any = {
         "motion_time": (("motion_time",), np.arange(3.0), {}),
