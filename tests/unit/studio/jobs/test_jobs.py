@@ -5,7 +5,6 @@ import itertools
 import signal
 import time
 from collections.abc import Awaitable, Callable
-from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
