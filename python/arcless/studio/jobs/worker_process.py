@@ -8,7 +8,6 @@ It imports what a run needs before anybody asks, so that a run begins at once.
 import gc
 import os
 import queue
-import resource
 import signal
 import sys
 import threading
@@ -16,6 +15,7 @@ from contextlib import suppress
 from importlib import import_module
 from multiprocessing.connection import Connection
 from multiprocessing.reduction import recv_handle
+from pathlib import Path
 from typing import Any
 
 from arcless.errors import ArclessError
@@ -93,11 +93,19 @@ def _do(call: Any, talk: Talk) -> None:
         end = ("failed", {"text": told})
     if talk.spool is not None:
         os.close(talk.spool)
-    used = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024
     try:
-        _tell(talk, end, used)
+        _tell(talk, end, _most_memory())
     except OSError:
         os._exit(1)
+
+
+def _most_memory() -> int:
+    """Return the most memory in bytes that this process has used.
+
+    That of `getrusage` is no less than what the server used when it started the process.
+    """
+    status = Path("/proc/self/status").read_text("ascii")
+    return 1024 * int(status.partition("VmHWM:")[2].split(maxsplit=1)[0])
 
 
 def _tell(talk: Talk, end: tuple[str, Any], used: int) -> None:
