@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Figure, Layer } from "./figure.ts";
-import { firstFrom, told } from "./pointer.ts";
+import { told } from "./pointer.ts";
 
 const same = { x: (value: number) => value, y: (value: number) => value };
 const tips = [
@@ -35,9 +35,5 @@ describe("what stands under the pointer", () => {
     expect(told(figure(map), { x: 1.5, y: 0.5 }, 0, 0, same, none)).toBe("velocity 2.0 m/s");
     expect(told(figure(map), { x: 0.5, y: 1.5 }, 0, 0, same, none)).toBe("velocity 3.0 m/s");
     expect(told(figure(map), { x: 2.5, y: 1.5 }, 0, 0, same, none)).toBe("");
-  });
-  it("finds a place among numbers that rise", () => {
-    expect(firstFrom([1, 2, 2, 5], 2)).toBe(1);
-    expect(firstFrom([1, 2, 2, 5], 6)).toBe(4);
   });
 });

@@ -16,17 +16,6 @@ interface Found {
   distance: number;
 }
 
-/** The first of numbers that rise which is not below a value. */
-export function firstFrom(values: ArrayLike<number>, value: number): number {
-  let [low, high] = [0, values.length];
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if (values[middle]! < value) low = middle + 1;
-    else high = middle;
-  }
-  return low;
-}
-
 function nearestOf(layer: Layer, at: { x: number; y: number }, px: number, py: number, to: Places): Found | null {
   let best: Found | null = null;
   const consider = (index: number, distance: number) => {

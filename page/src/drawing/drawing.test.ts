@@ -74,6 +74,10 @@ describe("camera", () => {
 });
 
 describe("index", () => {
+  it("finds a place among numbers that rise", () => {
+    expect(below([1, 2, 2, 5], 2)).toBe(1);
+    expect(below([1, 2, 2, 5], 6)).toBe(4);
+  });
   it("finds nodes and values", () => {
     const found = indexOf(line());
     expect(below(found.dropperX, 20)).toBe(1);

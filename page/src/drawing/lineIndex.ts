@@ -60,7 +60,7 @@ function made(geometry: Geometry): LineIndex {
 }
 
 /** Number of values of an ascending array that are below a value. */
-export function below(values: Float64Array, value: number): number {
+export function below(values: ArrayLike<number>, value: number): number {
   let [low, high] = [0, values.length];
   while (low < high) {
     const middle = (low + high) >> 1;

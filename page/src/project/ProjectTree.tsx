@@ -1,14 +1,14 @@
 /** The folder: models by kind, runs to tick, studies, measured data, and the shipped library. */
-import { useSignal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
 import { showStudy } from "../studies/vary.ts";
 import { project, type ModelEntry, type ProjectView } from "../state/project.ts";
 import { file, source, ticked } from "../state/selection.ts";
 import { show } from "../shell/panels.ts";
 import { copy } from "./copy.ts";
+import { LibraryList } from "./LibraryList.tsx";
 import { Runs } from "./Runs.tsx";
 import { runThis } from "./running.ts";
-import { KINDS, matches } from "./words.ts";
+import { KINDS } from "./words.ts";
 
 export function Section({ title, count, open = true, children }: { title: string; count: number; open?: boolean; children: ComponentChildren }) {
   return (
@@ -112,34 +112,11 @@ function KeptStudies({ view }: { view: ProjectView }) {
 }
 
 function Library({ view }: { view: ProjectView }) {
-  const typed = useSignal("");
-  const found = view.library.filter((entry) => matches(entry, typed.value));
   return (
     <Section title="Library" count={view.library.length} open={false}>
-      <input
-        type="search"
-        class="search"
-        aria-label="Search the library"
-        placeholder="Search"
-        value={typed.value}
-        onInput={(event) => (typed.value = event.currentTarget.value)}
-      />
-      {KINDS.map(([kind, title]) => {
-        const all = found.filter((one) => one.kind === kind);
-        return (
-          all.length > 0 && (
-            <div key={kind}>
-              <h3>{title}</h3>
-              <ul>
-                {all.map((entry) => (
-                  <Model key={entry.path} entry={entry} act={["Copy to my folder", () => void copy(entry)]} />
-                ))}
-              </ul>
-            </div>
-          )
-        );
-      })}
-      {found.length === 0 && <p class="soft">No shipped model has these words in its name or description.</p>}
+      <LibraryList library={view.library} label="Search the library" hint="Search">
+        {(entry) => <Model key={entry.path} entry={entry} act={["Copy to my folder", () => void copy(entry)]} />}
+      </LibraryList>
     </Section>
   );
 }

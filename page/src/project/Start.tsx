@@ -1,11 +1,10 @@
 /** The first screen: an example that runs in one click, and all shipped models to begin with. */
-import { useSignal } from "@preact/signals";
 import { project, type ModelEntry } from "../state/project.ts";
 import { file } from "../state/selection.ts";
 import { show } from "../shell/panels.ts";
 import { copy } from "./copy.ts";
+import { LibraryList } from "./LibraryList.tsx";
 import { runThis } from "./running.ts";
-import { KINDS, matches } from "./words.ts";
 
 /** Plane, one pantograph, a second to compute: what a first run should be. */
 const EXAMPLE = "en50318-ac-simple-320-planar";
@@ -38,10 +37,8 @@ function Template({ entry }: { entry: ModelEntry }) {
 
 export function Start() {
   const view = project.value;
-  const typed = useSignal("");
   if (!view) return null;
   const example = view.library.find((one) => one.kind === "scenario" && one.name === EXAMPLE);
-  const found = view.library.filter((entry) => matches(entry, typed.value));
   return (
     <div class="start">
       <h1>{view.models.length === 0 ? "This folder has no models yet" : "New model from the library"}</h1>
@@ -59,28 +56,9 @@ export function Start() {
       )}
       <h2>Begin with a shipped model</h2>
       <p>It is copied into the folder with its comments and sources; a scenario brings its line and pantographs.</p>
-      <input
-        type="search"
-        class="search"
-        aria-label="Search shipped models"
-        placeholder="Search by name, country, speed"
-        value={typed.value}
-        onInput={(event) => (typed.value = event.currentTarget.value)}
-      />
-      {KINDS.map(([kind, title]) => {
-        const all = found.filter((one) => one.kind === kind);
-        return (
-          all.length > 0 && (
-            <section key={kind}>
-              <h3>{title}</h3>
-              <ul class="templates">
-                {all.map((entry) => <Template key={entry.path} entry={entry} />)}
-              </ul>
-            </section>
-          )
-        );
-      })}
-      {found.length === 0 && <p class="soft">No shipped model has these words in its name or description.</p>}
+      <LibraryList library={view.library} label="Search shipped models" hint="Search by name, country, speed" lists="templates">
+        {(entry) => <Template key={entry.path} entry={entry} />}
+      </LibraryList>
     </div>
   );
 }

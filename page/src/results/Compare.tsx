@@ -6,6 +6,7 @@ import { useAnswer } from "./answer.ts";
 import { askComparison, askOverlay } from "./asking.ts";
 import { FigureSections } from "./FigureSections.tsx";
 import { held, take } from "./measured.ts";
+import { RowHead } from "./RowHead.tsx";
 import { RunList } from "./RunList.tsx";
 import { Nothing, Refusal, Waiting } from "./State.tsx";
 import type { Compared, Comparison } from "./told.ts";
@@ -82,11 +83,7 @@ function Numbers({ of, rows, title }: { of: Comparison; rows: Compared[]; title:
         <tbody>
           {rows.map((one, row) => (
             <tr key={row}>
-              <th scope="row">
-                {one.label}
-                {one.unit ? `, ${one.unit}` : ""}
-                {of.several && one.pantograph ? `, ${one.pantograph}` : ""}
-              </th>
+              <RowHead of={of} row={one} label={one.label} />
               {one.cells.map(([value, difference], k) => (
                 <td key={k} class="number">
                   {value}
@@ -110,11 +107,7 @@ function Verdicts({ of }: { of: Comparison }) {
         <tbody>
           {of.verdicts.map((one, row) => (
             <tr key={row}>
-              <th scope="row">
-                {one.title}
-                {one.unit ? `, ${one.unit}` : ""}
-                {of.several && one.pantograph ? `, ${one.pantograph}` : ""}
-              </th>
+              <RowHead of={of} row={one} label={one.title} />
               {one.cells.map(([word, state, limit], k) => (
                 <td key={k} class="number">
                   <span class={`state ${state.replaceAll(" ", "-")}`}>{word}</span>

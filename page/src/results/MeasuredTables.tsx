@@ -1,4 +1,5 @@
 /** Tables of a comparison with measurements: how they were placed, bands, acceptance. */
+import { RowHead } from "./RowHead.tsx";
 import type { Comparison } from "./told.ts";
 
 /** How each measurement lies on the line of the first run. */
@@ -102,11 +103,7 @@ export function Acceptance({ of }: { of: Comparison }) {
             <tbody>
               {table.rows.map((one, row) => (
                 <tr key={row}>
-                  <th scope="row">
-                    {one.label}
-                    {one.unit ? `, ${one.unit}` : ""}
-                    {of.several && one.pantograph ? `, ${one.pantograph}` : ""}
-                  </th>
+                  <RowHead of={of} row={one} label={one.label} />
                   {one.cells.map((text, k) => (
                     <td key={k} class={k < 3 ? "number" : k === 4 ? `state ${text}` : ""} title={k === 3 ? one.source : undefined}>
                       {text}
