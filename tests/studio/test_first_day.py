@@ -44,10 +44,10 @@ def test_keys_alone_lead_from_a_shipped_line_to_a_verdict(studio: Start, tmp_pat
     page = studio(tmp_path).open()
     page.wait(".start")
     page.press("Control+k")
-    page.wait("role=combobox")
+    page.wait("dialog input")
     page.type("library")
     page.press("Enter")
-    page.wait("role=combobox", "hidden")  # then the focus is back where it was
+    page.wait("dialog input", "hidden")  # then the focus is back where it was
     page("focus", ".start .search")
     page.type(SHIPPED)
     page.until("document.querySelectorAll('.template').length === 1")

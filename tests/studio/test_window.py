@@ -83,6 +83,7 @@ def test_a_scheme_is_chosen(empty: Studio) -> None:
     paper = "getComputedStyle(document.body).backgroundColor"
     dark = page.js(paper)
     page.press("Control+k")
+    page.wait("dialog [role=option]")
     page.type("light, dark")
     page.press("Enter")
     page.until(f"{paper} !== {dark!r}")
