@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from arcless.dataset.motion_lanes import nodes_of_lane, values_in
 from arcless.figures.wires.wire_velocity import WireMotion
 
 if TYPE_CHECKING:
@@ -49,11 +50,10 @@ def contact_wires(dataset: "Dataset") -> list[WireMotion]:
 
 def _wires(dataset: "Dataset", lane: int) -> Iterator[tuple[NDArray[np.intp], int]]:
     """Yield the nodes of each wire in a lane, and how many nodes of the lane are before it."""
-    lanes = f"{_KIND}_node_lane"
-    if lanes not in dataset:
-        yield np.arange(len(dataset[f"{_KIND}_node_x"].values)), 0
+    nodes = nodes_of_lane(values_in(dataset), _KIND, lane)
+    if f"{_KIND}_node_lane" not in dataset:
+        yield nodes, 0
         return
-    nodes = np.flatnonzero(dataset[lanes].values == lane)
     cuts = np.flatnonzero(np.diff(dataset[f"{_KIND}_node_wire"].values[nodes])) + 1
     for begin, end in pairwise([0, *cuts, len(nodes)]):
         yield nodes[begin:end], int(begin)

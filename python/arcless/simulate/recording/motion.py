@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from arcless.model.settings.run_settings import RecordedMotion
 from arcless.simulate.recording import contacts
-from arcless.simulate.recording.recording_window import nearby
+from arcless.simulate.recording.recording_window import most_within, nearby, ordered
 from arcless.simulate.setup import trajectory
 from arcless.simulate.setup.core_data import MotionPlan, Stations
 
@@ -244,14 +244,13 @@ def layout_of(
         for kind, pieces in wires_of(mesh).items()
         for wire in _lanes(kind, pieces, found.positions[:, 0], reach)
     ]
-    x = np.array([dropper.x for dropper in mesh.droppers])
-    order = np.argsort(x, kind="stable")
+    order, dropper_count = ordered([dropper.x for dropper in mesh.droppers], reach)
     return MotionLayout(
         every=max(1, round(motion.interval / scenario.time_step_s)),
         behind_m=behind,
         wires=tuple(wires),
         dropper_order=order,
-        dropper_count=_most(x[order], reach),
+        dropper_count=dropper_count,
         spatial=mesh.dimension == SPATIAL,
     )
 
@@ -287,7 +286,7 @@ def _lanes(kind: str, pieces: list[list[int]], x: Floats, reach: float) -> list[
             number,
             all_nodes := np.concatenate([np.array(nodes, np.int64) for nodes, _ in lane]),
             tuple(part for _, part in lane),
-            _most(np.maximum.accumulate(x[all_nodes]), reach),
+            most_within(np.maximum.accumulate(x[all_nodes]), reach),
         )
         for number, lane in enumerate(lanes, start=1)
     ]
@@ -303,14 +302,6 @@ def wires_of(mesh: "Mesh") -> dict[str, list[list[int]]]:
         "stitch_wire": [[n for one in system.stitches for n in one.nodes] for system in systems],
         "bridle": [[n for one in system.bridles for n in one.nodes] for system in systems],
     }
-
-
-def _most(x: Floats, reach: float) -> int:
-    """Return the largest number of ascending places, m, within a length, m."""
-    if not np.isfinite(reach):
-        return len(x)
-    within = np.searchsorted(x, x + reach, side="right") - np.arange(len(x))
-    return int(within.max(initial=0))
 
 
 def motion_bytes(scenario: "Scenario", found: "Equilibrium | None" = None) -> int:

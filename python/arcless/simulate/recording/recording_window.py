@@ -67,13 +67,17 @@ def nearby(scenario: "Scenario", mesh: "Mesh", steps: int) -> Nearby | None:
     if isinstance(around, str):
         return None
     reach = 2.0 * around + max(placement.distance for placement in scenario.pantographs)
-    droppers = _ordered([dropper.x for dropper in mesh.droppers], reach)
-    return Nearby(around, *droppers, *_ordered([support.x for support in mesh.supports], reach))
+    droppers = ordered([dropper.x for dropper in mesh.droppers], reach)
+    return Nearby(around, *droppers, *ordered([support.x for support in mesh.supports], reach))
 
 
-def _ordered(places: list[float], reach: float) -> tuple[NDArray[np.int64], int]:
+def ordered(places: list[float], reach: float) -> tuple[NDArray[np.int64], int]:
     """Return the order along the track, and the largest number within a length in m."""
     order = np.argsort(places, kind="stable")
-    x = np.asarray(places)[order]
+    return order, most_within(np.asarray(places)[order], reach)
+
+
+def most_within(x: NDArray[np.float64], reach: float) -> int:
+    """Return the largest number of ascending places, m, within a length, m; all where it is inf."""
     within = np.searchsorted(x, x + reach, side="right") - np.arange(len(x))
-    return order, int(within.max(initial=0))
+    return int(within.max(initial=0))

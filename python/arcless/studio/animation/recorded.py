@@ -5,6 +5,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from arcless.dataset.motion_lanes import nodes_of_lane, values_in
 from arcless.dataset.plain_dataset import Dataset
 from arcless.errors import OutputError
 from arcless.studio.animation.rows import Motion, Numbers, Singles, WireRows
@@ -63,18 +64,10 @@ def _columns(data: Dataset) -> list[_Columns]:
     found = []
     for place, ((kind, number), end) in enumerate(zip(names, ends, strict=True)):
         own = slice(end - counts[place], end)
-        nodes = nodes_of_lane(data, kind, int(number))
+        nodes = nodes_of_lane(values_in(data), kind, int(number))
         sideways = None if across is None else across[:, own]
         found.append(_Columns(kind, nodes, first[:, place], up[:, own], sideways))
     return found
-
-
-def nodes_of_lane(data: Dataset, kind: str, number: int) -> Numbers:
-    """Return the numbers of the nodes of a kind that are in a lane, which is counted from 1."""
-    lanes = f"{kind}_node_lane"
-    if lanes not in data:
-        return np.arange(len(data[f"{kind}_node_x"].values))
-    return np.flatnonzero(np.asarray(data[lanes].values) == number)
 
 
 def _of_wire(number: int, wire: WireData, one: _Columns) -> WireRows:

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from arcless.dataset.motion_lanes import nodes_of_lane
 from arcless.results import Result
 from arcless.results import open as open_result
 from arcless.studio.at_rest.of_run import geometry_of_run
@@ -135,10 +136,7 @@ def _layout(data: Mapping[str, Any], contacts: ContactRows) -> RowLayout:
 
 def _nodes(data: Mapping[str, Any], kind: str, number: int) -> tuple[range, ...]:
     """Return the numbers of the nodes in a lane of a kind, counted from 1."""
-    lanes = f"{kind}_node_lane"
-    if lanes not in data:
-        return (range(data[f"{kind}_node_x"].shape[0]),)
-    nodes = np.flatnonzero(data[lanes][:] == number)
+    nodes = nodes_of_lane(lambda name: data[name][:] if name in data else None, kind, number)
     cuts = [0, *np.flatnonzero(np.diff(nodes) > 1) + 1, len(nodes)]
     return tuple(range(nodes[a], nodes[b - 1] + 1) for a, b in pairwise(cuts))
 

@@ -7,7 +7,7 @@
 use crate::simulation::model::Model;
 use crate::simulation::motion::Motion;
 use crate::simulation::recording::record::Record;
-use crate::simulation::recording::window::MotionPlan;
+use crate::simulation::recording::window::{MotionPlan, begin};
 
 /// Records the motion at the time of balance, s, with the first pantograph at a position, m.
 pub(crate) fn record<const DIM: usize, const D: usize>(
@@ -17,8 +17,7 @@ pub(crate) fn record<const DIM: usize, const D: usize>(
     (time, position): (f64, f64),
     record: &mut Record,
 ) {
-    let last = model.distances.iter().fold(0.0_f64, |d, v| d.max(*v));
-    let from = position - last - plan.behind;
+    let from = begin(position, model.distances, plan.behind);
     record.motion_time.push(time);
     for wire in &plan.wires {
         record.motion_first.push(wire.first(from) as f64);

@@ -39,8 +39,7 @@ impl Near {
 
     /// Where a row begins with the first pantograph at a position, m.
     pub(crate) fn from(&self, position: f64, distances: &[f64]) -> f64 {
-        let last = distances.iter().fold(0.0_f64, |d, v| d.max(*v));
-        position - last - self.behind
+        begin(position, distances, self.behind)
     }
 }
 
@@ -53,6 +52,12 @@ impl Near {
             .filter_map(|ordered| ordered.x.get(ordered.first(from)))
             .fold(from, |least, x| least.min(*x))
     }
+}
+
+/// Where a row begins that far behind the last pantograph, m, with the first one at a position.
+pub(crate) fn begin(position: f64, distances: &[f64], behind: f64) -> f64 {
+    let last = distances.iter().fold(0.0_f64, |d, v| d.max(*v));
+    position - last - behind
 }
 
 impl SortedStations {
