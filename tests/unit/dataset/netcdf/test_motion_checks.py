@@ -55,7 +55,7 @@ def test_a_whole_record_is_opened(dataset: Any, tmp_path: Path) -> None:
     ],
 )
 def test_rows_that_are_not_of_the_line(
-    dataset: Any, tmp_path: Path, name: str, place: tuple[int, ...], value: object, words: str
+    dataset: Any, tmp_path: Path, *, name: str, place: tuple[int, ...], value: object, words: str
 ) -> None:
     spoilt = with_value(dataset, name, place, value)
     with pytest.raises(ResultFormatError, match="not of its line") as told:

@@ -51,9 +51,7 @@ def test_a_member_of_a_batch_has_the_motion_of_the_run(
         moved = [name for name in spatial.dataset.variables if str(name).startswith("motion")]
         assert "motion_across" in moved
         for name in moved:
-            np.testing.assert_array_equal(
-                result.dataset[name].values, spatial.dataset[name].values
-            )
+            np.testing.assert_array_equal(result.dataset[name].values, spatial.dataset[name].values)
 
 
 def test_wires_ahead_and_around_move_as_if_none_was_at_rest() -> None:
