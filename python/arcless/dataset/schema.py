@@ -125,9 +125,8 @@ def _holding(dim: str) -> dict[str, Variable]:
 
 
 _MOTION = ("motion_time", "motion_node")
-
-
-_LANED = ("contact_wire", "messenger_wire", "auxiliary_wire", "stitch_wire", "bridle")
+# Kinds of wires, whose nodes are dimensions.
+WIRES = ("contact_wire", "messenger_wire", "auxiliary_wire", "stitch_wire", "bridle")
 
 
 def _lane(wire: str) -> Variable:
@@ -274,7 +273,7 @@ VARIABLES: dict[str, Variable] = {
     "motion_count": Variable(
         ("motion_wire",), "1", "number of nodes of each wire in a row of motion", integer=True
     ),
-    **{f"{wire}_node_lane": _lane(wire) for wire in _LANED},
+    **{f"{wire}_node_lane": _lane(wire) for wire in WIRES},
     "motion_dropper_force": Variable(
         ("motion_time", "near_motion_dropper"),
         "N",

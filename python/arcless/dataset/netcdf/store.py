@@ -9,6 +9,7 @@ from arcless.dataset.build import missing_variables
 from arcless.dataset.metadata import metadata
 from arcless.dataset.netcdf import checksum, lazy_reader
 from arcless.dataset.netcdf.form_checks import check_attributes, check_entry
+from arcless.dataset.netcdf.motion_checks import check_motion
 from arcless.dataset.netcdf.netcdf_file import WHOLE, netcdf
 from arcless.dataset.plain_dataset import Plain
 from arcless.dataset.schema import ATTRIBUTES, RESULT_FORMAT
@@ -162,3 +163,4 @@ def _check(dataset: Plain, file: Path) -> None:
         raise ResultFormatError(
             "an attribute of the result file is damaged", where=str(file), got=str(error)
         ) from error
+    check_motion(dataset, file)
