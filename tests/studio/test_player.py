@@ -103,3 +103,15 @@ def test_in_space(page: Window) -> None:
 def test_it_can_be_reached(studio: Start, folder: Path, size: Any) -> None:
     found = opened(studio, folder, size)
     assert found.axe() == []
+
+
+def test_the_motion_of_a_stored_run_is_computed(studio: Start, tmp_path: Path) -> None:
+    # Long enough to be explained, which the page asks for at once.
+    place = tmp_path / "runs" / "a"
+    place.mkdir(parents=True)
+    arcless.run(arcless.load("en50318-ac-simple-320-planar")).save(place / "result.nc")
+    found = studio(tmp_path).open()
+    found.click(".run-entry button.name")
+    found.click("text=Compute motion")
+    found.wait(".motion-tools >> text=no recorded motion", "hidden")
+    assert [one.name for one in place.iterdir()] == ["result.nc"]

@@ -2,20 +2,26 @@
 
 import re
 import signal
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
 
+from tests.browser.browser import Browser
 from tests.studio.studio import DESK, PHONE, SMALL, Studio
 
 Start = Callable[[Path], Studio]
 
 
-def test_an_empty_folder_offers_an_example_and_all_shipped_models(
-    studio: Start, tmp_path: Path
-) -> None:
-    page = studio(tmp_path).open()
+@pytest.fixture(scope="module")
+def empty(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Studio]:
+    """Return the studio on an empty folder, for tests that leave it empty."""
+    with Studio(browser, tmp_path_factory.mktemp("empty")) as found:
+        yield found
+
+
+def test_an_empty_folder_offers_an_example_and_all_shipped_models(empty: Studio) -> None:
+    page = empty.open()
     page.wait("text=This folder has no models yet")
     assert "Copy and run it" in page.text(".example")
     assert page.count(".template") > 60
@@ -27,16 +33,16 @@ def test_an_empty_folder_offers_an_example_and_all_shipped_models(
 @pytest.mark.parametrize("size", [DESK, SMALL, PHONE], ids=lambda size: f"{size['width']} px")
 @pytest.mark.parametrize("dark", [False, True], ids=["light", "dark"])
 def test_accessible_and_nothing_is_wider_than_the_window(
-    studio: Start, tmp_path: Path, size: dict[str, int], dark: bool
+    empty: Studio, size: dict[str, int], dark: bool
 ) -> None:
-    page = studio(tmp_path).open(size, dark=dark)
+    page = empty.open(size, dark=dark)
     page.wait("text=This folder has no models yet")
     assert page.axe() == []
     assert page.js("document.documentElement.scrollWidth") <= size["width"]
 
 
-def test_commands_and_keys(studio: Start, tmp_path: Path) -> None:
-    page = studio(tmp_path).open()
+def test_commands_and_keys(empty: Studio) -> None:
+    page = empty.open()
     page.wait(".start")
     page.press("Control+k")
     page.wait("dialog [role=option]")
@@ -58,8 +64,8 @@ def test_commands_and_keys(studio: Start, tmp_path: Path) -> None:
     assert page.count("dialog") == 0
 
 
-def test_sizes_are_remembered(studio: Start, tmp_path: Path) -> None:
-    page = studio(tmp_path).open()
+def test_sizes_are_remembered(empty: Studio) -> None:
+    page = empty.open()
     page.wait(".start")
     before = page.js("document.querySelector('nav.left').clientWidth")
     page("focus", ".splitter.at-left")
@@ -71,8 +77,8 @@ def test_sizes_are_remembered(studio: Start, tmp_path: Path) -> None:
     assert page.js("document.querySelector('nav.left').clientWidth") == wider
 
 
-def test_a_scheme_is_chosen(studio: Start, tmp_path: Path) -> None:
-    page = studio(tmp_path).open(dark=True)
+def test_a_scheme_is_chosen(empty: Studio) -> None:
+    page = empty.open(dark=True)
     page.wait(".start")
     paper = "getComputedStyle(document.body).backgroundColor"
     dark = page.js(paper)

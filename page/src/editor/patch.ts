@@ -1,7 +1,9 @@
 /** Fields of the file changed by the server: comments, order and units as typed stay. */
 import { ask } from "../connection/http.ts";
 import { say } from "../shell/messages.ts";
+import { beforeRun } from "../state/pending.ts";
 import { opened, text } from "./documents.ts";
+import { save } from "./saving.ts";
 
 /** A value as typed; null takes the field away. */
 export type Value = string | number | boolean | null | Value[] | { [key: string]: Value };
@@ -14,6 +16,8 @@ export function patch(changes: Record<string, Value>): Promise<void> {
   turn = mine.catch(() => undefined);
   return mine;
 }
+
+beforeRun(() => turn.then(save));
 
 async function change(changes: Record<string, Value>): Promise<void> {
   const document = opened.peek();

@@ -3,6 +3,7 @@ import { batch } from "@preact/signals";
 import { ask, RefusedError } from "../connection/http.ts";
 import { hear, whenOpen } from "../connection/stream.ts";
 import { complain } from "../shell/messages.ts";
+import { beforeRun } from "../state/pending.ts";
 import { project } from "../state/project.ts";
 import { conflict, opened, saving, text, type FileAnswer } from "./documents.ts";
 import { draftOf, keepDraft } from "./drafts.ts";
@@ -70,6 +71,8 @@ export function save(): Promise<void> {
   current = current.then(put);
   return current;
 }
+
+beforeRun(save);
 
 async function put(): Promise<void> {
   const document = opened.peek();

@@ -2,6 +2,7 @@
 import { EXAGGERATIONS } from "../drawing/camera.ts";
 import { ghost, isPlayed, redraw } from "../drawing/scene.ts";
 import { exaggeration } from "../state/selection.ts";
+import { NoMotion } from "./NoMotion.tsx";
 import { scene, wake } from "./player.ts";
 import { following, startFollowing } from "./views/camera.ts";
 import { byVelocity } from "./views/velocity.ts";
@@ -54,9 +55,4 @@ export function MotionTools() {
       {!scene.value.wires && <NoMotion />}
     </div>
   );
-}
-
-/** A run without recorded motion: what still moves, and how to have the wires move. */
-function NoMotion() {
-  return <span role="status">This run has no recorded motion of wires: only pantographs, droppers and supports change.</span>;
 }

@@ -7,22 +7,12 @@ import { show, shown } from "../shell/panels.ts";
 import { clock, source, type Source } from "../state/selection.ts";
 import { follow, setEnds } from "./clock.ts";
 import { Pull, type Opened } from "./motion/pull.ts";
-import { asking, begin, history, present, scene, store, wake } from "./player.ts";
+import { asking, begin, history, pace, present, rate, scene, store, wake } from "./player.ts";
 
 let current: Pull | null = null;
 
 /** Heads of a pantograph's values: position, force, height, uplift; then its masses. */
 const HEAD = 4;
-
-/** Speed of the edge of a live run, s of the run in a second; 1 before it is known. */
-let pace = 1;
-let lastEdge: { end: number; at: number } | null = null;
-
-function paced(end: number): void {
-  const at = performance.now();
-  if (lastEdge && at - lastEdge.at > 50) pace += 0.2 * ((1000 * (end - lastEdge.end)) / (at - lastEdge.at) - pace);
-  lastEdge = { end, at };
-}
 
 function pantographs(about: Opened) {
   return about.channels
@@ -59,15 +49,15 @@ function toTheLine(): void {
 }
 
 function edge(end: number, final: boolean): void {
-  paced(end);
+  pace.reached(end, performance.now());
   setEnds(clock.start_s.peek(), end, !final);
   // Frames between a clock that slept and the edge were missed; nobody waits for them.
-  if (clock.live.peek() && end - clock.time_s.peek() > 4 * Math.max(pace, 1)) clock.time_s.value = end;
+  if (clock.live.peek() && end - clock.time_s.peek() > 4 * rate()) clock.time_s.value = end;
   wake();
 }
 
 function open(of: Source): Pull {
-  [pace, lastEdge] = [1, null];
+  pace.forget();
   const pull = new Pull(of, store, history, {
     opened: (about) => void opened(of, about),
     edge,
@@ -77,9 +67,8 @@ function open(of: Source): Pull {
   asking.current = () => {
     const now = scene.peek();
     if (!now) return;
-    const rate = clock.live.peek() ? Math.max(pace, 1) : clock.rate.peek();
     pull.update({
-      time: clock.time_s.peek(), rate, start: clock.start_s.peek(), edge: clock.end_s.peek(), row: now.row_s,
+      time: clock.time_s.peek(), rate: rate(), start: clock.start_s.peek(), edge: clock.end_s.peek(), row: now.row_s,
     });
   };
   return pull;

@@ -12,6 +12,7 @@ import { newState, sample, type MotionState } from "./motion/state.ts";
 import { Store } from "./motion/store.ts";
 import { lastAt } from "./motion/track.ts";
 import { everyAt } from "./motion/wanted.ts";
+import { Pace } from "./pace.ts";
 
 export interface PantographAbout {
   name: string;
@@ -49,10 +50,17 @@ export const asking: { current: (() => void) | null } = { current: null };
 let awake = false;
 let before = 0;
 
-/** Distance of neighbouring moments in s at the present rate. */
+export const pace = new Pace();
+
+/** Seconds of the run in a second of watching: the newest frame is followed at its own speed. */
+export function rate(): number {
+  return clock.live.peek() ? Math.max(pace.value, 1) : clock.rate.peek();
+}
+
+/** Distance in s of neighbouring moments: what is asked for at this rate is what is waited for. */
 export function every(): number {
   const row = scene.peek()?.row_s || UNKNOWN_ROW;
-  return Math.max(row, everyAt(clock.rate.peek(), row));
+  return Math.max(row, everyAt(rate(), row));
 }
 
 /** The last time up to `time` whose frames are there, from the clock on without a gap. */

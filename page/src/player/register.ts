@@ -1,5 +1,5 @@
-import { computed } from "@preact/signals";
-import { addLayer, shown } from "../drawing/scene.ts";
+import { computed, effect } from "@preact/signals";
+import { addLayer, isPlayed, shown, showing, type Pencil } from "../drawing/scene.ts";
 import { addCommand, addPanel } from "../shell/panels.ts";
 import { clock } from "../state/selection.ts";
 import { changeRate, follow, growing, jump, step, toggle } from "./clock.ts";
@@ -13,6 +13,11 @@ import { followSeries } from "./views/series.ts";
 import { byVelocity, drawVelocity } from "./views/velocity.ts";
 
 const playing = computed(() => scene.value !== null);
+/** Pantographs and forces are of the run: over the line of the file they would be of another one. */
+const seen = computed(() => scene.value !== null && isPlayed.value);
+const ifPlayed = (draw: (pencil: Pencil) => void) => (pencil: Pencil) => {
+  if (isPlayed.peek()) draw(pencil);
+};
 
 function commands(): void {
   const add = (id: string, title: string, keys: string[], act: () => void) =>
@@ -36,13 +41,17 @@ function commands(): void {
 
 export function register(): void {
   addPanel({ id: "space", slot: "main", title: "3-D", order: 2, load: async () => (await import("./space/SpaceView.tsx")).SpaceView, when: computed(() => shown.value !== null) });
-  addPanel({ id: "motion tools", slot: "below", title: "Motion", order: 0, load: async () => (await import("./MotionTools.tsx")).MotionTools, when: playing });
-  addPanel({ id: "strips", slot: "below", title: "Strips", order: 1, load: async () => (await import("./views/Strips.tsx")).Strips, when: playing });
+  addPanel({ id: "motion tools", slot: "below", title: "Motion", order: 0, load: async () => (await import("./MotionTools.tsx")).MotionTools, when: seen });
+  addPanel({ id: "strips", slot: "below", title: "Strips", order: 1, load: async () => (await import("./views/Strips.tsx")).Strips, when: seen });
   addPanel({ id: "transport", slot: "bottom", title: "Player", order: 0, load: async () => (await import("./Transport.tsx")).Transport });
-  addLayer({ id: "velocity", order: 0, view: "side", draw: drawVelocity });
-  addLayer({ id: "pantographs", order: 1, view: "side", draw: drawSide });
-  addLayer({ id: "pantographs in plan", order: 1, view: "plan", draw: drawPlan });
+  addLayer({ id: "velocity", order: 0, view: "side", draw: ifPlayed(drawVelocity) });
+  addLayer({ id: "pantographs", order: 1, view: "side", draw: ifPlayed(drawSide) });
+  addLayer({ id: "pantographs in plan", order: 1, view: "plan", draw: ifPlayed(drawPlan) });
   viewers.add(followCamera);
+  // Whoever plays wants to see the run, and no longer the line that was edited meanwhile.
+  effect(() => {
+    if (clock.playing.value) showing.value = "played";
+  });
   commands();
   followSource();
   followWorst();

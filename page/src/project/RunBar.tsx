@@ -1,5 +1,6 @@
 /** The bar at the top: scenario, speed, pantographs, run, its progress, the verdict. */
 import { useSignal } from "@preact/signals";
+import { useEffect, useRef } from "preact/hooks";
 import { change, changes } from "../state/changes.ts";
 import { cancel } from "../state/jobs.ts";
 import { project } from "../state/project.ts";
@@ -9,6 +10,7 @@ import { fold, folded } from "../shell/layout.ts";
 import { dialog, listed } from "../shell/window.ts";
 import { canRun, nameOf, run, runningJob, saveAsScenario, withCertainty, withMotion } from "./running.ts";
 import { fields } from "./scenarioFields.ts";
+import { withUnit } from "./words.ts";
 import { Verdict } from "./Verdict.tsx";
 
 function Scenario() {
@@ -53,7 +55,7 @@ function Speed() {
         title={`In the file: ${ofFile}`}
         spellcheck={false}
         autocomplete="off"
-        onChange={(event) => change("speed", event.currentTarget.value.trim(), ofFile)}
+        onChange={(event) => change("speed", withUnit(event.currentTarget.value, now), ofFile)}
       />
     </label>
   );
@@ -86,8 +88,18 @@ function Pantographs() {
 }
 
 function Options() {
+  const box = useRef<HTMLDetailsElement>(null);
+  const close = () => void (box.current && (box.current.open = false));
+  useEffect(() => {
+    // It lies over other controls: a press beside it takes it away.
+    const press = (event: Event) => {
+      if (!box.current?.contains(event.target as Node)) close();
+    };
+    document.addEventListener("pointerdown", press);
+    return () => document.removeEventListener("pointerdown", press);
+  }, []);
   return (
-    <details class="options">
+    <details class="options" ref={box} onKeyDown={(event) => event.key === "Escape" && close()}>
       <summary>Options</summary>
       <div class="pop">
         <label>

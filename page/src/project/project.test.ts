@@ -2,7 +2,7 @@ import { expect, it } from "vitest";
 import { change, changes } from "../state/changes.ts";
 import type { RunEntry } from "../state/project.ts";
 import { freeName } from "./copy.ts";
-import { differences, matches, verdictOf } from "./words.ts";
+import { differences, matches, verdictOf, withUnit } from "./words.ts";
 import { sorted } from "./scenarioFields.ts";
 
 const run = (path: string, more: Partial<RunEntry>): RunEntry => ({
@@ -22,6 +22,13 @@ it("takes a change back that is the value of the file", () => {
   expect(changes.value).toEqual({});
 });
 
+it("gives a bare number the unit that stood there", () => {
+  expect(withUnit("250", "320 km/h")).toBe("250 km/h");
+  expect(withUnit(" 2.5e2 ", "320km/h")).toBe("2.5e2 km/h");
+  expect(withUnit("70 m/s", "320 km/h")).toBe("70 m/s");
+  expect(withUnit("70", "80")).toBe("70");
+});
+
 it("finds speed and pantographs among the fields of a form", () => {
   const found = [
     { field: "pantographs.1.model", typed: "b" },
@@ -34,7 +41,7 @@ it("finds speed and pantographs among the fields of a form", () => {
 
 it("names what differs between runs, and nothing else", () => {
   const runs = [
-    run("r/1", { changes: {} }),
+    run("r/1", { changes: { "output.motion": "true" } }),
     run("r/2", { changes: { speed: "300 km/h" }, speed_m_s: 83.3 }),
     run("r/3", { name: "b", changes: { speed: "300 km/h" }, speed_m_s: 83.3 }),
   ];

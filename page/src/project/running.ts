@@ -4,6 +4,7 @@ import { ask } from "../connection/http.ts";
 import { complain, say } from "../shell/messages.ts";
 import { changes } from "../state/changes.ts";
 import { jobs, type Job } from "../state/jobs.ts";
+import { settled } from "../state/pending.ts";
 import { project, readProject } from "../state/project.ts";
 import { file, scenario, source, ticked } from "../state/selection.ts";
 
@@ -19,15 +20,22 @@ export const runningJob = computed<Job | null>(
 
 export const canRun = computed(() => scenario.value !== null && runningJob.value === null);
 
+/** A run is ordered, and the server has not answered. */
+let isOrdered = false;
+
 /** Run the chosen scenario with what is changed; the player follows it. */
 export async function run(): Promise<void> {
   const path = scenario.peek();
-  if (path === null || runningJob.peek()) return;
+  if (path === null || runningJob.peek() || isOrdered) return;
+  isOrdered = true;
+  await settled();
   const body = {
     scenario: path,
     changes: changes.peek(),
     record_motion: withMotion.peek(),
     certainty: withCertainty.peek(),
+    // The line may have changed since the run of that name: both are wanted, to compare them.
+    keep_both: true,
   };
   try {
     const { job } = await ask<{ job: Job }>("runs", { body });
@@ -38,6 +46,8 @@ export async function run(): Promise<void> {
     if (known) endedIf(known);
   } catch (error) {
     complain(error);
+  } finally {
+    isOrdered = false;
   }
 }
 

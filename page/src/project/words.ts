@@ -25,6 +25,13 @@ export const KINDS: [ModelKind, string][] = [
   ["study", "Studies"],
 ];
 
+/** What is typed over "275 km/h": a bare number has the unit that stood there, not m/s. */
+export function withUnit(typed: string, before: string): string {
+  const text = typed.trim();
+  const unit = /[^\d.,eE+\-\s].*$/.exec(before)?.[0];
+  return unit && /^[\d.eE+-]+$/.test(text) ? `${text} ${unit}` : text;
+}
+
 export const kmh = (speed_m_s: number): string => `${(3.6 * speed_m_s).toFixed(0)} km/h`;
 
 /** Main numbers of a run in one line: the largest σ of its pantographs, and the uplift. */
@@ -42,9 +49,12 @@ export function numbers(run: RunEntry): [string, string, string][] {
   ];
 }
 
-/** Name of each run and what tells it from the others: fields that all runs set to the same value are left out. */
+/**
+ * Name of each run and what tells it from the others. Fields that all runs set to the same value are left
+ * out, and what is recorded: it changes no number.
+ */
 export function differences(runs: readonly RunEntry[]): [string, string][] {
-  const fields = [...new Set(runs.flatMap((run) => Object.keys(run.changes)))];
+  const fields = [...new Set(runs.flatMap((run) => Object.keys(run.changes)))].filter((field) => !field.startsWith("output."));
   const differs = runs.length < 2 ? fields : fields.filter((field) => new Set(runs.map((run) => run.changes[field])).size > 1);
   return runs.map((run) => [
     run.name ?? run.path,

@@ -1,4 +1,5 @@
 import { beforeEach, describe, expect, it } from "vitest";
+import { addPanel, shown } from "../shell/panels.ts";
 import { clock, cursor, source } from "../state/selection.ts";
 import type { Place } from "./told.ts";
 import { goTo } from "./place.ts";
@@ -18,6 +19,11 @@ describe("worst places", () => {
     expect(source.value).toEqual({ run: "runs/a" });
     expect(clock.time_s.value).toBe(3.5);
     expect(cursor.value).toBe(300);
+  });
+  it("show the line, where they are seen", () => {
+    addPanel({ id: "drawing", slot: "main", title: "Line", order: 0, load: async () => () => null });
+    goTo("runs/a", place(300, 4.5));
+    expect(shown.value.main).toBe("drawing");
   });
   it("never set the clock before its start", () => {
     goTo("runs/a", place(300, 0.4));

@@ -6,7 +6,7 @@ import type { Complaint } from "../connection/http.ts";
 
 export interface Job {
   id: string;
-  kind: "run" | "study" | "report" | "hands on" | "explanation";
+  kind: "run" | "study" | "report" | "hands on" | "explanation" | "motion";
   title: string;
   state: "waiting" | "running" | "done" | "failed" | "cancelled";
   /** 0 to 1, and what is being done. */

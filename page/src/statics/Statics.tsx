@@ -59,7 +59,9 @@ async function download(): Promise<void> {
     if (refused) return say("error", refused.text);
     const { schedule } = found;
     const address = URL.createObjectURL(new Blob([schedule], { type: "text/csv" }));
-    const link = Object.assign(document.createElement("a"), { href: address, download: `${now.peek()?.name ?? "line"}-droppers.csv` });
+    // What is tried is not in the file: a schedule of it must not pass for that of the line.
+    const download = `${now.peek()?.name ?? "line"}-droppers${isTrying.peek() ? "-tried" : ""}.csv`;
+    const link = Object.assign(document.createElement("a"), { href: address, download });
     link.click();
     URL.revokeObjectURL(address);
   } catch (error) {

@@ -6,7 +6,7 @@ import { computed, effect, signal } from "@preact/signals";
 import { ask, RefusedError, type Complaint } from "../connection/http.ts";
 import { connection } from "../connection/stream.ts";
 import type { Geometry, Handles } from "../drawing/geometry.ts";
-import { edited, handles, isDraft, isTried, wrong } from "../drawing/scene.ts";
+import { edited, handles, isDraft, isTried, showing, wrong } from "../drawing/scene.ts";
 import { kindOf, opened, text } from "../editor/documents.ts";
 import type { Value } from "../editor/patch.ts";
 import { project } from "../state/project.ts";
@@ -189,6 +189,8 @@ export function followLine(): () => void {
     }
     const isTyped = path === before.path && content !== before.text;
     if (content !== before.text) ofFile.value = null;
+    // A change has to be seen: a run that was played shows the line as it was.
+    if (isTyped || changes !== before.changes) showing.value = "edited";
     const kind = kindOf(content);
     if (path === undefined || (kind !== "line" && kind !== "scenario")) {
       before = { path, text: content, changes };

@@ -47,9 +47,7 @@ def studio(
         if browser:
             _open(for_browser)
 
-    code = serve(folder, port, ready)
-    if code:
-        raise typer.Exit(code)
+    serve(folder, port, ready)
 
 
 def _open(address: str) -> None:

@@ -55,7 +55,8 @@ def order_of(project: Project, asked: Mapping[str, Any]) -> Order:
     Raises
     ------
     Refused
-        It is none; or a run is in its folder, which `replace` would replace.
+        It is none; or a run is in its folder, which `replace` would replace. With `keep_both` the
+        new one takes a folder of that name with a number.
     ArclessError
         The scenario is wrong.
     """
@@ -75,6 +76,8 @@ def order_of(project: Project, asked: Mapping[str, Any]) -> Order:
     # A link inside of the folder could lead out of it.
     folder = project.inside(folder_of(scenario).as_posix())
     replace = asked.get("replace") is True
+    if asked.get("keep_both") is True:
+        folder = _free(project, folder)
     _check_free(project, folder, replace=replace)
     return Order(scenario, folder, replace, command)
 
@@ -94,11 +97,24 @@ def _place(project: Project, path: str) -> Origin:
     return Origin(folder=folder, within=project.folder)
 
 
+def _free(project: Project, folder: Path) -> Path:
+    """Return the folder, or the first of its name with a number that holds no run or study."""
+    free, number = folder, 1
+    while is_study_folder(free) or _holds_run(free):
+        number += 1
+        free = project.inside(f"{project.name_of(folder)}-{number}")
+    return free
+
+
+def _holds_run(folder: Path) -> bool:
+    return any(os.path.lexists(folder / file) for file in FILES)
+
+
 def _check_free(project: Project, folder: Path, *, replace: bool) -> None:
     name = project.name_of(folder)
     if is_study_folder(folder):
         raise Refused(409, f"{name} holds a study")
-    if not replace and any(os.path.lexists(folder / file) for file in FILES):
+    if not replace and _holds_run(folder):
         raise Refused(409, f"{name} holds a run already", path=name, may_replace=True)
 
 

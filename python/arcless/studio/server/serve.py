@@ -4,9 +4,10 @@ import logging
 import os
 import signal
 import socket
+import sys
 import threading
 from collections.abc import Callable, Generator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from arcless.errors import OutputError
@@ -28,8 +29,10 @@ _ENDING = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 _AFTER_SIGNAL = 128  # what a shell adds to the number of the signal that ended a program
 
 
-def serve(folder: Path, port: int, ready: Callable[[str, str], None]) -> int:
-    """Serve a folder until Ctrl-C, and return the exit code.
+def serve(folder: Path, port: int, ready: Callable[[str, str], None]) -> None:
+    """Serve a folder until Ctrl-C, and leave the process.
+
+    The exit code is 0 after Ctrl-C, which is how it ends; 128 and its number after another signal.
 
     Parameters
     ----------
@@ -39,11 +42,6 @@ def serve(folder: Path, port: int, ready: Callable[[str, str], None]) -> int:
         Port; 0 for any that is free.
     ready
         Told the address to print and the address for a browser that is started, once both answer.
-
-    Returns
-    -------
-    int
-        0 after Ctrl-C, which is how it ends; 128 and the number of any other signal.
 
     Raises
     ------
@@ -89,7 +87,8 @@ def serve(folder: Path, port: int, ready: Callable[[str, str], None]) -> int:
             timeout_graceful_shutdown=_GRACE_S,
         )
         Server(settings).run([listener])
-    return _code(came[0]) if came else 0
+    if came:
+        _leave(_code(came[0]))
 
 
 def _code(number: int) -> int:
@@ -114,8 +113,20 @@ def _answering(leave: Callable[[int], None]) -> Generator[None, None, None]:
             signal.signal(number, handler)
 
 
+def _leave(code: int) -> None:
+    """End the process at once.
+
+    An orderly end would stop threads where they are: one that reads a result then holds the lock of
+    HDF5 for ever, which HDF5 takes once more at the very end.
+    """
+    for stream in (sys.stdout, sys.stderr):
+        with suppress(OSError, ValueError):
+            stream.flush()
+    os._exit(code)
+
+
 def _leave_soon(code: int) -> None:
-    timer = threading.Timer(LEAVE_S, os._exit, (code,))
+    timer = threading.Timer(LEAVE_S, _leave, (code,))
     timer.daemon = True
     timer.start()
 

@@ -41,7 +41,7 @@ def test_contact_wires_alone_are_taken_with_their_own_columns() -> None:
 
 
 def test_wires_that_share_a_lane_are_told_apart() -> None:
-    """Wires 1 and 3 are one behind the other, wire 2 beside both."""
+    """Wires 1 and 3 are one behind the other, wire 2 next to both."""
     dataset = recorded({"contact_wire 1": 3, "contact_wire 2": 2})
     nodes = dataset.sizes["contact_wire_node"]
     number = np.where(np.arange(nodes) < 5, 1, np.where(np.arange(nodes) < 12, 2, 3))

@@ -1,10 +1,10 @@
 """Jobs in worker processes: done, refused, crashed, cancelled, waiting; nothing stays behind."""
 
 import asyncio
+import itertools
 import signal
 import time
 from collections.abc import Awaitable, Callable
-from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -85,7 +85,7 @@ def test_what_a_function_tells() -> None:
     ]  # fmt: skip
     running = [at for one, at in zip(heard, heard.times, strict=True) if one["doing"]]
     # Timers come a little early or late by the clock of the event loop.
-    gaps = [late - early for early, late in pairwise(running)]
+    gaps = [late - early for early, late in itertools.pairwise(running)]
     assert all(gap > 0.8 * BETWEEN_S for gap in gaps[:-1])
 
 

@@ -211,7 +211,7 @@ def test_a_run_is_watched_and_plays_on_when_it_is_done(studio: Studio) -> None:
 
 
 def test_motion_of_a_stored_run_is_computed(studio: Studio, done: dict[str, Any]) -> None:
-    """It is computed again, has the same forces, and is that of a run that records it."""
+    """A second run has the same forces, and the motion of a run that records it."""
     name = studio.ended(studio.run(record_motion=True))["path"]
     with studio_of(studio.folder) as fresh, page(fresh.port) as one:  # no spools are there
         source = {"run": done["path"]}

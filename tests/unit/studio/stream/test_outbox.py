@@ -1,4 +1,4 @@
-"""What waits for a page is bounded: frames that do not fit are dropped, messages replaced."""
+"""The queue of a page is bounded: frames that do not fit are dropped, messages replaced."""
 
 import asyncio
 import json
