@@ -7,9 +7,8 @@ use arcless_core::CoreError;
 use arcless_core::integrator::wire_model::WireModel;
 use arcless_core::pantograph::actuator::Sample;
 use arcless_core::scheme::Scheme;
-use arcless_core::simulation::recording::motion::MotionPlan;
 use arcless_core::simulation::recording::record::{Record, RecordPlan};
-use arcless_core::simulation::recording::window::{Near, SortedStations};
+use arcless_core::simulation::recording::window::{MotionPlan, Near, SortedStations};
 use arcless_core::simulation::run::{Callbacks, Part};
 
 const STEPS: usize = 1030;

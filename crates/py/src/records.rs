@@ -2,10 +2,9 @@
 
 use arcless_core::checkpoint::Checkpoint;
 use arcless_core::energy_terms::EnergyTerms;
-use arcless_core::simulation::recording::motion::MotionPlan;
 use arcless_core::simulation::recording::record::{Record, RecordPlan};
 use arcless_core::simulation::recording::support_parts::SupportParts;
-use arcless_core::simulation::recording::window::{Near, SortedStations};
+use arcless_core::simulation::recording::window::{MotionPlan, Near, SortedStations};
 use numpy::{IntoPyArray, ToPyArray};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;

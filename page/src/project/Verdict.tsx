@@ -29,20 +29,11 @@ export function Verdict() {
   const states = { met: "met", missed: "not-met", open: "open" } as const;
   const spread = told?.criteria.filter((one) => one.title.startsWith("standard deviation"));
   const worst = spread?.find((one) => one.pantograph === entry.worst) ?? spread?.[0];
-  // Beside "not met" σ within its limit would be read as what is not met.
-  const missed = told?.criteria.filter((one) => one.state === "missed") ?? [];
-  const another = worst?.state === "missed" ? undefined : missed[0];
   return (
     <button class={`verdict-of ${told ? states[told.verdict.state] : state}`} title={told?.verdict.text ?? ""} onClick={() => show("results")}>
       <span class="sign" aria-hidden="true">{told?.verdict.sign ?? sign}</span>
       <strong>{told && told.verdict.state === "open" && entry.verdict !== "not judged" ? "too close to tell" : word}</strong>
-      {another && (
-        <span class="missed">
-          {another.title}
-          {missed.length > 1 && ` and ${missed.length - 1} more`}
-        </span>
-      )}
-      {worst && !another && (
+      {worst && (
         <span class="numbers">
           σ {worst.value} N{worst.limit && <span class="soft"> (limit {worst.limit.replace(/^[≤≥]\s*/, "")})</span>}
         </span>

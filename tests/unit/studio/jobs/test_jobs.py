@@ -207,6 +207,8 @@ def test_two_jobs_do_not_write_one_folder() -> None:
     with_jobs(act)
 
 
+# On a busy machine a spare process may be late, and another one answers: not for every run of CI.
+@pytest.mark.evidence
 def test_processes_are_used_again() -> None:
     async def act(jobs: Jobs, _: Heard) -> list[int]:
         return [await jobs.compute(tasks.process) for _ in range(5)]

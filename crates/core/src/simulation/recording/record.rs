@@ -6,9 +6,8 @@
 use crate::constraint::contacts::Contacts;
 use crate::energy_terms::EnergyTerms;
 use crate::error::CoreError;
-use crate::simulation::recording::motion::MotionPlan;
 use crate::simulation::recording::support_parts::SupportParts;
-use crate::simulation::recording::window::Near;
+use crate::simulation::recording::window::{MotionPlan, Near};
 use std::mem::{replace, take};
 
 /// Selection of recorded quantities and their intervals.

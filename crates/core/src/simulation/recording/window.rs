@@ -75,3 +75,31 @@ impl SortedStations {
             && self.x.iter().all(|x| x.is_finite())
     }
 }
+
+/// Selection of recorded motion.
+#[derive(Debug, Clone)]
+pub struct MotionPlan {
+    /// Every how many steps a row is recorded.
+    pub every: usize,
+    /// Distance behind the last pantograph at which a row begins, m.
+    pub behind: f64,
+    /// Nodes of each wire in the order along it.
+    pub wires: Vec<SortedStations>,
+    /// Links in the order along the track.
+    pub links: SortedStations,
+}
+
+impl MotionPlan {
+    /// # Errors
+    /// [`CoreError::Input`] for coordinates out of order, or what is not there.
+    pub(crate) fn check(&self, links: usize, nodes: usize) -> Result<(), CoreError> {
+        let fits = self.wires.iter().all(|wire| wire.fits(nodes)) && self.links.fits(links);
+        if self.every > 0 && self.behind.is_finite() && fits {
+            return Ok(());
+        }
+        Err(CoreError::Input {
+            array: "plan",
+            reason: "the motion to record is not there, or not in the order along the track".into(),
+        })
+    }
+}
