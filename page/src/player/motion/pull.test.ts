@@ -33,9 +33,9 @@ vi.mock("../../connection/stream.ts", () => ({
 
 const source = { run: "runs/a" };
 const say = (message: Message) => server.hearers.get(message.topic)?.forEach((act) => act(message));
-const announce = (first: number) =>
+const announce = (first: number, again = false) =>
   say({
-    topic: "channels", source, start_s: 0, end_s: 10, final: true, every_s: 0.01, wires: true,
+    topic: "channels", source, again, start_s: 0, end_s: 10, final: true, every_s: 0.01, wires: true,
     channels: [{ number: first, name: "pantograph.0", unit: "", shape: [5], about: {} }],
   });
 const frame = (number: number, time: number) =>
@@ -121,6 +121,15 @@ describe("a motion that is pulled", () => {
     }
     pull.update({ ...now, time: 10 });
     expect(wants().length).toBeLessThan(6);
+  });
+
+  test("forgets what was sent of a run that begins again", () => {
+    announce(7);
+    frame(7, 0.5);
+    announce(8, true);
+    expect(store.moments).toEqual([]);
+    pull.update(now);
+    expect(wants().at(-1)).toMatchObject({ from_s: 0 });
   });
 
   test("says when it is left", () => {

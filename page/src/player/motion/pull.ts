@@ -28,6 +28,8 @@ export interface Opened {
   every_s: number;
   /** Whether wires move. */
   wires: boolean;
+  /** The run began again: a static force did not give the mean force. What was sent is void. */
+  again?: boolean;
   /** End of the whole run, of one that is being computed. */
   estimated_end_s?: number;
 }
@@ -84,6 +86,10 @@ export class Pull {
 
   /** Play again: after a socket was lost, and where a source has something new. */
   private announced(about: Opened): void {
+    if (about.again) {
+      this.store.clear();
+      this.history.clear();
+    }
     for (const end of this.takers) end();
     this.takers = about.channels.map(({ number, name }) =>
       take(number, ({ time, first, values }) => {

@@ -22,6 +22,10 @@ if TYPE_CHECKING:
     from arcless.mesh import Mesh
     from arcless.model import Scenario
 
+# Steps from which a run that is only watched has its rows so far apart, s. At 10 ms a run of 50 km
+# would be slowed by more than a tenth, and its picture take 1.2 GB; at more than 20 ms motion of
+# 20 Hz has less than three rows in a period.
+LONG, WATCHED_LONG_S = 100_000, 0.02
 # Dimension of a mesh in space.
 SPATIAL = 3
 Floats = NDArray[np.float64]
@@ -228,10 +232,12 @@ def layout_of(
     scenario
         The scenario.
     motion
-        Interval and window; without them those of the scenario, or the usual ones.
+        Interval and window; without them those of the scenario or, for a viewer of a run that
+        records none, the usual ones, with rows of a long run farther apart.
     """
-    motion = motion or scenario.output.motion or RecordedMotion()
     mesh, steps = found.mesh, trajectory.motion(scenario).steps
+    watched = RecordedMotion(interval=WATCHED_LONG_S) if steps >= LONG else RecordedMotion()
+    motion = motion or scenario.output.motion or watched
     window = nearby(scenario, mesh, steps)
     limits = [motion.around] if not isinstance(motion.around, str) else []
     # Wires that all pantographs have left so far behind are put to rest, see `output.around`.
@@ -321,7 +327,8 @@ def motion_bytes(scenario: "Scenario", found: "Equilibrium | None" = None) -> in
     """
     from arcless.equilibrium import equilibrium
 
-    layout = layout_of(found or equilibrium.find(scenario), scenario)
+    motion = scenario.output.motion or RecordedMotion()
+    layout = layout_of(found or equilibrium.find(scenario), scenario, motion)
     rows = -(-trajectory.motion(scenario).steps // layout.every)
     return rows * (4 * layout.numbers_in_row + 8 * (len(layout.wires) + 2))
 

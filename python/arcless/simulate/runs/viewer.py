@@ -67,8 +67,9 @@ class Audience:
     def take(self, raw: dict[str, Any]) -> None:
         """Take a piece of the series."""
         self._show(raw)
-        self._held.append(self._own(raw))
-        self._numbers += sum(values.size for values in raw.values() if hasattr(values, "size"))
+        own = self._own(raw)
+        self._held.append(own)
+        self._numbers += sum(values.size for values in own.values() if hasattr(values, "size"))
         if self.further is not None and self._numbers >= WRITTEN_AT_ONCE:
             self.further(joined(self._held))
             self._held, self._numbers = [], 0

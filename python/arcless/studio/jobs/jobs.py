@@ -29,6 +29,9 @@ BETWEEN_S = 0.05
 # Time in s that a job has to end by itself when it is cancelled; then its process is killed. A
 # line at rest of some km is found in native code that nobody can interrupt.
 CANCEL_S = 0.7
+# Time in s after which another process is made ready. Longer, a second run at once waits for its
+# process to start; shorter, one is started for each run of a second.
+READY_AFTER_S = 0.5
 # Processes for questions that are answered at once, besides those of jobs.
 _FOR_QUESTIONS = 2
 
@@ -163,7 +166,13 @@ class Jobs:
             self._changed(entry, now=True)
         while self._questions and self._pool.busy(jobs=False) < _FOR_QUESTIONS:
             self._pool.assign(self._questions.popleft())
-        self._pool.prepare()
+        # Later: a start takes some ms of the event loop and a second of a processor, which what has
+        # just begun may need itself; and soon its own process may be free again.
+        asyncio.get_running_loop().call_later(READY_AFTER_S, self._prepare)
+
+    def _prepare(self) -> None:
+        if not self._has_ended:
+            self._pool.prepare()
 
     def _heard(self, entry: Entry, message: tuple[Any, ...]) -> None:
         match message:

@@ -78,14 +78,14 @@ class RowLayout:
         if self.spatial:
             fields.append(("across", "<f4", (self.columns,)))
         fields += [
-            (f"pantograph {number}", "<f4", (_HEAD + masses,))
+            (f"pantograph {number}", "<f4", (HEAD + masses,))
             for number, (_, masses) in enumerate(self.pantographs)
         ]
         return np.dtype(fields)
 
 
 # Position, force, height and uplift of a pantograph come before its masses.
-_HEAD = 4
+HEAD = 4
 
 
 _WAYS = (("up", "displacement upwards"), ("across", "displacement to the left"))

@@ -59,7 +59,7 @@ class SpoolWriter:
             self.full = True
             return
         try:
-            self._write(rows.tobytes())
+            self._write(memoryview(rows.view(np.uint8)))  # type: ignore[arg-type]
         except OSError:
             self.full = True
             return
@@ -74,8 +74,8 @@ class SpoolWriter:
         """Say that no more rows come."""
         self._grown(self._rows, self._end_s, True)
 
-    def _write(self, content: bytes) -> None:
-        view, place = memoryview(content), self._rows * self._type.itemsize
+    def _write(self, view: memoryview) -> None:
+        place = self._rows * self._type.itemsize
         while view:
             done = os.pwrite(self._descriptor, view, place)
             view, place = view[done:], place + done

@@ -1,12 +1,13 @@
 """Functions of worker processes: a run, its report on paper, its explanation."""
 
+from contextlib import ExitStack
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
 
-from arcless.model import scenario_warnings
+from arcless.model import Scenario, scenario_warnings
 from arcless.results import Result
 from arcless.results import open as open_result
 from arcless.results.kept_runs.places import RESULT_NAME
@@ -30,24 +31,12 @@ def run(talk: Talk, order: Order) -> dict[str, Any]:
     ArclessError
         As `arcless.run`, and where the folder cannot be written.
     """
-    from arcless import simulate
     from arcless.validate import reference_rows
 
     for warning in scenario_warnings(order.scenario):
         talk.note(warning)
-    watching = Watching(order.scenario, talk.motion) if talk.shows() else None
     with for_run(order.folder, overwrite=order.replace) as folder:
-        file = folder.file(RESULT_NAME)
-        result = simulate.run(
-            order.scenario,
-            to=file if simulate.is_long(order.scenario) else None,
-            command=order.command,
-            progress=talk.progress,
-            cancel=talk.cancel,
-            watch=watching,
-        )
-        if watching is not None:
-            end(talk, watching)
+        result = _simulate(talk, order.scenario, folder.file(RESULT_NAME), order.command)
         _note_others(talk, result, order)
         talk.progress(1.0, "assessment and report")
         if talk.cancel():
@@ -61,19 +50,9 @@ def motion(talk: Talk, file: Path) -> bool:
 
     Nothing is written but the spool.
     """
-    from arcless import simulate
-
     stored = open_result(file)
-    watching = Watching(stored.scenario, talk.motion)
     with TemporaryDirectory(prefix="arcless-studio-") as folder:
-        again = simulate.run(
-            stored.scenario,
-            to=Path(folder) / RESULT_NAME if simulate.is_long(stored.scenario) else None,
-            progress=talk.progress,
-            cancel=talk.cancel,
-            watch=watching,
-        )
-        end(talk, watching)
+        again = _simulate(talk, stored.scenario, Path(folder) / RESULT_NAME, None)
         before, now = (one.recorded["contact_force"].values for one in (stored, again))
         same = bool(np.array_equal(before, now))
     if not same:
@@ -84,12 +63,26 @@ def motion(talk: Talk, file: Path) -> bool:
     return same
 
 
-def end(talk: Talk, watching: Watching) -> None:
-    """End the motion of a run, and say where it is not whole."""
-    watching.finish()
-    if watching.full:
-        talk.note("The disk of temporary files has no room: the motion that is shown ends before"
-                  " the run, whose result is whole.")  # fmt: skip
+def _simulate(talk: Talk, scenario: Scenario, to: Path, command: str | None) -> Result:
+    """Run a scenario that may be watched; a long one is written to a file while it steps."""
+    from arcless import simulate
+
+    with ExitStack() as stack:
+        watching = Watching(scenario, talk.motion) if talk.shows() else None
+        result = simulate.run(
+            scenario,
+            to=to if simulate.is_long(scenario) else None,
+            command=command,
+            progress=talk.progress,
+            cancel=talk.cancel,
+            watch=None if watching is None else stack.enter_context(watching),
+        )
+    if watching is not None and watching.full:
+        talk.note(
+            "The disk of temporary files has no room: the motion that is shown ends before the run,"
+            " whose result is whole."
+        )
+    return result
 
 
 def _note_others(talk: Talk, result: Result, order: Order) -> None:

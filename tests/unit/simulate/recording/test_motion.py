@@ -208,3 +208,15 @@ def test_a_wire_alone_needs_no_lane() -> None:
     layout = motion.MotionLayout(1, 10.0, (*lanes,), np.zeros(0, np.int64), 0, spatial=False)
     assert set(layout.variables) == {"motion_count"}
     assert lanes[0].count == 100
+
+
+def test_a_long_run_that_is_only_watched_has_fewer_rows(monkeypatch: pytest.MonkeyPatch) -> None:
+    planned = scenario("en50318-ac-simple-320-planar")
+    found = arcless.statics(planned).equilibrium
+    short = motion.layout_of(found, planned)
+    monkeypatch.setattr(motion, "LONG", 10)
+    assert motion.layout_of(found, planned).every == 2 * short.every
+    # What is recorded is as it was asked for, and the size that is told is of that.
+    asked = planned.with_(**{"output.motion": True})
+    assert motion.layout_of(found, asked).every == short.every
+    assert motion_bytes(planned, found) == motion_bytes(asked, found)
