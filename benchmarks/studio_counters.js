@@ -47,10 +47,11 @@
       const is = state(n);
       if (all === drawn || is === before) continue;
       [drawn, before] = [all, is];
-      if (now >= begin) times.push(now);
+      times.push(now);
     }
-    const apart = times.slice(1).map((time, n) => time - times[n]);
-    return { rate: (1000 * times.length) / ms, longest: Math.max(0, ...apart) };
+    const counted = times.filter((time) => time >= begin);
+    const apart = counted.slice(1).map((time, n) => time - counted[n]);
+    return { rate: (1000 * counted.length) / ms, longest: Math.max(0, ...apart), all: times.length };
   }
 
   /** Time of the run that is shown, s. */
@@ -133,6 +134,8 @@
     if (kind === "zoom") {
       return (n) => over.dispatchEvent(new WheelEvent("wheel", { ...place, ctrlKey: true, deltaY: n % 120 < 60 ? -50 : 50 }));
     }
+    // Of all of it nothing is left to be moved to.
+    for (let n = 0; n < 30; n++) over.dispatchEvent(new WheelEvent("wheel", { ...place, ctrlKey: true, deltaY: -50 }));
     const step = (type, x) => new PointerEvent(type, { ...place, clientX: place.clientX + x, shiftKey: true, button: 0, buttons: 1, pointerId: 1 });
     return (n) => over.dispatchEvent(step(n === 0 ? "pointerdown" : "pointermove", 0.25 * width * Math.sin(n / 10)));
   }

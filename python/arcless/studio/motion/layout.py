@@ -221,7 +221,13 @@ def pantograph_channels(pantographs: Sequence[tuple[str, int]]) -> list[Channel]
 
 
 def in_order(channel: int, time_s: float, numbers: Any, values: Any) -> Iterator[Piece]:
-    """Yield pieces of values whose numbers are neighbours: those along the track need not be."""
+    """Yield pieces of values whose numbers are neighbours, which those along the track need not be.
+
+    Where tension lengths overlap, droppers of both alternate: cut where they stand, each would be a
+    message of its own.
+    """
+    order = np.argsort(numbers)
+    numbers, values = np.asarray(numbers)[order], np.asarray(values)[order]
     cuts = [0, *np.flatnonzero(np.diff(numbers) != 1) + 1, len(numbers)]
     for begin, end in pairwise(cuts):
         if end > begin:

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from arcless.studio.motion.layout import LineMotion, RowLayout, WirePart
+from arcless.studio.motion.layout import LineMotion, RowLayout, WirePart, in_order
 
 # Contact wires of 6, 4 and 5 nodes: the first and the last share a lane. Stitch wires of 3 nodes,
 # all of them in one lane. Values of a row are the number of the node among those of its kind.
@@ -94,12 +94,15 @@ def test_stitch_wires_are_told_apart() -> None:
 
 
 def test_droppers_have_their_own_numbers() -> None:
-    assert told(row_of([0, 0, 0]))["droppers"] == [(0, [0.0, 1.0]), (3, [3.0]), (2, [2.0])]
-    assert told(row_of([0, 0, 0], 1))["droppers"] == [
-        (1, [1.0]),
-        (3, [3.0]),
-        (2, [2.0]),
-        (4, [4.0]),
+    assert told(row_of([0, 0, 0]))["droppers"] == [(0, [0.0, 1.0, 2.0, 3.0])]
+    assert told(row_of([0, 0, 0], 1))["droppers"] == [(1, [1.0, 2.0, 3.0, 4.0])]
+
+
+def test_droppers_that_alternate_in_an_overlap_are_one_piece_of_each_tension_length() -> None:
+    pieces = list(in_order(6, 1.5, np.array([7, 20, 8, 21, 9]), np.array([70, 200, 80, 210, 90])))
+    assert [(one.first, one.values.tolist()) for one in pieces] == [
+        (7, [70, 80, 90]),
+        (20, [200, 210]),
     ]
 
 
