@@ -24,6 +24,7 @@ from benchmarks import (
     side_by_side,
     speeds,
     studies,
+    studio,
     whole_runs,
 )
 from benchmarks.tables import put, table
@@ -46,6 +47,8 @@ PARTS: dict[str, Callable[[], str]] = {
     "speeds": lambda: table(speeds.HEAD, list(speeds.rows())),
     "loop": lambda: table(realtime.HEAD, list(realtime.rows())),
     "sides": lambda: table(side_by_side.HEAD, side_by_side.rows(say)),
+    "studio": lambda: table(studio.HEAD, list(studio.rows(say))),
+    "studio-long": lambda: table(studio.HEAD, list(studio.long_rows(say))),
     "accuracy": lambda: table(accuracy.HEAD, accuracy.rows()),
 }
 

@@ -56,8 +56,17 @@
 
   /** Time of the run that is shown, s. */
   const shownTime = () => document.querySelector(".transport input[type=range]")?.value;
-  /** Play again from the start where the run ends. */
-  const goOn = () => document.querySelector(".transport button[aria-label=Play]")?.click();
+
+  /** Play, if the clock does not go on already. */
+  const play = () => document.querySelector(".transport button[aria-label=Play]")?.click();
+
+  /** Bring a figure into view, and give it a name to find it by. */
+  function mark(title) {
+    const all = [...document.querySelectorAll("figure.chart")];
+    const found = all.find((one) => one.querySelector("h4").textContent === title);
+    found.dataset.measured = "";
+    found.scrollIntoView();
+  }
 
   /** A small copy of what a canvas shows, as a text. */
   const small = Object.assign(document.createElement("canvas"), { width: 350, height: 120 });
@@ -140,5 +149,5 @@
     return (n) => over.dispatchEvent(step(n === 0 ? "pointerdown" : "pointermove", 0.25 * width * Math.sin(n / 10)));
   }
 
-  window.measured = { asked, follows, full, gesture, goOn, pictures, shownTime, slide };
+  window.measured = { asked, follows, full, gesture, mark, pictures, play, shownTime, slide };
 })();

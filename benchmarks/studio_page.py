@@ -1,55 +1,75 @@
 """The page of the studio in Chromium without a GPU: pictures drawn in a second, and times in ms.
 
 A picture counts where a view cleared its canvas and shows another time, or another range, than in
-the frame before (studio_counters.js); frames in which the page drew nothing new do not.
+the frame before (studio_counters.js). Playwright is told of each message of the stream, which costs
+the browser more than it costs that of a user.
 """
 
 import json
 import shutil
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 from statistics import median
-from typing import Any
 
-from benchmarks.clock import REPEATS
-from benchmarks.watched_runs import LONG
 from tests.browser.browser import Browser
 from tests.studio.studio import Studio, Window
-from tests.support.long_run import write as write_long
+from tests.support.long_run import write as write_samples
 
 import arcless
+from benchmarks.clock import REPEATS
+from benchmarks.limits import least, most
+from benchmarks.processes import processor
+from benchmarks.watched_runs import LONG
 
 COUNTERS = Path(__file__).with_name("studio_counters.js").read_text("utf-8")
-MODELS = Path(arcless.__file__).parent / "models"
-# That of the first screen, in the plane, and a line in space with stagger and steady arms.
+LINES = Path(arcless.__file__).parent / "models" / "lines"
+# The scenario of the first screen, in the plane; and one in space, with stagger and steady arms.
 FIRST_DAY, IN_SPACE = "en50318-ac-simple-320-planar", "en50318-ac-simple-320"
+# Their lines: 20 spans of 55 m.
+EDITED = (("ac-simple-55", "planar"), ("ac-simple-55-3d", "in space"))
 SIDE, SPACE = ".line-view.side canvas", ".space canvas"
-# Each is counted for so many ms: shorter, one pause of the machine decides; longer, the replay ends.
-COUNTED_MS = 5000
+# ms for which pictures and answers are counted. Shorter, one pause of the machine decides; longer,
+# the replay of 11 s ends.
+COUNTED = 5000
 KEYS = 20
+# ms for what takes seconds on a machine that does much else.
+PATIENCE = 60_000
+# After a key, ms: the line in full resolution is asked for when keys rest, and then saved.
+REST = 700
 # Natural frequencies come last, when a slider rests.
 RESTS = "document.querySelector('.statics > .numbers').innerText.includes('Hz')"
-# In ms, for what takes seconds on a machine that does much else.
-PATIENCE = 60_000
+Lines = Iterator[list[str]]
 
 
-class Row(list[str]):
-    """A line of the table: what, the limit, what was reached, whether that meets it, and more."""
+@dataclass(frozen=True)
+class Bench:
+    """A browser, and a server on a folder that `prepare` made."""
 
-    def __init__(self, what: str, limit: str, reached: float, met: bool, unit: str, more: str = "") -> None:
-        text = f"{reached:.3g}" if abs(reached) < 100.0 else f"{reached:.0f}"
-        super().__init__([what, limit, f"{text} {unit}".strip(), "yes" if met else "**no**", more])
+    browser: Browser
+    server: Studio
 
+    @contextmanager
+    def window(self) -> Iterator[Window]:
+        """Return a window of 1400 × 900 in which pictures are counted."""
+        page = self.server.open(before=COUNTERS)
+        yield page
+        # Drawing in software tells, whenever a picture is read, that it took a while.
+        page.close(allowed="ReadPixels")
 
-def most(what: str, limit: float, reached: float, unit: str, more: str = "") -> Row:
-    """Return the row of a number that must not be above its limit."""
-    return Row(what, f"≤ {limit:g} {unit}".strip(), reached, reached <= limit, unit, more)
-
-
-def least(what: str, limit: float, reached: float, unit: str, more: str = "") -> Row:
-    """Return the row of a number that must not be below its limit."""
-    return Row(what, f"≥ {limit:g} {unit}".strip(), reached, reached >= limit, unit, more)
+    def pictures(
+        self, page: Window, what: str, limit: float, canvas: str, act: str = "undefined"
+    ) -> list[str]:
+        """Count pictures of a canvas: of a run that plays, or of a figure while `act` is done."""
+        state = "measured.shownTime" if act == "undefined" else "undefined"
+        if act == "undefined":
+            page.js("measured.play()")
+        before = processor(self.browser.processes)
+        found = page.js(f"measured.pictures({json.dumps(canvas)}, {COUNTED}, {state}, {act})")
+        each = (processor(self.browser.processes) - before) / max(found["all"], 1)
+        more = f"{1e3 * each:.0f} ms of the processor each; {found['longest']:.0f} ms the longest"
+        return least(what, limit, found["rate"], "pictures/s", f"{more} between two")
 
 
 def prepare(folder: Path) -> Path:
@@ -58,172 +78,147 @@ def prepare(folder: Path) -> Path:
         place = folder / "runs" / name
         place.mkdir(parents=True)
         arcless.run(arcless.load(name).with_(**{"output.motion": True})).save(place / "result.nc")
-    write_long(folder)
-    for name in ("ac-simple-55", "ac-simple-55-3d"):
-        shutil.copy(MODELS / "lines" / f"{name}.yaml", folder)
-    for file in LONG:
+    write_samples(folder)
+    for file in (*(LINES / f"{name}.yaml" for name, _ in EDITED), *LONG):
         shutil.copy(file, folder)
     return folder
 
 
-@contextmanager
-def window(server: Studio, **more: Any) -> Iterator[Window]:
-    """Return a window of 1400 × 900 whose pictures are counted."""
-    page = server.open(before=COUNTERS, **more)
-    yield page
-    # Drawing in software tells, whenever a picture is read, that it took a while.
-    page.close(allowed="ReadPixels")
-
-
-def first_paint(server: Studio) -> Row:
+def first_paint(bench: Bench) -> Lines:
     """Measure the first paint of a page that nothing is kept of, by a server that is up."""
+    paint = "performance.getEntriesByName('first-contentful-paint')"
     found = []
     for _ in range(REPEATS):
-        with window(server) as page:
-            page.until("performance.getEntriesByName('first-contentful-paint').length")
+        with bench.window() as page:
+            page.until(f"{paint}.length")
             page.wait(".run-entry")
-            found.append(page.js(
-                "[performance.getEntriesByName('first-contentful-paint')[0].startTime,"
-                " performance.now()]"
-            ))  # fmt: skip
+            found.append(page.js(f"[{paint}[0].startTime, performance.now()]"))
     paints, lists = zip(*found, strict=True)
-    more = f"largest of {REPEATS}: {max(paints):.0f} ms; the runs of the folder are listed after {median(lists):.0f} ms"
-    return most("first paint", 500, median(paints), "ms", more)
+    more = f"{max(paints):.0f} ms the longest of {REPEATS}; the folder is listed after"
+    yield most("first paint", 500, median(paints), "ms", f"{more} {median(lists):.0f} ms")
 
 
-def keystroke(server: Studio) -> list[Row]:
-    """Measure from a key in the text of a line of 20 spans to the picture of the new line."""
-    rows = []
-    for name, title in (("ac-simple-55", "planar"), ("ac-simple-55-3d", "in space")):
-        with window(server) as page:
+def keystroke(bench: Bench) -> Lines:
+    """Measure from a key in the text of a line to the picture of the new line."""
+    for name, title in EDITED:
+        with bench.window() as page:
             edit(page, name)
             page.click('.faces >> role=button[name="YAML"]')
             page.click(".yaml .cm-content")
             page.press("Control+Home", "Control+f")
             page.type("encumbrance: {value: 1.2")
             page.press("Enter", "Escape", "ArrowRight")
-            # The first one has processes started, and is no typing.
+            # The first two have processes started, and are no typing.
             found = [_key(page, "Backspace" if n % 2 else "5") for n in range(KEYS + 2)][2:]
-        times = sorted(one["all"] for one in found)
-        answers = median(one["answer"] for one in found)
-        more = f"largest of {KEYS}: {times[-1]:.0f} ms; of the median the answer is {answers:.0f} ms"
-        rows.append(most(f"key in the text → line drawn, 20 spans {title}", 100, median(times), "ms", more))
-    return rows
+        times, answers = ([one[of] for one in found] for of in ("all", "answer"))
+        more = f"{max(times):.0f} ms the longest of {KEYS}; the server takes"
+        what = f"key in the text to line drawn, 20 spans {title}"
+        yield most(what, 100, median(times), "ms", f"{more} {median(answers):.0f} ms")
 
 
 def _key(page: Window, key: str) -> dict[str, float]:
     page.js(f"void (window.following = measured.follows({json.dumps(SIDE)}))")
     page.press(key)
     found: dict[str, float] = page.js("window.following")
-    page.js("new Promise((on) => setTimeout(on, 500))")  # the line in full resolution follows
+    page.js(f"new Promise((on) => setTimeout(on, {REST}))")
     return found
 
 
 def edit(page: Window, name: str) -> None:
     """Open a line and wait for its drawing."""
     page.click(f'nav >> text="{name}" >> nth=0')
-    page.until(f"/20 spans/.test(document.querySelector('{SIDE}')?.getAttribute('aria-label') ?? '')")
+    label = f"document.querySelector('{SIDE}')?.getAttribute('aria-label') ?? ''"
+    page.until(f"/20 spans/.test({label})")
 
 
-def statics(server: Studio) -> list[Row]:
+def statics(bench: Bench) -> Lines:
     """Count how often a second other numbers are seen while a slider moves."""
-    rows = []
-    for name, title in (("ac-simple-55", "planar"), ("ac-simple-55-3d", "in space")):
-        with window(server) as page:
+    for name, title in EDITED:
+        with bench.window() as page:
             edit(page, name)
             page.click("role=tab[name=Statics]")
-            slider = "#slider-contact_wire\\\\.tension"
             page.wait("main input[type=range]")
             page.wait(".statics table")
             page.until(RESTS, PATIENCE)
-            found = page.js(f"measured.slide('{slider}', {COUNTED_MS})")
+            slider = json.dumps("#slider-contact_wire\\.tension")
+            found = page.js(f"measured.slide({slider}, {COUNTED})")
             page.until(RESTS, PATIENCE)
-            full = page.js(f"measured.full('contact_wire.tension', 'kN', 22, {COUNTED_MS})")
+            full = page.js(f"measured.full('contact_wire.tension', 'kN', 22, {COUNTED})")
         coarse = f"{100 * found['coarse']:.0f} % of them on coarse elements"
-        more = f"{coarse}; the server alone, in full resolution: {full:.1f} a second"
-        rows.append(least(f"statics while a slider moves, 20 spans {title}", 10, found["rate"], "a second", more))
-    return rows
+        more = f"{coarse}; without drawing, on fine elements: {full:.1f} answers/s"
+        what = f"statics while a slider moves, 20 spans {title}"
+        yield least(what, 10, found["rate"], "answers/s", more)
 
 
-def replay(server: Studio) -> list[Row]:
-    """Count pictures of the player: side view and 3-D, a stored run, and beside one that steps."""
-    rows = []
-    for name, title in ((FIRST_DAY, "planar"), (IN_SPACE, "in space")):
-        with window(server) as page:
-            play(page, name)
-            rows.append(pictures(page, SIDE, f"side view, replay {title}", 50))
-    with window(server) as page:
-        play(page, IN_SPACE)
-        page.click('role=tab[name="3-D"]')
-        page.wait(SPACE)
-        rows.append(pictures(page, SPACE, "3-D, replay", 25))
-    with window(server) as page:
-        play(page, IN_SPACE)
-        page.click('role=tab[name="3-D"]')
-        page.wait(SPACE)
-        with stepping(page):
-            rows.append(pictures(page, SPACE, "3-D, replay beside a run that steps", 15))
-    with window(server) as page:
-        page("selectOption", ".run-bar .scenario select", LONG[0].name)
-        page.click(".run-bar button.run")
-        page.wait(".transport .live", patience=PATIENCE)
-        page.click('role=tab[name="3-D"]')
-        page.wait(SPACE)
-        rows.append(pictures(page, SPACE, "3-D of the run that steps, at its newest time", 15))
-        page.click("role=tab[name=Line]")
-        rows.append(pictures(page, SIDE, "side view of the run that steps", 50))
-        page.click(".running >> text=Cancel")
-        page.wait(".running", "hidden", PATIENCE)
-    return rows
-
-
-def play(page: Window, run: str) -> None:
-    """Open a run and wait for its first picture."""
-    page.click(f'.run-entry:has(input[aria-label="Overlay runs/{run}"]) .name')
-    page.wait(".transport")
-    page.until("measured.shownTime() !== undefined")
-    page.until("/\\d m ·/.test(document.querySelector('.transport .where').textContent)")
-
-
-def pictures(page: Window, view: str, what: str, limit: float) -> Row:
-    """Count the pictures of a view while it plays."""
-    page.js("measured.goOn()")
-    found = page.js(f"measured.pictures({json.dumps(view)}, {COUNTED_MS}, measured.shownTime)")
-    more = f"longest between two: {found['longest']:.0f} ms"
-    return least(f"{what}: pictures", limit, found["rate"], "a second", more)
+def replay(bench: Bench) -> Lines:
+    """Count pictures of stored runs: side view and 3-D, alone and beside a run that steps."""
+    for run, title in ((FIRST_DAY, "planar"), (IN_SPACE, "in space")):
+        with played(bench, run) as page:
+            yield bench.pictures(page, f"side view, replay {title}", 50, SIDE)
+    with played(bench, IN_SPACE) as page:
+        space(page)
+        yield bench.pictures(page, "3-D, replay", 25, SPACE)
+    with played(bench, IN_SPACE) as page:
+        space(page)
+        order = {"scenario": LONG[0].name, "changes": {}, "record_motion": False}
+        given = {
+            "method": "POST", "body": json.dumps(order | {"keep_both": True}),
+            "headers": {"Content-Type": "application/json"},
+        }  # fmt: skip
+        page.js(f"fetch('api/runs', {json.dumps(given)}).then((one) => one.json())")
+        page.wait(".running >> text=stepping", patience=PATIENCE)
+        yield bench.pictures(page, "3-D, replay beside a run that steps", 15, SPACE)
+        cancel(page)
 
 
 @contextmanager
-def stepping(page: Window) -> Iterator[None]:
-    """Have a run of 50 km step, without a window that follows it."""
-    order = {"scenario": LONG[0].name, "changes": {}, "record_motion": False, "keep_both": True}
-    given = {"method": "POST", "body": json.dumps(order), "headers": {"Content-Type": "application/json"}}
-    page.js(f"fetch('api/runs', {json.dumps(given)}).then((one) => one.json())")
-    page.until("/^0*[1-9]/.test(document.querySelector('.running .numbers')?.innerText ?? '')", PATIENCE)
-    yield
+def played(bench: Bench, run: str) -> Iterator[Window]:
+    """Return a window in which a run is open, drawn from the side."""
+    with bench.window() as page:
+        page.click(f'.run-entry:has(input[aria-label="Overlay runs/{run}"]) .name')
+        page.until("/\\d m ·/.test(document.querySelector('.transport .where')?.textContent ?? '')")
+        yield page
+
+
+def space(page: Window) -> None:
+    """Show the line in space."""
+    page.click('role=tab[name="3-D"]')
+    page.wait(SPACE)
+
+
+def cancel(page: Window) -> None:
+    """Cancel the run that steps."""
     page.click(".running >> text=Cancel")
     page.wait(".running", "hidden", PATIENCE)
 
 
-def charts(server: Studio) -> list[Row]:
+def live(bench: Bench) -> Lines:
+    """Count pictures of a run of 50 km while it steps, at its newest time."""
+    with bench.window() as page:
+        page("selectOption", ".run-bar .scenario select", LONG[0].name)
+        page.click(".run-bar button.run")
+        page.wait(".transport .live", patience=PATIENCE)
+        yield bench.pictures(page, "side view of a run that steps, 50 km", 50, SIDE)
+        space(page)
+        yield bench.pictures(page, "3-D of a run that steps, 50 km", 15, SPACE)
+        cancel(page)
+
+
+def charts(bench: Bench) -> Lines:
     """Count pictures of a figure of a million samples while it is zoomed and moved."""
-    chart = 'figure.chart[data-measured]'
-    with window(server) as page:
+    chart, title = "figure.chart[data-measured]", "Contact force"
+    with bench.window() as page:
         page("check", 'input[aria-label="Overlay runs/long"]')
         page.click("role=tab[name=Results]")
-        page.wait('figure.chart h4:text-is("Contact force")', "attached", PATIENCE)
-        page.js(
-            "(() => { const found = [...document.querySelectorAll('figure.chart')].find((one) =>"
-            " one.querySelector('h4').textContent === 'Contact force');"
-            " found.dataset.measured = ''; found.scrollIntoView(); })()"
-        )
+        page.wait(f'figure.chart h4:text-is("{title}")', "attached", PATIENCE)
+        page.js(f"measured.mark('{title}')")
         page.wait(f"{chart} canvas", patience=PATIENCE)
-        rows = []
-        for kind, title in (("zoom", "zoomed in and out"), ("move", "moved")):
-            found = page.js(
-                f"measured.pictures('{chart} canvas', {COUNTED_MS}, undefined,"
-                f" measured.gesture('{chart}', '{kind}'))"
-            )
-            more = f"longest between two: {found['longest']:.0f} ms"
-            rows.append(least(f"force of 10⁶ samples {title}: pictures", 50, found["rate"], "a second", more))
-    return rows
+        for kind, done in (("zoom", "zoomed in and out"), ("move", "moved to and fro")):
+            act = f"measured.gesture('{chart}', '{kind}')"
+            what = f"force of 10⁶ samples, {done}"
+            yield bench.pictures(page, what, 50, f"{chart} canvas", act)
+
+
+MEASURES: tuple[Callable[[Bench], Lines], ...] = (
+    first_paint, keystroke, statics, replay, live, charts,
+)  # fmt: skip

@@ -26,7 +26,7 @@ TURN_S = 2e-4
 
 @dataclass(frozen=True)
 class Took:
-    """Times in s: of the processor for the thread that steps and for all threads, and of the steps."""
+    """Times in s: of the processor, for the thread that steps and for all; of the steps, wall."""
 
     thread: float
     process: float

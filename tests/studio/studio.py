@@ -52,6 +52,11 @@ class Studio:
         assert self.address.startswith("http://"), "the studio printed no address"
 
     @property
+    def process(self) -> int:
+        """Number of the server's process."""
+        return self._process.pid
+
+    @property
     def port(self) -> int:
         """Port that the server listens on."""
         return int(self.address.split(":")[2].split("/")[0])
