@@ -98,8 +98,10 @@ lint: build ## check format, lints and types, and that no lock file or local pat
 	test "$$path" = / || ! git grep -nIF -e "$$path/" -- 2>/dev/null \
 	|| { echo 'make lint: a tracked file names a path of this machine'; exit 1; }; done
 
-# One core, as its tables say: NumPy's library would take all for a product.
+# One core, as its tables say: NumPy's library would take all for a product. The studio is measured
+# with the page of these sources.
 bench: build ## measure speed and accuracy; PARTS="sides runs" for some, PAGE=yes for docs/performance.md
+	$(if $(or $(if $(PARTS),,all),$(findstring studio,$(PARTS))),@$(BIN)/python -m page.build --where-possible)
 	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(WITH_PEERS) -m benchmarks.run $(PARTS) $(if $(PAGE),--page)
 
 counts: ## count the instructions of a step under valgrind; RENEW=1 stores them

@@ -13,6 +13,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from page.build import BUILT
 from tests.browser import tools
 from tests.browser.browser import Browser
 from tests.studio.studio import Studio, Window
@@ -46,6 +47,7 @@ def rows(say: Say) -> Iterator[list[str]]:
     with chromium(say) as browser, TemporaryDirectory() as place:
         if browser is None:
             return
+        yield busy()
         say("studio: making runs")
         folder = prepare(Path(place) / "railway")
         with Studio(browser, folder) as server:
@@ -64,6 +66,7 @@ def long_rows(say: Say) -> Iterator[list[str]]:
     with chromium(say) as browser, TemporaryDirectory() as place:
         if browser is None:
             return
+        yield busy()
         say("studio: runs of 50 km, watched and recorded")
         alone = rounds(None, LONG_ROUNDS)
         yield from slowed("50 km", alone)
@@ -72,10 +75,19 @@ def long_rows(say: Say) -> Iterator[list[str]]:
         yield from to_the_end(browser, Path(place), recorded)
 
 
+def busy() -> list[str]:
+    """Return how busy the machine is before anything is measured: rates are of a quiet one."""
+    what = "programs that wanted to run before, on average"
+    return told(what, os.getloadavg()[0], f"for {os.cpu_count()} cores")
+
+
 @contextmanager
 def chromium(say: Say) -> Iterator[Browser | None]:
     """Return the browser, or None where it or what drives it is missing."""
-    if sentence := tools.missing():
+    sentence = tools.missing() or (
+        "" if (BUILT / "index.html").is_file() else "no page: `make page`"
+    )
+    if sentence:
         say(f"studio: left out: {sentence}")
         yield None
         return

@@ -41,6 +41,7 @@ REST = 700
 # Natural frequencies come last, when a slider rests.
 RESTS = "document.querySelector('.statics > .numbers').innerText.includes('Hz')"
 Lines = Iterator[list[str]]
+Measure = Callable[["Bench"], Lines]
 
 
 @dataclass(frozen=True)
@@ -219,6 +220,6 @@ def charts(bench: Bench) -> Lines:
             yield bench.pictures(page, what, 50, f"{chart} canvas", act)
 
 
-MEASURES: tuple[Callable[[Bench], Lines], ...] = (
+MEASURES: tuple[Measure, ...] = (
     first_paint, keystroke, statics, replay, live, charts,
 )  # fmt: skip

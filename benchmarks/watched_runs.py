@@ -61,7 +61,7 @@ def take(way: str, spans: int | None) -> Took:
             result = simulate.run(scenario, to=to)
         if to is None:
             result.save(file)
-        process, thread = time.process_time() - process, time.thread_time() - thread
+        thread, process = time.thread_time() - thread, time.process_time() - process
         return Took(thread, process, result.metadata["wall_time_s"])
 
 

@@ -1,10 +1,11 @@
 """Programs of benchmarks/: the same model is compared, what was measured is printed."""
 
+import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
-from benchmarks import kernels, studies, tables
+from benchmarks import kernels, limits, studies, tables, watched_runs
 from benchmarks.accuracy import finer
 from benchmarks.floor import floor
 from benchmarks.plain_scipy import Plain
@@ -54,6 +55,34 @@ def test_a_study_is_measured_in_its_parts() -> None:
     assert took.rate > 0.0
     assert 0.0 < took.core < took.processor
     assert 0.0 < took.kept < took.python
+
+
+def test_a_number_is_compared_with_its_limit() -> None:
+    assert limits.most("a", 100, 100.4, "ms") == ["a", "≤ 100 ms", "100 ms", "**no**", ""]
+    assert limits.most("a", 500, 44.44, "ms") == ["a", "≤ 500 ms", "44.4 ms", "yes", ""]
+    assert limits.least("a", 50, 60.0, "/s", "b") == ["a", "≥ 50 /s", "60 /s", "yes", "b"]
+    assert limits.least("a", 50, 49.9, "/s")[3] == "**no**"
+    assert limits.told("a", 1234.5, "s") == ["a", "", "1234 s", "", ""]
+
+
+def test_runs_are_compared_within_their_round() -> None:
+    took = [
+        {"alone": watched_runs.Took(s, s, s), "watched": watched_runs.Took(r * s, 2 * s, s)}
+        for s, r in ((1.0, 1.1), (10.0, 1.0), (3.0, 1.3))
+    ]
+    assert watched_runs.ratios(took, "watched", "thread") == pytest.approx((1.1, 1.0, 1.3))
+    assert watched_runs.ratios(took, "watched", "process") == (2.0, 2.0, 2.0)
+
+
+@pytest.mark.parametrize("way", watched_runs.WAYS)
+def test_a_run_is_measured_in_each_way(way: str) -> None:
+    before = sys.getswitchinterval()
+    try:
+        took = watched_runs.take(way, 26)
+    finally:
+        sys.setswitchinterval(before)
+    assert 0.0 < took.thread <= took.process
+    assert took.steps > 0.0
 
 
 def test_floor_of_one_block() -> None:
