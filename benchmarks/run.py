@@ -1,12 +1,12 @@
 """All benchmarks, or some of them, as tables.
 
-    make bench                              everything; some minutes
+    make bench                              everything; of it ten minutes for the studio
     make bench PARTS="sides accuracy"       some parts
     make bench PAGE=yes                     and write the tables into docs/performance.md
 
 Times are processor times, medians of five, taken in turn where runs are compared: what other
 programs on the machine take is left out, but not what they take of caches and clock rate. Compare
-lines of one output only. Counts repeat exactly.
+lines of one output only. Counts repeat exactly. Rates and times of the studio are of the clock.
 """
 
 import argparse
