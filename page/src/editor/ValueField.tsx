@@ -1,9 +1,10 @@
 /** One value of the form: as typed, its unit, and what the field is. */
-import { useSignal } from "@preact/signals";
+import { computed, useSignal } from "@preact/signals";
 import { complain } from "../shell/messages.ts";
 import { selected } from "../state/selection.ts";
+import { VaryButton } from "../studies/VaryButton.tsx";
 import { findings } from "./checking.ts";
-import { writable } from "./documents.ts";
+import { kind, writable } from "./documents.ts";
 import { amount, inUnit, parts, type FormField } from "./formData.ts";
 import { patch, type Value } from "./patch.ts";
 
@@ -26,6 +27,9 @@ export function limitsOf({ minimum, maximum, unit }: FormField): string {
   ].filter(Boolean);
   return told.length ? `${told.join(" ")}${unit ? ` ${unit}` : ""}` : "";
 }
+
+/** Studies vary scenarios, and what is in them. */
+export const canVary = computed(() => kind.value !== "study");
 
 export function ValueField({ own }: { own: FormField }) {
   const typing = useSignal<string | null>(null);
@@ -87,6 +91,7 @@ export function ValueField({ own }: { own: FormField }) {
           />
         )}
         <Unit own={own} unit={unit} disabled={disabled || number === ""} />
+        {typeof own.value === "number" && canVary.value && <VaryButton field={own.field} label={own.label} />}
       </span>
       <About own={own} problems={problems} />
     </>

@@ -4,7 +4,7 @@ import { ask, newest, type Complaint } from "../connection/http.ts";
 import { complain } from "../shell/messages.ts";
 import { project, readProject } from "../state/project.ts";
 import { subject } from "../state/subject.ts";
-import { definition, fields, fileOf, name, scenario, varied, vary, type Fields } from "./defining.ts";
+import { definition, fields, fileOf, freeName, name, scenario, varied, vary, type Fields } from "./defining.ts";
 import { openStudy } from "./open.ts";
 import { wanted } from "./vary.ts";
 
@@ -13,12 +13,18 @@ interface Text {
   /** null where it is wrong. */
   count: number | null;
   errors: Complaint[];
+  /** Whether a file of that name has another text. */
+  changes: boolean;
+  /** Whether a study of that name has rows already: of what is asked here, or of something else. */
+  begun: "same" | "other" | null;
 }
 
 /** After the last change, in ms. */
 const ASK_AFTER = 150;
 
 export const told = signal<Text | null>(null);
+/** The definition that it is told of. */
+export const toldOf = signal<typeof definition.value>(null);
 export const saving = signal(false);
 
 /** A scenario as a study file in the project's folder names it. */
@@ -41,19 +47,29 @@ async function before(path: string, signal?: AbortSignal): Promise<FileText | nu
   return ask<FileText>("file", { query: { path }, ...(signal ? { signal } : {}) });
 }
 
+/** A name for a study that none has, and no file. */
+export function anotherName(wanted: string): string {
+  const view = project.peek();
+  const files = (view?.models ?? []).map(({ path }) => path.replace(/\.ya?ml$/, ""));
+  const begun = (view?.studies ?? []).flatMap((one) => [one.name, one.path.replace(/^.*\//, "")]);
+  return freeName(wanted, [...files, ...(view?.models ?? []).filter(({ kind }) => kind === "study").map((one) => one.name), ...begun]);
+}
+
 /** Follow the scenario that is chosen, and what is defined; the returned function ends it. */
 export function followDefinition(): () => void {
   let timer: ReturnType<typeof setTimeout> | undefined;
   const ends = [
     effect(() => {
       const path = subject.value;
-      if (path === null || (scenario.peek() === named(path) && fields.peek())) return;
+      if (path === null) return;
       askFields(path).then((found) => {
         if (!found) return;
-        scenario.value = named(path);
+        const isAnother = scenario.peek() !== named(path);
         fields.value = found;
+        if (!isAnother) return;
+        scenario.value = named(path);
         varied.value = [];
-        name.value = `${found.name}-study`;
+        name.value = anotherName(`${found.name}-study`);
       }, complain);
     }),
     effect(() => {
@@ -63,7 +79,11 @@ export function followDefinition(): () => void {
         told.value = null;
         return;
       }
-      timer = setTimeout(() => void askText(given).then((found) => found && (told.value = found), complain), ASK_AFTER);
+      timer = setTimeout(() => void askText(given).then((found) => {
+        if (!found) return;
+        told.value = found;
+        toldOf.value = given;
+      }, complain), ASK_AFTER);
     }),
     effect(() => {
       const found = fields.value;
@@ -81,20 +101,23 @@ export function followDefinition(): () => void {
   };
 }
 
-/** Save the study file; start it if that is wanted. */
-export async function save(start: boolean): Promise<void> {
+/** Save the study file; start it if that is wanted. A study that was begun with other values keeps its name. */
+export async function save(start: boolean): Promise<boolean> {
+  if (told.peek()?.begun === "other") name.value = anotherName(name.peek());
   const given = definition.peek();
-  if (!given || saving.peek()) return;
+  if (!given || saving.peek()) return false;
   saving.value = true;
   try {
     const path = fileOf(given.name);
     const old = await before(path);
-    const { text } = await ask<Text>("studies/text", { body: { path, definition: given, text: old?.text ?? null } });
-    await ask("file", { method: "PUT", body: { path, text, version: old?.version ?? null } });
-    if (start) await run(path);
+    const { text, begun } = await ask<Text>("studies/text", { body: { path, definition: given, text: old?.text ?? null } });
+    if (text !== old?.text) await ask("file", { method: "PUT", body: { path, text, version: old?.version ?? null } });
+    if (start) await run(path, { resume: begun === "same" });
     await readProject();
+    return true;
   } catch (error) {
     complain(error);
+    return false;
   } finally {
     saving.value = false;
   }

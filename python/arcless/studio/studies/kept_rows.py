@@ -20,7 +20,7 @@ from arcless.study.folder.table import unit_of_output
 from arcless.study.journal.journal import is_locked
 from arcless.study.journal.row import Row
 from arcless.study.optimisation.optimise import Optimise
-from arcless.study.report.data.record import pantograph_of, quantity_of
+from arcless.study.report.data.record import decimals_of, pantograph_of, quantity_of
 
 # Ranges of missing variants that are read one by one; with more of them all is read at once, which
 # is quicker than many small questions.
@@ -158,6 +158,7 @@ def definition(place: study.StudyFolder) -> dict[str, Any]:
         "outputs": [
             {"name": name, "expression": output.expression, "unit": unit_of_output(asked, name),
              "label": quantity_of(output.expression) or name, "of": pantograph_of(asked, name),
+             "decimals": decimals_of(output.expression),
              "description": output.description, "objective": objectives.get(name),
              "bounds": bounds.get(name)}
             for name, output in asked.outputs.items()

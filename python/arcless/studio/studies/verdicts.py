@@ -25,7 +25,7 @@ class RowCriterion:
     output
         Name of the output that has its value; None for a value that the scenario alone has.
     relation
-        Of value to limit, ``"<="``, ``">="`` or ``">"``; empty where the output is the verdict itself.
+        Of value to limit, ``"<="``, ``">="`` or ``">"``; empty where the output is the verdict.
     tolerance
         Distance that a value may lie beyond its limit, in the unit of the output.
     source

@@ -105,7 +105,9 @@ def _limited(
     ]  # fmt: skip
 
 
-def _margin(record: RowColumns, output: Column, name: str, scenes: Sequence[Scene | None]) -> Judged:
+def _margin(
+    record: RowColumns, output: Column, name: str, scenes: Sequence[Scene | None]
+) -> Judged:
     """Return a criterion whose margin is an output: it has the tolerance of the limit in it."""
     rules = CriterionRules.of(record, name, scenes)
     relation = rules.first.relation.replace("<", ">")

@@ -170,6 +170,12 @@ def quantity_of(expression: str) -> str:
     return label_of(quantity) if quantity in QUANTITIES else ""
 
 
+def decimals_of(expression: str) -> int | None:
+    """Return the decimals of the assessed quantity that an output is; None where it has none."""
+    known = QUANTITIES.get(expression.strip().rpartition(".")[2])
+    return None if known is None or known.decimals < 0 else known.decimals
+
+
 def pantograph_of(study: Study, output: str) -> str:
     """Return the pantographs that an output is of, in words; empty of one alone, or of none."""
     names = [placed.name for placed in study.base.pantographs]
