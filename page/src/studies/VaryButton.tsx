@@ -1,12 +1,9 @@
 /** A button beside a number of a model: the field is varied in the study that is being defined, or no more. */
 import { leave, varied } from "./defining.ts";
-import { varyField } from "./vary.ts";
-
-/** A field of a line or a pantograph stands in the scenario below that. */
-const ofScenario = (field: string, own: string) => own === field || own.endsWith(`.${field}`);
+import { isAsked, varyField } from "./vary.ts";
 
 export function VaryButton({ field, label }: { field: string; label: string }) {
-  const own = varied.value.find((one) => ofScenario(field, one.field));
+  const own = varied.value.find((one) => isAsked(one.field, field));
   const words = own ? `Do not vary ${label} in the study` : `Vary ${label} in a study`;
   return (
     <button type="button" class="vary" aria-pressed={own !== undefined} aria-label={words} title={words}

@@ -1,15 +1,17 @@
 /** Questions about the study that is being defined; saving and starting it. */
-import { effect, signal } from "@preact/signals";
+import { batch, effect, signal } from "@preact/signals";
 import { ask, newest, type Complaint } from "../connection/http.ts";
 import { complain } from "../shell/messages.ts";
 import { project, readProject } from "../state/project.ts";
 import { subject } from "../state/subject.ts";
 import { definition, fields, fileOf, freeName, name, scenario, varied, vary, type Fields } from "./defining.ts";
 import { openStudy } from "./open.ts";
-import { wanted } from "./vary.ts";
+import { isAsked, wanted } from "./vary.ts";
 
 interface Text {
   text: string;
+  /** Of the file that it was made from; null of a new one. */
+  version: string | null;
   /** null where it is wrong. */
   count: number | null;
   errors: Complaint[];
@@ -31,21 +33,9 @@ export const saving = signal(false);
 const named = (path: string) => path.replace(/^shipped:\w+\//, "");
 
 const askFields = newest((signal, path: string) => ask<Fields>("studies/fields", { body: { scenario: path }, signal }));
-const askText = newest(async (signal, given: NonNullable<typeof definition.value>) => {
-  const path = fileOf(given.name);
-  return ask<Text>("studies/text", { body: { path, definition: given, text: await before(path, signal).then((one) => one?.text ?? null) }, signal });
-});
-
-interface FileText {
-  text: string;
-  version: string;
-}
-
-/** The file of that name, where there is one: its comments stay. */
-async function before(path: string, signal?: AbortSignal): Promise<FileText | null> {
-  if (!project.peek()?.models.some((model) => model.path === path)) return null;
-  return ask<FileText>("file", { query: { path }, ...(signal ? { signal } : {}) });
-}
+const askText = newest((signal, given: NonNullable<typeof definition.value>) =>
+  ask<Text>("studies/text", { body: { path: fileOf(given.name), definition: given }, signal }),
+);
 
 /** A name for a study that none has, and no file. */
 export function anotherName(wanted: string): string {
@@ -64,12 +54,14 @@ export function followDefinition(): () => void {
       if (path === null) return;
       askFields(path).then((found) => {
         if (!found) return;
-        const isAnother = scenario.peek() !== named(path);
-        fields.value = found;
-        if (!isAnother) return;
-        scenario.value = named(path);
-        varied.value = [];
-        name.value = anotherName(`${found.name}-study`);
+        // At once: a field that waits to be varied is added to what is there then.
+        batch(() => {
+          fields.value = found;
+          if (scenario.peek() === named(path)) return;
+          scenario.value = named(path);
+          varied.value = [];
+          name.value = anotherName(`${found.name}-study`);
+        });
       }, complain);
     }),
     effect(() => {
@@ -89,7 +81,7 @@ export function followDefinition(): () => void {
       const found = fields.value;
       const asked = wanted.value;
       if (!found || asked === null) return;
-      const own = found.fields.find(({ field }) => field === asked || field.endsWith(`.${asked}`));
+      const own = found.fields.find(({ field }) => isAsked(field, asked));
       wanted.value = null;
       if (own) vary(own);
       else complain(`${asked} is no number of this scenario that can be varied.`);
@@ -109,9 +101,9 @@ export async function save(start: boolean): Promise<boolean> {
   saving.value = true;
   try {
     const path = fileOf(given.name);
-    const old = await before(path);
-    const { text, begun } = await ask<Text>("studies/text", { body: { path, definition: given, text: old?.text ?? null } });
-    if (text !== old?.text) await ask("file", { method: "PUT", body: { path, text, version: old?.version ?? null } });
+    const { text, version, changes, begun } = await ask<Text>("studies/text", { body: { path, definition: given } });
+    if (begun === "other") throw new Error(`The study ${given.name} was begun with other values. Give this one another name.`);
+    if (changes || version === null) await ask("file", { method: "PUT", body: { path, text, version } });
     if (start) await run(path, { resume: begun === "same" });
     await readProject();
     return true;

@@ -75,7 +75,8 @@ export function extent(column: Column, rows: readonly Row[]): [number, number] |
     if (value > high) high = value;
   }
   if (low > high) return null;
-  return low === high ? [low - (Math.abs(low) || 1) * 0.5, high + (Math.abs(high) || 1) * 0.5] : [low, high];
+  // What the digits of the ends do not tell apart is one value: a search for a mean force leaves some mN.
+  return shown(low) === shown(high) ? [low - (Math.abs(low) || 1) * 0.5, high + (Math.abs(high) || 1) * 0.5] : [low, high];
 }
 
 /** Places of the rows that lie within all brushes and have a text in status, error or number. */

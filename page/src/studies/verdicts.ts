@@ -40,8 +40,8 @@ export interface Limit {
 }
 
 const SIGNS: Record<string, string> = { "<=": "≤", ">=": "≥", ">": ">" };
-/** Relative difference of limits below which they are one: rounding alone. */
-const SAME = 1e-9;
+/** Digits of a limit. */
+const DIGITS = 4;
 
 /** Limits of a column over rows: of criteria, and bounds that a search keeps. */
 export function limitsOf(column: Column, rows: readonly Row[], criteria: readonly Criterion[]): Limit[] {
@@ -63,10 +63,8 @@ export function limitsOf(column: Column, rows: readonly Row[], criteria: readonl
   return found;
 }
 
-export const isOne = ({ low, high }: Limit): boolean => high - low <= SAME * Math.max(Math.abs(low), Math.abs(high));
-
 /** A limit in words: one number, or from where to where it goes with the variants. */
 export function wordsOf(limit: Limit): string {
-  const ends = isOne(limit) ? shown(limit.high, 4) : `${shown(limit.low, 4)} to ${shown(limit.high, 4)}`;
-  return `${limit.sign} ${ends}`;
+  const [low, high] = [shown(limit.low, DIGITS), shown(limit.high, DIGITS)];
+  return `${limit.sign} ${low === high ? high : `${low} to ${high}`}`;
 }

@@ -53,11 +53,24 @@ class Desk:
             "outputs": [_output(key) for key in OFFERED],
         }
 
-    def text(self, path: str, given: Mapping[str, Any], before: str | None) -> dict[str, Any]:
-        """Return the text of a study file, how many variants it has, and what is wrong with it."""
+    def text(self, path: str, given: Mapping[str, Any]) -> dict[str, Any]:
+        """Return the text of a study file, how many variants it has, and what is wrong with it.
+
+        A file that is there is changed, so that its comments stay: `version` is the one that the
+        text was made from, None of a new file, and `changes` whether it says something else.
+        `begun` tells of a study of that name with rows: `same`, `other`, or None.
+        """
         file = texts.model_file(self._project, path)
+        there = texts.read(self._project, path) if file.exists() else None
+        before = None if there is None else there["text"]
+        about = {"version": there and there["version"], "begun": None}
+        if there is not None and there["kind"] != "study":
+            taken = ModelError("the name of another model", got=show(path),
+                               expected="a name of its own", field=("name",))  # fmt: skip
+            return {**about, "text": "", "changes": False, "count": None,
+                    "errors": [complaint(taken)]}  # fmt: skip
         text = written(given, before)
-        about = {"text": text, "changes": before not in (None, text), "begun": None}
+        about |= {"text": text, "changes": before not in (None, text)}
         try:
             loaded = study.load_text(text, file, self._project.folder)
         except ArclessError as error:

@@ -14,6 +14,7 @@ from arcless.assess.quantities import label_of
 from arcless.model.files.yaml_reader import parse
 from arcless.studio.answers.answers import Refused
 from arcless.studio.project.project import Project
+from arcless.studio.project.texts import version_of
 from arcless.studio.studies.computing import Computing
 from arcless.studio.studies.desk import Desk
 from arcless.studio.studies.verdicts import RowVerdicts
@@ -143,22 +144,31 @@ def test_rows_that_come_one_by_one_are_judged_as_all_at_once(desk: Desk) -> None
 def test_a_name_that_is_taken_is_told_before_anything_is_written(
     desk: Desk, project: Project, change: tuple[str, str], begun: str | None
 ) -> None:
-    data, _ = parse(TEXT, FILE)
-    given = {key: value for key, value in data.items() if key != "format"}
-    assert desk.text(FILE, given, TEXT)["begun"] is None
+    assert desk.text(FILE, _given(TEXT))["begun"] is None
     study.run(study.load(FILE))
-    data, _ = parse(TEXT.replace(*change), FILE)
-    given = {key: value for key, value in data.items() if key != "format"}
-    told = desk.text(FILE, given, TEXT)
+    given = _given(TEXT.replace(*change))
+    told = desk.text(FILE, given)
     assert (told["begun"], told["changes"]) == (begun, begun != "same")
-    assert desk.text("free.yaml", given, None)["changes"] is False
+    assert told["version"] == version_of(TEXT.encode())
+    free = desk.text("free.yaml", given)
+    assert (free["changes"], free["version"]) == (False, None)
     assert (project.folder / FILE).read_text() == TEXT
 
 
+def test_a_study_does_not_take_the_file_of_another_model(desk: Desk) -> None:
+    told = desk.text("own.yaml", _given(TEXT))
+    assert told["errors"][0]["field"] == ("name",)
+    assert told["count"] is None
+
+
+def _given(text: str) -> dict[str, Any]:
+    data, _ = parse(text, FILE)
+    return {key: value for key, value in data.items() if key != "format"}
+
+
 def test_an_error_has_the_place_of_its_field(desk: Desk) -> None:
-    data, _ = parse(TEXT.replace("20 kN, 24 kN", "20 kN, 24 bananas"), FILE)
-    given = {key: value for key, value in data.items() if key != "format"}
-    (error,) = desk.text(FILE, given, None)["errors"]
+    given = _given(TEXT.replace("20 kN, 24 kN", "20 kN, 24 bananas"))
+    (error,) = desk.text(FILE, given)["errors"]
     assert error["field"][:2] == ("variables", "tension")
 
 
