@@ -33,7 +33,10 @@ export const canVary = computed(() => kind.value !== "study");
 
 export function ValueField({ own }: { own: FormField }) {
   const typing = useSignal<string | null>(null);
-  const { number, unit } = parts(own.typed);
+  const { number, unit: typedUnit } = parts(own.typed);
+  // A number over one of the base has its unit.
+  const below = parts(own.inherited ?? null);
+  const unit = typedUnit || below.unit;
   const id = `field-${own.field}`;
   const problems = problemsOf(own.field);
   const commit = () => {
@@ -77,6 +80,8 @@ export function ValueField({ own }: { own: FormField }) {
           <input
             id={id}
             value={typing.value ?? number}
+            placeholder={below.number}
+            title={below.number ? `As in the base: ${String(own.inherited)}` : undefined}
             disabled={disabled}
             aria-invalid={problems.length > 0}
             aria-describedby={`about-${own.field}`}

@@ -9,6 +9,8 @@ import { scenario } from "../state/selection.ts";
 interface Field {
   field: string;
   typed: unknown;
+  /** Of a variant: what its base has. */
+  inherited?: unknown;
 }
 
 export interface ScenarioFields {
@@ -24,7 +26,8 @@ export const fields = signal<ScenarioFields | null>(null);
 const MODEL = /^pantographs\.(\d+)\.model$/;
 const text = (typed: unknown) => (typeof typed === "string" || typeof typed === "number" ? String(typed) : null);
 
-export function sorted(path: string, found: readonly Field[]): ScenarioFields {
+export function sorted(path: string, given: readonly Field[]): ScenarioFields {
+  const found = given.map(({ field, typed, inherited }) => ({ field: field.replace(/^set\./, ""), typed: typed ?? inherited }));
   const models = found.flatMap(({ field, typed }) => {
     const place = MODEL.exec(field);
     return place ? [[Number(place[1]), text(typed) ?? ""] as const] : [];
