@@ -102,6 +102,41 @@ def test_a_variant_is_compared_and_kept(studio: Start, tmp_path: Path) -> None:
     assert kept["set"] == {"speed": "300 km/h"}
 
 
+def test_a_slider_becomes_a_variant_and_a_schedule_of_droppers(
+    studio: Start, tmp_path: Path
+) -> None:
+    arcless("new", "line", "--from", SHIPPED, "--to", tmp_path)
+    page = studio(tmp_path).open()
+    page.click(".run-bar button.run")
+    ran(page)
+    page.click("role=tab[name=Statics]")
+    page.click("text=Open the line")
+    page.wait(".slider")
+    page.type("24", into='[aria-label="Contact wire: Tension, number"]')
+    page.press("Tab")
+    page.js(
+        "(() => { const make = URL.createObjectURL; URL.createObjectURL = (blob) => {"
+        " void blob.text().then((text) => { window.saved = text; }); return make(blob); }; })()"
+    )
+    page.click("text=Dropper schedule as CSV")
+    page.until("window.saved !== undefined")
+    tried, file, out = tmp_path / "tried", tmp_path / "line-line.yaml", tmp_path / "d.csv"
+    before = file.read_text("utf-8")
+    tried.mkdir()
+    (tried / file.name).write_text(before.replace("22 kN", "24 kN", 1), "utf-8")
+    arcless("statics", tried / file.name, "--droppers", out)
+    assert page.js("window.saved").splitlines() == out.read_text("utf-8").splitlines()
+    page.click('.statics >> role=button[name="Run as variant"]')
+    ran(page, 2)
+    # Both are ticked, and only the difference is in a name; no file was changed.
+    assert "24 kN" in page.text(".run-entry >> nth=0")
+    assert page.count(".run-entry input:checked") == 2
+    assert file.read_text("utf-8") == before
+    page.click("role=tab[name=Compare]")
+    page.wait("main table")
+    assert "line.contact_wire.tension" in page.text("main [role=tabpanel]")
+
+
 def test_a_study_finds_a_better_variant_which_is_run(studio: Start, tmp_path: Path) -> None:
     (tmp_path / "short.yaml").write_text(SHORT)
     page = studio(tmp_path).open()

@@ -131,7 +131,7 @@ function Changed() {
   return (
     <div class="variant" role="group" aria-label="Variant">
       <span>
-        Variant of {nameOf(base)}: {all.map(([field, value]) => `${field} ${value}`).join(", ")}
+        Variant of {nameOf(base)}: {all.map(([field, value]) => `${field} ${Array.isArray(value) ? `[${value.join(", ")}]` : String(value)}`).join(", ")}
       </span>
       {naming.value ? (
         <form onSubmit={(event) => void save(event)}>

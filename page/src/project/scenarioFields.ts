@@ -17,6 +17,8 @@ export interface ScenarioFields {
   path: string;
   /** As typed: "275 km/h"; null where the form does not tell. */
   speed: string | null;
+  /** As typed; null where the scenario holds its line, or is a variant. */
+  line: string | null;
   /** Names of the pantographs' models, the leading one first. */
   pantographs: string[];
 }
@@ -35,6 +37,7 @@ export function sorted(path: string, given: readonly Field[]): ScenarioFields {
   return {
     path,
     speed: text(found.find(({ field }) => field === "speed")?.typed),
+    line: text(found.find(({ field }) => field === "line")?.typed),
     pantographs: models.sort(([a], [b]) => a - b).map(([, model]) => model),
   };
 }
