@@ -95,22 +95,22 @@ function Cell({ field, value, label, disabled, canVary }: CellProps) {
   const isSelected = selected.value?.kind === "field" && selected.value.field === field;
   return (
     <>
-    <input
-      aria-label={label}
-      aria-invalid={problems.length > 0}
-      title={problems.join(" ")}
-      value={typing.value ?? shown}
-      disabled={disabled || isItem(value) || Array.isArray(value)}
-      class={selectedField.value === field ? "here" : ""}
-      onFocus={() => (selected.value = { kind: "field", field })}
-      onInput={(event) => (typing.value = event.currentTarget.value)}
-      onBlur={commit}
-      onKeyDown={(event) => {
-        if (event.key === "Enter") commit();
-        if (event.key === "Escape") typing.value = null;
-      }}
-    />
-    {canVary && isSelected && <VaryButton field={field} label={label} />}
+      <input
+        aria-label={label}
+        aria-invalid={problems.length > 0}
+        title={problems.join(" ")}
+        value={typing.value ?? shown}
+        disabled={disabled || isItem(value) || Array.isArray(value)}
+        class={selectedField.value === field ? "here" : ""}
+        onFocus={() => (selected.value = { kind: "field", field })}
+        onInput={(event) => (typing.value = event.currentTarget.value)}
+        onBlur={commit}
+        onKeyDown={(event) => {
+          if (event.key === "Enter") commit();
+          if (event.key === "Escape") typing.value = null;
+        }}
+      />
+      {canVary && isSelected && <VaryButton field={field} label={label} />}
     </>
   );
 }

@@ -10,6 +10,8 @@ import { axisAt, layout, lineAt, paint, type Picture } from "./parallel.ts";
 import { axes, brush, brushes, colouredBy, columns, criteria, isJudged, limits, places } from "./selection.ts";
 import { SHAPES, wordsOf } from "./verdicts.ts";
 
+/** An axis has so much room in px at least: the words of its head, and two fields. */
+const NARROWEST = 92;
 /** A pointer that moved less than this, in px, clicked. */
 const CLICK = 4;
 
@@ -59,13 +61,15 @@ export function Parallel() {
   };
   return (
     <section class="parallel" aria-label="Parallel coordinates">
-      <div class="heads">
-        {axes.value.map((column) => (
-          <Head key={column.name} column={column} />
-        ))}
+      <div class="wide" style={{ minWidth: `${axes.value.length * NARROWEST}px` }}>
+        <div class="heads">
+          {axes.value.map((column) => (
+            <Head key={column.name} column={column} />
+          ))}
+        </div>
+        <canvas ref={canvas} role="img" onPointerDown={down} onPointerMove={move} onPointerUp={up}
+          aria-label={`Parallel coordinates: ${axes.value.length} axes, ${places.value.length} of ${count.value} rows`} />
       </div>
-      <canvas ref={canvas} role="img" onPointerDown={down} onPointerMove={move} onPointerUp={up}
-        aria-label={`Parallel coordinates: ${axes.value.length} axes, ${places.value.length} of ${count.value} rows`} />
       {isJudged.value && <Key />}
     </section>
   );

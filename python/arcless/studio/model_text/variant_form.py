@@ -80,4 +80,5 @@ def _inherited(whole: Mapping[str, Any], path: str) -> Any:
     given = (whole.get("provenance", {}).get(path) or {}).get("given")
     if isinstance(value, Mapping):
         return value.get("name")
-    return value if given is None else given
+    # A force that another one stands in for keeps its note, and has no value.
+    return value if given is None or value is None else given

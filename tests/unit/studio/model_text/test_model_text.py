@@ -156,6 +156,16 @@ def test_the_form_of_a_variant_has_what_it_sets_and_what_its_base_has() -> None:
     assert found["set.pantographs.0.model"]["inherited"] == "ac-simple"
     # One excludes the other.
     assert "set.pantographs.0.static_force" not in found
+    other = text.replace("mean_force: {value: 150 N, mark: D}", "static_force: 130 N")
+    scenario_of_other = load_text(other, file, file.parent)
+    assert isinstance(scenario_of_other, Scenario)
+    names = [
+        one["field"]
+        for group in form(other, "v.yaml", scenario_of_other)["groups"]
+        for one in group["fields"]
+    ]
+    assert "set.pantographs.0.static_force" in names
+    assert "set.pantographs.0.mean_force" not in names
     # Each number that is offered can be typed over: the text is a variant that can be run.
     for field, one in found.items():
         if isinstance(one["value"], float):
