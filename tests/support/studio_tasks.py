@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from arcless.errors import ModelError
-from arcless.studio.jobs.talk import Talk
+from arcless.studio.processes.talk import Talk
 from arcless.studio.motion.layout import RowLayout, WirePart
 from arcless.studio.motion.spool import SpoolWriter
 

@@ -4,7 +4,7 @@ import asyncio
 from typing import Any, BinaryIO
 
 from arcless.studio.jobs.job import Job, Task
-from arcless.studio.jobs.worker import Worker
+from arcless.studio.processes.worker import Worker
 from arcless.studio.motion.spool import SpooledMotion
 
 

@@ -17,7 +17,7 @@ from arcless.studio.answers.answers import Refused, complaint
 from arcless.studio.jobs.entry import Entry
 from arcless.studio.jobs.job import Job, Kind, Task
 from arcless.studio.jobs.pool import Pool
-from arcless.studio.jobs.worker import Worker
+from arcless.studio.processes.worker import Worker
 
 # Jobs that are kept in the list when they have ended, and those that may wait. More would make
 # the list long; less forgets what the user has not seen yet.

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 from arcless.studio.jobs.entry import Entry
-from arcless.studio.jobs.worker import Worker
+from arcless.studio.processes.worker import Worker
 from arcless.studio.motion.spool import new_file
 
 # Processes that wait for a task, each of 100 MB: with fewer a run waits a second for one to start.

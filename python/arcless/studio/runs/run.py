@@ -15,7 +15,7 @@ from arcless.results.kept_runs.reading import read
 from arcless.results.run_folder import files
 from arcless.results.run_folder.run_folder import for_run
 from arcless.studio.at_rest.of_run import geometry_of_run
-from arcless.studio.jobs.talk import Talk
+from arcless.studio.processes.talk import Talk
 from arcless.studio.motion.watching import Watching
 from arcless.studio.runs.order import Order
 

@@ -1,6 +1,6 @@
 """Main program of a worker process: it does one task after the other, as long as the server lives.
 
-    python -m arcless.studio.jobs.worker_process DESCRIPTOR
+    python -m arcless.studio.processes.worker_process DESCRIPTOR
 
 It imports what a run needs before anybody asks, so that a run begins at once.
 """
@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import Any
 
 from arcless.errors import ArclessError
-from arcless.studio.jobs.talk import Talk
+from arcless.studio.processes.talk import Talk
 
 # Time in s that a task has to clean up when the server is gone; then the process ends.
 _LAST_S = 1.0

@@ -15,7 +15,7 @@ from typing import Any
 
 from arcless.studio.jobs.job import Task
 
-_MODULE = "arcless.studio.jobs.worker_process"
+_MODULE = "arcless.studio.processes.worker_process"
 # Signals by which a process ends that nobody of us sent, in words.
 _KILLED: dict[int, tuple[str, str | None]] = {
     signal.SIGKILL: ("it was killed, by a user or because the memory of the machine was used up",
