@@ -8,9 +8,10 @@ from pathlib import Path
 import numpy as np
 
 from arcless.errors import ModelError
-from arcless.studio.processes.talk import Talk
+from arcless.studio.jobs.spooling import spooled
 from arcless.studio.motion.layout import RowLayout, WirePart
 from arcless.studio.motion.spool import SpoolWriter
+from arcless.studio.processes.talk import Talk
 
 # Beyond what any test waits for.
 LONG_S = 60.0
@@ -29,7 +30,6 @@ def tell(talk: Talk, times: int) -> None:
     for number in range(times):
         talk.progress(number / times, f"step {number}")
     talk.note("A warning.")
-    talk.say({"rows": times})
 
 
 def refuse(_talk: Talk) -> None:
@@ -100,7 +100,7 @@ def rows_of(first: int, count: int) -> np.ndarray:
 
 
 def spool_of(talk: Talk, end_s: float) -> SpoolWriter:
-    return talk.motion(LAYOUT, GEOMETRY, every_s=EVERY_S, end_s=end_s)
+    return spooled(talk, LAYOUT, GEOMETRY, every_s=EVERY_S, end_s=end_s)
 
 
 def move(talk: Talk, count: int, begin_again: bool) -> None:

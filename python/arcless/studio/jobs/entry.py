@@ -4,8 +4,8 @@ import asyncio
 from typing import Any, BinaryIO
 
 from arcless.studio.jobs.job import Job, Task
-from arcless.studio.processes.worker import Worker
 from arcless.studio.motion.spool import SpooledMotion
+from arcless.studio.processes.worker import Worker
 
 
 class Entry:

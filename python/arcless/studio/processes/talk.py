@@ -1,5 +1,6 @@
-"""Talk of a function in a worker process with the server: progress, notes, motion; its end."""
+"""Talk of a function in a worker process with the server: progress, notes, orders; its end."""
 
+import queue
 import select
 import time
 from dataclasses import dataclass, field
@@ -7,31 +8,30 @@ from multiprocessing.connection import Connection
 from threading import Event, Lock
 from typing import Any
 
-from arcless.studio.at_rest.plain_geometry import Geometry
-from arcless.studio.motion.layout import RowLayout
-from arcless.studio.motion.spool import SpoolWriter
-
 # Time in s between two messages of progress: faster than anyone reads, slow enough to cost nothing.
 _BETWEEN_S = 0.05
 
 
 @dataclass
 class Talk:
-    """Handed to a function that runs as a job, as its first argument.
+    """Handed to a function in a worker process, as its first argument.
 
     Attributes
     ----------
     connection
         Leads to the server.
     spool
-        Descriptor of the file that takes motion; None where the job shows none.
+        Descriptor of the file that takes motion; None where nobody watches.
     cancelled
-        Set when the job is to end.
+        Set when the task is to end.
+    orders
+        Orders of the server that have not been taken.
     """
 
     connection: Connection
     spool: int | None = None
     cancelled: Event = field(default_factory=Event)
+    orders: "queue.SimpleQueue[Any]" = field(default_factory=queue.SimpleQueue)
     _next: float = 0.0
     _one: Lock = field(default_factory=Lock)
 
@@ -41,58 +41,38 @@ class Talk:
         A server that does not listen, a stopped one, is told nothing: the run does not wait.
         """
         now = time.monotonic()
-        if now >= self._next and self._has_room():
+        if now >= self._next and self.has_room():
             self._next = now + _BETWEEN_S
-            self.send(("progress", fraction, doing))
-
-    def cancel(self) -> bool:
-        """Return whether the job is to end, as `arcless.run` asks."""
-        return self.cancelled.is_set()
+            self.say(("progress", fraction, doing))
 
     def note(self, text: str) -> None:
         """Tell a warning, a whole sentence."""
-        self.send(("note", text))
+        self.say(("note", text))
 
-    def say(self, message: Any) -> None:
-        """Send anything that pickles to whom `Task.hear` names."""
-        self.send(("said", message))
+    def say(self, said: Any) -> None:
+        """Send anything that pickles to who started the task."""
+        self.send(("said", said))
+
+    def cancel(self) -> bool:
+        """Return whether the task is to end, as `arcless.run` asks."""
+        return self.cancelled.is_set()
+
+    def order(self, within_s: float) -> Any:
+        """Return the next order of the server, None where none comes within a time in s."""
+        try:
+            return self.orders.get(timeout=within_s)
+        except queue.Empty:
+            return None
 
     def shows(self) -> bool:
         """Return whether somebody may watch: motion is to be spooled."""
         return self.spool is not None
 
-    def motion(
-        self, layout: RowLayout, geometry: Geometry, *, every_s: float, end_s: float
-    ) -> SpoolWriter:
-        """Announce a motion, and return what takes its rows; a later one takes its place.
-
-        Parameters
-        ----------
-        layout, geometry
-            Layout of the rows, and the line whose nodes they move.
-        every_s
-            Interval of the rows in s.
-        end_s
-            Time in s at which the motion will end.
-
-        Raises
-        ------
-        ValueError
-            The job shows nothing, see `Task.shows`.
-        """
-        if self.spool is None:
-            raise ValueError("a job without a spool")
-        self.send(("motion", layout, geometry, every_s, end_s))
-        return SpoolWriter(self.spool, layout.type, self._grown)
+    def has_room(self) -> bool:
+        """Return whether a short message would be sent at once."""
+        return bool(select.select([], [self.connection], [], 0.0)[1])
 
     def send(self, message: Any) -> None:
         """Send a message of the worker: threads of a run tell their progress too."""
         with self._one:
             self.connection.send(message)
-
-    def _grown(self, rows: int, end_s: float, final: bool) -> None:
-        if final or self._has_room():
-            self.send(("edge", rows, end_s, final))
-
-    def _has_room(self) -> bool:
-        return bool(select.select([], [self.connection], [], 0.0)[1])

@@ -1,131 +1,197 @@
-"""A worker process, as the server sees it."""
+"""A worker process, as the server sees it: the one way in which the studio starts processes.
 
-import asyncio
+It is a new interpreter: a fork of a server with threads may hang, and `multiprocessing` would
+import the main program once more, and start one more process that watches over the others.
+"""
+
 import os
 import signal
 import socket
 import subprocess
 import sys
 import threading
+from collections import deque
 from collections.abc import Callable
+from concurrent.futures import Future
 from contextlib import suppress
 from multiprocessing.connection import Connection
 from multiprocessing.reduction import send_handle
 from typing import Any
 
-from arcless.studio.jobs.job import Task
+from arcless.errors import ArclessError
+from arcless.studio.processes.ends import Cancelled, Failed, Gone
+from arcless.studio.processes.worker_process import LAST_S
 
+Heard = Callable[[Any], object]
+_Task = tuple[Future[Any], Heard | None]
 _MODULE = "arcless.studio.processes.worker_process"
-# Signals by which a process ends that nobody of us sent, in words.
-_KILLED: dict[int, tuple[str, str | None]] = {
-    signal.SIGKILL: ("it was killed, by a user or because the memory of the machine was used up",
-                     "record less or shorten the line where memory is short"),
-    signal.SIGTERM: ("it was terminated", None),
-    signal.SIGSEGV: ("it crashed (segmentation fault)", "please report it"),
-    signal.SIGABRT: ("it aborted itself", "please report it"),
-    signal.SIGBUS: ("it could not reach its memory or a file", "is a disk full?"),
+# Signals by which a process ends that nobody of us sent, in words, and what to do about it.
+_KILLED: dict[str, tuple[str, str | None]] = {
+    "SIGKILL": ("it was killed, by a user or because the memory of the machine was used up",
+                "record less or shorten the line where memory is short"),
+    "SIGTERM": ("it was terminated", None),
+    "SIGSEGV": ("it crashed (segmentation fault)", "please report it"),
+    "SIGABRT": ("it aborted itself", "please report it"),
+    "SIGBUS": ("it could not reach its memory or a file", "is a disk full?"),
 }  # fmt: skip
 
 
 class Worker:
-    """A process that waits for tasks, or does one.
+    """A process that does one task after the other.
 
     Parameters
     ----------
-    heard
-        Called on the event loop with each message of the process.
-    ended
-        Called on the event loop when the process is gone.
+    last_s
+        Time in s that its task has to end by itself when the server is gone.
+
+    Attributes
+    ----------
+    process
+        The process.
+    used
+        Memory in bytes that it has used at most, as it said after its last task.
     """
 
-    def __init__(
-        self, heard: Callable[["Worker", tuple[Any, ...]], None], ended: Callable[["Worker"], None]
-    ) -> None:
-        self._loop = asyncio.get_running_loop()
-        self._heard, self._ended = heard, ended
+    def __init__(self, last_s: float = LAST_S) -> None:
         ours, theirs = socket.socketpair()
         with theirs:
             self.process = subprocess.Popen(
-                [sys.executable, "-P", "-m", _MODULE, str(theirs.fileno())],
+                [sys.executable, "-P", "-m", _MODULE, str(theirs.fileno()), str(last_s)],
                 pass_fds=[theirs.fileno()],
                 stdin=subprocess.DEVNULL,
                 stdout=subprocess.DEVNULL,
                 env=_environment(),
                 start_new_session=True,  # Ctrl-C in the terminal is for the server alone
             )
-        self._connection = Connection(ours.detach())
+        self.used = 0
+        self._line, self._connection = ours, Connection(os.dup(ours.fileno()))
         self._sending = threading.Lock()
-        self._leaving = False
+        self._tasks: deque[_Task] = deque()
+        self._leaving = self._gone = False
         threading.Thread(target=self._listen, daemon=True).start()
-
-    def do(self, task: Task, spool: int | None) -> None:
-        """Have a task done; `spool` is the descriptor of the file that takes its motion."""
-        call = (task.function, task.arguments)
-        try:
-            with self._sending:
-                self._connection.send(("do", call, spool is not None))
-                if spool is not None:
-                    send_handle(self._connection, spool, self.process.pid)
-        except OSError:
-            pass  # it is gone, which `ended` will say
-
-    def cancel(self) -> None:
-        """Ask it to end its task."""
-        try:
-            with self._sending:
-                self._connection.send(("cancel",))
-        except OSError:
-            pass
-
-    def kill(self) -> None:
-        """End it now; `ended` is called soon."""
-        self.process.kill()
 
     @property
     def runs(self) -> bool:
-        """True while the process is there."""
-        return self.process.poll() is None
+        """True while the process is there and has not been asked to leave."""
+        return not self._leaving and self.process.poll() is None
 
-    def end(self) -> None:
-        """End it now, and wait until it is gone."""
-        self.process.kill()
-        self.process.wait()
+    def do(
+        self, function: Callable[..., Any], *arguments: Any,
+        heard: Heard | None = None, spool: int | None = None,
+    ) -> Future[Any]:  # fmt: skip
+        """Have a task done, after those that were given before.
 
-    def leave(self) -> None:
-        """Let it end by itself, within a second, as when the server is gone."""
-        if not self._leaving:
-            self._leaving = True
+        Parameters
+        ----------
+        function, arguments
+            A function of a module, called with a `Talk` and the arguments, which pickle. It asks
+            `Talk.cancel` now and then and raises KeyboardInterrupt when that is true.
+        heard
+            Called with what the function says, in order, by a thread of this worker: while it does
+            not return, the function waits as soon as its words fill the line.
+        spool
+            Descriptor of a file that the function writes to.
+
+        Returns
+        -------
+        Future
+            What the function returns, by the same thread after its last word; or an ArclessError,
+            `Failed`, `Gone`, `Cancelled`. Nobody but the worker ends it.
+        """
+        end: Future[Any] = Future()
+        end.set_running_or_notify_cancel()
+        with self._sending:
+            if self._gone:
+                end.set_exception(self._why())
+                return end
+            self._tasks.append((end, heard))
             try:
-                # The listening thread wakes up and closes; closing under it would not wake it.
-                with socket.socket(fileno=os.dup(self._connection.fileno())) as line:
-                    line.shutdown(socket.SHUT_RDWR)
+                self._connection.send(("do", (function, arguments), spool is not None))
+                if spool is not None:
+                    send_handle(self._connection, spool, self.process.pid)
             except OSError:
-                pass
+                pass  # it is gone, which `_listen` tells
+            except Exception:  # what does not pickle
+                self._tasks.pop()
+                raise
+        return end
 
-    def why(self) -> dict[str, Any]:
-        """Return why the process ended, as a complaint."""
-        code = self.process.returncode
-        told = (f"it ended with code {code}", "please report it")
-        what, hint = told if code >= 0 else _KILLED.get(-code, (f"signal {-code}", None))
-        text = f"the process that computed this is gone: {what}"
-        if hint is None:
-            return {"text": text, "what": text}
-        return {"text": f"{text}; hint: {hint}", "what": text, "hint": hint}
+    def tell(self, order: Any) -> None:
+        """Send what the task takes by `Talk.order`; waits while the line is full."""
+        self._send(("order", order))
+
+    def cancel(self, within_s: float) -> None:
+        """Ask the last task to end, and end the process where it does not within a time in s."""
+        self._send(("cancel",))
+        given = list(self._tasks)
+        _later(within_s, lambda: None if _have_ended(given) else self.process.kill())
+
+    def leave(self, within_s: float = LAST_S) -> None:
+        """Have it cancel its task and end, by force after a time in s; does not wait for it."""
+        if self._leaving:
+            return
+        self._leaving = True
+        with suppress(OSError):
+            # The listening thread wakes up and closes; closing under it would not wake it.
+            self._line.shutdown(socket.SHUT_RDWR)
+        _later(within_s, self.process.kill)
+
+    def _send(self, message: tuple[Any, ...]) -> None:
+        with self._sending, suppress(OSError):
+            self._connection.send(message)
 
     def _listen(self) -> None:
         try:
             while True:
-                self._call(self._heard, self, self._connection.recv())
-        except Exception:  # nobody there any more, or nothing that can be read
-            self.process.kill() if not self._leaving else None
+                self._take(self._connection.recv())
+        except Exception:  # nobody there any more, nothing that can be read, nobody who hears
+            if not self._leaving:
+                self.process.kill()
         self.process.wait()
         with self._sending:
+            self._gone = True
             self._connection.close()
-        self._call(self._ended, self)
+            self._line.close()
+        while self._tasks:
+            self._tasks.popleft()[0].set_exception(self._why())
 
-    def _call(self, function: Callable[..., None], *arguments: Any) -> None:
-        with suppress(RuntimeError):  # the loop is closed: the server has ended
-            self._loop.call_soon_threadsafe(function, *arguments)
+    def _take(self, message: tuple[Any, ...]) -> None:
+        end, heard = self._tasks[0]
+        match message:
+            case ("said", said) if heard is not None:
+                heard(said)
+            case ("end", how, value, used):
+                self._tasks.popleft()
+                self.used = used
+                if how == "done":
+                    end.set_result(value)
+                else:
+                    end.set_exception(_error(how, value))
+
+    def _why(self) -> Gone:
+        """Return why the process ended."""
+        code = self.process.returncode
+        if code >= 0:
+            what: tuple[str, str | None] = (f"it ended with code {code}", "please report it")
+        else:
+            what = _KILLED.get(signal.Signals(-code).name, (f"signal {-code}", None))
+        return Gone(f"the process that computed this is gone: {what[0]}", what[1])
+
+
+def _have_ended(tasks: list[_Task]) -> bool:
+    return all(end.done() for end, _ in tasks)
+
+
+def _error(how: str, value: Any) -> Exception:
+    if how == "cancelled":
+        return Cancelled()
+    return value if isinstance(value, ArclessError) else Failed(*value)
+
+
+def _later(wait_s: float, act: Callable[[], object]) -> None:
+    timer = threading.Timer(wait_s, act)
+    timer.daemon = True
+    timer.start()
 
 
 def _environment() -> dict[str, str]:
