@@ -61,6 +61,41 @@ def wait(talk: Talk) -> None:
     raise KeyboardInterrupt
 
 
+def deaf(talk: Talk) -> None:
+    """Do something that nobody can interrupt."""
+    talk.say("begun")
+    time.sleep(LONG_S)
+
+
+def echo(talk: Talk) -> int:
+    """Say each order again until there is an end; return how many there were."""
+    count = 0
+    while (order := talk.order(LONG_S)) != "end":
+        talk.say(order)
+        count += 1
+    return count
+
+
+def speak(talk: Talk, times: int, size: int) -> tuple[float, float]:
+    """Say much; return when it began and when all was said, in s."""
+    begun = time.monotonic()
+    for _ in range(times):
+        talk.say(bytes(size))
+    return begun, time.monotonic()
+
+
+def missing(_talk: Talk) -> None:
+    Path("/missing").read_text()
+
+
+def leave(_talk: Talk, code: int) -> None:
+    os._exit(code)
+
+
+def hold_memory(_talk: Talk, size: int) -> int:
+    return len(bytearray(b"x") * size)
+
+
 def hold(talk: Talk, folder: Path) -> None:
     """Hold a folder as a run does, deaf to who cancels."""
     from arcless.storage.output_folder import OutputFolder
