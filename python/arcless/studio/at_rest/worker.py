@@ -12,7 +12,7 @@ from arcless.errors import ArclessError
 from arcless.studio.answers.answers import Refused, complaint
 from arcless.studio.at_rest.question import Question
 from arcless.studio.processes import worker
-from arcless.studio.processes.ends import Failed
+from arcless.studio.processes.ends import Cancelled, Failed
 from arcless.studio.processes.talk import Talk
 
 if TYPE_CHECKING:
@@ -64,7 +64,7 @@ class Worker:
             self.process = worker.Worker()
         try:
             answer: Answer = await asyncio.wrap_future(self.process.do(answered, question))
-        except Failed:
+        except (Failed, Cancelled):
             raise Refused(500, "The process that computes lines at rest broke down") from None
         return answer
 

@@ -13,8 +13,9 @@ from starlette.routing import BaseRoute, WebSocketRoute
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from arcless.errors import ArclessError, ModelError
+from arcless.studio.answers.answers import complaint
 from arcless.studio.hands_on.worker import Begin, checked_rate, serve
-from arcless.studio.processes.ends import Cancelled, Failed, told
+from arcless.studio.processes.ends import Cancelled, Failed
 from arcless.studio.processes.worker import Worker
 from arcless.studio.project import texts
 from arcless.studio.project.project import Project, is_shipped
@@ -54,7 +55,7 @@ def routes(project: Project) -> list[BaseRoute]:
 
 
 async def _refuse(socket: WebSocket, error: ArclessError | Failed) -> None:
-    await socket.send_json({"topic": "error", "error": told(error), "final": True})
+    await socket.send_json({"topic": "error", "error": complaint(error), "final": True})
     await socket.close()
 
 

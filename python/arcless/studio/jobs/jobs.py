@@ -13,11 +13,11 @@ from pathlib import Path
 from typing import Any
 
 from arcless.storage import hidden_files
-from arcless.studio.answers.answers import Refused
+from arcless.studio.answers.answers import Refused, complaint
 from arcless.studio.jobs.entry import Entry
 from arcless.studio.jobs.job import Job, Kind, Task
 from arcless.studio.jobs.pool import Pool
-from arcless.studio.processes.ends import Cancelled, Gone, told
+from arcless.studio.processes.ends import Cancelled, Gone
 
 # Jobs that are kept in the list when they have ended, and those that may wait. More would make
 # the list long; less forgets what the user has not seen yet.
@@ -189,11 +189,11 @@ class Jobs:
 
     def _over(self, entry: Entry, end: "Future[Any]") -> None:
         error = end.exception()
-        if isinstance(error, Gone):
+        if isinstance(error, Gone | Cancelled):
             _tidy(entry.task.folder)
         if error is None:
             self._finish(entry, "done", end.result())
-        elif isinstance(error, Cancelled) or (isinstance(error, Gone) and not entry.wanted):
+        elif isinstance(error, Cancelled):
             self._finish(entry, "cancelled", None)
         else:
             self._finish(entry, "failed", error)
@@ -202,7 +202,6 @@ class Jobs:
     def _cancel(self, entry: Entry) -> None:
         if entry.end.done():
             return
-        entry.wanted = False
         for queue in (self._waiting, self._questions):
             if entry in queue:
                 queue.remove(entry)
@@ -216,7 +215,7 @@ class Jobs:
             return
         entry.end_motion()
         if entry.job is not None:
-            _finish_job(entry.job, how, told(value) if how == "failed" else value)
+            _finish_job(entry.job, how, complaint(value) if how == "failed" else value)
             self._changed(entry, now=True)
         if how == "done":
             entry.end.set_result(value)
@@ -254,13 +253,13 @@ class Jobs:
     async def _leave(self) -> None:
         """End all processes; what they had not finished is gone."""
         self._has_ended = True
-        unfinished = await self._pool.leave()
-        for entry in unfinished:
-            _tidy(entry.task.folder)
+        for entry in [*self._waiting, *self._questions]:
+            entry.end.cancel()
+        ends = [entry.end for entry in self._pool.leave()]
+        if ends:
+            await asyncio.wait(ends)
         for entry in self._entries.values():
             entry.forget_motion()
-        for entry in [*self._waiting, *self._questions, *unfinished]:
-            entry.end.cancel()
 
 
 def _will_show(entry: Entry) -> bool:

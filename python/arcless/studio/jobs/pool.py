@@ -7,8 +7,6 @@ from contextlib import suppress
 from functools import partial
 from typing import Any
 
-from anyio.to_thread import run_sync
-
 from arcless.studio.jobs.entry import Entry
 from arcless.studio.jobs.ready import make_ready
 from arcless.studio.motion.spool import new_file
@@ -75,14 +73,11 @@ class Pool:
         )
         end.add_done_callback(partial(on_loop, self._free, worker, entry))
 
-    async def leave(self) -> list[Entry]:
-        """End all processes; return what they had not finished."""
-        workers, unfinished = [*self._idle, *self._at_work], list(self._at_work.values())
-        for worker in workers:
+    def leave(self) -> list[Entry]:
+        """Let all processes end; return what they have not finished, whose ends come soon."""
+        for worker in [*self._idle, *self._at_work]:
             worker.leave(LEAVE_S)
-        for worker in workers:
-            await run_sync(worker.process.wait)
-        return unfinished
+        return list(self._at_work.values())
 
     def _free(self, worker: Worker, entry: Entry, end: Future[Any]) -> None:
         """Let the process of what has ended wait for its next task, unless it is large."""

@@ -1,26 +1,16 @@
 """Ends of a task that are neither a result nor an error of Arcless."""
 
-from typing import Any
-
-from arcless.errors import ArclessError
-from arcless.studio.answers.answers import Refused, complaint
+from arcless.studio.answers.answers import Refused
 
 _FAULT, _CONFLICT = 500, 409
 
 
 class Failed(Refused):
-    """A fault, of the program or of the machine.
-
-    Attributes
-    ----------
-    complaint
-        Its sentence and its parts, as `answers.complaint` tells an error.
-    """
+    """A fault, of the program or of the machine: what it is, and a hint where there is one."""
 
     def __init__(self, what: str, hint: str | None = None) -> None:
-        text = what if hint is None else f"{what}; hint: {hint}"
-        super().__init__(_FAULT, text)
-        self.complaint = {"text": text, "what": what} | ({} if hint is None else {"hint": hint})
+        super().__init__(_FAULT, what if hint is None else f"{what}; hint: {hint}")
+        self.what, self.hint = what, hint
 
 
 class Gone(Failed):
@@ -28,12 +18,7 @@ class Gone(Failed):
 
 
 class Cancelled(Refused):
-    """It was cancelled."""
+    """It was cancelled, and ended by itself or by force."""
 
     def __init__(self) -> None:
         super().__init__(_CONFLICT, "it was cancelled")
-
-
-def told(error: ArclessError | Failed) -> dict[str, Any]:
-    """Return an error as pages show it."""
-    return complaint(error) if isinstance(error, ArclessError) else error.complaint

@@ -67,6 +67,7 @@ class Worker:
         self._line, self._connection = ours, Connection(os.dup(ours.fileno()))
         self._sending = threading.Lock()
         self._tasks: deque[_Task] = deque()
+        self._cancelled: list[Future[Any]] = []
         self._leaving = self._gone = False
         threading.Thread(target=self._listen, daemon=True).start()
 
@@ -123,8 +124,12 @@ class Worker:
     def cancel(self, within_s: float) -> None:
         """Ask the last task to end, and end the process where it does not within a time in s."""
         self._send(("cancel",))
-        given = list(self._tasks)
-        _later(within_s, lambda: None if _have_ended(given) else self.process.kill())
+        self._cancelled = asked = [end for end, _ in list(self._tasks)]
+        _later(within_s, lambda: self._end_unless_done(asked))
+
+    def _end_unless_done(self, ends: list[Future[Any]]) -> None:
+        if not all(end.done() for end in ends):
+            self.process.kill()
 
     def leave(self, within_s: float = LAST_S) -> None:
         """Have it cancel its task and end, by force after a time in s; does not wait for it."""
@@ -152,8 +157,9 @@ class Worker:
             self._gone = True
             self._connection.close()
             self._line.close()
-        while self._tasks:
-            self._tasks.popleft()[0].set_exception(self._why())
+        for end, _ in self._tasks:
+            is_cancelled = self._leaving or end in self._cancelled
+            end.set_exception(Cancelled() if is_cancelled else self._why())
 
     def _take(self, message: tuple[Any, ...]) -> None:
         end, heard = self._tasks[0]
@@ -178,17 +184,13 @@ class Worker:
         return Gone(f"the process that computed this is gone: {what[0]}", what[1])
 
 
-def _have_ended(tasks: list[_Task]) -> bool:
-    return all(end.done() for end, _ in tasks)
-
-
 def _error(how: str, value: Any) -> Exception:
     if how == "cancelled":
         return Cancelled()
     return value if isinstance(value, ArclessError) else Failed(*value)
 
 
-def _later(wait_s: float, act: Callable[[], object]) -> None:
+def _later(wait_s: float, act: Callable[[], Any]) -> None:
     timer = threading.Timer(wait_s, act)
     timer.daemon = True
     timer.start()

@@ -8,13 +8,12 @@ import os
 from collections.abc import AsyncIterator
 from concurrent.futures import Future
 from contextlib import asynccontextmanager
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from arcless import study
 from arcless.errors import ArclessError, StudyError
-from arcless.studio.processes.ends import Failed
+from arcless.studio.processes.ends import Cancelled, Failed
 from arcless.studio.processes.talk import Talk
 from arcless.studio.processes.worker import Worker
 
@@ -26,18 +25,11 @@ LAST_TABLE = 3.0
 STOPS_WITHIN = 20.0
 
 
-@dataclass
-class _Process:
-    worker: Worker
-    end: Future[Any]
-    is_stopped: bool = False
-
-
 class Computing:
     """Processes by the folder of their study."""
 
     def __init__(self) -> None:
-        self._all: dict[Path, _Process] = {}
+        self._all: dict[Path, tuple[Worker, Future[Any]]] = {}
 
     def start(
         self, file: Path, folder: Path, project: Path, *,
@@ -64,7 +56,7 @@ class Computing:
         worker = Worker(LAST_TABLE)
         end = worker.do(_compute, file, project, resume, retry_failed)
         end.add_done_callback(lambda _: worker.leave())
-        self._all[folder] = _Process(worker, end)
+        self._all[folder] = worker, end
 
     def write_report(self, folder: Path) -> None:
         """Write the report of a study, in a process of its own: it takes seconds.
@@ -85,7 +77,7 @@ class Computing:
     def is_running(self, folder: Path) -> bool:
         """Return whether a study is being computed."""
         one = self._all.get(folder)
-        return one is not None and not one.end.done()
+        return one is not None and not one[1].done()
 
     def stop(self, folder: Path) -> None:
         """Stop a study, which keeps its rows.
@@ -100,24 +92,20 @@ class Computing:
                 "the study is not computed by this studio", where=folder.name,
                 hint="stop it where it was started",
             )  # fmt: skip
-        one = self._all[folder]
-        one.is_stopped = True
-        one.worker.cancel(STOPS_WITHIN)
+        self._all[folder][0].cancel(STOPS_WITHIN)
 
     def error(self, folder: Path) -> str | None:
         """Return what ended a study before its time, in a sentence; None where nothing did."""
         one = self._all.get(folder)
-        if one is None or one.is_stopped or not one.end.done():
-            return None
-        error = one.end.exception()
-        return None if error is None else str(error)
+        error = one[1].exception() if one is not None and one[1].done() else None
+        return None if error is None or isinstance(error, Cancelled) else str(error)
 
     @asynccontextmanager
     async def at_work(self) -> AsyncIterator[None]:
         """Be there while the server is; stop all studies with it, which keep their rows."""
         yield
-        for one in self._all.values():
-            one.worker.leave(LAST_TABLE)
+        for worker, _ in self._all.values():
+            worker.leave(LAST_TABLE)
 
 
 def already(folder: Path) -> StudyError:
