@@ -18,7 +18,7 @@ class Gone(Failed):
 
 
 class Cancelled(Refused):
-    """It was cancelled, and ended by itself or by force."""
+    """End of a task that was cancelled, by itself or by force."""
 
     def __init__(self) -> None:
         super().__init__(_CONFLICT, "it was cancelled")

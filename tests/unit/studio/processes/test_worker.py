@@ -38,7 +38,7 @@ def worker() -> Iterator[Worker]:
 
 
 class Said(list[Any]):
-    """What a task says, and a wait for its first word."""
+    """Words of a task, and a wait for the first one."""
 
     def wait(self) -> None:
         end = time.monotonic() + PATIENCE_S
